@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: Apache-2.0
+
+# Warnings, determinism and sanitizers, the same for every target of the project.
+function(meristem_compile_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
+    # A fused multiply-add rounds once where two operations round twice; whether the compiler fuses depends on the
+    # machine and the optimisation level, and plants must have the same bytes on all of them.
+    -ffp-contract=off
+    $<$<BOOL:${MERISTEM_WERROR}>:-Werror>)
+  if(MERISTEM_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${MERISTEM_SANITIZE} -fno-omit-frame-pointer
+                           -fno-sanitize-recover=all)
+    target_link_options(${target} PRIVATE -fsanitize=${MERISTEM_SANITIZE})
+  endif()
+endfunction()
+
+# meristem_room(NAME SOURCES ... HEADERS ... TESTS ... PUBLIC ... PRIVATE ...)
+#
+# One static library `meristem_NAME`, alias `meristem::NAME`, and one test program `meristem_NAME_tests` from the files
+# in TESTS. PUBLIC and PRIVATE are the link lists; among the project's own targets they are the architecture.
+function(meristem_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;HEADERS;TESTS;PUBLIC;PRIVATE" ${ARGN})
+  set(target meristem_${name})
+  if(ROOM_SOURCES)
+    add_library(${target} STATIC ${ROOM_SOURCES})
+    meristem_compile_options(${target})
+    set(scope PUBLIC)
+    target_link_libraries(${target} PRIVATE ${ROOM_PRIVATE})
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(meristem::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  target_include_directories(${target} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                             $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(${target} ${scope} ${ROOM_PUBLIC})
+  target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${ROOM_HEADERS})
+  set_property(GLOBAL APPEND PROPERTY MERISTEM_ROOM_LIST meristem::${name})
+  set_property(GLOBAL APPEND PROPERTY MERISTEM_EXPORTED_TARGETS ${target})
+
+  if(MERISTEM_TESTS AND ROOM_TESTS)
+    add_executable(${target}_tests ${ROOM_TESTS})
+    meristem_compile_options(${target}_tests)
+    target_link_libraries(${target}_tests PRIVATE meristem::${name} meristem_test_support GTest::gtest_main)
+    gtest_discover_tests(${target}_tests DISCOVERY_MODE PRE_TEST PROPERTIES LABELS ${name})
+  endif()
+endfunction()

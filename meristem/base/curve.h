@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "meristem/base/vec.h"
+
+namespace meristem {
+
+enum class CurveKind { spline, linear };
+
+/// A function y(x) through given points: joined by straight lines, or by the natural cubic spline (second derivative
+/// continuous, and zero at both ends). Outside the points it keeps its end values. Evaluation is O(log n).
+class Curve {
+ public:
+  /// The constant 0.
+  Curve() : Curve({{0, 0}}) {}
+  /// Points (x, y) with finite coordinates and strictly rising x, at least one. Throws std::invalid_argument otherwise.
+  explicit Curve(std::vector<Vec2> points, CurveKind kind = CurveKind::spline);
+
+  double operator()(double x) const;
+  /// dy/dx; 0 outside the points, for linear curves the slope of the piece to the right.
+  double slope(double x) const;
+
+  const std::vector<Vec2>& points() const { return points_; }
+  CurveKind kind() const { return kind_; }
+  bool operator==(const Curve& other) const { return points_ == other.points_ && kind_ == other.kind_; }
+
+ private:
+  std::size_t piece(double x) const;
+
+  std::vector<Vec2> points_;
+  std::vector<double> second_;  // second derivatives at the points; empty for linear curves
+  CurveKind kind_;
+};
+
+}  // namespace meristem

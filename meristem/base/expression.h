@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// The expression language of documents, grammars and the p-graph: arithmetic on numbers, compiled once to a bytecode
+// that runs over 64 lanes at a time.
+//
+//   expression  = condition [ "?" expression ":" expression ]
+//   operators, loosest first:  ||  &&  == !=  < <= > >=  + -  * / %  unary - ! +  ^ (to the right)
+//   numbers 1, .5, 2e-3; names; calls f(a, b); parentheses. Truth is any number but 0; comparisons give 1 or 0.
+//
+// Functions, angles in degrees: sin cos tan asin acos atan atan2(y, x) sqrt cbrt exp log log2 log10 pow(x, y) abs sign
+// floor ceil round trunc frac mod(x, y) min(...) max(...) clamp(x, low, high) lerp(a, b, t) smoothstep(a, b, x)
+// step(edge, x) noise(x [, y [, z]]) rand() rand(low, high) gauss(mean, deviation). Constants: pi, e, golden (137.508°).
+//
+// Both branches of `?:` are evaluated. rand and gauss draw from the lane's key by the call's place in the expression.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meristem/base/random.h"
+
+namespace meristem {
+
+/// The names an expression may use. Variables differ from lane to lane and are given when evaluating, in this order;
+/// constants are folded in when compiling.
+struct ExpressionNames {
+  struct Constant {
+    std::string name;
+    double value = 0;
+  };
+  std::vector<std::string> variables;
+  std::vector<Constant> constants;
+};
+
+/// A fault in an expression's text; `offset` is the byte at which it lies.
+struct ExpressionFault {
+  std::size_t offset = 0;
+  std::string message;
+  std::string expected;
+  std::string nearest;
+};
+
+class ExpressionError : public std::runtime_error {
+ public:
+  explicit ExpressionError(ExpressionFault fault) : std::runtime_error(fault.message), fault_(std::move(fault)) {}
+  const ExpressionFault& fault() const { return fault_; }
+
+ private:
+  ExpressionFault fault_;
+};
+
+/// True for a letter or '_' followed by letters, digits or '_'.
+bool is_identifier(std::string_view name);
+/// True for functions and constants that every expression knows; variables may not take these names.
+bool is_builtin_name(std::string_view name);
+/// All of them, in the order of the manual.
+std::span<const std::string> builtin_names();
+
+class Expression {
+ public:
+  /// Compiles `text`. Throws ExpressionError for the first fault. Nesting is bounded (200 levels) and so is the length
+  /// (`max_bytes`).
+  static Expression compile(std::string_view text, const ExpressionNames& names, std::size_t max_bytes = 16'384);
+
+  /// Values for `count` lanes into `out`. `variables[k]` points to `count` values of the k-th name (only those that
+  /// `uses(k)` are read; others may be null). `keys` has a key a lane, or is empty if the expression draws nothing.
+  /// Numbers follow IEEE 754: a division by zero gives an infinity, log(-1) a NaN; callers decide what that means.
+  void evaluate(std::size_t count, std::span<const double* const> variables, std::span<const RandomKey> keys,
+                double* out) const;
+  /// One lane.
+  double evaluate(std::span<const double> variables = {}, RandomKey key = RandomKey()) const;
+
+  bool uses(std::size_t variable) const;  ///< whether the k-th variable occurs
+  bool is_random() const;                 ///< whether rand or gauss occurs
+  bool is_constant() const;               ///< no variable, nothing random
+  const std::string& text() const;
+
+ private:
+  struct Program;
+  std::shared_ptr<const Program> program_;
+};
+
+}  // namespace meristem

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "meristem/base/vec.h"
+
+namespace meristem {
+
+/// A place and its directions: an affine map from local to outer coordinates.
+///
+/// Columns of `axes` are the images of x (to the right), y (the heading) and z (the upper face); unit and orthogonal
+/// unless the frame scales. `origin` is in metres. The default is the world's own frame: y up.
+struct Frame {
+  Mat3 axes{1};
+  Vec3 origin{0};
+
+  Vec3 right() const { return axes[0]; }
+  Vec3 heading() const { return axes[1]; }
+  Vec3 upper() const { return axes[2]; }
+
+  /// Outer coordinates of a local point.
+  Vec3 point(Vec3 local) const { return origin + axes * local; }
+  /// Outer direction of a local direction; its length scales with the frame.
+  Vec3 vector(Vec3 local) const { return axes * local; }
+  /// Outer unit normal of a local unit normal; right also for frames that scale unevenly or mirror.
+  Vec3 normal(Vec3 local) const;
+
+  /// The frame `inner`, given in this one's coordinates, in outer coordinates.
+  Frame operator*(const Frame& inner) const { return {axes * inner.axes, point(inner.origin)}; }
+};
+
+/// The rotation by `angle` (radians) about the unit vector `axis`, counter-clockwise seen against it.
+/// Uses the project's own sine and cosine, so that frames have the same bytes on every machine.
+Mat3 rotation(Vec3 axis, double angle);
+
+/// The smallest rotation that takes the unit vector `from` to the unit vector `to`; for opposite vectors a half turn
+/// about some axis at right angles, always the same one.
+Mat3 rotation_between(Vec3 from, Vec3 to);
+
+/// A frame at `origin` with unit heading `heading`, its upper face as near to `upper` as can be. Any vectors do: where
+/// `upper` is parallel to the heading, a fixed substitute stands in.
+Frame frame_along(Vec3 origin, Vec3 heading, Vec3 upper);
+
+/// A unit vector at right angles to the unit vector `direction`, a continuous choice almost everywhere.
+Vec3 any_perpendicular(Vec3 direction);
+
+/// `vector` with length 1, or `fallback` where its length is below 1e-20 or not finite.
+Vec3 normalized_or(Vec3 vector, Vec3 fallback);
+
+}  // namespace meristem

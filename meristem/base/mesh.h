@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "meristem/base/vec.h"
+
+namespace meristem {
+
+/// Triangles with shared vertices, structure of arrays. Front faces wind counter-clockwise seen from outside.
+/// `normals` (unit) and `uvs` are empty or as long as `positions`. v rises from the base of an organ to its tip;
+/// images have v = 0 at their lower edge.
+struct Mesh {
+  std::vector<Vec3> positions;  ///< metres
+  std::vector<Vec3> normals;
+  std::vector<Vec2> uvs;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+
+  std::size_t vertex_count() const { return positions.size(); }
+  std::size_t triangle_count() const { return triangles.size(); }
+  /// Heap bytes in use.
+  std::size_t bytes() const {
+    return positions.size() * sizeof(Vec3) + normals.size() * sizeof(Vec3) + uvs.size() * sizeof(Vec2) +
+           triangles.size() * sizeof(triangles[0]);
+  }
+};
+
+}  // namespace meristem

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one parallel loop. Its blocks depend only on the count and the grain, never on the number of threads, so a body
+// that writes to fixed places, or per-block results combined in block order, gives the same bytes on 1 or 64 threads.
+#pragma once
+
+#include <cstddef>
+
+#include "meristem/base/function_ref.h"
+
+namespace meristem {
+
+/// Calls `body(begin, end)` for every block [k*grain, (k+1)*grain) of [0, count), on up to thread_count() threads.
+/// Returns when all are done. If bodies throw, blocks not yet begun are left out and the exception of the lowest block
+/// that threw is rethrown. `grain` is at least 1. Calls may nest.
+void parallel_for(std::size_t count, std::size_t grain, FunctionRef<void(std::size_t begin, std::size_t end)> body);
+
+/// How many threads parallel_for may use: the machine's cores unless a ThreadLimit says otherwise.
+int thread_count();
+
+/// Bounds the threads of parallel_for while it lives, for the whole process. More threads than cores are allowed.
+class ThreadLimit {
+ public:
+  /// `threads` is at least 1; 0 means the machine's cores.
+  explicit ThreadLimit(int threads);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+ private:
+  int previous_;
+};
+
+}  // namespace meristem

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace meristem {
+
+// Geometry is stored in 32-bit floats; sums over many items are taken in the 64-bit forms.
+using Vec2 = glm::vec2;
+using Vec3 = glm::vec3;
+using Mat3 = glm::mat3;
+using DVec3 = glm::dvec3;
+
+inline constexpr Vec3 kUp{0, 1, 0};
+inline constexpr double kPi = 3.14159265358979323846;
+/// The angle of most spiral phyllotaxes, 360° / φ², in degrees.
+inline constexpr double kGoldenAngleDeg = 137.50776405003785;
+
+constexpr double radians(double degrees) { return degrees * (kPi / 180); }
+constexpr double degrees(double radians) { return radians * (180 / kPi); }
+
+/// Axis-aligned box, metres. Empty (low > high) until a point is added.
+struct Box {
+  Vec3 low{std::numeric_limits<float>::infinity()};
+  Vec3 high{-std::numeric_limits<float>::infinity()};
+
+  void add(Vec3 point) {
+    low = glm::min(low, point);
+    high = glm::max(high, point);
+  }
+  void add(const Box& other) {
+    low = glm::min(low, other.low);
+    high = glm::max(high, other.high);
+  }
+  bool is_empty() const { return !(low.x <= high.x); }
+  Vec3 centre() const { return 0.5F * (low + high); }
+  Vec3 size() const { return is_empty() ? Vec3(0) : high - low; }
+};
+
+}  // namespace meristem

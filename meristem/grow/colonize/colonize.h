@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Space colonization: a skeleton grows into a cloud of attraction points. Each step every living point pulls its nearest
+// node, nodes that are pulled get a child toward the mean direction, and points that a node has come near to are used up.
+//
+// Based on: A. Runions, B. Lane, P. Prusinkiewicz: Modeling trees with a space colonization algorithm (2007), and
+// J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund 2020, ch. 3.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "meristem/base/limits.h"
+#include "meristem/base/random.h"
+#include "meristem/grow/stand.h"
+#include "meristem/plant/pipe_radii.h"
+
+namespace meristem {
+
+/// Post-processing after growth, in this order; each step is optional.
+struct Finish {
+  double decimate = 0;   ///< removes nodes over this many steps of length; 0 for none. 4 keeps about every fourth
+  bool relax = true;     ///< softens fork angles
+  double subdivide = 0;  ///< spacing of the final nodes in steps; 0 keeps the nodes as they are
+};
+
+struct ColonizeParameters {
+  double step = 0.05;       ///< metres between nodes; smaller: finer and slower
+  double influence = 0.6;   ///< metres within which a point pulls; larger: smoother, sparser branches
+  double kill = 0.3;        ///< metres within which a node uses up a point; smaller: denser twigs
+  int iterations = 1000;    ///< at most so many steps
+  Vec3 bias{0};             ///< added to each growth direction: (0, 0.2, 0) makes all grow upward a little
+  Finish finish;
+  PipeModel radii;
+};
+
+/// A colonizing plant with its root at `root` among `points` (world space). `key` breaks ties; `component` is the id
+/// that limit errors name. If no point is within the influence distance of the root, a straight stem grows toward the
+/// nearest point until one is.
+std::unique_ptr<Grower> make_colonizer(Vec3 root, std::vector<Vec3> points, const ColonizeParameters& parameters,
+                                       RandomKey key, const Limits& limits, std::string component);
+
+}  // namespace meristem

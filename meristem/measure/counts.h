@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "meristem/plant/plant.h"
+#include "meristem/shape/mesh_scene.h"
+
+namespace meristem {
+
+/// The sizes that every door reports after growing.
+struct Counts {
+  std::uint64_t nodes = 0;
+  std::uint64_t axes = 0;
+  std::uint64_t organs = 0;
+  std::uint64_t triangles = 0;  ///< after instancing
+  std::uint64_t instances = 0;
+  double height = 0;            ///< metres from the lowest to the highest point of the meshes
+};
+
+Counts count(const Plant& plant, const MeshScene& meshes);
+
+}  // namespace meristem

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "meristem/base/progress.h"
+#include "meristem/shape/mesh_scene.h"
+
+namespace meristem {
+
+/// What a file says about where it came from, so that the plant can be grown again.
+struct Provenance {
+  std::string name;         ///< the document's
+  std::string author;
+  std::string licence;
+  std::uint64_t seed = 0;
+  std::string version;      ///< of the program
+};
+
+struct GltfOptions {
+  /// Instances of one material are flattened into one mesh up to this many triangles; beyond, nodes share meshes.
+  std::uint64_t flatten_triangles = 5'000'000;
+  Provenance provenance;
+};
+
+/// Writes `scene` as binary glTF 2.0 to `path` ("-" for standard output): metres, y up, one node a component, materials
+/// with their names. Streams: memory beyond the scene stays below 64 MB. The file appears whole or not at all.
+/// Throws MachineError (path, disk), Cancelled.
+void write_glb(const MeshScene& scene, const std::string& path, const GltfOptions& options, Progress& progress);
+
+}  // namespace meristem

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Post-processing of grown skeletons; each step gives a new skeleton with births kept (interpolated), axes and radii
+// not yet assigned. Order of use: decimate, relax, subdivide. A branch here is the run of nodes between a root or fork
+// and the next fork or tip.
+//
+// Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund
+// 2020, section 3.5.2 (equation 3.21 corrected, see relax_angles).
+#pragma once
+
+#include "meristem/plant/skeleton.h"
+
+namespace meristem {
+
+/// Removes inner nodes of branches: walking each branch, a node goes while the length removed since the last kept one
+/// plus its own segment is below `tolerance - step / 2`. Forks, roots and tips stay. The half step keeps rounding from
+/// deciding; with tolerance = 4 steps every fourth inner node stays.
+Skeleton decimate(const Skeleton& skeleton, double tolerance, double step);
+
+/// Moves every node but the roots to the middle between itself and its parent's old position, all at once. Fork angles
+/// fall from about 100° to 50-60°.
+void relax_angles(Skeleton& skeleton);
+
+/// Replaces the nodes of each branch by points at equal arc distance, near `spacing` metres, on the natural spline
+/// through them (parametrised by chord length; branches with fewer than three nodes by the straight line). The ends of
+/// branches stay where they are.
+Skeleton subdivide(const Skeleton& skeleton, double spacing);
+
+}  // namespace meristem

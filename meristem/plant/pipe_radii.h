@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "meristem/plant/skeleton.h"
+
+namespace meristem {
+
+struct PipeModel {
+  double tip_radius = 0.004;  ///< metres; raised, all wood gets thicker in proportion
+  double exponent = 2.4;      ///< raised, trunks get thinner; 2 keeps the cross-section's area, 3 its cube
+};
+
+/// Sets all radii by the pipe model: at a fork the parent's radius to the power of the exponent is the sum of its
+/// children's; tips have the tip radius. (Murray's and da Vinci's rule; colonize.md, Radii.)
+void assign_pipe_radii(Skeleton& skeleton, const PipeModel& model);
+
+/// Sets `axis` and `order` from radii: the child with the largest radius continues its parent's axis (tie: the lower
+/// index), every other child starts a lateral axis of the next order.
+void assign_axes(Skeleton& skeleton);
+
+}  // namespace meristem

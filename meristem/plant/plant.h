@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the graph's expansion gives and everything downstream reads: stems as skeletons, organs as instances of shared
+// geometry.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "meristem/base/frame.h"
+#include "meristem/base/mesh.h"
+#include "meristem/plant/material.h"
+#include "meristem/plant/skeleton.h"
+
+namespace meristem {
+
+/// How stems want to be clothed; `meristem/shape` does it.
+struct Surface {
+  enum class Style { tubes };
+  Style style = Style::tubes;
+  int sides = 8;              ///< sides of the thickest tube; thinner ones have fewer. More: rounder, more triangles
+  float uv_scale = 1;         ///< metres of bark that one texture tile covers
+
+  bool operator==(const Surface&) const = default;
+};
+
+/// One grown skeleton with its looks.
+struct Stem {
+  std::string component;      ///< id in the document
+  std::uint32_t instance = 0; ///< which instance of that component
+  std::uint32_t material = 0; ///< index into Plant::materials
+  Surface surface;
+  Skeleton skeleton;          ///< in world space
+};
+
+/// Geometry that many organs share.
+struct OrganPrototype {
+  std::string component;
+  std::uint32_t material = 0;
+  std::shared_ptr<const Mesh> mesh;  ///< in the organ's own frame: y along its heading, z its upper face
+};
+
+/// One instance of a prototype.
+struct Organ {
+  Frame frame;                ///< from the organ's own frame to the world; may scale
+  std::uint32_t prototype = 0;
+  float birth = 0;            ///< growth step at which it appeared
+};
+
+struct Plant {
+  std::vector<Material> materials;
+  std::vector<Stem> stems;
+  std::vector<OrganPrototype> prototypes;
+  std::vector<Organ> organs;
+
+  std::uint64_t node_count() const;
+};
+
+}  // namespace meristem

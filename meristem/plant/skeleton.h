@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// The meeting point of all growth models: a rooted forest of nodes, structure of arrays.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meristem/base/vec.h"
+
+namespace meristem {
+
+using NodeIndex = std::uint32_t;
+using AxisIndex = std::uint32_t;
+inline constexpr NodeIndex kNoNode = 0xffffffffU;
+
+/// Nodes joined by segments from parent to child. All columns have one entry a node.
+///
+/// A parent's index is smaller than its children's, so plain loops run from root to tips and back, and nothing recurses.
+/// A node belongs to the axis on which it lies; the first node of a lateral axis is the first one after the fork, and
+/// its parent lies on the mother axis.
+struct Skeleton {
+  std::vector<NodeIndex> parent;      ///< kNoNode for roots
+  std::vector<Vec3> position;         ///< metres
+  std::vector<float> radius;          ///< metres, at the node
+  std::vector<AxisIndex> axis;        ///< rising from 0 in the order of the axes' first nodes
+  std::vector<std::uint16_t> order;   ///< branching order: 0 on the stem, one more at each lateral
+  std::vector<float> birth;           ///< growth step at which the node appeared
+  std::map<std::string, std::vector<float>, std::less<>> extra;  ///< further columns where known: light, resource, ...
+
+  std::size_t node_count() const { return parent.size(); }
+  bool is_root(NodeIndex node) const { return parent[node] == kNoNode; }
+
+  void reserve(std::size_t nodes);
+  /// Appends a node with radius 0, axis 0 and order 0, and returns its index. `parent` is kNoNode or an earlier node.
+  NodeIndex add_node(NodeIndex parent, Vec3 position, float birth);
+};
+
+/// The children of every node, as one array: those of node k are `child[first[k] .. first[k+1])`, by rising index.
+struct Children {
+  std::vector<std::uint32_t> first;
+  std::vector<NodeIndex> child;
+
+  explicit Children(const Skeleton& skeleton);
+  std::span<const NodeIndex> of(NodeIndex node) const {
+    return std::span(child).subspan(first[node], first[node + 1] - first[node]);
+  }
+};
+
+/// The nodes of each axis from base to tip: those of axis a are `node[first[a] .. first[a+1])`. The mother node, from
+/// which a lateral axis springs, is not among them; it is the parent of the axis's first node.
+struct Axes {
+  std::vector<std::uint32_t> first;
+  std::vector<NodeIndex> node;
+
+  explicit Axes(const Skeleton& skeleton);
+  std::size_t count() const { return first.size() - 1; }
+  std::span<const NodeIndex> of(AxisIndex axis) const {
+    return std::span(node).subspan(first[axis], first[axis + 1] - first[axis]);
+  }
+};
+
+/// Metres along the skeleton from each node to the farthest tip beyond it (0 at tips).
+std::vector<float> tip_distance(const Skeleton& skeleton);
+
+/// The bounding box of all nodes, radii included.
+Box bounds(const Skeleton& skeleton);
+
+/// Bytes of all columns: what tests hash to compare skeletons.
+std::string skeleton_hash(const Skeleton& skeleton);
+
+}  // namespace meristem

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "meristem/base/vec.h"
+#include "meristem/scene/sun.h"
+
+namespace meristem {
+
+/// What surrounds plants and what they perceive. Growth models ask it and test nothing on their own.
+struct Scene {
+  SkyDirection sun{0, kPi / 2};     ///< from the zenith where the document names no sun
+  Vec3 ground_colour{0.36F, 0.33F, 0.25F};  ///< sRGB
+};
+
+}  // namespace meristem

@@ -14,8 +14,8 @@ namespace meristem {
 namespace {
 
 std::array<std::uint32_t, 4> words(std::uint64_t key, std::uint64_t index) {
-  return philox4x32({static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(index >> 32), 0, 0},
-                    {static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key >> 32)});
+  return philox({static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(index >> 32), 0, 0},
+                {static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key >> 32)});
 }
 
 /// The 53 high bits of two words, as a number in [0, 1).
@@ -26,19 +26,21 @@ double unit_interval(std::uint32_t high, std::uint32_t low) {
 
 }  // namespace
 
-std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key) {
+std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key) {
   const r123::Philox4x32::ctr_type c = {{counter[0], counter[1], counter[2], counter[3]}};
   const r123::Philox4x32::key_type k = {{key[0], key[1]}};
   const auto out = r123::Philox4x32()(c, k);
   return {out[0], out[1], out[2], out[3]};
 }
 
-RandomKey RandomKey::child(std::string_view name) const { return child(hash64(name)); }
+RandomKey RandomKey::child(std::string_view name) const {
+  return child(hash64(name));
+}
 
 std::uint64_t RandomKey::mixed(std::uint64_t bits, std::uint64_t with) {
   // Philox's last two counter words mark derived keys, so that a key never equals a number of its own stream.
-  const auto out = philox4x32({static_cast<std::uint32_t>(with), static_cast<std::uint32_t>(with >> 32), 1, 0},
-                              {static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)});
+  const auto out = philox({static_cast<std::uint32_t>(with), static_cast<std::uint32_t>(with >> 32), 1, 0},
+                          {static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)});
   return std::uint64_t{out[1]} << 32 | out[0];
 }
 

@@ -1,1 +1,144 @@
 // SPDX-License-Identifier: Apache-2.0
+// Blocks are handed to oneTBB, or (under ThreadSanitizer, which misreads TBB's synchronisation) to threads that count
+// through them.
+#include "meristem/base/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#ifdef MERISTEM_THREADS_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
+#endif
+
+namespace meristem {
+
+namespace {
+
+std::atomic<int> thread_limit{0};
+
+int core_count() {
+  static const int count = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return count;
+}
+
+/// The blocks of one loop, and the exception of the lowest one that threw.
+class Blocks {
+ public:
+  Blocks(std::size_t count, std::size_t grain, FunctionRef<void(std::size_t, std::size_t)> body)
+      : count_(count), grain_(grain), body_(body) {}
+
+  std::size_t size() const { return count_ / grain_ + (count_ % grain_ == 0 ? 0 : 1); }
+
+  /// Runs a block, unless a lower one has thrown. Lower ones still run, so the exception does not depend on timing.
+  void run(std::size_t block) noexcept {
+    if (block > lowest_thrown_.load(std::memory_order_relaxed)) return;
+    try {
+      const std::size_t begin = block * grain_;
+      body_(begin, begin + std::min(grain_, count_ - begin));
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (block >= lowest_thrown_.load(std::memory_order_relaxed)) return;
+      lowest_thrown_.store(block, std::memory_order_relaxed);
+      exception_ = std::current_exception();
+    }
+  }
+
+  void rethrow() {
+    if (exception_) std::rethrow_exception(exception_);
+  }
+
+ private:
+  std::size_t count_;
+  std::size_t grain_;
+  FunctionRef<void(std::size_t, std::size_t)> body_;
+  std::atomic<std::size_t> lowest_thrown_{std::numeric_limits<std::size_t>::max()};
+  std::mutex mutex_;
+  std::exception_ptr exception_;
+};
+
+void run_alone(Blocks& blocks) {
+  for (std::size_t block = 0; block < blocks.size(); ++block) blocks.run(block);
+}
+
+#ifdef MERISTEM_THREADS_TBB
+
+void run_together(Blocks& blocks, int threads) {
+  const auto run_range = [&](const tbb::blocked_range<std::size_t>& range) {
+    for (std::size_t block = range.begin(); block < range.end(); ++block) blocks.run(block);
+  };
+  // Isolated: a thread that waits for an inner loop never begins a block of the outer one in the middle of another.
+  const auto run_all = [&] {
+    tbb::this_task_arena::isolate([&] {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks.size(), 1), run_range, tbb::simple_partitioner());
+    });
+  };
+  if (tbb::this_task_arena::max_concurrency() == threads) return run_all();
+  // TBB has fewer workers than cores unless told, and an arena alone does not raise that.
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  tbb::task_arena(threads).execute(run_all);
+}
+
+#else
+
+// Loops within a block run alone: their outer loop has the threads already.
+thread_local bool is_in_block = false;
+
+void run_together(Blocks& blocks, int threads) {
+  if (is_in_block) return run_alone(blocks);
+  std::atomic<std::size_t> next{0};
+  const auto pull = [&] {
+    is_in_block = true;
+    for (std::size_t block = next++; block < blocks.size(); block = next++) blocks.run(block);
+    is_in_block = false;
+  };
+  std::vector<std::jthread> others;
+  try {
+    while (others.size() + 1 < std::min(static_cast<std::size_t>(threads), blocks.size())) others.emplace_back(pull);
+  } catch (const std::system_error&) {
+    // Without more threads the ones there are do all of it.
+  }
+  pull();
+}
+
+#endif
+
+}  // namespace
+
+void parallel_for(std::size_t count, std::size_t grain, FunctionRef<void(std::size_t, std::size_t)> body) {
+  if (grain == 0) throw std::invalid_argument("a parallel loop's grain is at least 1");
+  Blocks blocks(count, grain, body);
+  const int threads = thread_count();
+  if (threads == 1 || blocks.size() <= 1) {
+    run_alone(blocks);
+  } else {
+    run_together(blocks, threads);
+  }
+  blocks.rethrow();
+}
+
+int thread_count() {
+  const int limit = thread_limit.load(std::memory_order_relaxed);
+  return limit > 0 ? limit : core_count();
+}
+
+ThreadLimit::ThreadLimit(int threads) {
+  if (threads < 0) throw std::invalid_argument("a thread limit is at least 1, or 0 for all cores");
+  previous_ = thread_limit.exchange(threads);
+}
+
+ThreadLimit::~ThreadLimit() {
+  thread_limit = previous_;
+}
+
+}  // namespace meristem

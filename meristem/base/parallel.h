@@ -10,8 +10,9 @@
 namespace meristem {
 
 /// Calls `body(begin, end)` for every block [k*grain, (k+1)*grain) of [0, count), on up to thread_count() threads.
-/// Returns when all are done. If bodies throw, blocks not yet begun are left out and the exception of the lowest block
-/// that threw is rethrown. `grain` is at least 1. Calls may nest.
+/// Returns when all are done. If a body throws, higher blocks not yet begun are left out, lower ones still run, and the
+/// exception of the lowest block that threw is rethrown: the same one on any number of threads. `grain` is at least 1.
+/// Calls may nest; no thread begins another block before the one it is in has returned.
 void parallel_for(std::size_t count, std::size_t grain, FunctionRef<void(std::size_t begin, std::size_t end)> body);
 
 /// How many threads parallel_for may use: the machine's cores unless a ThreadLimit says otherwise.

@@ -1,1 +1,150 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "meristem/base/atomic_file.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "meristem/base/diagnostic.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr std::size_t kBufferBytes = 1 << 20;
+constexpr int kMostLinks = 40;  // as the kernel's own bound
+
+/// The path that `path` leads to if its last part is a symbolic link, which may dangle. Sets `errno` on a loop.
+std::string without_links(std::string path) {
+  std::error_code error;
+  for (int links = 0; std::filesystem::is_symlink(path, error); ++links) {
+    if (links == kMostLinks) {
+      errno = ELOOP;
+      return {};
+    }
+    const std::filesystem::path next = std::filesystem::read_symlink(path, error);
+    if (error) break;
+    path = std::filesystem::path(path).parent_path() / next;
+  }
+  return path;
+}
+
+/// A hidden name in the target's directory that nobody else uses; `.oak.glb.4711-0.part`.
+std::string temporary_beside(const std::string& target) {
+  // A suffix must fit behind a name of the longest length, 255 bytes.
+  constexpr std::size_t kKept = 200;
+  static std::atomic<unsigned> count{0};
+  const std::size_t name_at = target.rfind('/') + 1;  // 0 where there is no slash
+  return fmt::format("{}.{}.{}-{}.part", target.substr(0, name_at), target.substr(name_at, kKept), ::getpid(), count++);
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
+  buffer_.reserve(kBufferBytes);
+  if (path_ == "-" || path_ == "/dev/stdout") {
+    descriptor_ = STDOUT_FILENO;
+    return;
+  }
+  target_ = without_links(path_);
+  struct stat status {};
+  const bool exists = !target_.empty() && ::stat(target_.c_str(), &status) == 0;
+  if (target_.empty() || (!exists && errno != ENOENT)) fail();
+  if (exists && S_ISDIR(status.st_mode)) {
+    errno = EISDIR;
+    fail();
+  }
+  // A device or pipe cannot be replaced. Not tried again when interrupted: a pipe without a reader waits for ever.
+  if (exists && !S_ISREG(status.st_mode)) {
+    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail();
+    return;
+  }
+  // Renaming would replace a read-only file too.
+  if (exists && ::access(target_.c_str(), W_OK) != 0) fail();
+  open_temporary();
+  if (exists && ::fchmod(descriptor_, status.st_mode & 0777) != 0) {
+    const int reason = errno;
+    ::unlink(temporary_.c_str());
+    errno = reason;
+    fail();
+  }
+}
+
+AtomicFile::~AtomicFile() {
+  close_descriptor();
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::write(const void* data, std::size_t size) {
+  if (descriptor_ < 0) throw std::invalid_argument("a file is not written to after its end");
+  const auto* bytes = static_cast<const std::byte*>(data);
+  size_ += size;
+  if (buffer_.size() + size > kBufferBytes) flush();
+  if (size >= kBufferBytes) return send(bytes, size);
+  buffer_.insert(buffer_.end(), bytes, bytes + size);
+}
+
+void AtomicFile::commit() {
+  if (descriptor_ < 0) throw std::invalid_argument("a file is committed once");
+  flush();
+  // Network file systems tell of a full disk only when closing.
+  if (const int descriptor = std::exchange(descriptor_, -1); descriptor != STDOUT_FILENO && ::close(descriptor) != 0) {
+    fail();
+  }
+  if (temporary_.empty()) return;
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail();
+  temporary_.clear();
+}
+
+void AtomicFile::open_temporary() {
+  // A name is taken only if a process of the same number was killed here before.
+  constexpr int kTries = 100;
+  for (int k = 0; k < kTries && descriptor_ < 0; ++k) {
+    temporary_ = temporary_beside(target_);
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno != EEXIST) break;
+  }
+  if (descriptor_ < 0) fail();
+}
+
+void AtomicFile::flush() {
+  send(buffer_.data(), buffer_.size());
+  buffer_.clear();
+}
+
+void AtomicFile::send(const std::byte* data, std::size_t size) {
+  while (size > 0) {
+    const ssize_t sent = ::write(descriptor_, data, size);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0) fail();
+    data += sent;
+    size -= static_cast<std::size_t>(sent);
+  }
+}
+
+void AtomicFile::close_descriptor() {
+  if (descriptor_ >= 0 && descriptor_ != STDOUT_FILENO) ::close(descriptor_);
+  descriptor_ = -1;
+}
+
+/// Throws for the reason in `errno`, and takes no more bytes.
+void AtomicFile::fail() {
+  const std::string reason = std::generic_category().message(errno);
+  close_descriptor();
+  const std::string where = path_ == "-" ? "standard output" : "'" + path_ + "'";
+  throw MachineError(fmt::format("cannot write {}: {}", where, reason));
+}
+
+}  // namespace meristem

@@ -8,10 +8,12 @@
 
 namespace meristem {
 
-/// A file that appears whole or not at all: bytes stream into a temporary file beside the target, and `commit()` renames
-/// it into place. Destroyed without commit (an exception, a cancel), the temporary file is removed and a file that stood
-/// there before is untouched. Path "-" streams to standard output instead, where nothing can be taken back.
-/// Every failure (refused path, full disk) throws MachineError with the path and the reason.
+/// A file that appears whole or not at all: bytes stream into a temporary file beside the target, and `commit()`
+/// renames it into place. Destroyed without commit (an exception, a cancel), the temporary file is removed and a file
+/// that stood there before is untouched. A target that is a symbolic link keeps the link; one that exists keeps its
+/// permissions. Path "-" (or "/dev/stdout") streams to standard output instead, and a device or pipe is written
+/// straight through; there nothing can be taken back. Every failure (refused path, full disk) throws MachineError with
+/// the path and the reason.
 class AtomicFile {
  public:
   explicit AtomicFile(std::string path);
@@ -25,14 +27,19 @@ class AtomicFile {
     write(values.data(), values.size_bytes());
   }
   std::size_t size() const { return size_; }  ///< bytes written so far
+  /// Puts the file in place. Ends the writing: later calls throw std::invalid_argument, also after a failure.
   void commit();
 
  private:
+  void open_temporary();
   void flush();
-  [[noreturn]] void fail(const char* what) const;
+  void send(const std::byte* data, std::size_t size);
+  void close_descriptor();
+  [[noreturn]] void fail();
 
-  std::string path_;
-  std::string temporary_;  // empty for standard output and once renamed
+  std::string path_;       // as the user wrote it
+  std::string target_;     // path_ with links followed
+  std::string temporary_;  // empty where bytes go straight through, and once renamed
   int descriptor_ = -1;
   std::size_t size_ = 0;
   std::vector<std::byte> buffer_;

@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Checks that the rooms of the library keep to the line.
+
+In:  the root of a source tree (by default this one).
+Out: one line a fault, `file:line: what is wrong`, and exit code 1; silence and 0 where there is none.
+
+A room includes and links only itself and the rooms before it. Nothing in the library includes the programs. A public
+header includes public headers only, and none of the heavy libraries, so that whoever includes it compiles fast. Every
+file of a room stands in one list of its CMakeLists.txt, so that no test is silently left out.
+"""
+
+import re
+import sys
+from pathlib import Path
+from typing import Iterator, NamedTuple
+
+ROOMS = ["base", "plant", "scene", "grow", "shape", "measure", "graph", "components", "document", "output"]
+HEAVY = ("nlohmann/", "embree", "CLI/", "tbb/", "oneapi/", "png.h", "boost/", "tiny_gltf", "tiny_obj_loader",
+         "valijson/", "Eigen/")
+LISTS = ("SOURCES", "HEADERS", "TESTS", "PUBLIC", "PRIVATE")
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*(?P<kind>["<])(?P<name>[^">]+)[">]')
+
+
+class Fault(NamedTuple):
+    place: Path
+    line: int
+    message: str
+
+    def text(self, root: Path) -> str:
+        return f"{self.place.relative_to(root)}:{self.line}: {self.message}"
+
+
+class Include(NamedTuple):
+    line: int
+    name: str
+    quoted: bool
+
+
+def includes_of(path: Path) -> Iterator[Include]:
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+        found = INCLUDE.match(line)
+        if found:
+            yield Include(number, found["name"], found["kind"] == '"')
+
+
+def sources_below(folder: Path) -> list[Path]:
+    return sorted(path for path in folder.rglob("*") if path.suffix in (".h", ".cpp"))
+
+
+def room_lists(cmake: Path) -> dict[str, list[str]]:
+    """The lists in a room's `meristem_room(NAME SOURCES ... HEADERS ...)`."""
+    lists: dict[str, list[str]] = {name: [] for name in LISTS}
+    if not cmake.exists():
+        return lists
+    text = re.sub(r"#.*", "", cmake.read_text(encoding="utf-8"))
+    call = re.search(r"meristem_room\(([^)]*)\)", text)
+    current = None
+    for word in call.group(1).split()[1:] if call else []:
+        if word in lists:
+            current = lists[word]
+        elif current is not None:
+            current.append(word)
+    return lists
+
+
+def include_fault(room: str, is_test: bool, include: Include) -> str | None:
+    """Why a file of `room` may not have `include`, or None."""
+    parts = include.name.split("/")
+    if parts[0] == "apps":
+        return f'the library does not include programs, but this includes "{include.name}"'
+    if parts[0] == "tests":
+        return None if is_test else f'only tests include "{include.name}"'
+    if parts[0] == "meristem":
+        if len(parts) < 3 or parts[1] not in ROOMS:
+            return f'"{include.name}" is in no room'
+        if ROOMS.index(parts[1]) > ROOMS.index(room):
+            return f'{room} stands before {parts[1]} in the line and may not include "{include.name}"'
+        return None
+    return f'write "{include.name}" from the root: "meristem/<room>/..."' if include.quoted else None
+
+
+def check_room_includes(root: Path, room: str, public: set[Path]) -> Iterator[Fault]:
+    for path in sources_below(root / "meristem" / room):
+        for include in includes_of(path):
+            wrong = include_fault(room, path.stem.endswith("_test"), include)
+            if wrong is None and path in public:
+                wrong = public_header_fault(root, public, include)
+            if wrong:
+                yield Fault(path, include.line, wrong)
+
+
+def public_header_fault(root: Path, public: set[Path], include: Include) -> str | None:
+    if include.name.startswith(HEAVY):
+        return f"<{include.name}> is heavy and stays out of public headers"
+    if include.name.startswith("meristem/") and root / include.name not in public:
+        return f'a public header includes "{include.name}", which is not installed'
+    return None
+
+
+def check_room_lists(root: Path, room: str, lists: dict[str, list[str]]) -> Iterator[Fault]:
+    folder = root / "meristem" / room
+    cmake = folder / "CMakeLists.txt"
+    listed = set(lists["SOURCES"] + lists["HEADERS"] + lists["TESTS"])
+    for path in sources_below(folder):
+        name = path.relative_to(folder).as_posix()
+        if path.suffix == ".cpp" and name not in listed:
+            yield Fault(path, 1, "is in no list of the room's CMakeLists.txt, so nothing compiles it")
+        if path.stem.endswith("_test") and name in lists["SOURCES"]:
+            yield Fault(cmake, 1, f"{name} is a test and belongs to TESTS")
+    for target in lists["PUBLIC"] + lists["PRIVATE"]:
+        if not target.startswith("meristem::"):
+            continue
+        other = target.removeprefix("meristem::")
+        if other not in ROOMS:
+            yield Fault(cmake, 1, f"links {target}, which is no room")
+        elif ROOMS.index(other) >= ROOMS.index(room):
+            yield Fault(cmake, 1, f"{room} stands before {other} in the line and may not link it")
+
+
+def check_order(root: Path) -> Iterator[Fault]:
+    """The build adds the rooms in the order of the line, and every folder is a room."""
+    cmake = root / "meristem" / "CMakeLists.txt"
+    added = re.findall(r"^add_subdirectory\((\w+)\)", cmake.read_text(encoding="utf-8"), re.MULTILINE)
+    if added != ROOMS:
+        yield Fault(cmake, 1, f"adds the rooms as {', '.join(added)}; the line is {', '.join(ROOMS)}")
+    for folder in sorted(path for path in (root / "meristem").iterdir() if path.is_dir()):
+        if folder.name not in ROOMS:
+            yield Fault(folder, 1, "is no room")
+
+
+def check(root: Path) -> list[Fault]:
+    faults = list(check_order(root))
+    lists = {room: room_lists(root / "meristem" / room / "CMakeLists.txt") for room in ROOMS}
+    public = {root / "meristem" / room / header for room in ROOMS for header in lists[room]["HEADERS"]}
+    for room in ROOMS:
+        faults += check_room_lists(root, room, lists[room])
+        faults += check_room_includes(root, room, public)
+    return faults
+
+
+def main(arguments: list[str]) -> int:
+    root = Path(arguments[0]) if arguments else Path(__file__).resolve().parents[2]
+    faults = check(root)
+    for fault in faults:
+        print(fault.text(root))
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,104 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Shows that include_rule.py finds each kind of fault, in small made-up trees."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import include_rule
+
+
+class IncludeRule(unittest.TestCase):
+    def setUp(self) -> None:
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.root = Path(self.folder.name)
+        self.write("meristem/CMakeLists.txt", "".join(f"add_subdirectory({room})\n" for room in include_rule.ROOMS))
+        for room in include_rule.ROOMS:
+            self.write(f"meristem/{room}/CMakeLists.txt", f"meristem_room({room} HEADERS a.h)")
+            self.write(f"meristem/{room}/a.h", "#pragma once\n")
+
+    def write(self, name: str, text: str) -> None:
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+    def faults(self) -> list[str]:
+        return [fault.text(self.root) for fault in include_rule.check(self.root)]
+
+    def assert_only_fault(self, *parts: str) -> None:
+        faults = self.faults()
+        self.assertEqual(len(faults), 1, faults)
+        for part in parts:
+            self.assertIn(part, faults[0])
+
+    def test_a_tree_that_keeps_the_rule_has_no_fault(self) -> None:
+        self.write("meristem/grow/CMakeLists.txt",
+                   "meristem_room(grow HEADERS a.h SOURCES a.cpp TESTS a_test.cpp PUBLIC meristem::scene fmt::fmt)")
+        self.write("meristem/grow/a.cpp", '#include "meristem/grow/a.h"\n#include <nlohmann/json.hpp>\n')
+        self.write("meristem/grow/a_test.cpp", '#include "meristem/base/a.h"\n#include "tests/support/a.h"\n')
+        self.assertEqual(self.faults(), [])
+
+    def test_a_room_may_not_include_a_later_one(self) -> None:
+        self.write("meristem/plant/a.h", '#pragma once\n\n#  include "meristem/graph/a.h"\n')
+        self.assert_only_fault("meristem/plant/a.h:3:", "plant stands before graph")
+
+    def test_angle_brackets_do_not_hide_an_include(self) -> None:
+        self.write("meristem/base/a.h", "#include <meristem/output/a.h>\n")
+        self.assert_only_fault("meristem/base/a.h:1:", "base stands before output")
+
+    def test_the_library_may_not_include_programs(self) -> None:
+        self.write("meristem/output/a.h", '#include "apps/cli/main.h"\n')
+        self.assert_only_fault("does not include programs")
+
+    def test_only_tests_include_test_support(self) -> None:
+        self.write("meristem/plant/a.h", '#include "tests/support/check_mesh.h"\n')
+        self.assert_only_fault("only tests include")
+
+    def test_includes_start_at_the_root(self) -> None:
+        self.write("meristem/plant/a.h", '#include "skeleton.h"\n')
+        self.assert_only_fault("from the root")
+
+    def test_an_unknown_room_is_named(self) -> None:
+        self.write("meristem/plant/a.h", '#include "meristem/util/a.h"\n')
+        self.assert_only_fault("is in no room")
+
+    def test_a_heavy_library_stays_out_of_public_headers(self) -> None:
+        self.write("meristem/document/a.h", "#include <nlohmann/json.hpp>\n")
+        self.assert_only_fault("meristem/document/a.h:1:", "heavy")
+
+    def test_a_private_header_may_be_heavy(self) -> None:
+        self.write("meristem/document/parse.h", "#include <nlohmann/json.hpp>\n")
+        self.assertEqual(self.faults(), [])
+
+    def test_a_public_header_includes_public_headers_only(self) -> None:
+        self.write("meristem/document/parse.h", "#pragma once\n")
+        self.write("meristem/document/a.h", '#include "meristem/document/parse.h"\n')
+        self.assert_only_fault("meristem/document/a.h:1:", "not installed")
+
+    def test_a_source_outside_all_lists_is_found(self) -> None:
+        self.write("meristem/shape/forgotten_test.cpp", "")
+        self.assert_only_fault("meristem/shape/forgotten_test.cpp:1:", "nothing compiles it")
+
+    def test_a_test_is_listed_as_a_test(self) -> None:
+        self.write("meristem/shape/CMakeLists.txt", "meristem_room(shape HEADERS a.h SOURCES a_test.cpp)")
+        self.write("meristem/shape/a_test.cpp", "")
+        self.assert_only_fault("belongs to TESTS")
+
+    def test_a_room_may_not_link_a_later_one(self) -> None:
+        self.write("meristem/scene/CMakeLists.txt", "meristem_room(scene HEADERS a.h PRIVATE meristem::shape)")
+        self.assert_only_fault("meristem/scene/CMakeLists.txt:1:", "may not link")
+
+    def test_the_build_adds_the_rooms_in_order(self) -> None:
+        reversed_rooms = "".join(f"add_subdirectory({room})\n" for room in reversed(include_rule.ROOMS))
+        self.write("meristem/CMakeLists.txt", reversed_rooms)
+        self.assert_only_fault("the line is base, plant")
+
+    def test_every_folder_is_a_room(self) -> None:
+        (self.root / "meristem" / "helpers").mkdir()
+        self.assert_only_fault("meristem/helpers", "is no room")
+
+
+if __name__ == "__main__":
+    unittest.main()

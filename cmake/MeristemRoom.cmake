@@ -6,6 +6,7 @@ function(meristem_compile_options target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
+    -Wno-missing-field-initializers  # members left out of a designated initializer have their defaults, on purpose
     # A fused multiply-add rounds once where two operations round twice; whether the compiler fuses depends on the
     # machine and the optimisation level, and plants must have the same bytes on all of them.
     -ffp-contract=off

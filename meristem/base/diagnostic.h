@@ -22,6 +22,7 @@ struct Diagnostic {
   std::string file;      ///< as the user wrote it, "<standard input>", or empty where not known yet
   int line = 0;          ///< from 1; 0 where not known
   int column = 0;        ///< in characters (not bytes) from 1; 0 where not known
+  int text_offset = -1;  ///< the byte in the text at `path` (an expression's fault), or -1 for the whole value
 
   /// One line: `file:line:column: path: message; expected ...; did you mean 'nearest'?`, leaving out what is not known.
   std::string text() const;

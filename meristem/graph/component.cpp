@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/graph/component.h"
+
+#include <stdexcept>
+
+namespace meristem {
+
+Frame Transform::frame() const {
+  Frame frame;
+  frame.origin = translate;
+  if (rotate != Vec3(0)) {
+    frame.axes = rotation({0, 0, 1}, rotate.z) * rotation({1, 0, 0}, rotate.x) * rotation({0, 1, 0}, rotate.y);
+  }
+  for (int k = 0; k < 3; ++k) frame.axes[k] *= scale[k];
+  return frame;
+}
+
+namespace {
+
+const ParameterTable& transform_table() {
+  static const ParameterTable table =
+      Table<Transform>("a transform", "Moves, turns and scales: scaled first, then turned, then moved.")
+          .vector("translate", &Transform::translate, {.unit = Unit::metre},
+                  "Shift along x (right), y (heading) and z.")
+          .vector("rotate", &Transform::rotate, {.unit = Unit::degree},
+                  "Pitch about x, roll about y, yaw about z; the roll acts first, then the pitch, then the yaw.")
+          .vector("scale", &Transform::scale, {.min = 1e-4, .max = 1e4}, "Factors along x, y and z.");
+  return table;
+}
+
+}  // namespace
+
+const ParameterTable& component_base_table() {
+  static const ParameterTable table =
+      Table<ComponentBase>("a component", "What all components have.")
+          .colour("colour", &ComponentBase::colour, "Colour of the material; the component's own if not given.")
+          .number("roughness", &ComponentBase::roughness, {.min = 0, .max = 1, .fixed = true},
+                  "0 is glossy, 1 is matt; the component's own if not given.")
+          .number("translucency", &ComponentBase::translucency, {.min = 0, .max = 1, .fixed = true},
+                  "Share of the light that passes through a thin blade; the component's own if not given.")
+          .object("place", &ComponentBase::place, transform_table(), "Moves this component's geometry only.")
+          .object("frame", &ComponentBase::frame, transform_table(),
+                  "Moves this component's coordinate system and all that hangs on it.")
+          .integer("recursion", &ComponentBase::recursion, {.min = 0, .max = 1000, .fixed = true},
+                   "How often a link from below back to this component is followed.")
+          .selection("omit", &ComponentBase::omit,
+                     "Instances without geometry: numbers, ranges and conditions over i, n, u and so on.")
+          .selection("only", &ComponentBase::only, "All instances but these are without geometry.")
+          .boolean("omit_keeps_children", &ComponentBase::omit_keeps_children,
+                   "Whether what hangs on an omitted instance stays.")
+          .boolean("hidden", &ComponentBase::hidden, "No geometry; children stay.");
+  return table;
+}
+
+const ComponentType* Registry::find(std::string_view name) const {
+  for (const ComponentType& type : types_) {
+    if (type.name == name) return &type;
+  }
+  return nullptr;
+}
+
+const ComponentType& Registry::camera() const {
+  for (const ComponentType& type : types_) {
+    if (type.is_camera) return type;
+  }
+  throw std::invalid_argument("a registry needs a camera");
+}
+
+std::vector<std::string> Registry::names() const {
+  std::vector<std::string> names;
+  for (const ComponentType& type : types_) names.push_back(type.name);
+  return names;
+}
+
+}  // namespace meristem

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a component type is to the p-graph: a name, a parameter table, and a function that expands one instance. The
+// graph knows no component by name; it gets them from a Registry.
+//
+//   struct Spike : ComponentBase { double length = 1; };
+//
+//   ComponentType spike() {
+//     return define_component<Spike>({
+//         .name = "spike",
+//         .doc = "A cone.",
+//         .parameters = Table<Spike>("a spike", "A cone.")
+//                           .number("length", &Spike::length, {.unit = Unit::metre, .min = 0}, "Base to apex."),
+//         .expand = [](const Spike& spike, const Site&, Emitter& out) {
+//           out.organ(Frame{}, shape_key({spike.length}), [&] { return make_cone(0.1, spike.length, 8); });
+//           out.child_site(Frame{.origin = {0, spike.length, 0}});
+//         },
+//     });
+//   }
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meristem/base/limits.h"
+#include "meristem/base/progress.h"
+#include "meristem/graph/emitter.h"
+#include "meristem/graph/selection.h"
+#include "meristem/graph/table.h"
+#include "meristem/graph/varying.h"
+#include "meristem/grow/stand.h"
+#include "meristem/scene/scene.h"
+
+namespace meristem {
+
+/// Moves, turns and scales: first the scale, then the rotations (radians; roll about y, then pitch about x, then yaw
+/// about z), then the translation.
+struct Transform {
+  Vec3 translate{0};
+  Vec3 rotate{0};
+  Vec3 scale{1};
+
+  Frame frame() const;
+};
+
+/// What all components have.
+struct ComponentBase {
+  std::optional<Vec3> colour;  ///< of the material; unset: the component type's own
+  std::optional<double> roughness;
+  std::optional<double> translucency;
+  Transform place;                   ///< moves this component's geometry only
+  Transform frame;                   ///< moves its coordinate system and all that hangs on it
+  int recursion = 0;                 ///< how often a link back to this component is followed
+  std::optional<Selection> omit;     ///< instances without geometry
+  std::optional<Selection> only;     ///< all others are without
+  bool omit_keeps_children = false;  ///< what hangs on an omitted instance stays
+  bool hidden = false;               ///< no geometry; children stay
+};
+
+/// The rows of ComponentBase, which follow each component's own.
+const ParameterTable& component_base_table();
+
+struct Prototype;
+
+/// What a growing component may ask for.
+struct GrowContext {
+  const Scene& scene;
+  const Limits& limits;
+  const std::string& component;  ///< id, for errors
+  Progress& progress;
+};
+
+struct ComponentType {
+  std::string name;
+  std::string doc;
+  ParameterTable parameters;  ///< own rows, then those of ComponentBase
+  Material material;
+  bool is_camera = false;    ///< the root of every graph
+  bool makes_stems = false;  ///< branch links place children along stems
+  std::size_t size = 0;      ///< of the parameter struct
+
+  std::function<std::shared_ptr<void>()> make_parameters;  ///< a struct with the defaults
+  std::function<const ComponentBase&(const void* parameters)> base;
+  /// Expands a block of instances.
+  std::function<void(const Prototype&, std::span<const Site>, Emitter&)> expand;
+  /// Plants one instance in a stand; empty for components that do not grow.
+  std::function<std::unique_ptr<Grower>(const Prototype&, const Site&, double time, const GrowContext&)> grow;
+};
+
+/// One component of a document: a type with its parameters.
+struct Prototype {
+  std::string id;
+  const ComponentType* type = nullptr;
+  std::shared_ptr<void> parameters;  ///< what does not vary
+  std::vector<Varying> varyings;
+
+  const ComponentBase& base() const { return type->base(parameters.get()); }
+};
+
+/// All that defines a component type with parameter struct P, which derives from ComponentBase.
+template <class P>
+struct ComponentDefinition {
+  std::string name;
+  std::string doc;
+  Table<P> parameters;
+  Material material{};
+  bool is_camera = false;
+  bool makes_stems = false;
+  /// Makes one instance's geometry and says where children stand, through `out`, relative to the instance's own frame.
+  void (*expand)(const P& parameters, const Site& site, Emitter& out) = nullptr;
+  /// For components that grow: plants one instance at its site. After growing, `expand` finds the skeleton in
+  /// `out.take_grown()`.
+  std::unique_ptr<Grower> (*grow)(const P& parameters, const Site& site, const GrowContext& context) = nullptr;
+};
+
+template <class P>
+ComponentType define_component(ComponentDefinition<P> definition) {
+  static_assert(std::is_base_of_v<ComponentBase, P>);
+  ComponentType type;
+  type.name = std::move(definition.name);
+  type.doc = std::move(definition.doc);
+  type.parameters = std::move(definition.parameters).template include<ComponentBase>(component_base_table());
+  type.material = definition.material;
+  type.is_camera = definition.is_camera;
+  type.makes_stems = definition.makes_stems;
+  type.size = sizeof(P);
+  type.make_parameters = [] { return std::static_pointer_cast<void>(std::make_shared<P>()); };
+  type.base = [](const void* parameters) -> const ComponentBase& { return *static_cast<const P*>(parameters); };
+  type.expand = [expand = definition.expand](const Prototype& prototype, std::span<const Site> sites, Emitter& out) {
+    P instance = *static_cast<const P*>(prototype.parameters.get());
+    const VaryingValues values(prototype.varyings, sites, out.time());
+    for (std::size_t k = 0; k < sites.size(); ++k) {
+      values.apply(k, &instance);
+      out.instance(instance, sites[k], k, [&](const Site& site) { expand(instance, site, out); });
+    }
+  };
+  if (definition.grow != nullptr) {
+    type.grow = [grow = definition.grow](const Prototype& prototype, const Site& site, double time,
+                                         const GrowContext& context) {
+      P instance = *static_cast<const P*>(prototype.parameters.get());
+      VaryingValues(prototype.varyings, std::span(&site, 1), time).apply(0, &instance);
+      Site own = site;
+      own.frame = site.frame * instance.frame.frame();
+      return grow(instance, own, context);
+    };
+  }
+  return type;
+}
+
+/// The component types that documents may name.
+class Registry {
+ public:
+  /// `types` have distinct names.
+  explicit Registry(std::vector<ComponentType> types) : types_(std::move(types)) {}
+  const ComponentType* find(std::string_view name) const;
+  const ComponentType& camera() const;
+  std::span<const ComponentType> types() const { return types_; }
+  std::vector<std::string> names() const;
+
+ private:
+  std::vector<ComponentType> types_;
+};
+
+}  // namespace meristem

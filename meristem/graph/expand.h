@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "meristem/base/progress.h"
+#include "meristem/graph/graph.h"
+#include "meristem/plant/plant.h"
+#include "meristem/scene/scene.h"
+
+namespace meristem {
+
+/// Expands a graph into the tree of its instances and gives what they make.
+///
+/// Components that grow wait until all others above them have been expanded, then grow together in one stand.
+/// Randomness is keyed by the instance's path, so editing one component leaves the others as they were; blocks of
+/// instances expand in parallel with the same result on any number of threads. Nothing recurses. The graph's structure
+/// must be sound (analyse_structure). Throws InputError (limits, numbers that are not finite), Cancelled.
+Plant expand(const Graph& graph, const Structure& structure, const Scene& scene, double time, Progress& progress);
+
+}  // namespace meristem

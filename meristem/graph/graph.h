@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// The p-graph of a document: component prototypes joined by links. Expanding it (expand.h) gives a tree of instances.
+//
+// Based on: B. Lintermann, O. Deussen: Interactive modelling of plants (1999) and the report on rule-based objects in
+// xfrog; recursions are links back to an ancestor.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/limits.h"
+#include "meristem/graph/component.h"
+#include "meristem/graph/placement.h"
+
+namespace meristem {
+
+using ComponentIndex = std::uint32_t;
+using LinkIndex = std::uint32_t;
+inline constexpr std::uint32_t kNoIndex = 0xffffffffU;
+
+enum class LinkKind {
+  child,   ///< the child stands where the parent's geometry ends
+  branch,  ///< the child is multiplied along the parent's stems or ribs; elsewhere the same as child
+  leaf,    ///< in a recursion the child appears only where it ends; on a grown skeleton at the tips
+};
+
+struct Link {
+  ComponentIndex from = 0;
+  ComponentIndex to = 0;
+  LinkKind kind = LinkKind::child;
+  Placement placement;  ///< of branch links
+};
+
+struct Graph {
+  std::vector<Prototype> components;
+  std::vector<Link> links;
+  std::uint64_t seed = 0;
+  Limits limits;
+};
+
+/// What a graph's links mean together; made by analyse_structure.
+struct Structure {
+  struct Recursion {
+    ComponentIndex head = 0;              ///< the ancestor that links from below lead back to
+    std::vector<ComponentIndex> members;  ///< from the head down; the last links back
+    std::size_t level = 0;                ///< 0 for the outermost
+  };
+  ComponentIndex root = 0;
+  std::vector<std::vector<LinkIndex>> outgoing;  ///< by component, in the document's order
+  std::vector<std::uint32_t> recursion_of_link;  ///< by link: the recursion that a link back closes, or kNoIndex
+  std::vector<std::uint32_t> recursion_of;       ///< by component: the innermost recursion it lies in, or kNoIndex
+  std::vector<Recursion> recursions;
+};
+
+/// Finds root and recursions, or reports all that is wrong with the links: no or two roots, components that hang on
+/// nothing, links to the camera, cycles without a recursion, crossing recursions (both named).
+/// `link_path(k)` in messages is "links[k]". The result is meaningful only if no error was added.
+Structure analyse_structure(const Graph& graph, std::vector<Diagnostic>& diagnostics);
+
+}  // namespace meristem

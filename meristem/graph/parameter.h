@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parameter tables: what a struct of parameters is called, measured in, bounded by, and means, written once. Reading,
+// checking, the JSON Schema, the command line's `components`, and every later editor are driven by the table alone.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meristem/graph/value.h"
+
+namespace meristem {
+
+class ParameterReader;
+class ParameterTable;
+
+/// The unit in which documents write a number. Angles are degrees in documents and radians in the struct.
+enum class Unit { none, metre, degree, per_metre, second, hour, day, step };
+std::string_view unit_name(Unit unit);  ///< "m", "°", ...; empty for none
+
+enum class ParameterKind {
+  number,   ///< double, float or optional<double>
+  integer,  ///< int, uint64_t or optional<int>
+  boolean,
+  text,
+  choice,     ///< an enum by its enumerators' names
+  vector,     ///< three numbers
+  colour,     ///< "#6b8e23"
+  curve,      ///< {"curve": [[x, y], ...], "kind": "spline" | "linear"}
+  points,     ///< a list of pairs [x, y]
+  condition,  ///< an expression that is true or false for each place
+  selection,  ///< a list of instance numbers, ranges and conditions
+  object,     ///< a nested table
+  list,       ///< a list of nested tables
+};
+
+/// What a number may be. In a component every number may differ from instance to instance unless it is `fixed`.
+struct NumberForm {
+  Unit unit = Unit::none;
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool above_min = false;  ///< `min` itself is excluded
+  bool fixed = false;      ///< one value for the whole component
+};
+
+/// One row of a table.
+struct Parameter {
+  std::string name;
+  std::string doc;  ///< one sentence, with what happens when the value is raised where that is not plain
+  ParameterKind kind = ParameterKind::number;
+  NumberForm form;                         ///< of numbers, integers and the elements of vectors
+  std::vector<std::string> choices;        ///< of a choice
+  const ParameterTable* nested = nullptr;  ///< of an object or list
+  std::vector<std::string> names;          ///< variables of a condition
+  bool required = false;
+
+  /// Stores what `value` says into the struct at `object`, or reports faults.
+  std::function<void(const Parameter& self, void* object, const Value& value, const Place& place,
+                     ParameterReader& reader)>
+      read;
+  /// The struct's present value as a document would write it; null where unset.
+  std::function<Value(const void* object)> show;
+
+  /// "a number of metres above 0, at most 10".
+  std::string expectation() const;
+};
+
+/// The rows of one struct. Made with Table<P> in table.h.
+class ParameterTable {
+ public:
+  std::string name;  ///< of the struct, as messages and the schema call it
+  std::string doc;
+  std::vector<Parameter> parameters;
+  std::string shorthand;                         ///< the parameter that a bare value sets, or empty
+  std::vector<std::vector<std::string>> one_of;  ///< of each group exactly one must be given
+  /// Rules between parameters; called when all of them could be read.
+  std::function<void(const void* object, const Place& place, ParameterReader& reader)> check;
+  /// The defaults, as documents write them.
+  std::function<std::vector<Value>()> defaults;
+
+  const Parameter* find(std::string_view parameter) const;
+  std::vector<std::string> names() const;
+};
+
+}  // namespace meristem

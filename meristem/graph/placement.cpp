@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/graph/placement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "meristem/base/frame.h"
+#include "meristem/base/math.h"
+#include "meristem/base/parallel.h"
+#include "meristem/graph/table.h"
+
+namespace meristem {
+
+const std::vector<std::string>& placement_variables() {
+  static const std::vector<std::string> names = {"order", "radius", "u", "height", "birth", "tip_distance"};
+  return names;
+}
+
+const ParameterTable& placement_table() {
+  static const ParameterTable table =
+      Table<Placement>("a branch link", "Where children stand along stems.")
+          .number("density", &Placement::density, {.unit = Unit::per_metre, .min = 0, .max = 1e9},
+                  "Places per metre of stem; 40 where neither density nor count is given.")
+          .integer("count", &Placement::count, {.min = 0, .max = 2e9},
+                   "Places in all, shared out over the stems by their length.")
+          .condition("where", &Placement::where, placement_variables(),
+                     "Which parts of the stems carry children; the twigs, \"tip_distance < 0.4\", if not given.")
+          .integer("whorl", &Placement::whorl, {.min = 1, .max = 1000},
+                   "Children at each place, evenly about the axis.")
+          .number("divergence", &Placement::divergence, {.unit = Unit::degree, .min = -360, .max = 360},
+                  "Turn about the axis from place to place: 137.508 spiral, 180 in two rows, 90 crosswise with a whorl "
+                  "of 2.")
+          .number("angle", &Placement::angle, {.unit = Unit::degree, .min = 0, .max = 180},
+                  "Between axis and child; raised, children stand off more.")
+          .number("angle_spread", &Placement::angle_spread, {.unit = Unit::degree, .min = 0, .max = 180},
+                  "The angle varies by up to this much to both sides.")
+          .curve("size", &Placement::size, "Scale of the children over u, from base to tip of each axis.")
+          .number("face_light", &Placement::face_light, {.min = 0, .max = 1},
+                  "How far children turn their upper face to the light: 0 not at all, 1 wholly.")
+          .number("start", &Placement::start, {.min = 0, .max = 1}, "Share of each axis left free at its base.")
+          .number("end", &Placement::end, {.min = 0, .max = 1}, "Share of each axis at which the places end.")
+          .check([](const Placement& placement, const Place& place, ParameterReader& reader) {
+            if (placement.density && placement.count) {
+              reader.fault(Place(place, "count"), "a link has both a density and a count", "one of them");
+            }
+            if (placement.start > placement.end) {
+              reader.fault(Place(place, "start"), "'start' lies behind 'end'", "start of at most end");
+            }
+          });
+  return table;
+}
+
+namespace {
+
+constexpr double kDefaultDensity = 40;
+constexpr float kDefaultTwig = 0.4F;  // metres from the tip: the default `where`
+
+/// A straight piece of an axis that may carry children.
+struct Piece {
+  NodeIndex from = 0;
+  NodeIndex to = 0;
+  float begin = 0;  // share of the segment left free at its start
+  float end = 1;
+  float arc = 0;       // of `from` along the axis, metres
+  float length = 0;    // of the whole segment
+  double carried = 0;  // eligible length of the axis before this piece
+
+  double eligible() const { return static_cast<double>(length) * (end - begin); }
+};
+
+struct AxisPlaces {
+  std::vector<Piece> pieces;
+  double eligible = 0;  // metres that may carry children
+  float length = 0;     // of the whole axis
+  std::uint64_t places = 0;
+  std::uint64_t first_site = 0;
+};
+
+float segment_length(const Skeleton& skeleton, NodeIndex node) {
+  return skeleton.is_root(node) ? 0 : glm::distance(skeleton.position[node], skeleton.position[skeleton.parent[node]]);
+}
+
+/// From the mother node to the tip.
+float axis_length(const Skeleton& skeleton, std::span<const NodeIndex> nodes) {
+  double length = 0;
+  for (const NodeIndex node : nodes) length += segment_length(skeleton, node);
+  return static_cast<float>(length);
+}
+
+/// For every node whether the segment that ends in it may carry children.
+std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const Axes& axes, const Placement& placement,
+                                         RandomKey key) {
+  const std::size_t count = skeleton.node_count();
+  const std::vector<float> tip = tip_distance(skeleton);
+  std::vector<std::uint8_t> eligible(count);
+  if (!placement.where) {
+    for (std::size_t k = 0; k < count; ++k) eligible[k] = tip[k] < kDefaultTwig ? 1 : 0;
+    return eligible;
+  }
+  std::vector<double> order(count), radius(count), u(count), height(count), birth(count), distance(count),
+      result(count);
+  for (AxisIndex a = 0; a < axes.count(); ++a) {
+    const auto nodes = axes.of(a);
+    const float whole = std::max(1e-20F, axis_length(skeleton, nodes));
+    float arc = 0;
+    for (const NodeIndex node : nodes) {
+      arc += segment_length(skeleton, node);
+      u[node] = arc / whole;
+    }
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    order[k] = skeleton.order[k];
+    radius[k] = skeleton.radius[k];
+    height[k] = skeleton.position[k].y;
+    birth[k] = skeleton.birth[k];
+    distance[k] = tip[k];
+  }
+  const double* const columns[] = {order.data(), radius.data(), u.data(), height.data(), birth.data(), distance.data()};
+  std::vector<RandomKey> keys;
+  if (placement.where->expression.is_random()) {
+    for (std::size_t k = 0; k < count; ++k) keys.push_back(key.child(k));
+  }
+  placement.where->expression.evaluate(count, columns, keys, result.data());
+  for (std::size_t k = 0; k < count; ++k) eligible[k] = result[k] != 0 ? 1 : 0;
+  return eligible;
+}
+
+/// The pieces of one axis between `start` and `end` that are eligible; a lateral's first segment begins at the bark.
+AxisPlaces measure_axis(const Skeleton& skeleton, std::span<const NodeIndex> nodes, const Placement& placement,
+                        const std::vector<std::uint8_t>& eligible) {
+  AxisPlaces places;
+  places.length = axis_length(skeleton, nodes);
+  const double low = placement.start * places.length;
+  const double high = placement.end * places.length;
+  float arc = 0;
+  for (const NodeIndex node : nodes) {
+    if (skeleton.is_root(node)) continue;
+    const NodeIndex from = skeleton.parent[node];
+    Piece piece{.from = from, .to = node, .arc = arc};
+    piece.length = segment_length(skeleton, node);
+    arc += piece.length;
+    if (eligible[node] == 0 || piece.length <= 0) continue;
+    const bool leaves_mother = node == nodes.front();
+    const double bark = leaves_mother ? skeleton.radius[from] : 0;
+    piece.begin = static_cast<float>(std::clamp(std::max(bark, low - piece.arc) / piece.length, 0.0, 1.0));
+    piece.end = static_cast<float>(std::clamp((high - piece.arc) / piece.length, 0.0, 1.0));
+    if (piece.end <= piece.begin) continue;
+    piece.carried = places.eligible;
+    places.eligible += piece.eligible();
+    places.pieces.push_back(piece);
+  }
+  return places;
+}
+
+/// Shares places out over the axes: by density with the fraction drawn, so that short twigs get their due on average,
+/// or an exact count by cumulated length. Returns their number, as a double so that nothing overflows.
+double count_places(std::vector<AxisPlaces>& axes, const Placement& placement, RandomKey key) {
+  double total = 0;
+  if (placement.count) {
+    double whole = 0;
+    for (const AxisPlaces& axis : axes) whole += axis.eligible;
+    double before = 0;
+    double given = 0;
+    for (AxisPlaces& axis : axes) {
+      before += axis.eligible;
+      const double due = whole > 0 ? std::floor(*placement.count * (before / whole) + 0.5) : 0;
+      axis.places = static_cast<std::uint64_t>(due - given);
+      given = due;
+    }
+    return given * placement.whorl;
+  }
+  const double density = placement.density.value_or(kDefaultDensity);
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    const double expected = std::floor(axes[a].eligible * density + key.child(a).uniform(0));
+    total += expected;
+    axes[a].places = static_cast<std::uint64_t>(std::min(expected, 1e18));
+  }
+  return total * placement.whorl;
+}
+
+/// Writes the sites of one axis.
+class AxisWriter {
+ public:
+  AxisWriter(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context, RandomKey key)
+      : skeleton_(skeleton), placement_(placement), context_(context), key_(key) {}
+
+  void write(const AxisPlaces& axis, Site* out) {
+    if (axis.places == 0) return;
+    const auto whorl = static_cast<std::uint64_t>(placement_.whorl);
+    const double roll = 2 * kPi * key_.uniform(1);
+    const double spacing = axis.eligible / static_cast<double>(axis.places);
+    std::size_t p = 0;
+    Vec3 tangent = piece_tangent(axis.pieces[0]);
+    Vec3 radial = any_perpendicular(tangent);
+    for (std::uint64_t k = 0; k < axis.places; ++k) {
+      // Walk to the piece with the k-th place, carrying the radial direction without twist.
+      const double at = (static_cast<double>(k) + 0.5) * spacing;
+      while (p + 1 < axis.pieces.size() && at >= axis.pieces[p + 1].carried) {
+        const Vec3 next = piece_tangent(axis.pieces[++p]);
+        radial = rotation_between(tangent, next) * radial;
+        tangent = next;
+      }
+      const Piece& piece = axis.pieces[p];
+      const auto along = static_cast<float>(piece.begin + (at - piece.carried) / piece.length);
+      for (std::uint64_t w = 0; w < whorl; ++w) {
+        const double azimuth = roll + static_cast<double>(k) * placement_.divergence +
+                               2 * kPi * static_cast<double>(w) / static_cast<double>(whorl);
+        Site& site = out[k * whorl + w];
+        site = context_.parent;
+        site.i = static_cast<std::uint32_t>(k * whorl + w);
+        site.n = static_cast<std::uint32_t>(axis.places * whorl);
+        site.key = key_.child(site.i);
+        fill(site, axis, piece, std::clamp(along, 0.0F, 1.0F), rotation(tangent, azimuth) * radial, tangent);
+      }
+    }
+  }
+
+ private:
+  Vec3 piece_tangent(const Piece& piece) const {
+    return normalized_or(skeleton_.position[piece.to] - skeleton_.position[piece.from], kUp);
+  }
+
+  void fill(Site& site, const AxisPlaces& axis, const Piece& piece, float along, Vec3 outward, Vec3 tangent) const {
+    const bool lateral_base = skeleton_.axis[piece.from] != skeleton_.axis[piece.to];
+    const float from_radius = lateral_base ? skeleton_.radius[piece.to] : skeleton_.radius[piece.from];
+    site.radius = glm::mix(from_radius, skeleton_.radius[piece.to], along);
+    site.length = axis.length;
+    site.u = std::min(1.0F, (piece.arc + along * piece.length) / std::max(axis.length, 1e-20F));
+    site.birth = skeleton_.birth[piece.to];
+    site.order = skeleton_.order[piece.to];
+
+    const double angle = placement_.angle + placement_.angle_spread * site.key.child("angle").uniform(0, -1, 1);
+    const auto sine = static_cast<float>(math::sin(angle));
+    const auto cosine = static_cast<float>(math::cos(angle));
+    const Vec3 heading = cosine * tangent + sine * outward;
+    const Vec3 upper = sine * tangent - cosine * outward;
+    const Vec3 foot = glm::mix(skeleton_.position[piece.from], skeleton_.position[piece.to], along);
+    site.frame = frame_along(foot + site.radius * outward, heading, upper);
+    if (placement_.face_light > 0) turn_to_light(site.frame);
+    site.frame.axes *= static_cast<float>(placement_.size(site.u));
+  }
+
+  /// Turns the frame so that its upper face comes nearer to the light by the share `face_light`.
+  void turn_to_light(Frame& frame) const {
+    const Vec3 face = frame.upper();
+    const Vec3 axis = normalized_or(glm::cross(face, context_.light), frame.heading());
+    const double whole = math::acos(glm::dot(face, context_.light));
+    frame.axes = rotation(axis, whole * placement_.face_light) * frame.axes;
+  }
+
+  const Skeleton& skeleton_;
+  const Placement& placement_;
+  const PlacementContext& context_;
+  RandomKey key_;
+};
+
+}  // namespace
+
+std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context) {
+  const Axes axes(skeleton);
+  const std::vector<std::uint8_t> eligible =
+      eligible_nodes(skeleton, axes, placement, context.parent.key.child("where"));
+  std::vector<AxisPlaces> places(axes.count());
+  parallel_for(axes.count(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t a = begin; a < end; ++a) {
+      places[a] = measure_axis(skeleton, axes.of(static_cast<AxisIndex>(a)), placement, eligible);
+    }
+  });
+
+  const double total = count_places(places, placement, context.parent.key);
+  if (total > static_cast<double>(context.limits->instances)) {
+    throw_limit("children", total, context.limits->instances, "instances",
+                context.path + (placement.count ? ".count" : ".density"));
+  }
+  std::uint64_t sites = 0;
+  for (AxisPlaces& axis : places) {
+    axis.first_site = sites;
+    sites += axis.places * static_cast<std::uint64_t>(placement.whorl);
+  }
+
+  std::vector<Site> out(sites);
+  parallel_for(axes.count(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t a = begin; a < end; ++a) {
+      AxisWriter(skeleton, placement, context, context.parent.key.child(a))
+          .write(places[a], out.data() + places[a].first_site);
+    }
+  });
+  return out;
+}
+
+std::vector<Site> tip_sites(const Skeleton& skeleton, const Site& parent) {
+  const Axes axes(skeleton);
+  std::vector<Site> sites;
+  for (AxisIndex a = 0; a < axes.count(); ++a) {
+    const auto nodes = axes.of(a);
+    const NodeIndex tip = nodes.back();
+    const Vec3 from = skeleton.is_root(tip) ? skeleton.position[tip] : skeleton.position[skeleton.parent[tip]];
+    const Vec3 heading = normalized_or(skeleton.position[tip] - from, kUp);
+    Site& site = sites.emplace_back(parent);
+    site.frame = frame_along(skeleton.position[tip], heading, any_perpendicular(heading));
+    site.u = 1;
+    site.length = axis_length(skeleton, nodes);
+    site.radius = skeleton.radius[tip];
+    site.birth = skeleton.birth[tip];
+    site.order = skeleton.order[tip];
+  }
+  for (std::size_t k = 0; k < sites.size(); ++k) {
+    sites[k].i = static_cast<std::uint32_t>(k);
+    sites[k].n = static_cast<std::uint32_t>(sites.size());
+  }
+  return sites;
+}
+
+}  // namespace meristem

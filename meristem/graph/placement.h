@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the children of a branch link stand along the axes of a skeleton.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "meristem/base/curve.h"
+#include "meristem/base/limits.h"
+#include "meristem/graph/parameter.h"
+#include "meristem/graph/selection.h"
+#include "meristem/graph/site.h"
+#include "meristem/plant/skeleton.h"
+
+namespace meristem {
+
+/// The placement keys of a branch link. Angles in radians.
+struct Placement {
+  std::optional<double> density;                    ///< places per metre of stem; 40 where neither is given
+  std::optional<int> count;                         ///< places in all, shared out over the stems by length
+  std::optional<Condition> where;                   ///< default: tip_distance < 0.4
+  int whorl = 1;                                    ///< organs a place
+  double divergence = kGoldenAngleDeg * kPi / 180;  ///< turn about the axis from place to place
+  double angle = kPi / 4;                           ///< between axis and organ
+  double angle_spread = 0;                          ///< the angle varies evenly by up to this much to both sides
+  Curve size{{{0, 1}}};                             ///< scale over u
+  double face_light = 0;                            ///< share of the turn that brings the upper face to the light
+  double start = 0;                                 ///< share of each axis left free at its base
+  double end = 1;                                   ///< and the share at which the places end
+};
+
+const ParameterTable& placement_table();
+
+/// Names in `where`: order, radius, u, height, birth, tip_distance (of a node, metres; height above the ground).
+const std::vector<std::string>& placement_variables();
+
+struct PlacementContext {
+  Vec3 light{0, 1, 0};  ///< unit vector toward it
+  Site parent;          ///< of the instance that made the stem; the places' keys and depths come from it
+  const Limits* limits = nullptr;
+  std::string path;  ///< of the link in the document, for errors: "links[1]"
+};
+
+/// The places of `placement` on `skeleton`, axis by axis from base to tip; i, n, u count along each axis. An organ's
+/// frame stands on the bark, heads away from the axis by the angle, and turns its upper face (z) toward the axis's tip.
+/// A lateral axis begins at its mother's bark. Throws InputError past the limit of instances.
+std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context);
+
+/// A place at every tip of `skeleton`, heading along its last segment; the keys are the parent's.
+std::vector<Site> tip_sites(const Skeleton& skeleton, const Site& parent);
+
+}  // namespace meristem

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/graph/reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "meristem/base/hash.h"
+
+namespace meristem {
+
+namespace {
+
+double document_scale(Unit unit) {
+  return unit == Unit::degree ? kPi / 180 : 1;
+}
+
+bool is_in_range(const NumberForm& form, double value) {
+  return std::isfinite(value) && value <= form.max && (form.above_min ? value > form.min : value >= form.min);
+}
+
+/// What is left of a path after the component's own part: "components.leaf.curl" -> "curl".
+std::string_view path_in_component(std::string_view path) {
+  for (int level = 0; level < 2; ++level) {
+    const std::size_t dot = path.find('.');
+    if (dot == std::string_view::npos) break;
+    path.remove_prefix(dot + 1);
+  }
+  return path;
+}
+
+}  // namespace
+
+void ParameterReader::fault(const Place& place, std::string message, std::string expected, std::string nearest,
+                            int text_offset) {
+  ++faults_;
+  diagnostics_.push_back({.message = std::move(message),
+                          .expected = std::move(expected),
+                          .nearest = std::move(nearest),
+                          .path = place.text(),
+                          .file = {},
+                          .text_offset = text_offset});
+}
+
+void ParameterReader::warn(const Place& place, std::string message) {
+  diagnostics_.push_back({.severity = Severity::warning,
+                          .message = std::move(message),
+                          .expected = {},
+                          .nearest = {},
+                          .path = place.text(),
+                          .file = {}});
+}
+
+void ParameterReader::wrong_kind(const Parameter& parameter, const Value& value, const Place& place) {
+  fault(place, fmt::format("'{}' cannot be {}", parameter.name, value.description()), parameter.expectation());
+}
+
+void ParameterReader::read(const ParameterTable& table, void* object, const Value& value, const Place& place) {
+  this->object(table, object, value, place);
+}
+
+std::vector<Varying> ParameterReader::read_varying(const ParameterTable& table, void* object, std::size_t size,
+                                                   const Value& value, const Place& place, std::string_view ignored) {
+  varying_begin_ = static_cast<std::byte*>(object);
+  varying_end_ = varying_begin_ + size;
+  varyings_.clear();
+  this->object(table, object, value, place, ignored);
+  varying_begin_ = varying_end_ = nullptr;
+  return std::move(varyings_);
+}
+
+void ParameterReader::object(const ParameterTable& table, void* object, const Value& value, const Place& place,
+                             std::string_view ignored) {
+  const Value::Object* members = value.object();
+  if (members == nullptr) {
+    if (const Parameter* bare = table.shorthand.empty() ? nullptr : table.find(table.shorthand)) {
+      bare->read(*bare, object, value, place, *this);
+    } else {
+      fault(place, fmt::format("{} cannot be {}", table.name, value.description()),
+            fmt::format("an object with {}", fmt::join(table.names(), ", ")));
+    }
+    return;
+  }
+  const std::size_t faults_before = faults_;
+
+  // Each member is read by its row; unknown ones are named with the nearest known.
+  std::set<std::string_view> given;
+  for (const auto& [name, member] : *members) {
+    if (name == ignored) continue;
+    const Place member_place(place, name);
+    const Parameter* row = table.find(name);
+    if (row == nullptr) {
+      const std::vector<std::string> names = table.names();
+      std::string nearest = nearest_name(name, names);
+      fault(member_place, fmt::format("'{}' is not a parameter of {}", name, table.name),
+            nearest.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", std::move(nearest));
+      continue;
+    }
+    given.insert(row->name);
+    row->read(*row, object, member, member_place, *this);
+  }
+
+  // What must be there is there.
+  for (const Parameter& row : table.parameters) {
+    if (row.required && !given.contains(row.name)) {
+      fault(place, fmt::format("{} has no '{}'", table.name, row.name), row.expectation());
+    }
+  }
+  for (const std::vector<std::string>& group : table.one_of) {
+    const auto count =
+        std::count_if(group.begin(), group.end(), [&](const auto& name) { return given.contains(name); });
+    if (count != 1) {
+      fault(place,
+            fmt::format("{} has {} of {}", table.name, count == 0 ? "none" : "more than one", fmt::join(group, ", ")),
+            "exactly one of them");
+    }
+  }
+  if (table.check && faults_ == faults_before) table.check(object, place, *this);
+}
+
+bool ParameterReader::check_range(const Parameter& parameter, double value, const Place& place, std::string_view what) {
+  if (is_in_range(parameter.form, value)) return true;
+  fault(place, fmt::format("{} {:.12g} is out of range for '{}'", what, value, parameter.name),
+        parameter.expectation());
+  return false;
+}
+
+std::optional<Expression> ParameterReader::expression(const Value& value, const Place& place,
+                                                      std::span<const std::string> variables) {
+  const std::string* text = value.text();
+  if (text == nullptr) {
+    fault(place, fmt::format("an expression cannot be {}", value.description()), "a text with an expression");
+    return std::nullopt;
+  }
+  try {
+    const ExpressionNames names{.variables = {variables.begin(), variables.end()}, .constants = constants_};
+    return Expression::compile(*text, names, max_expression_bytes_);
+  } catch (const ExpressionError& error) {
+    const ExpressionFault& found = error.fault();
+    fault(place, found.message, found.expected, found.nearest, static_cast<int>(found.offset));
+    return std::nullopt;
+  }
+}
+
+std::optional<double> ParameterReader::number(const Parameter& parameter, const Value& value, const Place& place) {
+  if (const double* plain = value.number()) {
+    if (parameter.kind == ParameterKind::integer && *plain != std::floor(*plain)) {
+      fault(place, fmt::format("'{}' cannot be the fraction {:.12g}", parameter.name, *plain), parameter.expectation());
+      return std::nullopt;
+    }
+    return check_range(parameter, *plain, place, "the value") ? std::optional(*plain) : std::nullopt;
+  }
+  if (value.text() == nullptr) {
+    wrong_kind(parameter, value, place);
+    return std::nullopt;
+  }
+  const std::optional<Expression> compiled = expression(value, place, site_variables());
+  if (!compiled) return std::nullopt;
+  if (!compiled->is_constant()) {
+    fault(place,
+          fmt::format("'{}' is one number for all instances, and this expression differs between them", parameter.name),
+          "an expression of numbers and the document's variables");
+    return std::nullopt;
+  }
+  const double result = compiled->evaluate(std::vector<double>(site_variables().size()));
+  return check_range(parameter, result, place, "the expression's value") ? std::optional(result) : std::nullopt;
+}
+
+bool ParameterReader::may_vary(const Parameter& parameter, const void* member) const {
+  const auto* address = static_cast<const std::byte*>(member);
+  return !parameter.form.fixed && varying_begin_ <= address && address < varying_end_;
+}
+
+void ParameterReader::store_number(const Parameter& parameter, const Value& value, const Place& place,
+                                   const NumberSlot& slot) {
+  const double scale = document_scale(parameter.form.unit);
+  const bool varies = may_vary(parameter, slot.member);
+  const auto store_plain = [&](const Value& plain) {
+    if (const std::optional<double> given = number(parameter, plain, place)) slot.store(slot.member, *given * scale);
+  };
+  if (value.number() != nullptr) return store_plain(value);
+
+  // A range, alone or in an object with the expression to apply.
+  const Value* range = value.list() != nullptr ? &value : value.find("range");
+  const Value* apply = value.object() != nullptr ? value.find("apply") : value.text() != nullptr ? &value : nullptr;
+  if (range == nullptr && apply == nullptr) return wrong_kind(parameter, value, place);
+  if (!varies) {
+    if (value.text() != nullptr) return store_plain(value);
+    fault(place,
+          fmt::format("'{}' is one number for all instances and cannot be {}", parameter.name, value.description()),
+          parameter.expectation());
+    return;
+  }
+  const std::size_t faults_before = faults_;
+  if (const Value::Object* members = value.object()) {
+    for (const auto& [name, member_value] : *members) {
+      if (name != "range" && name != "apply") {
+        fault(Place(place, name), fmt::format("'{}' does not belong to a value", name), "range and apply",
+              nearest_name(name, std::vector<std::string>{"range", "apply"}));
+      }
+    }
+  }
+  Varying varying{
+      .path = place.text(), .min = parameter.form.min, .max = parameter.form.max, .scale = scale, .store = slot.store};
+  varying.name_hash = hash64(path_in_component(varying.path));
+  varying.offset = static_cast<std::size_t>(static_cast<std::byte*>(slot.member) - varying_begin_);
+  if (parameter.form.above_min) varying.min = std::nextafter(static_cast<float>(varying.min), HUGE_VALF);
+  varying.first = varying.last = slot.present;
+  if (range != nullptr) {
+    const Value::List* ends = range->list();
+    if (ends == nullptr || ends->size() != 2) {
+      fault(place, fmt::format("the range of '{}' is {}", parameter.name, range->description()),
+            "a list of two numbers");
+      return;
+    }
+    const auto first = number(parameter, (*ends)[0], Place(place, std::size_t{0}));
+    const auto last = number(parameter, (*ends)[1], Place(place, std::size_t{1}));
+    varying.first = first.value_or(0);
+    varying.last = last.value_or(0);
+  }
+  if (apply != nullptr) {
+    const Place apply_place(place, "apply");
+    varying.expression = expression(*apply, value.text() != nullptr ? place : apply_place, site_variables());
+    if (range == nullptr && varying.expression && varying.expression->is_constant()) return store_plain(value);
+  }
+  if (faults_ == faults_before) varyings_.push_back(std::move(varying));
+}
+
+const std::string* ParameterReader::text(const Parameter& parameter, const Value& value, const Place& place) {
+  if (value.text() == nullptr) wrong_kind(parameter, value, place);
+  return value.text();
+}
+
+std::optional<std::size_t> ParameterReader::choice(const Parameter& parameter, const Value& value, const Place& place) {
+  const std::string* given = text(parameter, value, place);
+  if (given == nullptr) return std::nullopt;
+  const auto found = std::find(parameter.choices.begin(), parameter.choices.end(), *given);
+  if (found != parameter.choices.end()) return static_cast<std::size_t>(found - parameter.choices.begin());
+  fault(place, fmt::format("'{}' is not a value of '{}'", *given, parameter.name), parameter.expectation(),
+        nearest_name(*given, parameter.choices));
+  return std::nullopt;
+}
+
+}  // namespace meristem

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/expression.h"
+#include "meristem/graph/parameter.h"
+#include "meristem/graph/varying.h"
+
+namespace meristem {
+
+/// Where a number goes.
+struct NumberSlot {
+  void* member = nullptr;
+  StoreNumber store = nullptr;
+  double present = 0;  ///< the default, in document units: what an expression without a range sees as v
+};
+
+/// Reads values into structs by their tables, collects every fault with its place, and sets aside the numbers that
+/// differ from instance to instance.
+class ParameterReader {
+ public:
+  /// `constants` are the document's variables; `max_expression_bytes` bounds one expression.
+  ParameterReader(std::vector<ExpressionNames::Constant> constants, std::size_t max_expression_bytes)
+      : constants_(std::move(constants)), max_expression_bytes_(max_expression_bytes) {}
+
+  /// Reads `value` into the struct at `object`. Every number must be one number.
+  void read(const ParameterTable& table, void* object, const Value& value, const Place& place);
+  /// The same for a component's struct of `size` bytes: members in it may vary from instance to instance and then end
+  /// up in the result. `ignored` names a key that is no parameter ("type").
+  std::vector<Varying> read_varying(const ParameterTable& table, void* object, std::size_t size, const Value& value,
+                                    const Place& place, std::string_view ignored);
+
+  void fault(const Place& place, std::string message, std::string expected = {}, std::string nearest = {},
+             int text_offset = -1);
+  void warn(const Place& place, std::string message);
+  const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+  std::vector<Diagnostic> take_diagnostics() { return std::move(diagnostics_); }
+  std::size_t fault_count() const { return faults_; }
+
+  // What tables are made of; each reports what it cannot take.
+
+  /// One number in its form's range, written plainly or as an expression of the document's variables.
+  std::optional<double> number(const Parameter& parameter, const Value& value, const Place& place);
+  /// A number into its slot, at once or, where allowed, as a Varying.
+  void store_number(const Parameter& parameter, const Value& value, const Place& place, const NumberSlot& slot);
+  /// An expression over `variables` and the document's variables.
+  std::optional<Expression> expression(const Value& value, const Place& place, std::span<const std::string> variables);
+  const std::string* text(const Parameter& parameter, const Value& value, const Place& place);
+  std::optional<std::size_t> choice(const Parameter& parameter, const Value& value, const Place& place);
+  /// The table's members from an object, or its shorthand from a bare value.
+  void object(const ParameterTable& table, void* object, const Value& value, const Place& place,
+              std::string_view ignored = {});
+  void wrong_kind(const Parameter& parameter, const Value& value, const Place& place);
+
+ private:
+  bool may_vary(const Parameter& parameter, const void* member) const;
+  bool check_range(const Parameter& parameter, double value, const Place& place, std::string_view what);
+
+  std::vector<ExpressionNames::Constant> constants_;
+  std::size_t max_expression_bytes_;
+  std::vector<Diagnostic> diagnostics_;
+  std::size_t faults_ = 0;
+  std::byte* varying_begin_ = nullptr;
+  std::byte* varying_end_ = nullptr;
+  std::vector<Varying> varyings_;
+};
+
+}  // namespace meristem

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "meristem/base/expression.h"
+#include "meristem/graph/site.h"
+
+namespace meristem {
+
+/// A condition over the places along a stem or over instances, as the document wrote it.
+struct Condition {
+  std::string text;
+  Expression expression;  ///< compiled; over the names its parameter states
+
+  bool operator==(const Condition& other) const { return text == other.text; }
+};
+
+/// A set of instances: numbers, ranges of numbers with both ends, and conditions over the site variables.
+struct Selection {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges;
+  std::vector<Condition> conditions;
+
+  bool is_empty() const { return ranges.empty() && conditions.empty(); }
+  bool contains(const Site& site, double time) const;
+};
+
+}  // namespace meristem

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "meristem/base/frame.h"
+#include "meristem/base/random.h"
+
+namespace meristem {
+
+/// How many recursions may lie within one another.
+inline constexpr std::size_t kMaxRecursionLevels = 4;
+
+/// A place where a child stands: what the child can see of its parent and of itself.
+struct Site {
+  Frame frame;                                              ///< world space
+  RandomKey key;                                            ///< of the instance's path from the root
+  std::uint32_t i = 0;                                      ///< instance number among its siblings
+  std::uint32_t n = 1;                                      ///< number of siblings, itself included
+  float u = 0;                                              ///< position along the parent's axis, from 0 to 1
+  float length = 0;                                         ///< of the parent, metres
+  float radius = 0;                                         ///< of the parent at this place, metres
+  float birth = 0;                                          ///< growth step at which the place appeared
+  std::uint16_t order = 0;                                  ///< branching order of the axis it stands on
+  std::uint16_t depth = 0;                                  ///< recursion depth
+  std::array<std::uint16_t, kMaxRecursionLevels> depths{};  ///< by level of nested recursions
+};
+
+/// Names that parameters' expressions may use, in the order in which `site_variable` gives their values:
+/// v i n u depth order x y z hx hy hz t length radius.
+std::span<const std::string> site_variables();
+
+/// The value of the k-th of them at a site; `v` is the parameter's own value and `time` the document's time in seconds.
+double site_variable(std::size_t k, const Site& site, double v, double time);
+
+}  // namespace meristem

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a parameter table is written: a row a member, with its name, unit, range and meaning.
+//
+//   const ParameterTable& blade_table() {
+//     static const ParameterTable table =
+//         Table<Blade>("blade", "A flat leaf.")
+//             .number("length", &Blade::length, {.unit = Unit::metre, .min = 0, .max = 10}, "Base to tip.")
+//             .choice("edge", &Blade::edge, {"smooth", "toothed"}, "Shape of the margin.");
+//     return table;
+//   }
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "meristem/base/curve.h"
+#include "meristem/graph/parameter.h"
+#include "meristem/graph/reader.h"
+#include "meristem/graph/selection.h"
+
+namespace meristem {
+
+// The parts of Table that do not depend on the struct's type.
+namespace table_detail {
+
+template <class T>
+struct Optional : std::false_type {
+  using Type = T;
+};
+template <class T>
+struct Optional<std::optional<T>> : std::true_type {
+  using Type = T;
+};
+
+double to_document(Unit unit, double value);
+
+void read_curve(const Parameter&, const Value&, const Place&, ParameterReader&, Curve& out);
+Value show_curve(const Curve& curve);
+void read_points(const Parameter&, const Value&, const Place&, ParameterReader&, std::vector<Vec2>& out);
+Value show_points(const std::vector<Vec2>& points);
+void read_vector(const Parameter&, const Value&, const Place&, ParameterReader&, Vec3& out);
+Value show_vector(Unit unit, Vec3 vector);
+void read_colour(const Parameter&, const Value&, const Place&, ParameterReader&, Vec3& out);
+Value show_colour(Vec3 colour);
+void read_selection(const Parameter&, const Value&, const Place&, ParameterReader&, std::optional<Selection>& out);
+void read_condition(const Parameter&, const Value&, const Place&, ParameterReader&, std::optional<Condition>& out);
+Value show_object(const ParameterTable& table, const void* object);
+
+}  // namespace table_detail
+
+/// Builds the table of struct P, which must be default-constructible: its defaults are the parameters' defaults.
+template <class P>
+class Table {
+ public:
+  Table(std::string name, std::string doc) {
+    table_.name = std::move(name);
+    table_.doc = std::move(doc);
+  }
+
+  /// A double, float or optional of them. An optional without a value means: chosen by the program.
+  template <class M>
+  Table&& number(std::string name, M P::*member, NumberForm form, std::string doc) && {
+    return numeric(ParameterKind::number, std::move(name), member, form, std::move(doc));
+  }
+  /// An int, uint64_t or optional<int>; varying values are rounded.
+  template <class M>
+  Table&& integer(std::string name, M P::*member, NumberForm form, std::string doc) && {
+    return numeric(ParameterKind::integer, std::move(name), member, form, std::move(doc));
+  }
+  Table&& boolean(std::string name, bool P::*member, std::string doc) && {
+    row(
+        ParameterKind::boolean, std::move(name), std::move(doc),
+        [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
+          if (const bool* given = value.boolean()) {
+            object.*member = *given;
+          } else {
+            reader.wrong_kind(self, value, place);
+          }
+        },
+        [member](const P& object) { return Value(object.*member); });
+    return std::move(*this);
+  }
+  Table&& text(std::string name, std::string P::*member, std::string doc) && {
+    row(
+        ParameterKind::text, std::move(name), std::move(doc),
+        [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
+          if (const std::string* given = reader.text(self, value, place)) object.*member = *given;
+        },
+        [member](const P& object) { return Value(object.*member); });
+    return std::move(*this);
+  }
+  /// An enum whose enumerators count from 0 in the order of `names`.
+  template <class E>
+  Table&& choice(std::string name, E P::*member, std::vector<std::string> names, std::string doc) && {
+    static_assert(std::is_enum_v<E>);
+    auto made = std::move(*this).row(
+        ParameterKind::choice, std::move(name), std::move(doc),
+        [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
+          if (const auto given = reader.choice(self, value, place)) object.*member = static_cast<E>(*given);
+        },
+        [member, names](const P& object) { return Value(names[static_cast<std::size_t>(object.*member)]); });
+    made.choices = std::move(names);
+    return std::move(*this);
+  }
+  /// Three numbers [x, y, z]; each may vary.
+  Table&& vector(std::string name, Vec3 P::*member, NumberForm form, std::string doc) && {
+    Parameter& made = row(
+        ParameterKind::vector, std::move(name), std::move(doc),
+        [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
+          table_detail::read_vector(self, value, place, reader, object.*member);
+        },
+        [member, unit = form.unit](const P& object) { return table_detail::show_vector(unit, object.*member); });
+    made.form = form;
+    return std::move(*this);
+  }
+  Table&& vector(std::string name, std::optional<Vec3> P::*member, NumberForm form, std::string doc) && {
+    Parameter& made = row(
+        ParameterKind::vector, std::move(name), std::move(doc),
+        [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
+          table_detail::read_vector(self, value, place, reader, (object.*member).emplace(0.0F));
+        },
+        [member, unit = form.unit](const P& object) {
+          return object.*member ? table_detail::show_vector(unit, *(object.*member)) : Value();
+        });
+    made.form = form;
+    return std::move(*this);
+  }
+  /// sRGB in [0, 1], written "#rrggbb".
+  Table&& colour(std::string name, Vec3 P::*member, std::string doc) && {
+    row(
+        ParameterKind::colour, std::move(name), std::move(doc),
+        [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
+          table_detail::read_colour(self, value, place, reader, object.*member);
+        },
+        [member](const P& object) { return table_detail::show_colour(object.*member); });
+    return std::move(*this);
+  }
+  Table&& colour(std::string name, std::optional<Vec3> P::*member, std::string doc) && {
+    row(
+        ParameterKind::colour, std::move(name), std::move(doc),
+        [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
+          table_detail::read_colour(self, value, place, reader, (object.*member).emplace(0.0F));
+        },
+        [member](const P& object) { return object.*member ? table_detail::show_colour(*(object.*member)) : Value(); });
+    return std::move(*this);
+  }
+  /// A function from [0, 1].
+  Table&& curve(std::string name, Curve P::*member, std::string doc) && {
+    row(
+        ParameterKind::curve, std::move(name), std::move(doc),
+        [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
+          table_detail::read_curve(self, value, place, reader, object.*member);
+        },
+        [member](const P& object) { return table_detail::show_curve(object.*member); });
+    return std::move(*this);
+  }
+  /// Pairs [[x, y], ...]; `form` bounds every number.
+  Table&& points(std::string name, std::vector<Vec2> P::*member, NumberForm form, std::string doc) && {
+    Parameter& made = row(
+        ParameterKind::points, std::move(name), std::move(doc),
+        [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
+          table_detail::read_points(self, value, place, reader, object.*member);
+        },
+        [member](const P& object) { return table_detail::show_points(object.*member); });
+    made.form = form;
+    return std::move(*this);
+  }
+  /// An expression over `names` that says yes or no.
+  Table&& condition(std::string name, std::optional<Condition> P::*member, std::vector<std::string> names,
+                    std::string doc) && {
+    Parameter& made = row(
+        ParameterKind::condition, std::move(name), std::move(doc),
+        [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
+          table_detail::read_condition(self, value, place, reader, object.*member);
+        },
+        [member](const P& object) { return object.*member ? Value((object.*member)->text) : Value(); });
+    made.names = std::move(names);
+    return std::move(*this);
+  }
+  /// Instances by number, range and condition.
+  Table&& selection(std::string name, std::optional<Selection> P::*member, std::string doc) && {
+    row(
+        ParameterKind::selection, std::move(name), std::move(doc),
+        [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
+          table_detail::read_selection(self, value, place, reader, object.*member);
+        },
+        [](const P&) { return Value(); });
+    return std::move(*this);
+  }
+  /// A nested struct, or an optional one.
+  template <class M>
+  Table&& object(std::string name, M P::*member, const ParameterTable& nested, std::string doc) && {
+    Parameter& made = row(
+        ParameterKind::object, std::move(name), std::move(doc),
+        [member, &nested](const Parameter&, P& object, const Value& value, const Place& place,
+                          ParameterReader& reader) {
+          if constexpr (table_detail::Optional<M>::value) {
+            reader.object(nested, &(object.*member).emplace(), value, place);
+          } else {
+            reader.object(nested, &(object.*member), value, place);
+          }
+        },
+        [member, &nested](const P& object) {
+          if constexpr (table_detail::Optional<M>::value) {
+            return object.*member ? table_detail::show_object(nested, &*(object.*member)) : Value();
+          } else {
+            return table_detail::show_object(nested, &(object.*member));
+          }
+        });
+    made.nested = &nested;
+    return std::move(*this);
+  }
+  /// A list of nested structs. Numbers in them cannot vary from instance to instance.
+  template <class Element>
+  Table&& list(std::string name, std::vector<Element> P::*member, const ParameterTable& nested, std::string doc) && {
+    Parameter& made = row(
+        ParameterKind::list, std::move(name), std::move(doc),
+        [member, &nested](const Parameter& self, P& object, const Value& value, const Place& place,
+                          ParameterReader& reader) {
+          const Value::List* values = value.list();
+          if (values == nullptr) return reader.wrong_kind(self, value, place);
+          std::vector<Element>& elements = object.*member;
+          elements.assign(values->size(), Element{});
+          for (std::size_t k = 0; k < values->size(); ++k) {
+            reader.object(nested, &elements[k], (*values)[k], Place(place, k));
+          }
+        },
+        [](const P&) { return Value(Value::List{}); });
+    made.nested = &nested;
+    return std::move(*this);
+  }
+
+  /// All rows of a base struct's table, before those that follow.
+  template <class Base>
+  Table&& include(const ParameterTable& base) && {
+    static_assert(std::is_base_of_v<Base, P>);
+    for (const Parameter& base_row : base.parameters) {
+      Parameter& copy = table_.parameters.emplace_back(base_row);
+      copy.read = [read = base_row.read](const Parameter& self, void* object, const Value& value, const Place& place,
+                                         ParameterReader& reader) {
+        read(self, static_cast<Base*>(static_cast<P*>(object)), value, place, reader);
+      };
+      copy.show = [show = base_row.show](const void* object) {
+        return show(static_cast<const Base*>(static_cast<const P*>(object)));
+      };
+    }
+    return std::move(*this);
+  }
+  /// The row just written must be given.
+  Table&& required() && {
+    table_.parameters.back().required = true;
+    return std::move(*this);
+  }
+  /// Of these parameters exactly one must be given.
+  Table&& one_of(std::vector<std::string> names) && {
+    table_.one_of.push_back(std::move(names));
+    return std::move(*this);
+  }
+  /// A bare value instead of an object sets this parameter.
+  Table&& shorthand(std::string name) && {
+    table_.shorthand = std::move(name);
+    return std::move(*this);
+  }
+  /// A rule between parameters.
+  Table&& check(void (*rule)(const P&, const Place&, ParameterReader&)) && {
+    table_.check = [rule](const void* object, const Place& place, ParameterReader& reader) {
+      rule(*static_cast<const P*>(object), place, reader);
+    };
+    return std::move(*this);
+  }
+
+  operator ParameterTable() && {
+    table_.defaults = [parameters = table_.parameters] {
+      const P defaults{};
+      std::vector<Value> values;
+      for (const Parameter& parameter : parameters) values.push_back(parameter.show(&defaults));
+      return values;
+    };
+    return std::move(table_);
+  }
+
+ private:
+  template <class M>
+  Table&& numeric(ParameterKind kind, std::string name, M P::*member, NumberForm form, std::string doc) {
+    using Number = typename table_detail::Optional<M>::Type;
+    static_assert(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>);
+    Parameter& made = row(
+        kind, std::move(name), std::move(doc),
+        [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
+          const StoreNumber store = [](void* slot, double number) {
+            if constexpr (std::is_integral_v<Number>) number = std::floor(number + 0.5);
+            *static_cast<M*>(slot) = static_cast<Number>(number);
+          };
+          const Value present = shown(self.form.unit, object.*member);
+          reader.store_number(self, value, place,
+                              {&(object.*member), store, present.is_null() ? 0 : *present.number()});
+        },
+        [member, unit = form.unit](const P& object) { return shown(unit, object.*member); });
+    made.form = form;
+    return std::move(*this);
+  }
+
+  template <class M>
+  static Value shown(Unit unit, const M& member) {
+    if constexpr (table_detail::Optional<M>::value) {
+      return member ? Value(table_detail::to_document(unit, static_cast<double>(*member))) : Value();
+    } else {
+      return Value(table_detail::to_document(unit, static_cast<double>(member)));
+    }
+  }
+
+  template <class Read, class Show>
+  Parameter& row(ParameterKind kind, std::string name, std::string doc, Read read, Show show) {
+    Parameter& made = table_.parameters.emplace_back();
+    made.name = std::move(name);
+    made.doc = std::move(doc);
+    made.kind = kind;
+    made.read = [read](const Parameter& self, void* object, const Value& value, const Place& place,
+                       ParameterReader& reader) { read(self, *static_cast<P*>(object), value, place, reader); };
+    made.show = [show](const void* object) { return show(*static_cast<const P*>(object)); };
+    return made;
+  }
+
+  ParameterTable table_;
+};
+
+}  // namespace meristem

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace meristem {
+
+/// What a person wrote, before anybody knows what it means: the tree of a document's text. Members keep their order.
+/// Nesting is bounded by whoever builds it, so recursion over it is safe.
+class Value {
+ public:
+  using List = std::vector<Value>;
+  using Member = std::pair<std::string, Value>;
+  using Object = std::vector<Member>;
+
+  Value() = default;  ///< null
+  Value(bool boolean) : data_(boolean) {}
+  Value(double number) : data_(number) {}
+  Value(int number) : data_(static_cast<double>(number)) {}
+  Value(std::string text) : data_(std::move(text)) {}
+  Value(const char* text) : data_(std::string(text)) {}
+  Value(List list) : data_(std::move(list)) {}
+  Value(Object object) : data_(std::move(object)) {}
+
+  bool is_null() const { return std::holds_alternative<std::monostate>(data_); }
+  const bool* boolean() const { return std::get_if<bool>(&data_); }
+  const double* number() const { return std::get_if<double>(&data_); }
+  const std::string* text() const { return std::get_if<std::string>(&data_); }
+  const List* list() const { return std::get_if<List>(&data_); }
+  const Object* object() const { return std::get_if<Object>(&data_); }
+  List* list() { return std::get_if<List>(&data_); }
+  Object* object() { return std::get_if<Object>(&data_); }
+
+  /// The member of an object, or null where it has none or this is no object.
+  const Value* find(std::string_view name) const;
+  Value* find(std::string_view name);
+
+  /// What it is, for messages: "a number", "a list of 3", "the text 'abc'".
+  std::string description() const;
+
+  bool operator==(const Value&) const = default;
+
+ private:
+  std::variant<std::monostate, bool, double, std::string, List, Object> data_;
+};
+
+/// A place in a document, as a chain of stack objects from the top down; it costs nothing until it is written out.
+class Place {
+ public:
+  Place() = default;
+  Place(const Place& parent, std::string_view member) : parent_(&parent), member_(member) {}
+  Place(const Place& parent, std::size_t index) : parent_(&parent), index_(index), is_index_(true) {}
+
+  /// "components.stem.angle", "links[1].density"; empty at the top.
+  std::string text() const;
+
+ private:
+  const Place* parent_ = nullptr;
+  std::string_view member_;
+  std::size_t index_ = 0;
+  bool is_index_ = false;
+};
+
+}  // namespace meristem

@@ -4,13 +4,17 @@
 //
 //   expression  = condition [ "?" expression ":" expression ]
 //   operators, loosest first:  ||  &&  == !=  < <= > >=  + -  * / %  unary - ! +  ^ (to the right)
-//   numbers 1, .5, 2e-3; names; calls f(a, b); parentheses. Truth is any number but 0; comparisons give 1 or 0.
+//   numbers 1, .5, 2e-3; names; calls f(a, b); parentheses. Truth is any number but 0; comparisons give 1 or 0 and
+//   cannot be chained (a < b < c is a fault). x % y is mod(x, y), the remainder with the sign of y.
 //
 // Functions, angles in degrees: sin cos tan asin acos atan atan2(y, x) sqrt cbrt exp log log2 log10 pow(x, y) abs sign
 // floor ceil round trunc frac mod(x, y) min(...) max(...) clamp(x, low, high) lerp(a, b, t) smoothstep(a, b, x)
-// step(edge, x) noise(x [, y [, z]]) rand() rand(low, high) gauss(mean, deviation). Constants: pi, e, golden (137.508°).
+// step(edge, x) noise(x [, y [, z]]) rand() rand(low, high) gauss(mean, deviation). Constants: pi, e, golden
+// (137.508°).
 //
-// Both branches of `?:` are evaluated. rand and gauss draw from the lane's key by the call's place in the expression.
+// Both branches of `?:` are evaluated. rand and gauss draw from the lane's key by the call's place in the expression:
+// the k-th of their names in the text, from 0 and left to right, draws the key's k-th number. The manual has it all:
+// docs/manual/expressions.md.
 #pragma once
 
 #include <cstddef>
@@ -63,13 +67,17 @@ std::span<const std::string> builtin_names();
 
 class Expression {
  public:
+  /// The expression "0".
+  Expression();
   /// Compiles `text`. Throws ExpressionError for the first fault. Nesting is bounded (200 levels) and so is the length
-  /// (`max_bytes`).
+  /// (`max_bytes`). A name that is no identifier or a built-in one is a std::invalid_argument.
   static Expression compile(std::string_view text, const ExpressionNames& names, std::size_t max_bytes = 16'384);
 
   /// Values for `count` lanes into `out`. `variables[k]` points to `count` values of the k-th name (only those that
   /// `uses(k)` are read; others may be null). `keys` has a key a lane, or is empty if the expression draws nothing.
   /// Numbers follow IEEE 754: a division by zero gives an infinity, log(-1) a NaN; callers decide what that means.
+  /// A lane's value depends neither on the other lanes nor on how they are split into calls. `out` may be one of the
+  /// variables. Missing variables or keys are a std::invalid_argument.
   void evaluate(std::size_t count, std::span<const double* const> variables, std::span<const RandomKey> keys,
                 double* out) const;
   /// One lane.
@@ -82,6 +90,7 @@ class Expression {
 
  private:
   struct Program;
+  explicit Expression(std::shared_ptr<const Program> program);
   std::shared_ptr<const Program> program_;
 };
 

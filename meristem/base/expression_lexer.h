@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cuts an expression's text into tokens. Private to the expression language.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace meristem {
+
+struct ExpressionToken {
+  enum class Kind { end, number, name, operation };
+  Kind kind = Kind::end;
+  std::size_t offset = 0;  ///< in bytes
+  std::string_view text;   ///< for an operation: one of the operators, "(", ")", ",", "?" or ":"
+  double value = 0;        ///< of a number
+
+  bool is(std::string_view operation) const { return kind == Kind::operation && text == operation; }
+};
+
+class ExpressionLexer {
+ public:
+  explicit ExpressionLexer(std::string_view text) : text_(text) {}
+  /// The next token, at last the end, again and again. Throws ExpressionError for bytes that no token begins with and
+  /// for malformed numbers.
+  ExpressionToken next();
+
+ private:
+  ExpressionToken take(ExpressionToken::Kind kind, std::size_t bytes);
+  ExpressionToken number();
+
+  std::string_view text_;
+  std::size_t position_ = 0;
+};
+
+/// `text` in quotes for a message, shortened where it is long.
+std::string quoted(std::string_view text);
+
+}  // namespace meristem

@@ -57,7 +57,7 @@ Mat3 rotation_between(Vec3 from, Vec3 to) {
   const DVec3 start = unit_or(DVec3(from), DVec3(kUp));
   const DVec3 end = unit_or(DVec3(to), DVec3(kUp));
   const DVec3 middle = start + end;
-  if (glm::dot(middle, middle) < 1e-12) return Mat3(half_turn(perpendicular(start)));
+  if (glm::dot(middle, middle) < 1e-18) return Mat3(half_turn(perpendicular(start)));
   // A half turn about the start and one about the middle make twice the turn from start to middle.
   return Mat3(half_turn(glm::normalize(middle)) * half_turn(start));
 }

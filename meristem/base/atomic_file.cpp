@@ -25,8 +25,10 @@ namespace {
 constexpr std::size_t kBufferBytes = 1 << 20;
 constexpr int kMostLinks = 40;  // as the kernel's own bound
 
-/// The path that `path` leads to if its last part is a symbolic link, which may dangle. Sets `errno` on a loop.
+/// The path that `path` leads to if its last part is a symbolic link, which may dangle. Empty, with `errno` set, for a
+/// loop of links or an empty path.
 std::string without_links(std::string path) {
+  if (path.empty()) errno = ENOENT;
   std::error_code error;
   for (int links = 0; std::filesystem::is_symlink(path, error); ++links) {
     if (links == kMostLinks) {

@@ -1,1 +1,238 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "meristem/base/atomic_file.h"
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "meristem/base/diagnostic.h"
+
+namespace meristem {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+void put(AtomicFile& file, std::string_view text) { file.write(text.data(), text.size()); }
+
+/// A file of this text, in place.
+void write_file(const fs::path& path, std::string_view text) {
+  AtomicFile file(path.string());
+  put(file, text);
+  file.commit();
+}
+
+/// What opening `path`, writing `size` bytes and committing has to complain about.
+std::string complaint(const std::string& path, std::size_t size = 1) {
+  try {
+    AtomicFile file(path);
+    put(file, std::string(size, 'x'));
+    file.commit();
+  } catch (const MachineError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+/// Lets no file of this process grow beyond `bytes` while it lives, as a full disk would.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+class AtomicFileTest : public testing::Test {
+ protected:
+  AtomicFileTest() {
+    std::string name = testing::TempDir() + "meristem-atomic-XXXXXX";
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~AtomicFileTest() override { fs::remove_all(folder_); }
+
+  fs::path at(const std::string& name) const { return folder_ / name; }
+  std::ptrdiff_t entry_count() const { return std::distance(fs::directory_iterator(folder_), {}); }
+
+ private:
+  fs::path folder_;
+};
+
+TEST_F(AtomicFileTest, AppearsWholeWhenCommitted) {
+  AtomicFile file(at("oak.glb").string());
+  put(file, "leaves");
+  const std::vector<std::uint16_t> numbers = {0x4241, 0x4443};
+  file.write(std::span<const std::uint16_t>(numbers));
+  EXPECT_EQ(file.size(), 10U);
+  EXPECT_FALSE(fs::exists(at("oak.glb")));
+  file.commit();
+  EXPECT_EQ(content_of(at("oak.glb")), "leavesABCD");
+  EXPECT_EQ(entry_count(), 1);
+}
+
+TEST_F(AtomicFileTest, LeavesNothingAndChangesNothingWithoutCommit) {
+  write_file(at("old"), "before");
+  for (const char* name : {"old", "new"}) {
+    AtomicFile file(at(name).string());
+    put(file, std::string(3'000'000, 'x'));
+  }
+  EXPECT_EQ(content_of(at("old")), "before");
+  EXPECT_EQ(entry_count(), 1);
+}
+
+TEST_F(AtomicFileTest, KeepsBytesInOrderAcrossItsBuffer) {
+  std::string expected;
+  AtomicFile file(at("bytes").string());
+  for (const std::size_t size : {1UL, 1'048'575UL, 1UL, 1'048'576UL, 3'000'000UL, 7UL, 0UL, 600'000UL, 600'000UL}) {
+    const std::string chunk(size, static_cast<char>('a' + expected.size() % 26));
+    put(file, chunk);
+    expected += chunk;
+  }
+  EXPECT_EQ(file.size(), expected.size());
+  file.commit();
+  EXPECT_TRUE(content_of(at("bytes")) == expected);
+}
+
+TEST_F(AtomicFileTest, ReplacesAFileAndKeepsItsPermissions) {
+  write_file(at("file"), "before");
+  fs::permissions(at("file"), fs::perms(0640));
+  write_file(at("file"), "");
+  EXPECT_EQ(content_of(at("file")), "");
+  EXPECT_EQ(fs::status(at("file")).permissions(), fs::perms(0640));
+}
+
+TEST_F(AtomicFileTest, GivesANewFileThePermissionsOfTheUmask) {
+  const mode_t before = ::umask(0027);
+  write_file(at("file"), "x");
+  ::umask(before);
+  EXPECT_EQ(fs::status(at("file")).permissions(), fs::perms(0640));
+}
+
+TEST_F(AtomicFileTest, FollowsLinksAlsoToFilesThatDoNotExistYet) {
+  fs::create_directory(at("folder"));
+  fs::create_symlink("folder/target", at("link"));
+  fs::create_symlink("link", at("link_to_link"));
+  for (const char* text : {"first", "second"}) {
+    write_file(at("link_to_link"), text);
+    EXPECT_EQ(content_of(at("folder/target")), text);
+    EXPECT_TRUE(fs::is_symlink(at("link_to_link")));
+    EXPECT_TRUE(fs::is_symlink(at("link")));
+  }
+}
+
+TEST_F(AtomicFileTest, TakesTheLongestNames) {
+  const std::string name(255, 'n');
+  write_file(at(name), "x");
+  EXPECT_EQ(content_of(at(name)), "x");
+}
+
+TEST_F(AtomicFileTest, TwoWritersOfOnePathDoNotMix) {
+  AtomicFile first(at("file").string());
+  AtomicFile second(at("file").string());
+  put(first, "first");
+  put(second, "second");
+  second.commit();
+  EXPECT_EQ(content_of(at("file")), "second");
+  first.commit();
+  EXPECT_EQ(content_of(at("file")), "first");
+  EXPECT_EQ(entry_count(), 1);
+}
+
+TEST_F(AtomicFileTest, FullDeviceIsAnErrorWithPathAndReason) {
+  EXPECT_EQ(complaint("/dev/full"), "cannot write '/dev/full': No space left on device");
+  EXPECT_EQ(complaint("/dev/full", 5'000'000), "cannot write '/dev/full': No space left on device");
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST_F(AtomicFileTest, FullDiskLeavesTheOldFileAndNoRemains) {
+  write_file(at("file"), "before");
+  const FileSizeLimit limit(2'000'000);
+  EXPECT_THAT(complaint(at("file").string(), 5'000'000), testing::HasSubstr("File too large"));
+  EXPECT_EQ(content_of(at("file")), "before");
+  EXPECT_EQ(entry_count(), 1);
+}
+
+TEST_F(AtomicFileTest, RejectsPathsThatCannotBeWritten) {
+  write_file(at("file"), "before");
+  fs::create_symlink("loop", at("loop"));
+  const auto path = [&](const std::string& name) { return at(name).string(); };
+  EXPECT_EQ(complaint(path("missing/file")), "cannot write '" + path("missing/file") + "': No such file or directory");
+  EXPECT_EQ(complaint(path("file/inside")), "cannot write '" + path("file/inside") + "': Not a directory");
+  EXPECT_EQ(complaint(path("file/")), "cannot write '" + path("file/") + "': Not a directory");
+  EXPECT_EQ(complaint(path("")), "cannot write '" + path("") + "': Is a directory");
+  EXPECT_EQ(complaint(path("loop")), "cannot write '" + path("loop") + "': Too many levels of symbolic links");
+  EXPECT_EQ(complaint(""), "cannot write '': No such file or directory");
+  EXPECT_THAT(complaint(path(std::string(256, 'n'))), testing::HasSubstr("File name too long"));
+  EXPECT_EQ(content_of(at("file")), "before");
+  EXPECT_EQ(entry_count(), 2);
+}
+
+TEST_F(AtomicFileTest, RejectsAReadOnlyFileAndAReadOnlyDirectory) {
+  if (::geteuid() == 0) GTEST_SKIP() << "the superuser may write anywhere";
+  write_file(at("file"), "before");
+  fs::permissions(at("file"), fs::perms(0444));
+  EXPECT_THAT(complaint(at("file").string()), testing::HasSubstr("Permission denied"));
+  fs::create_directory(at("folder"));
+  fs::permissions(at("folder"), fs::perms(0555));
+  EXPECT_THAT(complaint(at("folder/file").string()), testing::HasSubstr("Permission denied"));
+  EXPECT_EQ(content_of(at("file")), "before");
+}
+
+TEST_F(AtomicFileTest, WritesStraightThroughAPipe) {
+  ASSERT_EQ(::mkfifo(at("pipe").c_str(), 0600), 0);
+  std::string received;
+  std::thread reader([&] { received = content_of(at("pipe")); });
+  write_file(at("pipe"), std::string(2'000'000, 'x'));
+  reader.join();
+  EXPECT_TRUE(received == std::string(2'000'000, 'x'));
+  EXPECT_TRUE(fs::is_fifo(at("pipe")));
+}
+
+TEST_F(AtomicFileTest, DashAndDevStdoutAreStandardOutput) {
+  for (const char* path : {"-", "/dev/stdout"}) {
+    testing::internal::CaptureStdout();
+    write_file(path, "to the screen");
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "to the screen");
+  }
+  EXPECT_FALSE(fs::exists("-"));
+}
+
+TEST_F(AtomicFileTest, EndsWithCommitOrFailure) {
+  AtomicFile file(at("file").string());
+  file.commit();
+  EXPECT_THROW(put(file, "more"), std::invalid_argument);
+  EXPECT_THROW(file.commit(), std::invalid_argument);
+
+  AtomicFile failed("/dev/full");
+  EXPECT_THROW(put(failed, std::string(5'000'000, 'x')), MachineError);
+  EXPECT_THROW(put(failed, "more"), std::invalid_argument);
+  EXPECT_THROW(failed.commit(), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace meristem

@@ -1,1 +1,227 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "meristem/shape/leaf_blade.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "tests/support/check_mesh.h"
+
+namespace meristem {
+namespace {
+
+constexpr MeshPromises kOpen{.closed = false, .outward = false};
+
+/// An oak leaf: lobes and bays on a wedge.
+Curve oak_outline() {
+  return Curve({{0, 0},
+                {0.12F, 0.2F},
+                {0.2F, 0.12F},
+                {0.34F, 0.62F},
+                {0.44F, 0.34F},
+                {0.58F, 1},
+                {0.7F, 0.5F},
+                {0.84F, 0.75F},
+                {1, 0}});
+}
+
+double integral(const Curve& outline) {
+  constexpr int kSteps = 20000;
+  double sum = 0;
+  for (int i = 0; i < kSteps; ++i) sum += std::max(0.0, outline((i + 0.5) / kSteps));
+  return sum / kSteps;
+}
+
+/// The length of the midrib: the vertices with u = 0.5, which stand in the order of the rows.
+double midrib_length(const Mesh& mesh) {
+  double length = 0;
+  Vec3 last(0);
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+    if (mesh.uvs[i].x != 0.5F) continue;
+    length += glm::distance(last, mesh.positions[i]);
+    last = mesh.positions[i];
+  }
+  return length;
+}
+
+/// The length of the polyline across the widest row.
+double widest_length(const Mesh& mesh, int across) {
+  double widest = 0;
+  const auto row_points = static_cast<std::size_t>(across) + 1;
+  for (std::size_t i = 0; i + row_points <= mesh.vertex_count(); ++i) {
+    if (mesh.uvs[i].y != mesh.uvs[i + row_points - 1].y) continue;
+    double length = 0;
+    for (std::size_t k = 1; k < row_points; ++k) {
+      length += glm::distance(mesh.positions[i + k - 1], mesh.positions[i + k]);
+    }
+    widest = std::max(widest, length);
+  }
+  return widest;
+}
+
+TEST(LeafBlade, FlatLeafOfStraightLinesHasExactlyTheOutlinesArea) {
+  LeafBlade blade;
+  blade.outline = Curve({{0, 0}, {0.3F, 1}, {0.6F, 0.4F}, {1, 0}}, CurveKind::linear);
+  blade.rows = 3;
+  const Mesh leaf = make_leaf_blade(blade);
+  EXPECT_TRUE(check_mesh(leaf, kOpen));
+  EXPECT_NEAR(surface_area(leaf) / (blade.length * blade.width), 0.5 * 0.3 + 0.7 * 0.3 + 0.2 * 0.4, 1e-6);
+  EXPECT_EQ(leaf.vertex_count(), 1U + 3 + 3 + 1);
+}
+
+TEST(LeafBlade, FlatAreaConvergesToTheIntegralOfTheOutline) {
+  for (const Curve& outline : {LeafBlade{}.outline, oak_outline()}) {
+    LeafBlade blade;
+    blade.outline = outline;
+    const auto error = [&](int rows) {
+      blade.rows = rows;
+      return std::abs(surface_area(make_leaf_blade(blade)) / (blade.length * blade.width * integral(outline)) - 1);
+    };
+    EXPECT_LT(error(24), 0.015);
+    EXPECT_LT(error(96), 0.001);
+  }
+}
+
+TEST(LeafBlade, LobesAndBaysHaveRowsHoweverFewAreAskedFor) {
+  LeafBlade blade;
+  blade.outline = oak_outline();
+  blade.rows = 1;
+  const Mesh leaf = make_leaf_blade(blade);
+  EXPECT_TRUE(check_mesh(leaf, kOpen));
+  for (const float turn : {0.2F, 0.34F, 0.44F, 0.58F, 0.7F, 0.84F}) {
+    const bool is_there =
+        std::any_of(leaf.uvs.begin(), leaf.uvs.end(), [turn](Vec2 uv) { return std::abs(uv.y - turn) < 0.04F; });
+    EXPECT_TRUE(is_there) << turn;
+  }
+}
+
+TEST(LeafBlade, FrontFaceIsUpAndNormalsOfAFlatLeafAreZ) {
+  const Mesh leaf = make_leaf_blade({});
+  EXPECT_TRUE(check_mesh(leaf, kOpen));
+  for (const Vec3 normal : leaf.normals) EXPECT_EQ(normal, Vec3(0, 0, 1));
+}
+
+TEST(LeafBlade, CurlKeepsTheMidribsLengthToSecondOrder) {
+  LeafBlade blade;
+  blade.outline = Curve({{0, 1}});
+  blade.curl = 2.5;
+  const auto shortfall = [&](int rows) {
+    blade.rows = rows;
+    return blade.length - midrib_length(make_leaf_blade(blade));
+  };
+  EXPECT_GT(shortfall(8), 0);
+  EXPECT_NEAR(shortfall(8) / shortfall(16), 4, 0.2);
+}
+
+TEST(LeafBlade, CurlAcrossAndFoldKeepTheWidthToSecondOrder) {
+  LeafBlade blade;
+  blade.outline = Curve({{0, 1}});
+  blade.curl_across = 2.5;
+  blade.fold = 0.4;
+  blade.rows = 1;
+  const auto shortfall = [&](int across) {
+    blade.across = across;
+    return blade.width - widest_length(make_leaf_blade(blade), across);
+  };
+  EXPECT_GT(shortfall(8), 0);
+  EXPECT_NEAR(shortfall(8) / shortfall(16), 4, 0.2);
+}
+
+TEST(LeafBlade, PositiveCurlSinksTheTipOnACircle) {
+  LeafBlade blade;
+  blade.curl = kPi / 2;
+  const Mesh leaf = make_leaf_blade(blade);
+  const double radius = blade.length / blade.curl;
+  EXPECT_NEAR(leaf.positions.back().y, radius, 1e-6);
+  EXPECT_NEAR(leaf.positions.back().z, -radius, 1e-6);
+  EXPECT_NEAR(leaf.normals.back().y, 1, 1e-6);
+}
+
+TEST(LeafBlade, PositiveCurlAcrossSinksTheEdgesAndFoldRaisesThem) {
+  LeafBlade blade;
+  blade.curl_across = 1;
+  const auto lowest_and_highest = [](const Mesh& mesh) {
+    Box box;
+    for (const Vec3 position : mesh.positions) box.add(position);
+    return std::pair(box.low.z, box.high.z);
+  };
+  EXPECT_LT(lowest_and_highest(make_leaf_blade(blade)).first, -0.005F);
+  EXPECT_EQ(lowest_and_highest(make_leaf_blade(blade)).second, 0.0F);
+  blade.curl_across = 0;
+  blade.fold = radians(30);
+  EXPECT_NEAR(lowest_and_highest(make_leaf_blade(blade)).second, blade.width / 2 * 0.5, 1e-4);
+}
+
+TEST(LeafBlade, NormalsAreTheSurfacesOwn) {
+  // Compared with the triangles around each vertex on a fine blade.
+  LeafBlade blade;
+  blade.curl = 1.2;
+  blade.curl_across = -0.8;
+  blade.rows = 100;
+  blade.across = 40;
+  const Mesh leaf = make_leaf_blade(blade);
+  EXPECT_TRUE(check_mesh(leaf, kOpen));
+  for (const auto& triangle : leaf.triangles) {
+    const Vec3 a = leaf.positions[triangle[0]];
+    const Vec3 flat = glm::normalize(glm::cross(leaf.positions[triangle[1]] - a, leaf.positions[triangle[2]] - a));
+    for (const auto vertex : triangle) EXPECT_GT(glm::dot(flat, leaf.normals[vertex]), 0.995F);
+  }
+}
+
+TEST(LeafBlade, PetioleStartsAtTheOriginAndMovesTheBlade) {
+  LeafBlade blade;
+  blade.petiole = 0.03;
+  const Mesh leaf = make_leaf_blade(blade);
+  EXPECT_TRUE(check_mesh(leaf, kOpen));
+  EXPECT_NEAR(leaf.positions.back().y, blade.petiole + blade.length, 1e-6);
+  EXPECT_EQ(leaf.triangle_count(), make_leaf_blade({}).triangle_count() + 9);
+  EXPECT_EQ(std::min_element(leaf.positions.begin(), leaf.positions.end(), [](Vec3 a, Vec3 b) { return a.y < b.y; })->y,
+            0.0F);
+}
+
+TEST(LeafBlade, AnOutlineThatIsZeroInBetweenMakesTwoPartsThatMeetInAPoint) {
+  LeafBlade blade;
+  blade.outline = Curve({{0, 0}, {0.25F, 1}, {0.4F, 0}, {0.6F, 0}, {0.75F, 1}, {1, 0}}, CurveKind::linear);
+  const Mesh leaf = make_leaf_blade(blade);
+  EXPECT_TRUE(check_mesh(leaf, kOpen));
+  EXPECT_NEAR(surface_area(leaf) / (blade.length * blade.width), 0.4, 1e-6);
+}
+
+RC_GTEST_PROP(LeafBlade, IsSoundForAnyShape, ()) {
+  const auto share = [] { return *rc::gen::inRange(0, 1001) / 1000.0; };
+  LeafBlade blade;
+  const int points = *rc::gen::inRange(2, 9);
+  std::vector<Vec2> outline;
+  for (int i = 0; i < points; ++i) outline.emplace_back(i / (points - 1.0F), share());
+  blade.outline = Curve(outline, *rc::gen::element(CurveKind::linear, CurveKind::spline));
+  blade.curl = 4 * share() - 2;
+  blade.curl_across = 2 * share() - 1;
+  blade.fold = share();
+  blade.petiole = *rc::gen::element(0.0, 0.0005, 0.04);
+  blade.rows = *rc::gen::inRange(1, 40);
+  blade.across = 2 * *rc::gen::inRange(1, 5);
+  RC_ASSERT(check_mesh(make_leaf_blade(blade), kOpen));
+}
+
+TEST(LeafBlade, RejectsWhatMakesNoBlade) {
+  const auto rejects = [](const std::function<void(LeafBlade&)>& change) {
+    LeafBlade blade;
+    change(blade);
+    EXPECT_THROW(make_leaf_blade(blade), std::invalid_argument);
+  };
+  rejects([](LeafBlade& blade) { blade.length = 0; });
+  rejects([](LeafBlade& blade) { blade.width = -1; });
+  rejects([](LeafBlade& blade) { blade.petiole = -0.1; });
+  rejects([](LeafBlade& blade) { blade.petiole = 0.1, blade.petiole_radius = 0; });
+  rejects([](LeafBlade& blade) { blade.curl = std::numeric_limits<double>::quiet_NaN(); });
+  rejects([](LeafBlade& blade) { blade.rows = 0; });
+  rejects([](LeafBlade& blade) { blade.across = 3; });
+}
+
+}  // namespace
+}  // namespace meristem

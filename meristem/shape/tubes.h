@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tubes along the axes of a skeleton: one ring of vertices a node, in the plane that halves the bend (mitred), carried
-// along without twist, joined by triangles, closed at the tip. A lateral tube starts inside its mother with its own first
-// node's radius.
-//
-// Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund
-// 2020, section 3.6.1 (equation 3.26 holds for the interior angle); ring frames by double reflection, W. Wang et al.:
-// Computation of rotation minimizing frames (2008).
+// along without twist, joined by triangles, closed at both ends. A lateral tube starts inside its mother with its own
+// first node's radius, or as much of it as the mother can hide.
 #pragma once
+
+#include <cstdint>
 
 #include "meristem/base/mesh.h"
 #include "meristem/base/progress.h"
@@ -14,9 +12,28 @@
 
 namespace meristem {
 
-/// The tubes of all axes as one mesh with normals and uvs. u goes once around for every whole number of tiles, v along
-/// the axis in tiles of `surface.uv_scale` metres, so that bark neither stretches nor seams.
-/// Deterministic on any number of threads; cost linear in nodes.
+/// What make_tubes will make, known before memory is spent.
+struct TubeSize {
+  std::uint64_t vertices = 0;
+  std::uint64_t triangles = 0;
+
+  /// Heap bytes of the mesh.
+  std::uint64_t bytes() const { return vertices * (2 * sizeof(Vec3) + sizeof(Vec2)) + triangles * 12; }
+};
+
+/// The size of `make_tubes(skeleton, surface)`, at a few per cent of its cost.
+TubeSize measure_tubes(const Skeleton& skeleton, const Surface& surface);
+
+/// The tubes of all axes as one mesh with normals and uvs: a closed body for each axis. Axes of a single node without a
+/// mother make nothing.
+///
+/// The thickest tube has `surface.sides` sides (at least 3); the number falls with the cube root of an axis's first
+/// radius, so that nothing deviates more from round than the thickest tube: radius * (1 - cos(pi / sides)).
+/// u goes around a whole number of times, as near to tiles of `surface.uv_scale` metres as can be; v grows along the
+/// axis so that a tile keeps its aspect however the tube tapers.
+///
+/// Counts the skeleton's nodes into the caller's stage of `progress`. Throws std::invalid_argument where the mesh would
+/// need more than 2^32 vertices, Cancelled. Deterministic on any number of threads; cost linear in nodes.
 Mesh make_tubes(const Skeleton& skeleton, const Surface& surface, Progress& progress);
 
 }  // namespace meristem

@@ -1,1 +1,186 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "meristem/shape/mesh_scene.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include <glm/vector_relational.hpp>
+
+#include "meristem/base/parallel.h"
+#include "meristem/shape/tubes.h"
+
+namespace meristem {
+namespace {
+
+constexpr std::size_t kOrgansPerBlock = 16384;
+
+void check_references(const Plant& plant) {
+  const auto require = [](bool holds, const char* message) {
+    if (!holds) throw std::invalid_argument(message);
+  };
+  for (const Stem& stem : plant.stems) require(stem.material < plant.materials.size(), "a stem has no such material");
+  for (const OrganPrototype& prototype : plant.prototypes) {
+    require(prototype.mesh != nullptr, "an organ prototype has no mesh");
+    require(prototype.material < plant.materials.size(), "an organ prototype has no such material");
+  }
+  for (const Organ& organ : plant.organs) {
+    require(organ.prototype < plant.prototypes.size(), "an organ has no such prototype");
+  }
+}
+
+/// What each component would take, and which takes most.
+class Tally {
+ public:
+  void add(std::string_view component, std::uint64_t amount) {
+    total_ += amount;
+    of_[component] += amount;
+  }
+  void check(std::string_view what, std::uint64_t limit, std::string_view limit_name) const {
+    if (total_ <= limit) return;
+    const auto most =
+        std::max_element(of_.begin(), of_.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    throw_limit(what, static_cast<double>(total_), limit, limit_name, "components." + std::string(most->first));
+  }
+
+ private:
+  std::uint64_t total_ = 0;
+  std::map<std::string_view, std::uint64_t> of_;
+};
+
+std::vector<std::size_t> organs_of_prototypes(const Plant& plant) {
+  std::vector<std::size_t> counts(plant.prototypes.size(), 0);
+  for (const Organ& organ : plant.organs) ++counts[organ.prototype];
+  return counts;
+}
+
+/// Throws where the scene would pass a limit.
+void check_limits(const Plant& plant, const std::vector<std::size_t>& organs, const Limits& limits) {
+  std::vector<TubeSize> sizes(plant.stems.size());
+  parallel_for(sizes.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) sizes[i] = measure_tubes(plant.stems[i].skeleton, plant.stems[i].surface);
+  });
+  Tally triangles;
+  Tally bytes;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    triangles.add(plant.stems[i].component, sizes[i].triangles);
+    bytes.add(plant.stems[i].component, sizes[i].bytes());
+    if (sizes[i].vertices > std::numeric_limits<std::uint32_t>::max()) {
+      throw_limit("vertices of one stem", static_cast<double>(sizes[i].vertices),
+                  std::numeric_limits<std::uint32_t>::max(), "triangles", "components." + plant.stems[i].component);
+    }
+  }
+  for (std::size_t i = 0; i < organs.size(); ++i) {
+    const OrganPrototype& prototype = plant.prototypes[i];
+    triangles.add(prototype.component, prototype.mesh->triangle_count() * organs[i]);
+    bytes.add(prototype.component, prototype.mesh->bytes() + organs[i] * sizeof(Frame));
+  }
+  triangles.check("triangles", limits.triangles, "triangles");
+  bytes.check("bytes of geometry", limits.mesh_bytes, "mesh_bytes");
+}
+
+/// The tubes of each stem.
+std::vector<MeshInstances> clothe_stems(const Plant& plant, Progress& progress) {
+  std::vector<MeshInstances> clothed(plant.stems.size());
+  parallel_for(clothed.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Stem& stem = plant.stems[i];
+      auto mesh = std::make_shared<const Mesh>(make_tubes(stem.skeleton, stem.surface, progress));
+      clothed[i] = {stem.component, std::move(mesh), stem.material, {Frame{}}};
+    }
+  });
+  return clothed;
+}
+
+/// The frames of each prototype's organs, in the order of the organs.
+std::vector<MeshInstances> place_organs(const Plant& plant, const std::vector<std::size_t>& organs,
+                                        Progress& progress) {
+  std::vector<MeshInstances> placed(plant.prototypes.size());
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const OrganPrototype& prototype = plant.prototypes[i];
+    placed[i] = {prototype.component, prototype.mesh, prototype.material, {}};
+    placed[i].frames.reserve(organs[i]);
+  }
+  for (std::size_t begin = 0; begin < plant.organs.size(); begin += kOrgansPerBlock) {
+    const std::size_t end = std::min(begin + kOrgansPerBlock, plant.organs.size());
+    for (std::size_t i = begin; i < end; ++i) {
+      placed[plant.organs[i].prototype].frames.push_back(plant.organs[i].frame);
+    }
+    progress.advance(end - begin);
+  }
+  return placed;
+}
+
+/// Brings what belongs to one component together, in the order of first appearance; leaves out what is not to be seen.
+std::vector<MeshInstances> grouped(std::vector<MeshInstances> meshes) {
+  std::map<std::string, std::size_t> rank;
+  for (const MeshInstances& instances : meshes) rank.try_emplace(instances.component, rank.size());
+  std::erase_if(meshes, [](const MeshInstances& instances) { return instances.triangle_count() == 0; });
+  std::stable_sort(meshes.begin(), meshes.end(), [&rank](const MeshInstances& a, const MeshInstances& b) {
+    return rank.at(a.component) < rank.at(b.component);
+  });
+  return meshes;
+}
+
+Box box_of(const Mesh& mesh, const Frame& frame) {
+  Box box;
+  for (const Vec3 position : mesh.positions) box.add(frame.point(position));
+  return box;
+}
+
+bool contains(const Box& outer, const Box& inner) {
+  return glm::all(glm::lessThanEqual(outer.low, inner.low)) && glm::all(glm::lessThanEqual(inner.high, outer.high));
+}
+
+/// The box around the corners of a mesh's box in a frame: never smaller than the mesh's own there.
+Box box_around(const Box& mesh_box, const Frame& frame) {
+  const Vec3 centre = frame.point(mesh_box.centre());
+  const Vec3 half = 0.5F * mesh_box.size();
+  const Vec3 reach =
+      glm::abs(frame.axes[0]) * half.x + glm::abs(frame.axes[1]) * half.y + glm::abs(frame.axes[2]) * half.z;
+  return {centre - reach, centre + reach};
+}
+
+}  // namespace
+
+std::uint64_t MeshScene::triangle_count() const {
+  std::uint64_t count = 0;
+  for (const MeshInstances& instances : meshes) count += instances.triangle_count();
+  return count;
+}
+
+std::uint64_t MeshScene::instance_count() const {
+  std::uint64_t count = 0;
+  for (const MeshInstances& instances : meshes) count += instances.frames.size();
+  return count;
+}
+
+Box MeshScene::bounds() const {
+  Box box;
+  for (const MeshInstances& instances : meshes) {
+    const Box mesh_box = box_of(*instances.mesh, Frame{});
+    // Most instances cannot reach beyond those before them; only of the others are all vertices looked at.
+    for (const Frame& frame : instances.frames) {
+      if (!contains(box, box_around(mesh_box, frame))) box.add(box_of(*instances.mesh, frame));
+    }
+  }
+  return box;
+}
+
+MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& progress) {
+  check_references(plant);
+  const std::vector<std::size_t> organs = organs_of_prototypes(plant);
+  check_limits(plant, organs, limits);
+  progress.begin("meshing", plant.node_count() + plant.organs.size());
+  std::vector<MeshInstances> meshes = clothe_stems(plant, progress);
+  std::vector<MeshInstances> placed = place_organs(plant, organs, progress);
+  std::move(placed.begin(), placed.end(), std::back_inserter(meshes));
+  return {plant.materials, grouped(std::move(meshes))};
+}
+
+}  // namespace meristem

@@ -16,10 +16,10 @@ namespace meristem {
 
 /// One mesh, placed any number of times.
 struct MeshInstances {
-  std::string component;             ///< id in the document; exports group by it
+  std::string component;  ///< id in the document; exports group by it
   std::shared_ptr<const Mesh> mesh;
-  std::uint32_t material = 0;        ///< index into MeshScene::materials
-  std::vector<Frame> frames;         ///< one an instance; rotations, uneven scales and mirrors are allowed
+  std::uint32_t material = 0;  ///< index into MeshScene::materials
+  std::vector<Frame> frames;   ///< one an instance; rotations, uneven scales and mirrors are allowed
 
   std::uint64_t triangle_count() const { return mesh->triangle_count() * frames.size(); }
 };
@@ -27,15 +27,20 @@ struct MeshInstances {
 /// Meshes, materials and instances of them. Everything that leaves the program is written from it.
 struct MeshScene {
   std::vector<Material> materials;
-  std::vector<MeshInstances> meshes;  ///< in the order of the document's components, then of their prototypes
+  /// Those of one component stand together, components in the order in which the plant first names them (stems before
+  /// prototypes), their stems and prototypes in the plant's order. None is without triangles or frames.
+  std::vector<MeshInstances> meshes;
 
   std::uint64_t triangle_count() const;  ///< after instancing
   std::uint64_t instance_count() const;
+  /// The smallest box around all vertices of all instances.
   Box bounds() const;
 };
 
-/// Clothes a plant: every stem gets its surface, every prototype its instances.
-/// Throws InputError where the limits on triangles or geometry would be passed, before memory is spent.
+/// Clothes a plant: every stem gets its surface, every prototype its instances (in the order of the plant's organs).
+/// Begins one stage of `progress`, which counts nodes and organs.
+/// Throws InputError where the limits on triangles or geometry would be passed, before memory is spent: it names the
+/// component that has most. Throws Cancelled, and std::invalid_argument for indices that point nowhere.
 MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& progress);
 
 }  // namespace meristem

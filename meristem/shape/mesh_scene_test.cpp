@@ -1,1 +1,167 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "meristem/shape/mesh_scene.h"
+
+#include <cstring>
+#include <functional>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/parallel.h"
+#include "meristem/base/random.h"
+#include "meristem/shape/leaf_blade.h"
+#include "meristem/shape/primitives.h"
+#include "meristem/shape/tubes.h"
+
+namespace meristem {
+namespace {
+
+Stem stem(const std::string& component, float height) {
+  Stem result;
+  result.component = component;
+  NodeIndex node = result.skeleton.add_node(kNoNode, Vec3(0), 0);
+  for (int i = 1; i <= 4; ++i) node = result.skeleton.add_node(node, {0, 0.25F * height * static_cast<float>(i), 0}, 0);
+  std::fill(result.skeleton.radius.begin(), result.skeleton.radius.end(), 0.1F);
+  return result;
+}
+
+/// Two components of stems and two of organs, one of them the same; organs come mixed.
+Plant plant_of_all_sorts() {
+  Plant plant;
+  plant.materials.resize(3);
+  plant.stems = {stem("trunk", 2), stem("vine", 3), stem("trunk", 4)};
+  plant.stems[1].material = 1;
+  plant.prototypes = {{"leaf", 2, std::make_shared<const Mesh>(make_leaf_blade({}))},
+                      {"vine", 1, std::make_shared<const Mesh>(make_sphere(0.1, 6))},
+                      {"leaf", 2, std::make_shared<const Mesh>(make_box({1, 1, 1}))},
+                      {"unused", 0, std::make_shared<const Mesh>(make_box({1, 1, 1}))}};
+  for (int i = 0; i < 10; ++i) {
+    Organ organ;
+    organ.frame.origin = {0, i, 0};
+    organ.prototype = static_cast<std::uint32_t>(i % 3);
+    plant.organs.push_back(organ);
+  }
+  return plant;
+}
+
+MeshScene scene_of(const Plant& plant, const Limits& limits = {}) {
+  Progress progress;
+  return make_mesh_scene(plant, limits, progress);
+}
+
+std::string limit_path(const Plant& plant, const Limits& limits) {
+  try {
+    scene_of(plant, limits);
+  } catch (const InputError& error) {
+    return error.diagnostics().front().path;
+  }
+  return "no error";
+}
+
+TEST(MeshScene, GroupsByComponentInOrderOfFirstAppearance) {
+  const MeshScene scene = scene_of(plant_of_all_sorts());
+  std::vector<std::string> names;
+  for (const MeshInstances& instances : scene.meshes) names.push_back(instances.component);
+  EXPECT_EQ(names, (std::vector<std::string>{"trunk", "trunk", "vine", "vine", "leaf", "leaf"}));
+  EXPECT_EQ(scene.meshes[2].material, 1U);
+  EXPECT_EQ(scene.meshes[5].material, 2U);
+}
+
+TEST(MeshScene, KeepsTheOrderOfOrgansWithinTheirPrototype) {
+  const MeshScene scene = scene_of(plant_of_all_sorts());
+  const std::vector<Frame>& frames = scene.meshes[4].frames;
+  ASSERT_EQ(frames.size(), 4U);
+  for (std::size_t i = 0; i < frames.size(); ++i) EXPECT_EQ(frames[i].origin.y, 3.0F * static_cast<float>(i));
+}
+
+TEST(MeshScene, CountsTrianglesAfterInstancing) {
+  const Plant plant = plant_of_all_sorts();
+  const MeshScene scene = scene_of(plant);
+  EXPECT_EQ(scene.instance_count(), 3U + 10U);
+  std::uint64_t expected = 0;
+  for (const Stem& each : plant.stems) expected += measure_tubes(each.skeleton, each.surface).triangles;
+  for (const Organ& organ : plant.organs) expected += plant.prototypes[organ.prototype].mesh->triangle_count();
+  EXPECT_EQ(scene.triangle_count(), expected);
+}
+
+TEST(MeshScene, BoundsAreThoseOfAllPlacedVertices) {
+  Plant plant;
+  plant.materials.resize(1);
+  plant.prototypes = {{"leaf", 0, std::make_shared<const Mesh>(make_leaf_blade({.curl = 1}))}};
+  const RandomKey key(11);
+  for (std::uint64_t i = 0; i < 500; ++i) {
+    Organ organ;
+    organ.frame = frame_along(key.child("at").direction(i), key.child("heading").direction(i), kUp);
+    organ.frame.axes[0] *= -3.0F;
+    plant.organs.push_back(organ);
+  }
+  Box expected;
+  for (const Organ& organ : plant.organs) {
+    for (const Vec3 position : plant.prototypes[0].mesh->positions) expected.add(organ.frame.point(position));
+  }
+  const Box box = scene_of(plant).bounds();
+  EXPECT_EQ(box.low, expected.low);
+  EXPECT_EQ(box.high, expected.high);
+  EXPECT_TRUE(MeshScene{}.bounds().is_empty());
+}
+
+TEST(MeshScene, LeavesOutWhatHasNoTriangles) {
+  Plant plant;
+  plant.materials.resize(1);
+  plant.stems = {stem("trunk", 1)};
+  plant.stems[0].skeleton = Skeleton{};
+  plant.prototypes = {{"leaf", 0, std::make_shared<const Mesh>()}};
+  plant.organs.resize(5);
+  EXPECT_TRUE(scene_of(plant).meshes.empty());
+}
+
+TEST(MeshScene, LimitsNameTheComponentThatHasMost) {
+  const Plant plant = plant_of_all_sorts();
+  EXPECT_EQ(limit_path(plant, {.triangles = 100}), "components.trunk");
+  Plant leafy = plant;
+  for (int i = 0; i < 1000; ++i) leafy.organs.push_back(plant.organs[0]);
+  EXPECT_EQ(limit_path(leafy, {.triangles = 20000}), "components.leaf");
+  EXPECT_EQ(limit_path(leafy, {.mesh_bytes = 20000}), "components.leaf");
+  EXPECT_EQ(limit_path(leafy, {}), "no error");
+}
+
+TEST(MeshScene, HasTheSameBytesOnAnyNumberOfThreads) {
+  Plant plant = plant_of_all_sorts();
+  for (int i = 0; i < 50; ++i) plant.stems.push_back(stem("trunk", 1 + 0.1F * static_cast<float>(i)));
+  const MeshScene expected = scene_of(plant);
+  for (const int threads : {1, 2, 3, 8}) {
+    const ThreadLimit limit(threads);
+    const MeshScene scene = scene_of(plant);
+    ASSERT_EQ(scene.meshes.size(), expected.meshes.size());
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+      EXPECT_EQ(scene.meshes[i].mesh->positions, expected.meshes[i].mesh->positions);
+      EXPECT_EQ(scene.meshes[i].mesh->triangles, expected.meshes[i].mesh->triangles);
+    }
+  }
+}
+
+TEST(MeshScene, CountsNodesAndOrgansAsProgressAndStopsWhenAsked) {
+  const Plant plant = plant_of_all_sorts();
+  double last = 0;
+  Progress progress([&last](std::string_view, double fraction) { last = fraction; });
+  make_mesh_scene(plant, {}, progress);
+  EXPECT_EQ(last, 1);
+  progress.cancel();
+  EXPECT_THROW(make_mesh_scene(plant, {}, progress), Cancelled);
+}
+
+TEST(MeshScene, RejectsIndicesThatPointNowhere) {
+  const auto rejects = [](const std::function<void(Plant&)>& change) {
+    Plant plant = plant_of_all_sorts();
+    change(plant);
+    EXPECT_THROW(scene_of(plant), std::invalid_argument);
+  };
+  rejects([](Plant& plant) { plant.organs[3].prototype = 4; });
+  rejects([](Plant& plant) { plant.stems[0].material = 3; });
+  rejects([](Plant& plant) { plant.prototypes[0].material = 3; });
+  rejects([](Plant& plant) { plant.prototypes[0].mesh = nullptr; });
+}
+
+}  // namespace
+}  // namespace meristem

@@ -15,7 +15,7 @@ struct Counts {
   std::uint64_t organs = 0;
   std::uint64_t triangles = 0;  ///< after instancing
   std::uint64_t instances = 0;
-  double height = 0;            ///< metres from the lowest to the highest point of the meshes
+  double height = 0;  ///< metres from the lowest to the highest point of the meshes
 };
 
 Counts count(const Plant& plant, const MeshScene& meshes);

@@ -11,11 +11,11 @@ namespace meristem {
 
 /// What a file says about where it came from, so that the plant can be grown again.
 struct Provenance {
-  std::string name;         ///< the document's
+  std::string name;  ///< the document's
   std::string author;
   std::string licence;
   std::uint64_t seed = 0;
-  std::string version;      ///< of the program
+  std::string version;  ///< of the program
 };
 
 struct GltfOptions {

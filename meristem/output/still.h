@@ -14,19 +14,20 @@ namespace meristem {
 
 /// Where a picture is taken from. Unset parts are chosen so that the whole plant is seen.
 struct View {
-  std::optional<Vec3> position;   ///< metres
-  std::optional<Vec3> target;     ///< metres; by default the middle of what is seen
-  double field_of_view = 0.6;     ///< vertical, radians
-  double azimuth = 2.6;           ///< where the camera stands as seen from the target if no position is given, from north over east
-  double altitude = 0.12;         ///< and how high, radians
-  Vec3 background{-1};            ///< sRGB; negative: the sky
+  std::optional<Vec3> position;  ///< metres
+  std::optional<Vec3> target;    ///< metres; by default the middle of what is seen
+  double field_of_view = 0.6;    ///< vertical, radians
+  double azimuth =
+      2.6;  ///< where the camera stands as seen from the target if no position is given, from north over east
+  double altitude = 0.12;  ///< and how high, radians
+  Vec3 background{-1};     ///< sRGB; negative: the sky
 };
 
 struct StillOptions {
   int width = 1200;
   int height = 1200;
-  int samples = 64;               ///< paths a pixel; noise falls with its root, time grows with it
-  bool transparent = false;       ///< no background, no ground; only the plant, with alpha
+  int samples = 64;          ///< paths a pixel; noise falls with its root, time grows with it
+  bool transparent = false;  ///< no background, no ground; only the plant, with alpha
   bool ground = true;
 };
 

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/path_tracer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "meristem/output/colour.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr int kBounces = 2;
+constexpr auto kPiF = static_cast<float>(kPi);
+
+/// Rays leave a surface from a little above it; floats know a place 10 m away to a micrometre.
+float clearance(Vec3 position) {
+  return 2e-5F * (0.1F + std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)}));
+}
+
+/// Colours of thin blades by the light that shines through: yellower, as green absorbs twice.
+Vec3 transmission_tint(Vec3 colour) {
+  const float brightest = std::max({colour.r, colour.g, colour.b, 1e-6F});
+  return colour * glm::mix(Vec3(1), colour / brightest, Vec3(0.0F, 0.0F, 0.6F)) * Vec3(1.25F, 1.1F, 1.0F);
+}
+
+/// A leaf's own shade of its kind's colour: a few percent lighter or darker, greener or yellower.
+Vec3 own_shade(std::uint32_t part, std::uint32_t instance) {
+  const std::uint32_t bits = mixed_bits(instance ^ mixed_bits(part + 0x51ed270bU));
+  const float lighter = unit_float(bits) - 0.5F;
+  const float yellower = unit_float(mixed_bits(bits)) - 0.5F;
+  return (1 + 0.24F * lighter) * Vec3(1 + 0.22F * yellower, 1, 1 - 0.10F * yellower);
+}
+
+/// What a rough surface of plant wax mirrors, with the distribution of Trowbridge and Reitz, times the cosine.
+float gloss(Vec3 normal, Vec3 to_light, Vec3 to_viewer, float width) {
+  const float n_l = glm::dot(normal, to_light);
+  const float n_v = glm::dot(normal, to_viewer);
+  if (n_l <= 0 || n_v <= 0) return 0;
+  const Vec3 half = glm::normalize(to_light + to_viewer);
+  const float n_h = glm::dot(normal, half);
+  const float a2 = width * width;
+  const float spread = n_h * n_h * (a2 - 1) + 1;
+  const float distribution = a2 / (kPiF * spread * spread);
+  const float masking =
+      0.5F / (n_l * std::sqrt(n_v * n_v * (1 - a2) + a2) + n_v * std::sqrt(n_l * n_l * (1 - a2) + a2));
+  const float grazing = 1 - std::max(0.0F, glm::dot(half, to_viewer));
+  const float squared = grazing * grazing;
+  const float fresnel = 0.04F + 0.96F * squared * squared * grazing;
+  return distribution * masking * fresnel * n_l;
+}
+
+}  // namespace
+
+PathTracer::PathTracer(const MeshScene& meshes, const RayScene& rays, Daylight light, std::optional<Ground> ground)
+    : rays_(rays), light_(std::move(light)), ground_(ground) {
+  for (const MeshInstances& part : meshes.meshes) {
+    const Material& material = meshes.materials[part.material];
+    const Vec3 colour = linear_from_srgb(material.colour);
+    const float through = std::clamp(material.translucency, 0.0F, 1.0F);
+    const float roughness = std::clamp(material.roughness, 0.2F, 1.0F);
+    looks_.push_back({colour * (1 - through), glm::min(transmission_tint(colour), Vec3(1)) * through,
+                      roughness * roughness, material.two_sided, part.frames.size() > 1});
+  }
+}
+
+PathTracer::Vertex PathTracer::surface_vertex(const Ray& ray, const RayHit& hit) const {
+  const SurfacePoint point = rays_.surface_point(hit);
+  const Look& look = looks_[hit.part];
+  Vertex vertex;
+  vertex.position = point.position;
+  const bool is_front = glm::dot(point.face_normal, ray.direction) <= 0;
+  vertex.face_normal = is_front ? point.face_normal : -point.face_normal;
+  vertex.normal = glm::dot(point.normal, vertex.face_normal) < 0 ? -point.normal : point.normal;
+  // A normal that leans away from the viewer would make a bright rim; it leans back until it is seen edge on.
+  const float away = glm::dot(vertex.normal, ray.direction);
+  if (away > 0) vertex.normal = normalized_or(vertex.normal - 1.01F * away * ray.direction, vertex.face_normal);
+  vertex.lifted = point.position;
+  if (is_front && !look.is_thin) vertex.lifted += point.smooth_offset;
+  const Vec3 shade = look.varies ? own_shade(hit.part, hit.instance) : Vec3(1);
+  vertex.reflected = glm::min(look.reflected * shade, Vec3(1));
+  vertex.transmitted = glm::min(look.transmitted * shade, Vec3(1));
+  vertex.gloss_width = look.gloss_width;
+  vertex.cover = 1;
+  return vertex;
+}
+
+PathTracer::Vertex PathTracer::ground_vertex(const Ray& ray, float distance) const {
+  Vertex vertex;
+  vertex.position = ray.origin + distance * ray.direction;
+  vertex.position.y = ground_->height;
+  vertex.lifted = vertex.position;
+  vertex.face_normal = kUp;
+  vertex.normal = kUp;
+  vertex.reflected = ground_->colour;
+  vertex.transmitted = Vec3(0);
+  vertex.gloss_width = 1;
+  const float away =
+      glm::distance(Vec2(vertex.position.x, vertex.position.z), Vec2(ground_->centre.x, ground_->centre.z)) /
+      ground_->fade_distance;
+  vertex.cover = 1 / (1 + 2 * away * away * away);
+  return vertex;
+}
+
+std::optional<PathTracer::Vertex> PathTracer::next_vertex(const Ray& ray) const {
+  const std::optional<RayHit> hit = rays_.first_hit(ray);
+  if (ground_ && ray.direction.y < 0 && ray.origin.y > ground_->height) {
+    const float distance = (ground_->height - ray.origin.y) / ray.direction.y;
+    if (!hit || distance < hit->distance) return ground_vertex(ray, distance);
+  }
+  if (!hit) return std::nullopt;
+  return surface_vertex(ray, *hit);
+}
+
+Vec3 PathTracer::sunlight(const Vertex& vertex, Vec3 to_viewer, Vec2 sample) const {
+  if (!light_.has_sun()) return Vec3(0);
+  const Vec3 to_sun = cone_direction(light_.sun_direction(), light_.sun_angular_radius(), sample);
+  const bool shines_through = glm::dot(to_sun, vertex.face_normal) < 0;
+  const float cosine = glm::dot(to_sun, vertex.normal) * (shines_through ? -1.0F : 1.0F);
+  const Vec3 share = shines_through ? vertex.transmitted : vertex.reflected;
+  if (cosine <= 0 || share == Vec3(0)) return Vec3(0);
+  const Vec3 side = shines_through ? -vertex.face_normal : vertex.face_normal;
+  if (rays_.is_blocked({vertex.lifted + clearance(vertex.position) * side, to_sun})) return Vec3(0);
+  Vec3 given = share * (cosine / kPiF);
+  if (!shines_through) given += Vec3(gloss(vertex.normal, to_sun, to_viewer, vertex.gloss_width));
+  return given * light_.sun_irradiance();
+}
+
+Seen PathTracer::trace(Ray ray, SampleStream& samples) const {
+  Seen seen;
+  Vec3 weight(1);
+  for (int bounce = 0;; ++bounce) {
+    const std::optional<Vertex> vertex = next_vertex(ray);
+    if (!vertex) {
+      if (bounce > 0) seen.light += weight * light_.falling(ray.direction);
+      return seen;
+    }
+    if (bounce == 0) {
+      seen.cover = vertex->cover;
+      weight *= vertex->cover;
+    }
+    seen.light += weight * sunlight(*vertex, -ray.direction, samples.next());
+    if (bounce == kBounces) return seen;
+
+    // Go on from one side or the other, as often as light does.
+    const float reflected = luminance(vertex->reflected);
+    const float transmitted = luminance(vertex->transmitted);
+    if (reflected + transmitted <= 0) return seen;
+    const float share = reflected / (reflected + transmitted);
+    Vec2 sample = samples.next();
+    const bool reflects = sample.x < share;
+    sample.x = reflects ? sample.x / share : (sample.x - share) / (1 - share);
+    weight *= reflects ? vertex->reflected / share : vertex->transmitted / (1 - share);
+    const float side = reflects ? 1 : -1;
+    ray.direction = glm::normalize(cosine_direction(side * vertex->normal, sample));
+    // Where the interpolated normal lets a direction dip below the triangle, the surface is its own shadow.
+    if (side * glm::dot(ray.direction, vertex->face_normal) <= 0) return seen;
+    ray.origin = vertex->position + side * clearance(vertex->position) * vertex->face_normal;
+  }
+}
+
+}  // namespace meristem

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/ray_scene.h"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <embree3/rtcore.h>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/parallel.h"
+
+namespace meristem {
+
+namespace {
+
+// Triangles copied out of their instances in all; about 100 bytes each.
+constexpr std::uint64_t kMostCopiedTriangles = 3'000'000;
+constexpr std::uint32_t kNoInstance = std::numeric_limits<std::uint32_t>::max();
+
+/// What a geometry of the upper tree stands for.
+struct GeometrySource {
+  std::uint32_t part = 0;
+  std::uint32_t instance = kNoInstance;  ///< kNoInstance: all of the part's instances, one after another
+};
+
+std::vector<bool> choose_copied(const MeshScene& scene) {
+  std::vector<bool> copied(scene.meshes.size());
+  std::uint64_t total = 0;
+  for (std::size_t p = 0; p < scene.meshes.size(); ++p) {
+    const std::uint64_t triangles = scene.meshes[p].triangle_count();
+    copied[p] = scene.meshes[p].frames.size() == 1 || total + triangles <= kMostCopiedTriangles;
+    if (copied[p]) total += triangles;
+  }
+  return copied;
+}
+
+bool stop_if_cancelled(void* progress, double) { return !static_cast<Progress*>(progress)->is_cancelled(); }
+
+}  // namespace
+
+struct RayScene::Trees {
+  RTCDevice device = nullptr;
+  RTCScene top = nullptr;
+  std::vector<RTCScene> parts;  ///< trees of shared meshes; null for parts that were copied
+  std::vector<GeometrySource> sources;
+  std::string failure;
+
+  explicit Trees(Progress& progress) {
+    device = rtcNewDevice(nullptr);
+    if (device == nullptr) throw MachineError("rendering: Embree could not be started");
+    const auto keep_failure = [](void* self, RTCError code, const char* reason) {
+      if (code != RTC_ERROR_CANCELLED) static_cast<Trees*>(self)->failure = reason;
+    };
+    rtcSetDeviceErrorFunction(device, keep_failure, this);
+    top = new_scene(progress);
+  }
+
+  ~Trees() {
+    for (RTCScene part : parts) {
+      if (part != nullptr) rtcReleaseScene(part);
+    }
+    if (top != nullptr) rtcReleaseScene(top);
+    if (device != nullptr) rtcReleaseDevice(device);
+  }
+
+  RTCScene new_scene(Progress& progress) const {
+    RTCScene scene = rtcNewScene(device);
+    rtcSetSceneProgressMonitorFunction(scene, stop_if_cancelled, &progress);
+    return scene;
+  }
+
+  void commit(RTCScene scene, Progress& progress) const {
+    rtcCommitScene(scene);
+    progress.check();
+    if (!failure.empty()) throw MachineError("rendering: " + failure);
+  }
+
+  /// Adds all of the frames' triangles to a scene.
+  void add_triangles(RTCScene scene, const Mesh& mesh, const std::vector<Frame>& frames, Progress& progress) const {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    const std::size_t vertices = mesh.vertex_count();
+    const std::size_t triangles = mesh.triangle_count();
+    auto* positions = static_cast<Vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                                 sizeof(Vec3), vertices * frames.size()));
+    auto* indices = static_cast<std::array<std::uint32_t, 3>*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(mesh.triangles[0]), triangles * frames.size()));
+    if (positions != nullptr && indices != nullptr) {
+      parallel_for(frames.size(), 256, [&](std::size_t begin, std::size_t end) {
+        progress.check();
+        for (std::size_t f = begin; f < end; ++f) {
+          const auto base = static_cast<std::uint32_t>(f * vertices);
+          for (std::size_t v = 0; v < vertices; ++v) positions[base + v] = frames[f].point(mesh.positions[v]);
+          for (std::size_t t = 0; t < triangles; ++t) {
+            const auto [a, b, c] = mesh.triangles[t];
+            indices[f * triangles + t] = {base + a, base + b, base + c};
+          }
+        }
+      });
+      rtcCommitGeometry(geometry);
+      rtcAttachGeometry(scene, geometry);
+    }
+    rtcReleaseGeometry(geometry);
+  }
+
+  void add_instance(RTCScene of, const Frame& frame) const {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(geometry, of);
+    const Mat3& axes = frame.axes;
+    const float columns[12] = {axes[0].x, axes[0].y, axes[0].z, axes[1].x,      axes[1].y,      axes[1].z,
+                               axes[2].x, axes[2].y, axes[2].z, frame.origin.x, frame.origin.y, frame.origin.z};
+    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(top, geometry);
+    rtcReleaseGeometry(geometry);
+  }
+};
+
+RayScene::RayScene(const MeshScene& scene, Progress& progress)
+    : scene_(scene), trees_(std::make_unique<Trees>(progress)) {
+  const std::vector<bool> copied = choose_copied(scene);
+  trees_->parts.resize(scene.meshes.size(), nullptr);
+  for (std::uint32_t p = 0; p < scene.meshes.size(); ++p) {
+    const MeshInstances& part = scene.meshes[p];
+    if (part.triangle_count() == 0) continue;
+    if (copied[p]) {
+      trees_->sources.push_back({p, kNoInstance});
+      trees_->add_triangles(trees_->top, *part.mesh, part.frames, progress);
+      continue;
+    }
+    trees_->parts[p] = trees_->new_scene(progress);
+    trees_->add_triangles(trees_->parts[p], *part.mesh, {Frame()}, progress);
+    trees_->commit(trees_->parts[p], progress);
+    for (std::uint32_t i = 0; i < part.frames.size(); ++i) {
+      if (glm::determinant(part.frames[i].axes) == 0) continue;  // a flat organ shows no surface to rays
+      trees_->sources.push_back({p, i});
+      trees_->add_instance(trees_->parts[p], part.frames[i]);
+      if (i % 4096 == 0) progress.check();
+    }
+  }
+  trees_->commit(trees_->top, progress);
+}
+
+RayScene::~RayScene() = default;
+
+std::optional<RayHit> RayScene::first_hit(const Ray& ray) const {
+  RTCRayHit query;
+  query.ray = {ray.origin.x,
+               ray.origin.y,
+               ray.origin.z,
+               0,
+               ray.direction.x,
+               ray.direction.y,
+               ray.direction.z,
+               0,
+               std::numeric_limits<float>::infinity(),
+               ~0U,
+               0,
+               0};
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(trees_->top, &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  const bool is_instance = query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
+  const GeometrySource source = trees_->sources[is_instance ? query.hit.instID[0] : query.hit.geomID];
+  const auto per_instance = static_cast<std::uint32_t>(scene_.meshes[source.part].mesh->triangle_count());
+  const Vec2 barycentric(query.hit.u, query.hit.v);
+  if (is_instance) return RayHit{query.ray.tfar, source.part, source.instance, query.hit.primID, barycentric};
+  return RayHit{query.ray.tfar, source.part, query.hit.primID / per_instance, query.hit.primID % per_instance,
+                barycentric};
+}
+
+bool RayScene::is_blocked(const Ray& ray) const {
+  RTCRay query{ray.origin.x,
+               ray.origin.y,
+               ray.origin.z,
+               0,
+               ray.direction.x,
+               ray.direction.y,
+               ray.direction.z,
+               0,
+               std::numeric_limits<float>::infinity(),
+               ~0U,
+               0,
+               0};
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(trees_->top, &context, &query);
+  return query.tfar < 0;
+}
+
+SurfacePoint RayScene::surface_point(const RayHit& hit) const {
+  const MeshInstances& part = scene_.meshes[hit.part];
+  const Mesh& mesh = *part.mesh;
+  const Frame& frame = part.frames[hit.instance];
+  const auto& triangle = mesh.triangles[hit.triangle];
+  const Vec3 weights(1 - hit.barycentric.x - hit.barycentric.y, hit.barycentric.x, hit.barycentric.y);
+  const Vec3 a = mesh.positions[triangle[0]];
+  const Vec3 b = mesh.positions[triangle[1]];
+  const Vec3 c = mesh.positions[triangle[2]];
+  const Vec3 local = weights.x * a + weights.y * b + weights.z * c;
+  const Vec3 local_face = normalized_or(glm::cross(b - a, c - a), kUp);
+
+  SurfacePoint point;
+  point.position = frame.point(local);
+  point.face_normal = frame.normal(local_face);
+  point.normal = point.face_normal;
+  point.smooth_offset = Vec3(0);
+  if (mesh.normals.empty()) return point;
+  Vec3 blended(0);
+  Vec3 offset(0);
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 normal = mesh.normals[triangle[k]];
+    blended += weights[k] * normal;
+    // Each vertex's tangent plane lifts the point; on convex surfaces that undoes the flatness of the triangle.
+    const float below = std::min(0.0F, glm::dot(local - mesh.positions[triangle[k]], normal));
+    offset -= weights[k] * below * normal;
+  }
+  point.normal = frame.normal(normalized_or(blended, local_face));
+  point.smooth_offset = frame.vector(offset);
+  return point;
+}
+
+}  // namespace meristem

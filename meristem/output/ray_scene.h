@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// A mesh scene that rays can ask: what is hit first, is anything in the way. Wraps Embree 3; small meshes with few
+// instances are copied out into one tree of triangles, which traces twice as fast, the rest stay instances.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "meristem/base/progress.h"
+#include "meristem/base/vec.h"
+#include "meristem/shape/mesh_scene.h"
+
+namespace meristem {
+
+struct Ray {
+  Vec3 origin;
+  Vec3 direction;  ///< unit
+};
+
+/// A place on a surface.
+struct RayHit {
+  float distance = 0;          ///< metres along the ray
+  std::uint32_t part = 0;      ///< index into MeshScene::meshes
+  std::uint32_t instance = 0;  ///< index into its frames
+  std::uint32_t triangle = 0;  ///< index into its mesh's triangles
+  Vec2 barycentric{0};         ///< weights of the triangle's second and third vertex
+};
+
+/// The surface there, in world space.
+struct SurfacePoint {
+  Vec3 position;
+  Vec3 face_normal;    ///< unit, of the triangle's front
+  Vec3 normal;         ///< unit, interpolated where the mesh has normals
+  Vec3 smooth_offset;  ///< from `position` to the curved surface that the interpolated normals suggest
+};
+
+class RayScene {
+ public:
+  /// `scene` must outlive this. Throws Cancelled, MachineError (memory).
+  RayScene(const MeshScene& scene, Progress& progress);
+  ~RayScene();
+  RayScene(const RayScene&) = delete;
+  RayScene& operator=(const RayScene&) = delete;
+
+  /// The first surface along the ray. May be called from many threads.
+  std::optional<RayHit> first_hit(const Ray& ray) const;
+  /// Whether any surface lies on the ray.
+  bool is_blocked(const Ray& ray) const;
+  SurfacePoint surface_point(const RayHit& hit) const;
+
+ private:
+  struct Trees;
+  const MeshScene& scene_;
+  std::unique_ptr<Trees> trees_;
+};
+
+}  // namespace meristem

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "meristem/base/vec.h"
+#include "meristem/scene/sky.h"
+
+namespace meristem {
+
+/// How much a camera would open for the light of `sky`, so that noon and dusk both make a picture: full adaptation
+/// would turn night into day, so only most of the change is made up for.
+float exposure(const Sky& sky);
+
+/// The sRGB colour, in [0, 1], of exposed linear light: contrast of film, highlights that roll off and lose colour.
+Vec3 tone_mapped(Vec3 light);
+
+}  // namespace meristem

@@ -13,6 +13,9 @@ namespace meristem {
 
 enum class Severity { warning, error };
 
+/// Diagnostic::text_offset of a fault in a member's name and not in its value.
+inline constexpr int kAtName = -2;
+
 struct Diagnostic {
   Severity severity = Severity::error;
   std::string message;   ///< what is wrong, without a full stop: "'lenght' is not a parameter of a leaf"

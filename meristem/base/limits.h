@@ -4,23 +4,28 @@
 #include <cstdint>
 #include <string_view>
 
+#include "meristem/base/diagnostic.h"
+
 namespace meristem {
 
 /// Bounds on what one document may ask for. Reaching one is an InputError that names the parameter to change, raised
 /// before the memory is spent. The defaults fit a machine with 8 GB.
 struct Limits {
   std::uint64_t document_bytes = 16'000'000;
-  std::uint64_t nesting = 64;               ///< levels of lists and objects in a document
-  std::uint64_t diagnostics = 100;          ///< faults reported at once; the rest is counted
-  std::uint64_t expression_bytes = 16'384;  ///< length of one expression
-  std::uint64_t points = 10'000'000;        ///< attraction points
-  std::uint64_t nodes = 20'000'000;         ///< skeleton nodes
-  std::uint64_t instances = 20'000'000;     ///< organs and sites in all
-  std::uint64_t triangles = 50'000'000;     ///< after instancing
-  std::uint64_t mesh_bytes = 2'000'000'000; ///< distinct geometry
+  std::uint64_t nesting = 64;                ///< levels of lists and objects in a document
+  std::uint64_t diagnostics = 100;           ///< faults reported at once; the rest is counted
+  std::uint64_t expression_bytes = 16'384;   ///< length of one expression
+  std::uint64_t points = 10'000'000;         ///< attraction points
+  std::uint64_t nodes = 20'000'000;          ///< skeleton nodes
+  std::uint64_t instances = 20'000'000;      ///< organs and sites in all
+  std::uint64_t triangles = 50'000'000;      ///< after instancing
+  std::uint64_t mesh_bytes = 2'000'000'000;  ///< distinct geometry
 };
 
-/// Throws the InputError for a limit: `wanted` of `what` where `limit` are allowed; `path` is the parameter to change.
+/// The fault of a limit: `wanted` of `what` where `limit` are allowed; `path` is the parameter to change.
+Diagnostic limit_diagnostic(std::string_view what, double wanted, std::uint64_t limit, std::string_view limit_name,
+                            std::string_view path);
+/// Throws it as an InputError.
 [[noreturn]] void throw_limit(std::string_view what, double wanted, std::uint64_t limit, std::string_view limit_name,
                               std::string_view path);
 

@@ -123,7 +123,8 @@ ComponentType define_component(ComponentDefinition<P> definition) {
   ComponentType type;
   type.name = std::move(definition.name);
   type.doc = std::move(definition.doc);
-  type.parameters = std::move(definition.parameters).template include<ComponentBase>(component_base_table());
+  type.parameters =
+      std::move(definition.parameters).template include<ComponentBase>(component_base_table()).elsewhere({"type"});
   type.material = definition.material;
   type.is_camera = definition.is_camera;
   type.makes_stems = definition.makes_stems;

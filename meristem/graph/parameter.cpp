@@ -62,6 +62,8 @@ std::string Parameter::expectation() const {
       return "a text";
     case ParameterKind::choice:
       return fmt::format("one of {}", fmt::join(choices, ", "));
+    case ParameterKind::integers:
+      return fmt::format("a list of {} whole numbers{}", count, range_text(form));
     case ParameterKind::vector:
       return "a list of three numbers [x, y, z]" + range_text(form);
     case ParameterKind::colour:
@@ -90,8 +92,7 @@ const Parameter* ParameterTable::find(std::string_view parameter) const {
 }
 
 std::vector<std::string> ParameterTable::names() const {
-  std::vector<std::string> names;
-  names.reserve(parameters.size());
+  std::vector<std::string> names = elsewhere;
   for (const Parameter& row : parameters) names.push_back(row.name);
   return names;
 }

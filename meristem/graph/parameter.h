@@ -27,6 +27,7 @@ enum class ParameterKind {
   boolean,
   text,
   choice,     ///< an enum by its enumerators' names
+  integers,   ///< a list of so many whole numbers
   vector,     ///< three numbers
   colour,     ///< "#6b8e23"
   curve,      ///< {"curve": [[x, y], ...], "kind": "spline" | "linear"}
@@ -53,6 +54,7 @@ struct Parameter {
   ParameterKind kind = ParameterKind::number;
   NumberForm form;                         ///< of numbers, integers and the elements of vectors
   std::vector<std::string> choices;        ///< of a choice
+  std::size_t count = 0;                   ///< of integers
   const ParameterTable* nested = nullptr;  ///< of an object or list
   std::vector<std::string> names;          ///< variables of a condition
   bool required = false;
@@ -74,6 +76,7 @@ class ParameterTable {
   std::string name;  ///< of the struct, as messages and the schema call it
   std::string doc;
   std::vector<Parameter> parameters;
+  std::vector<std::string> elsewhere;            ///< further keys, which whoever owns the table reads itself ("type")
   std::string shorthand;                         ///< the parameter that a bare value sets, or empty
   std::vector<std::vector<std::string>> one_of;  ///< of each group exactly one must be given
   /// Rules between parameters; called when all of them could be read.

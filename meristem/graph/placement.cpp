@@ -39,6 +39,7 @@ const ParameterTable& placement_table() {
                   "How far children turn their upper face to the light: 0 not at all, 1 wholly.")
           .number("start", &Placement::start, {.min = 0, .max = 1}, "Share of each axis left free at its base.")
           .number("end", &Placement::end, {.min = 0, .max = 1}, "Share of each axis at which the places end.")
+          .elsewhere({"from", "to", "kind"})
           .check([](const Placement& placement, const Place& place, ParameterReader& reader) {
             if (placement.density && placement.count) {
               reader.fault(Place(place, "count"), "a link has both a density and a count", "one of them");

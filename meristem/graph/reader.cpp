@@ -13,12 +13,14 @@ namespace meristem {
 
 namespace {
 
-double document_scale(Unit unit) {
-  return unit == Unit::degree ? kPi / 180 : 1;
-}
+double document_scale(Unit unit) { return unit == Unit::degree ? kPi / 180 : 1; }
 
 bool is_in_range(const NumberForm& form, double value) {
   return std::isfinite(value) && value <= form.max && (form.above_min ? value > form.min : value >= form.min);
+}
+
+bool is_any_of(std::string_view name, const std::vector<std::string>& names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 /// What is left of a path after the component's own part: "components.leaf.curl" -> "curl".
@@ -35,7 +37,7 @@ std::string_view path_in_component(std::string_view path) {
 
 void ParameterReader::fault(const Place& place, std::string message, std::string expected, std::string nearest,
                             int text_offset) {
-  ++faults_;
+  if (++faults_ > limits_.diagnostics) return;
   diagnostics_.push_back({.message = std::move(message),
                           .expected = std::move(expected),
                           .nearest = std::move(nearest),
@@ -44,13 +46,28 @@ void ParameterReader::fault(const Place& place, std::string message, std::string
                           .text_offset = text_offset});
 }
 
+void ParameterReader::fault_name(const Place& place, std::string message, std::string expected, std::string nearest) {
+  fault(place, std::move(message), std::move(expected), std::move(nearest), kAtName);
+}
+
+std::string ParameterReader::nearest(std::string_view name, std::span<const std::string> candidates) const {
+  return faults_ < limits_.diagnostics ? nearest_name(name, candidates) : std::string();
+}
+
 void ParameterReader::warn(const Place& place, std::string message) {
+  if (diagnostics_.size() > 2 * limits_.diagnostics) return;
   diagnostics_.push_back({.severity = Severity::warning,
                           .message = std::move(message),
                           .expected = {},
                           .nearest = {},
                           .path = place.text(),
                           .file = {}});
+}
+
+void ParameterReader::fault_limit(const Place& place, std::string_view what, double wanted, std::uint64_t limit,
+                                  std::string_view limit_name) {
+  if (++faults_ > limits_.diagnostics) return;
+  diagnostics_.push_back(limit_diagnostic(what, wanted, limit, limit_name, place.text()));
 }
 
 void ParameterReader::wrong_kind(const Parameter& parameter, const Value& value, const Place& place) {
@@ -62,17 +79,16 @@ void ParameterReader::read(const ParameterTable& table, void* object, const Valu
 }
 
 std::vector<Varying> ParameterReader::read_varying(const ParameterTable& table, void* object, std::size_t size,
-                                                   const Value& value, const Place& place, std::string_view ignored) {
+                                                   const Value& value, const Place& place) {
   varying_begin_ = static_cast<std::byte*>(object);
   varying_end_ = varying_begin_ + size;
   varyings_.clear();
-  this->object(table, object, value, place, ignored);
+  this->object(table, object, value, place);
   varying_begin_ = varying_end_ = nullptr;
   return std::move(varyings_);
 }
 
-void ParameterReader::object(const ParameterTable& table, void* object, const Value& value, const Place& place,
-                             std::string_view ignored) {
+void ParameterReader::object(const ParameterTable& table, void* object, const Value& value, const Place& place) {
   const Value::Object* members = value.object();
   if (members == nullptr) {
     if (const Parameter* bare = table.shorthand.empty() ? nullptr : table.find(table.shorthand)) {
@@ -88,14 +104,14 @@ void ParameterReader::object(const ParameterTable& table, void* object, const Va
   // Each member is read by its row; unknown ones are named with the nearest known.
   std::set<std::string_view> given;
   for (const auto& [name, member] : *members) {
-    if (name == ignored) continue;
     const Place member_place(place, name);
     const Parameter* row = table.find(name);
+    if (row == nullptr && is_any_of(name, table.elsewhere)) continue;
     if (row == nullptr) {
       const std::vector<std::string> names = table.names();
-      std::string nearest = nearest_name(name, names);
-      fault(member_place, fmt::format("'{}' is not a parameter of {}", name, table.name),
-            nearest.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", std::move(nearest));
+      std::string similar = nearest(name, names);
+      fault_name(member_place, fmt::format("'{}' is not a parameter of {}", name, table.name),
+                 similar.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", std::move(similar));
       continue;
     }
     given.insert(row->name);
@@ -136,7 +152,7 @@ std::optional<Expression> ParameterReader::expression(const Value& value, const 
   }
   try {
     const ExpressionNames names{.variables = {variables.begin(), variables.end()}, .constants = constants_};
-    return Expression::compile(*text, names, max_expression_bytes_);
+    return Expression::compile(*text, names, limits_.expression_bytes);
   } catch (const ExpressionError& error) {
     const ExpressionFault& found = error.fault();
     fault(place, found.message, found.expected, found.nearest, static_cast<int>(found.offset));
@@ -198,7 +214,7 @@ void ParameterReader::store_number(const Parameter& parameter, const Value& valu
     for (const auto& [name, member_value] : *members) {
       if (name != "range" && name != "apply") {
         fault(Place(place, name), fmt::format("'{}' does not belong to a value", name), "range and apply",
-              nearest_name(name, std::vector<std::string>{"range", "apply"}));
+              nearest(name, std::vector<std::string>{"range", "apply"}));
       }
     }
   }
@@ -239,7 +255,7 @@ std::optional<std::size_t> ParameterReader::choice(const Parameter& parameter, c
   const auto found = std::find(parameter.choices.begin(), parameter.choices.end(), *given);
   if (found != parameter.choices.end()) return static_cast<std::size_t>(found - parameter.choices.begin());
   fault(place, fmt::format("'{}' is not a value of '{}'", *given, parameter.name), parameter.expectation(),
-        nearest_name(*given, parameter.choices));
+        nearest(*given, parameter.choices));
   return std::nullopt;
 }
 

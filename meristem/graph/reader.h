@@ -10,6 +10,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/expression.h"
+#include "meristem/base/limits.h"
 #include "meristem/graph/parameter.h"
 #include "meristem/graph/varying.h"
 
@@ -26,20 +27,28 @@ struct NumberSlot {
 /// differ from instance to instance.
 class ParameterReader {
  public:
-  /// `constants` are the document's variables; `max_expression_bytes` bounds one expression.
-  ParameterReader(std::vector<ExpressionNames::Constant> constants, std::size_t max_expression_bytes)
-      : constants_(std::move(constants)), max_expression_bytes_(max_expression_bytes) {}
+  /// `constants` are the document's variables.
+  ParameterReader(std::vector<ExpressionNames::Constant> constants, const Limits& limits)
+      : constants_(std::move(constants)), limits_(limits) {}
 
   /// Reads `value` into the struct at `object`. Every number must be one number.
   void read(const ParameterTable& table, void* object, const Value& value, const Place& place);
   /// The same for a component's struct of `size` bytes: members in it may vary from instance to instance and then end
   /// up in the result. `ignored` names a key that is no parameter ("type").
   std::vector<Varying> read_varying(const ParameterTable& table, void* object, std::size_t size, const Value& value,
-                                    const Place& place, std::string_view ignored);
+                                    const Place& place);
 
   void fault(const Place& place, std::string message, std::string expected = {}, std::string nearest = {},
              int text_offset = -1);
+  /// The same for a member's name instead of its value.
+  void fault_name(const Place& place, std::string message, std::string expected, std::string nearest);
+  /// The candidate nearest to `name`, until so many faults are reported that no more are shown.
+  std::string nearest(std::string_view name, std::span<const std::string> candidates) const;
   void warn(const Place& place, std::string message);
+  /// The fault of `wanted` of `what` where the limit called `limit_name` allows fewer.
+  void fault_limit(const Place& place, std::string_view what, double wanted, std::uint64_t limit,
+                   std::string_view limit_name);
+  const Limits& limits() const { return limits_; }
   const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
   std::vector<Diagnostic> take_diagnostics() { return std::move(diagnostics_); }
   std::size_t fault_count() const { return faults_; }
@@ -55,8 +64,7 @@ class ParameterReader {
   const std::string* text(const Parameter& parameter, const Value& value, const Place& place);
   std::optional<std::size_t> choice(const Parameter& parameter, const Value& value, const Place& place);
   /// The table's members from an object, or its shorthand from a bare value.
-  void object(const ParameterTable& table, void* object, const Value& value, const Place& place,
-              std::string_view ignored = {});
+  void object(const ParameterTable& table, void* object, const Value& value, const Place& place);
   void wrong_kind(const Parameter& parameter, const Value& value, const Place& place);
 
  private:
@@ -64,7 +72,7 @@ class ParameterReader {
   bool check_range(const Parameter& parameter, double value, const Place& place, std::string_view what);
 
   std::vector<ExpressionNames::Constant> constants_;
-  std::size_t max_expression_bytes_;
+  Limits limits_;
   std::vector<Diagnostic> diagnostics_;
   std::size_t faults_ = 0;
   std::byte* varying_begin_ = nullptr;

@@ -9,9 +9,9 @@ namespace meristem {
 
 namespace {
 
-std::string link_path(LinkIndex link) {
-  return fmt::format("links[{}]", link);
-}
+constexpr std::size_t kMaxRecursions = 64;
+
+std::string link_path(LinkIndex link) { return fmt::format("links[{}]", link); }
 
 class Analysis {
  public:
@@ -118,6 +118,10 @@ class Analysis {
   /// Two recursions may lie apart or within one another, but not cross. Levels count from the outermost.
   void order_recursions() {
     std::vector<Structure::Recursion>& recursions = structure_.recursions;
+    if (recursions.size() > kMaxRecursions) {
+      return error("links", fmt::format("{} links lead back to an ancestor", recursions.size()),
+                   fmt::format("at most {} recursions", kMaxRecursions));
+    }
     const auto contains = [](const Structure::Recursion& outer, ComponentIndex c) {
       return std::find(outer.members.begin(), outer.members.end(), c) != outer.members.end();
     };

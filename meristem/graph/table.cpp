@@ -69,9 +69,7 @@ int hexadecimal(char digit) {
 
 }  // namespace
 
-double to_document(Unit unit, double value) {
-  return rounded(unit == Unit::degree ? degrees(value) : value);
-}
+double to_document(Unit unit, double value) { return rounded(unit == Unit::degree ? degrees(value) : value); }
 
 void read_curve(const Parameter& self, const Value& value, const Place& place, ParameterReader& reader, Curve& out) {
   if (value.object() == nullptr) return reader.wrong_kind(self, value, place);
@@ -93,7 +91,7 @@ void read_curve(const Parameter& self, const Value& value, const Place& place, P
       kind = static_cast<CurveKind>(chosen.value_or(0));
     } else {
       reader.fault(member_place, fmt::format("'{}' does not belong to a curve", name), "curve and kind",
-                   nearest_name(name, names));
+                   reader.nearest(name, names));
       good = false;
     }
   }
@@ -129,6 +127,22 @@ Value show_points(const std::vector<Vec2>& points) {
   for (const Vec2& point : points) list.emplace_back(Value::List{rounded(point.x), rounded(point.y)});
   return list;
 }
+
+void read_integers(const Parameter& self, const Value& value, const Place& place, ParameterReader& reader,
+                   std::vector<int>& out) {
+  const Value::List* list = value.list();
+  if (list == nullptr || list->size() != self.count) return reader.wrong_kind(self, value, place);
+  Parameter element = element_of(self);
+  element.kind = ParameterKind::integer;
+  std::vector<int> numbers;
+  for (std::size_t k = 0; k < list->size(); ++k) {
+    if (const auto number = reader.number(element, (*list)[k], Place(place, k)))
+      numbers.push_back(static_cast<int>(*number));
+  }
+  if (numbers.size() == self.count) out = std::move(numbers);
+}
+
+Value show_integers(const std::vector<int>& numbers) { return Value::List(numbers.begin(), numbers.end()); }
 
 void read_vector(const Parameter& self, const Value& value, const Place& place, ParameterReader& reader, Vec3& out) {
   const Value::List* list = value.list();

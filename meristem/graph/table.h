@@ -42,6 +42,8 @@ void read_curve(const Parameter&, const Value&, const Place&, ParameterReader&, 
 Value show_curve(const Curve& curve);
 void read_points(const Parameter&, const Value&, const Place&, ParameterReader&, std::vector<Vec2>& out);
 Value show_points(const std::vector<Vec2>& points);
+void read_integers(const Parameter&, const Value&, const Place&, ParameterReader&, std::vector<int>& out);
+Value show_integers(const std::vector<int>& numbers);
 void read_vector(const Parameter&, const Value&, const Place&, ParameterReader&, Vec3& out);
 Value show_vector(Unit unit, Vec3 vector);
 void read_colour(const Parameter&, const Value&, const Place&, ParameterReader&, Vec3& out);
@@ -169,6 +171,19 @@ class Table {
     made.form = form;
     return std::move(*this);
   }
+  /// A list of exactly `count` whole numbers.
+  Table&& integers(std::string name, std::vector<int> P::*member, std::size_t count, NumberForm form,
+                   std::string doc) && {
+    Parameter& made = row(
+        ParameterKind::integers, std::move(name), std::move(doc),
+        [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
+          table_detail::read_integers(self, value, place, reader, object.*member);
+        },
+        [member](const P& object) { return table_detail::show_integers(object.*member); });
+    made.form = form;
+    made.count = count;
+    return std::move(*this);
+  }
   /// An expression over `names` that says yes or no.
   Table&& condition(std::string name, std::optional<Condition> P::*member, std::vector<std::string> names,
                     std::string doc) && {
@@ -234,21 +249,20 @@ class Table {
     return std::move(*this);
   }
 
-  /// All rows of a base struct's table, before those that follow.
+  /// All rows of a base struct's table.
   template <class Base>
   Table&& include(const ParameterTable& base) && {
     static_assert(std::is_base_of_v<Base, P>);
-    for (const Parameter& base_row : base.parameters) {
-      Parameter& copy = table_.parameters.emplace_back(base_row);
-      copy.read = [read = base_row.read](const Parameter& self, void* object, const Value& value, const Place& place,
-                                         ParameterReader& reader) {
-        read(self, static_cast<Base*>(static_cast<P*>(object)), value, place, reader);
-      };
-      copy.show = [show = base_row.show](const void* object) {
-        return show(static_cast<const Base*>(static_cast<const P*>(object)));
-      };
-    }
-    return std::move(*this);
+    return rows_of(base, [](P& object) -> Base& { return object; });
+  }
+  /// The rows of a member struct's table, as if they were this struct's own.
+  template <class M>
+  Table&& members(M P::*member, const ParameterTable& table) && {
+    return rows_of(table, [member](P& object) -> M& { return object.*member; });
+  }
+  template <class M, class N>
+  Table&& members(M P::*member, N M::*inner, const ParameterTable& table) && {
+    return rows_of(table, [member, inner](P& object) -> N& { return object.*member.*inner; });
   }
   /// The row just written must be given.
   Table&& required() && {
@@ -258,6 +272,11 @@ class Table {
   /// Of these parameters exactly one must be given.
   Table&& one_of(std::vector<std::string> names) && {
     table_.one_of.push_back(std::move(names));
+    return std::move(*this);
+  }
+  /// Further keys that whoever owns the table reads itself.
+  Table&& elsewhere(std::vector<std::string> names) && {
+    table_.elsewhere = std::move(names);
     return std::move(*this);
   }
   /// A bare value instead of an object sets this parameter.
@@ -301,6 +320,22 @@ class Table {
         },
         [member, unit = form.unit](const P& object) { return shown(unit, object.*member); });
     made.form = form;
+    return std::move(*this);
+  }
+
+  /// Takes over the rows of `table`, which read and show the part of the struct that `part` picks.
+  template <class Part>
+  Table&& rows_of(const ParameterTable& table, Part part) {
+    for (const Parameter& theirs : table.parameters) {
+      Parameter& ours = table_.parameters.emplace_back(theirs);
+      ours.read = [part, read = theirs.read](const Parameter& self, void* object, const Value& value,
+                                             const Place& place, ParameterReader& reader) {
+        read(self, &part(*static_cast<P*>(object)), value, place, reader);
+      };
+      ours.show = [part, show = theirs.show](const void* object) {
+        return show(&part(*const_cast<P*>(static_cast<const P*>(object))));
+      };
+    }
     return std::move(*this);
   }
 

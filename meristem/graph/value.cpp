@@ -14,9 +14,7 @@ const Value* Value::find(std::string_view name) const {
   return nullptr;
 }
 
-Value* Value::find(std::string_view name) {
-  return const_cast<Value*>(std::as_const(*this).find(name));
-}
+Value* Value::find(std::string_view name) { return const_cast<Value*>(std::as_const(*this).find(name)); }
 
 std::string Value::description() const {
   constexpr std::size_t kShown = 40;

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/colonize.h"
+
+#include <fmt/format.h>
+
+#include "meristem/components/surface_table.h"
+#include "meristem/scene/crown.h"
+
+namespace meristem {
+
+namespace {
+
+std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowContext& context) {
+  const Vec3 root = site.frame.origin;
+  const ProfileCrown crown(tree.crown.profile);
+  std::vector<Vec3> points = crown.sample(tree.points.count, site.key.child("points"), context.progress);
+  for (Vec3& point : points) point += root;
+  return make_colonizer(root, std::move(points), tree.growth, site.key.child("growth"), context.limits,
+                        context.component);
+}
+
+void expand(const Colonize& tree, const Site&, Emitter& out) { out.stem(out.take_grown(), tree.surface); }
+
+void check_profile(const Colonize::Crown& crown, const Place& place, ParameterReader& reader) {
+  const Place profile(place, "profile");
+  if (crown.profile.size() < 2) {
+    return reader.fault(profile, "the profile has fewer than two points", "pairs [radius, height] with rising heights");
+  }
+  for (std::size_t k = 0; k < crown.profile.size(); ++k) {
+    if (crown.profile[k].x < 0) {
+      reader.fault(Place(profile, k), fmt::format("the radius {:.7g} is negative", crown.profile[k].x),
+                   "a radius of at least 0");
+    }
+    if (k > 0 && !(crown.profile[k - 1].y < crown.profile[k].y)) {
+      return reader.fault(Place(profile, k), fmt::format("the height {:.7g} does not rise", crown.profile[k].y),
+                          fmt::format("a height above {:.7g}", crown.profile[k - 1].y));
+    }
+  }
+  if (!(ProfileCrown(crown.profile).volume() > 0)) {
+    reader.fault(profile, "the crown is empty: all its radii are 0", "a radius above 0 somewhere");
+  }
+}
+
+void check_distances(const Colonize& tree, const Place& place, ParameterReader& reader) {
+  const ColonizeParameters& growth = tree.growth;
+  if (growth.kill >= growth.influence) {
+    reader.fault(Place(place, "kill"),
+                 fmt::format("'kill' {:.7g} m is not below 'influence' {:.7g} m, so points would go before they pull",
+                             growth.kill, growth.influence),
+                 fmt::format("a number (m) below {:.7g}", growth.influence));
+  }
+  if (growth.step > growth.kill) {
+    reader.fault(Place(place, "step"),
+                 fmt::format("'step' {:.7g} m is above 'kill' {:.7g} m, so nodes would jump over the points",
+                             growth.step, growth.kill),
+                 fmt::format("a number (m) of at most {:.7g}", growth.kill));
+  }
+  if (tree.points.count > reader.limits().points) {
+    reader.fault_limit(Place(place, "points"), "attraction points", static_cast<double>(tree.points.count),
+                       reader.limits().points, "points");
+  }
+}
+
+const ParameterTable& crown_table() {
+  static const ParameterTable table =
+      Table<Colonize::Crown>("a crown", "The envelope that attraction points fill.")
+          .points("profile", &Colonize::Crown::profile, {.unit = Unit::metre, .min = -1e5, .max = 1e5},
+                  "Pairs [radius, height] over the root, heights rising, joined by a natural spline and turned about "
+                  "the vertical.")
+          .one_of({"profile"})
+          .check(check_profile);
+  return table;
+}
+
+const ParameterTable& points_table() {
+  static const ParameterTable table =
+      Table<Colonize::Points>("points", "The attraction points in the crown.")
+          .integer("count", &Colonize::Points::count, {.min = 1, .max = 1e15},
+                   "How many, uniform in volume; raised, more and finer branches, and slower.")
+          .shorthand("count");
+  return table;
+}
+
+const ParameterTable& finish_table() {
+  static const ParameterTable table =
+      Table<Finish>("a finish", "What is done to the skeleton after growth, in this order.")
+          .number("decimate", &Finish::decimate, {.unit = Unit::step, .min = 0, .max = 1000},
+                  "Removes nodes along branches over this length; 4 keeps about every fourth, 0 all.")
+          .boolean("relax", &Finish::relax, "Moves each node half way to its parent, which softens forks.")
+          .number("subdivide", &Finish::subdivide, {.unit = Unit::step, .min = 0, .max = 1000},
+                  "Spacing of the final nodes along smooth curves; 0 keeps the nodes as they are.");
+  return table;
+}
+
+const ParameterTable& growth_table() {
+  static const ParameterTable table =
+      Table<ColonizeParameters>("growth", "How the skeleton grows.")
+          .number("step", &ColonizeParameters::step, {.unit = Unit::metre, .min = 0, .max = 1000, .above_min = true},
+                  "Between nodes; lowered, finer and slower.")
+          .number("influence", &ColonizeParameters::influence,
+                  {.unit = Unit::metre, .min = 0, .max = 1e6, .above_min = true},
+                  "Within which a point pulls a node; raised, smoother branches.")
+          .number("kill", &ColonizeParameters::kill, {.unit = Unit::metre, .min = 0, .max = 1e6, .above_min = true},
+                  "Within which a node uses a point up; lowered, denser twigs.")
+          .integer("iterations", &ColonizeParameters::iterations, {.min = 1, .max = 1e6}, "At most so many steps.")
+          .vector("bias", &ColonizeParameters::bias, {.min = -100, .max = 100},
+                  "Added to each growth direction; [0, 0.2, 0] makes all grow upward a little.")
+          .object("finish", &ColonizeParameters::finish, finish_table(), "What is done to the skeleton after growth.");
+  return table;
+}
+
+const ParameterTable& pipe_table() {
+  static const ParameterTable table =
+      Table<PipeModel>("radii", "The pipe model.")
+          .number("tip_radius", &PipeModel::tip_radius, {.unit = Unit::metre, .min = 0, .max = 10, .above_min = true},
+                  "Of the finest twigs; raised, all wood gets thicker.")
+          .number(
+              "pipe_exponent", &PipeModel::exponent, {.min = 1, .max = 10},
+              "A fork's radius to this power is the sum of its branches'; raised, thinner trunks. 2 to 3.5 in nature.");
+  return table;
+}
+
+}  // namespace
+
+ComponentType colonize_component() {
+  return define_component<Colonize>({
+      .name = "colonize",
+      .doc = "A tree that grows into a cloud of attraction points (space colonization).",
+      .parameters = Table<Colonize>("a colonize", "A tree that grows into a cloud of attraction points.")
+                        .object("crown", &Colonize::crown, crown_table(), "The envelope that the points fill.")
+                        .required()
+                        .object("points", &Colonize::points, points_table(), "The attraction points.")
+                        .members(&Colonize::growth, growth_table())
+                        .members(&Colonize::growth, &ColonizeParameters::radii, pipe_table())
+                        .object("surface", &Colonize::surface, surface_table(), "How the stems are clothed.")
+                        .check(check_distances),
+      .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
+      .makes_stems = true,
+      .expand = expand,
+      .grow = grow,
+  });
+}
+
+}  // namespace meristem

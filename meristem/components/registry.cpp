@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/registry.h"
+
+#include "meristem/components/camera.h"
+#include "meristem/components/colonize.h"
+#include "meristem/components/leaf.h"
+#include "meristem/components/simple.h"
+
+namespace meristem {
+
+const Registry& builtin_components() {
+  static const Registry registry({
+      camera_component(),
+      simple_component(),
+      leaf_component(),
+      colonize_component(),
+  });
+  return registry;
+}
+
+}  // namespace meristem

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "meristem/graph/component.h"
+
+namespace meristem {
+
+/// A primitive of a given size, standing on its frame.
+struct Simple : ComponentBase {
+  enum class Shape { box, sphere, cylinder, cone, torus };
+  Shape shape = Shape::box;
+  Vec3 size{0.1F};  ///< metres: width, height, depth
+  int segments = 24;
+};
+
+/// The tube of a torus is this share of its width.
+inline constexpr float kTorusTube = 0.25F;
+
+ComponentType simple_component();
+
+}  // namespace meristem

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/document/document.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "meristem/document/json.h"
+#include "meristem/document/locate.h"
+#include "meristem/document/override.h"
+#include "meristem/document/tables.h"
+
+namespace meristem {
+
+namespace {
+
+const std::vector<std::string> kLinkKinds = {"child", "branch", "leaf"};
+
+/// Fills a Document from the tree of its text; the reader collects what is wrong.
+class DocumentReader {
+ public:
+  DocumentReader(const Value& root, const Registry& registry) : root_(root), registry_(registry) {}
+
+  /// Returns the faults and warnings.
+  std::vector<Diagnostic> run(Document& document, std::optional<std::uint64_t> seed) {
+    if (root_.object() == nullptr) {
+      ParameterReader reader({}, document.graph.limits);
+      reader.fault(Place(), fmt::format("the document is {}", root_.description()), "an object with \"meristem\": 1");
+      return reader.take_diagnostics();
+    }
+    if (const Value* format = root_.find("meristem");
+        format != nullptr && format->number() != nullptr && *format->number() > kDocumentFormat) {
+      ParameterReader reader({}, document.graph.limits);
+      reader.fault(
+          Place(top_, "meristem"),
+          fmt::format("the document is of format {}, which this program is too old to read", *format->number()),
+          fmt::format("at most {}", kDocumentFormat));
+      return reader.take_diagnostics();
+    }
+
+    // Limits and variables come first: everything else may use them.
+    std::vector<Diagnostic> diagnostics = read_limits(document.graph.limits);
+    {
+      ParameterReader reader({}, document.graph.limits);
+      read_variables(reader, document);
+      append(diagnostics, reader.take_diagnostics());
+    }
+    std::vector<ExpressionNames::Constant> constants;
+    for (const Variable& variable : document.variables) constants.push_back({variable.name, variable.value});
+
+    ParameterReader reader(std::move(constants), document.graph.limits);
+    read_head(reader, document);
+    read_components(reader, document.graph);
+    read_links(reader, document.graph);
+    append(diagnostics, reader.take_diagnostics());
+    if (seed) document.graph.seed = *seed;
+
+    // The links mean something only once all are read.
+    if (!has_errors(diagnostics)) {
+      add_camera(document.graph);
+      document.structure = analyse_structure(document.graph, diagnostics);
+    }
+    if (reader.fault_count() > document.graph.limits.diagnostics) {
+      diagnostics.push_back(
+          {.message = fmt::format("and {} more faults", reader.fault_count() - document.graph.limits.diagnostics)});
+    }
+    return diagnostics;
+  }
+
+  static bool has_errors(const std::vector<Diagnostic>& diagnostics) {
+    return std::any_of(diagnostics.begin(), diagnostics.end(),
+                       [](const Diagnostic& d) { return d.severity == Severity::error; });
+  }
+
+ private:
+  static void append(std::vector<Diagnostic>& to, std::vector<Diagnostic> from) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+  }
+
+  std::vector<Diagnostic> read_limits(Limits& limits) {
+    const Value* given = root_.find("limits");
+    if (given == nullptr) return {};
+    ParameterReader reader({}, Limits{});
+    reader.read(limits_table(), &limits, *given, Place(top_, "limits"));
+    return reader.take_diagnostics();
+  }
+
+  void read_variables(ParameterReader& reader, Document& document) {
+    const Value* given = root_.find("variables");
+    if (given == nullptr) return;
+    const Place place(top_, "variables");
+    if (given->object() == nullptr) {
+      return reader.fault(place, fmt::format("the variables are {}", given->description()), "an object of names");
+    }
+    for (const auto& [name, value] : *given->object()) {
+      const Place own(place, name);
+      const auto site = site_variables();
+      if (!is_identifier(name)) {
+        reader.fault_name(own, fmt::format("'{}' is not a name", name),
+                          "letters, digits and _, not beginning with a digit", "");
+      } else if (is_builtin_name(name) || std::find(site.begin(), site.end(), name) != site.end()) {
+        reader.fault_name(own, fmt::format("'{}' has a meaning in every expression already", name), "another name", "");
+      }
+      Variable variable;
+      reader.read(variable_table(), &variable, value, own);
+      variable.name = name;
+      if (value.number() != nullptr) variable.min = variable.max = variable.value;
+      document.variables.push_back(std::move(variable));
+    }
+  }
+
+  void read_head(ParameterReader& reader, Document& document) {
+    DocumentHead head;
+    reader.read(head_table(), &head, root_, top_);
+    document.name = std::move(head.name);
+    document.description = std::move(head.description);
+    document.author = std::move(head.author);
+    document.licence = std::move(head.licence);
+    document.graph.seed = head.seed;
+    document.output = std::move(head.output);
+    document.scene.ground_colour = head.scene.ground.colour;
+    if (head.scene.sun) document.scene.sun = sun_of(head.scene);
+    if (document.scene.sun.altitude <= 0) {
+      const Place scene(top_, "scene");
+      reader.warn(Place(scene, "sun"), "the sun is below the horizon, so there is only the light of the sky");
+    }
+  }
+
+  static SkyDirection sun_of(const SceneSettings& scene) {
+    const SunSettings& sun = *scene.sun;
+    if (sun.azimuth && sun.altitude) return {*sun.azimuth, *sun.altitude};
+    if (sun.day && scene.latitude) return sun_position(*scene.latitude, *sun.day, sun.hour);
+    return Scene{}.sun;  // a fault was reported
+  }
+
+  void read_components(ParameterReader& reader, Graph& graph) {
+    const Place place(top_, "components");
+    const Value* given = root_.find("components");
+    if (given == nullptr || given->object() == nullptr || given->object()->empty()) {
+      return reader.fault(given == nullptr ? top_ : place,
+                          given == nullptr ? "the document has no 'components'"
+                                           : fmt::format("the components are {}", given->description()),
+                          R"(an object such as {"tree": {"type": "colonize", ...}})");
+    }
+    for (const auto& [id, value] : *given->object()) read_component(reader, graph, id, value, Place(place, id));
+  }
+
+  void read_component(ParameterReader& reader, Graph& graph, const std::string& id, const Value& value,
+                      const Place& place) {
+    const auto fits = [](char c) {
+      return c == '_' || ('0' <= c && c <= '9') || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
+    };
+    if (id.empty() || !std::all_of(id.begin(), id.end(), fits)) {
+      reader.fault_name(place, fmt::format("'{}' cannot name a component", id), "letters, digits and _", "");
+    }
+    // Faulty components stay in the graph without a type, so that links to them are no further fault.
+    component_by_id_.emplace(id, static_cast<ComponentIndex>(graph.components.size()));
+    Prototype& prototype = graph.components.emplace_back();
+    prototype.id = id;
+    const Value* type = value.find("type");
+    if (type == nullptr || type->text() == nullptr) {
+      return reader.fault(place,
+                          value.object() == nullptr ? fmt::format("a component cannot be {}", value.description())
+                                                    : fmt::format("'{}' has no type", id),
+                          fmt::format("a \"type\": one of {}", fmt::join(registry_.names(), ", ")));
+    }
+    prototype.type = registry_.find(*type->text());
+    if (prototype.type == nullptr) {
+      const std::vector<std::string> names = registry_.names();
+      std::string nearest = reader.nearest(*type->text(), names);
+      return reader.fault(Place(place, "type"), fmt::format("'{}' is not a type of component", *type->text()),
+                          nearest.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", std::move(nearest));
+    }
+    prototype.parameters = prototype.type->make_parameters();
+    prototype.varyings =
+        reader.read_varying(prototype.type->parameters, prototype.parameters.get(), prototype.type->size, value, place);
+  }
+
+  void read_links(ParameterReader& reader, Graph& graph) {
+    const Value* given = root_.find("links");
+    if (given == nullptr) return;
+    const Place place(top_, "links");
+    if (given->list() == nullptr) {
+      return reader.fault(place, fmt::format("the links are {}", given->description()),
+                          R"(a list such as [["view", "tree"]])");
+    }
+    for (std::size_t k = 0; k < given->list()->size(); ++k)
+      read_link(reader, graph, (*given->list())[k], Place(place, k));
+  }
+
+  void read_link(ParameterReader& reader, Graph& graph, const Value& value, const Place& place) {
+    Link link;
+    if (const Value::List* pair = value.list()) {
+      if (pair->size() != 2) {
+        return reader.fault(place, fmt::format("a link is {}", value.description()), R"(a pair ["from", "to"])");
+      }
+      link.from = read_end(reader, (*pair)[0], Place(place, std::size_t{0}));
+      link.to = read_end(reader, (*pair)[1], Place(place, std::size_t{1}));
+    } else if (value.object() == nullptr) {
+      return reader.fault(place, fmt::format("a link cannot be {}", value.description()),
+                          R"(["from", "to"] or {"from": ..., "to": ..., "kind": ...})");
+    } else {
+      link.from = read_named_end(reader, value, "from", place);
+      link.to = read_named_end(reader, value, "to", place);
+      read_kind(reader, value, place, link.kind);
+      reader.read(placement_table(), &link.placement, value, place);
+      check_placement(reader, graph, value, place, link);
+    }
+    if (link.from != kNoIndex && link.to != kNoIndex) graph.links.push_back(std::move(link));
+  }
+
+  static void read_kind(ParameterReader& reader, const Value& value, const Place& place, LinkKind& kind) {
+    const Value* given = value.find("kind");
+    if (given == nullptr) return;
+    Parameter row;
+    row.name = "kind";
+    row.kind = ParameterKind::choice;
+    row.choices = kLinkKinds;
+    if (const auto chosen = reader.choice(row, *given, Place(place, "kind"))) kind = static_cast<LinkKind>(*chosen);
+  }
+
+  ComponentIndex read_named_end(ParameterReader& reader, const Value& link, const char* name, const Place& place) {
+    const Value* end = link.find(name);
+    if (end != nullptr) return read_end(reader, *end, Place(place, name));
+    reader.fault(place, fmt::format("the link has no '{}'", name), "the id of a component");
+    return kNoIndex;
+  }
+
+  ComponentIndex read_end(ParameterReader& reader, const Value& value, const Place& place) {
+    if (value.text() == nullptr) {
+      reader.fault(place, fmt::format("the end of a link cannot be {}", value.description()), "the id of a component");
+      return kNoIndex;
+    }
+    const auto found = component_by_id_.find(*value.text());
+    if (found != component_by_id_.end()) return found->second;
+    std::vector<std::string> ids;
+    for (const auto& [id, index] : component_by_id_) ids.push_back(id);
+    std::sort(ids.begin(), ids.end());
+    std::string nearest = reader.nearest(*value.text(), ids);
+    reader.fault(place, fmt::format("there is no component '{}'", *value.text()),
+                 nearest.empty() ? "the id of a component" : "", std::move(nearest));
+    return kNoIndex;
+  }
+
+  /// Placement keys need a branch link from something that has stems.
+  static void check_placement(ParameterReader& reader, const Graph& graph, const Value& value, const Place& place,
+                              const Link& link) {
+    if (link.from == kNoIndex || graph.components[link.from].type == nullptr) return;
+    const Prototype& from = graph.components[link.from];
+    if (link.kind == LinkKind::branch && from.type->makes_stems) return;
+    for (const auto& [name, member] : *value.object()) {
+      if (placement_table().find(name) == nullptr) continue;
+      reader.fault_name(
+          Place(place, name),
+          link.kind != LinkKind::branch
+              ? fmt::format("'{}' belongs to branch links", name)
+              : fmt::format("'{}' has no meaning here, since '{}' makes no stems", name, from.id),
+          link.kind != LinkKind::branch ? "\"kind\": \"branch\", or no such key" : "a link from a component with stems",
+          "");
+    }
+  }
+
+  /// A document without a camera gets one that links to all components without a parent.
+  void add_camera(Graph& graph) const {
+    for (const Prototype& prototype : graph.components) {
+      if (prototype.type->is_camera) return;
+    }
+    std::string id = "camera";
+    while (component_by_id_.contains(id)) id += '_';
+    std::vector<bool> has_parent(graph.components.size());
+    for (const Link& link : graph.links) has_parent[link.to] = true;
+    const auto camera = static_cast<ComponentIndex>(graph.components.size());
+    for (ComponentIndex c = 0; c < camera; ++c) {
+      if (!has_parent[c]) graph.links.push_back({.from = camera, .to = c});
+    }
+    graph.components.push_back(
+        {.id = id, .type = &registry_.camera(), .parameters = registry_.camera().make_parameters()});
+  }
+
+  const Value& root_;
+  const Registry& registry_;
+  const Place top_;
+  std::unordered_map<std::string, ComponentIndex> component_by_id_;
+};
+
+}  // namespace
+
+Document read_document(std::string_view text, const std::string& file, const Registry& registry,
+                       const std::vector<Override>& overrides, std::optional<std::uint64_t> seed) {
+  Value root;
+  try {
+    root = parse_json(text);
+  } catch (const InputError& error) {
+    std::vector<Diagnostic> diagnostics = error.diagnostics();
+    for (Diagnostic& diagnostic : diagnostics) diagnostic.file = file;
+    throw InputError(std::move(diagnostics));
+  }
+  const AppliedOverrides applied = apply_overrides(root, overrides);
+  Document document;
+  std::vector<Diagnostic> diagnostics = applied.diagnostics;
+  if (!DocumentReader::has_errors(diagnostics)) diagnostics = DocumentReader(root, registry).run(document, seed);
+
+  locate_diagnostics(text, diagnostics);
+  for (Diagnostic& diagnostic : diagnostics) applied.place(diagnostic, file);
+  if (DocumentReader::has_errors(diagnostics)) throw InputError(std::move(diagnostics));
+  document.warnings = std::move(diagnostics);
+  return document;
+}
+
+}  // namespace meristem

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The plant document: what a person writes and saves, read into a graph, a scene and settings.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meristem/graph/graph.h"
+#include "meristem/graph/value.h"
+#include "meristem/scene/scene.h"
+
+namespace meristem {
+
+/// The newest format that this program reads.
+inline constexpr int kDocumentFormat = 1;
+
+/// One of the few handles that a user should see; usable by name in every expression.
+struct Variable {
+  std::string name;
+  double value = 0;
+  double min = 0;
+  double max = 1;
+  std::string unit;
+  std::string doc;
+};
+
+/// Defaults for doors that make pictures.
+struct OutputSettings {
+  std::vector<int> size{1200, 1200};  ///< width and height, pixels
+  int samples = 64;                   ///< paths a pixel
+};
+
+struct Document {
+  std::string name;
+  std::string description;
+  std::string author;
+  std::string licence;
+  std::vector<Variable> variables;
+  Graph graph;
+  Structure structure;
+  Scene scene;
+  OutputSettings output;
+  std::vector<Diagnostic> warnings;  ///< what is odd but not wrong
+};
+
+/// One `--set PATH=VALUE`: a variable's name ("age"), a component's parameter ("stem.length"), or a key
+/// ("links[1].density", "scene.latitude").
+struct Override {
+  std::string path;
+  Value value;
+};
+
+/// Splits "PATH=VALUE"; the value is JSON where it reads as such, else text. Throws InputError for other texts.
+Override parse_override(std::string_view text);
+
+/// Reads a document's text. `file` is its name in messages. Throws one InputError with all faults (up to the limit),
+/// each with line, column and document path.
+Document read_document(std::string_view text, const std::string& file, const Registry& registry,
+                       const std::vector<Override>& overrides = {}, std::optional<std::uint64_t> seed = {});
+
+/// Reads a whole file. Throws MachineError if it cannot be read, InputError if it is larger than a document may be.
+std::string read_text_file(const std::string& path);
+
+}  // namespace meristem

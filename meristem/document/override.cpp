@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/document/override.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include "meristem/document/json.h"
+
+namespace meristem {
+
+namespace {
+
+/// "links[1].density" -> "links", "[1]", "density"; empty where the path is not well formed.
+std::vector<std::string> path_elements(const std::string& path) {
+  std::vector<std::string> elements;
+  std::size_t at = 0;
+  while (at < path.size()) {
+    const bool is_index = path[at] == '[';
+    std::size_t end = is_index ? path.find(']', at) : path.find_first_of(".[", at);
+    if (is_index && end == std::string::npos) return {};
+    end = is_index ? end + 1 : std::min(end, path.size());
+    if (end == at) return {};
+    elements.push_back(path.substr(at, end - at));
+    at = end;
+    if (at < path.size() && path[at] == '.' && ++at == path.size()) return {};
+  }
+  return elements;
+}
+
+std::vector<std::string> member_names(const Value& value) {
+  std::vector<std::string> names;
+  if (const Value::Object* object = value.object()) {
+    for (const auto& [name, member] : *object) names.push_back(name);
+  }
+  return names;
+}
+
+/// The full path of what an override's path means in this document.
+std::string full_path(const Value& root, const std::string& path) {
+  const std::vector<std::string> elements = path_elements(path);
+  if (elements.empty()) return path;
+  if (elements.size() == 1) {
+    const Value* variables = root.find("variables");
+    const Value* variable = variables == nullptr ? nullptr : variables->find(path);
+    if (variable == nullptr) return "variables." + path;
+    return variable->object() == nullptr ? "variables." + path : "variables." + path + ".value";
+  }
+  const std::vector<std::string> top = {"scene", "components", "links", "variables", "output", "limits"};
+  if (std::find(top.begin(), top.end(), elements[0]) != top.end()) return path;
+  return "components." + path;
+}
+
+Diagnostic unknown(const std::string& path, std::string message, const std::string& name,
+                   const std::vector<std::string>& candidates) {
+  Diagnostic diagnostic{.message = std::move(message), .path = path};
+  diagnostic.nearest = nearest_name(name, candidates);
+  if (diagnostic.nearest.empty() && !candidates.empty()) {
+    diagnostic.expected = fmt::format("one of {}", fmt::join(candidates, ", "));
+  }
+  return diagnostic;
+}
+
+/// The place in the tree, made where it is a member that may be added; null with a fault otherwise.
+Value* find_or_add(Value& root, const std::string& path, std::vector<Diagnostic>& diagnostics) {
+  const std::vector<std::string> elements = path_elements(path);
+  Value* at = &root;
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    const std::string& element = elements[k];
+    if (element[0] == '[') {
+      std::size_t index = 0;
+      const auto parsed = std::from_chars(element.data() + 1, element.data() + element.size() - 1, index);
+      const bool good = parsed.ec == std::errc() && parsed.ptr == element.data() + element.size() - 1;
+      if (!good || at->list() == nullptr || index >= at->list()->size()) {
+        diagnostics.push_back({.message = fmt::format("there is no element {}", element),
+                               .expected = at->list() == nullptr ? at->description() + " has no elements"
+                                                                 : fmt::format("0 to {}", at->list()->size() - 1),
+                               .path = path});
+        return nullptr;
+      }
+      at = &(*at->list())[index];
+      continue;
+    }
+    Value* member = at->find(element);
+    if (member == nullptr) {
+      // New keys are added and checked by the reader, but components and variables must be there.
+      const bool is_named_thing = k == 1 && (elements[0] == "components" || elements[0] == "variables");
+      if (is_named_thing) {
+        const char* kind = elements[0] == "components" ? "component" : "variable";
+        diagnostics.push_back(
+            unknown(path, fmt::format("there is no {} '{}'", kind, element), element, member_names(*at)));
+        return nullptr;
+      }
+      if (at->is_null()) *at = Value(Value::Object{});
+      if (at->object() == nullptr) {
+        diagnostics.push_back(
+            {.message = fmt::format("{} has no member '{}'", at->description(), element), .path = path});
+        return nullptr;
+      }
+      member = &at->object()->emplace_back(element, Value()).second;
+    }
+    at = member;
+  }
+  return at;
+}
+
+}  // namespace
+
+Override parse_override(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  const std::string path(text.substr(0, equals));
+  if (equals == std::string_view::npos || path_elements(path).empty()) {
+    throw InputError(Diagnostic{.message = fmt::format("'{}' sets nothing", text),
+                                .expected = "NAME=VALUE, such as age=20, stem.length=2 or links[1].density=90"});
+  }
+  const std::string written(text.substr(equals + 1));
+  try {
+    return {path, parse_json(written)};
+  } catch (const InputError&) {
+    return {path, Value(written)};
+  }
+}
+
+AppliedOverrides apply_overrides(Value& root, const std::vector<Override>& overrides) {
+  AppliedOverrides applied;
+  for (const Override& override : overrides) {
+    const std::string path = full_path(root, override.path);
+    applied.paths.push_back(path);
+    applied.options_.push_back("--set " + override.path);
+    if (Value* target = find_or_add(root, path, applied.diagnostics)) *target = override.value;
+  }
+  return applied;
+}
+
+void AppliedOverrides::place(Diagnostic& diagnostic, const std::string& file) const {
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    const bool is_below = diagnostic.path.starts_with(paths[k]) &&
+                          (diagnostic.path.size() == paths[k].size() || diagnostic.path[paths[k].size()] == '.' ||
+                           diagnostic.path[paths[k].size()] == '[');
+    if (!is_below) continue;
+    diagnostic.file = options_[k];
+    diagnostic.line = diagnostic.column = 0;
+    return;
+  }
+  diagnostic.file = file;
+}
+
+}  // namespace meristem

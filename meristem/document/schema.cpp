@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/document/schema.h"
+
+#include <cmath>
+
+#include "meristem/document/tables.h"
+#include "meristem/graph/placement.h"
+
+namespace meristem {
+
+namespace {
+
+using Object = Value::Object;
+using List = Value::List;
+
+Object typed(const char* type) { return {{"type", type}}; }
+
+void add_bounds(Object& schema, const NumberForm& form) {
+  if (std::isfinite(form.min)) schema.emplace_back(form.above_min ? "exclusiveMinimum" : "minimum", form.min);
+  if (std::isfinite(form.max)) schema.emplace_back("maximum", form.max);
+}
+
+Value number_schema(const char* type, const NumberForm& form) {
+  Object schema = typed(type);
+  add_bounds(schema, form);
+  return schema;
+}
+
+Value list_of(Value element, std::size_t low, std::size_t high) {
+  Object schema = typed("array");
+  schema.emplace_back("items", std::move(element));
+  schema.emplace_back("minItems", static_cast<double>(low));
+  if (high > 0) schema.emplace_back("maxItems", static_cast<double>(high));
+  return schema;
+}
+
+Value any_of(List schemas) { return Object{{"anyOf", std::move(schemas)}}; }
+
+Value closed_object(Object properties, List required) {
+  Object schema = typed("object");
+  schema.emplace_back("properties", std::move(properties));
+  if (!required.empty()) schema.emplace_back("required", std::move(required));
+  schema.emplace_back("additionalProperties", false);
+  return schema;
+}
+
+/// Writes tables as schemas. In a component, numbers may vary from instance to instance.
+class SchemaWriter {
+ public:
+  explicit SchemaWriter(bool varies) : varies_(varies) {}
+
+  Value table(const ParameterTable& table, Object properties = {}, List required = {}) const {
+    const std::vector<Value> defaults = table.defaults();
+    for (std::size_t k = 0; k < table.parameters.size(); ++k) {
+      const Parameter& row = table.parameters[k];
+      Value schema = parameter(row);
+      schema.object()->emplace_back("description", description(row));
+      if (!defaults[k].is_null() && !row.required) schema.object()->emplace_back("default", defaults[k]);
+      properties.emplace_back(row.name, std::move(schema));
+      if (row.required) required.emplace_back(row.name);
+    }
+    Value schema = closed_object(std::move(properties), std::move(required));
+    for (const std::vector<std::string>& group : table.one_of) {
+      List alternatives;
+      for (const std::string& name : group) alternatives.emplace_back(Object{{"required", List{name}}});
+      schema.object()->emplace_back("oneOf", std::move(alternatives));
+    }
+    schema.object()->emplace_back("description", table.doc);
+    if (table.shorthand.empty()) return schema;
+    return any_of({parameter(*table.find(table.shorthand)), std::move(schema)});
+  }
+
+ private:
+  static std::string description(const Parameter& row) {
+    if (row.form.unit == Unit::none) return row.doc;
+    return row.doc + " Unit: " + std::string(unit_name(row.form.unit)) + ".";
+  }
+
+  Value number(const char* type, const NumberForm& form) const {
+    List forms{number_schema(type, form), Object{{"type", "string"}, {"description", "An expression."}}};
+    if (varies_ && !form.fixed) {
+      const Value range = list_of(any_of({number_schema(type, form), typed("string")}), 2, 2);
+      forms.push_back(range);
+      forms.push_back(closed_object({{"range", range}, {"apply", typed("string")}}, {}));
+    }
+    return any_of(std::move(forms));
+  }
+
+  static Value points(const NumberForm& form) {
+    return list_of(list_of(any_of({number_schema("number", form), typed("string")}), 2, 2), 1, 0);
+  }
+
+  Value parameter(const Parameter& row) const {
+    switch (row.kind) {
+      case ParameterKind::number:
+        return number("number", row.form);
+      case ParameterKind::integer:
+        return number("integer", row.form);
+      case ParameterKind::boolean:
+        return typed("boolean");
+      case ParameterKind::text:
+      case ParameterKind::condition:
+        return typed("string");
+      case ParameterKind::choice:
+        return Object{{"enum", List(row.choices.begin(), row.choices.end())}};
+      case ParameterKind::integers:
+        return list_of(number_schema("integer", row.form), row.count, row.count);
+      case ParameterKind::vector:
+        return list_of(number("number", row.form), 3, 3);
+      case ParameterKind::colour:
+        return Object{{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}};
+      case ParameterKind::curve:
+        return closed_object({{"curve", points({})}, {"kind", Object{{"enum", List{"spline", "linear"}}}}}, {"curve"});
+      case ParameterKind::points:
+        return points(row.form);
+      case ParameterKind::selection:
+        return selection();
+      case ParameterKind::object:
+        return SchemaWriter(varies_).table(*row.nested);
+      case ParameterKind::list:
+        return list_of(SchemaWriter(false).table(*row.nested), 0, 0);
+    }
+    return Object{};
+  }
+
+  static Value selection() {
+    const Value instance = number_schema("integer", {.min = 0, .max = 4294967295.0});
+    return list_of(any_of({instance, typed("string"), list_of(instance, 2, 2)}), 0, 0);
+  }
+
+  bool varies_;
+};
+
+Value component_schema(const Registry& registry) {
+  List alternatives;
+  for (const ComponentType& type : registry.types()) {
+    alternatives.push_back(
+        SchemaWriter(true).table(type.parameters, {{"type", Object{{"const", type.name}}}}, {"type"}));
+  }
+  return Object{{"oneOf", std::move(alternatives)}};
+}
+
+Value link_schema() {
+  const Value id = typed("string");
+  Object ends{{"from", id}, {"to", id}, {"kind", Object{{"enum", List{"child", "branch", "leaf"}}}}};
+  return any_of({list_of(id, 2, 2), SchemaWriter(false).table(placement_table(), std::move(ends), {"from", "to"})});
+}
+
+}  // namespace
+
+Value document_schema(const Registry& registry) {
+  Object components = typed("object");
+  components.emplace_back("propertyNames", Object{{"pattern", "^[A-Za-z0-9_]+$"}});
+  components.emplace_back("additionalProperties", component_schema(registry));
+  components.emplace_back("minProperties", 1);
+  Object variables = typed("object");
+  variables.emplace_back("additionalProperties", SchemaWriter(false).table(variable_table()));
+
+  const SchemaWriter writer(false);
+  Object properties{{"variables", std::move(variables)},
+                    {"components", std::move(components)},
+                    {"links", list_of(link_schema(), 0, 0)},
+                    {"limits", writer.table(limits_table())}};
+  const Value head = writer.table(head_table(), std::move(properties), {"components"});
+
+  Object schema{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "Meristem plant document"}};
+  schema.insert(schema.end(), head.object()->begin(), head.object()->end());
+  return schema;
+}
+
+}  // namespace meristem

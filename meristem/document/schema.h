@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "meristem/graph/component.h"
+#include "meristem/graph/value.h"
+
+namespace meristem {
+
+/// The JSON Schema (draft 7) of plant documents, made from the tables of `registry` and of the document.
+Value document_schema(const Registry& registry);
+
+}  // namespace meristem

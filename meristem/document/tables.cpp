@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/document/tables.h"
+
+#include "meristem/graph/table.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr double kLargestWhole = 9007199254740992;  // 2^53: up to here a JSON number is exact
+
+void check_sun(const SunSettings& sun, const Place& place, ParameterReader& reader) {
+  const bool by_place = sun.azimuth || sun.altitude;
+  if (by_place == sun.day.has_value()) {
+    return reader.fault(place, by_place ? "the sun is given both by its place and by a day" : "the sun has no place",
+                        R"({"azimuth": 180, "altitude": 61} or {"day": 126, "hour": 9.5})");
+  }
+  if (by_place && !(sun.azimuth && sun.altitude)) {
+    reader.fault(place, "the sun has only one of azimuth and altitude",
+                 R"(both, as in {"azimuth": 180, "altitude": 61})");
+  }
+}
+
+const ParameterTable& sun_table() {
+  static const ParameterTable table =
+      Table<SunSettings>("a sun",
+                         "Where the light comes from: a place on the sky, or a day and hour at the scene's latitude.")
+          .number("azimuth", &SunSettings::azimuth, {.unit = Unit::degree, .min = -360, .max = 360},
+                  "From north over east.")
+          .number("altitude", &SunSettings::altitude, {.unit = Unit::degree, .min = -90, .max = 90},
+                  "Over the horizon.")
+          .number("day", &SunSettings::day, {.unit = Unit::day, .min = 1, .max = 366}, "Day of the year.")
+          .number("hour", &SunSettings::hour, {.unit = Unit::hour, .min = 0, .max = 24},
+                  "True solar time; the sun is highest at 12.")
+          .check(check_sun);
+  return table;
+}
+
+const ParameterTable& ground_table() {
+  static const ParameterTable table = Table<GroundSettings>("a ground", "The ground in pictures.")
+                                          .colour("colour", &GroundSettings::colour, "Of the bare ground.");
+  return table;
+}
+
+const ParameterTable& scene_table() {
+  static const ParameterTable table =
+      Table<SceneSettings>("a scene", "What surrounds the plants.")
+          .number("latitude", &SceneSettings::latitude, {.unit = Unit::degree, .min = -90, .max = 90},
+                  "Of the place, north positive; needed for a sun with a day.")
+          .object("sun", &SceneSettings::sun, sun_table(), "Light from the zenith if not given.")
+          .object("ground", &SceneSettings::ground, ground_table(), "The ground in pictures.")
+          .check([](const SceneSettings& scene, const Place& place, ParameterReader& reader) {
+            if (scene.sun && scene.sun->day && !scene.latitude) {
+              reader.fault(Place(place, "sun"), "a sun with a day needs a latitude", R"("latitude" in the scene)");
+            }
+          });
+  return table;
+}
+
+const ParameterTable& output_table() {
+  static const ParameterTable table =
+      Table<OutputSettings>("an output", "Defaults for pictures.")
+          .integers("size", &OutputSettings::size, 2, {.min = 1, .max = 16384}, "Width and height of pictures, pixels.")
+          .integer("samples", &OutputSettings::samples, {.min = 1, .max = 65536},
+                   "Paths a pixel; raised, less noise and slower.");
+  return table;
+}
+
+}  // namespace
+
+const ParameterTable& head_table() {
+  static const ParameterTable table =
+      Table<DocumentHead>("a document", "A plant document.")
+          .integer("meristem", &DocumentHead::format, {.min = 1, .max = kDocumentFormat}, "The format's version.")
+          .required()
+          .text("name", &DocumentHead::name, "What the plant is called.")
+          .text("description", &DocumentHead::description, "One or two sentences about it.")
+          .text("author", &DocumentHead::author, "Who made it; carried into exports.")
+          .text("licence", &DocumentHead::licence, "Under which it may be used; carried into exports.")
+          .integer("seed", &DocumentHead::seed, {.min = 0, .max = kLargestWhole}, "All that is random comes from it.")
+          .object("scene", &DocumentHead::scene, scene_table(), "What surrounds the plants.")
+          .object("output", &DocumentHead::output, output_table(), "Defaults for pictures.")
+          .elsewhere({"variables", "components", "links", "limits"});
+  return table;
+}
+
+const ParameterTable& variable_table() {
+  static const ParameterTable table = Table<Variable>("a variable", "A handle that expressions use by name.")
+                                          .number("value", &Variable::value, {}, "Its value unless set otherwise.")
+                                          .required()
+                                          .number("min", &Variable::min, {}, "Least sensible value.")
+                                          .number("max", &Variable::max, {}, "Greatest sensible value.")
+                                          .text("unit", &Variable::unit, "As shown to the user.")
+                                          .text("doc", &Variable::doc, "What it does, in one sentence.")
+                                          .shorthand("value");
+  return table;
+}
+
+const ParameterTable& limits_table() {
+  static const ParameterTable table =
+      Table<Limits>("limits", "Bounds on what the document may ask for; past them growth stops with an error.")
+          .integer("diagnostics", &Limits::diagnostics, {.min = 1, .max = 10000}, "Faults reported at once.")
+          .integer("expression_bytes", &Limits::expression_bytes, {.min = 1, .max = 1e6}, "Length of one expression.")
+          .integer("points", &Limits::points, {.min = 1, .max = 4e9}, "Attraction points of a tree.")
+          .integer("nodes", &Limits::nodes, {.min = 1, .max = 4e9}, "Skeleton nodes.")
+          .integer("instances", &Limits::instances, {.min = 1, .max = 4e9}, "Instances of components in all.")
+          .integer("triangles", &Limits::triangles, {.min = 1, .max = kLargestWhole}, "Triangles after instancing.")
+          .integer("mesh_bytes", &Limits::mesh_bytes, {.min = 1, .max = kLargestWhole}, "Bytes of distinct geometry.");
+  return table;
+}
+
+}  // namespace meristem

@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <thread>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -172,7 +171,7 @@ TEST_F(AtomicFileTest, FullDeviceIsAnErrorWithPathAndReason) {
 TEST_F(AtomicFileTest, FullDiskLeavesTheOldFileAndNoRemains) {
   write_file(at("file"), "before");
   const FileSizeLimit limit(2'000'000);
-  EXPECT_THAT(complaint(at("file").string(), 5'000'000), testing::HasSubstr("File too large"));
+  EXPECT_TRUE(complaint(at("file").string(), 5'000'000).ends_with("File too large"));
   EXPECT_EQ(content_of(at("file")), "before");
   EXPECT_EQ(entry_count(), 1);
 }
@@ -187,7 +186,7 @@ TEST_F(AtomicFileTest, RejectsPathsThatCannotBeWritten) {
   EXPECT_EQ(complaint(path("")), "cannot write '" + path("") + "': Is a directory");
   EXPECT_EQ(complaint(path("loop")), "cannot write '" + path("loop") + "': Too many levels of symbolic links");
   EXPECT_EQ(complaint(""), "cannot write '': No such file or directory");
-  EXPECT_THAT(complaint(path(std::string(256, 'n'))), testing::HasSubstr("File name too long"));
+  EXPECT_TRUE(complaint(path(std::string(256, 'n'))).ends_with("File name too long"));
   EXPECT_EQ(content_of(at("file")), "before");
   EXPECT_EQ(entry_count(), 2);
 }
@@ -196,10 +195,10 @@ TEST_F(AtomicFileTest, RejectsAReadOnlyFileAndAReadOnlyDirectory) {
   if (::geteuid() == 0) GTEST_SKIP() << "the superuser may write anywhere";
   write_file(at("file"), "before");
   fs::permissions(at("file"), fs::perms(0444));
-  EXPECT_THAT(complaint(at("file").string()), testing::HasSubstr("Permission denied"));
+  EXPECT_TRUE(complaint(at("file").string()).ends_with("Permission denied"));
   fs::create_directory(at("folder"));
   fs::permissions(at("folder"), fs::perms(0555));
-  EXPECT_THAT(complaint(at("folder/file").string()), testing::HasSubstr("Permission denied"));
+  EXPECT_TRUE(complaint(at("folder/file").string()).ends_with("Permission denied"));
   EXPECT_EQ(content_of(at("file")), "before");
 }
 

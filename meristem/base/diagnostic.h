@@ -49,7 +49,8 @@ class MachineError : public std::runtime_error {
 };
 
 /// The candidate nearest to `name` by edits (insert, delete, replace, swap neighbours; capitals count as equal), or
-/// empty where none is within a third of the name's length. Ties go to the earlier candidate.
+/// empty where none is within a third of the name's length. Ties go to the earlier candidate. Names and candidates over
+/// 100 bytes do not count.
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
 
 }  // namespace meristem

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Post-processing of grown skeletons; each step gives a new skeleton with births kept (interpolated), axes and radii
-// not yet assigned. Order of use: decimate, relax, subdivide. A branch here is the run of nodes between a root or fork
-// and the next fork or tip.
+// Post-processing of grown skeletons. Births and extra columns are kept (interpolated where nodes are new); axes,
+// orders and radii are assigned afterwards. Order of use: decimate, relax, subdivide. A branch here is the run of nodes
+// between a root or fork and the next fork or tip.
 //
 // Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund
 // 2020, section 3.5.2 (equation 3.21 corrected, see relax_angles).
@@ -22,7 +22,7 @@ void relax_angles(Skeleton& skeleton);
 
 /// Replaces the nodes of each branch by points at equal arc distance, near `spacing` metres, on the natural spline
 /// through them (parametrised by chord length; branches with fewer than three nodes by the straight line). The ends of
-/// branches stay where they are.
+/// branches stay where they are. Throws std::invalid_argument unless `spacing` is above 0.
 Skeleton subdivide(const Skeleton& skeleton, double spacing);
 
 }  // namespace meristem

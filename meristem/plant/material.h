@@ -9,11 +9,11 @@ namespace meristem {
 
 /// How a surface looks. Colours are sRGB in [0, 1], as documents write them.
 struct Material {
-  std::string name;            ///< the component's id; groups and materials in exports carry it
+  std::string name;  ///< the component's id; groups and materials in exports carry it
   Vec3 colour{0.5F};
-  float roughness = 0.8F;      ///< 0 mirror-like, 1 matt
-  float translucency = 0;      ///< share of light that passes through a thin blade, 0 for wood
-  bool two_sided = false;      ///< blades are seen from both sides
+  float roughness = 0.8F;  ///< 0 mirror-like, 1 matt
+  float translucency = 0;  ///< share of light that passes through a thin blade, 0 for wood
+  bool two_sided = false;  ///< blades are seen from both sides
 
   bool operator==(const Material&) const = default;
 };

@@ -1,1 +1,66 @@
 // SPDX-License-Identifier: Apache-2.0
+// With equal tips the pipe law r^n = sum of the children's r^n solves to r = tip_radius * tips^(1/n), where tips counts
+// those at or beyond the node: whole numbers are summed, so no rounding builds up from the tips to the root, and nodes
+// that do not fork take their child's radius unchanged.
+#include "meristem/plant/pipe_radii.h"
+
+#include <cassert>
+#include <limits>
+#include <stdexcept>
+
+#include "meristem/base/math.h"
+
+namespace meristem {
+namespace {
+
+std::vector<std::uint32_t> count_tips(const Skeleton& skeleton) {
+  std::vector<std::uint32_t> tips(skeleton.node_count(), 0);
+  for (std::size_t node = skeleton.node_count(); node-- > 0;) {
+    if (tips[node] == 0) tips[node] = 1;
+    const NodeIndex parent = skeleton.parent[node];
+    if (parent != kNoNode) tips[parent] += tips[node];
+  }
+  return tips;
+}
+
+}  // namespace
+
+void assign_pipe_radii(Skeleton& skeleton, const PipeModel& model) {
+  if (!(model.tip_radius > 0 && model.exponent > 0)) throw std::invalid_argument("pipe model: numbers above 0 wanted");
+  const std::vector<std::uint32_t> tips = count_tips(skeleton);
+  // Parents come first, and most nodes continue theirs without a fork.
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    const NodeIndex parent = skeleton.parent[node];
+    if (parent != kNoNode && tips[node] == tips[parent]) {
+      skeleton.radius[node] = skeleton.radius[parent];
+    } else {
+      skeleton.radius[node] = static_cast<float>(model.tip_radius * math::pow(tips[node], 1 / model.exponent));
+    }
+  }
+}
+
+void assign_axes(Skeleton& skeleton) {
+  // Find for each node the child that continues its axis.
+  std::vector<NodeIndex> heir(skeleton.node_count(), kNoNode);
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    const NodeIndex parent = skeleton.parent[node];
+    if (parent == kNoNode) continue;
+    if (heir[parent] == kNoNode || skeleton.radius[node] > skeleton.radius[heir[parent]]) heir[parent] = node;
+  }
+  // Continue the parent's axis there, and begin new ones elsewhere.
+  AxisIndex axes = 0;
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    const NodeIndex parent = skeleton.parent[node];
+    if (parent != kNoNode && heir[parent] == node) {
+      skeleton.axis[node] = skeleton.axis[parent];
+      skeleton.order[node] = skeleton.order[parent];
+    } else {
+      assert(parent == kNoNode || skeleton.order[parent] < std::numeric_limits<std::uint16_t>::max());
+      skeleton.axis[node] = axes++;
+      skeleton.order[node] =
+          parent == kNoNode ? std::uint16_t{0} : static_cast<std::uint16_t>(skeleton.order[parent] + 1);
+    }
+  }
+}
+
+}  // namespace meristem

@@ -11,7 +11,8 @@ struct PipeModel {
 };
 
 /// Sets all radii by the pipe model: at a fork the parent's radius to the power of the exponent is the sum of its
-/// children's; tips have the tip radius. (Murray's and da Vinci's rule; colonize.md, Radii.)
+/// children's; tips have the tip radius. Throws std::invalid_argument unless both numbers are above 0.
+/// (Murray's rule with exponent 3, da Vinci's with 2.)
 void assign_pipe_radii(Skeleton& skeleton, const PipeModel& model);
 
 /// Sets `axis` and `order` from radii: the child with the largest radius continues its parent's axis (tie: the lower

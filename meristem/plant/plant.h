@@ -19,19 +19,19 @@ namespace meristem {
 struct Surface {
   enum class Style { tubes };
   Style style = Style::tubes;
-  int sides = 8;              ///< sides of the thickest tube; thinner ones have fewer. More: rounder, more triangles
-  float uv_scale = 1;         ///< metres of bark that one texture tile covers
+  int sides = 8;       ///< sides of the thickest tube; thinner ones have fewer. More: rounder, more triangles
+  float uv_scale = 1;  ///< metres of bark that one texture tile covers
 
   bool operator==(const Surface&) const = default;
 };
 
 /// One grown skeleton with its looks.
 struct Stem {
-  std::string component;      ///< id in the document
-  std::uint32_t instance = 0; ///< which instance of that component
-  std::uint32_t material = 0; ///< index into Plant::materials
+  std::string component;       ///< id in the document
+  std::uint32_t instance = 0;  ///< which instance of that component
+  std::uint32_t material = 0;  ///< index into Plant::materials
   Surface surface;
-  Skeleton skeleton;          ///< in world space
+  Skeleton skeleton;  ///< in world space
 };
 
 /// Geometry that many organs share.
@@ -43,9 +43,9 @@ struct OrganPrototype {
 
 /// One instance of a prototype.
 struct Organ {
-  Frame frame;                ///< from the organ's own frame to the world; may scale
+  Frame frame;  ///< from the organ's own frame to the world; may scale
   std::uint32_t prototype = 0;
-  float birth = 0;            ///< growth step at which it appeared
+  float birth = 0;  ///< growth step at which it appeared
 };
 
 struct Plant {

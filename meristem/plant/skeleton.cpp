@@ -1,1 +1,103 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "meristem/plant/skeleton.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <type_traits>
+
+#include "meristem/base/hash.h"
+
+namespace meristem {
+
+void Skeleton::reserve(std::size_t nodes) {
+  parent.reserve(nodes);
+  position.reserve(nodes);
+  radius.reserve(nodes);
+  axis.reserve(nodes);
+  order.reserve(nodes);
+  birth.reserve(nodes);
+  for (auto& [name, values] : extra) values.reserve(nodes);
+}
+
+NodeIndex Skeleton::add_node(NodeIndex parent_node, Vec3 node_position, float node_birth) {
+  const auto node = static_cast<NodeIndex>(node_count());
+  assert(parent_node == kNoNode || parent_node < node);
+  parent.push_back(parent_node);
+  position.push_back(node_position);
+  radius.push_back(0);
+  axis.push_back(0);
+  order.push_back(0);
+  birth.push_back(node_birth);
+  for (auto& [name, values] : extra) values.push_back(0);
+  return node;
+}
+
+Children::Children(const Skeleton& skeleton) : first(skeleton.node_count() + 1, 0) {
+  const std::size_t nodes = skeleton.node_count();
+  // Count the children of each node, one place further on.
+  for (const NodeIndex parent : skeleton.parent) {
+    if (parent != kNoNode) ++first[parent + 1];
+  }
+  // Sum up, so that each entry is where a node's children begin.
+  for (std::size_t node = 0; node < nodes; ++node) first[node + 1] += first[node];
+  // Put every node in its parent's next free place.
+  child.resize(first[nodes]);
+  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+  for (NodeIndex node = 0; node < nodes; ++node) {
+    if (!skeleton.is_root(node)) child[next[skeleton.parent[node]]++] = node;
+  }
+}
+
+Axes::Axes(const Skeleton& skeleton) {
+  AxisIndex axes = 0;
+  for (const AxisIndex axis : skeleton.axis) axes = std::max(axes, axis + 1);
+  first.assign(axes + 1, 0);
+  for (const AxisIndex axis : skeleton.axis) ++first[axis + 1];
+  for (AxisIndex axis = 0; axis < axes; ++axis) first[axis + 1] += first[axis];
+  node.resize(skeleton.node_count());
+  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+  for (NodeIndex index = 0; index < skeleton.node_count(); ++index) node[next[skeleton.axis[index]]++] = index;
+}
+
+std::vector<float> tip_distance(const Skeleton& skeleton) {
+  std::vector<float> distance(skeleton.node_count(), 0);
+  for (std::size_t node = skeleton.node_count(); node-- > 0;) {
+    const NodeIndex parent = skeleton.parent[node];
+    if (parent == kNoNode) continue;
+    const float segment = glm::distance(skeleton.position[node], skeleton.position[parent]);
+    distance[parent] = std::max(distance[parent], distance[node] + segment);
+  }
+  return distance;
+}
+
+Box bounds(const Skeleton& skeleton) {
+  Box box;
+  for (std::size_t node = 0; node < skeleton.node_count(); ++node) {
+    box.add(skeleton.position[node] - skeleton.radius[node]);
+    box.add(skeleton.position[node] + skeleton.radius[node]);
+  }
+  return box;
+}
+
+std::string skeleton_hash(const Skeleton& skeleton) {
+  std::vector<std::byte> bytes;
+  const auto append = [&bytes]<class T>(const std::vector<T>& column) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    const auto view = std::as_bytes(std::span(column));
+    bytes.insert(bytes.end(), view.begin(), view.end());
+  };
+  append(skeleton.parent);
+  append(skeleton.position);
+  append(skeleton.radius);
+  append(skeleton.axis);
+  append(skeleton.order);
+  append(skeleton.birth);
+  for (const auto& [name, values] : skeleton.extra) {
+    append(std::vector<char>(name.begin(), name.end()));
+    append(values);
+  }
+  return hash128_hex(bytes);
+}
+
+}  // namespace meristem

@@ -19,16 +19,16 @@ inline constexpr NodeIndex kNoNode = 0xffffffffU;
 
 /// Nodes joined by segments from parent to child. All columns have one entry a node.
 ///
-/// A parent's index is smaller than its children's, so plain loops run from root to tips and back, and nothing recurses.
-/// A node belongs to the axis on which it lies; the first node of a lateral axis is the first one after the fork, and
-/// its parent lies on the mother axis.
+/// A parent's index is smaller than its children's, so plain loops run from root to tips and back, and nothing
+/// recurses. A node belongs to the axis on which it lies; the first node of a lateral axis is the first one after the
+/// fork, and its parent lies on the mother axis.
 struct Skeleton {
-  std::vector<NodeIndex> parent;      ///< kNoNode for roots
-  std::vector<Vec3> position;         ///< metres
-  std::vector<float> radius;          ///< metres, at the node
-  std::vector<AxisIndex> axis;        ///< rising from 0 in the order of the axes' first nodes
-  std::vector<std::uint16_t> order;   ///< branching order: 0 on the stem, one more at each lateral
-  std::vector<float> birth;           ///< growth step at which the node appeared
+  std::vector<NodeIndex> parent;     ///< kNoNode for roots
+  std::vector<Vec3> position;        ///< metres
+  std::vector<float> radius;         ///< metres, at the node
+  std::vector<AxisIndex> axis;       ///< rising from 0 in the order of the axes' first nodes
+  std::vector<std::uint16_t> order;  ///< branching order: 0 on the stem, one more at each lateral
+  std::vector<float> birth;          ///< growth step at which the node appeared
   std::map<std::string, std::vector<float>, std::less<>> extra;  ///< further columns where known: light, resource, ...
 
   std::size_t node_count() const { return parent.size(); }
@@ -69,7 +69,7 @@ std::vector<float> tip_distance(const Skeleton& skeleton);
 /// The bounding box of all nodes, radii included.
 Box bounds(const Skeleton& skeleton);
 
-/// Bytes of all columns: what tests hash to compare skeletons.
+/// Hash of the bytes of all columns as 32 hexadecimal digits: equal for equal skeletons, whatever made them.
 std::string skeleton_hash(const Skeleton& skeleton);
 
 }  // namespace meristem

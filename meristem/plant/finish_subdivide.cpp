@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "meristem/base/curve.h"
+#include "meristem/plant/finish.h"
+
+namespace meristem {
+namespace {
+
+// A branch's nodes with the chord length at which each lies. Nodes that stand on their predecessor are left out, so
+// chords rise strictly.
+struct Branch {
+  std::vector<NodeIndex> node;
+  std::vector<float> chord;
+
+  float length() const { return chord.back(); }
+};
+
+constexpr int kSamplesPerPiece = 8;  // straight pieces by which the arc between two nodes is measured
+
+Branch trace_branch(const Skeleton& skeleton, const Children& children, NodeIndex first) {
+  Branch branch{{skeleton.parent[first]}, {0}};
+  for (NodeIndex node = first;; node = children.of(node)[0]) {
+    const Vec3 from = skeleton.position[branch.node.back()];
+    const float chord = branch.length() + glm::distance(from, skeleton.position[node]);
+    const bool is_end = children.of(node).size() != 1;
+    if (chord > branch.length()) {
+      branch.node.push_back(node);
+      branch.chord.push_back(chord);
+    } else if (is_end && branch.node.size() > 1) {
+      branch.node.back() = node;
+    } else if (is_end) {
+      branch.node.push_back(node);
+      branch.chord.push_back(0);
+    }
+    if (is_end) return branch;
+  }
+}
+
+// The way through a branch's nodes as a function of chord length.
+class BranchCurve {
+ public:
+  BranchCurve(const Skeleton& skeleton, const Branch& branch)
+      : x_(coordinate(skeleton, branch, 0)), y_(coordinate(skeleton, branch, 1)), z_(coordinate(skeleton, branch, 2)) {}
+
+  DVec3 operator()(double chord) const { return {x_(chord), y_(chord), z_(chord)}; }
+
+ private:
+  static Curve coordinate(const Skeleton& skeleton, const Branch& branch, int axis) {
+    std::vector<Vec2> points;
+    points.reserve(branch.node.size());
+    for (std::size_t k = 0; k < branch.node.size(); ++k) {
+      points.emplace_back(branch.chord[k], skeleton.position[branch.node[k]][axis]);
+    }
+    return Curve(std::move(points), branch.node.size() < 3 ? CurveKind::linear : CurveKind::spline);
+  }
+
+  Curve x_, y_, z_;
+};
+
+// Chord and arc length at points close along the curve.
+struct ArcTable {
+  std::vector<double> chord;
+  std::vector<double> arc;
+};
+
+ArcTable measure_arc(const Branch& branch, const BranchCurve& curve) {
+  ArcTable table{{0}, {0}};
+  DVec3 previous = curve(0);
+  for (std::size_t k = 1; k < branch.node.size(); ++k) {
+    const double from = branch.chord[k - 1];
+    const double piece = branch.chord[k] - from;
+    for (int sample = 1; sample <= kSamplesPerPiece; ++sample) {
+      const double chord = from + piece * sample / kSamplesPerPiece;
+      const DVec3 point = curve(chord);
+      table.chord.push_back(chord);
+      table.arc.push_back(table.arc.back() + glm::distance(previous, point));
+      previous = point;
+    }
+  }
+  return table;
+}
+
+// The new tree under way, and for each old fork, root or tip its new index.
+struct Subdivision {
+  const Skeleton& old;
+  Skeleton result;
+  std::vector<NodeIndex> renumbered;
+
+  // A node between two old ones of which it takes `share` of the second.
+  NodeIndex add_between(NodeIndex parent, Vec3 position, NodeIndex low, NodeIndex high, float share) {
+    const auto mixed = [&](const std::vector<float>& column) {
+      const auto [least, most] = std::minmax(column[low], column[high]);
+      return std::clamp(column[low] + share * (column[high] - column[low]), least, most);
+    };
+    const NodeIndex node = result.add_node(parent, position, mixed(old.birth));
+    for (auto& [name, values] : result.extra) values.back() = mixed(old.extra.find(name)->second);
+    return node;
+  }
+
+  NodeIndex add_copy(NodeIndex parent, NodeIndex node) {
+    return renumbered[node] = add_between(parent, old.position[node], node, node, 0);
+  }
+};
+
+void add_inner_nodes(Subdivision& subdivision, const Branch& branch, double spacing, NodeIndex& last) {
+  const BranchCurve curve(subdivision.old, branch);
+  const ArcTable table = measure_arc(branch, curve);
+  const double length = table.arc.back();
+  const double segments = std::max(1.0, std::round(length / spacing));
+  std::size_t sample = 1;
+  std::size_t piece = 1;
+  for (double k = 1; k < segments; ++k) {
+    // Find the chord length that belongs to this arc length, and the old nodes on both sides.
+    const double arc = length * k / segments;
+    while (table.arc[sample] < arc) ++sample;
+    const double share = (arc - table.arc[sample - 1]) / (table.arc[sample] - table.arc[sample - 1]);
+    const double chord = table.chord[sample - 1] + share * (table.chord[sample] - table.chord[sample - 1]);
+    while (branch.chord[piece] < chord && piece + 1 < branch.chord.size()) ++piece;
+    const double from = branch.chord[piece - 1];
+    const double along = (chord - from) / (branch.chord[piece] - from);
+    last = subdivision.add_between(last, Vec3(curve(chord)), branch.node[piece - 1], branch.node[piece],
+                                   static_cast<float>(along));
+  }
+}
+
+}  // namespace
+
+Skeleton subdivide(const Skeleton& skeleton, double spacing) {
+  if (!(spacing > 0)) throw std::invalid_argument("subdivide: a spacing above 0 wanted");
+  const Children children(skeleton);
+  Subdivision subdivision{skeleton, {}, std::vector<NodeIndex>(skeleton.node_count(), kNoNode)};
+  for (const auto& [name, values] : skeleton.extra) subdivision.result.extra[name];
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    const NodeIndex parent = skeleton.parent[node];
+    if (parent == kNoNode) {
+      subdivision.add_copy(kNoNode, node);
+      continue;
+    }
+    // Branches begin at the children of roots and forks; both have their new index by then.
+    if (!skeleton.is_root(parent) && children.of(parent).size() == 1) continue;
+    const Branch branch = trace_branch(skeleton, children, node);
+    NodeIndex last = subdivision.renumbered[parent];
+    if (branch.length() > 0) add_inner_nodes(subdivision, branch, spacing, last);
+    subdivision.add_copy(last, branch.node.back());
+  }
+  return std::move(subdivision.result);
+}
+
+}  // namespace meristem

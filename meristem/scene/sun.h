@@ -23,7 +23,8 @@ struct SkyDirection {
 double declination(double day);
 
 /// Where the sun stands at `latitude` (radians, north positive) on `day` at `hour`; below the horizon at night.
-/// Exactly overhead or at a pole, where no azimuth is defined, it is that of the limit toward noon (south or north).
+/// Exactly overhead, where no azimuth is defined, it is south (north in the southern hemisphere). At a pole it is the
+/// limit of latitudes toward it: 180° at noon at the north pole, and it turns by 15° an hour.
 SkyDirection sun_position(double latitude, double day, double hour);
 
 /// Hours of sunrise and sunset; nothing in the polar night, {0, 24} on the polar day.

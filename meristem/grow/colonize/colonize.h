@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Space colonization: a skeleton grows into a cloud of attraction points. Each step every living point pulls its nearest
-// node, nodes that are pulled get a child toward the mean direction, and points that a node has come near to are used up.
+// Space colonization: a skeleton grows into a cloud of attraction points. Each step every living point pulls its
+// nearest node, nodes that are pulled get a child toward the mean direction, and points that a node has come near to
+// are used up.
 //
 // Based on: A. Runions, B. Lane, P. Prusinkiewicz: Modeling trees with a space colonization algorithm (2007), and
 // J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund 2020, ch. 3.
@@ -26,18 +27,22 @@ struct Finish {
 };
 
 struct ColonizeParameters {
-  double step = 0.05;       ///< metres between nodes; smaller: finer and slower
-  double influence = 0.6;   ///< metres within which a point pulls; larger: smoother, sparser branches
-  double kill = 0.3;        ///< metres within which a node uses up a point; smaller: denser twigs
-  int iterations = 1000;    ///< at most so many steps
-  Vec3 bias{0};             ///< added to each growth direction: (0, 0.2, 0) makes all grow upward a little
+  double step = 0.05;      ///< metres between nodes; smaller: finer and slower
+  double influence = 0.6;  ///< metres within which a point pulls, may be infinite; larger: smoother, sparser branches
+  double kill = 0.3;       ///< metres within which a node uses up a point that it pulls; smaller: denser twigs
+  int iterations = 1000;   ///< at most so many steps
+  Vec3 bias{0};            ///< added to each growth direction: (0, 0.2, 0) makes all grow upward a little
   Finish finish;
   PipeModel radii;
 };
 
 /// A colonizing plant with its root at `root` among `points` (world space). `key` breaks ties; `component` is the id
-/// that limit errors name. If no point is within the influence distance of the root, a straight stem grows toward the
-/// nearest point until one is.
+/// that errors name. If no point is within the influence distance of the root, a straight stem grows toward the nearest
+/// point until one is. Without points the plant is its root alone.
+///
+/// Growth throws InputError where the crown is out of reach of the iterations, or where points or nodes exceed the
+/// limits; std::invalid_argument for points that are not finite. make_colonizer itself throws std::invalid_argument
+/// unless step, influence and kill distance are above 0 and iterations at least 0.
 std::unique_ptr<Grower> make_colonizer(Vec3 root, std::vector<Vec3> points, const ColonizeParameters& parameters,
                                        RandomKey key, const Limits& limits, std::string component);
 

@@ -26,18 +26,18 @@ const ParameterTable& view_table() {
 }  // namespace
 
 ComponentType camera_component() {
-  return define_component<Camera>({
+  return define_component<CameraParameters>({
       .name = "camera",
       .doc = "The view of pictures and the root of the graph.",
-      .parameters = Table<Camera>("a camera", "The view of pictures and the root of the graph.")
-                        .members(&Camera::view, view_table()),
+      .parameters = Table<CameraParameters>("a camera", "The view of pictures and the root of the graph.")
+                        .members(&CameraParameters::view, view_table()),
       .is_camera = true,
-      .expand = [](const Camera&, const Site&, Emitter&) {},
+      .expand = [](const CameraParameters&, const Site&, Emitter&) {},
   });
 }
 
 const View& camera_view(const Graph& graph, const Structure& structure) {
-  return static_cast<const Camera*>(graph.components[structure.root].parameters.get())->view;
+  return static_cast<const CameraParameters*>(graph.components[structure.root].parameters.get())->view;
 }
 
 }  // namespace meristem

@@ -7,7 +7,7 @@
 namespace meristem {
 
 /// The root of every graph: the view, and the frame in which the plants stand.
-struct Camera : ComponentBase {
+struct CameraParameters : ComponentBase {
   View view;
 };
 

@@ -286,23 +286,33 @@ class DocumentReader {
 
 }  // namespace
 
-Document read_document(std::string_view text, const std::string& file, const Registry& registry,
-                       const std::vector<Override>& overrides, std::optional<std::uint64_t> seed) {
-  Value root;
-  try {
-    root = parse_json(text);
-  } catch (const InputError& error) {
-    std::vector<Diagnostic> diagnostics = error.diagnostics();
-    for (Diagnostic& diagnostic : diagnostics) diagnostic.file = file;
-    throw InputError(std::move(diagnostics));
-  }
-  const AppliedOverrides applied = apply_overrides(root, overrides);
-  Document document;
-  std::vector<Diagnostic> diagnostics = applied.diagnostics;
-  if (!DocumentReader::has_errors(diagnostics)) diagnostics = DocumentReader(root, registry).run(document, seed);
-
+void Source::place(std::vector<Diagnostic>& diagnostics) const {
   locate_diagnostics(text, diagnostics);
-  for (Diagnostic& diagnostic : diagnostics) applied.place(diagnostic, file);
+  for (Diagnostic& diagnostic : diagnostics) {
+    diagnostic.file = file;
+    for (std::size_t k = 0; k < overridden.size(); ++k) {
+      const std::string_view rest =
+          std::string_view(diagnostic.path).substr(std::min(diagnostic.path.size(), overridden[k].size()));
+      if (!diagnostic.path.starts_with(overridden[k]) || !(rest.empty() || rest[0] == '.' || rest[0] == '[')) continue;
+      diagnostic.file = "--set " + override_paths[k];
+      diagnostic.line = diagnostic.column = 0;
+    }
+  }
+}
+
+Document read_document(std::string text, const std::string& file, const Registry& registry,
+                       const std::vector<Override>& overrides, std::optional<std::uint64_t> seed) {
+  Document document;
+  document.source = {.file = file, .text = std::move(text)};
+  std::vector<Diagnostic> diagnostics;
+  try {
+    Value root = parse_json(document.source.text);
+    apply_overrides(root, overrides, document.source, diagnostics);
+    if (diagnostics.empty()) diagnostics = DocumentReader(root, registry).run(document, seed);
+  } catch (const InputError& error) {
+    diagnostics = error.diagnostics();
+  }
+  document.source.place(diagnostics);
   if (DocumentReader::has_errors(diagnostics)) throw InputError(std::move(diagnostics));
   document.warnings = std::move(diagnostics);
   return document;

@@ -32,6 +32,24 @@ struct OutputSettings {
   int samples = 64;                   ///< paths a pixel
 };
 
+/// One `--set PATH=VALUE`: a variable's name ("age"), a component's parameter ("stem.length"), or a key
+/// ("links[1].density", "scene.latitude").
+struct Override {
+  std::string path;
+  Value value;
+};
+
+/// Where a document came from, for messages and for editors that patch the text.
+struct Source {
+  std::string file;  ///< its name in messages
+  std::string text;
+  std::vector<std::string> overridden;      ///< document paths that an override has set
+  std::vector<std::string> override_paths;  ///< the same, as the user wrote them
+
+  /// Gives diagnostics with a path their file, line and column: in the text, or the override that brought the value.
+  void place(std::vector<Diagnostic>& diagnostics) const;
+};
+
 struct Document {
   std::string name;
   std::string description;
@@ -42,14 +60,8 @@ struct Document {
   Structure structure;
   Scene scene;
   OutputSettings output;
+  Source source;
   std::vector<Diagnostic> warnings;  ///< what is odd but not wrong
-};
-
-/// One `--set PATH=VALUE`: a variable's name ("age"), a component's parameter ("stem.length"), or a key
-/// ("links[1].density", "scene.latitude").
-struct Override {
-  std::string path;
-  Value value;
 };
 
 /// Splits "PATH=VALUE"; the value is JSON where it reads as such, else text. Throws InputError for other texts.
@@ -57,7 +69,7 @@ Override parse_override(std::string_view text);
 
 /// Reads a document's text. `file` is its name in messages. Throws one InputError with all faults (up to the limit),
 /// each with line, column and document path.
-Document read_document(std::string_view text, const std::string& file, const Registry& registry,
+Document read_document(std::string text, const std::string& file, const Registry& registry,
                        const std::vector<Override>& overrides = {}, std::optional<std::uint64_t> seed = {});
 
 /// Reads a whole file. Throws MachineError if it cannot be read, InputError if it is larger than a document may be.

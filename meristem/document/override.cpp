@@ -122,28 +122,14 @@ Override parse_override(std::string_view text) {
   }
 }
 
-AppliedOverrides apply_overrides(Value& root, const std::vector<Override>& overrides) {
-  AppliedOverrides applied;
+void apply_overrides(Value& root, const std::vector<Override>& overrides, Source& source,
+                     std::vector<Diagnostic>& diagnostics) {
   for (const Override& override : overrides) {
     const std::string path = full_path(root, override.path);
-    applied.paths.push_back(path);
-    applied.options_.push_back("--set " + override.path);
-    if (Value* target = find_or_add(root, path, applied.diagnostics)) *target = override.value;
+    source.overridden.push_back(path);
+    source.override_paths.push_back(override.path);
+    if (Value* target = find_or_add(root, path, diagnostics)) *target = override.value;
   }
-  return applied;
-}
-
-void AppliedOverrides::place(Diagnostic& diagnostic, const std::string& file) const {
-  for (std::size_t k = 0; k < paths.size(); ++k) {
-    const bool is_below = diagnostic.path.starts_with(paths[k]) &&
-                          (diagnostic.path.size() == paths[k].size() || diagnostic.path[paths[k].size()] == '.' ||
-                           diagnostic.path[paths[k].size()] == '[');
-    if (!is_below) continue;
-    diagnostic.file = options_[k];
-    diagnostic.line = diagnostic.column = 0;
-    return;
-  }
-  diagnostic.file = file;
 }
 
 }  // namespace meristem

@@ -50,7 +50,7 @@ Ground ground_below(const MeshScene& meshes, const Scene& scene) {
   ground.centre = box.is_empty() ? Vec3(0) : box.centre();
   const float lowest = box.is_empty() ? 0 : box.low.y;
   ground.height = std::abs(lowest) < 0.05F * extent ? 0 : lowest;
-  ground.fade_distance = 2.2F * extent;
+  ground.fade_distance = 1.2F * extent;
   return ground;
 }
 
@@ -63,9 +63,12 @@ float dither(int x, int y) {
 class Developer {
  public:
   Developer(const View& view, const StillOptions& options, float exposure)
-      : background_(view.background), exposure_(exposure), keeps_alpha_(options.transparent) {}
+      : background_(view.background.value_or(Vec3(0))),
+        shows_background_(view.background.has_value()),
+        exposure_(exposure),
+        keeps_alpha_(options.transparent) {}
 
-  bool shows_sky() const { return !keeps_alpha_ && background_.r < 0; }
+  bool shows_sky() const { return !keeps_alpha_ && !shows_background_; }
 
   void develop(Vec3 light, float cover, float noise, std::uint8_t* rgba) const {
     const Vec3 colour = cover > 0 ? tone_mapped(exposure_ * light / cover) : Vec3(0);
@@ -82,6 +85,7 @@ class Developer {
   }
 
   Vec3 background_;
+  bool shows_background_;
   float exposure_;
   bool keeps_alpha_;
 };
@@ -123,11 +127,15 @@ class Photographer {
 
 }  // namespace
 
-Image render_still(const MeshScene& meshes, const Scene& scene, const View& view, const StillOptions& options,
-                   Progress& progress) {
+void check_still_options(const StillOptions& options) {
   check_range("output.size[0]", options.width, 16384);
   check_range("output.size[1]", options.height, 16384);
   check_range("output.samples", options.samples, 65536);
+}
+
+Image render_still(const MeshScene& meshes, const Scene& scene, const View& view, const StillOptions& options,
+                   Progress& progress) {
+  check_still_options(options);
   Image image{options.width, options.height, {}};
   image.rgba.resize(std::size_t{4} * options.width * options.height);
   progress.begin("rendering", std::uint64_t{1} * options.width * options.height);

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+
+#include <CLI/App.hpp>
+
+namespace meristem::cli {
+
+// Each adds its subcommand to `app`; when the subcommand was chosen, `run` holds what is to be done.
+using Run = std::function<void()>;
+
+void add_grow(CLI::App& app, Run& run);
+void add_render(CLI::App& app, Run& run);
+void add_check(CLI::App& app, Run& run);
+void add_components(CLI::App& app, Run& run);
+void add_models(CLI::App& app, Run& run);
+
+}  // namespace meristem::cli

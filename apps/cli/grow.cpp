@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "meristem/base/parallel.h"
+#include "meristem/measure/counts.h"
+#include "meristem/output/formats.h"
+#include "session.h"
+#include "terminal.h"
+
+namespace meristem::cli {
+
+namespace {
+
+struct GrowOptions {
+  DocumentOptions document;
+  std::vector<std::string> outputs;
+};
+
+void grow(const GrowOptions& options) {
+  // Everything that can be wrong with the command line and the document comes before any work.
+  std::vector<const Format*> formats;
+  for (const std::string& output : options.outputs) formats.push_back(&format_of(output));
+  const Document document = open_document(options.document);
+
+  const ThreadLimit threads(options.document.threads);
+  std::string summary;
+  {
+    TerminalProgress terminal(options.document.quiet);
+    const GrownDocument grown = grow_document(document, terminal.progress());
+    for (std::size_t k = 0; k < formats.size(); ++k) {
+      formats[k]->write(document, grown, options.outputs[k], terminal.progress());
+    }
+    const Counts counts = count(grown.plant, grown.meshes);
+    summary = fmt::format("{}: {} nodes, {} organs, {} triangles, {:.2f} m high", fmt::join(options.outputs, ", "),
+                          counts.nodes, counts.organs, counts.triangles, counts.height);
+  }
+  if (!options.document.quiet) print_status(summary);
+}
+
+}  // namespace
+
+void add_grow(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("grow", "Grow a document and write it to files");
+  auto options = std::make_shared<GrowOptions>();
+  options->document.add_to(*command);
+  std::string endings;
+  for (const Format& format : formats()) endings += fmt::format(" {} ({})", format.ending, format.doc);
+  command
+      ->add_option("-o,--output", options->outputs,
+                   "File to write, its format by its ending:" + endings + "; - for standard output; may be repeated")
+      ->required()
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  command->footer("Example: meristem grow models/oak.json -o oak.glb --seed 3 --set leaf.length=0.12");
+  command->callback([options, &run] { run = [options] { grow(*options); }; });
+}
+
+}  // namespace meristem::cli

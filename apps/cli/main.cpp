@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line. Exit codes: 0 done, 1 could not do it, 2 the command line or the document is wrong. A signal ends
+// the program as signals do, after what was begun is undone.
+#include <csignal>
+#include <exception>
+#include <new>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/progress.h"
+#include "meristem/base/version.h"
+#include "terminal.h"
+
+namespace {
+
+using namespace meristem;
+
+constexpr int kDone = 0;
+constexpr int kFailed = 1;
+constexpr int kWrongInput = 2;
+
+/// The valid word nearest to one that the command line did not expect.
+std::string nearest_word(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> words;
+  const auto chosen = app.get_subcommands();
+  const CLI::App& asked = chosen.empty() ? app : *chosen.front();
+  for (const CLI::App* command : asked.get_subcommands([](const CLI::App*) { return true; }))
+    words.push_back(command->get_name());
+  for (const CLI::Option* option : asked.get_options()) {
+    for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
+  }
+  return nearest_name(word, words);
+}
+
+int report_usage(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);  // --help, --version
+  Diagnostic diagnostic{.message = error.what()};
+  const std::vector<std::string> extras = app.remaining(true);
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !extras.empty()) {
+    diagnostic.message = fmt::format("'{}' was not expected", extras.front());
+    diagnostic.nearest = nearest_word(app, extras.front());
+  }
+  const auto chosen = app.get_subcommands();
+  cli::print_status("meristem: " + diagnostic.text());
+  cli::print_status(
+      fmt::format("'meristem {}--help' tells more.", chosen.empty() ? "" : chosen.front()->get_name() + " "));
+  return kWrongInput;
+}
+
+/// Ends as the signal would have ended the program, so that shells and makefiles see it.
+int end_by_signal() {
+  cli::print_status("meristem: stopped; nothing was left half-written");
+  std::signal(cli::received_signal(), SIG_DFL);
+  std::raise(cli::received_signal());
+  return kFailed;
+}
+
+int run_and_report(const cli::Run& run) {
+  try {
+    run();
+    return std::fflush(stdout) == 0 ? kDone : kFailed;
+  } catch (const InputError& error) {
+    cli::print_diagnostics(error.diagnostics());
+    return kWrongInput;
+  } catch (const Cancelled&) {
+    return end_by_signal();
+  } catch (const std::bad_alloc&) {
+    cli::print_status("meristem: out of memory; lower the document's limits or its counts");
+  } catch (const std::exception& error) {
+    cli::print_status(fmt::format("meristem: {}", error.what()));
+  }
+  return kFailed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Grows plants from documents into meshes and pictures.", "meristem");
+  app.set_version_flag("--version", fmt::format("meristem {}", version()));
+  app.require_subcommand(0, 1);
+  app.footer("Example: meristem grow oak -o oak.glb");
+  cli::Run run;
+  cli::add_grow(app, run);
+  cli::add_render(app, run);
+  cli::add_check(app, run);
+  cli::add_components(app, run);
+  cli::add_models(app, run);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return report_usage(app, error);
+  }
+  if (!run) {
+    fmt::print("{}", app.help());
+    return kDone;
+  }
+  return run_and_report(run);
+}

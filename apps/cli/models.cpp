@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "meristem/document/json.h"
+#include "session.h"
+
+namespace meristem::cli {
+
+namespace {
+
+std::string text_member(const Value& document, const char* name) {
+  const Value* member = document.find(name);
+  return member != nullptr && member->text() != nullptr ? *member->text() : std::string();
+}
+
+void list_models(bool paths) {
+  for (const std::string& name : model_names()) {
+    if (paths) {
+      fmt::print("{}\n", model_path(name));
+    } else {
+      const Value document = parse_json(read_text_file(model_path(name)));
+      fmt::print("{:<16} {}\n", name, text_member(document, "description"));
+    }
+  }
+}
+
+}  // namespace
+
+void add_models(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("models", "List the shipped models");
+  auto paths = std::make_shared<bool>(false);
+  command->add_flag("--paths", *paths, "Print their files instead");
+  command->footer("Example: meristem models");
+  command->callback([paths, &run] { run = [paths] { list_models(*paths); }; });
+}
+
+}  // namespace meristem::cli

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "meristem/base/parallel.h"
+#include "meristem/components/camera.h"
+#include "meristem/document/grow.h"
+#include "meristem/output/image.h"
+#include "meristem/output/still.h"
+#include "session.h"
+#include "terminal.h"
+
+namespace meristem::cli {
+
+namespace {
+
+struct RenderOptions {
+  DocumentOptions document;
+  std::string output;
+  std::string size;
+  std::string view;
+  std::optional<int> samples;
+  bool transparent = false;
+};
+
+/// Two numbers around `separator`. Throws InputError with the option's name.
+template <class Number>
+std::pair<Number, Number> number_pair(const std::string& text, char separator, const char* option,
+                                      const char* expected) {
+  std::pair<Number, Number> pair{};
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, pair.first);
+  if (first.ec == std::errc() && first.ptr != end && *first.ptr == separator) {
+    const auto second = std::from_chars(first.ptr + 1, end, pair.second);
+    if (second.ec == std::errc() && second.ptr == end) return pair;
+  }
+  throw InputError(Diagnostic{.message = fmt::format("{} cannot be '{}'", option, text), .expected = expected});
+}
+
+void check_ending(const std::string& path) {
+  if (path == "-" || (path.size() > 4 && (path.ends_with(".png") || path.ends_with(".PNG")))) return;
+  throw InputError(Diagnostic{.message = fmt::format("pictures cannot be written to '{}'", path),
+                              .expected = "a file that ends in .png"});
+}
+
+void render(const RenderOptions& options) {
+  check_ending(options.output);
+  const Document document = open_document(options.document);
+  StillOptions still{.width = document.output.size[0], .height = document.output.size[1]};
+  still.samples = options.samples.value_or(document.output.samples);
+  still.transparent = options.transparent;
+  if (!options.size.empty()) {
+    std::tie(still.width, still.height) =
+        number_pair<int>(options.size, 'x', "--size", "WIDTHxHEIGHT in pixels, such as 1200x1200");
+  }
+  View view = camera_view(document.graph, document.structure);
+  if (!options.view.empty()) {
+    const auto [azimuth, altitude] =
+        number_pair<double>(options.view, ',', "--view", "AZIMUTH,ALTITUDE in degrees, such as 150,6");
+    view.position.reset();
+    view.azimuth = radians(azimuth);
+    view.altitude = radians(altitude);
+  }
+  check_still_options(still);
+
+  const ThreadLimit threads(options.document.threads);
+  {
+    TerminalProgress terminal(options.document.quiet);
+    const GrownDocument grown = grow_document(document, terminal.progress());
+    write_png(render_still(grown.meshes, document.scene, view, still, terminal.progress()), options.output);
+  }
+  if (!options.document.quiet) {
+    print_status(
+        fmt::format("{}: {} x {} pixels, {} samples", options.output, still.width, still.height, still.samples));
+  }
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("render", "Grow a document and make a picture of it");
+  auto options = std::make_shared<RenderOptions>();
+  options->document.add_to(*command);
+  command->add_option("-o,--output", options->output, "PNG file to write; - for standard output")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("--size", options->size, "Pixels; the document's output.size if not given")->type_name("WxH");
+  command->add_option("--samples", options->samples, "Paths a pixel: more are slower and less noisy")->type_name("N");
+  command
+      ->add_option("--view", options->view,
+                   "Where the camera stands, degrees from north over east and over the horizon")
+      ->type_name("AZIMUTH,ALTITUDE");
+  command->add_flag("--transparent", options->transparent, "No sky and no ground, with an alpha channel");
+  command->footer("Example: meristem render models/oak.json -o oak.png --size 800x800 --samples 64");
+  command->callback([options, &run] { run = [options] { render(*options); }; });
+}
+
+}  // namespace meristem::cli

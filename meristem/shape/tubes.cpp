@@ -31,20 +31,25 @@
 namespace meristem {
 namespace {
 
-constexpr float kThinnest = 1e-6F;  // metres: thinner tubes would have degenerate triangles
-constexpr double kSharpestMitre = radians(75);
-constexpr float kCosSharpestMitre = 0.25881905F;
-constexpr float kCosSharpestFanOfTwo = -0.8660254F;
-constexpr float kInnerReach = 0.45F;  // of the shorter segment; two neighbours leave a tenth of it free
-constexpr float kFanSpacing = 0.05F;  // between a fan's rings, in radii
-constexpr float kHidden = 0.95F;      // of the mother's inner radius that a lateral's first ring may fill
-constexpr float kStartDepth = 0.5F;   // how far a lateral's closed start reaches back, in radii
+constexpr float kThinnest = 1e-6F;                   // metres: thinner tubes would have degenerate triangles
+constexpr float kCosSharpestMitre = 0.25881905F;     // 75 degrees
+constexpr float kCosSharpestFanOfTwo = -0.8660254F;  // 150 degrees
+constexpr float kInnerReach = 0.45F;                 // of the shorter segment; two neighbours leave a tenth of it free
+constexpr float kFanSpacing = 0.05F;                 // between a fan's rings, in radii
+constexpr float kHidden = 0.95F;     // of the mother's inner radius that a lateral's first ring may fill
+constexpr float kStartDepth = 0.5F;  // how far a lateral's closed start reaches back, in radii
 constexpr std::size_t kAxesPerBlock = 64;
 constexpr std::size_t kRingsPerCheck = 4096;
 
 struct Turn {
   float cosine, sine;
 };
+
+/// As normalized_or, but in floats: it is asked for a million times a tree.
+Vec3 unit_or(Vec3 vector, Vec3 fallback) {
+  const float square = glm::dot(vector, vector);
+  return square > 1e-24F && square < 1e24F ? vector * (1 / std::sqrt(square)) : fallback;
+}
 
 /// The points of an axis from its start to its tip: its nodes, after the mother node if there is one.
 struct AxisPath {
@@ -60,7 +65,7 @@ struct AxisPath {
   float radius(std::size_t i) const { return std::max(skeleton->radius[node(i)], kThinnest); }
   float base_radius() const { return std::max(skeleton->radius[nodes[0]], kThinnest); }
   /// The direction from point i to the next, or `fallback` where they coincide.
-  Vec3 direction(std::size_t i, Vec3 fallback) const { return normalized_or(position(i + 1) - position(i), fallback); }
+  Vec3 direction(std::size_t i, Vec3 fallback) const { return unit_or(position(i + 1) - position(i), fallback); }
 };
 
 /// What one axis becomes, and where it stands in the mesh.
@@ -91,8 +96,12 @@ class TubePlan {
     most_sides_ = std::max(3, surface.sides);
     for (const float radius : skeleton.radius) thickest_ = std::max(thickest_, radius);
     plans_.resize(axes_.count());
+    // Sides first: how much of a lateral its mother hides depends on hers.
     parallel_for(plans_.size(), kAxesPerBlock, [this](std::size_t begin, std::size_t end) {
-      for (std::size_t axis = begin; axis < end; ++axis) plan(static_cast<AxisIndex>(axis));
+      for (std::size_t axis = begin; axis < end; ++axis) choose_sides(static_cast<AxisIndex>(axis));
+    });
+    parallel_for(plans_.size(), kAxesPerBlock, [this](std::size_t begin, std::size_t end) {
+      for (std::size_t axis = begin; axis < end; ++axis) count_rings(static_cast<AxisIndex>(axis));
     });
     for (std::size_t axis = 0; axis < plans_.size(); ++axis) {
       plans_[axis].first_vertex = size_.vertices;
@@ -113,11 +122,17 @@ class TubePlan {
   }
 
  private:
-  void plan(AxisIndex axis) {
+  void choose_sides(AxisIndex axis) {
+    const AxisPath points = path(axis);
+    if (points.size() == 0) return;
+    const double share = thickest_ > 0 ? math::pow(std::min(1.0F, points.base_radius() / thickest_), 1.0 / 3) : 0;
+    plans_[axis].sides = static_cast<std::uint32_t>(std::max(3.0, std::floor(most_sides_ * share + 0.5)));
+  }
+
+  void count_rings(AxisIndex axis) {
     const AxisPath points = path(axis);
     if (points.size() < 2) return;
     AxisPlan& plan = plans_[axis];
-    plan.sides = sides(points.base_radius());
     plan.start_radius = points.base_radius();
     if (points.is_lateral()) plan.start_radius = std::min(plan.start_radius, room_inside(points.mother));
     plan.rings = 2;
@@ -129,18 +144,12 @@ class TubePlan {
     }
   }
 
-  std::uint32_t sides(float base_radius) const {
-    if (!(thickest_ > 0)) return 3;
-    const double share = math::pow(std::min(1.0F, base_radius / thickest_), 1.0 / 3);
-    return static_cast<std::uint32_t>(std::max(3.0, std::floor(most_sides_ * share + 0.5)));
-  }
-
   /// The radius of the largest disc about a node that its tube hides however the disc is turned.
   float room_inside(NodeIndex node) const {
     const std::span<const NodeIndex> nodes = axes_.of(skeleton_.axis[node]);
     const float radius = std::max(skeleton_.radius[node], kThinnest);
     // The flats of the tube are nearer than its corners, and where it tapers the nearest point lies ahead.
-    const double flat = math::cos(kPi / sides(std::max(skeleton_.radius[nodes[0]], kThinnest)));
+    const double flat = math::cos(kPi / plans_[skeleton_.axis[node]].sides);
     const auto next = std::upper_bound(nodes.begin(), nodes.end(), node);
     double taper = 0;
     if (next != nodes.end()) {
@@ -274,7 +283,7 @@ class AxisMesher {
     const float cosine = glm::dot(before, after);
     const std::uint32_t count = fan_size(cosine);
     if (count > 1) return fan(i, before, after, count);
-    const Vec3 outer = normalized_or(before - after, Vec3(0));
+    const Vec3 outer = unit_or(before - after, Vec3(0));
     Mitre mitre(before, after, glm::normalize(before + after), outer);
     mitre.inner_stretch = inner_stretch(i, mitre.half_cosine);
     ring(path_.position(i), radius(i), mitre, slope(i - 1), slope(i));
@@ -283,7 +292,7 @@ class AxisMesher {
 
   /// A sharp bend in equal parts: rings about one point, set a little apart so that no two of their vertices coincide.
   void fan(std::size_t i, Vec3 before, Vec3 after, std::uint32_t count) {
-    const Vec3 hinge = normalized_or(glm::cross(before, after), any_perpendicular(before));
+    const Vec3 hinge = unit_or(glm::cross(before, after), any_perpendicular(before));
     const Vec3 side = glm::cross(hinge, before);
     const double angle = math::atan2(glm::dot(after, side), glm::dot(after, before));
     const auto turned = [&](double share) {

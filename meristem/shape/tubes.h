@@ -31,6 +31,8 @@ TubeSize measure_tubes(const Skeleton& skeleton, const Surface& surface);
 /// radius, so that nothing deviates more from round than the thickest tube: radius * (1 - cos(pi / sides)).
 /// u goes around a whole number of times, as near to tiles of `surface.uv_scale` metres as can be; v grows along the
 /// axis so that a tile keeps its aspect however the tube tapers.
+/// No vertex is farther than 1.27 radii from its axis on the outside of a bend. Where an axis bends within its tube's
+/// own radius, the inner side is pressed together, without rings that cross.
 ///
 /// Counts the skeleton's nodes into the caller's stage of `progress`. Throws std::invalid_argument where the mesh would
 /// need more than 2^32 vertices, Cancelled. Deterministic on any number of threads; cost linear in nodes.

@@ -20,6 +20,8 @@ constexpr int kCandidates = 128;    // even places along the midrib where a row 
 constexpr double kNearest = 1e-3;   // shares of the length: candidates closer than this count as one
 constexpr double kLobe = 0.05;      // shares of half the width: smaller turns of the outline are not lobes
 constexpr double kPointed = 1e-3;   // shares of half the width: narrower rows are one point
+constexpr double kRunOut = 0.2;     // of the length: how far a stalk can be seen on the midrib, at most
+constexpr double kRunOutRadii = 8;  // the same in radii of the stalk
 constexpr double kStraight = 1e-6;  // radians: arcs that bend less are lines
 
 void check(const LeafBlade& blade) {
@@ -215,21 +217,23 @@ class BladeMesher {
     }
   }
 
-  /// A three-sided tube from the origin that narrows to the blade's base at its end.
+  /// A three-sided tube from the origin to the blade's base, which runs out into the midrib.
   void add_petiole() {
     const double r = blade_.petiole_radius;
-    const double neck = std::max(0.5 * blade_.petiole, blade_.petiole - 2 * r);
-    for (const double y : {0.0, neck}) {
+    for (const double y : {0.0, blade_.petiole}) {
       for (int k = 0; k < 3; ++k) {
         const Vec3 out = petiole_side(k);
         add_vertex(Vec3(0, static_cast<float>(y), 0) + static_cast<float>(r) * out, out,
                    {0.49 + 0.01 * k, 0.01 * y / blade_.petiole});
       }
     }
+    const double share = std::min(kRunOut, kRunOutRadii * r / blade_.length);
+    const ArcPoint end = along_arc(0, blade_.curl * share, blade_.length * share);
+    const DVec3 at{0, blade_.petiole + end.forward, end.up};
     const auto tip = static_cast<std::uint32_t>(mesh_.vertex_count());
     for (int k = 0; k < 3; ++k) {
       // Between this side and the next.
-      add_vertex({0, static_cast<float>(blade_.petiole), 0}, -petiole_side(k + 2), {0.495 + 0.01 * k, 0.01});
+      add_vertex(Vec3(at), -petiole_side(k + 2), {0.495 + 0.01 * k, share});
     }
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t next = (k + 1) % 3;

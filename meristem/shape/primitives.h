@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closed primitives, standing on the origin's plane with y up: base centre (for sphere and torus: centre) at the origin.
-// Normals follow the true surface, creases have split vertices, front faces outward.
+// Closed primitives, standing on the origin's plane with y up: base centre (for sphere and torus: centre) at the
+// origin. Normals follow the true surface, creases have split vertices, front faces outward.
 #pragma once
 
 #include "meristem/base/mesh.h"

@@ -66,9 +66,8 @@ Reach reach_of(const MeshScene& scene, const std::array<Vec3, 4>& directions) {
   for (const MeshInstances& part : scene.meshes) {
     if (part.triangle_count() > 0) all.add(reach_of(part, directions));
   }
-  if (!std::isfinite(all.along[0])) {  // nothing to be seen: a metre about the origin
-    all.add(Vec3(-0.5F), directions);
-    all.add(Vec3(0.5F), directions);
+  if (!std::isfinite(all.along[0])) {  // nothing to be seen: a ball of a metre about the origin
+    for (int i = 0; i < 4; ++i) all.along[i] = 0.5F * glm::length(directions[i]);
   }
   return all;
 }

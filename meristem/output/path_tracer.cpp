@@ -11,6 +11,7 @@ namespace meristem {
 namespace {
 
 constexpr int kBounces = 2;
+constexpr float kSurvival = 4;  // chance to go on, over the weight carried
 constexpr auto kPiF = static_cast<float>(kPi);
 
 /// Rays leave a surface from a little above it; floats know a place 10 m away to a micrometre.
@@ -94,11 +95,11 @@ PathTracer::Vertex PathTracer::ground_vertex(const Ray& ray, float distance) con
   vertex.normal = kUp;
   vertex.reflected = ground_->colour;
   vertex.transmitted = Vec3(0);
-  vertex.gloss_width = 1;
+  vertex.gloss_width = 0;
   const float away =
       glm::distance(Vec2(vertex.position.x, vertex.position.z), Vec2(ground_->centre.x, ground_->centre.z)) /
       ground_->fade_distance;
-  vertex.cover = 1 / (1 + 2 * away * away * away);
+  vertex.cover = 1 / (1 + away * away * away);
   return vertex;
 }
 
@@ -122,7 +123,9 @@ Vec3 PathTracer::sunlight(const Vertex& vertex, Vec3 to_viewer, Vec2 sample) con
   const Vec3 side = shines_through ? -vertex.face_normal : vertex.face_normal;
   if (rays_.is_blocked({vertex.lifted + clearance(vertex.position) * side, to_sun})) return Vec3(0);
   Vec3 given = share * (cosine / kPiF);
-  if (!shines_through) given += Vec3(gloss(vertex.normal, to_sun, to_viewer, vertex.gloss_width));
+  if (!shines_through && vertex.gloss_width > 0) {
+    given += Vec3(gloss(vertex.normal, to_sun, to_viewer, vertex.gloss_width));
+  }
   return given * light_.sun_irradiance();
 }
 
@@ -130,7 +133,7 @@ Seen PathTracer::trace(Ray ray, SampleStream& samples) const {
   Seen seen;
   Vec3 weight(1);
   for (int bounce = 0;; ++bounce) {
-    const std::optional<Vertex> vertex = next_vertex(ray);
+    std::optional<Vertex> vertex = next_vertex(ray);
     if (!vertex) {
       if (bounce > 0) seen.light += weight * light_.falling(ray.direction);
       return seen;
@@ -138,6 +141,8 @@ Seen PathTracer::trace(Ray ray, SampleStream& samples) const {
     if (bounce == 0) {
       seen.cover = vertex->cover;
       weight *= vertex->cover;
+    } else {
+      vertex->gloss_width = 0;  // seen by way of a matt surface, gloss is noise and nothing else
     }
     seen.light += weight * sunlight(*vertex, -ray.direction, samples.next());
     if (bounce == kBounces) return seen;
@@ -151,6 +156,12 @@ Seen PathTracer::trace(Ray ray, SampleStream& samples) const {
     const bool reflects = sample.x < share;
     sample.x = reflects ? sample.x / share : (sample.x - share) / (1 - share);
     weight *= reflects ? vertex->reflected / share : vertex->transmitted / (1 - share);
+    // After the first bounce most paths carry little; few go on, with the weight of those that stop.
+    if (bounce > 0) {
+      const float survival = std::clamp(kSurvival * luminance(weight), 0.1F, 1.0F);
+      if (samples.next().x >= survival) return seen;
+      weight /= survival;
+    }
     const float side = reflects ? 1 : -1;
     ray.direction = glm::normalize(cosine_direction(side * vertex->normal, sample));
     // Where the interpolated normal lets a direction dip below the triangle, the surface is its own shadow.

@@ -23,7 +23,7 @@ struct Ground {
   float height = 0;
   Vec3 colour{0.1F};  ///< linear
   Vec3 centre{0};
-  float fade_distance = 10;  ///< metres from the centre at which two thirds are faded
+  float fade_distance = 10;  ///< metres from the centre at which half is faded
 };
 
 /// What one ray sees: light that was weighted by how much of it hides the background.
@@ -56,8 +56,8 @@ class PathTracer {
     Vec3 normal;
     Vec3 reflected;
     Vec3 transmitted;
-    float gloss_width;
-    float cover;  ///< below 1 where the ground fades
+    float gloss_width;  ///< 0: none
+    float cover;        ///< below 1 where the ground fades
   };
 
   std::optional<Vertex> next_vertex(const Ray& ray) const;

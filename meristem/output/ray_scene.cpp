@@ -16,8 +16,6 @@ namespace meristem {
 
 namespace {
 
-// Triangles copied out of their instances in all; about 100 bytes each.
-constexpr std::uint64_t kMostCopiedTriangles = 3'000'000;
 constexpr std::uint32_t kNoInstance = std::numeric_limits<std::uint32_t>::max();
 
 /// What a geometry of the upper tree stands for.
@@ -26,15 +24,22 @@ struct GeometrySource {
   std::uint32_t instance = kNoInstance;  ///< kNoInstance: all of the part's instances, one after another
 };
 
-std::vector<bool> choose_copied(const MeshScene& scene) {
+std::vector<bool> choose_copied(const MeshScene& scene, std::uint64_t most_triangles) {
   std::vector<bool> copied(scene.meshes.size());
   std::uint64_t total = 0;
   for (std::size_t p = 0; p < scene.meshes.size(); ++p) {
     const std::uint64_t triangles = scene.meshes[p].triangle_count();
-    copied[p] = scene.meshes[p].frames.size() == 1 || total + triangles <= kMostCopiedTriangles;
-    if (copied[p]) total += triangles;
+    copied[p] = scene.meshes[p].frames.size() == 1 || total + triangles <= most_triangles;
+    if (copied[p] && scene.meshes[p].frames.size() > 1) total += triangles;
   }
   return copied;
+}
+
+/// What turns local normals into outer ones of any length: the cofactors, with the sign of a mirror taken out. In
+/// floats, as it runs at every hit.
+Mat3 normal_matrix(const Mat3& axes) {
+  const Mat3 cofactors(glm::cross(axes[1], axes[2]), glm::cross(axes[2], axes[0]), glm::cross(axes[0], axes[1]));
+  return glm::dot(axes[0], cofactors[0]) < 0 ? -cofactors : cofactors;
 }
 
 bool stop_if_cancelled(void* progress, double) { return !static_cast<Progress*>(progress)->is_cancelled(); }
@@ -118,9 +123,9 @@ struct RayScene::Trees {
   }
 };
 
-RayScene::RayScene(const MeshScene& scene, Progress& progress)
+RayScene::RayScene(const MeshScene& scene, Progress& progress, std::uint64_t copied_triangles)
     : scene_(scene), trees_(std::make_unique<Trees>(progress)) {
-  const std::vector<bool> copied = choose_copied(scene);
+  const std::vector<bool> copied = choose_copied(scene, copied_triangles);
   trees_->parts.resize(scene.meshes.size(), nullptr);
   for (std::uint32_t p = 0; p < scene.meshes.size(); ++p) {
     const MeshInstances& part = scene.meshes[p];
@@ -203,11 +208,12 @@ SurfacePoint RayScene::surface_point(const RayHit& hit) const {
   const Vec3 b = mesh.positions[triangle[1]];
   const Vec3 c = mesh.positions[triangle[2]];
   const Vec3 local = weights.x * a + weights.y * b + weights.z * c;
-  const Vec3 local_face = normalized_or(glm::cross(b - a, c - a), kUp);
+  const Vec3 local_face = glm::cross(b - a, c - a);
+  const Mat3 to_outer_normal = normal_matrix(frame.axes);
 
   SurfacePoint point;
   point.position = frame.point(local);
-  point.face_normal = frame.normal(local_face);
+  point.face_normal = normalized_or(to_outer_normal * local_face, kUp);
   point.normal = point.face_normal;
   point.smooth_offset = Vec3(0);
   if (mesh.normals.empty()) return point;
@@ -220,7 +226,7 @@ SurfacePoint RayScene::surface_point(const RayHit& hit) const {
     const float below = std::min(0.0F, glm::dot(local - mesh.positions[triangle[k]], normal));
     offset -= weights[k] * below * normal;
   }
-  point.normal = frame.normal(normalized_or(blended, local_face));
+  point.normal = normalized_or(to_outer_normal * blended, point.face_normal);
   point.smooth_offset = frame.vector(offset);
   return point;
 }

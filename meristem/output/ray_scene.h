@@ -37,8 +37,9 @@ struct SurfacePoint {
 
 class RayScene {
  public:
-  /// `scene` must outlive this. Throws Cancelled, MachineError (memory).
-  RayScene(const MeshScene& scene, Progress& progress);
+  /// `scene` must outlive this. Parts placed more than once are copied, in order, while they have at most
+  /// `copied_triangles` (100 bytes each) in all. Throws Cancelled, MachineError (memory).
+  RayScene(const MeshScene& scene, Progress& progress, std::uint64_t copied_triangles = 3'000'000);
   ~RayScene();
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;

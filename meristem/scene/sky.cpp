@@ -11,10 +11,10 @@ namespace meristem {
 
 namespace {
 
-// Irradiance, in our units, of 1000 lux: 95 klux of sun and 22 of dome make a white surface's radiance 1.
-constexpr double kPerKilolux = kPi / 117;
+// Irradiance, in our units, of 1000 lux: 95 klux of sun and 33 of dome make a white surface's radiance 1.
+constexpr double kPerKilolux = kPi / 128;
 // The haze that softens contrast: the handbook's clear sky is darker than photographs of pleasant days.
-constexpr double kHaze = 1.6;
+constexpr double kHaze = 2.4;
 
 float luminance(Vec3 light) {
   return 0.2126F * light.r + 0.7152F * light.g + 0.0722F * light.b;
@@ -95,7 +95,7 @@ Vec3 Sky::relative_radiance(Vec3 direction) const {
   // Colour: blue overhead, pale near the horizon and about the sun; a low sun warms the horizon on its side.
   const Vec3 kDeep = with_luminance_1(Vec3(0.17F, 0.40F, 1.0F));
   const Vec3 kPale = with_luminance_1(Vec3(0.72F, 0.86F, 1.0F));
-  const double depth = math::exp(-0.22 / height);
+  const double depth = math::exp(-0.16 / height);
   const Vec3 blue = glm::mix(kPale, kDeep, static_cast<float>(depth * (1 - 0.6 * glow)));
   const double near_horizon = 1 - std::clamp(height / 0.5, 0.0, 1.0);
   const double side = 0.35 + 0.65 * std::max(0.0, 0.5 + 0.5 * cosine);

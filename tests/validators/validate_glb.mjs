@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the Khronos glTF validator on files. Exits 1 on any error or warning; infos are printed.
+import { readFile } from 'node:fs/promises';
+import process from 'node:process';
+
+const severityNames = ['error', 'warning', 'info', 'hint'];
+
+// Texture coordinates are written for the textures that people add, so no material of ours uses them.
+const isExpected = ({ code, pointer }) => code === 'UNUSED_OBJECT' && /\/TEXCOORD_\d+$/.test(pointer ?? '');
+
+const validator = await import('gltf-validator').catch(() => {
+  console.error(`gltf-validator is not installed; run 'npm ci' in ${import.meta.dirname ?? 'tests/validators'}`);
+  process.exit(1);
+});
+
+async function validate(file) {
+  const report = await validator.default.validateBytes(new Uint8Array(await readFile(file)), {
+    uri: file,
+  });
+  const { issues } = report;
+  for (const { severity, code, message, pointer } of issues.messages.filter((issue) => !isExpected(issue))) {
+    console.log(`${file}: ${severityNames[severity]}: ${code}: ${message} (${pointer ?? 'file'})`);
+  }
+  return issues.numErrors + issues.numWarnings === 0;
+}
+
+const files = process.argv.slice(2);
+if (files.length === 0) {
+  console.error('usage: node validate_glb.mjs FILE...');
+  process.exit(1);
+}
+let valid = true;
+for (const file of files) {
+  const good = await validate(file).catch((error) => {
+    console.log(`${file}: error: ${error.message ?? error}`);
+    return false;
+  });
+  valid &&= good;
+}
+console.log(`${files.length} files, ${valid ? 'all valid' : 'not all valid'}`);
+process.exit(valid ? 0 : 1);

@@ -1,1 +1,372 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/colonize/colonize.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/math.h"
+#include "meristem/base/parallel.h"
+#include "meristem/plant/finish.h"
+#include "meristem/scene/crown.h"
+#include "tests/support/check_skeleton.h"
+
+namespace meristem {
+namespace {
+
+constexpr Finish kUnfinished{.decimate = 0, .relax = false, .subdivide = 0};
+
+// Uniform in a ball of radius 0.6 about a place 0.9 m above the root, on multiples of 2^-16 m, so that they can be
+// scaled and moved without rounding.
+std::vector<Vec3> ball(std::uint64_t count, RandomKey key = RandomKey(3)) {
+  std::vector<Vec3> points;
+  for (std::uint64_t k = 0; k < count; ++k) {
+    const auto out = static_cast<float>(0.6 * std::cbrt(key.uniform(k)));
+    const Vec3 point = Vec3(0, 0.9F, 0) + out * key.child("way").direction(k);
+    points.push_back(glm::floor(point * 65536.0F) / 65536.0F);
+  }
+  return points;
+}
+
+// 0.8 nodes a point, as a crown of many twigs has.
+ColonizeParameters ball_parameters(std::uint64_t count) {
+  const double step = 0.03 * std::cbrt(1000.0 / static_cast<double>(count));
+  return {.step = step, .influence = 17 * step, .kill = 2 * step, .finish = kUnfinished};
+}
+
+Skeleton grow(std::vector<Vec3> points, const ColonizeParameters& parameters, Vec3 root = Vec3(0), Limits limits = {}) {
+  std::vector<std::unique_ptr<Grower>> members;
+  members.push_back(make_colonizer(root, std::move(points), parameters, RandomKey(1), limits, "tree"));
+  Progress progress;
+  grow_stand(members, progress);
+  return members[0]->take_skeleton(progress);
+}
+
+Skeleton grown_ball(std::uint64_t count, Finish finish = kUnfinished) {
+  ColonizeParameters parameters = ball_parameters(count);
+  parameters.finish = finish;
+  return grow(ball(count), parameters);
+}
+
+// J. Jansen 2020, section 5.2, without light and without finishing.
+Skeleton published_tree(std::uint64_t seed) {
+  const ProfileCrown crown({{0, 0.4F}, {0.96F, 1.42F}, {1.6F, 2.61F}, {0, 3.8F}});
+  const ColonizeParameters parameters{
+      .step = 0.02, .influence = std::numeric_limits<double>::infinity(), .kill = 0.08, .finish = kUnfinished};
+  Progress progress;
+  return grow(crown.sample(900, RandomKey(seed), progress), parameters);
+}
+
+std::size_t count_inner(const Skeleton& skeleton) {
+  const Children children(skeleton);
+  std::size_t inner = 0;
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    inner += !skeleton.is_root(node) && children.of(node).size() == 1 ? 1 : 0;
+  }
+  return inner;
+}
+
+// The mean over all forks of the angles between the segments to two children, in degrees.
+double mean_fork_angle_deg(const Skeleton& skeleton) {
+  const Children children(skeleton);
+  double sum = 0;
+  std::size_t pairs = 0;
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    const auto here = children.of(node);
+    for (std::size_t k = 1; k < here.size(); ++k) {
+      const Vec3 a = glm::normalize(skeleton.position[here[0]] - skeleton.position[node]);
+      const Vec3 b = glm::normalize(skeleton.position[here[k]] - skeleton.position[node]);
+      sum += degrees(math::acos(glm::dot(a, b)));
+      ++pairs;
+    }
+  }
+  return sum / static_cast<double>(pairs);
+}
+
+testing::AssertionResult has_no_near_siblings(const Skeleton& skeleton, double apart) {
+  const Children children(skeleton);
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    const auto here = children.of(node);
+    for (std::size_t a = 0; a < here.size(); ++a) {
+      for (std::size_t b = 0; b < a; ++b) {
+        if (glm::distance(skeleton.position[here[a]], skeleton.position[here[b]]) < apart) {
+          return testing::AssertionFailure() << "children " << here[b] << " and " << here[a] << " of " << node;
+        }
+      }
+    }
+  }
+  return testing::AssertionSuccess();
+}
+
+template <class Call>
+Diagnostic only_diagnostic(Call call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.diagnostics().size(), 1U);
+    return error.diagnostics().front();
+  }
+  ADD_FAILURE() << "no InputError";
+  return {};
+}
+
+TEST(Colonize, ReachesNearlyAllPoints) {
+  const Skeleton skeleton = grown_ball(1000);
+  ASSERT_TRUE(check_skeleton(skeleton));
+  const double kill = ball_parameters(1000).kill;
+  std::size_t reached = 0;
+  for (const Vec3 point : ball(1000)) {
+    const auto is_near = [&](Vec3 node) { return glm::distance(node, point) <= kill; };
+    reached += std::any_of(skeleton.position.begin(), skeleton.position.end(), is_near) ? 1 : 0;
+  }
+  EXPECT_GE(reached, 990U);
+}
+
+TEST(Colonize, SegmentsAreOneStepLongAndSiblingsApart) {
+  const Skeleton skeleton = grown_ball(2000);
+  const double step = ball_parameters(2000).step;
+  for (NodeIndex node = 1; node < skeleton.node_count(); ++node) {
+    const float segment = glm::distance(skeleton.position[node], skeleton.position[skeleton.parent[node]]);
+    ASSERT_NEAR(segment, step, 1e-6);
+  }
+  EXPECT_TRUE(has_no_near_siblings(skeleton, 0.0099 * step));
+}
+
+TEST(Colonize, GrowsThePublishedTreeToItsSize) {
+  // Some 6,200 nodes and 3.6 m for each of ten clouds.
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const Skeleton skeleton = published_tree(seed);
+    EXPECT_NEAR(static_cast<double>(skeleton.node_count()), 6200, 400);
+    EXPECT_NEAR(bounds(skeleton).high.y, 3.6, 0.15);
+  }
+}
+
+TEST(Colonize, ScaledInputGivesTheScaledTree) {
+  ColonizeParameters parameters = ball_parameters(1000);
+  parameters.finish = {.decimate = 4, .relax = true, .subdivide = 1};
+  const Skeleton original = grow(ball(1000), parameters);
+  std::vector<Vec3> points = ball(1000);
+  for (Vec3& point : points) point *= 2.0F;
+  parameters.step *= 2;
+  parameters.influence *= 2;
+  parameters.kill *= 2;
+  parameters.radii.tip_radius *= 2;
+  Skeleton scaled = grow(points, parameters);
+  for (Vec3& position : scaled.position) position *= 0.5F;
+  for (float& radius : scaled.radius) radius *= 0.5F;
+  EXPECT_EQ(skeleton_hash(scaled), skeleton_hash(original));
+}
+
+TEST(Colonize, MovedInputGivesTheMovedTree) {
+  const Vec3 move(8, -16, 32);
+  const Skeleton original = grow(ball(1000), ball_parameters(1000));
+  std::vector<Vec3> points = ball(1000);
+  for (Vec3& point : points) point += move;
+  const Skeleton moved = grow(points, ball_parameters(1000), move);
+  EXPECT_EQ(moved.parent, original.parent);
+  EXPECT_EQ(moved.radius, original.radius);
+  for (NodeIndex node = 0; node < moved.node_count(); ++node) {
+    ASSERT_EQ(moved.position[node], original.position[node] + move);
+  }
+}
+
+TEST(Colonize, OrderOfPointsDoesNotMatter) {
+  std::vector<Vec3> points = ball(1000);
+  const Skeleton original = grow(points, ball_parameters(1000));
+  std::reverse(points.begin(), points.end());
+  EXPECT_EQ(skeleton_hash(grow(points, ball_parameters(1000))), skeleton_hash(original));
+}
+
+TEST(Colonize, GrowsTheSameBytesOnAnyNumberOfThreads) {
+  const Finish finish{.decimate = 4, .relax = true, .subdivide = 1};
+  std::vector<std::string> hashes;
+  for (const int threads : {1, 2, 3, 8}) {
+    const ThreadLimit limit(threads);
+    hashes.push_back(skeleton_hash(grown_ball(20'000, finish)));
+  }
+  EXPECT_EQ(hashes, std::vector<std::string>(4, hashes[0]));
+}
+
+TEST(Colonize, KeepsItsBytes) {
+  // The hash of one finished tree, recorded when the step was first right. It changes with every change of the growth
+  // step, the finishing, the mathematics or the random streams below them; a change here is a change of every user's
+  // trees and belongs into the change log.
+  const Finish finish{.decimate = 4, .relax = true, .subdivide = 1};
+  EXPECT_EQ(skeleton_hash(grown_ball(1000, finish)), "ac070d46a913aeec1ee5757393dc143e");
+}
+
+TEST(Colonize, DecimationKeepsForksAndAboutThirtyPercentOfNodes) {
+  const Skeleton full = published_tree(1);
+  const Skeleton thinned = decimate(full, 4 * 0.02, 0.02);
+  EXPECT_EQ(full.node_count() - count_inner(full), thinned.node_count() - count_inner(thinned));
+  const double share = static_cast<double>(thinned.node_count()) / static_cast<double>(full.node_count());
+  EXPECT_NEAR(share, 0.31, 0.02);  // the source: 69 % of the nodes go
+}
+
+TEST(Colonize, RelaxingLowersMeanForkAnglesFromARightAngleToHalf) {
+  Skeleton skeleton = published_tree(1);
+  EXPECT_NEAR(mean_fork_angle_deg(skeleton), 95, 10);
+  relax_angles(skeleton);
+  EXPECT_NEAR(mean_fork_angle_deg(skeleton), 52, 6);
+}
+
+TEST(Colonize, FinishedTreesKeepWhatSkeletonsPromise) {
+  for (const Finish finish : {Finish{0, true, 0}, Finish{4, true, 1}, Finish{4, false, 2}, Finish{0, true, 0.4}}) {
+    const Skeleton skeleton = grown_ball(1000, finish);
+    EXPECT_TRUE(check_skeleton(skeleton)) << finish.decimate << " " << finish.relax << " " << finish.subdivide;
+    EXPECT_GT(skeleton.node_count(), 400U);
+  }
+}
+
+TEST(Colonize, AStraightStemGrowsToAFarCrown) {
+  const ColonizeParameters parameters{.step = 0.25, .influence = 1, .kill = 0.5, .finish = kUnfinished};
+  const Skeleton skeleton = grow({{3, 4, 0}}, parameters);
+  ASSERT_TRUE(check_skeleton(skeleton));
+  EXPECT_EQ(skeleton.node_count(), 19U);  // 5 m less the kill distance in steps, and the root
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    EXPECT_LT(glm::distance(skeleton.position[node], 0.25F * node * Vec3(0.6F, 0.8F, 0)), 1e-5F);
+    EXPECT_EQ(skeleton.birth[node], static_cast<float>(node));
+  }
+}
+
+TEST(Colonize, ACrownOutOfReachIsAnErrorThatNamesIterations) {
+  const ColonizeParameters parameters{.step = 0.25, .influence = 1, .kill = 0.5, .iterations = 16};
+  const Diagnostic fault = only_diagnostic([&] { grow({{3, 4, 0}}, parameters); });
+  EXPECT_EQ(fault.path, "components.tree.iterations");
+  EXPECT_EQ(fault.message,
+            "the crown is out of reach: its nearest point is 5 m from the root, 16 steps of 0.25 m before it is within "
+            "the influence distance of 1 m");
+  EXPECT_EQ(fault.expected, "more than 16 iterations, a longer step, or a crown nearer to the root");
+  ColonizeParameters enough = parameters;
+  enough.iterations = 17;
+  EXPECT_EQ(grow({{3, 4, 0}}, enough).node_count(), 18U);
+}
+
+TEST(Colonize, StemsThatStepOverTheirOnlyPointEnd) {
+  const ColonizeParameters parameters{.step = 1, .influence = 0.2, .kill = 0.1, .finish = kUnfinished};
+  const Skeleton skeleton = grow({{0, 10.5F, 0}}, parameters);
+  EXPECT_TRUE(check_skeleton(skeleton));
+  EXPECT_LE(skeleton.node_count(), 13U);
+}
+
+TEST(Colonize, WithoutPointsThePlantIsItsRoot) {
+  const Skeleton skeleton = grow({}, {}, Vec3(1, 2, 3));
+  ASSERT_EQ(skeleton.node_count(), 1U);
+  EXPECT_EQ(skeleton.position[0], Vec3(1, 2, 3));
+  EXPECT_TRUE(check_skeleton(skeleton));
+}
+
+TEST(Colonize, OnePointMakesOneShoot) {
+  const ColonizeParameters parameters{.step = 0.25, .influence = 10, .kill = 0.125, .finish = kUnfinished};
+  const Skeleton skeleton = grow({{0, 2, 0}}, parameters);
+  EXPECT_EQ(skeleton.node_count(), 9U);
+  EXPECT_EQ(skeleton.position.back(), Vec3(0, 2, 0));
+}
+
+TEST(Colonize, CoincidentPointsActAsOne) {
+  const ColonizeParameters parameters{.step = 0.25, .influence = 10, .kill = 0.125, .finish = kUnfinished};
+  const Skeleton one = grow({{0.5F, 2, 1}}, parameters);
+  EXPECT_EQ(skeleton_hash(grow(std::vector<Vec3>(1000, Vec3(0.5F, 2, 1)), parameters)), skeleton_hash(one));
+}
+
+TEST(Colonize, PointsOnTheRootGrowNothing) {
+  const ColonizeParameters parameters{.step = 0.25, .influence = 10, .kill = 0.125, .finish = kUnfinished};
+  const Skeleton skeleton = grow({{0, 0, 0}}, parameters);
+  EXPECT_LE(skeleton.node_count(), 2U);
+  EXPECT_TRUE(check_skeleton(skeleton));
+}
+
+TEST(Colonize, BalancedPointsAreBothReached) {
+  const ColonizeParameters parameters{.step = 0.1, .influence = 10, .kill = 0.1, .finish = kUnfinished};
+  const Skeleton skeleton = grow({{1, 0, 0}, {-1, 0, 0}}, parameters);
+  ASSERT_TRUE(check_skeleton(skeleton));
+  EXPECT_TRUE(has_no_near_siblings(skeleton, 0.00099));
+  const Box box = bounds(skeleton);
+  EXPECT_GT(box.high.x, 0.85F);
+  EXPECT_LT(box.low.x, -0.85F);
+  EXPECT_LT(skeleton.node_count(), 40U);
+}
+
+TEST(Colonize, GrowthEndsBetweenPointsThatItCannotReach) {
+  // The kill distance is so short and the step so long that tips pass by their points again and again.
+  const ColonizeParameters parameters{
+      .step = 1, .influence = 100, .kill = 1e-3, .iterations = 1'000'000, .finish = kUnfinished};
+  const Skeleton skeleton = grow({{3.3F, 0.2F, 0}, {-3.3F, 0.2F, 0}, {0, 3.3F, 0.3F}, {0.2F, 0.2F, 0.2F}}, parameters);
+  EXPECT_TRUE(check_skeleton(skeleton));
+  EXPECT_TRUE(has_no_near_siblings(skeleton, 0.0099));
+  EXPECT_LT(skeleton.node_count(), 200U);
+}
+
+TEST(Colonize, GrowthEndsWhereABiasLeadsAway) {
+  ColonizeParameters parameters = ball_parameters(200);
+  parameters.bias = Vec3(0, 5, 0);
+  parameters.iterations = 1'000'000;
+  const Skeleton skeleton = grow(ball(200), parameters);
+  EXPECT_TRUE(check_skeleton(skeleton));
+  EXPECT_LT(skeleton.node_count(), 20'000U);
+}
+
+TEST(Colonize, ABiasBendsShootsItsWay) {
+  ColonizeParameters parameters{.step = 0.1, .influence = 10, .kill = 0.3, .finish = kUnfinished};
+  parameters.bias = Vec3(0, 0.3F, 0);
+  const Skeleton skeleton = grow({{3, 0, 0}}, parameters);
+  // The first segment is along (1, 0.3); later ones aim down at the point and are lifted again.
+  EXPECT_NEAR(skeleton.position[1].y / skeleton.position[1].x, 0.3, 1e-6);
+  EXPECT_GT(bounds(skeleton).high.y, 0.3F);
+}
+
+TEST(Colonize, IterationsBoundGrowth) {
+  ColonizeParameters parameters = ball_parameters(1000);
+  parameters.iterations = 20;
+  const Skeleton skeleton = grow(ball(1000), parameters);
+  EXPECT_EQ(*std::max_element(skeleton.birth.begin(), skeleton.birth.end()), 20);
+  parameters.iterations = 0;
+  parameters.influence = 10;
+  EXPECT_EQ(grow(ball(1000), parameters).node_count(), 1U);
+}
+
+TEST(Colonize, MoreNodesOrPointsThanAllowedAreErrors) {
+  Limits limits;
+  limits.nodes = 200;
+  EXPECT_EQ(only_diagnostic([&] { grow(ball(1000), ball_parameters(1000), Vec3(0), limits); }).path,
+            "components.tree.step");
+  limits = Limits();
+  limits.points = 999;
+  EXPECT_EQ(only_diagnostic([&] { grow(ball(1000), ball_parameters(1000), Vec3(0), limits); }).path,
+            "components.tree.points");
+  limits = Limits();
+  limits.nodes = 10'000;
+  ColonizeParameters parameters = ball_parameters(1000);
+  parameters.finish.subdivide = 1e-9;
+  EXPECT_EQ(only_diagnostic([&] { grow(ball(1000), parameters, Vec3(0), limits); }).path,
+            "components.tree.finish.subdivide");
+}
+
+TEST(Colonize, CancelledByItsObserverStopsGrowing) {
+  Progress* asked = nullptr;
+  Progress progress([&](std::string_view, double share) {
+    if (share > 0.02) asked->cancel();
+  });
+  asked = &progress;
+  std::vector<std::unique_ptr<Grower>> members;
+  members.push_back(make_colonizer(Vec3(0), ball(5000), ball_parameters(5000), RandomKey(1), Limits(), "tree"));
+  EXPECT_THROW(grow_stand(members, progress), Cancelled);
+}
+
+TEST(Colonize, RejectsBrokenContracts) {
+  const auto make = [](ColonizeParameters parameters) {
+    make_colonizer(Vec3(0), {}, parameters, RandomKey(1), Limits(), "tree");
+  };
+  EXPECT_THROW(make({.step = 0}), std::invalid_argument);
+  EXPECT_THROW(make({.influence = -1}), std::invalid_argument);
+  EXPECT_THROW(make({.kill = NAN}), std::invalid_argument);
+  EXPECT_THROW(make({.iterations = -1}), std::invalid_argument);
+  EXPECT_THROW(grow({{0, NAN, 0}}, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace meristem

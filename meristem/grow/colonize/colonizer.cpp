@@ -28,8 +28,11 @@ namespace meristem {
 namespace {
 
 constexpr int kBarrenSteps = 30;
-constexpr int kMostTurns = 8;
-constexpr double kTurn = 0.25;  // length of the random vector added at a node's first turn; twice that at its second
+constexpr int kMostTurns = 4;
+// Length of the random vector added to the unit direction at a node's first turn; twice that at its second. Without
+// turns a tree of 900 points and 6,200 nodes leaves 56 points unreached; with them none, for 3 % more nodes. At 0.25
+// three times as many of the new forks are narrow.
+constexpr double kTurn = 1;
 
 void check_parameters(const ColonizeParameters& parameters) {
   const auto is_positive = [](double value) { return value > 0; };

@@ -25,27 +25,19 @@ class DocumentReader {
   /// Returns the faults and warnings.
   std::vector<Diagnostic> run(Document& document, std::optional<std::uint64_t> seed) {
     if (root_.object() == nullptr) {
-      ParameterReader reader({}, document.graph.limits);
-      reader.fault(Place(), fmt::format("the document is {}", root_.description()), "an object with \"meristem\": 1");
-      return reader.take_diagnostics();
+      return {{.message = fmt::format("the document is {}", root_.description()),
+               .expected = "an object with \"meristem\": 1"}};
     }
     if (const Value* format = root_.find("meristem");
         format != nullptr && format->number() != nullptr && *format->number() > kDocumentFormat) {
-      ParameterReader reader({}, document.graph.limits);
-      reader.fault(
-          Place(top_, "meristem"),
-          fmt::format("the document is of format {}, which this program is too old to read", *format->number()),
-          fmt::format("at most {}", kDocumentFormat));
-      return reader.take_diagnostics();
+      return {{.message = fmt::format("this program is too old for the document's format {}", *format->number()),
+               .expected = fmt::format("at most {}", kDocumentFormat),
+               .path = "meristem"}};
     }
 
     // Limits and variables come first: everything else may use them.
-    std::vector<Diagnostic> diagnostics = read_limits(document.graph.limits);
-    {
-      ParameterReader reader({}, document.graph.limits);
-      read_variables(reader, document);
-      append(diagnostics, reader.take_diagnostics());
-    }
+    read_limits(document.graph.limits);
+    read_variables(document);
     std::vector<ExpressionNames::Constant> constants;
     for (const Variable& variable : document.variables) constants.push_back({variable.name, variable.value});
 
@@ -53,19 +45,16 @@ class DocumentReader {
     read_head(reader, document);
     read_components(reader, document.graph);
     read_links(reader, document.graph);
-    append(diagnostics, reader.take_diagnostics());
+    take_from(reader);
     if (seed) document.graph.seed = *seed;
 
     // The links mean something only once all are read.
-    if (!has_errors(diagnostics)) {
+    if (!has_errors(diagnostics_)) {
       add_camera(document.graph);
-      document.structure = analyse_structure(document.graph, diagnostics);
+      document.structure = analyse_structure(document.graph, diagnostics_);
     }
-    if (reader.fault_count() > document.graph.limits.diagnostics) {
-      diagnostics.push_back(
-          {.message = fmt::format("and {} more faults", reader.fault_count() - document.graph.limits.diagnostics)});
-    }
-    return diagnostics;
+    keep_first(document.graph.limits.diagnostics);
+    return std::move(diagnostics_);
   }
 
   static bool has_errors(const std::vector<Diagnostic>& diagnostics) {
@@ -74,40 +63,77 @@ class DocumentReader {
   }
 
  private:
-  static void append(std::vector<Diagnostic>& to, std::vector<Diagnostic> from) {
-    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+  void take_from(ParameterReader& reader) {
+    std::vector<Diagnostic> found = reader.take_diagnostics();
+    const auto errors =
+        std::count_if(found.begin(), found.end(), [](const Diagnostic& d) { return d.severity == Severity::error; });
+    hidden_ += reader.fault_count() - static_cast<std::size_t>(errors);
+    diagnostics_.insert(diagnostics_.end(), std::make_move_iterator(found.begin()),
+                        std::make_move_iterator(found.end()));
   }
 
-  std::vector<Diagnostic> read_limits(Limits& limits) {
+  /// Leaves so many diagnostics, errors before warnings, and counts the errors that are left out.
+  void keep_first(std::size_t limit) {
+    if (diagnostics_.size() > limit) {
+      const auto warnings = std::stable_partition(diagnostics_.begin(), diagnostics_.end(),
+                                                  [](const Diagnostic& d) { return d.severity == Severity::error; });
+      const auto errors = static_cast<std::size_t>(warnings - diagnostics_.begin());
+      if (errors > limit) hidden_ += errors - limit;
+      diagnostics_.resize(limit);
+    }
+    if (hidden_ > 0) diagnostics_.push_back({.message = fmt::format("and {} more faults", hidden_)});
+  }
+
+  void read_limits(Limits& limits) {
     const Value* given = root_.find("limits");
-    if (given == nullptr) return {};
+    if (given == nullptr) return;
     ParameterReader reader({}, Limits{});
     reader.read(limits_table(), &limits, *given, Place(top_, "limits"));
-    return reader.take_diagnostics();
+    take_from(reader);
   }
 
-  void read_variables(ParameterReader& reader, Document& document) {
+  void read_variables(Document& document) {
     const Value* given = root_.find("variables");
     if (given == nullptr) return;
+    ParameterReader reader({}, document.graph.limits);
     const Place place(top_, "variables");
     if (given->object() == nullptr) {
-      return reader.fault(place, fmt::format("the variables are {}", given->description()), "an object of names");
-    }
-    for (const auto& [name, value] : *given->object()) {
-      const Place own(place, name);
-      const auto site = site_variables();
-      if (!is_identifier(name)) {
-        reader.fault_name(own, fmt::format("'{}' is not a name", name),
-                          "letters, digits and _, not beginning with a digit", "");
-      } else if (is_builtin_name(name) || std::find(site.begin(), site.end(), name) != site.end()) {
-        reader.fault_name(own, fmt::format("'{}' has a meaning in every expression already", name), "another name", "");
+      reader.fault(place, fmt::format("the variables are {}", given->description()), "an object of names");
+    } else {
+      for (const auto& [name, value] : *given->object()) {
+        document.variables.push_back(read_variable(reader, name, value, Place(place, name)));
       }
-      Variable variable;
-      reader.read(variable_table(), &variable, value, own);
-      variable.name = name;
-      if (value.number() != nullptr) variable.min = variable.max = variable.value;
-      document.variables.push_back(std::move(variable));
     }
+    take_from(reader);
+  }
+
+  static Variable read_variable(ParameterReader& reader, const std::string& name, const Value& value,
+                                const Place& place) {
+    if (!is_identifier(name)) {
+      reader.fault_name(place, fmt::format("'{}' is not a name", name),
+                        "letters, digits and _, not beginning with a digit", "");
+    } else if (has_meaning(name)) {
+      reader.fault_name(place, fmt::format("'{}' has a meaning in expressions already", name), "another name", "");
+    }
+    Variable variable;
+    reader.read(variable_table(), &variable, value, place);
+    variable.name = name;
+    // Bounds that are not given leave room for the value.
+    if (value.find("min") == nullptr) variable.min = std::min({0.0, variable.value, variable.max});
+    if (value.find("max") == nullptr) variable.max = std::max({1.0, variable.value, variable.min});
+    if (variable.min > variable.max) {
+      reader.fault(Place(place, "min"),
+                   fmt::format("'min' {:.12g} lies above 'max' {:.12g}", variable.min, variable.max),
+                   "min of at most max");
+    }
+    return variable;
+  }
+
+  static bool has_meaning(const std::string& name) {
+    const auto is_in = [&name](const auto& names) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    return is_builtin_name(name) || is_in(site_variables()) || is_in(placement_variables());
   }
 
   void read_head(ParameterReader& reader, Document& document) {
@@ -138,10 +164,11 @@ class DocumentReader {
     const Place place(top_, "components");
     const Value* given = root_.find("components");
     if (given == nullptr || given->object() == nullptr || given->object()->empty()) {
-      return reader.fault(given == nullptr ? top_ : place,
-                          given == nullptr ? "the document has no 'components'"
-                                           : fmt::format("the components are {}", given->description()),
-                          R"(an object such as {"tree": {"type": "colonize", ...}})");
+      const bool is_missing = given == nullptr || given->object() != nullptr;
+      return reader.fault(
+          given == nullptr ? top_ : place,
+          is_missing ? "the document has no components" : fmt::format("the components are {}", given->description()),
+          R"(an object such as "components": {"tree": {"type": "colonize", ...}})");
     }
     for (const auto& [id, value] : *given->object()) read_component(reader, graph, id, value, Place(place, id));
   }
@@ -156,6 +183,7 @@ class DocumentReader {
     }
     // Faulty components stay in the graph without a type, so that links to them are no further fault.
     component_by_id_.emplace(id, static_cast<ComponentIndex>(graph.components.size()));
+    ids_.push_back(id);
     Prototype& prototype = graph.components.emplace_back();
     prototype.id = id;
     const Value* type = value.find("type");
@@ -203,21 +231,24 @@ class DocumentReader {
     } else {
       link.from = read_named_end(reader, value, "from", place);
       link.to = read_named_end(reader, value, "to", place);
-      read_kind(reader, value, place, link.kind);
+      const bool kind_is_known = read_kind(reader, value, place, link.kind);
       reader.read(placement_table(), &link.placement, value, place);
-      check_placement(reader, graph, value, place, link);
+      if (kind_is_known) check_placement(reader, graph, value, place, link);
     }
     if (link.from != kNoIndex && link.to != kNoIndex) graph.links.push_back(std::move(link));
   }
 
-  static void read_kind(ParameterReader& reader, const Value& value, const Place& place, LinkKind& kind) {
+  /// False after a fault.
+  static bool read_kind(ParameterReader& reader, const Value& value, const Place& place, LinkKind& kind) {
     const Value* given = value.find("kind");
-    if (given == nullptr) return;
+    if (given == nullptr) return true;
     Parameter row;
     row.name = "kind";
     row.kind = ParameterKind::choice;
     row.choices = kLinkKinds;
-    if (const auto chosen = reader.choice(row, *given, Place(place, "kind"))) kind = static_cast<LinkKind>(*chosen);
+    const auto chosen = reader.choice(row, *given, Place(place, "kind"));
+    if (chosen) kind = static_cast<LinkKind>(*chosen);
+    return chosen.has_value();
   }
 
   ComponentIndex read_named_end(ParameterReader& reader, const Value& link, const char* name, const Place& place) {
@@ -234,10 +265,7 @@ class DocumentReader {
     }
     const auto found = component_by_id_.find(*value.text());
     if (found != component_by_id_.end()) return found->second;
-    std::vector<std::string> ids;
-    for (const auto& [id, index] : component_by_id_) ids.push_back(id);
-    std::sort(ids.begin(), ids.end());
-    std::string nearest = reader.nearest(*value.text(), ids);
+    std::string nearest = reader.nearest(*value.text(), ids_);
     reader.fault(place, fmt::format("there is no component '{}'", *value.text()),
                  nearest.empty() ? "the id of a component" : "", std::move(nearest));
     return kNoIndex;
@@ -261,27 +289,56 @@ class DocumentReader {
     }
   }
 
-  /// A document without a camera gets one that links to all components without a parent.
+  /// A document without a camera gets one that links to all components without a parent, and to one of each circle of
+  /// components that nothing else leads into: the first that recurses, else the first.
   void add_camera(Graph& graph) const {
     for (const Prototype& prototype : graph.components) {
       if (prototype.type->is_camera) return;
     }
+    const std::size_t count = graph.components.size();
+    std::vector<std::vector<ComponentIndex>> children(count);
+    std::vector<bool> has_parent(count);
+    for (const Link& link : graph.links) {
+      children[link.from].push_back(link.to);
+      has_parent[link.to] = true;
+    }
     std::string id = "camera";
     while (component_by_id_.contains(id)) id += '_';
-    std::vector<bool> has_parent(graph.components.size());
-    for (const Link& link : graph.links) has_parent[link.to] = true;
-    const auto camera = static_cast<ComponentIndex>(graph.components.size());
-    for (ComponentIndex c = 0; c < camera; ++c) {
-      if (!has_parent[c]) graph.links.push_back({.from = camera, .to = c});
-    }
     graph.components.push_back(
         {.id = id, .type = &registry_.camera(), .parameters = registry_.camera().make_parameters()});
+
+    std::vector<bool> is_reached(count);
+    const auto link_to = [&](ComponentIndex component) {
+      graph.links.push_back({.from = static_cast<ComponentIndex>(count), .to = component});
+      is_reached[component] = true;
+      std::vector<ComponentIndex> ahead{component};
+      while (!ahead.empty()) {
+        const ComponentIndex next = ahead.back();
+        ahead.pop_back();
+        for (const ComponentIndex child : children[next]) {
+          if (!is_reached[child]) ahead.push_back(child);
+          is_reached[child] = true;
+        }
+      }
+    };
+    for (ComponentIndex c = 0; c < count; ++c) {
+      if (!has_parent[c]) link_to(c);
+    }
+    for (ComponentIndex c = 0; c < count; ++c) {
+      if (!is_reached[c] && graph.components[c].base().recursion > 0) link_to(c);
+    }
+    for (ComponentIndex c = 0; c < count; ++c) {
+      if (!is_reached[c]) link_to(c);
+    }
   }
 
   const Value& root_;
   const Registry& registry_;
   const Place top_;
   std::unordered_map<std::string, ComponentIndex> component_by_id_;
+  std::vector<std::string> ids_;
+  std::vector<Diagnostic> diagnostics_;
+  std::size_t hidden_ = 0;  // faults that are only counted
 };
 
 }  // namespace
@@ -307,7 +364,7 @@ Document read_document(std::string text, const std::string& file, const Registry
   std::vector<Diagnostic> diagnostics;
   try {
     Value root = parse_json(document.source.text);
-    apply_overrides(root, overrides, document.source, diagnostics);
+    if (root.object() != nullptr) apply_overrides(root, overrides, document.source, diagnostics);
     if (diagnostics.empty()) diagnostics = DocumentReader(root, registry).run(document, seed);
   } catch (const InputError& error) {
     diagnostics = error.diagnostics();

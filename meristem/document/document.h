@@ -20,7 +20,7 @@ inline constexpr int kDocumentFormat = 1;
 struct Variable {
   std::string name;
   double value = 0;
-  double min = 0;
+  double min = 0;  ///< least and greatest sensible value, for sliders; nothing is refused beyond them
   double max = 1;
   std::string unit;
   std::string doc;
@@ -72,7 +72,8 @@ Override parse_override(std::string_view text);
 Document read_document(std::string text, const std::string& file, const Registry& registry,
                        const std::vector<Override>& overrides = {}, std::optional<std::uint64_t> seed = {});
 
-/// Reads a whole file. Throws MachineError if it cannot be read, InputError if it is larger than a document may be.
+/// Reads a whole file, or standard input for "-". Throws MachineError if it cannot be read, InputError if it is larger
+/// than a document may be.
 std::string read_text_file(const std::string& path);
 
 }  // namespace meristem

@@ -2,7 +2,7 @@
 #include "meristem/document/json.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,13 +15,31 @@ namespace meristem {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+constexpr std::size_t kLongestKey = 1000;  // bytes; keys stand in messages, names of parameters are short
 
-/// What stopped the parser, if it was not the syntax.
-struct Fault {
-  std::string message;
-  std::string expected;
-};
+/// The parser's words for what it did not like, in ours: "syntax error while parsing object - unexpected string
+/// literal; last read: '"b"'; expected '}'" says that a string literal was not expected, and that ',' or '}' were.
+Diagnostic syntax_fault(std::string_view what) {
+  const std::size_t dash = what.find(" - ");
+  if (dash != std::string_view::npos) {
+    what.remove_prefix(dash + 3);
+  } else if (const std::size_t bracket = what.find("] "); bracket != std::string_view::npos) {
+    what.remove_prefix(bracket + 2);
+  }
+  constexpr std::string_view kExpected = "; expected ";
+  Diagnostic fault{.message = std::string(what)};
+  if (const std::size_t at = what.rfind(kExpected); at != std::string_view::npos) {
+    fault.expected = what.substr(at + kExpected.size());
+    fault.message.resize(at);
+  }
+  // What was read last may be the whole text, or not UTF-8.
+  for (std::string* part : {&fault.message, &fault.expected})
+    part->resize(std::min(part->find("; last read: "), part->size()));
+  if (fault.expected == "'}'" || fault.expected == "']'") fault.expected = "',' or " + fault.expected;
+  if (fault.expected == "'[', '{', or a literal") fault.expected = "a value";
+  if (fault.expected == "string literal") fault.expected = "a key in quotes";
+  return fault;
+}
 
 /// Builds the tree from the parser's events, without recursion, and stops at the first fault.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
@@ -38,37 +56,48 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool start_object(std::size_t /*size*/) override { return open(Value(Value::Object{})); }
   bool start_array(std::size_t /*size*/) override { return open(Value(Value::List{})); }
   bool key(string_t& value) override {
+    if (value.size() > kLongestKey) {
+      return stop(present_path(), {.message = fmt::format("a key is {} bytes long", value.size()),
+                                   .expected = fmt::format("at most {}", kLongestKey)});
+    }
     keys_.push_back(std::move(value));
     return true;
   }
   bool end_object() override {
-    if (const std::string* twice = repeated_key(*open_.back().object())) {
-      stop(fmt::format("the key '{}' is given twice in one object", *twice), "each key once");
-      return false;
-    }
-    return close();
+    const std::string* twice = repeated_key(*open_.back().object());
+    if (twice == nullptr) return close();
+    const std::string path = present_path();
+    return stop(path.empty() ? *twice : path + '.' + *twice,
+                {.message = fmt::format("the key '{}' is given twice in one object", *twice),
+                 .expected = "each key once",
+                 .text_offset = kAtName});
   }
   bool end_array() override { return close(); }
-  bool parse_error(std::size_t position, const std::string& /*token*/,
-                   const nlohmann::detail::exception& error) override {
-    fault_ = {reason(error.what()), ""};
-    offset_ = position == 0 ? 0 : position - 1;
+  bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception& error) override {
+    // The parser counts the bytes it has read. Of a whole token in the wrong place that is the end, elsewhere the byte
+    // after the one that is wrong.
+    const std::string_view what = error.what();
+    const bool is_overflow = what.find("number overflow") != std::string_view::npos;
+    const bool is_token = what.find(" - unexpected ") != std::string_view::npos &&
+                          what.find(" literal", what.find(" - unexpected ")) < what.find("; ");
+    const std::size_t back = is_token || is_overflow ? token.size() : 1;
+    fault_ = is_overflow ? Diagnostic{.message = fmt::format("the number {} is too large", token)} : syntax_fault(what);
+    const TextPosition at = text_position(text_, position - std::min(position, back));
+    fault_->line = at.line;
+    fault_->column = at.column;
     return false;
   }
 
-  Value take() {
-    if (fault_.message.empty() && !open_.empty()) stop("the document ends too early", "");
-    return std::move(root_);
-  }
-  const Fault& fault() const { return fault_; }
-  std::size_t offset() const { return offset_; }
-  /// Faults found while building are placed by the path at which they arose.
-  const std::string& path() const { return path_; }
+  Value take_root() { return std::move(root_); }
+  const std::optional<Diagnostic>& fault() const { return fault_; }
 
  private:
-  void stop(std::string message, std::string expected) {
-    fault_ = {std::move(message), std::move(expected)};
-    path_ = present_path();
+  /// Stops the parser with a fault at `path`.
+  bool stop(std::string path, Diagnostic fault) {
+    fault.path = std::move(path);
+    locate_diagnostics(text_, std::span(&fault, 1));
+    fault_ = std::move(fault);
+    return false;
   }
 
   bool add(Value value) {
@@ -85,8 +114,9 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   bool open(Value container) {
     if (open_.size() >= limits_.nesting) {
-      stop(fmt::format("lists and objects are nested deeper than {} levels", limits_.nesting), "a flatter document");
-      return false;
+      return stop(present_path(),
+                  {.message = fmt::format("lists and objects are nested deeper than {} levels", limits_.nesting),
+                   .expected = "a flatter document"});
     }
     open_.push_back(std::move(container));
     return true;
@@ -108,6 +138,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     return twice == names.end() ? nullptr : *twice;
   }
 
+  /// Of what the parser reads now; every open object but one that is between members has its key in `keys_`.
   std::string present_path() const {
     std::string path;
     std::size_t key = 0;
@@ -122,70 +153,26 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     return path;
   }
 
-  /// The parser's reason without its own prefix and position, which are given in ours.
-  static std::string reason(std::string_view what) {
-    for (const std::string_view marker : {"syntax error ", "syntax error"}) {
-      const std::size_t at = what.find(marker);
-      if (at != std::string_view::npos)
-        return std::string("syntax error ") + std::string(what.substr(at + marker.size()));
-    }
-    const std::size_t bracket = what.find("] ");
-    return std::string(bracket == std::string_view::npos ? what : what.substr(bracket + 2));
-  }
-
   std::string_view text_;
   const Limits& limits_;
   Value root_;
   std::vector<Value> open_;
   std::vector<std::string> keys_;
-  Fault fault_;
-  std::size_t offset_ = 0;
-  std::string path_;
+  std::optional<Diagnostic> fault_;
 };
-
-Json to_json(const Value& value) {
-  if (const bool* boolean = value.boolean()) return *boolean;
-  if (const double* number = value.number()) {
-    const bool whole = *number == std::floor(*number) && std::abs(*number) < 9e15;
-    return whole ? Json(static_cast<std::int64_t>(*number)) : Json(*number);
-  }
-  if (const std::string* text = value.text()) return *text;
-  if (const Value::List* list = value.list()) {
-    Json array = Json::array();
-    for (const Value& element : *list) array.push_back(to_json(element));
-    return array;
-  }
-  if (const Value::Object* object = value.object()) {
-    Json members = Json::object();
-    for (const auto& [name, member] : *object) members[name] = to_json(member);
-    return members;
-  }
-  return nullptr;
-}
 
 }  // namespace
 
 Value parse_json(std::string_view text, const Limits& limits) {
   if (text.size() > limits.document_bytes) {
-    throw_limit("bytes in a document", static_cast<double>(text.size()), limits.document_bytes, "document_bytes", "");
+    throw InputError(Diagnostic{.message = fmt::format("the text has {} bytes", text.size()),
+                                .expected = fmt::format("at most {}", limits.document_bytes)});
   }
   TreeBuilder builder(text, limits);
-  const bool good = nlohmann::json::sax_parse(text.begin(), text.end(), &builder, nlohmann::json::input_format_t::json,
-                                              /*strict=*/true, /*ignore_comments=*/true);
-  Value value = builder.take();
-  if (good && builder.fault().message.empty()) return value;
-  Diagnostic diagnostic{.message = builder.fault().message, .expected = builder.fault().expected};
-  if (builder.path().empty()) {
-    const TextPosition position = text_position(text, builder.offset());
-    diagnostic.line = position.line;
-    diagnostic.column = position.column;
-  } else {
-    diagnostic.path = builder.path();
-    locate_diagnostics(text, std::span(&diagnostic, 1));
-  }
-  throw InputError(std::move(diagnostic));
+  nlohmann::json::sax_parse(text.begin(), text.end(), &builder, nlohmann::json::input_format_t::json,
+                            /*strict=*/true, /*ignore_comments=*/true);
+  if (builder.fault()) throw InputError(*builder.fault());
+  return builder.take_root();
 }
-
-std::string write_json(const Value& value) { return to_json(value).dump(2) + "\n"; }
 
 }  // namespace meristem

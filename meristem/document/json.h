@@ -10,10 +10,16 @@
 namespace meristem {
 
 /// Reads JSON text, comments allowed. Throws an InputError with line and column (no file) for the first fault of form:
-/// bad syntax, text that is not UTF-8, numbers out of range, keys given twice, nesting or size past the limits.
+/// bad syntax, text that is not UTF-8, numbers too large, keys given twice or over 1000 bytes long, nesting or size
+/// past the limits.
 Value parse_json(std::string_view text, const Limits& limits = {});
 
-/// Writes JSON in the canonical form: two spaces, members in their order, whole numbers without a point.
+/// Writes JSON in the canonical form: a member a line, two spaces, members in their order; lists that hold no objects
+/// on one line; whole numbers without a point, others with the fewest digits that read back as the same number. Numbers
+/// that are not finite become null. Text must be UTF-8.
 std::string write_json(const Value& value);
+
+/// The same on one line, without a line's end: [1, {"a": 2}].
+std::string write_json_line(const Value& value);
 
 }  // namespace meristem

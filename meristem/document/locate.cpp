@@ -4,6 +4,7 @@
 #include "meristem/document/locate.h"
 
 #include <algorithm>
+#include <charconv>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -15,7 +16,58 @@ namespace meristem {
 
 namespace {
 
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
+
+/// Four hexadecimal digits at `at`; 0 where there are none.
+unsigned hexadecimal(std::string_view text, std::size_t at) {
+  unsigned value = 0;
+  if (at + 4 <= text.size()) std::from_chars(text.data() + at, text.data() + at + 4, value, 16);
+  return value;
+}
+
+void append_utf8(unsigned character, std::string& out) {
+  const auto put = [&out](unsigned byte) { out += static_cast<char>(byte); };
+  if (character < 0x80) return put(character);
+  if (character < 0x800) {
+    put(0xC0U | character >> 6U);
+  } else {
+    if (character < 0x10000) {
+      put(0xE0U | character >> 12U);
+    } else {
+      put(0xF0U | character >> 18U);
+      put(0x80U | (character >> 12U & 0x3FU));
+    }
+    put(0x80U | (character >> 6U & 0x3FU));
+  }
+  put(0x80U | (character & 0x3FU));
+}
+
+/// Appends what the byte or escape at `at` of a JSON text stands for. Returns where the next begins.
+std::size_t decode(std::string_view text, std::size_t at, std::string& out) {
+  if (text[at] != '\\' || at + 1 == text.size()) {
+    out += text[at];
+    return at + 1;
+  }
+  const char kind = text[at + 1];
+  if (kind != 'u') {
+    constexpr std::string_view kLetters = "bfnrt";
+    constexpr std::string_view kMeant = "\b\f\n\r\t";
+    const std::size_t letter = kLetters.find(kind);
+    out += letter == std::string_view::npos ? kind : kMeant[letter];
+    return at + 2;
+  }
+  unsigned character = hexadecimal(text, at + 2);
+  std::size_t end = std::min(at + 6, text.size());
+  const bool is_high = 0xD800 <= character && character < 0xDC00;
+  if (is_high && text.substr(end).starts_with("\\u")) {
+    character = 0x10000 + ((character - 0xD800) << 10U) + (hexadecimal(text, end + 2) - 0xDC00);
+    end = std::min(end + 6, text.size());
+  }
+  append_utf8(character, out);
+  return end;
+}
 
 struct Found {
   std::optional<std::size_t> name;   // offset of the member's name
@@ -24,9 +76,12 @@ struct Found {
 
 class Scanner {
  public:
-  Scanner(std::string_view text, std::unordered_map<std::string, Found>& wanted) : text_(text), wanted_(wanted) {}
+  Scanner(std::string_view text, std::unordered_map<std::string, Found>& wanted) : text_(text), wanted_(wanted) {
+    for (const auto& [path, found] : wanted) longest_ = std::max(longest_, path.size());
+  }
 
   void run() {
+    if (text_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
     skip_blanks();
     begin_value(at_);
     while (at_ < text_.size() && !open_.empty()) {
@@ -60,7 +115,7 @@ class Scanner {
       path_.resize(top.path_length);
       if (!path_.empty()) path_ += '.';
       path_ += name;
-      if (const auto found = wanted_.find(path_); found != wanted_.end()) found->second.name = begin;
+      if (Found* found = find()) found->name = begin;
       top.awaits_value = true;
     } else {
       if (top.is_object) {
@@ -73,9 +128,17 @@ class Scanner {
     }
   }
 
+  /// The wanted path that is the present one. Longer ones are not even hashed: in a text that is nothing but brackets
+  /// that would take time by the square of its length.
+  Found* find() {
+    if (path_.size() > longest_) return nullptr;
+    const auto found = wanted_.find(path_);
+    return found == wanted_.end() ? nullptr : &found->second;
+  }
+
   void begin_value(std::size_t offset) {
     if (offset >= text_.size()) return;
-    if (const auto found = wanted_.find(path_); found != wanted_.end()) found->second.value = offset;
+    if (Found* found = find()) found->value = offset;
     const char c = text_[offset];
     if (c == '{' || c == '[') {
       open_.push_back({.is_object = c == '{', .path_length = path_.size()});
@@ -93,18 +156,15 @@ class Scanner {
   std::string read_string() {
     std::string read;
     if (text_[at_++] != '"') return read;
-    while (at_ < text_.size() && text_[at_] != '"') {
-      if (text_[at_] == '\\') ++at_;
-      if (at_ < text_.size()) read += text_[at_++];
-    }
-    ++at_;
+    while (at_ < text_.size() && text_[at_] != '"') at_ = decode(text_, at_, read);
+    at_ = std::min(at_ + 1, text_.size());
     return read;
   }
 
   void skip_blanks() {
     while (at_ < text_.size()) {
       const std::string_view rest = text_.substr(at_);
-      if (std::string_view(" \t\r\n\xEF\xBB\xBF").find(rest[0]) != std::string_view::npos) {
+      if (std::string_view(" \t\r\n").find(rest[0]) != std::string_view::npos) {
         ++at_;
       } else if (rest.starts_with("//")) {
         at_ = std::min(text_.find('\n', at_), text_.size());
@@ -119,6 +179,7 @@ class Scanner {
 
   std::string_view text_;
   std::unordered_map<std::string, Found>& wanted_;
+  std::size_t longest_ = 0;
   std::size_t at_ = 0;
   std::string path_;
   std::vector<Container> open_;
@@ -133,25 +194,56 @@ std::string parent_path(const std::string& path) {
 /// The byte of the document at which byte `offset` of the text value at `begin` stands, escapes counted.
 std::size_t offset_in_text(std::string_view text, std::size_t begin, int offset) {
   std::size_t at = begin + 1;
-  for (int k = 0; k < offset && at < text.size() && text[at] != '"'; ++k) {
-    if (text[at] == '\\') at += at + 1 < text.size() && text[at + 1] == 'u' ? 5 : 1;
-    ++at;
+  std::string read;
+  while (at < text.size() && text[at] != '"') {
+    const std::size_t next = decode(text, at, read);
+    if (read.size() > static_cast<std::size_t>(offset)) break;
+    at = next;
   }
   return at;
 }
 
+/// Line and column of offsets that only rise, in one pass over the text.
+class PositionCounter {
+ public:
+  explicit PositionCounter(std::string_view text) : text_(text) {
+    if (text.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
+  }
+
+  TextPosition at(std::size_t offset) {
+    for (const std::size_t end = std::min(offset, text_.size()); at_ < end; ++at_) {
+      if (text_[at_] == '\n') {
+        ++position_.line;
+        position_.column = 1;
+      } else if (at_ + 1 >= text_.size() || !continues_character(text_[at_ + 1])) {
+        ++position_.column;
+      }
+    }
+    return position_;
+  }
+
+ private:
+  std::string_view text_;
+  std::size_t at_ = 0;
+  TextPosition position_;
+};
+
+/// The byte at which a diagnostic's fault lies, or nothing where neither its path nor a part of it is in the text.
+std::optional<std::size_t> offset_of(const Diagnostic& diagnostic, std::string_view text,
+                                     const std::unordered_map<std::string, Found>& wanted) {
+  std::string path = diagnostic.path;
+  if (diagnostic.text_offset == kAtName && wanted.at(path).name) return wanted.at(path).name;
+  while (!wanted.at(path).value && !path.empty()) path = parent_path(path);
+  const std::optional<std::size_t> value = wanted.at(path).value;
+  if (value && diagnostic.text_offset >= 0 && path == diagnostic.path && text[*value] == '"') {
+    return offset_in_text(text, *value, diagnostic.text_offset);
+  }
+  return value;
+}
+
 }  // namespace
 
-TextPosition text_position(std::string_view text, std::size_t offset) {
-  const std::string_view before = text.substr(0, std::min(offset, text.size()));
-  TextPosition position;
-  position.line = 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
-  const std::size_t line_begin = before.find_last_of('\n') + 1;
-  for (const char byte : before.substr(line_begin)) {
-    if (!continues_character(byte)) ++position.column;
-  }
-  return position;
-}
+TextPosition text_position(std::string_view text, std::size_t offset) { return PositionCounter(text).at(offset); }
 
 void locate_diagnostics(std::string_view text, std::span<Diagnostic> diagnostics) {
   // Every path is wanted, and its ancestors in case it is not in the text.
@@ -162,20 +254,18 @@ void locate_diagnostics(std::string_view text, std::span<Diagnostic> diagnostics
   }
   Scanner(text, wanted).run();
 
+  // Lines are counted from the first fault to the last.
+  std::vector<std::pair<std::size_t, Diagnostic*>> found;
   for (Diagnostic& diagnostic : diagnostics) {
     if (diagnostic.line != 0) continue;
-    std::string path = diagnostic.path;
-    const bool at_name = diagnostic.text_offset == kAtName && wanted[path].name.has_value();
-    while (!wanted[path].value && !path.empty()) path = parent_path(path);
-    const Found& found = wanted[path];
-    if (!found.value && !at_name) continue;
-    std::size_t offset = at_name ? *wanted[diagnostic.path].name : *found.value;
-    if (diagnostic.text_offset >= 0 && path == diagnostic.path && text[offset] == '"') {
-      offset = offset_in_text(text, offset, diagnostic.text_offset);
-    }
-    const TextPosition position = text_position(text, offset);
-    diagnostic.line = position.line;
-    diagnostic.column = position.column;
+    if (const auto offset = offset_of(diagnostic, text, wanted)) found.emplace_back(*offset, &diagnostic);
+  }
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  PositionCounter counter(text);
+  for (const auto& [offset, diagnostic] : found) {
+    const TextPosition position = counter.at(offset);
+    diagnostic->line = position.line;
+    diagnostic->column = position.column;
   }
 }
 

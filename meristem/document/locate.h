@@ -14,14 +14,14 @@ struct TextPosition {
   int column = 1;  ///< in characters, from 1
 };
 
-/// Where the byte at `offset` stands; offsets past the end count as the end. Bytes that are not UTF-8 count as one
-/// each.
+/// Where the byte at `offset` stands; offsets past the end count as the end. A byte order mark does not count, bytes
+/// within a character count as its first.
 TextPosition text_position(std::string_view text, std::size_t offset);
 
 /// Fills line and column of the diagnostics that have a path, from the JSON `text` in which they arose: those of the
 /// value at the path, of the member's name (kAtName), or of a byte within the text there. Paths not in the text take
-/// the place of the longest part of them that is. One pass over the text; text that is not JSON leaves the rest
-/// unplaced.
+/// the place of the longest part of them that is. Two passes over the text however many diagnostics; text that is not
+/// JSON leaves the rest unplaced.
 void locate_diagnostics(std::string_view text, std::span<Diagnostic> diagnostics);
 
 }  // namespace meristem

@@ -15,6 +15,7 @@ namespace {
 /// "links[1].density" -> "links", "[1]", "density"; empty where the path is not well formed.
 std::vector<std::string> path_elements(const std::string& path) {
   std::vector<std::string> elements;
+  if (path.starts_with('[')) return elements;
   std::size_t at = 0;
   while (at < path.size()) {
     const bool is_index = path[at] == '[';
@@ -24,7 +25,8 @@ std::vector<std::string> path_elements(const std::string& path) {
     if (end == at) return {};
     elements.push_back(path.substr(at, end - at));
     at = end;
-    if (at < path.size() && path[at] == '.' && ++at == path.size()) return {};
+    if (at == path.size() || path[at] == '[') continue;
+    if (path[at] != '.' || ++at == path.size() || path[at] == '[') return {};
   }
   return elements;
 }
@@ -62,45 +64,54 @@ Diagnostic unknown(const std::string& path, std::string message, const std::stri
   return diagnostic;
 }
 
+/// The element of a list that `element`, "[2]", names; null with a fault where there is none.
+Value* find_element(Value& at, const std::string& element, const std::string& path,
+                    std::vector<Diagnostic>& diagnostics) {
+  std::size_t index = 0;
+  const char* const end = element.data() + element.size() - 1;
+  const auto parsed = std::from_chars(element.data() + 1, end, index);
+  Value::List* list = at.list();
+  if (parsed.ec == std::errc() && parsed.ptr == end && list != nullptr && index < list->size()) return &(*list)[index];
+  Diagnostic diagnostic{.message = fmt::format("there is no element {} in {}", element, at.description()),
+                        .path = path};
+  if (list != nullptr && !list->empty()) diagnostic.expected = fmt::format("[0] to [{}]", list->size() - 1);
+  diagnostics.push_back(std::move(diagnostic));
+  return nullptr;
+}
+
+/// The member of that name, added where the object does not have it; null with a fault where it cannot be.
+Value* find_or_add_member(Value& at, const std::string& name, const std::string& path,
+                          std::vector<Diagnostic>& diagnostics) {
+  if (Value* member = at.find(name)) return member;
+  if (at.is_null()) at = Value(Value::Object{});
+  if (at.object() == nullptr) {
+    diagnostics.push_back({.message = fmt::format("{} has no member '{}'", at.description(), name), .path = path});
+    return nullptr;
+  }
+  return &at.object()->emplace_back(name, Value()).second;
+}
+
+/// Keys are added and checked by the reader, but components and variables must be there.
+bool is_known(const Value& root, const std::vector<std::string>& elements, const std::string& path,
+              std::vector<Diagnostic>& diagnostics) {
+  if (elements.size() < 2 || (elements[0] != "components" && elements[0] != "variables")) return true;
+  const Value* const named = root.find(elements[0]);
+  if (named != nullptr && named->find(elements[1]) != nullptr) return true;
+  const std::vector<std::string> names = named == nullptr ? std::vector<std::string>() : member_names(*named);
+  diagnostics.push_back(
+      unknown(path, fmt::format("there is no {} '{}'", elements[0].substr(0, elements[0].size() - 1), elements[1]),
+              elements[1], names));
+  return false;
+}
+
 /// The place in the tree, made where it is a member that may be added; null with a fault otherwise.
 Value* find_or_add(Value& root, const std::string& path, std::vector<Diagnostic>& diagnostics) {
   const std::vector<std::string> elements = path_elements(path);
+  if (!is_known(root, elements, path, diagnostics)) return nullptr;
   Value* at = &root;
-  for (std::size_t k = 0; k < elements.size(); ++k) {
-    const std::string& element = elements[k];
-    if (element[0] == '[') {
-      std::size_t index = 0;
-      const auto parsed = std::from_chars(element.data() + 1, element.data() + element.size() - 1, index);
-      const bool good = parsed.ec == std::errc() && parsed.ptr == element.data() + element.size() - 1;
-      if (!good || at->list() == nullptr || index >= at->list()->size()) {
-        diagnostics.push_back({.message = fmt::format("there is no element {}", element),
-                               .expected = at->list() == nullptr ? at->description() + " has no elements"
-                                                                 : fmt::format("0 to {}", at->list()->size() - 1),
-                               .path = path});
-        return nullptr;
-      }
-      at = &(*at->list())[index];
-      continue;
-    }
-    Value* member = at->find(element);
-    if (member == nullptr) {
-      // New keys are added and checked by the reader, but components and variables must be there.
-      const bool is_named_thing = k == 1 && (elements[0] == "components" || elements[0] == "variables");
-      if (is_named_thing) {
-        const char* kind = elements[0] == "components" ? "component" : "variable";
-        diagnostics.push_back(
-            unknown(path, fmt::format("there is no {} '{}'", kind, element), element, member_names(*at)));
-        return nullptr;
-      }
-      if (at->is_null()) *at = Value(Value::Object{});
-      if (at->object() == nullptr) {
-        diagnostics.push_back(
-            {.message = fmt::format("{} has no member '{}'", at->description(), element), .path = path});
-        return nullptr;
-      }
-      member = &at->object()->emplace_back(element, Value()).second;
-    }
-    at = member;
+  for (std::size_t k = 0; k < elements.size() && at != nullptr; ++k) {
+    at = elements[k][0] == '[' ? find_element(*at, elements[k], path, diagnostics)
+                               : find_or_add_member(*at, elements[k], path, diagnostics);
   }
   return at;
 }

@@ -1,33 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "commands.h"
 #include "meristem/components/registry.h"
 #include "meristem/document/json.h"
 #include "meristem/document/schema.h"
+#include "reference.h"
 
 namespace meristem::cli {
 
 namespace {
-
-/// One line of JSON, for defaults.
-std::string compact(const Value& value) {
-  std::string text = write_json(value);
-  std::string line;
-  bool blank = false;
-  for (const char c : text) {
-    if (c == '\n' || c == ' ') {
-      blank = true;
-      continue;
-    }
-    if (blank && !line.empty() && line.back() != '[' && line.back() != '{' && c != ']' && c != '}') line += ' ';
-    blank = false;
-    line += c;
-  }
-  return line;
-}
 
 void print_table(const ParameterTable& table, int indent) {
   const std::vector<Value> defaults = table.defaults();
@@ -36,7 +18,7 @@ void print_table(const ParameterTable& table, int indent) {
     const bool nested = row.kind == ParameterKind::object || row.kind == ParameterKind::list;
     std::string facts = nested ? "" : row.expectation();
     if (row.required) facts += facts.empty() ? "required" : "; required";
-    if (!nested && !row.required && !defaults[k].is_null()) facts += "; default " + compact(defaults[k]);
+    if (!nested && !row.required && !defaults[k].is_null()) facts += "; default " + write_json_line(defaults[k]);
     fmt::print("{:{}}{}{}\n", "", indent, row.name, facts.empty() ? "" : " - " + facts);
     fmt::print("{:{}}{}\n", "", indent + 4, row.doc);
     if (nested) print_table(*row.nested, indent + 4);
@@ -66,13 +48,17 @@ void add_components(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("components", "List the types of components, or one type's parameters");
   auto name = std::make_shared<std::string>();
   auto schema = std::make_shared<bool>(false);
+  auto markdown = std::make_shared<bool>(false);
   command->add_option("name", *name, "A type, for its parameters")->type_name("NAME");
   command->add_flag("--schema", *schema, "Print the JSON Schema of documents");
+  command->add_flag("--markdown", *markdown, "Print all parameters as a page of the manual")->excludes("--schema");
   command->footer("Example: meristem components leaf");
-  command->callback([name, schema, &run] {
-    run = [name, schema] {
+  command->callback([name, schema, markdown, &run] {
+    run = [name, schema, markdown] {
       if (*schema) {
         fmt::print("{}", write_json(document_schema(builtin_components())));
+      } else if (*markdown) {
+        fmt::print("{}", reference_page(builtin_components()));
       } else if (name->empty()) {
         list_components();
       } else {

@@ -22,6 +22,7 @@ void grow(const GrowOptions& options) {
   std::vector<const Format*> formats;
   for (const std::string& output : options.outputs) formats.push_back(&format_of(output));
   const Document document = open_document(options.document);
+  for (const std::string& output : options.outputs) check_output(output);
 
   const ThreadLimit threads(options.document.threads);
   std::string summary;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The command line. Exit codes: 0 done, 1 could not do it, 2 the command line or the document is wrong. A signal ends
 // the program as signals do, after what was begun is undone.
+#include <cerrno>
 #include <csignal>
 #include <exception>
 #include <new>
+#include <system_error>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -38,7 +40,6 @@ std::string nearest_word(const CLI::App& app, const std::string& word) {
 }
 
 int report_usage(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);  // --help, --version
   Diagnostic diagnostic{.message = error.what()};
   const std::vector<std::string> extras = app.remaining(true);
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !extras.empty()) {
@@ -63,12 +64,17 @@ int end_by_signal() {
 int run_and_report(const cli::Run& run) {
   try {
     run();
-    return std::fflush(stdout) == 0 ? kDone : kFailed;
+    if (std::fflush(stdout) != 0)
+      throw std::system_error(errno, std::generic_category(), "cannot write standard output");
+    return kDone;
   } catch (const InputError& error) {
     cli::print_diagnostics(error.diagnostics());
     return kWrongInput;
   } catch (const Cancelled&) {
     return end_by_signal();
+  } catch (const std::system_error& error) {
+    // Whoever read the output has seen enough, as `head` has; no word about that.
+    if (error.code() != std::errc::broken_pipe) cli::print_status(fmt::format("meristem: {}", error.what()));
   } catch (const std::bad_alloc&) {
     cli::print_status("meristem: out of memory; lower the document's limits or its counts");
   } catch (const std::exception& error) {
@@ -90,14 +96,14 @@ int main(int argc, char** argv) {
   cli::add_check(app, run);
   cli::add_components(app, run);
   cli::add_models(app, run);
+  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is a failed write like any other
   try {
     app.parse(argc, argv);
+  } catch (const CLI::Success& wish) {
+    return run_and_report([&] { app.exit(wish); });  // --help, --version
   } catch (const CLI::ParseError& error) {
     return report_usage(app, error);
   }
-  if (!run) {
-    fmt::print("{}", app.help());
-    return kDone;
-  }
+  if (!run) run = [&app] { fmt::print("{}", app.help()); };
   return run_and_report(run);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <charconv>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -34,7 +35,8 @@ std::pair<Number, Number> number_pair(const std::string& text, char separator, c
   const auto first = std::from_chars(text.data(), end, pair.first);
   if (first.ec == std::errc() && first.ptr != end && *first.ptr == separator) {
     const auto second = std::from_chars(first.ptr + 1, end, pair.second);
-    if (second.ec == std::errc() && second.ptr == end) return pair;
+    const bool is_finite = std::isfinite(static_cast<double>(pair.first) + static_cast<double>(pair.second));
+    if (second.ec == std::errc() && second.ptr == end && is_finite) return pair;
   }
   throw InputError(Diagnostic{.message = fmt::format("{} cannot be '{}'", option, text), .expected = expected});
 }
@@ -59,11 +61,16 @@ void render(const RenderOptions& options) {
   if (!options.view.empty()) {
     const auto [azimuth, altitude] =
         number_pair<double>(options.view, ',', "--view", "AZIMUTH,ALTITUDE in degrees, such as 150,6");
+    if (!(std::abs(azimuth) <= 360 && std::abs(altitude) <= 89)) {
+      throw InputError(Diagnostic{.message = fmt::format("--view cannot be '{}'", options.view),
+                                  .expected = "an azimuth from -360 to 360 and an altitude from -89 to 89 degrees"});
+    }
     view.position.reset();
     view.azimuth = radians(azimuth);
     view.altitude = radians(altitude);
   }
   check_still_options(still);
+  check_output(options.output);
 
   const ThreadLimit threads(options.document.threads);
   {

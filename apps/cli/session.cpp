@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/atomic_file.h"
 #include "meristem/components/registry.h"
 #include "terminal.h"
 
@@ -37,7 +38,7 @@ bool is_plain_name(const std::string& path) { return path.find_first_of("./") ==
 /// A file of that name goes before a model; a name that is neither suggests the nearest model.
 std::string resolve(const std::string& path) {
   std::error_code ignored;
-  if (!is_plain_name(path) || fs::exists(path, ignored)) return path;
+  if (!is_plain_name(path) || (fs::exists(path, ignored) && !fs::is_directory(path, ignored))) return path;
   const std::vector<std::string> names = model_names();
   if (std::find(names.begin(), names.end(), path) != names.end()) return model_path(path);
   throw InputError(Diagnostic{.message = fmt::format("there is no file and no shipped model '{}'", path),
@@ -51,11 +52,19 @@ Document open_document(const DocumentOptions& options) {
   std::vector<Override> overrides;
   for (const std::string& set : options.sets) overrides.push_back(parse_override(set));
   const bool from_input = options.path == "-";
-  const std::string path = from_input ? "/dev/stdin" : resolve(options.path);
+  const std::string path = from_input ? "-" : resolve(options.path);
   Document document = read_document(read_text_file(path), from_input ? "<standard input>" : path, builtin_components(),
                                     overrides, options.seed);
   if (!options.quiet) print_diagnostics(document.warnings);
   return document;
+}
+
+void check_output(const std::string& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  const bool is_stream =
+      path == "-" || (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
+  if (!is_stream) AtomicFile file(path);
 }
 
 std::string models_folder() {

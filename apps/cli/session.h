@@ -28,6 +28,9 @@ struct DocumentOptions {
 /// warnings unless quiet.
 Document open_document(const DocumentOptions& options);
 
+/// Throws MachineError if a file cannot be written at `path`, so that this is known before the work and not after it.
+void check_output(const std::string& path);
+
 /// The folder of shipped models: beside the program where it is installed, else the source tree's.
 std::string models_folder();
 /// The names of the shipped models (files without their ending), in alphabetical order.

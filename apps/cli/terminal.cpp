@@ -20,13 +20,32 @@ extern "C" void cancel_on_signal(int signal) {
   if (Progress* progress = active_progress.load()) progress->cancel();
 }
 
-void install_handlers(void (*handler)(int)) {
+/// A signal that is ignored, as under nohup, stays so.
+void handle(int signal) {
   struct sigaction action = {};
-  action.sa_handler = handler;
+  if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) return;
+  action = {};
+  action.sa_handler = cancel_on_signal;
   action.sa_flags = static_cast<int>(SA_RESETHAND);  // a second signal does what signals do
   sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  sigaction(signal, &action, nullptr);
+}
+
+/// What is written to standard error is lost if nobody can take it: no failure worth another.
+void write_error(const std::string& text) { std::fputs(text.c_str(), stderr); }
+
+/// Without what would act on a terminal instead of being read, and not longer than a screen.
+std::string readable(const std::string& text) {
+  constexpr std::size_t kMost = 2000;
+  std::string out = text.substr(0, kMost);
+  if (text.size() > kMost) {
+    while (!out.empty() && (static_cast<unsigned char>(text[out.size()]) & 0xC0U) == 0x80U) out.pop_back();
+    out += " ...";
+  }
+  for (char& c : out) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+  }
+  return out;
 }
 
 constexpr const char* kEraseLine = "\r\033[K";
@@ -34,23 +53,27 @@ constexpr const char* kEraseLine = "\r\033[K";
 }  // namespace
 
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics) {
-  for (const Diagnostic& diagnostic : diagnostics) print_status(diagnostic.text());
+  for (const Diagnostic& diagnostic : diagnostics) {
+    const char* const kind = diagnostic.severity == Severity::warning ? "warning: " : "";
+    const char* const origin = diagnostic.file.empty() ? "meristem: " : "";
+    print_status(kind + readable(origin + diagnostic.text()));
+  }
 }
 
-void print_status(const std::string& line) { fmt::print(stderr, "{}\n", line); }
+void print_status(const std::string& line) { write_error(line + "\n"); }
 
 TerminalProgress::TerminalProgress(bool quiet)
     : is_terminal_(isatty(STDERR_FILENO) != 0),
       progress_(quiet ? Progress::Observer()
                       : [this](std::string_view stage, double fraction) { show(stage, fraction); }) {
   active_progress.store(&progress_);
-  install_handlers(cancel_on_signal);
+  handle(SIGINT);
+  handle(SIGTERM);
 }
 
 TerminalProgress::~TerminalProgress() {
   active_progress.store(nullptr);
-  if (bar_shown_) fmt::print(stderr, "{}", kEraseLine);
-  std::fflush(stderr);
+  if (bar_shown_) write_error(kEraseLine);
 }
 
 void TerminalProgress::show(std::string_view stage, double fraction) {
@@ -63,9 +86,8 @@ void TerminalProgress::show(std::string_view stage, double fraction) {
     if (bar_shown_ && now - shown_ < kBarEvery) return;
     constexpr int kWidth = 40;
     const int full = static_cast<int>(fraction * kWidth);
-    fmt::print(stderr, "{}{:<12} [{:=<{}}{: <{}}] {:3.0f} %", kEraseLine, stage, "", full, "", kWidth - full,
-               100 * fraction);
-    std::fflush(stderr);
+    write_error(fmt::format("{}{:<12} [{:=<{}}{: <{}}] {:3.0f} %", kEraseLine, stage, "", full, "", kWidth - full,
+                            100 * fraction));
     bar_shown_ = true;
   } else {
     if (now - shown_ < kLineEvery) return;

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reference.h"
+
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "meristem/document/json.h"
+#include "meristem/document/tables.h"
+#include "meristem/graph/placement.h"
+
+namespace meristem::cli {
+
+namespace {
+
+constexpr const char* kBegin = R"page(# Components and their parameters
+
+This page is made from the program's own tables by `meristem components --markdown`.
+
+A default is what counts when the parameter is not given; where the column is empty, the program chooses or nothing
+happens. A parameter that *varies* may differ from instance to instance: besides a number it takes a range such as
+`[0.2, 0.5]`, an expression such as `"20 + 15*rand(-1,1)"`, or both (see [the document](document.md)). The others take a
+number or an expression of numbers and the document's variables.
+
+)page";
+
+/// Whether a table's numbers may differ between instances.
+enum class Variation { none, as_stated };
+
+bool varies(const Parameter& row) {
+  const bool is_number =
+      row.kind == ParameterKind::number || row.kind == ParameterKind::integer || row.kind == ParameterKind::vector;
+  return is_number && !row.form.fixed;
+}
+
+/// A table's cell, in which a bar would begin the next.
+std::string cell(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '|') out += '\\';
+    out += c;
+  }
+  return out;
+}
+
+class Page {
+ public:
+  void text(std::string_view text) { out_ += text; }
+  void heading(std::string_view name, std::string_view doc) {
+    fmt::format_to(std::back_inserter(out_), "## {}\n\n{}\n\n", name, doc);
+  }
+
+  /// `without` holds rows that stand elsewhere.
+  void table(const ParameterTable& table, Variation variation, const ParameterTable* without = nullptr) {
+    has_column_ = variation == Variation::as_stated;
+    text(has_column_ ? "| parameter | value | default | varies | meaning |\n| --- | --- | --- | --- | --- |\n"
+                     : "| parameter | value | default | meaning |\n| --- | --- | --- | --- |\n");
+    rows(table, "", variation, without);
+    text("\n");
+  }
+
+  std::string take() { return std::move(out_); }
+
+ private:
+  /// A nested table's rows follow its own, under their full names.
+  void rows(const ParameterTable& table, const std::string& above, Variation variation, const ParameterTable* without) {
+    const std::vector<Value> defaults = table.defaults();
+    for (std::size_t k = 0; k < table.parameters.size(); ++k) {
+      const Parameter& row = table.parameters[k];
+      if (without != nullptr && without->find(row.name) != nullptr) continue;
+      const bool is_nested = row.nested != nullptr;
+      std::string fallback;
+      if (row.required) {
+        fallback = "required";
+      } else if (!is_nested && !defaults[k].is_null()) {
+        fallback = "`" + write_json_line(defaults[k]) + "`";
+      }
+      write({"`" + above + row.name + "`", value(row), std::move(fallback)});
+      if (has_column_) write_cell(variation == Variation::as_stated && varies(row) ? "yes" : "");
+      fmt::format_to(std::back_inserter(out_), "{} |\n", cell(row.doc));
+      if (!is_nested) continue;
+      const bool is_list = row.kind == ParameterKind::list;
+      rows(*row.nested, above + row.name + (is_list ? "[]." : "."), is_list ? Variation::none : variation, nullptr);
+    }
+  }
+
+  static std::string value(const Parameter& row) {
+    if (row.kind == ParameterKind::list) return "a list of objects";
+    if (row.kind != ParameterKind::object) return row.expectation();
+    if (row.nested->shorthand.empty()) return "an object";
+    return fmt::format("an object, or `{}` alone", row.nested->shorthand);
+  }
+
+  void write(const std::vector<std::string>& cells) {
+    out_ += "| ";
+    for (const std::string& text : cells) write_cell(text);
+  }
+  void write_cell(const std::string& text) { fmt::format_to(std::back_inserter(out_), "{} | ", cell(text)); }
+
+  std::string out_;
+  bool has_column_ = false;  // that says what varies
+};
+
+}  // namespace
+
+std::string reference_page(const Registry& registry) {
+  Page page;
+  page.text(kBegin);
+  for (const ComponentType& type : registry.types()) {
+    page.heading(type.name, type.doc);
+    page.table(type.parameters, Variation::as_stated, &component_base_table());
+  }
+  page.heading("All components", component_base_table().doc);
+  page.table(component_base_table(), Variation::as_stated);
+  page.heading("Branch links", placement_table().doc);
+  page.table(placement_table(), Variation::none);
+  page.heading("Top level of a document", head_table().doc);
+  page.table(head_table(), Variation::none);
+  page.heading("Variables", variable_table().doc);
+  page.table(variable_table(), Variation::none);
+  page.heading("Limits", limits_table().doc);
+  page.table(limits_table(), Variation::none);
+  std::string text = page.take();
+  text.pop_back();
+  return text;
+}
+
+}  // namespace meristem::cli

@@ -36,6 +36,7 @@ std::vector<Vec3> corners(const Mesh& mesh) {
   Box box;
   for (const Vec3 position : mesh.positions) box.add(position);
   std::vector<Vec3> points;
+  points.reserve(8);
   for (int corner = 0; corner < 8; ++corner) {
     points.emplace_back(corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
                         corner & 4 ? box.high.z : box.low.z);

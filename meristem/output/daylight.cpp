@@ -9,7 +9,7 @@ namespace meristem {
 namespace {
 
 constexpr int kCells = 128;
-constexpr int kRow = kCells + 1;
+constexpr std::size_t kRow = kCells + 1;
 
 }  // namespace
 
@@ -26,8 +26,8 @@ Daylight::Daylight(FunctionRef<Vec3(Vec3)> dome, Vec3 below) : below_(below) { t
 
 void Daylight::tabulate(FunctionRef<Vec3(Vec3)> dome) {
   table_.reserve(kRow * kRow);
-  for (int row = 0; row < kRow; ++row) {
-    for (int column = 0; column < kRow; ++column) {
+  for (int row = 0; row <= kCells; ++row) {
+    for (int column = 0; column <= kCells; ++column) {
       // The octahedron's upper half, turned by 45° so that it fills the square.
       const float s = 2.0F * static_cast<float>(column) / kCells - 1;
       const float t = 2.0F * static_cast<float>(row) / kCells - 1;

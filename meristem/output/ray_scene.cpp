@@ -42,6 +42,11 @@ Mat3 normal_matrix(const Mat3& axes) {
   return glm::dot(axes[0], cofactors[0]) < 0 ? -cofactors : cofactors;
 }
 
+struct ReleaseGeometry {
+  void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+using GeometryOwner = std::unique_ptr<RTCGeometryTy, ReleaseGeometry>;
+
 bool stop_if_cancelled(void* progress, double) { return !static_cast<Progress*>(progress)->is_cancelled(); }
 
 }  // namespace
@@ -85,7 +90,8 @@ struct RayScene::Trees {
 
   /// Adds all of the frames' triangles to a scene.
   void add_triangles(RTCScene scene, const Mesh& mesh, const std::vector<Frame>& frames, Progress& progress) const {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    const GeometryOwner owner(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
+    RTCGeometry geometry = owner.get();
     const std::size_t vertices = mesh.vertex_count();
     const std::size_t triangles = mesh.triangle_count();
     auto* positions = static_cast<Vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -107,11 +113,11 @@ struct RayScene::Trees {
       rtcCommitGeometry(geometry);
       rtcAttachGeometry(scene, geometry);
     }
-    rtcReleaseGeometry(geometry);
   }
 
   void add_instance(RTCScene of, const Frame& frame) const {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+    const GeometryOwner owner(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
+    RTCGeometry geometry = owner.get();
     rtcSetGeometryInstancedScene(geometry, of);
     const Mat3& axes = frame.axes;
     const float columns[12] = {axes[0].x, axes[0].y, axes[0].z, axes[1].x,      axes[1].y,      axes[1].z,
@@ -119,7 +125,6 @@ struct RayScene::Trees {
     rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(top, geometry);
-    rtcReleaseGeometry(geometry);
   }
 };
 

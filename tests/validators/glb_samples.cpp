@@ -35,7 +35,7 @@ void add_leaves(MeshScene& scene, int count) {
   const RandomKey key(11);
   std::vector<Frame> frames;
   for (int i = 0; i < count; ++i) {
-    Frame frame = frame_along(Vec3(0, 2, 0) + key.direction(2 * i), key.direction(2 * i + 1), kUp);
+    Frame frame = frame_along(Vec3(0, 2, 0) + key.direction(i), key.child(3).direction(i), kUp);
     frame.axes[0] *= static_cast<float>(key.child(1).uniform(i, 0.5, 2.0)) * (i % 5 == 0 ? -1.0F : 1.0F);
     frame.axes[1] *= static_cast<float>(key.child(2).uniform(i, 0.5, 2.0));
     if (i % 31 == 7) frame.axes[1] += 0.3F * frame.axes[2];

@@ -14,4 +14,4 @@ run("install the library" ${CMAKE_COMMAND} --install ${LIBRARY} --prefix ${WORK}
 run("configure the consumer" ${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G ${GENERATOR}
     -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
 run("build the consumer" ${CMAKE_COMMAND} --build ${WORK}/build)
-run("run the consumer" ${WORK}/build/consumer)
+run("run the consumer" ${CMAKE_COMMAND} -E chdir ${WORK}/build ./consumer)

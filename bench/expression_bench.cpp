@@ -85,14 +85,14 @@ void count_lanes(benchmark::State& state) {
 
 void native(benchmark::State& state, const Formula& formula) {
   Lanes lanes;
-  for (auto _ : state) run_native(formula, lanes);
+  while (state.KeepRunning()) run_native(formula, lanes);
   count_lanes(state);
 }
 
 void batched(benchmark::State& state, const Formula& formula) {
   Lanes lanes;
   const Expression expression = Expression::compile(formula.text, {{"i", "u"}, {}});
-  for (auto _ : state) run_expression(expression, lanes);
+  while (state.KeepRunning()) run_expression(expression, lanes);
   count_lanes(state);
   state.counters["to_native"] =
       least_seconds([&] { run_native(formula, lanes); }) / least_seconds([&] { run_expression(expression, lanes); });
@@ -102,7 +102,7 @@ void batched(benchmark::State& state, const Formula& formula) {
 void single(benchmark::State& state, const Formula& formula) {
   const Expression expression = Expression::compile(formula.text, {{"i", "u"}, {}});
   double values[] = {3, 0.25};
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     values[0] += 1;
     benchmark::DoNotOptimize(expression.evaluate(values));
   }
@@ -113,13 +113,13 @@ void single(benchmark::State& state, const Formula& formula) {
 void drawing(benchmark::State& state, const char* text) {
   Lanes lanes;
   const Expression expression = Expression::compile(text, {{"i", "u"}, {}});
-  for (auto _ : state) run_expression(expression, lanes);
+  while (state.KeepRunning()) run_expression(expression, lanes);
   count_lanes(state);
 }
 
 void compile(benchmark::State& state) {
   const meristem::ExpressionNames names{{"v", "i", "n", "u", "depth", "order", "x", "y", "z"}, {{"age", 12}}};
-  for (auto _ : state) benchmark::DoNotOptimize(Expression::compile("20 + 15*sin(i*137.5)*u*age", names));
+  while (state.KeepRunning()) benchmark::DoNotOptimize(Expression::compile("20 + 15*sin(i*137.5)*u*age", names));
   state.SetItemsProcessed(state.iterations());
 }
 

@@ -45,10 +45,9 @@ inline double quarter_sin_deg(double x) {
 
 /// sin of an angle of at most kNearDegrees.
 inline double near_sin_deg(double x) {
-  using namespace degrees_detail;
   // Subtract half turns; an odd number of them turns the sign.
-  const double shifted = x * (1.0 / 180) + kRounder;
-  const double sine = quarter_sin_deg(x - 180 * (shifted - kRounder));
+  const double shifted = x * (1.0 / 180) + degrees_detail::kRounder;
+  const double sine = degrees_detail::quarter_sin_deg(x - 180 * (shifted - degrees_detail::kRounder));
   const std::uint64_t sign = std::bit_cast<std::uint64_t>(shifted) << 63;
   // Adding zero makes a negative zero positive.
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(sine) ^ sign) + 0.0;
@@ -56,9 +55,8 @@ inline double near_sin_deg(double x) {
 
 /// cos of an angle of at most kNearDegrees.
 inline double near_cos_deg(double x) {
-  using namespace degrees_detail;
-  const double turns = (x * (1.0 / 360) + kRounder) - kRounder;
-  return quarter_sin_deg(90 - std::abs(x - 360 * turns));
+  const double turns = (x * (1.0 / 360) + degrees_detail::kRounder) - degrees_detail::kRounder;
+  return degrees_detail::quarter_sin_deg(90 - std::abs(x - 360 * turns));
 }
 
 /// The angle less whole turns where it is too large for the functions above; NaN for an infinity.

@@ -164,7 +164,7 @@ Node leaf(int choice) {
 }
 
 rc::Gen<Node> formula(int depth) {
-  const auto leaves = rc::gen::map(rc::gen::inRange(0, 8), leaf);
+  auto leaves = rc::gen::map(rc::gen::inRange(0, 8), leaf);
   if (depth == 0) return leaves;
   const auto count = static_cast<int>(operations().size());
   const auto inner = rc::gen::mapcat(rc::gen::inRange(0, count), [depth](int choice) {

@@ -283,14 +283,22 @@ void run_instruction(const ExpressionInstruction& i, const Block<lanes>& block, 
   }
 }
 
+/// One call of `run`.
+struct Batch {
+  std::size_t count;
+  const double* const* variables;
+  const RandomKey* keys;
+  double* scratch;
+  double* out;
+};
+
 /// Runs as many full blocks of this many lanes as there are from `start` on; returns the first lane not done.
 template <std::size_t lanes>
-std::size_t run_blocks(const ExpressionBytecode& code, std::size_t start, std::size_t count,
-                       const double* const* variables, const RandomKey* keys, double* scratch, double* out) {
-  for (; count - start >= lanes; start += lanes) {
-    const Block<lanes> block{variables, code.variable_count, start, scratch};
-    for (const ExpressionInstruction& instruction : code.instructions) run_instruction(instruction, block, keys);
-    std::copy_n(block.in(code.result), lanes, out + start);
+std::size_t run_blocks(const ExpressionBytecode& code, const Batch& batch, std::size_t start) {
+  for (; batch.count - start >= lanes; start += lanes) {
+    const Block<lanes> block{batch.variables, code.variable_count, start, batch.scratch};
+    for (const ExpressionInstruction& instruction : code.instructions) run_instruction(instruction, block, batch.keys);
+    std::copy_n(block.in(code.result), lanes, batch.out + start);
   }
   return start;
 }
@@ -309,9 +317,11 @@ void ExpressionBytecode::run(std::size_t count, std::span<const double* const> v
     scratch = on_heap.get();
   }
 
-  std::size_t done = run_blocks<kExpressionLanes>(*this, 0, count, variables.data(), keys.data(), scratch, out);
-  done = run_blocks<8>(*this, done, count, variables.data(), keys.data(), scratch, out);
-  run_blocks<1>(*this, done, count, variables.data(), keys.data(), scratch, out);
+  Batch batch{count, variables.data(), keys.data(), scratch, nullptr};
+  batch.out = out;
+  std::size_t done = run_blocks<kExpressionLanes>(*this, batch, 0);
+  done = run_blocks<8>(*this, batch, done);
+  run_blocks<1>(*this, batch, done);
 }
 
 double fold(ExpressionOp op, std::span<const double> operands) {
@@ -324,7 +334,8 @@ double fold(ExpressionOp op, std::span<const double> operands) {
     variables[k] = &operands[k];
   }
   double result = 0;
-  run_instruction(instruction, Block<1>{variables, operands.size(), 0, &result}, nullptr);
+  const RandomKey unused;
+  run_instruction(instruction, Block<1>{variables, operands.size(), 0, &result}, &unused);
   return result;
 }
 

@@ -12,7 +12,10 @@
 
 namespace {
 
-using namespace meristem;
+using meristem::Expression;
+using meristem::ExpressionError;
+using meristem::ExpressionNames;
+using meristem::RandomKey;
 
 constexpr std::size_t kLanes = 75;  // a block of 64, one of 8, three single ones
 
@@ -41,6 +44,7 @@ void compare_lanes(const Expression& expression) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer looks for this name.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   static const ExpressionNames kNames{{"i", "u"}, {{"age", 12}}};

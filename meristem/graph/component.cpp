@@ -20,9 +20,9 @@ namespace {
 const ParameterTable& transform_table() {
   static const ParameterTable table =
       Table<Transform>("a transform", "Moves, turns and scales: scaled first, then turned, then moved.")
-          .vector("translate", &Transform::translate, {.unit = Unit::metre},
+          .vector("translate", &Transform::translate, {.unit = Unit::metre, .min = -1e6, .max = 1e6},
                   "Shift along x (right), y (heading) and z.")
-          .vector("rotate", &Transform::rotate, {.unit = Unit::degree},
+          .vector("rotate", &Transform::rotate, {.unit = Unit::degree, .min = -1e6, .max = 1e6},
                   "Pitch about x, roll about y, yaw about z; the roll acts first, then the pitch, then the yaw.")
           .vector("scale", &Transform::scale, {.min = 1e-4, .max = 1e4}, "Factors along x, y and z.");
   return table;
@@ -50,6 +50,15 @@ const ParameterTable& component_base_table() {
                    "Whether what hangs on an omitted instance stays.")
           .boolean("hidden", &ComponentBase::hidden, "No geometry; children stay.");
   return table;
+}
+
+void check_rules(const ComponentType& type, const std::string& id, const void* instance, const Limits& limits) {
+  if (!type.parameters.check) return;
+  ParameterReader reader({}, limits);
+  const Place top;
+  const Place components(top, "components");
+  type.parameters.check(instance, Place(components, id), reader);
+  if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
 }
 
 const ComponentType* Registry::find(std::string_view name) const {

@@ -101,6 +101,10 @@ struct Prototype {
   const ComponentBase& base() const { return type->base(parameters.get()); }
 };
 
+/// Throws an InputError if an instance's parameters break a rule of their table: they may vary, so what held for those
+/// of the component need not hold for each instance.
+void check_rules(const ComponentType& type, const std::string& id, const void* instance, const Limits& limits);
+
 /// All that defines a component type with parameter struct P, which derives from ComponentBase.
 template <class P>
 struct ComponentDefinition {
@@ -144,6 +148,7 @@ ComponentType define_component(ComponentDefinition<P> definition) {
                                          const GrowContext& context) {
       P instance = *static_cast<const P*>(prototype.parameters.get());
       VaryingValues(prototype.varyings, std::span(&site, 1), time).apply(0, &instance);
+      check_rules(*prototype.type, prototype.id, &instance, context.limits);
       Site own = site;
       own.frame = site.frame * instance.frame.frame();
       return grow(instance, own, context);

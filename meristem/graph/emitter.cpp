@@ -1,12 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/graph/emitter.h"
 
+#include <cassert>
+#include <cmath>
 #include <string_view>
 
+#include <fmt/format.h>
+#include <glm/matrix.hpp>
+
 #include "meristem/base/hash.h"
+#include "meristem/base/math.h"
 #include "meristem/graph/component.h"
 
 namespace meristem {
+
+namespace {
+
+constexpr std::uint64_t kCountedTogether = 1024;  // sites; an atomic addition for each would slow threads down
+
+bool is_finite(const Frame& frame) {
+  const auto finite = [](Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
+  return finite(frame.origin) && finite(frame.axes[0]) && finite(frame.axes[1]) && finite(frame.axes[2]);
+}
+
+/// True where the frame's volume is too small to be inverted.
+bool has_vanished(const Frame& frame) { return std::abs(glm::determinant(frame.axes)) < 1e-36F; }
+
+/// Moves a skeleton in world space along with the frame it hangs on.
+void move_geometry(Skeleton& skeleton, const Frame& from, const Frame& to) {
+  const Mat3 axes = to.axes * glm::inverse(from.axes);
+  for (Vec3& position : skeleton.position) position = to.origin + axes * (position - from.origin);
+  const auto scale = static_cast<float>(math::pow(std::abs(glm::determinant(axes)), 1.0 / 3));
+  for (float& radius : skeleton.radius) radius *= scale;
+}
+
+}  // namespace
 
 std::uint64_t shape_key(std::initializer_list<double> numbers) {
   return hash64(std::string_view(reinterpret_cast<const char*>(numbers.begin()), numbers.size() * sizeof(double)));
@@ -14,21 +42,52 @@ std::uint64_t shape_key(std::initializer_list<double> numbers) {
 
 void Emitter::instance(const ComponentBase& base, const Site& site, std::size_t index,
                        FunctionRef<void(const Site&)> expand) {
-  const bool omitted =
-      (base.omit && base.omit->contains(site, time_)) || (base.only && !base.only->contains(site, time_));
+  const bool omitted = (base.omit && base.omit->contains(site, context_->time)) ||
+                       (base.only && !base.only->contains(site, context_->time));
   if (omitted && !base.omit_keeps_children) return;
   instance_ = index;
   visible_ = !omitted && !base.hidden;
+  begin_instance(base, site);
+  if (has_vanished(site_.frame)) return;
+  expand(site_);
+  end_instance();
+}
+
+void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   site_ = site;
   site_.frame = site.frame * base.frame.frame();
-  geometry_frame_ = site_.frame * base.place.frame();
+  const Frame place = base.place.frame();
+  is_placed_ = place.axes != Mat3(1) || place.origin != Vec3(0);
+  geometry_frame_ = site_.frame * place;
+  if (!is_finite(site_.frame) || !is_finite(geometry_frame_)) {
+    throw InputError(Diagnostic{.message = fmt::format("the frame of instance {} of {} is not finite", site.i, site.n),
+                                .expected = "smaller scales and shifts, here or in what it hangs on",
+                                .path = "components." + context_->component});
+  }
+  has_child_sites_ = false;
+  stems_of_instance_ = 0;
+  first_child_ = child_sites.size();
+  first_branch_ = branch_sites.size();
+}
 
-  const std::size_t first_child = child_sites.size();
-  const std::size_t first_branch = branch_sites.size();
-  expand(site_);
-  if (child_sites.size() == first_child) child_site(Frame{});
-  number_siblings(child_sites, first_child);
-  number_siblings(branch_sites, first_branch);
+/// Completes the places for children, drops those that no link wants, and numbers the rest.
+void Emitter::end_instance() {
+  if (!has_child_sites_) child_site(Frame{});
+  if (context_->wants_branch_sites && !context_->makes_stems && branch_sites.size() == first_branch_) {
+    branch_sites.insert(branch_sites.end(), child_sites.begin() + static_cast<std::ptrdiff_t>(first_child_),
+                        child_sites.end());
+  }
+  if (!context_->wants_child_sites) child_sites.resize(first_child_);
+  const auto number = [](std::vector<Site>& sites, std::size_t first) {
+    const auto count = static_cast<std::uint32_t>(sites.size() - first);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      sites[first + k].i = k;
+      sites[first + k].n = count;
+    }
+  };
+  number(child_sites, first_child_);
+  number(branch_sites, first_branch_);
+  if (uncounted_ >= kCountedTogether / 8) count_sites();
 }
 
 void Emitter::organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make) {
@@ -39,36 +98,49 @@ void Emitter::organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> m
 }
 
 void Emitter::stem(Skeleton skeleton, const Surface& surface) {
-  stems.push_back({std::move(skeleton), surface, site_, visible_});
+  EmittedStem& stem = stems.emplace_back(EmittedStem{std::move(skeleton), surface, site_, visible_, {}});
+  stem.site.key = site_.key.child("stem").child(stems_of_instance_++);
+  if (is_placed_ && visible_) {
+    stem.moved = stem.skeleton;
+    move_geometry(*stem.moved, site_.frame, geometry_frame_);
+  }
 }
 
 void Emitter::child_site(const Frame& local, float length, float radius) {
-  Site& site = child_sites.emplace_back(site_below(local, 0));
-  site.u = 1;
-  site.length = length;
-  site.radius = radius;
+  has_child_sites_ = true;
+  const bool for_branches = context_->wants_branch_sites && !context_->makes_stems;
+  if (context_->wants_child_sites || for_branches) add_site(child_sites, local, 1, length, radius);
 }
 
 void Emitter::branch_site(const Frame& local, float u, float length, float radius) {
-  Site& site = branch_sites.emplace_back(site_below(local, 0));
+  if (context_->wants_branch_sites) add_site(branch_sites, local, u, length, radius);
+}
+
+void Emitter::add_site(std::vector<Site>& sites, const Frame& local, float u, float length, float radius) {
+  if (++uncounted_ == kCountedTogether) count_sites();
+  Site& site = sites.emplace_back(site_);
+  site.frame = site_.frame * local;
   site.u = u;
   site.length = length;
   site.radius = radius;
 }
 
-Site Emitter::site_below(const Frame& local, std::uint32_t i) const {
-  Site below = site_;
-  below.frame = site_.frame * local;
-  below.i = i;
-  return below;
+void Emitter::count_sites() {
+  const std::uint64_t limit = context_->limits.instances;
+  const std::uint64_t before = context_->instances.fetch_add(uncounted_, std::memory_order_relaxed);
+  // The message names the limit and not the count, which depends on what other threads have counted so far.
+  if (before + uncounted_ > limit) {
+    throw InputError(
+        Diagnostic{.message = fmt::format("'{}' offers places to more than {} instances", context_->component, limit),
+                   .expected = fmt::format("at most {} (limits.instances)", limit),
+                   .path = context_->multiplier});
+  }
+  uncounted_ = 0;
 }
 
-void Emitter::number_siblings(std::vector<Site>& sites, std::size_t first) {
-  const auto count = static_cast<std::uint32_t>(sites.size() - first);
-  for (std::uint32_t k = 0; k < count; ++k) {
-    sites[first + k].i = k;
-    sites[first + k].n = count;
-  }
+Skeleton Emitter::take_grown() {
+  assert(instance_ < grown_.size());
+  return std::move(grown_[instance_]);
 }
 
 }  // namespace meristem

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
-#include <span>
+#include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "meristem/base/function_ref.h"
+#include "meristem/base/limits.h"
 #include "meristem/base/mesh.h"
 #include "meristem/graph/site.h"
 #include "meristem/plant/plant.h"
@@ -25,32 +28,53 @@ std::uint64_t shape_key(std::initializer_list<double> numbers);
 struct EmittedStem {
   Skeleton skeleton;
   Surface surface;
-  Site site;  ///< of the instance that made it; its key is the instance's
+  Site site;  ///< of the instance that made it, with a key of the stem's own
   bool visible = true;
+  std::optional<Skeleton> moved;  ///< what is seen instead of the skeleton where `place` moves it
+};
+
+/// What the emitters of one component's instances have in common.
+struct EmitterContext {
+  const Scene& scene;
+  const Limits& limits;
+  const std::string& component;  ///< id, for errors
+  std::string multiplier;        ///< document path of what multiplies the children, for errors
+  double time = 0;               ///< seconds
+  bool makes_stems = false;      ///< children of branch links stand along stems only
+  bool wants_child_sites = true;
+  bool wants_branch_sites = true;
+  std::atomic<std::uint64_t> instances{0};  ///< so far, with the places that are offered to more
 };
 
 /// Takes what the instances of one block emit. One thread uses one emitter; blocks are merged in their order.
+///
+/// An instance whose frame has shrunk to nothing emits nothing, nor does what hangs on it. Throws InputError for frames
+/// that are not finite, and when the places for children pass the limit of instances.
 class Emitter {
  public:
-  Emitter(const Scene& scene, double time) : scene_(&scene), time_(time) {}
+  /// `context` outlives the emitter.
+  explicit Emitter(EmitterContext& context) : context_(&context) {}
 
   // For components.
 
   /// Geometry at `local` in the instance's frame (moved by its `place`). Instances of one component with equal `key`
   /// share what the first one makes.
   void organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make);
-  /// A skeleton in world space.
+  /// A skeleton in world space. The instance's `place` moves it, but not what hangs on it.
   void stem(Skeleton skeleton, const Surface& surface);
   /// A place for children, relative to the instance's frame; called n times it multiplies them. Without a call,
-  /// children stand in the instance's frame.
+  /// children stand in the instance's frame, unless `no_children` was called.
   void child_site(const Frame& local, float length = 0, float radius = 0);
-  /// A place for the children of branch links that differs from those of child links.
+  /// Children stand only where `child_site` says: for components whose number of children may be 0.
+  void no_children() { has_child_sites_ = true; }
+  /// A place for the children of branch links where it differs from those of child links. Without a call, and for
+  /// components that make no stems, these stand where the children of child links do.
   void branch_site(const Frame& local, float u, float length, float radius);
 
-  const Scene& scene() const { return *scene_; }
-  double time() const { return time_; }
-  /// The skeleton that this instance has grown.
-  Skeleton take_grown() { return std::move(grown_[instance_]); }
+  const Scene& scene() const { return context_->scene; }
+  double time() const { return context_->time; }
+  /// The skeleton that this instance has grown; only for components that grow, and once an instance.
+  Skeleton take_grown();
 
   // For the graph.
 
@@ -69,15 +93,22 @@ class Emitter {
   std::vector<Site> branch_sites;
 
  private:
-  Site site_below(const Frame& local, std::uint32_t i) const;
-  void number_siblings(std::vector<Site>& sites, std::size_t first);
+  void begin_instance(const ComponentBase& base, const Site& site);
+  void end_instance();
+  void add_site(std::vector<Site>& sites, const Frame& local, float u, float length, float radius);
+  void count_sites();
 
-  const Scene* scene_;
-  double time_;
+  EmitterContext* context_;
   std::size_t instance_ = 0;
   Site site_;             // of the present instance, with its own frame
   Frame geometry_frame_;  // that frame moved by `place`
+  bool is_placed_ = false;
   bool visible_ = true;
+  bool has_child_sites_ = false;
+  std::size_t first_child_ = 0;
+  std::size_t first_branch_ = 0;
+  std::uint32_t stems_of_instance_ = 0;
+  std::uint64_t uncounted_ = 0;  // sites not yet in the context's count
   std::unordered_map<std::uint64_t, std::uint32_t> prototype_by_key_;
   std::vector<Skeleton> grown_;
 };

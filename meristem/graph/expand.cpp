@@ -44,7 +44,7 @@ class Expansion {
   Plant run() {
     Site root;
     root.key = RandomKey(graph_.seed);
-    enqueue({structure_.root, {root}});
+    ready_.push_back({structure_.root, {root}});
     while (!ready_.empty() || !growing_.empty()) {
       if (ready_.empty()) {
         grow_waiting();
@@ -59,15 +59,30 @@ class Expansion {
 
  private:
   /// Growing components wait for their stand; all others expand in turn.
-  void enqueue(Batch batch) {
+  void enqueue(Batch batch, LinkIndex link) {
     if (batch.sites.empty()) return;
+    check_limit(batch.sites.size(), link);
     instances_ += batch.sites.size();
-    if (instances_ > graph_.limits.instances) {
-      throw_limit("instances", static_cast<double>(instances_), graph_.limits.instances, "instances",
-                  "components." + graph_.components[batch.component].id);
-    }
     const bool grows = static_cast<bool>(graph_.components[batch.component].type->grow);
     (grows ? growing_ : ready_).push_back(std::move(batch));
+  }
+
+  /// Throws where `more` instances by a link are too many.
+  void check_limit(std::uint64_t more, LinkIndex link) const {
+    if (instances_ + more <= graph_.limits.instances) return;
+    throw_limit("instances", static_cast<double>(instances_ + more), graph_.limits.instances, "instances",
+                multiplier(graph_.links[link].from, std::span(&link, 1)));
+  }
+
+  /// The parameter to change where the children of a component are too many: the depth of a recursion that one of these
+  /// links closes, or the component itself.
+  std::string multiplier(ComponentIndex component, std::span<const LinkIndex> links) const {
+    for (const LinkIndex link : links) {
+      const std::uint32_t closed = structure_.recursion_of_link[link];
+      if (closed == kNoIndex) continue;
+      return fmt::format("components.{}.recursion", graph_.components[structure_.recursions[closed].head].id);
+    }
+    return "components." + graph_.components[component].id;
   }
 
   /// Grows all that waits in one stand, then expands it with what has grown.
@@ -94,66 +109,96 @@ class Expansion {
   /// Expands the instances in parallel blocks and hands their places on along the links.
   void expand_batch(const Batch& batch, std::vector<Skeleton> grown) {
     const Prototype& prototype = graph_.components[batch.component];
+    const std::vector<LinkIndex> links = links_followed(batch);
+    const auto wants = [&](bool branches) {
+      return std::any_of(links.begin(), links.end(),
+                         [&](LinkIndex k) { return (graph_.links[k].kind == LinkKind::branch) == branches; });
+    };
+    EmitterContext context{.scene = scene_,
+                           .limits = graph_.limits,
+                           .component = prototype.id,
+                           .multiplier = multiplier(batch.component, links),
+                           .time = time_,
+                           .makes_stems = prototype.type->makes_stems,
+                           .wants_child_sites = wants(false),
+                           .wants_branch_sites = wants(true),
+                           .instances = instances_};
     const std::size_t block = grown.empty() ? kBlock : 1;
-    const std::size_t blocks = (batch.sites.size() + block - 1) / block;
-    progress_.begin("expanding", batch.sites.size());
-    std::vector<Emitter> emitters(blocks, Emitter(scene_, time_));
+    std::vector<Emitter> emitters((batch.sites.size() + block - 1) / block, Emitter(context));
     for (std::size_t k = 0; k < grown.size(); ++k) {
       std::vector<Skeleton> one;
       one.push_back(std::move(grown[k]));
       emitters[k].set_grown(std::move(one));
     }
+    progress_.begin("expanding", batch.sites.size());
     parallel_for(batch.sites.size(), block, [&](std::size_t begin, std::size_t end) {
       prototype.type->expand(prototype, std::span(batch.sites).subspan(begin, end - begin), emitters[begin / block]);
       progress_.advance(end - begin);
     });
-    for (const LinkIndex link : structure_.outgoing[batch.component]) follow(link, emitters);
+    for (const LinkIndex link : links) follow(link, emitters);
     for (Emitter& emitter : emitters) merge(batch.component, emitter);
+  }
+
+  /// The links along which a batch has children. All its instances have come by the same links, so they are equally
+  /// deep in every recursion: a link back leads on until its depth is reached, a leaf link only from there.
+  std::vector<LinkIndex> links_followed(const Batch& batch) const {
+    const auto is_at_end = [&](std::uint32_t recursion) {
+      const Structure::Recursion& found = structure_.recursions[recursion];
+      return batch.sites[0].depths[found.level] >= graph_.components[found.head].base().recursion;
+    };
+    std::vector<LinkIndex> links;
+    for (const LinkIndex link : structure_.outgoing[batch.component]) {
+      const std::uint32_t closed = structure_.recursion_of_link[link];
+      const std::uint32_t inside = structure_.recursion_of[batch.component];
+      const bool leads_on = closed != kNoIndex                          ? !is_at_end(closed)
+                            : graph_.links[link].kind == LinkKind::leaf ? inside == kNoIndex || is_at_end(inside)
+                                                                        : true;
+      if (leads_on) links.push_back(link);
+    }
+    return links;
   }
 
   /// The places that a link gives its child, over all instances of the parent.
   void follow(LinkIndex index, const std::vector<Emitter>& emitters) {
     const Link& link = graph_.links[index];
-    Batch batch{.component = link.to};
+    const bool has_stems = graph_.components[link.from].type->makes_stems;
+    Batch batch{.component = link.to, .sites = {}};
     for (const Emitter& emitter : emitters) {
-      if (link.kind == LinkKind::branch && !emitter.stems.empty()) {
+      if (link.kind == LinkKind::branch) {
         for (const EmittedStem& stem : emitter.stems) add_places_along(index, stem, batch.sites);
-      } else if (link.kind == LinkKind::branch && !emitter.branch_sites.empty()) {
-        for (const Site& site : emitter.branch_sites) add_site(index, site, site.key, batch.sites);
-      } else if (link.kind == LinkKind::leaf && !emitter.stems.empty()) {
+        for (const Site& site : emitter.branch_sites) add_site(index, site, batch.sites);
+      } else if (link.kind == LinkKind::leaf && has_stems) {
         for (const EmittedStem& stem : emitter.stems) add_tips(index, stem, batch.sites);
       } else {
-        for (const Site& site : emitter.child_sites) {
-          if (link.kind != LinkKind::leaf || is_at_recursion_end(link.from, site)) {
-            add_site(index, site, site.key, batch.sites);
-          }
-        }
+        for (const Site& site : emitter.child_sites) add_site(index, site, batch.sites);
       }
     }
-    enqueue(std::move(batch));
+    enqueue(std::move(batch), index);
   }
 
   void add_places_along(LinkIndex index, const EmittedStem& stem, std::vector<Site>& out) {
-    const Link& link = graph_.links[index];
     PlacementContext context{.light = unit_vector(scene_.sun),
                              .parent = stem.site,
                              .limits = &graph_.limits,
                              .path = fmt::format("links[{}]", index)};
     context.parent.key = child_key(index, stem.site.key);
-    for (const Site& site : place_along(stem.skeleton, link.placement, context)) add_keyed(index, site, out);
+    for (const Site& site : place_along(stem.skeleton, graph_.links[index].placement, context)) {
+      add_keyed(index, site, out);
+    }
+    check_limit(out.size(), index);
   }
 
   void add_tips(LinkIndex index, const EmittedStem& stem, std::vector<Site>& out) {
     const RandomKey key = child_key(index, stem.site.key);
-    std::uint32_t tip = 0;
     for (Site site : tip_sites(stem.skeleton, stem.site)) {
-      site.key = key.child(tip++);
+      site.key = key.child(site.i);
       add_keyed(index, site, out);
     }
+    check_limit(out.size(), index);
   }
 
-  void add_site(LinkIndex index, Site site, RandomKey parent, std::vector<Site>& out) {
-    site.key = child_key(index, parent).child(site.i);
+  void add_site(LinkIndex index, Site site, std::vector<Site>& out) {
+    site.key = child_key(index, site.key).child(site.i);
     add_keyed(index, site, out);
   }
 
@@ -162,34 +207,21 @@ class Expansion {
     return parent.child(graph_.components[graph_.links[link].to].id).child(link_ordinals_[link]);
   }
 
-  /// Counts recursion depths; a link back past the depth that its head allows leads nowhere.
+  /// Counts recursion depths. A recursion entered from outside, or within one that begins anew, starts at 0.
   void add_keyed(LinkIndex index, Site site, std::vector<Site>& out) const {
     const Link& link = graph_.links[index];
     const std::uint32_t closed = structure_.recursion_of_link[index];
+    const std::uint32_t inside = structure_.recursion_of[link.to];
     if (closed != kNoIndex) {
-      const Structure::Recursion& recursion = structure_.recursions[closed];
-      if (site.depths[recursion.level] >= graph_.components[recursion.head].base().recursion) return;
-      ++site.depths[recursion.level];
-      std::fill(site.depths.begin() + static_cast<std::ptrdiff_t>(recursion.level) + 1, site.depths.end(), 0);
+      const std::size_t level = structure_.recursions[closed].level;
+      ++site.depths[level];
+      std::fill(site.depths.begin() + static_cast<std::ptrdiff_t>(level) + 1, site.depths.end(), 0);
+    } else if (inside != kNoIndex && structure_.recursions[inside].head == link.to) {
+      std::fill(site.depths.begin() + static_cast<std::ptrdiff_t>(structure_.recursions[inside].level),
+                site.depths.end(), 0);
     }
-    const std::uint32_t inner = structure_.recursion_of[link.to];
-    if (inner != kNoIndex) {
-      // A recursion entered from outside starts at 0.
-      const std::size_t level = structure_.recursions[inner].level;
-      if (closed == kNoIndex && structure_.recursion_of[link.from] != inner &&
-          structure_.recursions[inner].head == link.to) {
-        site.depths[level] = 0;
-      }
-      site.depth = site.depths[level];
-    }
+    if (inside != kNoIndex) site.depth = site.depths[structure_.recursions[inside].level];
     out.push_back(site);
-  }
-
-  bool is_at_recursion_end(ComponentIndex component, const Site& site) const {
-    const std::uint32_t recursion = structure_.recursion_of[component];
-    if (recursion == kNoIndex) return true;
-    const Structure::Recursion& found = structure_.recursions[recursion];
-    return site.depths[found.level] >= graph_.components[found.head].base().recursion;
   }
 
   /// Takes over what a block made, with prototypes shared by key.
@@ -212,7 +244,7 @@ class Expansion {
                               .instance = static_cast<std::uint32_t>(output.stems.size()),
                               .material = 0,
                               .surface = emitted.surface,
-                              .skeleton = std::move(emitted.skeleton)});
+                              .skeleton = std::move(emitted.moved ? *emitted.moved : emitted.skeleton)});
     }
   }
 
@@ -262,7 +294,7 @@ class Expansion {
   Progress& progress_;
   std::deque<Batch> ready_;
   std::deque<Batch> growing_;
-  std::uint64_t instances_ = 0;
+  std::uint64_t instances_ = 1;  // the root
   std::vector<ComponentOutput> outputs_;
   std::vector<std::uint32_t> link_ordinals_;
 };

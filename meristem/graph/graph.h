@@ -44,8 +44,8 @@ struct Graph {
 struct Structure {
   struct Recursion {
     ComponentIndex head = 0;              ///< the ancestor that links from below lead back to
-    std::vector<ComponentIndex> members;  ///< from the head down; the last links back
-    std::size_t level = 0;                ///< 0 for the outermost
+    std::vector<ComponentIndex> members;  ///< the way from the head down on which it was found; the last links back
+    std::size_t level = 0;                ///< 0 for the outermost; recursions with one head have one level
   };
   ComponentIndex root = 0;
   std::vector<std::vector<LinkIndex>> outgoing;  ///< by component, in the document's order
@@ -55,7 +55,9 @@ struct Structure {
 };
 
 /// Finds root and recursions, or reports all that is wrong with the links: no or two roots, components that hang on
-/// nothing, links to the camera, cycles without a recursion, crossing recursions (both named).
+/// nothing, links to the camera, cycles without a recursion, crossing recursions (both named). Two recursions cross
+/// where one begins inside the other and ends outside, having part of the way in common; one that begins inside and
+/// goes its own way lies within the other. Reports at most `graph.limits.diagnostics` faults.
 /// `link_path(k)` in messages is "links[k]". The result is meaningful only if no error was added.
 Structure analyse_structure(const Graph& graph, std::vector<Diagnostic>& diagnostics);
 

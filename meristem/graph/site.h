@@ -17,7 +17,7 @@ inline constexpr std::size_t kMaxRecursionLevels = 4;
 /// A place where a child stands: what the child can see of its parent and of itself.
 struct Site {
   Frame frame;                                              ///< world space
-  RandomKey key;                                            ///< of the instance's path from the root
+  RandomKey key = RandomKey();                              ///< of the instance's path from the root
   std::uint32_t i = 0;                                      ///< instance number among its siblings
   std::uint32_t n = 1;                                      ///< number of siblings, itself included
   float u = 0;                                              ///< position along the parent's axis, from 0 to 1

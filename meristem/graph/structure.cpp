@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kMaxRecursions = 64;
+constexpr std::size_t kShownMembers = 8;  // of a cycle in messages
 
 std::string link_path(LinkIndex link) { return fmt::format("links[{}]", link); }
 
@@ -19,11 +21,16 @@ class Analysis {
     structure_.outgoing.resize(graph.components.size());
     structure_.recursion_of_link.assign(graph.links.size(), kNoIndex);
     structure_.recursion_of.assign(graph.components.size(), kNoIndex);
+    incoming_.resize(graph.components.size());
+    spans_.resize(graph.components.size());
   }
 
   Structure run() {
     const std::size_t errors_before = diagnostics_.size();
-    for (LinkIndex k = 0; k < graph_.links.size(); ++k) structure_.outgoing[graph_.links[k].from].push_back(k);
+    for (LinkIndex k = 0; k < graph_.links.size(); ++k) {
+      structure_.outgoing[graph_.links[k].from].push_back(k);
+      incoming_[graph_.links[k].to].push_back(k);
+    }
     find_root();
     if (diagnostics_.size() == errors_before) find_recursions();
     if (diagnostics_.size() == errors_before) order_recursions();
@@ -34,6 +41,7 @@ class Analysis {
   const std::string& id(ComponentIndex component) const { return graph_.components[component].id; }
 
   void error(std::string path, std::string message, std::string expected) {
+    if (++errors_ > graph_.limits.diagnostics) return;
     diagnostics_.push_back({.message = std::move(message),
                             .expected = std::move(expected),
                             .nearest = {},
@@ -52,6 +60,8 @@ class Analysis {
         structure_.root = c;
       }
     }
+    if (structure_.root == kNoIndex)
+      error("components", "the graph has no camera", "one camera, the root of all links");
     for (LinkIndex k = 0; k < graph_.links.size(); ++k) {
       const Link& link = graph_.links[k];
       if (graph_.components[link.to].type->is_camera) {
@@ -69,23 +79,34 @@ class Analysis {
       std::size_t next = 0;  // outgoing link to follow next
     };
     std::vector<State> state(graph_.components.size(), State::unseen);
-    std::vector<Visit> path{{structure_.root}};
-    state[structure_.root] = State::on_path;
+    std::vector<Visit> path;
+    std::uint32_t seen = 0;
+    std::size_t links_back = 0;
+    const auto enter = [&](ComponentIndex component) {
+      state[component] = State::on_path;
+      spans_[component].first = seen++;
+      path.push_back({component});
+    };
+    enter(structure_.root);
     while (!path.empty()) {
       Visit& top = path.back();
       if (top.next == structure_.outgoing[top.component].size()) {
         state[top.component] = State::done;
+        spans_[top.component].end = seen;
         path.pop_back();
         continue;
       }
       const LinkIndex link = structure_.outgoing[top.component][top.next++];
       const ComponentIndex to = graph_.links[link].to;
       if (state[to] == State::unseen) {
-        state[to] = State::on_path;
-        path.push_back({to});
-      } else if (state[to] == State::on_path) {
+        enter(to);
+      } else if (state[to] == State::on_path && ++links_back <= kMaxRecursions) {
         close_recursion(link, path.begin(), path.end());
       }
+    }
+    if (links_back > kMaxRecursions) {
+      error("links", fmt::format("{} links lead back to an ancestor", links_back),
+            fmt::format("at most {} recursions", kMaxRecursions));
     }
     for (ComponentIndex c = 0; c < graph_.components.size(); ++c) {
       if (state[c] == State::unseen) {
@@ -111,51 +132,89 @@ class Analysis {
 
   std::string cycle_text(const Structure::Recursion& recursion) const {
     std::string text;
-    for (const ComponentIndex member : recursion.members) text += id(member) + " > ";
+    for (std::size_t k = 0; k < recursion.members.size(); ++k) {
+      if (k == kShownMembers) return text + "... > " + id(recursion.members.back()) + " > " + id(recursion.head);
+      text += id(recursion.members[k]) + " > ";
+    }
     return text + id(recursion.head);
   }
 
-  /// Two recursions may lie apart or within one another, but not cross. Levels count from the outermost.
+  /// Recursions may lie apart or within one another, but not cross. Levels count from the outermost.
   void order_recursions() {
     std::vector<Structure::Recursion>& recursions = structure_.recursions;
-    if (recursions.size() > kMaxRecursions) {
-      return error("links", fmt::format("{} links lead back to an ancestor", recursions.size()),
-                   fmt::format("at most {} recursions", kMaxRecursions));
-    }
-    const auto contains = [](const Structure::Recursion& outer, ComponentIndex c) {
-      return std::find(outer.members.begin(), outer.members.end(), c) != outer.members.end();
-    };
-    for (std::size_t a = 0; a < recursions.size(); ++a) {
-      for (std::size_t b = 0; b < recursions.size(); ++b) {
-        if (a == b) continue;
-        const bool b_head_in_a = contains(recursions[a], recursions[b].head);
-        const bool b_tail_in_a = contains(recursions[a], recursions[b].members.back());
-        const bool same_head = recursions[a].head == recursions[b].head;
-        // b begins inside a (below its head) and ends outside of it.
-        if (b_head_in_a && !same_head && !b_tail_in_a && contains(recursions[b], recursions[a].members.back())) {
-          error("links",
-                fmt::format("the recursions {} and {} cross", cycle_text(recursions[a]), cycle_text(recursions[b])),
+    for (const Structure::Recursion& a : recursions) {
+      for (const Structure::Recursion& b : recursions) {
+        if (cross(a, b)) {
+          error("links", fmt::format("the recursions {} and {} cross", cycle_text(a), cycle_text(b)),
                 "recursions that lie apart or one within the other");
         }
-        if (b_head_in_a && b_tail_in_a && !same_head) ++recursions[b].level;
       }
     }
-    for (std::uint32_t r = 0; r < recursions.size(); ++r) {
-      if (recursions[r].level >= kMaxRecursionLevels) {
-        error("components." + id(recursions[r].head),
-              fmt::format("'{}' recurses within {} other recursions", id(recursions[r].head), recursions[r].level),
+    std::vector<std::vector<bool>> bodies;
+    for (const Structure::Recursion& recursion : recursions) bodies.push_back(body(recursion));
+    for (Structure::Recursion& inner : recursions) {
+      std::set<ComponentIndex> outer_heads;
+      for (std::size_t a = 0; a < recursions.size(); ++a) {
+        const ComponentIndex head = recursions[a].head;
+        if (bodies[a][inner.head] && spans_[head].first < spans_[inner.head].first) outer_heads.insert(head);
+      }
+      inner.level = outer_heads.size();
+      if (inner.level >= kMaxRecursionLevels) {
+        error("components." + id(inner.head),
+              fmt::format("'{}' recurses within {} other recursions", id(inner.head), inner.level),
               fmt::format("at most {} within one another", kMaxRecursionLevels));
       }
-      for (const ComponentIndex member : recursions[r].members) {
-        std::uint32_t& innermost = structure_.recursion_of[member];
-        if (innermost == kNoIndex || recursions[innermost].level < recursions[r].level) innermost = r;
+    }
+    for (ComponentIndex c = 0; c < graph_.components.size(); ++c) {
+      std::uint32_t& innermost = structure_.recursion_of[c];
+      for (std::uint32_t r = 0; r < recursions.size(); ++r) {
+        if (bodies[r][c] && (innermost == kNoIndex || recursions[innermost].level < recursions[r].level)) innermost = r;
       }
     }
   }
+
+  /// Whether b begins on a's way below its head, goes some of that way, and ends beyond it.
+  static bool cross(const Structure::Recursion& a, const Structure::Recursion& b) {
+    const auto contains = [](const Structure::Recursion& recursion, ComponentIndex c) {
+      return std::find(recursion.members.begin(), recursion.members.end(), c) != recursion.members.end();
+    };
+    const ComponentIndex a_tail = a.members.back();
+    return b.head != a.head && b.head != a_tail && contains(a, b.head) && contains(b, a_tail) &&
+           !contains(a, b.members.back());
+  }
+
+  /// All components below the head from which its recursion's last member can be reached without passing the head.
+  std::vector<bool> body(const Structure::Recursion& recursion) const {
+    const Span below = spans_[recursion.head];
+    std::vector<bool> inside(graph_.components.size());
+    std::vector<ComponentIndex> open{recursion.members.back()};
+    inside[recursion.head] = inside[open.back()] = true;
+    while (!open.empty()) {
+      const ComponentIndex component = open.back();
+      open.pop_back();
+      if (component == recursion.head) continue;
+      for (const LinkIndex link : incoming_[component]) {
+        const ComponentIndex from = graph_.links[link].from;
+        if (inside[from] || spans_[from].first < below.first || spans_[from].first >= below.end) continue;
+        inside[from] = true;
+        open.push_back(from);
+      }
+    }
+    return inside;
+  }
+
+  /// When the walk came to a component, and when it had left all that hangs on it.
+  struct Span {
+    std::uint32_t first = 0;
+    std::uint32_t end = 0;
+  };
 
   const Graph& graph_;
   std::vector<Diagnostic>& diagnostics_;
   Structure structure_;
+  std::vector<std::vector<LinkIndex>> incoming_;  // by component
+  std::vector<Span> spans_;                       // by component
+  std::size_t errors_ = 0;
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ const ParameterTable& placement_table() {
           .number("density", &Placement::density, {.unit = Unit::per_metre, .min = 0, .max = 1e9},
                   "Places per metre of stem; 40 where neither density nor count is given.")
           .integer("count", &Placement::count, {.min = 0, .max = 2e9},
-                   "Places in all, shared out over the stems by their length.")
+                   "Places on each skeleton, shared out over its axes by their length.")
           .condition("where", &Placement::where, placement_variables(),
                      "Which parts of the stems carry children; the twigs, \"tip_distance < 0.4\", if not given.")
           .integer("whorl", &Placement::whorl, {.min = 1, .max = 1000},
@@ -34,7 +34,8 @@ const ParameterTable& placement_table() {
                   "Between axis and child; raised, children stand off more.")
           .number("angle_spread", &Placement::angle_spread, {.unit = Unit::degree, .min = 0, .max = 180},
                   "The angle varies by up to this much to both sides.")
-          .curve("size", &Placement::size, "Scale of the children over u, from base to tip of each axis.")
+          .curve("size", &Placement::size,
+                 "Scale of the children over u, from base to tip of each axis; where it is 0 or below there are none.")
           .number("face_light", &Placement::face_light, {.min = 0, .max = 1},
                   "How far children turn their upper face to the light: 0 not at all, 1 wholly.")
           .number("start", &Placement::start, {.min = 0, .max = 1}, "Share of each axis left free at its base.")
@@ -126,12 +127,14 @@ std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const Axes& a
   return eligible;
 }
 
-/// The pieces of one axis between `start` and `end` that are eligible; a lateral's first segment begins at the bark.
+/// The pieces of one axis between `start` and `end` that are eligible; those of a lateral begin at its mother's bark.
 AxisPlaces measure_axis(const Skeleton& skeleton, std::span<const NodeIndex> nodes, const Placement& placement,
                         const std::vector<std::uint8_t>& eligible) {
   AxisPlaces places;
   places.length = axis_length(skeleton, nodes);
-  const double low = placement.start * places.length;
+  const NodeIndex mother = nodes.empty() ? kNoNode : skeleton.parent[nodes.front()];
+  const double bark = mother == kNoNode ? 0 : skeleton.radius[mother];
+  const double low = std::max(bark, placement.start * places.length);
   const double high = placement.end * places.length;
   float arc = 0;
   for (const NodeIndex node : nodes) {
@@ -141,9 +144,7 @@ AxisPlaces measure_axis(const Skeleton& skeleton, std::span<const NodeIndex> nod
     piece.length = segment_length(skeleton, node);
     arc += piece.length;
     if (eligible[node] == 0 || piece.length <= 0) continue;
-    const bool leaves_mother = node == nodes.front();
-    const double bark = leaves_mother ? skeleton.radius[from] : 0;
-    piece.begin = static_cast<float>(std::clamp(std::max(bark, low - piece.arc) / piece.length, 0.0, 1.0));
+    piece.begin = static_cast<float>(std::clamp((low - piece.arc) / piece.length, 0.0, 1.0));
     piece.end = static_cast<float>(std::clamp((high - piece.arc) / piece.length, 0.0, 1.0));
     if (piece.end <= piece.begin) continue;
     piece.carried = places.eligible;
@@ -238,7 +239,7 @@ class AxisWriter {
     const Vec3 foot = glm::mix(skeleton_.position[piece.from], skeleton_.position[piece.to], along);
     site.frame = frame_along(foot + site.radius * outward, heading, upper);
     if (placement_.face_light > 0) turn_to_light(site.frame);
-    site.frame.axes *= static_cast<float>(placement_.size(site.u));
+    site.frame.axes *= static_cast<float>(std::max(0.0, placement_.size(site.u)));
   }
 
   /// Turns the frame so that its upper face comes nearer to the light by the share `face_light`.
@@ -296,7 +297,7 @@ std::vector<Site> tip_sites(const Skeleton& skeleton, const Site& parent) {
     const auto nodes = axes.of(a);
     const NodeIndex tip = nodes.back();
     const Vec3 from = skeleton.is_root(tip) ? skeleton.position[tip] : skeleton.position[skeleton.parent[tip]];
-    const Vec3 heading = normalized_or(skeleton.position[tip] - from, kUp);
+    const Vec3 heading = normalized_or(skeleton.position[tip] - from, normalized_or(parent.frame.heading(), kUp));
     Site& site = sites.emplace_back(parent);
     site.frame = frame_along(skeleton.position[tip], heading, any_perpendicular(heading));
     site.u = 1;

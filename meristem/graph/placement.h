@@ -19,13 +19,13 @@ namespace meristem {
 /// The placement keys of a branch link. Angles in radians.
 struct Placement {
   std::optional<double> density;                    ///< places per metre of stem; 40 where neither is given
-  std::optional<int> count;                         ///< places in all, shared out over the stems by length
+  std::optional<int> count;                         ///< places on a skeleton, shared out over its axes by length
   std::optional<Condition> where;                   ///< default: tip_distance < 0.4
   int whorl = 1;                                    ///< organs a place
   double divergence = kGoldenAngleDeg * kPi / 180;  ///< turn about the axis from place to place
   double angle = kPi / 4;                           ///< between axis and organ
   double angle_spread = 0;                          ///< the angle varies evenly by up to this much to both sides
-  Curve size{{{0, 1}}};                             ///< scale over u
+  Curve size{{{0, 1}}};                             ///< scale over u; below 0 counts as 0
   double face_light = 0;                            ///< share of the turn that brings the upper face to the light
   double start = 0;                                 ///< share of each axis left free at its base
   double end = 1;                                   ///< and the share at which the places end
@@ -45,10 +45,12 @@ struct PlacementContext {
 
 /// The places of `placement` on `skeleton`, axis by axis from base to tip; i, n, u count along each axis. An organ's
 /// frame stands on the bark, heads away from the axis by the angle, and turns its upper face (z) toward the axis's tip.
-/// A lateral axis begins at its mother's bark. Throws InputError past the limit of instances.
+/// A lateral axis begins at its mother's bark. A skeleton of one node has no axis to stand on and gets no places.
+/// Throws InputError past the limit of instances.
 std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context);
 
-/// A place at every tip of `skeleton`, heading along its last segment; the keys are the parent's.
+/// A place at the tip of every axis of `skeleton`, heading along its last segment (for a single node as the parent
+/// does); i and n count over all tips, the keys are the parent's.
 std::vector<Site> tip_sites(const Skeleton& skeleton, const Site& parent);
 
 }  // namespace meristem

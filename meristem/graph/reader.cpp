@@ -239,7 +239,12 @@ void ParameterReader::store_number(const Parameter& parameter, const Value& valu
   if (apply != nullptr) {
     const Place apply_place(place, "apply");
     varying.expression = expression(*apply, value.text() != nullptr ? place : apply_place, site_variables());
-    if (range == nullptr && varying.expression && varying.expression->is_constant()) return store_plain(value);
+    if (range == nullptr && varying.expression && varying.expression->is_constant()) {
+      if (const auto given = number(parameter, *apply, value.text() != nullptr ? place : apply_place)) {
+        slot.store(slot.member, *given * scale);
+      }
+      return;
+    }
   }
   if (faults_ == faults_before) varyings_.push_back(std::move(varying));
 }

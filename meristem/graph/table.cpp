@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/graph/table.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -12,19 +15,25 @@ namespace {
 /// A value as people write it: 137.508 and not the 137.50800323486328 of a float, 60 and not 59.999999999999993.
 double rounded(double value) {
   if (value == 0 || !std::isfinite(value)) return value;
-  return std::stod(fmt::format("{:.7g}", value));
+  // Not std::stod, which reads a comma where the host program's locale says so.
+  const std::string digits = fmt::format("{:.7g}", value);
+  std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  return value;
 }
 
 const StoreNumber kStoreFloat = [](void* slot, double number) {
   *static_cast<float*>(slot) = static_cast<float>(number);
 };
 
-/// A row that stands for one number inside another row's value.
+/// A row that stands for one number inside another row's value, which is stored as a float.
 Parameter element_of(const Parameter& self) {
   Parameter element;
   element.name = self.name;
   element.kind = ParameterKind::number;
   element.form = self.form;
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  element.form.min = std::max(element.form.min, -kLargest);
+  element.form.max = std::min(element.form.max, kLargest);
   return element;
 }
 
@@ -200,11 +209,28 @@ void read_selection(const Parameter& self, const Value& value, const Place& plac
                    self.expectation());
       continue;
     }
-    const auto low = reader.number(number_row, ends != nullptr ? (*ends)[0] : entry, entry_place);
-    const auto high = ends != nullptr ? reader.number(number_row, (*ends)[1], entry_place) : low;
-    if (low && high) selection.ranges.emplace_back(static_cast<std::uint32_t>(*low), static_cast<std::uint32_t>(*high));
+    const auto low = ends == nullptr ? reader.number(number_row, entry, entry_place)
+                                     : reader.number(number_row, (*ends)[0], Place(entry_place, std::size_t{0}));
+    const auto high = ends == nullptr ? low : reader.number(number_row, (*ends)[1], Place(entry_place, std::size_t{1}));
+    if (!low || !high) continue;
+    if (*low > *high) {
+      reader.fault(entry_place, fmt::format("the range from {:.12g} to {:.12g} falls", *low, *high),
+                   "the lower number first");
+      continue;
+    }
+    selection.ranges.emplace_back(static_cast<std::uint32_t>(*low), static_cast<std::uint32_t>(*high));
   }
   out = std::move(selection);
+}
+
+Value show_selection(const Selection& selection) {
+  Value::List list;
+  for (const auto& [low, high] : selection.ranges) {
+    const Value first(static_cast<double>(low));
+    list.push_back(low == high ? first : Value(Value::List{first, static_cast<double>(high)}));
+  }
+  for (const Condition& condition : selection.conditions) list.emplace_back(condition.text);
+  return list;
 }
 
 void read_condition(const Parameter& self, const Value& value, const Place& place, ParameterReader& reader,

@@ -49,6 +49,7 @@ Value show_vector(Unit unit, Vec3 vector);
 void read_colour(const Parameter&, const Value&, const Place&, ParameterReader&, Vec3& out);
 Value show_colour(Vec3 colour);
 void read_selection(const Parameter&, const Value&, const Place&, ParameterReader&, std::optional<Selection>& out);
+Value show_selection(const Selection& selection);
 void read_condition(const Parameter&, const Value&, const Place&, ParameterReader&, std::optional<Condition>& out);
 Value show_object(const ParameterTable& table, const void* object);
 
@@ -99,7 +100,7 @@ class Table {
   template <class E>
   Table&& choice(std::string name, E P::*member, std::vector<std::string> names, std::string doc) && {
     static_assert(std::is_enum_v<E>);
-    auto made = std::move(*this).row(
+    Parameter& made = row(
         ParameterKind::choice, std::move(name), std::move(doc),
         [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
           if (const auto given = reader.choice(self, value, place)) object.*member = static_cast<E>(*given);
@@ -203,7 +204,9 @@ class Table {
         [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
           table_detail::read_selection(self, value, place, reader, object.*member);
         },
-        [](const P&) { return Value(); });
+        [member](const P& object) {
+          return object.*member ? table_detail::show_selection(*(object.*member)) : Value();
+        });
     return std::move(*this);
   }
   /// A nested struct, or an optional one.
@@ -244,7 +247,11 @@ class Table {
             reader.object(nested, &elements[k], (*values)[k], Place(place, k));
           }
         },
-        [](const P&) { return Value(Value::List{}); });
+        [member, &nested](const P& object) {
+          Value::List shown;
+          for (const Element& element : object.*member) shown.push_back(table_detail::show_object(nested, &element));
+          return Value(std::move(shown));
+        });
     made.nested = &nested;
     return std::move(*this);
   }

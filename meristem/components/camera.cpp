@@ -9,9 +9,9 @@ namespace {
 const ParameterTable& view_table() {
   static const ParameterTable table =
       Table<View>("a camera", "The view of pictures and the root of the graph.")
-          .vector("position", &View::position, {.unit = Unit::metre},
+          .vector("position", &View::position, {.unit = Unit::metre, .min = -1e7, .max = 1e7},
                   "Where the camera stands; chosen so that the whole plant is seen if not given.")
-          .vector("target", &View::target, {.unit = Unit::metre},
+          .vector("target", &View::target, {.unit = Unit::metre, .min = -1e7, .max = 1e7},
                   "What it looks at; the middle of the plant if not given.")
           .number("azimuth", &View::azimuth, {.unit = Unit::degree, .min = -360, .max = 360, .fixed = true},
                   "Where the camera stands as seen from the target, from north over east; without a position.")

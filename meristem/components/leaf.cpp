@@ -2,7 +2,7 @@
 // A crown has tens of thousands of leaves that all differ a little. Each leaf gets its exact length and width by
 // scaling a shared blade whose proportion and angles are rounded, so that geometry stays small: widths over lengths to
 // an eighth of an octave (the blade is then stretched by at most 4.4 %), angles to 5°, stalks to a twentieth of the
-// length.
+// length and half an octave of radius.
 #include "meristem/components/leaf.h"
 
 #include <cmath>
@@ -15,21 +15,27 @@ namespace {
 
 constexpr double kAngleStep = 5 * kPi / 180;
 constexpr double kStalkStep = 0.05;
-constexpr double kProportionSteps = 8;  // an octave
+constexpr double kProportionSteps = 8;   // an octave
+constexpr double kStalkRadiusSteps = 2;  // an octave
 
 double to_step(double value, double step) { return std::floor(value / step + 0.5) * step; }
+
+/// To so many steps an octave.
+double to_octaves(double value, double steps) {
+  return math::pow(2, to_step(math::log(value) / math::log(2), 1 / steps));
+}
 
 /// The shared blade, of length 1.
 LeafBlade shared_blade(const LeafBlade& exact) {
   LeafBlade blade = exact;
-  const double octaves = math::log(exact.width / exact.length) / math::log(2);
   blade.length = 1;
-  blade.width = math::pow(2, to_step(octaves, 1 / kProportionSteps));
+  blade.width = to_octaves(exact.width / exact.length, kProportionSteps);
   blade.curl = to_step(exact.curl, kAngleStep);
   blade.curl_across = to_step(exact.curl_across, kAngleStep);
   blade.fold = to_step(exact.fold, kAngleStep);
   blade.petiole = to_step(exact.petiole / exact.length, kStalkStep);
-  blade.petiole_radius = exact.petiole_radius / exact.length;
+  // Without a stalk its radius must not tell shapes apart.
+  blade.petiole_radius = blade.petiole > 0 ? to_octaves(exact.petiole_radius / exact.length, kStalkRadiusSteps) : 1;
   return blade;
 }
 
@@ -38,9 +44,9 @@ void expand(const Leaf& leaf, const Site&, Emitter& out) {
   Frame frame;
   frame.axes *= static_cast<float>(leaf.blade.length);
   frame.axes[0] *= static_cast<float>(leaf.blade.width / (leaf.blade.length * blade.width));
-  const std::uint64_t key = shape_key({blade.width, blade.curl, blade.curl_across, blade.fold, blade.petiole,
-                                       to_step(blade.petiole_radius, 0.002), static_cast<double>(blade.rows),
-                                       static_cast<double>(blade.across)});
+  const std::uint64_t key =
+      shape_key({blade.width, blade.curl, blade.curl_across, blade.fold, blade.petiole, blade.petiole_radius,
+                 static_cast<double>(blade.rows), static_cast<double>(blade.across)});
   out.organ(frame, key, [&] { return make_leaf_blade(blade); });
 }
 

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/colonize.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/parallel.h"
+#include "meristem/components/registry.h"
+#include "tests/support/build_graph.h"
+#include "tests/support/check_skeleton.h"
+
+namespace meristem {
+namespace {
+
+Value crown(std::initializer_list<Value::List> profile) {
+  return Value::Object{{"profile", Value::List(profile.begin(), profile.end())}};
+}
+
+const Value kCrown = crown({{0, 0.4}, {0.5, 1}, {0.6, 1.5}, {0, 2.2}});
+
+Value::Object with(Value::Object parameters) {
+  parameters.insert(parameters.begin(), {"crown", kCrown});
+  return parameters;
+}
+
+GraphBuilder tree(const Value::Object& parameters) {
+  GraphBuilder builder(builtin_components());
+  return builder.component("view", "camera").component("tree", "colonize", parameters).link("view", "tree");
+}
+
+// The only fault of reading and growing.
+Diagnostic fault(const Value::Object& parameters) {
+  const auto faults = faults_of([&] { tree(parameters).grow(); });
+  EXPECT_EQ(faults.size(), 1U);
+  return faults.empty() ? Diagnostic{} : faults[0];
+}
+
+TEST(ColonizeComponent, GrowsASkeletonFromItsParameters) {
+  const Plant plant =
+      tree(with({{"points", 400}, {"tip_radius", 0.002}, {"surface", Value::Object{{"sides", 5}}}})).grow();
+  ASSERT_EQ(plant.stems.size(), 1U);
+  const Skeleton& skeleton = plant.stems[0].skeleton;
+  EXPECT_TRUE(check_skeleton(skeleton));
+  EXPECT_GT(skeleton.node_count(), 100U);
+  EXPECT_FLOAT_EQ(*std::min_element(skeleton.radius.begin(), skeleton.radius.end()), 0.002F);
+  EXPECT_EQ(plant.stems[0].surface.sides, 5);
+  EXPECT_EQ(plant.stems[0].component, "tree");
+}
+
+TEST(ColonizeComponent, MorePointsGiveMoreNodes) {
+  const auto nodes = [](int points) { return tree(with({{"points", points}})).grow().node_count(); };
+  EXPECT_LT(nodes(50), nodes(200));
+  EXPECT_LT(nodes(200), nodes(800));
+}
+
+TEST(ColonizeComponent, PointsMayBeWrittenWithTheirName) {
+  EXPECT_EQ(hash_of(tree(with({{"points", 99}})).grow()),
+            hash_of(tree(with({{"points", Value::Object{{"count", 99}}}})).grow()));
+}
+
+TEST(ColonizeComponent, GrowsFromItsSite) {
+  const auto moved = [](double x) {
+    return tree(with({{"points", 200}, {"frame", Value::Object{{"translate", Value::List{x, 0, 0}}}}})).grow();
+  };
+  const Skeleton there = moved(8).stems.at(0).skeleton;
+  EXPECT_EQ(there.position[0], Vec3(8, 0, 0));
+  EXPECT_EQ(moved(0).stems.at(0).skeleton.position[0], Vec3(0, 0, 0));
+  for (const Vec3 position : there.position) EXPECT_LT(std::abs(position.x - 8), 0.8F);
+}
+
+TEST(ColonizeComponent, TwoTreesOfOneComponentDifferAndStandApart) {
+  GraphBuilder builder(builtin_components());
+  const auto at = [](double x) {
+    return Value::Object{{"frame", Value::Object{{"translate", Value::List{x, 0, 0}}}}, {"hidden", true}};
+  };
+  builder.component("view", "camera").component("left", "simple", at(-3)).component("right", "simple", at(3));
+  builder.component("tree", "colonize", with({{"points", 200}}));
+  builder.link("view", "left").link("view", "right").link("left", "tree").link("right", "tree");
+  const Plant plant = builder.grow();
+  ASSERT_EQ(plant.stems.size(), 2U);
+  EXPECT_EQ(plant.stems[0].skeleton.position[0].x, -3);
+  EXPECT_EQ(plant.stems[1].skeleton.position[0].x, 3);
+  EXPECT_NE(plant.stems[0].skeleton.node_count(), plant.stems[1].skeleton.node_count());
+  EXPECT_TRUE(check_skeleton(plant.stems[1].skeleton));
+}
+
+TEST(ColonizeComponent, LeavesStandAlongTwigsAndAtTips) {
+  auto builder = tree(with({{"points", 300}})).component("leaf", "leaf").component("bud", "simple");
+  builder.link("tree", "leaf", LinkKind::branch, {{"count", 500}}).link("tree", "bud", LinkKind::leaf);
+  const Plant plant = builder.grow();
+  EXPECT_EQ(organs_of(plant, "leaf").size(), 500U);
+  const Axes axes(plant.stems.at(0).skeleton);
+  EXPECT_EQ(organs_of(plant, "bud").size(), axes.count());
+  std::size_t at_tip = 0;
+  for (AxisIndex a = 0; a < axes.count(); ++a) {
+    const Vec3 tip = plant.stems[0].skeleton.position[axes.of(a).back()];
+    if (organs_of(plant, "bud")[a].frame.origin.y == tip.y + 0) ++at_tip;
+  }
+  EXPECT_EQ(at_tip, axes.count());
+}
+
+TEST(ColonizeComponent, EditingTheLeavesLeavesTheTreeAlone) {
+  auto builder = tree(with({{"points", 300}})).component("leaf", "leaf");
+  builder.link("tree", "leaf", LinkKind::branch, {{"count", 50}});
+  const std::string before = hash_of(builder.grow(), "tree");
+  builder.component("leaf", "leaf", {{"length", "rand(0.1, 0.2)"}});
+  EXPECT_EQ(hash_of(builder.grow(), "tree"), before);
+}
+
+TEST(ColonizeComponent, TheSameBytesOnAnyNumberOfThreads) {
+  auto builder = tree(with({{"points", 1500}})).component("leaf", "leaf", {{"curl", "rand(0, 60)"}});
+  builder.link("tree", "leaf", LinkKind::branch, {{"density", 60}});
+  std::vector<std::string> hashes;
+  for (const int threads : {1, 2, 3, 8}) {
+    const ThreadLimit limit(threads);
+    hashes.push_back(hash_of(builder.grow()));
+  }
+  for (const std::string& hash : hashes) EXPECT_EQ(hash, hashes[0]);
+}
+
+TEST(ColonizeComponent, EmptyAndFaultyCrownsAreRejected) {
+  EXPECT_EQ(fault({{"crown", crown({{0, 0}, {0, 2}})}}).path, "components.tree.crown.profile");
+  EXPECT_EQ(fault({{"crown", crown({{1, 0}})}}).path, "components.tree.crown.profile");
+  EXPECT_EQ(fault({{"crown", crown({{1, 2}, {1, 1}})}}).path, "components.tree.crown.profile[1]");
+  EXPECT_EQ(fault({{"crown", crown({{1, 0}, {-1, 1}})}}).path, "components.tree.crown.profile[1]");
+  EXPECT_EQ(fault({}).message, "a colonize has no 'crown'");
+}
+
+TEST(ColonizeComponent, DistancesMustLetPointsPullBeforeTheyGo) {
+  EXPECT_EQ(fault(with({{"step", 0}})).path, "components.tree.step");
+  EXPECT_EQ(fault(with({{"kill", 0.6}, {"influence", 0.6}})).path, "components.tree.kill");
+  EXPECT_EQ(fault(with({{"kill", 0.04}, {"step", 0.05}})).path, "components.tree.step");
+}
+
+TEST(ColonizeComponent, TooManyPointsAreRejectedAtTheirParameter) {
+  const Diagnostic found = fault(with({{"points", 1e9}}));
+  EXPECT_EQ(found.path, "components.tree.points");
+  EXPECT_NE(found.text().find("1000000000 attraction points are too many"), std::string::npos) << found.text();
+}
+
+TEST(ColonizeComponent, RulesHoldForEachInstanceWhereParametersVary) {
+  EXPECT_EQ(fault(with({{"points", "1e9 + i"}})).path, "components.tree.points");
+  EXPECT_EQ(fault(with({{"kill", "0.7 + i"}})).path, "components.tree.kill");
+}
+
+}  // namespace
+}  // namespace meristem

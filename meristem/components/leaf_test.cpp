@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/leaf.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "meristem/components/registry.h"
+#include "tests/support/build_graph.h"
+#include "tests/support/check_mesh.h"
+
+namespace meristem {
+namespace {
+
+// `copies` leaves in a row: each link to the leaf makes one.
+GraphBuilder leaves(int copies, const Value::Object& parameters) {
+  GraphBuilder builder(builtin_components());
+  builder.component("view", "camera").component("leaf", "leaf", parameters);
+  for (int k = 0; k < copies; ++k) builder.link("view", "leaf");
+  return builder;
+}
+
+Box box_of(const Plant& plant, const Organ& organ) {
+  Box box;
+  for (const Vec3 position : plant.prototypes[organ.prototype].mesh->positions) box.add(organ.frame.point(position));
+  return box;
+}
+
+TEST(LeafComponent, AFlatLeafHasItsExactLengthAndWidth) {
+  const Value outline = Value::Object{{"curve", Value::List{Value::List{0, 0}, Value::List{0.5, 1}, Value::List{1, 0}}},
+                                      {"kind", "linear"}};
+  for (const double length : {0.03, 0.08, 1.7}) {
+    for (const double width : {0.011, 0.05, 0.9}) {
+      const Plant plant = leaves(1, {{"length", length}, {"width", width}, {"outline", outline}}).grow();
+      const Box box = box_of(plant, plant.organs.at(0));
+      EXPECT_NEAR(box.size().y / length, 1, 1e-5);
+      EXPECT_NEAR(box.size().x / width, 1, 1e-5);
+      EXPECT_NEAR(box.low.y, 0, 1e-7);
+      EXPECT_TRUE(check_mesh(*plant.prototypes[0].mesh, {.closed = false, .outward = false}));
+    }
+  }
+}
+
+TEST(LeafComponent, ScalingALeafScalesItsBytesOnlyByItsFrame) {
+  const Plant small = leaves(1, {{"length", 0.05}, {"width", 0.03}}).grow();
+  const Plant large = leaves(1, {{"length", 0.1}, {"width", 0.06}}).grow();
+  EXPECT_EQ(small.prototypes[0].mesh->positions, large.prototypes[0].mesh->positions);
+  EXPECT_EQ(2.0F * small.organs[0].frame.axes, large.organs[0].frame.axes);
+}
+
+TEST(LeafComponent, TenThousandVariedLeavesShareFewShapes) {
+  GraphBuilder builder(builtin_components());
+  builder.component("view", "camera")
+      .component("tree", "colonize",
+                 {{"crown", Value::Object{{"profile", Value::List{Value::List{0.5, 0.5}, Value::List{0.5, 1.5}}}}},
+                  {"points", 200}});
+  builder.component(
+      "leaf", "leaf",
+      {{"length", "rand(0.05, 0.12)"}, {"width", "rand(0.03, 0.05)"}, {"curl", "rand(0, 30)"}, {"rows", 4}});
+  builder.link("view", "tree").link("tree", "leaf", LinkKind::branch, {{"count", 10'000}});
+  const Plant plant = builder.grow();
+  const std::vector<Organ> organs = organs_of(plant, "leaf");
+  EXPECT_EQ(organs.size(), 10'000U);
+  // Proportions from 1/4 to 1 in eighths of an octave and curls from 0 to 30 degrees in steps of 5.
+  EXPECT_LE(prototypes_of(plant, "leaf").size(), 17U * 7);
+  EXPECT_GE(prototypes_of(plant, "leaf").size(), 30U);
+  // Lengths stay exact: each leaf's heading is as long as its blade.
+  float least = 1, most = 0;
+  for (const Organ& organ : organs) {
+    least = std::min(least, glm::length(organ.frame.heading()));
+    most = std::max(most, glm::length(organ.frame.heading()));
+    const float stretch = glm::length(organ.frame.right()) / glm::length(organ.frame.heading());
+    EXPECT_NEAR(stretch, 1, 0.045);
+  }
+  EXPECT_NEAR(least, 0.05, 1e-4);
+  EXPECT_NEAR(most, 0.12, 1e-4);
+}
+
+TEST(LeafComponent, AnglesAreRoundedToFiveDegrees) {
+  const auto mesh = [](double curl) { return leaves(1, {{"curl", curl}}).grow().prototypes.at(0).mesh->positions; };
+  EXPECT_EQ(mesh(38), mesh(40));
+  EXPECT_EQ(mesh(40), mesh(42));
+  EXPECT_NE(mesh(40), mesh(43));
+}
+
+TEST(LeafComponent, LongLeavesKeepTheirThinStalk) {
+  const Plant plant = leaves(1, {{"length", 3}, {"width", 1}, {"petiole", 0.6}, {"petiole_radius", 0.001}}).grow();
+  EXPECT_TRUE(check_mesh(*plant.prototypes.at(0).mesh, {.closed = false, .outward = false}));
+  EXPECT_NEAR(box_of(plant, plant.organs[0]).size().y, 3.6, 0.01);
+}
+
+TEST(LeafComponent, FaultyBladesAreRejected) {
+  const auto path_of = [](const Value::Object& parameters) {
+    const auto faults = faults_of([&] { leaves(1, parameters); });
+    return faults.size() == 1 ? faults[0].path : "not one fault";
+  };
+  const auto outline = [](double a, double b) {
+    return Value(Value::Object{{"curve", Value::List{Value::List{0, a}, Value::List{1, b}}}});
+  };
+  EXPECT_EQ(path_of({{"outline", outline(0, 0)}}), "components.leaf.outline");
+  EXPECT_EQ(path_of({{"outline", outline(0, 1.5)}}), "components.leaf.outline");
+  EXPECT_EQ(path_of({{"across", 3}}), "components.leaf.across");
+  EXPECT_EQ(path_of({{"length", 0}}), "components.leaf.length");
+  EXPECT_EQ(path_of({{"rows", "i"}}), "components.leaf.rows");
+}
+
+}  // namespace
+}  // namespace meristem

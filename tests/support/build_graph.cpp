@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/build_graph.h"
+
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+
+#include "meristem/base/hash.h"
+
+namespace meristem {
+namespace {
+
+template <class T>
+void append(std::vector<std::byte>& bytes, const std::vector<T>& items) {
+  const auto view = std::as_bytes(std::span(items));
+  bytes.insert(bytes.end(), view.begin(), view.end());
+}
+
+void append_mesh(std::vector<std::byte>& bytes, const Mesh& mesh) {
+  append(bytes, mesh.positions);
+  append(bytes, mesh.normals);
+  append(bytes, mesh.uvs);
+  append(bytes, mesh.triangles);
+}
+
+void append_component(std::vector<std::byte>& bytes, const Plant& plant, std::string_view component) {
+  for (const Stem& stem : plant.stems) {
+    if (stem.component != component) continue;
+    const std::string hash = skeleton_hash(stem.skeleton);
+    append(bytes, std::vector<char>(hash.begin(), hash.end()));
+  }
+  for (const Organ& organ : organs_of(plant, component)) {
+    append(bytes, std::vector<Mat3>{organ.frame.axes});
+    append(bytes, std::vector<Vec3>{organ.frame.origin});
+    append(bytes, std::vector<float>{organ.birth});
+    append_mesh(bytes, *plant.prototypes[organ.prototype].mesh);
+  }
+}
+
+}  // namespace
+
+GraphBuilder& GraphBuilder::variable(std::string name, double value) {
+  variables_.push_back({std::move(name), value});
+  return *this;
+}
+
+GraphBuilder& GraphBuilder::seed(std::uint64_t seed) {
+  graph_.seed = seed;
+  return *this;
+}
+
+GraphBuilder& GraphBuilder::instance_limit(std::uint64_t limit) {
+  graph_.limits.instances = limit;
+  return *this;
+}
+
+GraphBuilder& GraphBuilder::component(const std::string& id, const std::string& type, const Value::Object& parameters) {
+  Prototype prototype{.id = id, .type = registry_.find(type), .parameters = {}, .varyings = {}};
+  if (prototype.type == nullptr) throw std::invalid_argument("no component type " + type);
+  prototype.parameters = prototype.type->make_parameters();
+  ParameterReader reader(variables_, graph_.limits);
+  const Place top;
+  const Place components(top, "components");
+  prototype.varyings = reader.read_varying(prototype.type->parameters, prototype.parameters.get(), prototype.type->size,
+                                           parameters, Place(components, id));
+  if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
+  for (Prototype& present : graph_.components) {
+    if (present.id != id) continue;
+    present = std::move(prototype);
+    return *this;
+  }
+  graph_.components.push_back(std::move(prototype));
+  return *this;
+}
+
+GraphBuilder& GraphBuilder::link(std::string_view from, std::string_view to, LinkKind kind,
+                                 const Value::Object& placement) {
+  Link link{.from = index_of(from), .to = index_of(to), .kind = kind, .placement = {}};
+  ParameterReader reader(variables_, graph_.limits);
+  const Place top;
+  const Place links(top, "links");
+  reader.read(placement_table(), &link.placement, placement, Place(links, graph_.links.size()));
+  if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
+  graph_.links.push_back(std::move(link));
+  return *this;
+}
+
+std::vector<std::string> GraphBuilder::structure_faults() const {
+  std::vector<Diagnostic> diagnostics;
+  analyse_structure(graph_, diagnostics);
+  std::vector<std::string> texts;
+  for (const Diagnostic& diagnostic : diagnostics) texts.push_back(diagnostic.text());
+  return texts;
+}
+
+Plant GraphBuilder::grow(double time, const Scene& scene) const {
+  std::vector<Diagnostic> diagnostics;
+  const Structure structure = analyse_structure(graph_, diagnostics);
+  if (!diagnostics.empty()) throw InputError(std::move(diagnostics));
+  Progress progress;
+  return expand(graph_, structure, scene, time, progress);
+}
+
+ComponentIndex GraphBuilder::index_of(std::string_view id) const {
+  for (ComponentIndex c = 0; c < graph_.components.size(); ++c) {
+    if (graph_.components[c].id == id) return c;
+  }
+  throw std::invalid_argument("no component " + std::string(id));
+}
+
+std::vector<Organ> organs_of(const Plant& plant, std::string_view component) {
+  std::vector<Organ> organs;
+  for (const Organ& organ : plant.organs) {
+    if (plant.prototypes[organ.prototype].component == component) organs.push_back(organ);
+  }
+  return organs;
+}
+
+std::vector<OrganPrototype> prototypes_of(const Plant& plant, std::string_view component) {
+  std::vector<OrganPrototype> prototypes;
+  for (const OrganPrototype& prototype : plant.prototypes) {
+    if (prototype.component == component) prototypes.push_back(prototype);
+  }
+  return prototypes;
+}
+
+std::string hash_of(const Plant& plant, std::string_view component) {
+  std::vector<std::byte> bytes;
+  append_component(bytes, plant, component);
+  return hash128_hex(bytes);
+}
+
+std::string hash_of(const Plant& plant) {
+  std::vector<std::byte> bytes;
+  for (const Material& material : plant.materials) {
+    append(bytes, std::vector<char>(material.name.begin(), material.name.end()));
+    append_component(bytes, plant, material.name);
+  }
+  return hash128_hex(bytes);
+}
+
+}  // namespace meristem

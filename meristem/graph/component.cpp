@@ -41,8 +41,8 @@ const ParameterTable& component_base_table() {
           .object("place", &ComponentBase::place, transform_table(), "Moves this component's geometry only.")
           .object("frame", &ComponentBase::frame, transform_table(),
                   "Moves this component's coordinate system and all that hangs on it.")
-          .integer("recursion", &ComponentBase::recursion, {.min = 0, .max = 1000, .fixed = true},
-                   "How often a link from below back to this component is followed.")
+          .integer("recursion", &ComponentBase::recursion, {.min = 1, .max = 1000, .fixed = true},
+                   "How many instances in a row a link from below back to this component makes, the first included.")
           .selection("omit", &ComponentBase::omit,
                      "Instances without geometry: numbers, ranges and conditions over i, n, u and so on.")
           .selection("only", &ComponentBase::only, "All instances but these are without geometry.")

@@ -52,11 +52,11 @@ struct ComponentBase {
   std::optional<Vec3> colour;  ///< of the material; unset: the component type's own
   std::optional<double> roughness;
   std::optional<double> translucency;
-  Transform place;                   ///< moves this component's geometry only
-  Transform frame;                   ///< moves its coordinate system and all that hangs on it
-  int recursion = 0;                 ///< how often a link back to this component is followed
-  std::optional<Selection> omit;     ///< instances without geometry
-  std::optional<Selection> only;     ///< all others are without
+  Transform place;                ///< moves this component's geometry only
+  Transform frame;                ///< moves its coordinate system and all that hangs on it
+  int recursion = 1;              ///< instances that a link back makes of this component in a row, the first included
+  std::optional<Selection> omit;  ///< instances without geometry
+  std::optional<Selection> only;  ///< all others are without
   bool omit_keeps_children = false;  ///< what hangs on an omitted instance stays
   bool hidden = false;               ///< no geometry; children stay
 };

@@ -144,7 +144,7 @@ class Expansion {
   std::vector<LinkIndex> links_followed(const Batch& batch) const {
     const auto is_at_end = [&](std::uint32_t recursion) {
       const Structure::Recursion& found = structure_.recursions[recursion];
-      return batch.sites[0].depths[found.level] >= graph_.components[found.head].base().recursion;
+      return batch.sites[0].depths[found.level] + 1 >= graph_.components[found.head].base().recursion;
     };
     std::vector<LinkIndex> links;
     for (const LinkIndex link : structure_.outgoing[batch.component]) {

@@ -42,12 +42,12 @@ std::vector<int> places_of(const Plant& plant, std::string_view component) {
 // A stalk, three branches of sticks that recurse: the example of the p-graph's source.
 GraphBuilder source_example() {
   auto builder = with_camera().component("B", "stick").component("C", "star", {{"number", 3}});
-  builder.component("D", "stick", {{"recursion", 2}});
+  builder.component("D", "stick", {{"recursion", 3}});
   return builder.link("view", "B").link("B", "C").link("C", "D").link("D", "D");
 }
 
 TEST(Expand, TheSourcesExampleHasNineInstancesOfD) {
-  // Figure 6.1: a recursion of three instances, multiplied by three. Documents count the links back, which are two.
+  // Figure 6.1: a recursion of three instances, multiplied by three.
   const Plant plant = source_example().grow();
   EXPECT_EQ(organs_of(plant, "B").size(), 1U);
   ASSERT_EQ(organs_of(plant, "D").size(), 9U);
@@ -105,7 +105,7 @@ TEST(Expand, BranchLinksFromOtherComponentsAreChildLinks) {
 }
 
 TEST(Expand, DepthCountsTheLinksBackAndStaysKnownBelow) {
-  auto builder = with_camera().component("D", "stick", {{"recursion", 3}, {"length", "1 + depth"}});
+  auto builder = with_camera().component("D", "stick", {{"recursion", 4}, {"length", "1 + depth"}});
   builder.component("leaf", "stick", {{"length", "1 + depth"}});
   const Plant plant = builder.link("view", "D").link("D", "D").link("D", "leaf", LinkKind::leaf).grow();
   std::vector<float> heights;
@@ -116,7 +116,7 @@ TEST(Expand, DepthCountsTheLinksBackAndStaysKnownBelow) {
 
 TEST(Expand, ANestedRecursionStartsAnewInEachRoundOfTheOuter) {
   // B recurses 2 times; from each of the three B a link leads back to A, once.
-  auto builder = with_camera().component("A", "stick", {{"recursion", 1}}).component("B", "stick", {{"recursion", 2}});
+  auto builder = with_camera().component("A", "stick", {{"recursion", 2}}).component("B", "stick", {{"recursion", 3}});
   builder.link("view", "A").link("A", "B").link("B", "B").link("B", "A");
   const Plant plant = builder.grow();
   EXPECT_EQ(organs_of(plant, "A").size(), 1U + 3U);
@@ -125,7 +125,7 @@ TEST(Expand, ANestedRecursionStartsAnewInEachRoundOfTheOuter) {
 
 TEST(Expand, ASideLoopWithinARecursionCountsOnItsOwn) {
   // B > D > B goes round twice in each round of A > B > A.
-  auto builder = with_camera().component("A", "stick", {{"recursion", 1}}).component("B", "stick", {{"recursion", 2}});
+  auto builder = with_camera().component("A", "stick", {{"recursion", 2}}).component("B", "stick", {{"recursion", 3}});
   builder.component("D", "stick");
   builder.link("view", "A").link("A", "B").link("B", "A").link("B", "D").link("D", "B");
   const Plant plant = builder.grow();
@@ -136,7 +136,7 @@ TEST(Expand, ASideLoopWithinARecursionCountsOnItsOwn) {
 
 TEST(Expand, TwoLinksBackToOneAncestorShareItsDepth) {
   // A binary tree of depth 3.
-  auto builder = with_camera().component("A", "stick", {{"recursion", 3}});
+  auto builder = with_camera().component("A", "stick", {{"recursion", 4}});
   builder.link("view", "A").link("A", "A").link("A", "A");
   EXPECT_EQ(count_of(builder, "A"), 1U + 2 + 4 + 8);
 }
@@ -309,7 +309,7 @@ TEST(Expand, TheLimitItselfIsAllowed) {
 
 TEST(Expand, FramesThatGrowBeyondAllBoundsAreInputErrors) {
   auto builder = with_camera().component(
-      "a", "stick", {{"recursion", 100}, {"frame", Value::Object{{"scale", Value::List{1e4, 1e4, 1e4}}}}});
+      "a", "stick", {{"recursion", 101}, {"frame", Value::Object{{"scale", Value::List{1e4, 1e4, 1e4}}}}});
   const auto faults = faults_of([&] { builder.link("view", "a").link("a", "a").grow(); });
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults[0].path, "components.a");

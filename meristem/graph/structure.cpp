@@ -122,9 +122,9 @@ class Analysis {
     const auto head_at = std::find_if(path_begin, path_end, [&](const auto& v) { return v.component == head; });
     Structure::Recursion recursion{.head = head};
     for (auto visit = head_at; visit != path_end; ++visit) recursion.members.push_back(visit->component);
-    if (graph_.components[head].base().recursion == 0) {
+    if (graph_.components[head].base().recursion < 2) {
       error(link_path(link), fmt::format("the links {} go round without end", cycle_text(recursion)),
-            fmt::format("a \"recursion\" of at least 1 in '{}', or no link back", id(head)));
+            fmt::format("a \"recursion\" of at least 2 in '{}', or no link back", id(head)));
     }
     structure_.recursion_of_link[link] = static_cast<std::uint32_t>(structure_.recursions.size());
     structure_.recursions.push_back(std::move(recursion));

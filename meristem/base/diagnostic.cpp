@@ -14,13 +14,9 @@ namespace {
 
 constexpr std::size_t kLongestName = 100;
 
-char lowered(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
+char lowered(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-bool are_equal(char a, char b) {
-  return lowered(a) == lowered(b);
-}
+bool are_equal(char a, char b) { return lowered(a) == lowered(b); }
 
 /// How many edits lead from a to b, both at most kLongestName long: optimal string alignment, three rows of the table.
 std::size_t edit_distance(std::string_view a, std::string_view b) {

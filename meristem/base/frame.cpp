@@ -31,9 +31,7 @@ DVec3 perpendicular(DVec3 n) {
 }
 
 /// The half turn about a unit axis.
-DMat3 half_turn(DVec3 axis) {
-  return 2.0 * glm::outerProduct(axis, axis) - DMat3(1);
-}
+DMat3 half_turn(DVec3 axis) { return 2.0 * glm::outerProduct(axis, axis) - DMat3(1); }
 
 }  // namespace
 
@@ -70,12 +68,8 @@ Frame frame_along(Vec3 origin, Vec3 heading, Vec3 upper) {
   return {Mat3(DMat3(glm::cross(y, z), y, z)), origin};
 }
 
-Vec3 any_perpendicular(Vec3 direction) {
-  return Vec3(perpendicular(unit_or(DVec3(direction), DVec3(kUp))));
-}
+Vec3 any_perpendicular(Vec3 direction) { return Vec3(perpendicular(unit_or(DVec3(direction), DVec3(kUp)))); }
 
-Vec3 normalized_or(Vec3 vector, Vec3 fallback) {
-  return Vec3(unit_or(DVec3(vector), DVec3(fallback)));
-}
+Vec3 normalized_or(Vec3 vector, Vec3 fallback) { return Vec3(unit_or(DVec3(vector), DVec3(fallback))); }
 
 }  // namespace meristem

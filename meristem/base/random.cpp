@@ -33,9 +33,7 @@ std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::a
   return {out[0], out[1], out[2], out[3]};
 }
 
-RandomKey RandomKey::child(std::string_view name) const {
-  return child(hash64(name));
-}
+RandomKey RandomKey::child(std::string_view name) const { return child(hash64(name)); }
 
 std::uint64_t RandomKey::mixed(std::uint64_t bits, std::uint64_t with) {
   // Philox's last two counter words mark derived keys, so that a key never equals a number of its own stream.

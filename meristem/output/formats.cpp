@@ -44,8 +44,9 @@ const Format& format_of(const std::string& path) {
     if (format.ending == ending) return format;
     known.emplace_back(format.ending);
   }
-  throw InputError(Diagnostic{.message = ending.empty() ? fmt::format("'{}' has no ending that names a format", path)
-                                                        : fmt::format("'{}' is not a format that can be written", ending),
+  throw InputError(Diagnostic{.message = ending.empty()
+                                             ? fmt::format("'{}' has no ending that names a format", path)
+                                             : fmt::format("'{}' is not a format that can be written", ending),
                               .expected = fmt::format("a file that ends in {}", fmt::join(known, " or ")),
                               .nearest = nearest_name(ending, known)});
 }

@@ -18,7 +18,7 @@ float exposed(float light) { return static_cast<float>(1 - math::exp(-std::max(0
 }  // namespace
 
 float exposure(const Sky& sky) {
-  constexpr double kBase = 2.2;
+  constexpr double kBase = 2.7;
   const double level = luminance(sky.sun_irradiance()) * std::max(0.35, static_cast<double>(sky.sun_direction().y)) +
                        luminance(sky.dome_irradiance());
   return static_cast<float>(kBase * math::pow(std::max(level, 1e-4) / 2.45, -0.7));

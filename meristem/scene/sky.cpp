@@ -94,7 +94,7 @@ Vec3 Sky::relative_radiance(Vec3 direction) const {
 
   // Colour: blue overhead, pale near the horizon and about the sun; a low sun warms the horizon on its side.
   const Vec3 kDeep = with_luminance_1(Vec3(0.17F, 0.40F, 1.0F));
-  const Vec3 kPale = with_luminance_1(Vec3(0.72F, 0.86F, 1.0F));
+  const Vec3 kPale = with_luminance_1(Vec3(0.64F, 0.82F, 1.0F));
   const double depth = math::exp(-0.16 / height);
   const Vec3 blue = glm::mix(kPale, kDeep, static_cast<float>(depth * (1 - 0.6 * glow)));
   const double near_horizon = 1 - std::clamp(height / 0.5, 0.0, 1.0);

@@ -26,7 +26,7 @@ struct GltfOptions {
 
 /// Writes `scene` as binary glTF 2.0 to `path` ("-" for standard output): metres, y up, one node a component, materials
 /// with their names. Streams: memory beyond the scene stays below 64 MB. The file appears whole or not at all.
-/// Throws MachineError (path, disk), Cancelled.
+/// Throws MachineError (path, disk), InputError for files over 4 GB (which the format cannot hold), Cancelled.
 void write_glb(const MeshScene& scene, const std::string& path, const GltfOptions& options, Progress& progress);
 
 }  // namespace meristem

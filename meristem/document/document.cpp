@@ -196,9 +196,9 @@ class DocumentReader {
     prototype.type = registry_.find(*type->text());
     if (prototype.type == nullptr) {
       const std::vector<std::string> names = registry_.names();
-      std::string nearest = reader.nearest(*type->text(), names);
+      const std::string nearest = reader.nearest(*type->text(), names);
       return reader.fault(Place(place, "type"), fmt::format("'{}' is not a type of component", *type->text()),
-                          nearest.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", std::move(nearest));
+                          nearest.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", nearest);
     }
     prototype.parameters = prototype.type->make_parameters();
     prototype.varyings =
@@ -265,9 +265,9 @@ class DocumentReader {
     }
     const auto found = component_by_id_.find(*value.text());
     if (found != component_by_id_.end()) return found->second;
-    std::string nearest = reader.nearest(*value.text(), ids_);
+    const std::string nearest = reader.nearest(*value.text(), ids_);
     reader.fault(place, fmt::format("there is no component '{}'", *value.text()),
-                 nearest.empty() ? "the id of a component" : "", std::move(nearest));
+                 nearest.empty() ? "the id of a component" : "", nearest);
     return kNoIndex;
   }
 
@@ -325,7 +325,7 @@ class DocumentReader {
       if (!has_parent[c]) link_to(c);
     }
     for (ComponentIndex c = 0; c < count; ++c) {
-      if (!is_reached[c] && graph.components[c].base().recursion > 0) link_to(c);
+      if (!is_reached[c] && graph.components[c].base().recursion > 1) link_to(c);
     }
     for (ComponentIndex c = 0; c < count; ++c) {
       if (!is_reached[c]) link_to(c);

@@ -35,10 +35,10 @@ std::string range_text(const NumberForm& form) {
   const bool low = std::isfinite(form.min);
   const bool high = std::isfinite(form.max);
   const std::string_view from = form.above_min ? "above" : "from";
-  if (low && high) return fmt::format(" {} {:.12g} to {:.12g}", from, form.min, form.max);
+  if (low && high) return fmt::format(" {} {:.16g} to {:.16g}", from, form.min, form.max);
   if (low)
-    return form.above_min ? fmt::format(" above {:.12g}", form.min) : fmt::format(" of at least {:.12g}", form.min);
-  if (high) return fmt::format(" of at most {:.12g}", form.max);
+    return form.above_min ? fmt::format(" above {:.16g}", form.min) : fmt::format(" of at least {:.16g}", form.min);
+  if (high) return fmt::format(" of at most {:.16g}", form.max);
   return "";
 }
 

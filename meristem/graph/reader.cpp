@@ -109,9 +109,9 @@ void ParameterReader::object(const ParameterTable& table, void* object, const Va
     if (row == nullptr && is_any_of(name, table.elsewhere)) continue;
     if (row == nullptr) {
       const std::vector<std::string> names = table.names();
-      std::string similar = nearest(name, names);
+      const std::string similar = nearest(name, names);
       fault_name(member_place, fmt::format("'{}' is not a parameter of {}", name, table.name),
-                 similar.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", std::move(similar));
+                 similar.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", similar);
       continue;
     }
     given.insert(row->name);

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/document/override.h"
+
+#include <gtest/gtest.h>
+
+#include "meristem/components/colonize.h"
+#include "meristem/components/registry.h"
+#include "meristem/document/json.h"
+
+namespace meristem {
+namespace {
+
+constexpr const char* kOak = R"({
+  "meristem": 1,
+  "variables": {"age": {"value": 3}, "size": 2},
+  "components": {
+    "tree": {"type": "colonize", "crown": {"profile": [[1, 1], [1, 2]]}, "points": 100},
+    "leaf": {"type": "leaf"}
+  },
+  "links": [["tree", "leaf"], {"from": "tree", "to": "leaf", "kind": "branch", "density": 10}]
+})";
+
+Document read_with(const std::vector<std::string>& sets) {
+  std::vector<Override> overrides;
+  for (const std::string& set : sets) overrides.push_back(parse_override(set));
+  return read_document(kOak, "oak.json", builtin_components(), overrides);
+}
+
+std::string fault_of(const std::string& set) {
+  try {
+    read_with({set});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no fault";
+}
+
+const Colonize& tree_of(const Document& document) {
+  return *static_cast<const Colonize*>(document.graph.components[0].parameters.get());
+}
+
+TEST(Override, SetsVariablesInBothForms) {
+  const Document document = read_with({"age=20", "size=7"});
+  EXPECT_EQ(document.variables[0].value, 20);
+  EXPECT_EQ(document.variables[1].value, 7);
+}
+
+TEST(Override, SetsParametersOfComponents) {
+  const Document document = read_with({"tree.points=50", "tree.step=0.02", "tree.crown.profile[1][0]=3"});
+  EXPECT_EQ(tree_of(document).points.count, 50U);
+  EXPECT_DOUBLE_EQ(tree_of(document).growth.step, 0.02);
+  EXPECT_EQ(tree_of(document).crown.profile[1].x, 3);
+}
+
+TEST(Override, SetsKeysOfTheDocument) {
+  const Document document = read_with({"links[1].density=90", "scene.latitude=51.5", "scene.sun.day=172",
+                                       "output.samples=4", "limits.nodes=1000", "components.tree.points=70"});
+  EXPECT_EQ(document.graph.links[1].placement.density, 90);
+  EXPECT_EQ(document.output.samples, 4);
+  EXPECT_EQ(document.graph.limits.nodes, 1000U);
+  EXPECT_EQ(tree_of(document).points.count, 70U);
+  EXPECT_GT(document.scene.sun.altitude, 1);
+}
+
+TEST(Override, UsesVariablesInValues) {
+  EXPECT_EQ(tree_of(read_with({"age=5", "tree.points=age*10"})).points.count, 50U);
+}
+
+TEST(Override, LetsTheLastOneWin) {
+  EXPECT_EQ(tree_of(read_with({"tree.points=50", "tree.points=60"})).points.count, 60U);
+}
+
+TEST(Override, ReadsValuesAsJsonWhereTheyAreAndAsTextElsewhere) {
+  EXPECT_EQ(parse_override("a=1.5").value, Value(1.5));
+  EXPECT_EQ(parse_override("a=[1, 2]").value, Value(Value::List{1.0, 2.0}));
+  EXPECT_EQ(parse_override("a=\"7\"").value, Value("7"));
+  EXPECT_EQ(parse_override("a=b == c").value, Value("b == c"));
+  EXPECT_EQ(parse_override("a=").value, Value(""));
+  EXPECT_EQ(parse_override("a.b[2].c=1").path, "a.b[2].c");
+}
+
+TEST(Override, RejectsTextsThatSetNothing) {
+  for (const char* text : {"", "age", "=3", ".age=3", "age.=3", "a..b=3", "a[1=3", "[0]=3", "a.[0]=3", "a[0]b=3"}) {
+    try {
+      parse_override(text);
+      ADD_FAILURE() << text;
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()), "'" + std::string(text) +
+                                               "' sets nothing; expected NAME=VALUE, such as age=20, stem.length=2 or "
+                                               "links[1].density=90");
+    }
+  }
+}
+
+TEST(Override, NamesTheNearestVariableAndComponent) {
+  EXPECT_EQ(fault_of("agee=3"), "--set agee: variables.agee: there is no variable 'agee'; did you mean 'age'?");
+  EXPECT_EQ(fault_of("seed=3"), "--set seed: variables.seed: there is no variable 'seed'; expected one of age, size");
+  EXPECT_EQ(fault_of("laef.width=3"),
+            "--set laef.width: components.laef.width: there is no component 'laef'; did you mean 'leaf'?");
+}
+
+TEST(Override, ReportsUnknownParametersAndBadValuesUnderTheirOwnName) {
+  EXPECT_EQ(fault_of("leaf.lenght=3"),
+            "--set leaf.lenght: components.leaf.lenght: 'lenght' is not a parameter of a leaf; did you mean 'length'?");
+  EXPECT_EQ(fault_of("leaf.length=-3"),
+            "--set leaf.length: components.leaf.length: the value -3 is out of range for "
+            "'length'; expected a number (m) from 0.0001 to 100");
+  EXPECT_EQ(fault_of("age=true"), "--set age: variables.age.value: 'value' cannot be true; expected a number");
+  EXPECT_EQ(fault_of("leaf.length=2*q"),
+            "--set leaf.length: components.leaf.length: 'q' is not a known name; expected a variable or a constant");
+}
+
+TEST(Override, PlacesFaultsBelowItsValueToo) {
+  EXPECT_EQ(fault_of(R"(tree.crown={"profile": [[1, "x"], [1, 2]]})").substr(0, 44),
+            "--set tree.crown: components.tree.crown.prof");
+}
+
+TEST(Override, LeavesOtherFaultsInTheText) { EXPECT_EQ(fault_of("tree.influence=0.01").substr(0, 9), "oak.json:"); }
+
+TEST(Override, RejectsPathsThatLeadNowhere) {
+  EXPECT_EQ(fault_of("links[2].density=3"),
+            "--set links[2].density: links[2].density: there is no element [2] in a list of 2; expected [0] to [1]");
+  EXPECT_EQ(fault_of("tree[0]=3"), "--set tree[0]: components.tree[0]: there is no element [0] in an object");
+  EXPECT_EQ(fault_of("tree.points.count=3"),
+            "--set tree.points.count: components.tree.points.count: the number 100 has no member 'count'");
+}
+
+TEST(Override, LeavesADocumentThatIsNoObjectToTheReader) {
+  try {
+    read_document("[1]", "a.json", builtin_components(), {parse_override("age=3")});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "a.json:1:1: the document is a list of 1; expected an object with \"meristem\": 1");
+  }
+}
+
+}  // namespace
+}  // namespace meristem

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <system_error>
 
 #include <CLI/App.hpp>
@@ -100,7 +101,9 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wish) {
-    return run_and_report([&] { app.exit(wish); });  // --help, --version
+    std::ostringstream text;  // of --help or --version
+    app.exit(wish, text, text);
+    return run_and_report([&text] { fmt::print("{}", text.str()); });
   } catch (const CLI::ParseError& error) {
     return report_usage(app, error);
   }

@@ -24,7 +24,9 @@ void DocumentOptions::add_to(CLI::App& command) {
                   "Set a variable (age=20), parameter (leaf.length=0.1) or key (links[1].density=90); may be repeated")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--seed", seed, "Use this seed instead of the document's")->type_name("N");
+  command.add_option("--seed", seed, "Use this seed instead of the document's")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber);
   command.add_option("--threads", threads, "Use so many threads; all cores if not given")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));

@@ -39,7 +39,9 @@ class DocumentReader {
     read_limits(document.graph.limits);
     read_variables(document);
     std::vector<ExpressionNames::Constant> constants;
-    for (const Variable& variable : document.variables) constants.push_back({variable.name, variable.value});
+    for (const Variable& variable : document.variables) {
+      if (is_free_name(variable.name)) constants.push_back({variable.name, variable.value});
+    }
 
     ParameterReader reader(std::move(constants), document.graph.limits);
     read_head(reader, document);
@@ -135,6 +137,8 @@ class DocumentReader {
     };
     return is_builtin_name(name) || is_in(site_variables()) || is_in(placement_variables());
   }
+  /// Expressions can only be compiled with names that a variable may have.
+  static bool is_free_name(const std::string& name) { return is_identifier(name) && !has_meaning(name); }
 
   void read_head(ParameterReader& reader, Document& document) {
     DocumentHead head;

@@ -145,6 +145,8 @@ const Rejection kRejections[] = {
      "2:14: variables: the variables are an empty list; expected an object of names"},
     {"VariableName", with("\"variables\": {\"2a\": 3},"),
      "2:15: variables.2a: '2a' is not a name; expected letters, digits and _, not beginning with a digit"},
+    {"VariableNameBesideExpressions", with("\"variables\": {\"2 a\": 3}, \"seed\": \"1+1\","),
+     "2:15: variables.2 a: '2 a' is not a name; expected letters, digits and _, not beginning with a digit"},
     {"VariableShadowsFunction", with("\"variables\": {\"sin\": 3},"),
      "2:15: variables.sin: 'sin' has a meaning in expressions already; expected another name"},
     {"VariableShadowsSite", with("\"variables\": {\"u\": 3},"),

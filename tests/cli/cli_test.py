@@ -1,0 +1,378 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The command line as users meet it: exit codes, messages, files that are whole or not there, signals.
+
+Usage: cli_test.py PROGRAM [unittest options]
+"""
+
+import json
+import os
+import pty
+import re
+import select
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM = os.path.abspath(sys.argv.pop(1))
+
+DONE, FAILED, WRONG_INPUT = 0, 1, 2
+
+TREE = """{
+  "meristem": 1,
+  "variables": {"points": 300},
+  "components": {
+    "tree": {"type": "colonize", "crown": {"profile": [[0.2, 0.5], [1, 1], [0.2, 2]]}, "points": "points",
+             "step": 0.05, "influence": 0.5, "kill": 0.15},
+    "leaf": {"type": "leaf", "length": "0.05*(1 + 0.3*gauss(0,1))"}
+  },
+  "links": [{"from": "tree", "to": "leaf", "kind": "branch", "density": 20}]
+}"""
+
+BOX = '{"meristem": 1, "components": {"box": {"type": "simple"}}}'
+
+# Enough work that a signal comes long before the end.
+LONG_RENDER = ["--size", "600x600", "--samples", "2048"]
+LONG_GROWTH = ["--set", "points=3000000", "--set", "tree.step=0.002", "--set", "tree.kill=0.002"]
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.write("tree.json", TREE)
+        self.write("box.json", BOX)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, text):
+        with open(self.path(name), "wb") as file:
+            file.write(text if isinstance(text, bytes) else text.encode())
+
+    def read(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def run_program(self, *arguments, **options):
+        options.setdefault("stdin", subprocess.DEVNULL if "input" not in options else None)
+        if options["stdin"] is None:
+            del options["stdin"]
+        options.setdefault("stdout", subprocess.PIPE)
+        return subprocess.run([PROGRAM, *arguments], cwd=self.folder, stderr=subprocess.PIPE, timeout=300, **options)
+
+    def start(self, *arguments, **options):
+        options.setdefault("stderr", subprocess.PIPE)
+        return subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stdin=subprocess.DEVNULL,
+                                stdout=subprocess.PIPE, **options)
+
+    def assert_ends(self, code, *arguments, **options):
+        """Runs and returns standard error; nothing may be left but the files that were there before."""
+        before = sorted(os.listdir(self.folder))
+        done = self.run_program(*arguments, **options)
+        errors = done.stderr.decode()
+        self.assertEqual(done.returncode, code, errors)
+        if code != DONE:
+            self.assertEqual(sorted(os.listdir(self.folder)), before)
+            self.assertNotEqual(errors, "")
+        return errors
+
+    def assert_rejects(self, document, message):
+        self.write("bad.json", document)
+        for command in (["check"], ["grow", "-o", "out.glb"]):
+            errors = self.assert_ends(WRONG_INPUT, command[0], "bad.json", *command[1:])
+            self.assertIn(message, errors)
+
+
+class CommandLine(Case):
+    def test_no_command_prints_help(self):
+        self.assertIn(b"grow", self.run_program().stdout)
+
+    def test_every_command_has_help_with_an_example(self):
+        for command in ([], ["grow"], ["render"], ["check"], ["components"], ["models"]):
+            done = self.run_program(*command, "--help")
+            self.assertEqual(done.returncode, DONE)
+            self.assertIn(b"Example: meristem", done.stdout, command)
+
+    def test_version(self):
+        self.assertRegex(self.run_program("--version").stdout.decode(), r"^meristem \d+\.\d+\.\d+\n$")
+
+    def test_unknown_command_names_the_nearest(self):
+        errors = self.assert_ends(WRONG_INPUT, "gorw", "box.json", "-o", "a.glb")
+        self.assertIn("'gorw' was not expected; did you mean 'grow'?", errors)
+
+    def test_unknown_option_names_the_nearest(self):
+        errors = self.assert_ends(WRONG_INPUT, "grow", "box.json", "-o", "a.glb", "--thread", "2")
+        self.assertIn("'--thread' was not expected; did you mean '--threads'?", errors)
+        self.assertIn("'meristem grow --help' tells more", errors)
+
+    def test_missing_or_wrong_option_values(self):
+        for arguments in (["grow", "box.json"], ["grow", "-o", "a.glb"], ["grow", "box.json", "-o"],
+                          ["grow", "box.json", "-o", "a.glb", "--threads", "0"],
+                          ["grow", "box.json", "-o", "a.glb", "--seed", "-1"],
+                          ["grow", "box.json", "-o", "a.glb", "--seed", "x"],
+                          ["render", "box.json"],
+                          ["render", "box.json", "-o", "a.png", "--size", "10"],
+                          ["render", "box.json", "-o", "a.png", "--size", "0x10"],
+                          ["render", "box.json", "-o", "a.png", "--size", "99999x10"],
+                          ["render", "box.json", "-o", "a.png", "--samples", "0"],
+                          ["render", "box.json", "-o", "a.png", "--view", "nan,3"],
+                          ["render", "box.json", "-o", "a.png", "--view", "10,100"]):
+            self.assert_ends(WRONG_INPUT, *arguments)
+
+    def test_unknown_format_names_the_known(self):
+        self.assertIn("a file that ends in .glb", self.assert_ends(WRONG_INPUT, "grow", "box.json", "-o", "a.xyz"))
+        self.assertIn("ends in .png", self.assert_ends(WRONG_INPUT, "render", "box.json", "-o", "a.jpg"))
+
+    def test_set_that_sets_nothing(self):
+        self.assertIn("'points' sets nothing", self.assert_ends(WRONG_INPUT, "check", "tree.json", "--set", "points"))
+
+
+class Documents(Case):
+    def test_good_document(self):
+        done = self.run_program("check", "tree.json")
+        self.assertEqual((done.returncode, done.stdout.decode(), done.stderr.decode()),
+                         (DONE, "tree.json: good, 3 components and 2 links\n", ""))
+
+    def test_paths_that_cannot_be_read(self):
+        self.assertIn("No such file", self.assert_ends(FAILED, "check", "none.json"))
+        self.assertIn("Is a directory", self.assert_ends(FAILED, "check", "."))
+        if os.geteuid() != 0:
+            self.write("secret.json", BOX)
+            os.chmod(self.path("secret.json"), 0)
+            self.assertIn("Permission denied", self.assert_ends(FAILED, "check", "secret.json"))
+
+    def test_unknown_model_names_the_nearest(self):
+        self.assertIn("no shipped model 'oka'; expected a document, or a name that 'meristem models' lists; did you mean "
+                      "'oak'?", self.assert_ends(WRONG_INPUT, "check", "oka"))
+
+    def test_model_goes_before_a_folder_of_its_name(self):
+        os.mkdir(self.path("oak"))
+        self.assert_ends(DONE, "check", "oak")
+
+    def test_faults_have_file_line_and_column(self):
+        self.assert_rejects('{"meristem": 1,\n "components": {"a": {"type": "simpel"}}}',
+                            "bad.json:2:31: components.a.type: 'simpel' is not a type of component; did you mean 'simple'?")
+        self.assert_rejects('{"meristem": 1 "seed": 2}', "bad.json:1:16: unexpected string literal; expected ',' or '}'")
+        self.assert_rejects(b'{"name": "\xff"}', "bad.json:1:11: invalid string: ill-formed UTF-8 byte")
+
+    def test_every_fault_is_told(self):
+        self.write("bad.json", '{"meristem": 1, "a": 1, "b": 2, "components": {"c": 3}, "links": 4}')
+        self.assertEqual(self.assert_ends(WRONG_INPUT, "check", "bad.json").count("bad.json:1:"), 4)
+
+    def test_links(self):
+        boxes = '"components": {"a": {"type": "simple"}, "b": {"type": "simple"}}'
+        self.assert_rejects('{"meristem": 1, %s, "links": [["a", "c"]]}' % boxes, "there is no component 'c'")
+        self.assert_rejects('{"meristem": 1, %s, "links": [["a", "b"], ["b", "a"]]}' % boxes, "a > b > a go round")
+
+    def test_growth_that_cannot_be(self):
+        tree = '{"meristem": 1, "components": {"t": {"type": "colonize", "crown": {"profile": %s}, %s}}}'
+        crown = "[[1, 0], [1, 1]]"
+        self.assert_rejects(tree % (crown, '"points": 1000000000'), "attraction points are too many; expected at most")
+        self.assert_rejects(tree % (crown, '"step": 0'), "the value 0 is out of range for 'step'")
+        self.assert_rejects(tree % ("[[0, 0], [0, 1]]", '"points": 9'), "the crown is empty")
+
+    def test_numbers_that_are_not_finite(self):
+        self.write("bad.json", '{"meristem": 1, "components": {"l": {"type": "leaf", "curl": "sqrt(-1 - i)"}}}')
+        errors = self.assert_ends(WRONG_INPUT, "grow", "bad.json", "-o", "out.glb")
+        self.assertRegex(errors, r"bad\.json:1:\d+: components\.l\.curl: ")
+
+    def test_nesting(self):
+        self.assert_rejects("[" * 10000 + "]" * 10000, "bad.json:1:65: ")
+
+    def test_huge_document_is_refused_soon(self):
+        with open(self.path("huge.json"), "wb") as file:
+            file.truncate(200_000_000)
+        self.assertIn("the document is larger than 16000000 bytes", self.assert_ends(WRONG_INPUT, "check", "huge.json"))
+
+    def test_control_characters_do_not_reach_the_terminal(self):
+        self.write("bad.json", '{"meristem": 1, "\\u001b[2J": 3}')
+        self.assertNotIn("\x1b", self.assert_ends(WRONG_INPUT, "check", "bad.json"))
+
+    def test_warnings_say_so_and_do_not_refuse(self):
+        self.write("night.json", BOX.replace('"comp', '"scene": {"sun": {"azimuth": 0, "altitude": -9}}, "comp'))
+        errors = self.assert_ends(DONE, "check", "night.json")
+        self.assertRegex(errors, r"^warning: night\.json:1:\d+: scene\.sun: the sun is below the horizon")
+        self.assertEqual(self.assert_ends(DONE, "check", "night.json", "--quiet"), "")
+
+
+class Output(Case):
+    def grown(self, *options):
+        self.assert_ends(DONE, "grow", "tree.json", "-o", "out.glb", *options)
+        return self.read("out.glb")
+
+    def test_grown_file_is_announced(self):
+        done = self.run_program("grow", "tree.json", "-o", "a.glb", "-o", "b.GLB")
+        self.assertEqual(done.returncode, DONE)
+        self.assertEqual(done.stdout, b"")
+        self.assertRegex(done.stderr.decode(), r"^a\.glb, b\.GLB: \d+ nodes, \d+ organs, \d+ triangles, \d\.\d\d m high\n$")
+        self.assertEqual(self.read("a.glb")[:4], b"glTF")
+        self.assertEqual(self.read("a.glb"), self.read("b.GLB"))
+
+    def test_same_bytes_on_any_number_of_threads(self):
+        first = self.grown("--threads", "1")
+        for threads in ("2", "3", "8"):
+            self.assertEqual(self.grown("--threads", threads), first)
+
+    def test_seed_and_set_change_the_plant(self):
+        plain = self.grown()
+        self.assertNotEqual(self.grown("--seed", "2"), plain)
+        self.assertEqual(self.grown("--seed", "1"), plain)
+        self.assertNotEqual(self.grown("--set", "points=200"), plain)
+        self.assertNotEqual(self.grown("--set", "leaf.width=0.01"), plain)
+        self.assertNotEqual(self.grown("--set", "links[0].density=40"), plain)
+
+    def test_set_faults_name_the_option(self):
+        self.assertIn("--set laef.width: components.laef.width: there is no component 'laef'; did you mean 'leaf'?",
+                      self.assert_ends(WRONG_INPUT, "check", "tree.json", "--set", "laef.width=1"))
+
+    def test_standard_input_and_output(self):
+        done = self.run_program("grow", "-", "-o", "-", input=TREE.encode())
+        self.assertEqual(done.returncode, DONE)
+        self.assertEqual(done.stdout, self.grown())
+        done = self.run_program("check", "-", input=b'{"meristem": 9}')
+        self.assertIn("<standard input>:1:14: ", done.stderr.decode())
+        picture = self.run_program("render", "box.json", "-o", "-", "--size", "20x10", "--samples", "1").stdout
+        self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
+
+    def test_standard_input_that_is_a_socket(self):
+        import socket
+        ours, theirs = socket.socketpair()
+        ours.sendall(TREE.encode())
+        ours.close()
+        self.assertEqual(self.run_program("check", "-", stdin=theirs).returncode, DONE)
+        theirs.close()
+
+    def test_quiet_is_silent(self):
+        done = self.run_program("grow", "tree.json", "-o", "out.glb", "-q")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (DONE, b"", b""))
+        done = self.run_program("render", "box.json", "-o", "a.png", "--size", "9x9", "--samples", "1", "--quiet")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (DONE, b"", b""))
+
+    def test_refused_paths_fail_before_the_work(self):
+        for command, ending in (("grow", "glb"), ("render", "png")):
+            options = LONG_RENDER if command == "render" else LONG_GROWTH
+            errors = self.assert_ends(FAILED, command, "tree.json", "-o", "no/such/folder/a." + ending, *options)
+            self.assertIn(f"cannot write 'no/such/folder/a.{ending}': No such file or directory", errors)
+            os.makedirs(self.path("folder." + ending), exist_ok=True)
+            errors = self.assert_ends(FAILED, command, "tree.json", "-o", "folder." + ending, *options)
+            self.assertIn("Is a directory", errors)
+
+    def test_full_disk(self):
+        for command, ending in (("grow", "glb"), ("render", "png")):
+            os.symlink("/dev/full", self.path("full." + ending))
+            options = ["--size", "9x9", "--samples", "1"] if command == "render" else []
+            errors = self.assert_ends(FAILED, command, "box.json", "-o", "full." + ending, *options)
+            self.assertIn("No space left on device", errors)
+        with open("/dev/full", "wb") as full:
+            for arguments in (["components"], ["components", "--schema"], ["models"], ["--help"], ["--version"],
+                              ["check", "box.json"], ["grow", "box.json", "-o", "-"]):
+                self.assert_ends(FAILED, *arguments, stdout=full)
+
+    def test_closed_pipe_is_a_failed_write(self):
+        for arguments in (["grow", "tree.json", "-o", "-"], ["components", "--schema"]):
+            process = self.start(*arguments)
+            process.stdout.close()
+            errors = process.stderr.read().decode()
+            process.stderr.close()
+            self.assertEqual(process.wait(60), FAILED, errors)
+            self.assertEqual("Broken pipe" in errors, arguments[0] == "grow", errors)
+
+    def test_standard_error_that_cannot_be_written(self):
+        with open("/dev/full", "wb") as full:
+            process = self.start("grow", "tree.json", "-o", "out.glb", stderr=full)
+            process.stdout.close()
+            self.assertEqual(process.wait(60), DONE)
+
+
+class Listing(Case):
+    def test_components_and_their_parameters(self):
+        listed = self.run_program("components").stdout.decode()
+        names = [line.split()[0] for line in listed.splitlines()]
+        self.assertIn("colonize", names)
+        for name in names:
+            done = self.run_program("components", name)
+            self.assertEqual(done.returncode, DONE)
+            self.assertTrue(done.stdout.decode().startswith(name + ": "))
+        self.assertIn("length - a number (m) from 0.0001 to 100; default 0.08",
+                      self.run_program("components", "leaf").stdout.decode())
+
+    def test_unknown_component_names_the_nearest(self):
+        self.assertIn("did you mean 'leaf'?", self.assert_ends(WRONG_INPUT, "components", "laef"))
+
+    def test_schema_is_json(self):
+        schema = json.loads(self.run_program("components", "--schema").stdout)
+        self.assertEqual(schema["$schema"], "http://json-schema.org/draft-07/schema#")
+
+    def test_models(self):
+        lines = self.run_program("models").stdout.decode().splitlines()
+        self.assertIn("oak", [line.split()[0] for line in lines])
+        for line in lines:
+            self.assertGreater(len(line.split()), 2, "a description: " + line)
+        for path in self.run_program("models", "--paths").stdout.decode().splitlines():
+            self.assert_ends(DONE, "check", path)
+
+
+class Signals(Case):
+    def stop(self, signal_number, *arguments):
+        """Sends the signal once the program tells of its work, and returns its standard error."""
+        process = self.start(*arguments)
+        first = process.stderr.readline()
+        self.assertRegex(first.decode(), r"^[a-z ]+ \d+ %\n$", "a plain line of progress")
+        process.send_signal(signal_number)
+        errors = process.stderr.read().decode()
+        self.assertEqual(process.wait(60), -signal_number, errors)
+        process.stdout.close()
+        process.stderr.close()
+        return errors
+
+    def test_render_leaves_nothing(self):
+        before = sorted(os.listdir(self.folder))
+        errors = self.stop(signal.SIGINT, "render", "tree.json", "-o", "a.png", *LONG_RENDER)
+        self.assertIn("nothing was left half-written", errors)
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+
+    def test_growth_leaves_an_existing_file(self):
+        self.write("a.glb", "before")
+        before = sorted(os.listdir(self.folder))
+        self.stop(signal.SIGTERM, "grow", "tree.json", "-o", "a.glb", *LONG_GROWTH)
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+        self.assertEqual(self.read("a.glb"), b"before")
+
+    def test_ignored_signals_stay_ignored(self):
+        process = self.start("render", "tree.json", "-o", "a.png", *LONG_RENDER,
+                             preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))
+        process.stderr.readline()
+        process.send_signal(signal.SIGINT)
+        process.send_signal(signal.SIGTERM)
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, -signal.SIGTERM)
+
+    def test_terminal_shows_a_bar_and_takes_it_away(self):
+        ours, theirs = pty.openpty()
+        process = self.start("render", "tree.json", "-o", "a.png", *LONG_RENDER, stderr=theirs)
+        os.close(theirs)
+        shown = b""
+        deadline = time.monotonic() + 120
+        while not re.search(rb"rendering +\[=* *\] +\d+ %", shown) and time.monotonic() < deadline:
+            if select.select([ours], [], [], 1)[0]:
+                shown += os.read(ours, 4096)
+        self.assertRegex(shown, rb"\r\x1b\[Krendering +\[=* *\] +\d+ %")
+        process.send_signal(signal.SIGINT)
+        try:
+            while piece := os.read(ours, 4096):
+                shown += piece
+        except OSError:  # how a terminal ends on Linux
+            pass
+        os.close(ours)
+        process.stdout.close()
+        self.assertEqual(process.wait(60), -signal.SIGINT)
+        self.assertRegex(shown, rb"\r\x1b\[Kmeristem: stopped")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+// The schema of documents, judged by valijson: it takes every good document, and what it refuses the reader refuses
+// too.
+#include "meristem/document/schema.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <rapidcheck.h>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "meristem/components/registry.h"
+#include "meristem/document/document.h"
+#include "meristem/document/json.h"
+
+namespace meristem {
+namespace {
+
+using Json = nlohmann::json;
+
+Json parse(const std::string& text) { return Json::parse(text, nullptr, true, /*ignore_comments=*/true); }
+
+const Json& schema_json() {
+  static const Json schema = parse(write_json(document_schema(builtin_components())));
+  return schema;
+}
+
+class DocumentSchema {
+ public:
+  DocumentSchema() {
+    valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
+    parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json()), schema_);
+  }
+
+  bool accepts(const Json& document) const {
+    valijson::Validator validator;
+    return validator.validate(schema_, valijson::adapters::NlohmannJsonAdapter(document), nullptr);
+  }
+
+ private:
+  valijson::Schema schema_;
+};
+
+const DocumentSchema& schema() {
+  static const DocumentSchema schema;
+  return schema;
+}
+
+/// The reader's faults, or nothing.
+std::string faults_of(const std::string& text) {
+  try {
+    read_document(text, "document", builtin_components());
+    return {};
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+/// Documents that use every form of value.
+const std::vector<std::string>& good_documents() {
+  static const std::vector<std::string> documents = {
+      R"({"meristem": 1, "components": {"a": {"type": "simple"}}})",
+      R"j({"meristem": "1", "seed": "3+4", "name": "n", "components": {
+        "view": {"type": "camera", "azimuth": 3, "position": [0, "1+1", 4], "background": "#00ff7F"},
+        "leaf": {"type": "leaf", "length": [0.1, "0.2"], "width": {"range": [0.1, 0.2], "apply": "v*rand(1,2)"},
+                 "curl": {"apply": "v + i"}, "fold": "2*u", "outline": {"curve": [[0, "0.5"], [1, 0]], "kind": "linear"},
+                 "omit": [0, [2, 4], "i % 3 == 0"], "colour": "#123456", "frame": {"rotate": [0, [1, 2], "i"]},
+                 "recursion": 2, "hidden": true}},
+        "links": [["view", "leaf"], {"from": "leaf", "to": "leaf", "kind": "leaf"}]})j",
+      R"({"meristem": 1, "variables": {"k": 40, "m": {"value": "2*3", "min": 1, "max": 9, "unit": "m", "doc": "d"}},
+        "scene": {"latitude": 51, "sun": {"day": 100, "hour": "9+3"}, "ground": {"colour": "#000000"}},
+        "output": {"size": [10, 20], "samples": 3}, "limits": {"nodes": 1000},
+        "components": {
+          "tree": {"type": "colonize", "crown": {"profile": [[1, 0], ["2", 3]]}, "points": {"count": "k"},
+                   "step": 0.05, "finish": {"decimate": 0, "relax": true}, "surface": {"style": "tubes", "sides": 8}},
+          "bush": {"type": "colonize", "crown": {"profile": [[1, 0], [2, 3]]}, "points": "m*10"},
+          "box": {"type": "simple", "shape": "torus", "size": [1, 2, [1, 3]], "segments": 9}},
+        "links": [["tree", "box"],
+          {"from": "bush", "to": "box", "kind": "branch", "density": "k/2", "where": "order > 1", "divergence": 90,
+           "size": {"curve": [[0, 1]]}, "face_light": 0.5, "start": 0.1, "end": 0.9, "whorl": 2}]})"};
+  return documents;
+}
+
+TEST(Schema, AcceptsEveryShippedModel) {
+  std::size_t models = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(MERISTEM_MODELS)) {
+    if (entry.path().extension() != ".json") continue;
+    ++models;
+    EXPECT_TRUE(schema().accepts(parse(read_text_file(entry.path())))) << entry.path();
+  }
+  EXPECT_GT(models, 0U);
+}
+
+TEST(Schema, AcceptsWhatTheReaderAccepts) {
+  for (const std::string& document : good_documents()) {
+    EXPECT_EQ(faults_of(document), "");
+    EXPECT_TRUE(schema().accepts(parse(document))) << document;
+  }
+}
+
+TEST(Schema, RejectsWhatTheReaderRejects) {
+  for (
+      const char* document : {
+          R"([])",
+          R"({"components": {"a": {"type": "simple"}}})",
+          R"({"meristem": 2, "components": {"a": {"type": "simple"}}})",
+          R"({"meristem": 1})",
+          R"({"meristem": 1, "components": {}})",
+          R"({"meristem": 1, "components": {"a-b": {"type": "simple"}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "simpel"}}})",
+          R"({"meristem": 1, "components": {"a": {}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "simple", "sise": 3}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "simple", "size": [1, 2]}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "simple", "shape": "ball"}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "simple", "colour": "#12345"}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "simple", "segments": 2}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "leaf", "length": [1, 2, 3]}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "leaf", "length": {"rang": [1, 2]}}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "leaf", "rows": [1, 2]}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "leaf", "outline": {"kind": "linear"}}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "colonize"}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "colonize", "crown": {}}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "colonize", "crown": {"profile": [[1, 0], [1, 1]]}, "step": 0}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "simple"}}, "links": [["a"]]})",
+          R"({"meristem": 1, "components": {"a": {"type": "simple"}}, "links": [{"from": "a"}]})",
+          R"({"meristem": 1, "components": {"a": {"type": "simple"}}, "variables": {"v": {"min": 0}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "simple"}}, "scene": {"latitude": 91}})",
+          R"({"meristem": 1, "components": {"a": {"type": "simple"}}, "output": {"size": [1]}})",
+          R"({"meristem": 1, "components": {"a": {"type": "simple"}}, "limits": {"nodes": 0}})",
+          R"({"meristem": 1, "components": {"a": {"type": "simple"}}, "seed": -1})",
+      }) {
+    EXPECT_FALSE(schema().accepts(parse(document))) << document;
+    EXPECT_NE(faults_of(document), "") << document;
+  }
+}
+
+TEST(Schema, DescribesEveryParameter) {
+  for (const Json& type : schema_json()["properties"]["components"]["additionalProperties"]["oneOf"]) {
+    for (const auto& [name, parameter] : type["properties"].items()) {
+      EXPECT_TRUE(name == "type" || parameter.contains("description")) << name;
+    }
+  }
+}
+
+TEST(Schema, AcceptsItsOwnDefaults) {
+  const ComponentType& leaf = *builtin_components().find("leaf");
+  Json component = {{"type", "leaf"}};
+  const std::vector<Value> defaults = leaf.parameters.defaults();
+  for (std::size_t k = 0; k < defaults.size(); ++k) {
+    if (!defaults[k].is_null()) component[leaf.parameters.parameters[k].name] = parse(write_json(defaults[k]));
+  }
+  const Json document = {{"meristem", 1}, {"components", {{"leaf", component}}}};
+  EXPECT_TRUE(schema().accepts(document)) << document;
+  EXPECT_EQ(faults_of(document.dump()), "");
+}
+
+std::vector<Json*> nodes_of(Json& root) {
+  std::vector<Json*> nodes{&root};
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    if (!nodes[k]->is_structured()) continue;
+    for (Json& child : *nodes[k]) nodes.push_back(&child);
+  }
+  return nodes;
+}
+
+/// Replaces, removes, renames or copies one part of a document.
+void mutate(Json& document) {
+  const std::vector<Json*> nodes = nodes_of(document);
+  Json& target = *nodes[*rc::gen::inRange<std::size_t>(0, nodes.size())];
+  const int kind = *rc::gen::inRange(0, 4);
+  if (kind == 0 && target.is_structured() && !target.empty()) {
+    auto member = target.begin();
+    std::advance(member, *rc::gen::inRange<std::size_t>(0, target.size()));
+    target.erase(member);
+  } else if (kind == 1 && target.is_object()) {
+    target[*rc::gen::element<std::string>("type", "curve", "value", "range", "count", "x")] = 1;
+  } else if (kind == 2) {
+    Json copy = *nodes[*rc::gen::inRange<std::size_t>(0, nodes.size())];
+    target = std::move(copy);
+  } else {
+    target = *rc::gen::element<Json>(nullptr, true, 0, -1, 0.5, 3, 1e9, "", "1", "leaf", "#123456", Json::array(),
+                                     Json::object(), Json::array({1, 2}), Json::array({1, 2, 3}));
+  }
+}
+
+TEST(Schema, RejectsNothingThatTheReaderAccepts) {
+  int rejected = 0;
+  EXPECT_TRUE(rc::check([&rejected] {
+    Json document = parse(good_documents()[*rc::gen::inRange<std::size_t>(0, good_documents().size())]);
+    const int changes = *rc::gen::inRange(1, 3);
+    for (int k = 0; k < changes; ++k) mutate(document);
+    if (schema().accepts(document)) return;
+    ++rejected;
+    if (faults_of(document.dump()).empty()) RC_FAIL("the reader accepts " + document.dump());
+  }));
+  EXPECT_GT(rejected, 10) << "changes that the schema sees";
+}
+
+}  // namespace
+}  // namespace meristem

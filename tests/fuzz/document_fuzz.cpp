@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes as a document: read, every fault placed in the text, and a small plant grown where they are good.
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "meristem/base/parallel.h"
+#include "meristem/base/progress.h"
+#include "meristem/components/registry.h"
+#include "meristem/document/grow.h"
+
+namespace {
+
+using namespace meristem;
+
+/// Never more than this, whatever the document asks for: one run should take milliseconds.
+std::vector<Override> tight_limits() {
+  return {{"limits.points", 500},
+          {"limits.nodes", 2000},
+          {"limits.instances", 500},
+          {"limits.triangles", 20e3},
+          {"limits.mesh_bytes", 4'000'000}};
+}
+
+void require(bool holds) {
+  if (!holds) __builtin_trap();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  try {
+    const Document document = read_document(text, "fuzz", builtin_components(), tight_limits());
+    const ThreadLimit one_thread(1);
+    Progress progress;
+    grow_document(document, progress);
+  } catch (const InputError& error) {
+    require(!error.diagnostics().empty());
+    for (const Diagnostic& diagnostic : error.diagnostics()) {
+      require(!diagnostic.message.empty() && (diagnostic.file == "fuzz" || diagnostic.file.starts_with("--set ")));
+    }
+  }
+  return 0;
+}

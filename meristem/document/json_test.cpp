@@ -76,7 +76,7 @@ TEST(Json, RejectsKeysOfAThousandBytes) {
 
 TEST(Json, RejectsNestingPastTheLimitWhereItPasses) {
   const Limits limits{.nesting = 3};
-  EXPECT_EQ(parse_json("[[[1]]]", limits), Value(Value::List{Value::List{Value::List{1.0}}}));
+  EXPECT_EQ(parse_json("[[[1]]]", limits), Value(Value::List{Value(Value::List{Value(Value::List{1.0})})}));
   EXPECT_EQ(fault_of("[[\n [[1]]]]", limits),
             "2:3: [0][0][0]: lists and objects are nested deeper than 3 levels; expected a flatter document");
 }

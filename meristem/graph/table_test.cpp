@@ -199,13 +199,13 @@ TEST(Table, NumbersOutOfRangeAreRejected) {
   fault("petals", 2.5, "flower.petals");
   fault("bend", Value::List{0, 91, 0}, "flower.bend[1]");
   fault("size", Value::List{0, 5}, "flower.size[0]");
-  fault("profile", Value::List{Value::List{1, 10}}, "flower.profile[0][1]");
+  fault("profile", Value::List{Value(Value::List{1, 10})}, "flower.profile[0][1]");
   EXPECT_EQ(good("turn", 360).turn, static_cast<float>(2 * kPi));  // the bound itself is allowed
 }
 
 TEST(Table, NumbersThatDoNotFitAFloatAreRejectedWhereAFloatIsStored) {
   fault("target", Value::List{0, 1e300, 0}, "flower.target[1]");
-  fault("outline", Value::Object{{"curve", Value::List{Value::List{0, 1e300}}}}, "flower.outline.curve[0][1]");
+  fault("outline", Value::Object{{"curve", Value::List{Value(Value::List{0, 1e300})}}}, "flower.outline.curve[0][1]");
 }
 
 TEST(Table, AnUnknownNameIsReportedWithTheNearestOne) {
@@ -242,11 +242,11 @@ TEST(Table, CurvesNeedPointsThatRiseWithinZeroToOne) {
   fault("outline", curve({{0, 0}, {1.5, 1}}), "flower.outline.curve[1]");
   fault("outline", curve({}), "flower.outline.curve");
   fault("outline", curve({{0, 0, 0}}), "flower.outline.curve[0]");
-  EXPECT_EQ(fault("outline", Value::Object{{"curve", Value::List{Value::List{0, 1}}}, {"kind", "splin"}},
+  EXPECT_EQ(fault("outline", Value::Object{{"curve", Value::List{Value(Value::List{0, 1})}}, {"kind", "splin"}},
                   "flower.outline.kind")
                 .nearest,
             "spline");
-  fault("outline", Value::Object{{"curv", Value::List{Value::List{0, 1}}}}, "flower.outline.curv");
+  fault("outline", Value::Object{{"curv", Value::List{Value(Value::List{0, 1})}}}, "flower.outline.curv");
   fault("outline", Value::Object{}, "flower.outline");
 }
 
@@ -268,8 +268,8 @@ TEST(Table, SelectionsHoldNumbersRangesAndConditions) {
   EXPECT_EQ(chosen, (std::vector<std::uint32_t>{0, 3, 4, 5, 9, 19}));
   fault("omit", Value::List{-1}, "flower.omit[0]");
   fault("omit", Value::List{1, 2.5}, "flower.omit[1]");
-  fault("omit", Value::List{Value::List{1, 2, 3}}, "flower.omit[0]");
-  fault("omit", Value::List{Value::List{5, 3}}, "flower.omit[0]");
+  fault("omit", Value::List{Value(Value::List{1, 2, 3})}, "flower.omit[0]");
+  fault("omit", Value::List{Value(Value::List{5, 3})}, "flower.omit[0]");
   fault("omit", Value::List{"i ="}, "flower.omit[0]");
 }
 

@@ -71,7 +71,7 @@ TEST(ComponentInATest, MultipliesAndRecursesFromADocument) {
     "variables": {"arms": 4},
     "components": {
       "view": {"type": "camera"},
-      "tree": {"type": "spike", "number": "arms", "recursion": 3, "length": "0.5 ^ depth", "radius": [0.02, 0.05]}
+      "tree": {"type": "spike", "number": "arms", "recursion": 4, "length": "0.5 ^ depth", "radius": [0.02, 0.05]}
     },
     "links": [["view", "tree"], ["tree", "tree"]]
   })");

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "commands.h"
-#include "session.h"
+#include "documents.h"
 
 namespace meristem::cli {
 

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include "commands.h"
+#include "documents.h"
 #include "meristem/base/parallel.h"
 #include "meristem/measure/counts.h"
 #include "meristem/output/formats.h"
-#include "session.h"
 #include "terminal.h"
 
 namespace meristem::cli {

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "commands.h"
+#include "documents.h"
 #include "meristem/document/json.h"
-#include "session.h"
 
 namespace meristem::cli {
 

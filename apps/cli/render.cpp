@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 
 #include "commands.h"
+#include "documents.h"
 #include "meristem/base/parallel.h"
 #include "meristem/components/camera.h"
 #include "meristem/document/grow.h"
 #include "meristem/output/image.h"
 #include "meristem/output/still.h"
-#include "session.h"
 #include "terminal.h"
 
 namespace meristem::cli {

@@ -299,10 +299,12 @@ class Table {
     return std::move(*this);
   }
 
-  operator ParameterTable() && {
+  /// Finishes the table.
+  operator ParameterTable() && {  // NOLINT(google-explicit-constructor): the builder ends as what it builds
     table_.defaults = [parameters = table_.parameters] {
       const P defaults{};
       std::vector<Value> values;
+      values.reserve(parameters.size());
       for (const Parameter& parameter : parameters) values.push_back(parameter.show(&defaults));
       return values;
     };

@@ -18,6 +18,7 @@ class Value {
   using Object = std::vector<Member>;
 
   Value() = default;  ///< null
+  // NOLINTBEGIN(google-explicit-constructor): a value is written as what it holds
   Value(bool boolean) : data_(boolean) {}
   Value(double number) : data_(number) {}
   Value(int number) : data_(static_cast<double>(number)) {}
@@ -25,6 +26,7 @@ class Value {
   Value(const char* text) : data_(std::string(text)) {}
   Value(List list) : data_(std::move(list)) {}
   Value(Object object) : data_(std::move(object)) {}
+  // NOLINTEND(google-explicit-constructor)
 
   bool is_null() const { return std::holds_alternative<std::monostate>(data_); }
   const bool* boolean() const { return std::get_if<bool>(&data_); }

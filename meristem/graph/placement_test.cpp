@@ -55,7 +55,7 @@ Placement placement(Value::Object keys) {
   Placement result;
   ParameterReader reader({}, Limits{});
   const Place top;
-  reader.read(placement_table(), &result, keys, Place(top, "link"));
+  reader.read(placement_table(), &result, Value(std::move(keys)), Place(top, "link"));
   EXPECT_EQ(reader.fault_count(), 0U) << reader.diagnostics()[0].text();
   return result;
 }

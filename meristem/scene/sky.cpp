@@ -16,13 +16,9 @@ constexpr double kPerKilolux = kPi / 128;
 // The haze that softens contrast: the handbook's clear sky is darker than photographs of pleasant days.
 constexpr double kHaze = 2.4;
 
-float luminance(Vec3 light) {
-  return 0.2126F * light.r + 0.7152F * light.g + 0.0722F * light.b;
-}
+float luminance(Vec3 light) { return 0.2126F * light.r + 0.7152F * light.g + 0.0722F * light.b; }
 
-Vec3 with_luminance_1(Vec3 light) {
-  return light / luminance(light);
-}
+Vec3 with_luminance_1(Vec3 light) { return light / luminance(light); }
 
 /// How many times the air of a vertical path sunlight passes (Kasten and Young).
 double air_mass(double altitude) {

@@ -8,13 +8,9 @@
 namespace meristem {
 namespace {
 
-float luminance(Vec3 light) {
-  return 0.2126F * light.r + 0.7152F * light.g + 0.0722F * light.b;
-}
+float luminance(Vec3 light) { return 0.2126F * light.r + 0.7152F * light.g + 0.0722F * light.b; }
 
-Sky sky_at(double altitude_deg) {
-  return Sky({radians(180), radians(altitude_deg)});
-}
+Sky sky_at(double altitude_deg) { return Sky({radians(180), radians(altitude_deg)}); }
 
 TEST(Sky, LightsAWhiteSurfaceFacingTheSunAt45DegreesToAboutOne) {
   const Sky sky = sky_at(45);

@@ -104,7 +104,7 @@ class SchemaWriter {
       case ParameterKind::choice:
         return Object{{"enum", List(row.choices.begin(), row.choices.end())}};
       case ParameterKind::integers:
-        return list_of(number_schema("integer", row.form), row.count, row.count);
+        return list_of(any_of({number_schema("integer", row.form), typed("string")}), row.count, row.count);
       case ParameterKind::vector:
         return list_of(number("number", row.form), 3, 3);
       case ParameterKind::colour:
@@ -125,7 +125,8 @@ class SchemaWriter {
 
   static Value selection() {
     const Value instance = number_schema("integer", {.min = 0, .max = 4294967295.0});
-    return list_of(any_of({instance, typed("string"), list_of(instance, 2, 2)}), 0, 0);
+    const Value range = list_of(any_of({instance, typed("string")}), 2, 2);
+    return list_of(any_of({instance, typed("string"), range}), 0, 0);
   }
 
   bool varies_;

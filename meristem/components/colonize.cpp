@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "meristem/components/surface_table.h"
-#include "meristem/scene/crown.h"
 
 namespace meristem {
 
@@ -12,34 +11,13 @@ namespace {
 
 std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowContext& context) {
   const Vec3 root = site.frame.origin;
-  const ProfileCrown crown(tree.crown.profile);
-  std::vector<Vec3> points = crown.sample(tree.points.count, site.key.child("points"), context.progress);
+  std::vector<Vec3> points = make_points(tree.crown, tree.points, site.key.child("points"), context);
   for (Vec3& point : points) point += root;
-  return make_colonizer(root, std::move(points), tree.growth, site.key.child("growth"), context.limits,
-                        context.component);
+  return make_colonizer(context.stand, {{root, std::move(points)}}, tree.growth, site.key.child("growth"),
+                        context.limits, context.component);
 }
 
 void expand(const Colonize& tree, const Site&, Emitter& out) { out.stem(out.take_grown(), tree.surface); }
-
-void check_profile(const Colonize::Crown& crown, const Place& place, ParameterReader& reader) {
-  const Place profile(place, "profile");
-  if (crown.profile.size() < 2) {
-    return reader.fault(profile, "the profile has fewer than two points", "pairs [radius, height] with rising heights");
-  }
-  for (std::size_t k = 0; k < crown.profile.size(); ++k) {
-    if (crown.profile[k].x < 0) {
-      reader.fault(Place(profile, k), fmt::format("the radius {:.7g} is negative", crown.profile[k].x),
-                   "a radius of at least 0");
-    }
-    if (k > 0 && !(crown.profile[k - 1].y < crown.profile[k].y)) {
-      return reader.fault(Place(profile, k), fmt::format("the height {:.7g} does not rise", crown.profile[k].y),
-                          fmt::format("a height above {:.7g}", crown.profile[k - 1].y));
-    }
-  }
-  if (!(ProfileCrown(crown.profile).volume() > 0)) {
-    reader.fault(profile, "the crown is empty: all its radii are 0", "a radius above 0 somewhere");
-  }
-}
 
 void check_distances(const Colonize& tree, const Place& place, ParameterReader& reader) {
   const ColonizeParameters& growth = tree.growth;
@@ -59,26 +37,6 @@ void check_distances(const Colonize& tree, const Place& place, ParameterReader& 
     reader.fault_limit(Place(place, "points"), "attraction points", static_cast<double>(tree.points.count),
                        reader.limits().points, "points");
   }
-}
-
-const ParameterTable& crown_table() {
-  static const ParameterTable table =
-      Table<Colonize::Crown>("a crown", "The envelope that attraction points fill.")
-          .points("profile", &Colonize::Crown::profile, {.unit = Unit::metre, .min = -1e5, .max = 1e5},
-                  "Pairs [radius, height] over the root, heights rising, joined by a natural spline and turned about "
-                  "the vertical.")
-          .one_of({"profile"})
-          .check(check_profile);
-  return table;
-}
-
-const ParameterTable& points_table() {
-  static const ParameterTable table =
-      Table<Colonize::Points>("points", "The attraction points in the crown.")
-          .integer("count", &Colonize::Points::count, {.min = 1, .max = 1e15},
-                   "How many, uniform in volume; raised, more and finer branches, and slower.")
-          .shorthand("count");
-  return table;
 }
 
 const ParameterTable& finish_table() {
@@ -105,7 +63,7 @@ const ParameterTable& growth_table() {
           .integer("iterations", &ColonizeParameters::iterations, {.min = 1, .max = 1e6}, "At most so many steps.")
           .vector("bias", &ColonizeParameters::bias, {.min = -100, .max = 100},
                   "Added to each growth direction; [0, 0.2, 0] makes all grow upward a little.")
-          .object("finish", &ColonizeParameters::finish, finish_table(), "What is done to the skeleton after growth.");
+          .object("finish", &ColonizeParameters::finish, finish_table, "What is done to the skeleton after growth.");
   return table;
 }
 
@@ -127,12 +85,12 @@ ComponentType colonize_component() {
       .name = "colonize",
       .doc = "A tree that grows into a cloud of attraction points (space colonization).",
       .parameters = Table<Colonize>("a colonize", "A tree that grows into a cloud of attraction points.")
-                        .object("crown", &Colonize::crown, crown_table(), "The envelope that the points fill.")
+                        .object("crown", &Colonize::crown, crown_table, "The envelope that the points fill.")
                         .required()
-                        .object("points", &Colonize::points, points_table(), "The attraction points.")
+                        .object("points", &Colonize::points, points_table, "The attraction points.")
                         .members(&Colonize::growth, growth_table())
                         .members(&Colonize::growth, &ColonizeParameters::radii, pipe_table())
-                        .object("surface", &Colonize::surface, surface_table(), "How the stems are clothed.")
+                        .object("surface", &Colonize::surface, surface_table, "How the stems are clothed.")
                         .check(check_distances),
       .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
       .makes_stems = true,

@@ -71,6 +71,7 @@ struct GrowContext {
   const Scene& scene;
   const Limits& limits;
   const std::string& component;  ///< id, for errors
+  Stand& stand;                  ///< in which it will grow
   Progress& progress;
 };
 

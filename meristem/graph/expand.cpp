@@ -91,18 +91,19 @@ class Expansion {
     growing_.clear();
     std::stable_sort(batches.begin(), batches.end(),
                      [](const Batch& a, const Batch& b) { return a.component < b.component; });
-    std::vector<std::unique_ptr<Grower>> members;
+    Stand stand;
     for (const Batch& batch : batches) {
       const Prototype& prototype = graph_.components[batch.component];
-      const GrowContext context{scene_, graph_.limits, prototype.id, progress_};
-      for (const Site& site : batch.sites) members.push_back(prototype.type->grow(prototype, site, time_, context));
+      const GrowContext context{scene_, graph_.limits, prototype.id, stand, progress_};
+      for (const Site& site : batch.sites) stand.add(prototype.type->grow(prototype, site, time_, context));
     }
-    grow_stand(members, progress_);
-    std::size_t member = 0;
-    for (Batch& batch : batches) {
-      std::vector<Skeleton> grown;
-      for (std::size_t k = 0; k < batch.sites.size(); ++k) grown.push_back(members[member++]->take_skeleton(progress_));
-      expand_batch(batch, std::move(grown));
+    stand.grow(progress_);
+    std::vector<Skeleton> skeletons = stand.take_skeletons(progress_);
+    auto next = skeletons.begin();
+    for (const Batch& batch : batches) {
+      const auto end = next + static_cast<std::ptrdiff_t>(batch.sites.size());
+      expand_batch(batch, {std::make_move_iterator(next), std::make_move_iterator(end)});
+      next = end;
     }
   }
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+// Plants that grow together: round after round each takes one step, and what they compete for is brought up to date
+// between rounds, so that all of them see the same state and none is served first.
 #pragma once
 
+#include <cstddef>
 #include <memory>
-#include <span>
+#include <typeindex>
+#include <vector>
 
 #include "meristem/base/progress.h"
 #include "meristem/plant/skeleton.h"
@@ -21,9 +25,43 @@ class Grower {
   virtual Skeleton take_skeleton(Progress& progress) = 0;
 };
 
-/// Grows all members together, one step after another in their order, until none can grow further or all have reached
-/// their step limits. Passes on what members throw: InputError when one exceeds its limits, Cancelled when asked to
-/// stop.
-void grow_stand(std::span<const std::unique_ptr<Grower>> members, Progress& progress);
+/// What the plants of a stand share and compete for, such as a cloud of attraction points.
+class Commons {
+ public:
+  virtual ~Commons() = default;
+  /// Takes account of what the plants did in the round before; called before each round.
+  virtual void begin_round(Progress& progress) = 0;
+};
+
+class Stand {
+ public:
+  /// The stand's one T, made at its first use. Members keep references to it.
+  template <class T>
+  T& commons() {
+    for (const Shared& shared : commons_) {
+      if (shared.type == typeid(T)) return static_cast<T&>(*shared.commons);
+    }
+    commons_.push_back({typeid(T), std::make_unique<T>()});
+    return static_cast<T&>(*commons_.back().commons);
+  }
+
+  void add(std::unique_ptr<Grower> member) { members_.push_back(std::move(member)); }
+
+  /// Grows all members together, one step after another in their order, until none can grow further or all have reached
+  /// their step limits. Passes on what members throw: InputError when one exceeds its limits, Cancelled when asked to
+  /// stop.
+  void grow(Progress& progress);
+
+  /// The skeletons in the members' order; to be called once, after grow().
+  std::vector<Skeleton> take_skeletons(Progress& progress);
+
+ private:
+  struct Shared {
+    std::type_index type;
+    std::unique_ptr<Commons> commons;
+  };
+  std::vector<Shared> commons_;
+  std::vector<std::unique_ptr<Grower>> members_;
+};
 
 }  // namespace meristem

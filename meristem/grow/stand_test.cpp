@@ -30,40 +30,57 @@ class Counting : public Grower {
   std::string& log_;
 };
 
-using Members = std::vector<std::unique_ptr<Grower>>;
-
 TEST(Stand, MembersStepInTurnUntilEachIsDone) {
   std::string log;
-  Members members;
-  members.push_back(std::make_unique<Counting>('a', 3, 10, log));
-  members.push_back(std::make_unique<Counting>('b', 1, 10, log));
-  members.push_back(std::make_unique<Counting>('c', 2, 10, log));
+  Stand stand;
+  stand.add(std::make_unique<Counting>('a', 3, 10, log));
+  stand.add(std::make_unique<Counting>('b', 1, 10, log));
+  stand.add(std::make_unique<Counting>('c', 2, 10, log));
   Progress progress;
-  grow_stand(members, progress);
+  stand.grow(progress);
   EXPECT_EQ(log, "abcaca");
+}
+
+// Writes a bar before each round.
+class Bars : public Commons {
+ public:
+  void begin_round(Progress&) override { *log += '|'; }
+  std::string* log = nullptr;
+};
+
+TEST(Stand, BringsItsCommonsUpToDateBeforeEachRound) {
+  std::string log;
+  Stand stand;
+  stand.commons<Bars>().log = &log;
+  EXPECT_EQ(&stand.commons<Bars>(), &stand.commons<Bars>());
+  stand.add(std::make_unique<Counting>('a', 2, 10, log));
+  stand.add(std::make_unique<Counting>('b', 3, 10, log));
+  Progress progress;
+  stand.grow(progress);
+  EXPECT_EQ(log, "|ab|ab|b");
 }
 
 TEST(Stand, StopsMembersAtTheirLimits) {
   std::string log;
-  Members members;
-  members.push_back(std::make_unique<Counting>('a', 100, 2, log));
-  members.push_back(std::make_unique<Counting>('b', 100, 0, log));
+  Stand stand;
+  stand.add(std::make_unique<Counting>('a', 100, 2, log));
+  stand.add(std::make_unique<Counting>('b', 100, 0, log));
   Progress progress;
-  grow_stand(members, progress);
+  stand.grow(progress);
   EXPECT_EQ(log, "aa");
 }
 
 TEST(Stand, ReportsTheShareOfStepsDoneUpToAll) {
   std::string log;
-  Members members;
-  members.push_back(std::make_unique<Counting>('a', 5, 10, log));
-  members.push_back(std::make_unique<Counting>('b', 10, 10, log));
+  Stand stand;
+  stand.add(std::make_unique<Counting>('a', 5, 10, log));
+  stand.add(std::make_unique<Counting>('b', 10, 10, log));
   std::vector<double> shares;
   Progress progress([&](std::string_view stage, double share) {
     EXPECT_EQ(stage, "growing");
     shares.push_back(share);
   });
-  grow_stand(members, progress);
+  stand.grow(progress);
   ASSERT_FALSE(shares.empty());
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
   EXPECT_DOUBLE_EQ(shares.back(), 1);
@@ -71,21 +88,23 @@ TEST(Stand, ReportsTheShareOfStepsDoneUpToAll) {
 
 TEST(Stand, CancelledByItsObserverStopsGrowing) {
   std::string log;
-  Members members;
-  members.push_back(std::make_unique<Counting>('a', 1000, 1000, log));
+  Stand stand;
+  stand.add(std::make_unique<Counting>('a', 1000, 1000, log));
   Progress* asked = nullptr;
   Progress progress([&](std::string_view, double share) {
     if (share >= 0.25) asked->cancel();
   });
   asked = &progress;
-  EXPECT_THROW(grow_stand(members, progress), Cancelled);
+  EXPECT_THROW(stand.grow(progress), Cancelled);
   EXPECT_GE(log.size(), 250U);
   EXPECT_LT(log.size(), 300U);
 }
 
 TEST(Stand, WithoutMembersIsDoneAtOnce) {
+  Stand stand;
   Progress progress;
-  EXPECT_NO_THROW(grow_stand({}, progress));
+  stand.grow(progress);
+  EXPECT_TRUE(stand.take_skeletons(progress).empty());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 #include "meristem/base/hash.h"
 
@@ -31,6 +32,30 @@ NodeIndex Skeleton::add_node(NodeIndex parent_node, Vec3 node_position, float no
   birth.push_back(node_birth);
   for (auto& [name, values] : extra) values.push_back(0);
   return node;
+}
+
+void Skeleton::append(Skeleton more) {
+  if (node_count() == 0) {
+    *this = std::move(more);
+    return;
+  }
+  const auto first = static_cast<NodeIndex>(node_count());
+  const AxisIndex first_axis = *std::max_element(axis.begin(), axis.end()) + 1;
+  for (NodeIndex& node : more.parent) node = node == kNoNode ? kNoNode : first + node;
+  for (AxisIndex& index : more.axis) index += first_axis;
+  const auto join = [](auto& column, const auto& rest) { column.insert(column.end(), rest.begin(), rest.end()); };
+  join(parent, more.parent);
+  join(position, more.position);
+  join(radius, more.radius);
+  join(axis, more.axis);
+  join(order, more.order);
+  join(birth, more.birth);
+  for (const auto& [name, values] : more.extra) {
+    std::vector<float>& column = extra[name];
+    column.resize(first, 0);
+    join(column, values);
+  }
+  for (auto& [name, values] : extra) values.resize(node_count(), 0);
 }
 
 Children::Children(const Skeleton& skeleton) : first(skeleton.node_count() + 1, 0) {

@@ -37,6 +37,8 @@ struct Skeleton {
   void reserve(std::size_t nodes);
   /// Appends a node with radius 0, axis 0 and order 0, and returns its index. `parent` is kNoNode or an earlier node.
   NodeIndex add_node(NodeIndex parent, Vec3 position, float birth);
+  /// Appends further trees, whose axes are numbered on. Extra columns that only one side has are 0 on the other.
+  void append(Skeleton more);
 };
 
 /// The children of every node, as one array: those of node k are `child[first[k] .. first[k+1])`, by rising index.

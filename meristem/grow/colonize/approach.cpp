@@ -6,20 +6,29 @@
 #include <limits>
 
 namespace meristem {
+namespace {
 
-Approach plan_approach(const std::vector<Vec3>& points, double step, double influence) {
-  Approach approach;
-  double nearest2 = std::numeric_limits<double>::infinity();
+double length2(DVec3 vector) { return (vector.x * vector.x + vector.z * vector.z) + vector.y * vector.y; }
+
+}  // namespace
+
+std::optional<Vec3> nearest_of(const std::vector<Vec3>& points, Vec3 root) {
+  std::optional<Vec3> nearest;
+  double least2 = std::numeric_limits<double>::infinity();
   for (const Vec3 point : points) {
-    const DVec3 place(point);
-    const double distance2 = glm::dot(place, place);
-    if (distance2 >= nearest2) continue;
-    nearest2 = distance2;
-    approach.direction = place;
+    const double distance2 = length2(DVec3(point) - DVec3(root));
+    if (distance2 >= least2) continue;
+    least2 = distance2;
+    nearest = point;
   }
-  approach.distance = std::sqrt(nearest2);
+  return nearest;
+}
+
+Approach plan_approach(Vec3 target, double step, double influence) {
+  Approach approach;
+  approach.distance = std::sqrt(length2(target));
+  if (approach.distance > 0) approach.direction = DVec3(target) / approach.distance;
   if (approach.distance <= influence) return approach;
-  approach.direction /= approach.distance;
   const double steps = std::ceil((approach.distance - influence) / step);
   // Beyond any limit on iterations the exact number says nothing more.
   approach.steps = static_cast<std::uint64_t>(std::min(steps, 1e15));

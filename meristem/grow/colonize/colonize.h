@@ -36,14 +36,23 @@ struct ColonizeParameters {
   PipeModel radii;
 };
 
-/// A colonizing plant with its root at `root` among `points` (world space). `key` breaks ties; `component` is the id
-/// that errors name. If no point is within the influence distance of the root, a straight stem grows toward the nearest
-/// point until one is. Without points the plant is its root alone.
+/// Where one tree begins, and the points that it brings into the stand (world space).
+struct Seedling {
+  Vec3 root{0};
+  std::vector<Vec3> points;
+};
+
+/// Colonizing trees in a stand, whose points they share with all others there; together one member of the stand and one
+/// skeleton. `key` breaks ties; `component` is the id that errors name. A root out of reach of all points sends a
+/// straight stem toward the nearest of its own, or of the stand's where it brought none, until points pull it. Without
+/// any, the plant is its roots alone.
 ///
-/// Growth throws InputError where the crown is out of reach of the iterations, or where points or nodes exceed the
-/// limits; std::invalid_argument for points that are not finite. make_colonizer itself throws std::invalid_argument
-/// unless step, influence and kill distance are above 0 and iterations at least 0.
-std::unique_ptr<Grower> make_colonizer(Vec3 root, std::vector<Vec3> points, const ColonizeParameters& parameters,
-                                       RandomKey key, const Limits& limits, std::string component);
+/// Growth throws InputError where the crown is out of reach of the iterations, or where the stand's nodes exceed the
+/// limits; std::invalid_argument for points that are not finite. make_colonizer itself throws InputError where the
+/// stand's points exceed the limits, and std::invalid_argument unless step, influence and kill distance are above 0 and
+/// iterations at least 0.
+std::unique_ptr<Grower> make_colonizer(Stand& stand, const std::vector<Seedling>& seedlings,
+                                       const ColonizeParameters& parameters, RandomKey key, const Limits& limits,
+                                       std::string component);
 
 }  // namespace meristem

@@ -93,10 +93,10 @@ TEST(ColonizeReference, IncrementalGrowthEqualsBruteForceNodeByNode) {
     ColonizeParameters parameters{.step = 0.03, .influence = influence, .kill = 0.06, .iterations = 80};
     parameters.finish.relax = false;
     Progress progress;
-    const auto grower = make_colonizer(Vec3(0), points, parameters, key, Limits(), "tree");
-    while (grower->step(progress)) {
-    }
-    const Skeleton skeleton = grower->take_skeleton(progress);
+    Stand stand;
+    stand.add(make_colonizer(stand, {{Vec3(0), points}}, parameters, key, Limits(), "tree"));
+    stand.grow(progress);
+    const Skeleton skeleton = stand.take_skeletons(progress)[0];
     ASSERT_TRUE(check_skeleton(skeleton));
     PlainTree tree;
     for (int step = 1; step <= parameters.iterations && grow_step(tree, points, parameters, key, step); ++step) {

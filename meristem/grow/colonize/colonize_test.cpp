@@ -12,7 +12,8 @@
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
 #include "meristem/plant/finish.h"
-#include "meristem/scene/crown.h"
+#include "meristem/scene/crown_points.h"
+#include "meristem/scene/profile_crown.h"
 #include "tests/support/check_skeleton.h"
 
 namespace meristem {
@@ -39,11 +40,11 @@ ColonizeParameters ball_parameters(std::uint64_t count) {
 }
 
 Skeleton grow(std::vector<Vec3> points, const ColonizeParameters& parameters, Vec3 root = Vec3(0), Limits limits = {}) {
-  std::vector<std::unique_ptr<Grower>> members;
-  members.push_back(make_colonizer(root, std::move(points), parameters, RandomKey(1), limits, "tree"));
+  Stand stand;
+  stand.add(make_colonizer(stand, {{root, std::move(points)}}, parameters, RandomKey(1), limits, "tree"));
   Progress progress;
-  grow_stand(members, progress);
-  return members[0]->take_skeleton(progress);
+  stand.grow(progress);
+  return stand.take_skeletons(progress)[0];
 }
 
 Skeleton grown_ball(std::uint64_t count, Finish finish = kUnfinished) {
@@ -58,7 +59,7 @@ Skeleton evaluation_tree(std::uint64_t seed) {
   const ColonizeParameters parameters{
       .step = 0.02, .influence = std::numeric_limits<double>::infinity(), .kill = 0.08, .finish = kUnfinished};
   Progress progress;
-  return grow(crown.sample(900, RandomKey(seed), progress), parameters);
+  return grow(sample_crown(crown, 900, RandomKey(seed), progress), parameters);
 }
 
 std::size_t count_inner(const Skeleton& skeleton) {
@@ -352,14 +353,15 @@ TEST(Colonize, CancelledByItsObserverStopsGrowing) {
     if (share > 0.02) asked->cancel();
   });
   asked = &progress;
-  std::vector<std::unique_ptr<Grower>> members;
-  members.push_back(make_colonizer(Vec3(0), ball(5000), ball_parameters(5000), RandomKey(1), Limits(), "tree"));
-  EXPECT_THROW(grow_stand(members, progress), Cancelled);
+  Stand stand;
+  stand.add(make_colonizer(stand, {{Vec3(0), ball(5000)}}, ball_parameters(5000), RandomKey(1), Limits(), "tree"));
+  EXPECT_THROW(stand.grow(progress), Cancelled);
 }
 
 TEST(Colonize, RejectsBrokenContracts) {
   const auto make = [](ColonizeParameters parameters) {
-    make_colonizer(Vec3(0), {}, parameters, RandomKey(1), Limits(), "tree");
+    Stand stand;
+    make_colonizer(stand, {{Vec3(0), {}}}, parameters, RandomKey(1), Limits(), "tree");
   };
   EXPECT_THROW(make({.step = 0}), std::invalid_argument);
   EXPECT_THROW(make({.influence = -1}), std::invalid_argument);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One step of growth: sum up what pulls each node, give pulled nodes a child, find the points that the children are
-// nearest to, and remove those they have reached. Growth happens relative to the root, so that a tree far from the
-// world's origin loses no digits; the finished skeleton is moved to its place.
+// One step of growth: every node that the cloud says is pulled gets a child. What the children do to the points, the
+// cloud finds out before the next round. Growth happens relative to the root, so that a tree far from the world's
+// origin loses no digits; the finished skeleton is moved to its place.
 //
 // Deviations, so that growth ends: a child that would stand where its node already has one (points balanced on both
 // sides pull a node the same way for ever) is turned by a keyed draw, a little more each time and kMostTurns times at
@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -18,10 +19,10 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/grow/colonize/approach.h"
+#include "meristem/grow/colonize/attraction_cloud.h"
 #include "meristem/grow/colonize/child_places.h"
 #include "meristem/grow/colonize/colonize.h"
 #include "meristem/grow/colonize/growth_direction.h"
-#include "meristem/grow/colonize/nearest_nodes.h"
 #include "meristem/plant/finish.h"
 
 namespace meristem {
@@ -42,119 +43,115 @@ void check_parameters(const ColonizeParameters& parameters) {
   }
 }
 
-class Colonizer : public Grower {
- public:
-  Colonizer(Vec3 root, std::vector<Vec3> points, const ColonizeParameters& parameters, RandomKey key,
-            const Limits& limits, std::string component)
-      : root_(root),
-        points_(std::move(points)),
-        parameters_(parameters),
-        key_(key),
-        limits_(limits),
-        component_(std::move(component)),
-        places_(parameters.step) {}
+/// What all trees of one component have in common.
+struct Species {
+  ColonizeParameters parameters;
+  Limits limits;
+  std::string component;
 
-  int step_limit() const override { return parameters_.iterations; }
-  bool step(Progress& progress) override;
-  Skeleton take_skeleton(Progress& progress) override;
+  std::string path(const char* parameter) const { return fmt::format("components.{}.{}", component, parameter); }
+  void require_nodes(std::uint64_t nodes, const char* parameter) const {
+    if (nodes <= limits.nodes) return;
+    throw_limit("skeleton nodes", static_cast<double>(nodes), limits.nodes, "nodes", path(parameter));
+  }
+};
+
+/// One tree, relative to its root.
+class Tree {
+ public:
+  Tree(const Species& species, AttractionCloud& cloud, const Seedling& seedling, RandomKey key)
+      : species_(&species),
+        cloud_(&cloud),
+        key_(key),
+        member_(cloud.join(seedling.root, seedling.points, species.parameters.influence, species.parameters.kill)),
+        root_(seedling.root),
+        nearest_own_point_(nearest_of(seedling.points, seedling.root)),
+        places_(species.parameters.step) {
+    note_node(kNoNode, Vec3(0));
+  }
+
+  /// Returns whether the tree may grow further.
+  bool step();
+  Skeleton take_skeleton() { return std::move(skeleton_); }
+  Vec3 root() const { return root_; }
 
  private:
-  std::string path(const char* parameter) const { return fmt::format("components.{}.{}", component_, parameter); }
-  void start(Progress& progress);
-  void start_approach();
-  bool grow_toward_cloud(Progress& progress);
-  bool grow_into_cloud(Progress& progress);
+  bool start_approach();
+  bool grow_toward_cloud();
+  bool grow_into_cloud(std::span<const Pull> pulls);
   std::optional<Vec3> place_child(const Pull& pull);
   void add_node(NodeIndex parent, Vec3 position);
-  void require_nodes(std::uint64_t nodes, const char* parameter) const;
+  void note_node(NodeIndex parent, Vec3 position);
 
-  Vec3 root_;
-  std::vector<Vec3> points_;  // until the first step
-  ColonizeParameters parameters_;
+  const Species* species_;
+  AttractionCloud* cloud_;
   RandomKey key_;
-  Limits limits_;
-  std::string component_;
-
-  Skeleton skeleton_;  // relative to the root
+  AttractionCloud::Tree member_;
+  Vec3 root_;
+  std::optional<Vec3> nearest_own_point_;  // world space
+  Skeleton skeleton_;
   ChildPlaces places_;
   std::vector<std::uint8_t> turns_;  // by node
-  std::optional<NearestNodes> nearest_;
-  PullSums pulls_;
   Approach approach_;
   std::uint64_t approach_steps_left_ = 0;
   int steps_ = 0;
   int barren_steps_ = 0;
 };
 
-bool Colonizer::step(Progress& progress) {
-  progress.check();
-  if (!nearest_) start(progress);
-  ++steps_;
-  const bool may_grow = approach_steps_left_ > 0 ? grow_toward_cloud(progress) : grow_into_cloud(progress);
-  return may_grow && steps_ < parameters_.iterations;
+bool Tree::step() {
+  const std::span<const Pull> pulls = cloud_->pulls(member_);
+  const bool is_first = steps_++ == 0;
+  if (!pulls.empty()) return grow_into_cloud(pulls);
+  if (is_first && !start_approach()) return false;
+  return grow_toward_cloud();
 }
 
-void Colonizer::start(Progress& progress) {
-  if (points_.size() > limits_.points) {
-    throw_limit("attraction points", static_cast<double>(points_.size()), limits_.points, "points", path("points"));
-  }
-  for (Vec3& point : points_) point -= root_;
-  nearest_.emplace(points_, static_cast<float>(parameters_.influence), progress);
-  add_node(kNoNode, Vec3(0));
-  const std::size_t taken = nearest_->add_nodes(0, skeleton_.position, progress);
-  if (taken == 0 && !points_.empty()) start_approach();
-  std::vector<Vec3>().swap(points_);
-}
-
-void Colonizer::start_approach() {
-  approach_ = plan_approach(points_, parameters_.step, parameters_.influence);
-  if (approach_.steps >= static_cast<std::uint64_t>(parameters_.iterations)) {
+/// Plans the stem to the cloud, and returns whether there is a cloud to grow to.
+bool Tree::start_approach() {
+  const ColonizeParameters& parameters = species_->parameters;
+  const std::optional<Vec3> target =
+      nearest_own_point_ ? std::optional(*nearest_own_point_ - root_) : cloud_->nearest_point(member_);
+  if (!target) return false;
+  approach_ = plan_approach(*target, parameters.step, parameters.influence);
+  if (approach_.steps >= static_cast<std::uint64_t>(parameters.iterations)) {
     throw InputError(Diagnostic{
         .message = fmt::format("the crown is out of reach: its nearest point is {:.4g} m from the root, {} steps of "
                                "{:.4g} m before it is within the influence distance of {:.4g} m",
-                               approach_.distance, approach_.steps, parameters_.step, parameters_.influence),
+                               approach_.distance, approach_.steps, parameters.step, parameters.influence),
         .expected =
             fmt::format("more than {} iterations, a longer step, or a crown nearer to the root", approach_.steps),
-        .path = path("iterations")});
+        .path = species_->path("iterations")});
   }
-  require_nodes(approach_.steps, "step");
+  species_->require_nodes(approach_.steps, "step");
   // One more in case rounding keeps the point just outside.
   approach_steps_left_ = approach_.steps + 1;
-}
-
-bool Colonizer::grow_toward_cloud(Progress& progress) {
-  const auto last = static_cast<NodeIndex>(skeleton_.node_count() - 1);
-  require_nodes(last + 2U, "step");
-  add_node(last, Vec3(approach_.direction * (parameters_.step * (last + 1.0))));
-  const std::size_t taken = nearest_->add_nodes(last + 1, std::span(skeleton_.position).subspan(last + 1), progress);
-  --approach_steps_left_;
-  if (taken == 0) return approach_steps_left_ > 0;
-  approach_steps_left_ = 0;
   return true;
 }
 
-bool Colonizer::grow_into_cloud(Progress& progress) {
-  const std::span<const Pull> pulls = pulls_.gather(*nearest_, skeleton_.position);
-  if (pulls.empty()) return false;
-  require_nodes(skeleton_.node_count() + pulls.size(), "step");
-  // Give every pulled node a child.
-  const std::size_t first = skeleton_.node_count();
+bool Tree::grow_toward_cloud() {
+  if (approach_steps_left_ == 0) return false;
+  --approach_steps_left_;
+  const auto last = static_cast<NodeIndex>(skeleton_.node_count() - 1);
+  add_node(last, Vec3(approach_.direction * (species_->parameters.step * (last + 1.0))));
+  return true;
+}
+
+bool Tree::grow_into_cloud(std::span<const Pull> pulls) {
+  approach_steps_left_ = 0;
+  barren_steps_ = cloud_->has_advanced(member_) ? 0 : barren_steps_ + 1;
+  if (barren_steps_ > kBarrenSteps) return false;
   for (const Pull& pull : pulls) {
     if (const std::optional<Vec3> place = place_child(pull)) add_node(pull.node, *place);
   }
-  // Let the children take over points, and remove the points that are reached.
-  const std::span<const Vec3> children = std::span(skeleton_.position).subspan(first);
-  const std::size_t taken = nearest_->add_nodes(static_cast<NodeIndex>(first), children, progress);
-  const std::size_t removed = nearest_->remove_within(static_cast<float>(parameters_.kill));
-  barren_steps_ = taken + removed > 0 ? 0 : barren_steps_ + 1;
-  return barren_steps_ < kBarrenSteps && nearest_->living() > 0;
+  return true;
 }
 
-std::optional<Vec3> Colonizer::place_child(const Pull& pull) {
+std::optional<Vec3> Tree::place_child(const Pull& pull) {
+  const double step = species_->parameters.step;
   const DVec3 from(skeleton_.position[pull.node]);
-  const std::optional<DVec3> direction = growth_direction(pull, parameters_.bias);
+  const std::optional<DVec3> direction = growth_direction(pull.sum, species_->parameters.bias);
   if (direction) {
-    const Vec3 place(from + parameters_.step * *direction);
+    const Vec3 place(from + step * *direction);
     if (places_.is_free(skeleton_, pull.node, place)) return place;
   }
   // Turn a direction that leads nowhere, or pass the node by in this step.
@@ -164,19 +161,61 @@ std::optional<Vec3> Colonizer::place_child(const Pull& pull) {
   const DVec3 turned = direction.value_or(DVec3(0)) + kTurn * turn * random;
   const double length = std::sqrt(glm::dot(turned, turned));
   if (!(length > 0)) return std::nullopt;
-  const Vec3 place(from + parameters_.step / length * turned);
+  const Vec3 place(from + step / length * turned);
   return places_.is_free(skeleton_, pull.node, place) ? std::optional(place) : std::nullopt;
 }
 
-void Colonizer::add_node(NodeIndex parent, Vec3 position) {
+void Tree::add_node(NodeIndex parent, Vec3 position) {
+  cloud_->add_node(member_, position);
+  species_->require_nodes(cloud_->node_count(), "step");
+  note_node(parent, position);
+}
+
+void Tree::note_node(NodeIndex parent, Vec3 position) {
   skeleton_.add_node(parent, position, static_cast<float>(steps_));
   places_.add_node(parent);
   turns_.push_back(0);
 }
 
-void Colonizer::require_nodes(std::uint64_t nodes, const char* parameter) const {
-  if (nodes <= limits_.nodes) return;
-  throw_limit("skeleton nodes", static_cast<double>(nodes), limits_.nodes, "nodes", path(parameter));
+class Colonizer : public Grower {
+ public:
+  Colonizer(Stand& stand, const std::vector<Seedling>& seedlings, const ColonizeParameters& parameters, RandomKey key,
+            const Limits& limits, std::string component)
+      : species_{parameters, limits, std::move(component)} {
+    auto& cloud = stand.commons<AttractionCloud>();
+    trees_.reserve(seedlings.size());
+    for (std::size_t k = 0; k < seedlings.size(); ++k) {
+      check_points(cloud.point_count() + seedlings[k].points.size());
+      trees_.emplace_back(species_, cloud, seedlings[k], key);
+    }
+    grows_.assign(trees_.size(), true);
+  }
+
+  int step_limit() const override { return species_.parameters.iterations; }
+  bool step(Progress& progress) override;
+  Skeleton take_skeleton(Progress& progress) override;
+
+ private:
+  void check_points(std::uint64_t points) const {
+    if (points <= species_.limits.points) return;
+    throw_limit("attraction points", static_cast<double>(points), species_.limits.points, "points",
+                species_.path("points"));
+  }
+  Skeleton finish(Skeleton skeleton, Progress& progress) const;
+
+  Species species_;
+  std::vector<Tree> trees_;
+  std::vector<bool> grows_;  // by tree
+};
+
+bool Colonizer::step(Progress& progress) {
+  progress.check();
+  bool any_grows = false;
+  for (std::size_t k = 0; k < trees_.size(); ++k) {
+    if (grows_[k]) grows_[k] = trees_[k].step();
+    any_grows = any_grows || grows_[k];
+  }
+  return any_grows;
 }
 
 double total_length(const Skeleton& skeleton) {
@@ -189,34 +228,42 @@ double total_length(const Skeleton& skeleton) {
 }
 
 Skeleton Colonizer::take_skeleton(Progress& progress) {
-  if (!nearest_) start(progress);
-  nearest_.reset();
-  const Finish& finish = parameters_.finish;
-  Skeleton skeleton = std::move(skeleton_);
-  if (finish.decimate > 0) {
-    skeleton = decimate(skeleton, finish.decimate * parameters_.step, parameters_.step);
+  Skeleton all;
+  for (Tree& tree : trees_) {
+    Skeleton skeleton = finish(tree.take_skeleton(), progress);
+    for (Vec3& position : skeleton.position) position += tree.root();
+    all.append(std::move(skeleton));
+  }
+  return all;
+}
+
+Skeleton Colonizer::finish(Skeleton skeleton, Progress& progress) const {
+  const double step = species_.parameters.step;
+  const Finish& wanted = species_.parameters.finish;
+  if (wanted.decimate > 0) {
+    skeleton = decimate(skeleton, wanted.decimate * step, step);
     progress.check();
   }
-  if (finish.relax) relax_angles(skeleton);
-  if (finish.subdivide > 0) {
-    const double spacing = finish.subdivide * parameters_.step;
+  if (wanted.relax) relax_angles(skeleton);
+  if (wanted.subdivide > 0) {
+    const double spacing = wanted.subdivide * step;
     const double nodes = static_cast<double>(skeleton.node_count()) + total_length(skeleton) / spacing;
-    require_nodes(static_cast<std::uint64_t>(std::min(nodes, 1e18)), "finish.subdivide");
+    species_.require_nodes(static_cast<std::uint64_t>(std::min(nodes, 1e18)), "finish.subdivide");
     skeleton = subdivide(skeleton, spacing);
     progress.check();
   }
-  assign_pipe_radii(skeleton, parameters_.radii);
+  assign_pipe_radii(skeleton, species_.parameters.radii);
   assign_axes(skeleton);
-  for (Vec3& position : skeleton.position) position += root_;
   return skeleton;
 }
 
 }  // namespace
 
-std::unique_ptr<Grower> make_colonizer(Vec3 root, std::vector<Vec3> points, const ColonizeParameters& parameters,
-                                       RandomKey key, const Limits& limits, std::string component) {
+std::unique_ptr<Grower> make_colonizer(Stand& stand, const std::vector<Seedling>& seedlings,
+                                       const ColonizeParameters& parameters, RandomKey key, const Limits& limits,
+                                       std::string component) {
   check_parameters(parameters);
-  return std::make_unique<Colonizer>(root, std::move(points), parameters, key, limits, std::move(component));
+  return std::make_unique<Colonizer>(stand, seedlings, parameters, key, limits, std::move(component));
 }
 
 }  // namespace meristem

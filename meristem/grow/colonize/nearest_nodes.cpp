@@ -2,169 +2,192 @@
 #include "meristem/grow/colonize/nearest_nodes.h"
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "meristem/base/parallel.h"
 
 namespace meristem {
 namespace {
 
-constexpr std::size_t kPointsPerCheck = 1 << 16;  // between two looks at the cancel flag
-constexpr std::size_t kNodesToShare = 64;         // fewer new nodes are not worth a second thread
-constexpr std::size_t kBlocks = 16;               // of layers, for more
+constexpr int kPartLevel = 5;              // 32 parts at most
+constexpr std::size_t kNodesToShare = 64;  // fewer new nodes are not worth a second thread
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// The square of the influence distance itself still counts as within.
-float just_above(float square) { return std::nextafter(square, std::numeric_limits<float>::infinity()); }
+// Infinity bounds nothing, but everything is below it.
+float just_above(float square) { return std::nextafter(square, kInfinity); }
 
 }  // namespace
 
-NearestNodes::NearestNodes(const std::vector<Vec3>& points, float influence, Progress& progress)
-    : grid_(points), influence_(influence), living_(points.size()) {
-  sort_into_cells(points, progress);
-  const float none2 = just_above(influence * influence);
-  distance2_.assign(points.size(), none2);
-  node_.assign(points.size(), kNoNode);
-  farthest2_.assign(grid_.cell_count(), none2);
-  is_reached_.assign(grid_.cell_count(), 0);
-  reached_.resize(static_cast<std::size_t>(grid_.size()[2]));
-}
-
-void NearestNodes::sort_into_cells(const std::vector<Vec3>& points, Progress& progress) {
-  std::vector<Cell> cell(points.size());
-  end_.assign(grid_.cell_count(), 0);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    if (k % kPointsPerCheck == 0) progress.check();
-    cell[k] = grid_.cell_of(points[k]);
-    ++end_[cell[k]];
-  }
-  begin_.resize(grid_.cell_count());
-  std::uint32_t sum = 0;
-  for (std::size_t k = 0; k < begin_.size(); ++k) {
-    begin_[k] = sum;
-    sum += end_[k];
-    end_[k] = begin_[k];
-  }
+NearestNodes::NearestNodes(std::vector<Vec3> points, Progress& progress)
+    : living_(points.size()), tree_(points, progress), part_level_(std::min(kPartLevel, tree_.leaf_level())) {
   x_.resize(points.size());
   y_.resize(points.size());
   z_.resize(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
-    if (k % kPointsPerCheck == 0) progress.check();
-    const std::uint32_t place = end_[cell[k]]++;
-    x_[place] = points[k].x;
-    y_[place] = points[k].y;
-    z_[place] = points[k].z;
+    x_[k] = points[k].x;
+    y_[k] = points[k].y;
+    z_[k] = points[k].z;
   }
+  std::vector<Vec3>().swap(points);
+  distance2_.assign(living_, kInfinity);
+  node_.assign(living_, kNoNode);
+  farthest2_.assign(tree_.node_count(), living_ > 0 ? kInfinity : 0);
+  is_influenced_.assign(tree_.leaf_count(), 0);
+  for (Leaf leaf = 0; leaf < tree_.leaf_count(); ++leaf) {
+    begin_.push_back(tree_.first_point(tree_.leaf_level(), leaf));
+    end_.push_back(tree_.first_point(tree_.leaf_level(), leaf + 1));
+  }
+  influenced_.resize(std::size_t{1} << part_level_);
 }
 
-std::size_t NearestNodes::add_nodes(NodeIndex first, std::span<const Vec3> positions, Progress& progress) {
-  if (living_ == 0) return 0;
-  // Blocks of layers are disjoint, so each may be written by a thread of its own.
-  const std::size_t layers = reached_.size();
-  const std::size_t blocks = positions.size() < kNodesToShare ? 1 : kBlocks;
-  std::atomic<std::size_t> taken{0};
-  parallel_for(layers, (layers + blocks - 1) / blocks, [&](std::size_t begin, std::size_t end) {
-    progress.check();
-    taken += visit_layers(static_cast<int>(begin), static_cast<int>(end) - 1, first, positions);
+void NearestNodes::add_nodes(NodeIndex first, std::span<const NewNode> nodes, Progress& progress) {
+  if (living_ == 0) return;
+  std::vector<Candidate> candidates;
+  candidates.reserve(nodes.size());
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const float influence2 = nodes[k].influence * nodes[k].influence;
+    candidates.push_back({nodes[k].position, just_above(influence2), first + static_cast<NodeIndex>(k)});
+  }
+  // Parts are disjoint, so each may be written by a thread of its own.
+  const std::size_t parts = influenced_.size();
+  parallel_for(parts, nodes.size() < kNodesToShare ? parts : 1, [&](std::size_t begin, std::size_t end) {
+    Descent descent;
+    for (std::size_t part = begin; part < end; ++part) {
+      progress.check();
+      descent.stack.assign(candidates.begin(), candidates.end());
+      descent.influenced = &influenced_[part];
+      const auto index = static_cast<std::uint32_t>(part);
+      const std::size_t near = push_candidates(PointTree::place(part_level_, index), 0, candidates.size(), descent);
+      if (near > candidates.size()) descend(part_level_, index, candidates.size(), descent);
+    }
   });
-  return taken;
 }
 
-std::size_t NearestNodes::visit_layers(int low, int high, NodeIndex first, std::span<const Vec3> positions) {
-  std::size_t taken = 0;
-  std::vector<float> gaps_x2(static_cast<std::size_t>(grid_.size()[0]));
-  for (std::size_t k = 0; k < positions.size(); ++k) {
-    const PointGrid::Range range = grid_.cells_near(positions[k], influence_);
-    for (int x = range.low[0]; x <= range.high[0]; ++x) {
-      const float gap = grid_.gap(0, x, positions[k].x);
-      gaps_x2[static_cast<std::size_t>(x)] = gap * gap;
-    }
-    for (int z = std::max(low, range.low[2]); z <= std::min(high, range.high[2]); ++z) {
-      taken += visit_cells(z, range, first + static_cast<NodeIndex>(k), positions[k], gaps_x2);
-    }
+/// Pushes those from `first` to `last` on the stack that may take over a point in a node of the tree, and returns the
+/// stack's new size.
+std::size_t NearestNodes::push_candidates(std::uint32_t place, std::size_t first, std::size_t last,
+                                          Descent& descent) const {
+  const Box& box = tree_.boxes()[place];
+  const float farthest2 = farthest2_[place];
+  descent.stack.resize(2 * last - first);
+  const Candidate* const candidates = descent.stack.data();
+  Candidate* out = descent.stack.data() + last;
+  for (std::size_t k = first; k < last; ++k) {
+    *out = candidates[k];
+    const float within2 = std::min(farthest2, out->within2);
+    out += distance2(box, out->position) < within2 ? 1 : 0;
   }
-  return taken;
+  const auto size = static_cast<std::size_t>(out - candidates);
+  descent.stack.resize(size);
+  return size;
 }
 
-std::size_t NearestNodes::visit_cells(int z, const PointGrid::Range& range, NodeIndex node, Vec3 position,
-                                      std::span<float> gaps_x2) {
-  std::size_t taken = 0;
-  const float gap_z = grid_.gap(2, z, position.z);
-  for (int y = range.low[1]; y <= range.high[1]; ++y) {
-    const float gap_y = grid_.gap(1, y, position.y);
-    const float gap_yz2 = gap_y * gap_y + gap_z * gap_z;
-    const Cell row = grid_.cell_at(0, y, z);
-    for (int x = range.low[0]; x <= range.high[0]; ++x) {
-      // Pass by cells all of whose points have a node at least as near.
-      const Cell cell = row + static_cast<Cell>(x);
-      if (gaps_x2[static_cast<std::size_t>(x)] + gap_yz2 >= farthest2_[cell]) continue;
-      const std::size_t here = compare(cell, node, position);
-      taken += here;
-      if (here == 0 || is_reached_[cell]) continue;
-      is_reached_[cell] = 1;
-      reached_[static_cast<std::size_t>(z)].push_back(cell);
+/// Lets the candidates from `first` to the end of the stack take over points in a node of the tree. Recurses no deeper
+/// than the tree, whose height is the logarithm of the points.
+void NearestNodes::descend(int level, std::uint32_t index, std::size_t first, Descent& descent) {
+  const std::size_t last = descent.stack.size();
+  if (level == tree_.leaf_level()) {
+    bool any = false;
+    for (std::size_t k = first; k < last; ++k) any = compare(index, descent.stack[k]) || any;
+    if (any && is_influenced_[index] == 0) {
+      is_influenced_[index] = 1;
+      descent.influenced->push_back(index);
     }
+    return;
   }
-  return taken;
+  for (const std::uint32_t child : {2 * index, 2 * index + 1}) {
+    const std::size_t size = push_candidates(PointTree::place(level + 1, child), first, last, descent);
+    if (size > last) descend(level + 1, child, last, descent);
+    descent.stack.resize(last);
+  }
+  const std::uint32_t left = PointTree::place(level + 1, 2 * index);
+  farthest2_[PointTree::place(level, index)] = std::max(farthest2_[left], farthest2_[left + 1]);
 }
 
-std::size_t NearestNodes::compare(Cell cell, NodeIndex node, Vec3 position) {
-  const float* x = x_.data() + begin_[cell];
-  const float* y = y_.data() + begin_[cell];
-  const float* z = z_.data() + begin_[cell];
-  float* distance2 = distance2_.data() + begin_[cell];
-  NodeIndex* nearest = node_.data() + begin_[cell];
-  const auto count = static_cast<std::int32_t>(end_[cell] - begin_[cell]);
+/// Gives a leaf's points that the candidate is nearer to over to it, and returns whether there are any.
+bool NearestNodes::compare(Leaf leaf, const Candidate& candidate) {
+  const std::uint32_t place = PointTree::place(tree_.leaf_level(), leaf);
+  // Candidates before this one may have served the leaf better.
+  if (distance2(tree_.boxes()[place], candidate.position) >= farthest2_[place]) return false;
+  const float* x = x_.data() + begin_[leaf];
+  const float* y = y_.data() + begin_[leaf];
+  const float* z = z_.data() + begin_[leaf];
+  float* nearest2 = distance2_.data() + begin_[leaf];
+  NodeIndex* nearest = node_.data() + begin_[leaf];
+  const auto count = static_cast<std::int32_t>(end_[leaf] - begin_[leaf]);
+  const Vec3 position = candidate.position;
   // Selections instead of branches, and the maximum over the bits of floats (which order like the floats, as none is
-  // negative): so compilers take four points at a time, which saves a quarter of all growth.
+  // negative): so compilers take four points at a time, which saves a quarter of all growth. The horizontal squares are
+  // added first: turning a cloud about the vertical by a right angle then changes no bit.
   std::int32_t taken = 0;
   std::int32_t farthest2 = 0;
   for (std::int32_t k = 0; k < count; ++k) {
     const float dx = x[k] - position.x;
     const float dy = y[k] - position.y;
     const float dz = z[k] - position.z;
-    const float square = dx * dx + dy * dy + dz * dz;
-    const float before = distance2[k];
-    const float kept = square < before ? square : before;
-    nearest[k] = square < before ? node : nearest[k];
-    taken += square < before ? 1 : 0;
-    distance2[k] = kept;
+    const float square = (dx * dx + dz * dz) + dy * dy;
+    const float before = nearest2[k];
+    const bool takes = square < before && square < candidate.within2;
+    const float kept = takes ? square : before;
+    nearest[k] = takes ? candidate.node : nearest[k];
+    taken |= takes ? 1 : 0;
+    nearest2[k] = kept;
     const auto bits = std::bit_cast<std::int32_t>(kept);
     farthest2 = bits > farthest2 ? bits : farthest2;
   }
-  farthest2_[cell] = std::bit_cast<float>(farthest2);
-  return static_cast<std::size_t>(taken);
+  farthest2_[place] = std::bit_cast<float>(farthest2);
+  return taken != 0;
 }
 
-std::size_t NearestNodes::remove_within(float distance) {
-  const float limit = distance * distance;
-  const std::size_t before = living_;
-  for (std::vector<Cell>& layer : reached_) {
-    for (const Cell cell : layer) {
-      for (std::uint32_t k = begin_[cell]; k < end_[cell];) {
-        if (node_[k] != kNoNode && distance2_[k] <= limit) {
-          remove(cell, k);
-        } else {
-          ++k;
-        }
-      }
-    }
-    std::erase_if(layer, [this](Cell cell) { return begin_[cell] == end_[cell]; });
-  }
-  return before - living_;
-}
-
-void NearestNodes::remove(Cell cell, std::uint32_t point) {
-  const std::uint32_t last = --end_[cell];
+void NearestNodes::remove(Leaf leaf, std::uint32_t point) {
+  const std::uint32_t last = --end_[leaf];
   x_[point] = x_[last];
   y_[point] = y_[last];
   z_[point] = z_[last];
   distance2_[point] = distance2_[last];
   node_[point] = node_[last];
-  if (begin_[cell] == last) farthest2_[cell] = 0;
+  if (begin_[leaf] == last) farthest2_[PointTree::place(tree_.leaf_level(), leaf)] = 0;
   --living_;
+}
+
+std::optional<Vec3> NearestNodes::nearest_point(Vec3 place) const {
+  struct Node {
+    int level;
+    std::uint32_t index;
+  };
+  std::optional<Vec3> nearest;
+  float least2 = kInfinity;
+  const auto gap2 = [&](Node node) {
+    return distance2(tree_.boxes()[PointTree::place(node.level, node.index)], place);
+  };
+  std::vector<Node> open{{0, 0}};
+  while (!open.empty()) {
+    const Node node = open.back();
+    open.pop_back();
+    if (!(gap2(node) < least2)) continue;
+    if (node.level < tree_.leaf_level()) {
+      // Look into the nearer half first.
+      Node first{node.level + 1, 2 * node.index};
+      Node second{node.level + 1, 2 * node.index + 1};
+      if (gap2(second) < gap2(first)) std::swap(first, second);
+      open.push_back(second);
+      open.push_back(first);
+      continue;
+    }
+    for (std::uint32_t k = begin_[node.index]; k < end_[node.index]; ++k) {
+      const Vec3 point(x_[k], y_[k], z_[k]);
+      const Vec3 offset = point - place;
+      const float square = (offset.x * offset.x + offset.z * offset.z) + offset.y * offset.y;
+      if (square < least2) {
+        least2 = square;
+        nearest = point;
+      }
+    }
+  }
+  return nearest;
 }
 
 }  // namespace meristem

@@ -1,75 +1,96 @@
 // SPDX-License-Identifier: Apache-2.0
-// The living attraction points and, for each, the nearest node within the influence distance.
+// The living attraction points and, for each, the nearest node that influences it.
 //
 // Nodes never move and never go, so a new node can only take points over, and only from nodes that are farther away: a
-// point's nearest node is kept, and compared with new nodes alone. Points lie sorted by grid cell, and a cell knows how
-// far its points are from their nodes at most, so cells that are already well served are passed by. Removed points
-// leave the array's cells at once. Costs per new node: the points it comes nearer to, and a few cells around.
+// point's nearest node is kept, and compared with new nodes alone. A round's new nodes descend a tree of the points
+// together; each part of it knows how far its points are from their nodes at most, so parts that are already well
+// served are passed by. Costs per new node: the points it comes nearer to, and a few more around.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "meristem/base/progress.h"
-#include "meristem/grow/colonize/point_grid.h"
+#include "meristem/grow/colonize/point_tree.h"
 #include "meristem/plant/skeleton.h"
 
 namespace meristem {
 
 class NearestNodes {
  public:
-  /// `influence` in metres, above 0, may be infinite. Throws std::invalid_argument for points that are not finite.
-  NearestNodes(const std::vector<Vec3>& points, float influence, Progress& progress);
+  struct NewNode {
+    Vec3 position{0};
+    float influence = 0;  ///< metres within which it takes points, above 0, may be infinite
+  };
 
-  /// Compares all living points with the nodes `first`, `first` + 1, ... at `positions`. Of nodes at the same distance
-  /// the one with the lower index stays. Returns how many times a point got a nearer node.
-  std::size_t add_nodes(NodeIndex first, std::span<const Vec3> positions, Progress& progress);
+  /// Throws std::invalid_argument for points that are not finite.
+  NearestNodes(std::vector<Vec3> points, Progress& progress);
 
-  /// Removes the points whose nearest node is within `distance` metres, and returns how many.
-  std::size_t remove_within(float distance);
+  /// Compares all living points with the new nodes, which have the numbers `first`, `first` + 1, ... Of nodes at the
+  /// same distance the one with the lower number stays. Throws Cancelled.
+  void add_nodes(NodeIndex first, std::span<const NewNode> nodes, Progress& progress);
 
   std::size_t living() const { return living_; }
+  /// The living point nearest to a place, if there is one.
+  std::optional<Vec3> nearest_point(Vec3 place) const;
 
-  /// Calls `visit(position, node)` for every living point that has a node within the influence distance. The order is
-  /// that of the cells and means nothing.
-  template <class Visit>
-  void for_each_influenced(Visit visit) const {
-    for (const std::vector<Cell>& layer : reached_) {
-      for (const Cell cell : layer) {
-        for (std::uint32_t k = begin_[cell]; k < end_[cell]; ++k) {
-          if (node_[k] != kNoNode) visit(Vec3(x_[k], y_[k], z_[k]), node_[k]);
+  /// Calls `keeps(position, node, squared distance)` for every living point that a node influences, and removes those
+  /// for which it says no. The order means nothing.
+  template <class Keeps>
+  void sweep(Keeps keeps) {
+    for (std::vector<Leaf>& part : influenced_) {
+      std::size_t left = 0;
+      for (const Leaf leaf : part) {
+        for (std::uint32_t k = begin_[leaf]; k < end_[leaf];) {
+          if (node_[k] == kNoNode || keeps(Vec3(x_[k], y_[k], z_[k]), node_[k], distance2_[k])) {
+            ++k;
+          } else {
+            remove(leaf, k);
+          }
         }
+        if (begin_[leaf] < end_[leaf]) part[left++] = leaf;
       }
+      part.resize(left);
     }
   }
 
  private:
-  using Cell = PointGrid::Cell;
+  using Leaf = std::uint32_t;
+  struct Candidate {
+    Vec3 position{0};
+    float within2 = 0;  // squared distances below this are influenced
+    NodeIndex node = 0;
+  };
 
-  void sort_into_cells(const std::vector<Vec3>& points, Progress& progress);
-  std::size_t visit_layers(int low, int high, NodeIndex first, std::span<const Vec3> positions);
-  std::size_t visit_cells(int z, const PointGrid::Range& range, NodeIndex node, Vec3 position,
-                          std::span<float> gaps_x2);
-  std::size_t compare(Cell cell, NodeIndex node, Vec3 position);
-  void remove(Cell cell, std::uint32_t point);
+  /// What a thread needs to let candidates descend one part of the tree.
+  struct Descent {
+    std::vector<Candidate> stack;  // the candidates of a node of the tree lie above those of its parent
+    std::vector<Leaf>* influenced;
+  };
 
-  PointGrid grid_;
-  float influence_;
+  void descend(int level, std::uint32_t index, std::size_t candidates, Descent& descent);
+  std::size_t push_candidates(std::uint32_t place, std::size_t first, std::size_t last, Descent& descent) const;
+  bool compare(Leaf leaf, const Candidate& candidate);
+  void remove(Leaf leaf, std::uint32_t point);
+
   std::size_t living_;
+  PointTree tree_;
+  int part_level_;  // parts of the tree that threads share out are its nodes on this level
 
-  // By point, sorted by cell.
+  // By point, in the tree's order.
   std::vector<float> x_, y_, z_;
-  std::vector<float> distance2_;  // squared, to the nearest node; just above the influence distance where there is none
+  std::vector<float> distance2_;  // squared, to the nearest node; infinite without one
   std::vector<NodeIndex> node_;
 
-  // By cell: its living points are [begin, end).
+  std::vector<float> farthest2_;  // by node of the tree: no living point in it has a larger distance2
+  // By leaf: its living points are [begin, end).
   std::vector<std::uint32_t> begin_;
   std::vector<std::uint32_t> end_;
-  std::vector<float> farthest2_;            // no living point in the cell has a larger distance2
-  std::vector<std::uint8_t> is_reached_;    // whether a node has influenced a point in it
-  std::vector<std::vector<Cell>> reached_;  // those cells, for each layer along z
+  std::vector<std::uint8_t> is_influenced_;    // whether a node has influenced a point in it
+  std::vector<std::vector<Leaf>> influenced_;  // those leaves, for each part
 };
 
 }  // namespace meristem

@@ -27,9 +27,12 @@ std::vector<Vec3> random_points(std::size_t count, RandomKey key, Vec3 size) {
 
 using Assignment = std::tuple<float, float, float, NodeIndex>;
 
-std::vector<Assignment> assignments(const NearestNodes& nearest) {
+std::vector<Assignment> assignments(NearestNodes& nearest) {
   std::vector<Assignment> all;
-  nearest.for_each_influenced([&](Vec3 p, NodeIndex node) { all.emplace_back(p.x, p.y, p.z, node); });
+  nearest.sweep([&](Vec3 p, NodeIndex node, float) {
+    all.emplace_back(p.x, p.y, p.z, node);
+    return true;
+  });
   std::sort(all.begin(), all.end());
   return all;
 }
@@ -41,7 +44,7 @@ std::vector<Assignment> brute_force(const std::vector<Vec3>& points, const std::
     NodeIndex nearest = kNoNode;
     for (NodeIndex node = 0; node < nodes.size(); ++node) {
       const Vec3 offset = p - nodes[node];
-      const float square = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
+      const float square = (offset.x * offset.x + offset.z * offset.z) + offset.y * offset.y;
       if (square < least && square <= influence * influence) std::tie(least, nearest) = std::tie(square, node);
     }
     if (nearest != kNoNode) all.emplace_back(p.x, p.y, p.z, nearest);
@@ -50,13 +53,25 @@ std::vector<Assignment> brute_force(const std::vector<Vec3>& points, const std::
   return all;
 }
 
-// Nodes in batches of growing size, as growth adds them.
-void add_in_batches(NearestNodes& nearest, const std::vector<Vec3>& nodes) {
+void add(NearestNodes& nearest, NodeIndex first, std::span<const Vec3> positions, float influence) {
+  std::vector<NearestNodes::NewNode> nodes;
+  for (const Vec3 position : positions) nodes.push_back({position, influence});
   Progress progress;
+  nearest.add_nodes(first, nodes, progress);
+}
+
+// Nodes in batches of growing size, as growth adds them.
+void add_in_batches(NearestNodes& nearest, const std::vector<Vec3>& nodes, float influence) {
   for (std::size_t first = 0, size = 1; first < nodes.size(); first += size, size += 7) {
     const std::size_t count = std::min(size, nodes.size() - first);
-    nearest.add_nodes(static_cast<NodeIndex>(first), std::span(nodes).subspan(first, count), progress);
+    add(nearest, static_cast<NodeIndex>(first), std::span(nodes).subspan(first, count), influence);
   }
+}
+
+std::size_t remove_within(NearestNodes& nearest, float distance) {
+  const std::size_t before = nearest.living();
+  nearest.sweep([&](Vec3, NodeIndex, float distance2) { return distance2 > distance * distance; });
+  return before - nearest.living();
 }
 
 TEST(NearestNodes, AgreeWithBruteForceInEveryShapeOfCloud) {
@@ -65,8 +80,8 @@ TEST(NearestNodes, AgreeWithBruteForceInEveryShapeOfCloud) {
   for (const Vec3 size : {Vec3(1, 1, 1), Vec3(1, 0.01F, 1), Vec3(0, 1, 0), Vec3(0, 0, 0), Vec3(1e-9F, 1, 1)}) {
     for (const float influence : {0.02F, 0.15F, 3.0F, std::numeric_limits<float>::infinity()}) {
       const std::vector<Vec3> points = random_points(2000, RandomKey(7), size);
-      NearestNodes nearest(points, influence, progress);
-      add_in_batches(nearest, nodes);
+      NearestNodes nearest(points, progress);
+      add_in_batches(nearest, nodes, influence);
       EXPECT_EQ(assignments(nearest), brute_force(points, nodes, influence)) << size.y << " " << influence;
     }
   }
@@ -79,35 +94,45 @@ TEST(NearestNodes, AssignTheSameOnAnyNumberOfThreads) {
   std::vector<Assignment> expected = brute_force(points, nodes, 0.3F);
   for (const int threads : {1, 2, 3, 8}) {
     const ThreadLimit limit(threads);
-    NearestNodes nearest(points, 0.3F, progress);
-    add_in_batches(nearest, nodes);
+    NearestNodes nearest(points, progress);
+    add_in_batches(nearest, nodes, 0.3F);
     EXPECT_EQ(assignments(nearest), expected) << threads << " threads";
   }
 }
 
-TEST(NearestNodes, TheLowerIndexKeepsPointsAtEqualDistance) {
+TEST(NearestNodes, TheLowerNumberKeepsPointsAtEqualDistance) {
   Progress progress;
-  NearestNodes nearest({{0, 0, 0}}, 5, progress);
-  EXPECT_EQ(nearest.add_nodes(0, std::vector<Vec3>{{1, 0, 0}, {-1, 0, 0}}, progress), 1U);
-  EXPECT_EQ(nearest.add_nodes(2, std::vector<Vec3>{{0, 1, 0}}, progress), 0U);
+  NearestNodes nearest({{0, 0, 0}}, progress);
+  add(nearest, 0, std::vector<Vec3>{{1, 0, 0}, {-1, 0, 0}}, 5);
+  add(nearest, 2, std::vector<Vec3>{{0, 1, 0}}, 5);
   EXPECT_EQ(std::get<3>(assignments(nearest)[0]), 0U);
 }
 
 TEST(NearestNodes, TheInfluenceDistanceItselfIsWithin) {
   Progress progress;
-  NearestNodes nearest({{3, 4, 0}}, 5, progress);
-  EXPECT_EQ(nearest.add_nodes(0, std::vector<Vec3>{{0, 0, 0}}, progress), 1U);
-  NearestNodes beyond({{3, 4.00001F, 0}}, 5, progress);
-  EXPECT_EQ(beyond.add_nodes(0, std::vector<Vec3>{{0, 0, 0}}, progress), 0U);
+  NearestNodes nearest({{3, 4, 0}}, progress);
+  add(nearest, 0, std::vector<Vec3>{{0, 0, 0}}, 5);
+  EXPECT_EQ(assignments(nearest).size(), 1U);
+  NearestNodes beyond({{3, 4.00001F, 0}}, progress);
+  add(beyond, 0, std::vector<Vec3>{{0, 0, 0}}, 5);
+  EXPECT_TRUE(assignments(beyond).empty());
 }
 
-TEST(NearestNodes, RemoveReachedPointsForGood) {
+TEST(NearestNodes, ANodeOutOfReachOfAPointLeavesItToOneThatReachesFarther) {
+  Progress progress;
+  NearestNodes nearest({{0, 0, 0}}, progress);
+  const std::vector<NearestNodes::NewNode> nodes{{{1, 0, 0}, 0.5F}, {{0, 2, 0}, 3}, {{0, 0, 2.5F}, 3}};
+  nearest.add_nodes(0, nodes, progress);
+  EXPECT_EQ(std::get<3>(assignments(nearest)[0]), 1U);
+}
+
+TEST(NearestNodes, RemovedPointsAreGoneForGood) {
   Progress progress;
   const std::vector<Vec3> points = random_points(3000, RandomKey(4), {1, 1, 1});
   const std::vector<Vec3> nodes{{0.5F, 0.5F, 0.5F}, {0.1F, 0.1F, 0.1F}};
-  NearestNodes nearest(points, 2, progress);
-  nearest.add_nodes(0, nodes, progress);
-  const std::size_t removed = nearest.remove_within(0.3F);
+  NearestNodes nearest(points, progress);
+  add(nearest, 0, nodes, 2);
+  const std::size_t removed = remove_within(nearest, 0.3F);
   std::vector<Vec3> left;
   for (const Vec3 p : points) {
     if (std::min(glm::distance(p, nodes[0]), glm::distance(p, nodes[1])) > 0.3F) left.push_back(p);
@@ -115,29 +140,61 @@ TEST(NearestNodes, RemoveReachedPointsForGood) {
   EXPECT_EQ(removed, points.size() - left.size());
   EXPECT_EQ(nearest.living(), left.size());
   EXPECT_EQ(assignments(nearest), brute_force(left, nodes, 2));
-  EXPECT_EQ(nearest.remove_within(0.3F), 0U);
+  EXPECT_EQ(remove_within(nearest, 0.3F), 0U);
+}
+
+TEST(NearestNodes, FindTheNearestLivingPoint) {
+  Progress progress;
+  const std::vector<Vec3> points = random_points(5000, RandomKey(6), {1, 4, 0.1F});
+  NearestNodes nearest(points, progress);
+  for (const Vec3 place : random_points(50, RandomKey(9), {2, 5, 1})) {
+    const auto nearer = [&](Vec3 a, Vec3 b) { return glm::distance(a, place) < glm::distance(b, place); };
+    EXPECT_EQ(nearest.nearest_point(place), *std::min_element(points.begin(), points.end(), nearer));
+  }
+  EXPECT_FALSE(NearestNodes({}, progress).nearest_point(Vec3(0)).has_value());
 }
 
 TEST(NearestNodes, WithoutPointsNothingIsInfluenced) {
   Progress progress;
-  NearestNodes nearest({}, 1, progress);
-  EXPECT_EQ(nearest.add_nodes(0, std::vector<Vec3>{{0, 0, 0}}, progress), 0U);
-  EXPECT_EQ(nearest.remove_within(1), 0U);
+  NearestNodes nearest({}, progress);
+  add(nearest, 0, std::vector<Vec3>{{0, 0, 0}}, 1);
   EXPECT_TRUE(assignments(nearest).empty());
+  EXPECT_EQ(nearest.living(), 0U);
 }
 
 TEST(NearestNodes, RejectPointsThatAreNotFinite) {
   Progress progress;
-  EXPECT_THROW(NearestNodes({{0, NAN, 0}}, 1, progress), std::invalid_argument);
-  EXPECT_THROW(NearestNodes({{INFINITY, 0, 0}}, 1, progress), std::invalid_argument);
+  EXPECT_THROW(NearestNodes({{0, NAN, 0}}, progress), std::invalid_argument);
+  EXPECT_THROW(NearestNodes({{INFINITY, 0, 0}}, progress), std::invalid_argument);
 }
 
-TEST(PointGrid, NeverHasMoreCellsThanPoints) {
+TEST(PointTree, HalvesCloudsOfEveryShapeIntoLeavesOfEqualSize) {
+  Progress progress;
   for (const Vec3 size : {Vec3(1, 1, 1), Vec3(1e6F, 1, 1), Vec3(1e6F, 1e6F, 1e-6F), Vec3(0, 0, 1), Vec3(0, 0, 0)}) {
-    const std::vector<Vec3> points = random_points(10'000, RandomKey(4), size);
-    const PointGrid grid(points);
-    EXPECT_LE(grid.cell_count(), points.size());
-    for (const Vec3 point : points) ASSERT_LT(grid.cell_of(point), grid.cell_count());
+    std::vector<Vec3> points = random_points(10'000, RandomKey(4), size);
+    const PointTree tree(points, progress);
+    for (std::uint32_t leaf = 0; leaf < tree.leaf_count(); ++leaf) {
+      const std::uint32_t begin = tree.first_point(tree.leaf_level(), leaf);
+      const std::uint32_t end = tree.first_point(tree.leaf_level(), leaf + 1);
+      ASSERT_LE(end - begin, PointTree::kLeafPoints);
+      ASSERT_GE(end - begin, PointTree::kLeafPoints / 2 - 1);
+      for (std::uint32_t node = PointTree::place(tree.leaf_level(), leaf), k = begin; k < end; ++k) {
+        ASSERT_EQ(distance2(tree.boxes()[node], points[k]), 0);
+      }
+    }
+    EXPECT_EQ(tree.first_point(tree.leaf_level(), tree.leaf_count()), points.size());
+  }
+}
+
+TEST(PointTree, BoxesHoldTheirHalves) {
+  Progress progress;
+  std::vector<Vec3> points = random_points(1000, RandomKey(5), {3, 2, 1});
+  const PointTree tree(points, progress);
+  for (std::uint32_t node = 0; 2 * node + 2 < tree.node_count(); ++node) {
+    Box both = tree.boxes()[2 * node + 1];
+    both.add(tree.boxes()[2 * node + 2]);
+    EXPECT_EQ(tree.boxes()[node].low, both.low);
+    EXPECT_EQ(tree.boxes()[node].high, both.high);
   }
 }
 

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "meristem/base/progress.h"
+#include "meristem/base/vec.h"
+
+namespace meristem {
+
+/// Points halved again and again at the median of their longest extent, until at most kLeafPoints are left together: a
+/// complete binary tree whose nodes need no links. It adapts to clouds of any shape, also to several far apart and to
+/// outliers, which a grid of equal cells does not.
+///
+/// Level l has 2^l nodes; node i of it holds the points [first_point(l, i), first_point(l, i + 1)).
+class PointTree {
+ public:
+  static constexpr std::size_t kLeafPoints = 32;
+
+  /// Orders `points` in place. Throws std::invalid_argument for coordinates that are not finite, Cancelled.
+  PointTree(std::vector<Vec3>& points, Progress& progress);
+
+  int leaf_level() const { return leaf_level_; }
+  std::uint32_t leaf_count() const { return std::uint32_t{1} << leaf_level_; }
+  std::uint32_t first_point(int level, std::uint32_t index) const {
+    return static_cast<std::uint32_t>(point_count_ * index >> level);
+  }
+  /// Where a node stands in arrays over all nodes; its children stand at twice that plus 1 and plus 2.
+  static std::uint32_t place(int level, std::uint32_t index) { return (std::uint32_t{1} << level) - 1 + index; }
+  std::uint32_t node_count() const { return 2 * leaf_count() - 1; }
+  /// Boxes around the points of each node, by place.
+  const std::vector<Box>& boxes() const { return boxes_; }
+
+ private:
+  std::uint64_t point_count_;
+  int leaf_level_ = 0;
+  std::vector<Box> boxes_;
+};
+
+/// The squared distance from a point to a box, 0 inside; never more than the rounded squared distance to any point in
+/// it.
+inline float distance2(const Box& box, Vec3 point) {
+  const auto gap = [](float low, float high, float coordinate) {
+    const float below = low - coordinate;
+    const float above = coordinate - high;
+    const float beyond = below > above ? below : above;
+    return beyond > 0 ? beyond : 0.0F;
+  };
+  const float x = gap(box.low.x, box.high.x, point.x);
+  const float y = gap(box.low.y, box.high.y, point.y);
+  const float z = gap(box.low.z, box.high.z, point.z);
+  return (x * x + z * z) + y * y;
+}
+
+}  // namespace meristem

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "meristem/base/mesh.h"
+
+namespace meristem {
+
+/// The convex hull of points (finite, metres) as a closed mesh without normals: its vertices are among the points, its
+/// triangles face outward. Points that lie in one plane, nearly so, or are fewer than four have no hull: an empty mesh.
+Mesh convex_hull(std::span<const Vec3> points);
+
+/// The convex hull of points in a plane, counter-clockwise from the lowest x (of these the lowest y), without points in
+/// the middle of edges. Points on a line give its two ends, equal ones one.
+std::vector<Vec2> convex_outline(std::vector<Vec2> points);
+
+/// Square metres of all triangles, one side.
+double surface_area_of(const Mesh& mesh);
+
+/// Cubic metres within a closed mesh whose triangles face outward.
+double volume_of(const Mesh& mesh);
+
+/// An outline's area, length around and largest distance between two of its points. For points on a line the length
+/// around is twice the line's.
+struct OutlineSize {
+  double area = 0;
+  double perimeter = 0;
+  double diameter = 0;
+};
+OutlineSize measure_outline(std::span<const Vec2> outline);
+
+}  // namespace meristem

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/measure/measures.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "meristem/base/math.h"
+#include "meristem/base/parallel.h"
+#include "meristem/measure/foliage.h"
+#include "meristem/measure/forks.h"
+#include "meristem/measure/strahler.h"
+#include "meristem/measure/tree_form.h"
+
+namespace meristem {
+namespace {
+
+/// What is kept of a tree until stands are summed up.
+struct TreeRecord {
+  TreeForm form;
+  ForkSamples forks;
+  std::vector<std::uint64_t> streams;
+};
+
+TreeRecord record_tree(const Skeleton& skeleton, const MeasureOptions& options) {
+  const Children children(skeleton);
+  return {measure_form(skeleton, children), sample_forks(skeleton, children, options.fork_diameter),
+          strahler_streams(skeleton, strahler_numbers(skeleton, children))};
+}
+
+template <class T>
+void add_columns(std::vector<T>& to, const std::vector<T>& from) {
+  if (to.size() < from.size()) to.resize(from.size(), T{0});
+  for (std::size_t k = 0; k < from.size(); ++k) to[k] += from[k];
+}
+
+/// From north over east, in [0, 2 pi); none for a vertical vector.
+std::optional<double> azimuth_of(DVec3 vector) {
+  if (vector.x == 0 && vector.z == 0) return {};
+  const double azimuth = math::atan2(vector.x, -vector.z);
+  return azimuth < 0 ? azimuth + 2 * kPi : azimuth;
+}
+
+double horizontal(DVec3 vector) { return glm::length(glm::dvec2(vector.x, vector.z)); }
+
+void add_sums(const TreeForm& form, Measures& sums) {
+  ++sums.trees;
+  sums.nodes += form.nodes;
+  sums.metamers += form.metamers;
+  sums.tips += form.tips;
+  sums.forks += form.forks;
+  sums.crown_ground_area += form.crown_ground_area;
+  sums.crown_hull_area += form.crown_hull_area;
+  sums.crown_hull_volume += form.crown_hull_volume;
+  add_columns(sums.axes_by_order, form.axes_by_order);
+  add_columns(sums.length_by_order, form.length_by_order);
+}
+
+void copy_size(const TreeForm& tallest, Measures& measures) {
+  measures.height = tallest.height;
+  measures.crown_height = tallest.crown_height;
+  measures.crown_width = tallest.crown_width;
+  measures.crown_mean_width = tallest.crown_mean_width;
+  measures.stem_diameter = tallest.diameter;
+  if (tallest.diameter) measures.slenderness = tallest.height / *tallest.diameter;
+}
+
+void set_directions(DVec3 segment_sum, DVec3 centroid, Measures& measures) {
+  measures.inclination_azimuth = azimuth_of(segment_sum);
+  if (glm::length(segment_sum) > 0) {
+    measures.inclination_altitude = math::atan2(segment_sum.y, horizontal(segment_sum));
+  }
+  measures.centroid_azimuth = azimuth_of(centroid);
+  measures.centroid_radius = horizontal(centroid);
+}
+
+/// The measures of a stand; of one tree, if there is one.
+Measures summarise(std::span<const TreeRecord> records) {
+  Measures measures;
+  if (records.empty()) return measures;
+  const TreeRecord* tallest = &records.front();
+  DVec3 segment_sum(0);
+  DVec3 node_sum(0);
+  ForkSamples samples;
+  for (const TreeRecord& record : records) {
+    add_sums(record.form, measures);
+    add_columns(measures.strahler_streams, record.streams);
+    segment_sum += record.form.segment_sum;
+    node_sum += record.form.node_sum;
+    samples.append(record.forks);
+    if (record.form.height > tallest->form.height) tallest = &record;
+  }
+  measures.axes = std::accumulate(measures.axes_by_order.begin(), measures.axes_by_order.end(), std::uint64_t{0});
+  measures.length = std::accumulate(measures.length_by_order.begin(), measures.length_by_order.end(), 0.0);
+  copy_size(tallest->form, measures);
+  set_directions(segment_sum, node_sum / static_cast<double>(std::max<std::uint64_t>(measures.nodes, 1)), measures);
+  measures.bifurcation_ratios = bifurcation_ratios(measures.strahler_streams);
+  if (measures.strahler_streams.size() > 1) {
+    measures.bifurcation_ratio = mean_bifurcation_ratio(measures.strahler_streams);
+  }
+  measures.branching_angle = distribution(std::move(samples.branching_angles));
+  measures.pipe_exponent = distribution(std::move(samples.pipe_exponents));
+  measures.pipe_unsolved = samples.pipe_unsolved;
+  measures.area_ratio = distribution(std::move(samples.area_ratios));
+  return measures;
+}
+
+bool has_one_root(const Skeleton& skeleton) {
+  return std::count(skeleton.parent.begin(), skeleton.parent.end(), kNoNode) == 1;
+}
+
+}  // namespace
+
+StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, const MeasureOptions& options,
+                                Progress& progress) {
+  std::uint64_t nodes = 0;
+  for (const Skeleton* skeleton : skeletons) nodes += skeleton->node_count();
+  progress.begin("measuring", nodes);
+  std::vector<std::vector<TreeRecord>> of_skeleton(skeletons.size());
+  parallel_for(skeletons.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      if (has_one_root(*skeletons[k])) {
+        of_skeleton[k].push_back(record_tree(*skeletons[k], options));
+        progress.advance(skeletons[k]->node_count());
+        continue;
+      }
+      for (const Skeleton& tree : split_trees(*skeletons[k])) {
+        of_skeleton[k].push_back(record_tree(tree, options));
+        progress.advance(tree.node_count());
+      }
+    }
+  });
+  std::vector<TreeRecord> records;
+  for (auto& some : of_skeleton) std::move(some.begin(), some.end(), std::back_inserter(records));
+  StandMeasures stand{summarise(records), {}};
+  for (const TreeRecord& record : records) stand.trees.push_back(summarise(std::span(&record, 1)));
+  return stand;
+}
+
+StandMeasures measure_plant(const Plant& plant, const MeshScene& meshes, const MeasureOptions& options,
+                            Progress& progress) {
+  std::vector<const Skeleton*> skeletons;
+  for (const Stem& stem : plant.stems) skeletons.push_back(&stem.skeleton);
+  StandMeasures stand = measure_skeletons(skeletons, options, progress);
+  const Foliage foliage = measure_foliage(plant, progress);
+  Measures& whole = stand.whole;
+  whole.leaf_count = foliage.leaves;
+  whole.leaf_area = foliage.area;
+  if (whole.crown_ground_area > 0) whole.leaf_area_index = foliage.area / whole.crown_ground_area;
+  whole.triangles = meshes.triangle_count();
+  whole.instances = meshes.instance_count();
+  std::uint64_t bytes = 0;
+  for (const MeshInstances& mesh : meshes.meshes) bytes += mesh.mesh->bytes() + mesh.frames.size() * sizeof(Frame);
+  whole.bytes = bytes;
+  return stand;
+}
+
+}  // namespace meristem

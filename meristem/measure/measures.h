@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "meristem/base/progress.h"
+#include "meristem/measure/samples.h"
+#include "meristem/plant/plant.h"
+#include "meristem/shape/mesh_scene.h"
+
+namespace meristem {
+
+/// What is measured on one tree, or on a stand of several: counts, lengths and areas are then sums; height, widths and
+/// diameter are the tallest tree's; angles, ratios and exponents are taken over all forks of all trees. Metres and
+/// radians. An optional without a value is unknown or not there to be measured.
+struct Measures {
+  std::uint64_t trees = 0;
+  std::uint64_t nodes = 0;
+  std::uint64_t metamers = 0;
+  std::uint64_t tips = 0;
+  std::uint64_t forks = 0;
+  std::uint64_t axes = 0;
+  std::vector<std::uint64_t> axes_by_order;
+  std::vector<double> length_by_order;
+  double length = 0;
+  double height = 0;
+  double crown_height = 0;
+  double crown_width = 0;
+  double crown_mean_width = 0;
+  double crown_ground_area = 0;
+  double crown_hull_area = 0;
+  double crown_hull_volume = 0;
+  std::optional<double> stem_diameter;
+  std::optional<double> slenderness;
+  std::optional<double> inclination_azimuth;
+  std::optional<double> inclination_altitude;
+  std::optional<double> centroid_azimuth;
+  double centroid_radius = 0;
+  Distribution branching_angle;
+  std::vector<std::uint64_t> strahler_streams;
+  std::vector<double> bifurcation_ratios;
+  std::optional<double> bifurcation_ratio;
+  Distribution pipe_exponent;
+  std::uint64_t pipe_unsolved = 0;
+  Distribution area_ratio;
+
+  // Of whole plants only: organs and meshes do not say which tree they belong to.
+  std::optional<std::uint64_t> leaf_count;
+  std::optional<double> leaf_area;
+  std::optional<double> leaf_area_index;
+  std::optional<std::uint64_t> triangles;
+  std::optional<std::uint64_t> instances;
+  std::optional<std::uint64_t> bytes;
+};
+
+/// A stand and its trees: each root of each skeleton is a tree.
+struct StandMeasures {
+  Measures whole;
+  std::vector<Measures> trees;
+};
+
+struct MeasureOptions {
+  double fork_diameter = 0.02;  ///< metres: area ratios count from forks at least that thick
+};
+
+/// Measures skeletons alone. Begins one stage of `progress`, which counts nodes. The same numbers on any number of
+/// threads.
+StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, const MeasureOptions& options,
+                                Progress& progress);
+
+/// Measures a plant with its leaves and meshes.
+StandMeasures measure_plant(const Plant& plant, const MeshScene& meshes, const MeasureOptions& options,
+                            Progress& progress);
+
+/// Nothing, a number, or a list of numbers, in the unit of its row.
+using MeasureValue = std::variant<std::monostate, double, std::vector<double>>;
+
+/// One measure as users see it.
+struct MeasureRow {
+  std::string_view name;  ///< snake_case: the key in JSON
+  std::string_view unit;  ///< "m", "°", or empty for counts and ratios
+  std::string_view doc;
+  MeasureValue (*value)(const Measures&);
+  bool only_whole = false;  ///< not known of each tree
+};
+
+/// All measures in the order in which they are shown: the one table behind text, JSON and manual.
+std::span<const MeasureRow> measure_rows();
+
+}  // namespace meristem

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/measure/measures.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/parallel.h"
+#include "meristem/base/random.h"
+#include "meristem/plant/pipe_radii.h"
+
+namespace meristem {
+namespace {
+
+/// A random tree that rises from `root`.
+Skeleton random_tree(std::uint64_t seed, Vec3 root, int nodes) {
+  const RandomKey key(seed);
+  Skeleton skeleton;
+  skeleton.add_node(kNoNode, root, 0);
+  for (int k = 1; k < nodes; ++k) {
+    const auto parent = static_cast<NodeIndex>(key.child("parent").uniform(k) * k);
+    const Vec3 step(key.child("x").uniform(k) - 0.5, key.child("y").uniform(k), key.child("z").uniform(k) - 0.5);
+    skeleton.add_node(parent, skeleton.position[parent] + step, static_cast<float>(k));
+  }
+  assign_pipe_radii(skeleton, {});
+  assign_axes(skeleton);
+  return skeleton;
+}
+
+StandMeasures measure(const std::vector<Skeleton>& skeletons) {
+  std::vector<const Skeleton*> pointers;
+  for (const Skeleton& skeleton : skeletons) pointers.push_back(&skeleton);
+  Progress progress;
+  return measure_skeletons(pointers, {}, progress);
+}
+
+/// A slanted chain.
+Skeleton chain(Vec3 root, Vec3 step, int segments) {
+  Skeleton skeleton;
+  NodeIndex last = skeleton.add_node(kNoNode, root, 0);
+  for (int k = 1; k <= segments; ++k) last = skeleton.add_node(last, root + step * static_cast<float>(k), 0);
+  skeleton.radius.assign(skeleton.node_count(), 0.05F);
+  return skeleton;
+}
+
+std::vector<MeasureValue> all_values(const Measures& measures) {
+  std::vector<MeasureValue> values;
+  for (const MeasureRow& row : measure_rows()) values.push_back(row.value(measures));
+  return values;
+}
+
+TEST(Measures, InclinationAndCentroidOfASlantedStem) {
+  // To the east at 45°, from a root elsewhere.
+  const Measures east = measure({chain({5, 1, -3}, {1, 1, 0}, 4)}).whole;
+  EXPECT_NEAR(degrees(*east.inclination_azimuth), 90, 1e-9);
+  EXPECT_NEAR(degrees(*east.inclination_altitude), 45, 1e-9);
+  EXPECT_NEAR(degrees(*east.centroid_azimuth), 90, 1e-9);
+  EXPECT_NEAR(east.centroid_radius, 2, 1e-9);
+  // South-west is 225°, -z is north.
+  const Measures south_west = measure({chain({0, 0, 0}, {-1, 0, 1}, 3)}).whole;
+  EXPECT_NEAR(degrees(*south_west.inclination_azimuth), 225, 1e-9);
+  EXPECT_NEAR(degrees(*south_west.inclination_altitude), 0, 1e-9);
+}
+
+TEST(Measures, AnUprightStemHasNoAzimuth) {
+  const Measures upright = measure({chain({0, 0, 0}, {0, 1, 0}, 3)}).whole;
+  EXPECT_FALSE(upright.inclination_azimuth);
+  EXPECT_FALSE(upright.centroid_azimuth);
+  EXPECT_NEAR(degrees(*upright.inclination_altitude), 90, 1e-9);
+  EXPECT_DOUBLE_EQ(upright.height, 3);
+  EXPECT_NEAR(*upright.stem_diameter, 0.1, 1e-8);
+  EXPECT_NEAR(*upright.slenderness, 30, 1e-5);
+}
+
+TEST(Measures, AStandSumsItsTreesAndIsAsHighAsTheTallest) {
+  const Skeleton small = random_tree(1, {0, 0, 0}, 60);
+  const Skeleton large = random_tree(2, {9, 1, 4}, 300);
+  const StandMeasures stand = measure({small, large});
+  ASSERT_EQ(stand.trees.size(), 2U);
+  EXPECT_EQ(all_values(stand.trees[0]), all_values(measure({small}).whole));
+  EXPECT_EQ(all_values(stand.trees[1]), all_values(measure({large}).whole));
+  const Measures& a = stand.trees[0];
+  const Measures& b = stand.trees[1];
+  EXPECT_EQ(stand.whole.trees, 2U);
+  EXPECT_EQ(stand.whole.nodes, 360U);
+  EXPECT_EQ(stand.whole.axes, a.axes + b.axes);
+  EXPECT_NEAR(stand.whole.length, a.length + b.length, 1e-9);
+  EXPECT_NEAR(stand.whole.crown_hull_volume, a.crown_hull_volume + b.crown_hull_volume, 1e-9);
+  EXPECT_EQ(stand.whole.height, std::max(a.height, b.height));
+  EXPECT_EQ(stand.whole.crown_width, a.height > b.height ? a.crown_width : b.crown_width);
+  EXPECT_EQ(stand.whole.branching_angle.count, a.branching_angle.count + b.branching_angle.count);
+  EXPECT_EQ(stand.whole.strahler_streams[0], a.strahler_streams[0] + b.strahler_streams[0]);
+}
+
+TEST(Measures, RootsOfOneSkeletonAreTrees) {
+  const Skeleton left = random_tree(3, {0, 0, 0}, 50);
+  const Skeleton right = random_tree(4, {3, 0, 0}, 70);
+  // Both in one skeleton, the second one after the first.
+  Skeleton both = left;
+  const AxisIndex axes = *std::max_element(left.axis.begin(), left.axis.end()) + 1;
+  for (NodeIndex node = 0; node < right.node_count(); ++node) {
+    const NodeIndex parent = right.is_root(node) ? kNoNode : right.parent[node] + 50;
+    const NodeIndex added = both.add_node(parent, right.position[node], right.birth[node]);
+    both.axis[added] = right.axis[node] + axes;
+    both.order[added] = right.order[node];
+    both.radius[added] = right.radius[node];
+  }
+  const StandMeasures apart = measure({left, right});
+  const StandMeasures together = measure({both});
+  ASSERT_EQ(together.trees.size(), 2U);
+  EXPECT_EQ(all_values(together.whole), all_values(apart.whole));
+  EXPECT_EQ(all_values(together.trees[1]), all_values(apart.trees[1]));
+}
+
+TEST(Measures, ATurnedTreeHasTheSameForm) {
+  const Skeleton tree = random_tree(5, {0, 0, 0}, 400);
+  Skeleton turned = tree;
+  for (Vec3& position : turned.position) position = {-position.z, position.y, position.x};
+  const Measures before = measure({tree}).whole;
+  const Measures after = measure({turned}).whole;
+  EXPECT_NEAR(after.crown_hull_volume, before.crown_hull_volume, 1e-6 * before.crown_hull_volume);
+  EXPECT_NEAR(after.crown_mean_width, before.crown_mean_width, 1e-6);
+  EXPECT_NEAR(after.branching_angle.mean, before.branching_angle.mean, 1e-9);
+  EXPECT_EQ(after.strahler_streams, before.strahler_streams);
+  // (x, z) to (-z, x) is a quarter turn from north to east: clockwise from above.
+  const double turn = degrees(*after.inclination_azimuth - *before.inclination_azimuth);
+  EXPECT_NEAR(turn < 0 ? turn + 360 : turn, 90, 1e-6);
+}
+
+TEST(Measures, TheSameNumbersOnAnyNumberOfThreads) {
+  std::vector<Skeleton> stand;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) stand.push_back(random_tree(seed, {seed, 0, 0}, 100));
+  const std::vector<MeasureValue> one = [&] {
+    const ThreadLimit limit(1);
+    return all_values(measure(stand).whole);
+  }();
+  for (const int threads : {2, 3, 8}) {
+    const ThreadLimit limit(threads);
+    EXPECT_EQ(all_values(measure(stand).whole), one);
+  }
+}
+
+TEST(Measures, PlantsAddTheirLeavesAndMeshes) {
+  Plant plant;
+  plant.materials.resize(2);
+  plant.materials[1].two_sided = true;
+  Stem stem;
+  stem.component = "tree";
+  stem.skeleton = random_tree(6, {0, 0, 0}, 200);
+  plant.stems = {stem};
+  Mesh blade;
+  blade.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  blade.triangles = {{0, 1, 2}};
+  plant.prototypes = {{"leaf", 1, std::make_shared<const Mesh>(blade)}};
+  plant.organs.resize(40);
+  Progress progress;
+  const MeshScene meshes = make_mesh_scene(plant, {}, progress);
+  const Measures whole = measure_plant(plant, meshes, {}, progress).whole;
+  EXPECT_EQ(whole.leaf_count, 40U);
+  EXPECT_DOUBLE_EQ(*whole.leaf_area, 20);
+  EXPECT_DOUBLE_EQ(*whole.leaf_area_index, 20 / whole.crown_ground_area);
+  EXPECT_EQ(whole.triangles, meshes.triangle_count());
+  EXPECT_EQ(whole.instances, 41U);
+  EXPECT_EQ(whole.bytes, meshes.meshes[0].mesh->bytes() + blade.bytes() + 41 * sizeof(Frame));
+}
+
+TEST(Measures, AnEmptyPlantHasNothing) {
+  Progress progress;
+  const StandMeasures stand = measure_plant({}, {}, {}, progress);
+  EXPECT_TRUE(stand.trees.empty());
+  EXPECT_EQ(stand.whole.nodes, 0U);
+  EXPECT_FALSE(stand.whole.leaf_area_index);
+  EXPECT_FALSE(stand.whole.bifurcation_ratio);
+}
+
+TEST(MeasureRows, NamesAreDistinctAndSnakeCase) {
+  std::set<std::string_view> names;
+  for (const MeasureRow& row : measure_rows()) {
+    EXPECT_TRUE(names.insert(row.name).second) << row.name;
+    EXPECT_EQ(row.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz_"), std::string_view::npos) << row.name;
+    EXPECT_TRUE(row.doc.ends_with('.')) << row.name;
+  }
+}
+
+TEST(MeasureRows, AnglesAreDegreesAndUnknownsAreNothing) {
+  Measures measures;
+  measures.inclination_altitude = kPi / 2;
+  for (const MeasureRow& row : measure_rows()) {
+    const MeasureValue value = row.value(measures);
+    if (row.name == "inclination_altitude") {
+      EXPECT_EQ(std::get<double>(value), 90);
+    }
+    if (row.name == "stem_diameter" || row.name == "pipe_exponent" || row.name == "leaf_count") {
+      EXPECT_TRUE(std::holds_alternative<std::monostate>(value)) << row.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace meristem

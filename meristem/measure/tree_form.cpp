@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/measure/tree_form.h"
+
+#include <algorithm>
+
+#include "meristem/measure/convex_hull.h"
+
+namespace meristem {
+namespace {
+
+constexpr const char* kMetamerColumn = "metamer";
+
+/// Sums and counts that one pass over the nodes gives.
+void count_nodes(const Skeleton& skeleton, const Children& children, TreeForm& form) {
+  const DVec3 root(skeleton.position[0]);
+  form.nodes = skeleton.node_count();
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    const DVec3 position(skeleton.position[node]);
+    const std::size_t order = skeleton.order[node];
+    if (form.axes_by_order.size() <= order) {
+      form.axes_by_order.resize(order + 1, 0);
+      form.length_by_order.resize(order + 1, 0);
+    }
+    const std::size_t degree = children.of(node).size();
+    if (degree == 0) ++form.tips;
+    if (degree > 1) ++form.forks;
+    form.node_sum += position - root;
+    form.height = std::max(form.height, position.y - root.y);
+    const NodeIndex parent = skeleton.parent[node];
+    if (parent == kNoNode || skeleton.axis[node] != skeleton.axis[parent]) ++form.axes_by_order[order];
+    if (parent == kNoNode) continue;
+    const DVec3 segment = position - DVec3(skeleton.position[parent]);
+    form.segment_sum += segment;
+    form.length_by_order[order] += glm::length(segment);
+  }
+}
+
+std::uint64_t count_metamers(const Skeleton& skeleton) {
+  const auto column = skeleton.extra.find(kMetamerColumn);
+  if (column == skeleton.extra.end()) return skeleton.node_count() - 1;
+  std::vector<float> labels;
+  std::copy_if(column->second.begin(), column->second.end(), std::back_inserter(labels),
+               [](float label) { return label >= 0; });
+  std::sort(labels.begin(), labels.end());
+  return static_cast<std::uint64_t>(std::unique(labels.begin(), labels.end()) - labels.begin());
+}
+
+/// Where the main axis first passes breast height, its diameter there, linear between the nodes.
+std::optional<double> breast_height_diameter(const Skeleton& skeleton) {
+  const double level = double{skeleton.position[0].y} + kBreastHeight;
+  for (NodeIndex node = 1; node < skeleton.node_count(); ++node) {
+    if (skeleton.axis[node] != skeleton.axis[0] || skeleton.position[node].y < level) continue;
+    const NodeIndex parent = skeleton.parent[node];
+    const double below = skeleton.position[parent].y;
+    const double share = (level - below) / (skeleton.position[node].y - below);
+    const double radius = skeleton.radius[parent] + share * (skeleton.radius[node] - skeleton.radius[parent]);
+    return radius > 0 ? std::optional(2 * radius) : std::nullopt;
+  }
+  return {};
+}
+
+/// The first fork, and whether each node belongs to the crown past it.
+std::vector<bool> find_crown(const Skeleton& skeleton, const Children& children, TreeForm& form) {
+  std::vector<bool> in_crown(skeleton.node_count(), true);
+  NodeIndex node = 0;
+  in_crown[node] = false;
+  while (children.of(node).size() == 1) {
+    node = children.of(node)[0];
+    in_crown[node] = false;
+  }
+  if (children.of(node).size() > 1) form.fork = node;
+  return in_crown;
+}
+
+void measure_crown(const Skeleton& skeleton, const Children& children, TreeForm& form) {
+  const std::vector<bool> in_crown = find_crown(skeleton, children, form);
+  if (!form.fork) return;
+  const double base = skeleton.position[*form.fork].y;
+  std::vector<Vec3> crown;
+  std::vector<Vec2> seen_from_above;
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    if (!in_crown[node]) continue;
+    const Vec3 position = skeleton.position[node];
+    crown.push_back(position);
+    seen_from_above.emplace_back(position.x, position.z);
+    form.crown_height = std::max(form.crown_height, position.y - base);
+  }
+  const OutlineSize outline = measure_outline(convex_outline(std::move(seen_from_above)));
+  form.crown_width = outline.diameter;
+  // Cauchy: a convex outline's extent, averaged over all directions, is its perimeter over pi.
+  form.crown_mean_width = outline.perimeter / kPi;
+  form.crown_ground_area = outline.area;
+  const Mesh hull = convex_hull(crown);
+  form.crown_hull_area = surface_area_of(hull);
+  form.crown_hull_volume = volume_of(hull);
+}
+
+}  // namespace
+
+std::vector<Skeleton> split_trees(const Skeleton& skeleton) {
+  std::vector<Skeleton> trees;
+  std::vector<std::uint32_t> tree(skeleton.node_count());       // to which each node belongs
+  std::vector<NodeIndex> renumbered(skeleton.node_count());     // its index there
+  std::vector<AxisIndex> axes(skeleton.node_count(), kNoNode);  // new number of each old axis
+  std::vector<AxisIndex> axis_count;
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    const NodeIndex parent = skeleton.parent[node];
+    if (parent == kNoNode) {
+      tree[node] = static_cast<std::uint32_t>(trees.size());
+      Skeleton& made = trees.emplace_back();
+      for (const auto& [name, values] : skeleton.extra) made.extra[name];
+      axis_count.push_back(0);
+    } else {
+      tree[node] = tree[parent];
+    }
+    Skeleton& to = trees[tree[node]];
+    const NodeIndex added =
+        to.add_node(parent == kNoNode ? kNoNode : renumbered[parent], skeleton.position[node], skeleton.birth[node]);
+    renumbered[node] = added;
+    AxisIndex& axis = axes.at(skeleton.axis[node]);
+    if (axis == kNoNode) axis = axis_count[tree[node]]++;
+    to.axis[added] = axis;
+    to.order[added] = skeleton.order[node];
+    to.radius[added] = skeleton.radius[node];
+    for (auto& [name, values] : to.extra) values[added] = skeleton.extra.find(name)->second[node];
+  }
+  return trees;
+}
+
+TreeForm measure_form(const Skeleton& skeleton, const Children& children) {
+  TreeForm form;
+  if (skeleton.node_count() == 0) return form;
+  count_nodes(skeleton, children, form);
+  form.metamers = count_metamers(skeleton);
+  form.diameter = breast_height_diameter(skeleton);
+  measure_crown(skeleton, children, form);
+  return form;
+}
+
+}  // namespace meristem

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "meristem/plant/skeleton.h"
+
+namespace meristem {
+
+/// One skeleton for each root, in the order of the roots; axes are numbered anew from 0, all else stays. Of a skeleton
+/// with one root it is a copy.
+std::vector<Skeleton> split_trees(const Skeleton& skeleton);
+
+/// Size, shape and order of one tree. Lengths in metres.
+struct TreeForm {
+  std::uint64_t nodes = 0;
+  std::uint64_t metamers = 0;  ///< distinct values from 0 of the column "metamer" if there is one, else segments
+  std::uint64_t tips = 0;
+  std::uint64_t forks = 0;
+  std::vector<std::uint64_t> axes_by_order;
+  std::vector<double> length_by_order;
+  double height = 0;               ///< of the highest node above the root
+  std::optional<NodeIndex> fork;   ///< the first: where the crown begins
+  double crown_height = 0;         ///< of the highest node above the first fork
+  double crown_width = 0;          ///< the largest horizontal distance between crown nodes
+  double crown_mean_width = 0;     ///< mean over all horizontal directions of the crown's extent
+  double crown_ground_area = 0;    ///< of the convex hull of the crown's nodes projected on the ground
+  double crown_hull_area = 0;      ///< of the convex hull of the crown's nodes, square metres
+  double crown_hull_volume = 0;    ///< cubic metres
+  std::optional<double> diameter;  ///< of the main axis at breast height (1.3 m) above the root, if it reaches it
+  DVec3 segment_sum{0};            ///< of all vectors from parent to node
+  DVec3 node_sum{0};               ///< of all nodes, relative to the root
+};
+
+inline constexpr double kBreastHeight = 1.3;  ///< metres above the root
+
+/// `skeleton` has one root, its first node. The crown is what lies past the first fork on the way from the root.
+TreeForm measure_form(const Skeleton& skeleton, const Children& children);
+
+}  // namespace meristem

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/measure/tree_form.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/check_skeleton.h"
+
+namespace meristem {
+namespace {
+
+TreeForm form_of(const Skeleton& skeleton) { return measure_form(skeleton, Children(skeleton)); }
+
+/// A lateral of one segment.
+void add_lateral(Skeleton& skeleton, NodeIndex mother, Vec3 end, AxisIndex axis) {
+  const NodeIndex node = skeleton.add_node(mother, end, 0);
+  skeleton.axis[node] = axis;
+  skeleton.order[node] = static_cast<std::uint16_t>(skeleton.order[mother] + 1);
+  skeleton.radius[node] = 0.01F;
+}
+
+/// A stem from (1, 10, 1) that is 2 m high, tapers from 0.2 to 0.1 m radius, and bears four horizontal laterals of 1 m
+/// toward the four winds at its top, and above that a tip at 3 m.
+Skeleton candelabra() {
+  Skeleton skeleton;
+  const Vec3 root(1, 10, 1);
+  skeleton.radius[skeleton.add_node(kNoNode, root, 0)] = 0.2F;
+  skeleton.radius[skeleton.add_node(0, root + Vec3(0, 2, 0), 0)] = 0.1F;
+  skeleton.radius[skeleton.add_node(1, root + Vec3(0, 3, 0), 0)] = 0.02F;
+  add_lateral(skeleton, 1, root + Vec3(1, 2, 0), 1);
+  add_lateral(skeleton, 1, root + Vec3(-1, 2, 0), 2);
+  add_lateral(skeleton, 1, root + Vec3(0, 2, 1), 3);
+  add_lateral(skeleton, 1, root + Vec3(0, 2, -1), 4);
+  return skeleton;
+}
+
+TEST(TreeForm, CountsByOrder) {
+  const TreeForm form = form_of(candelabra());
+  EXPECT_EQ(form.nodes, 7U);
+  EXPECT_EQ(form.metamers, 6U);
+  EXPECT_EQ(form.tips, 5U);
+  EXPECT_EQ(form.forks, 1U);
+  EXPECT_EQ(form.axes_by_order, (std::vector<std::uint64_t>{1, 4}));
+  EXPECT_EQ(form.length_by_order, (std::vector<double>{3, 4}));
+}
+
+TEST(TreeForm, SizesOfACandelabra) {
+  const TreeForm form = form_of(candelabra());
+  EXPECT_DOUBLE_EQ(form.height, 3);
+  EXPECT_EQ(form.fork, NodeIndex{1});
+  EXPECT_DOUBLE_EQ(form.crown_height, 1);
+  // Seen from above the crown is a square with diagonals of 2 m.
+  EXPECT_DOUBLE_EQ(form.crown_width, 2);
+  EXPECT_NEAR(form.crown_mean_width, 4 * std::sqrt(2.0) / kPi, 1e-6);
+  EXPECT_NEAR(form.crown_ground_area, 2, 1e-6);
+  // Its hull is a pyramid 1 m high on that square.
+  EXPECT_NEAR(form.crown_hull_volume, 2.0 / 3, 1e-6);
+  EXPECT_NEAR(form.crown_hull_area, 2 + 4 * std::sqrt(3.0) / 2, 1e-6);
+  // 1.3 m are 0.65 of the way from 0.2 to 0.1 m radius.
+  EXPECT_NEAR(*form.diameter, 2 * (0.2 - 0.65 * 0.1), 1e-6);
+}
+
+TEST(TreeForm, SumsOfVectors) {
+  const TreeForm form = form_of(candelabra());
+  EXPECT_EQ(form.segment_sum, DVec3(0, 3, 0));
+  EXPECT_EQ(form.node_sum, DVec3(0, 2 + 3 + 4 * 2, 0));
+}
+
+TEST(TreeForm, AStemWithoutAForkHasNoCrown) {
+  Skeleton stem;
+  stem.add_node(kNoNode, {0, 0, 0}, 0);
+  stem.add_node(0, {0, 1, 0}, 0);
+  const TreeForm form = form_of(stem);
+  EXPECT_FALSE(form.fork);
+  EXPECT_EQ(form.crown_width + form.crown_height + form.crown_hull_volume, 0);
+  EXPECT_FALSE(form.diameter) << "below breast height";
+  EXPECT_EQ(form_of({}).nodes, 0U);
+}
+
+TEST(TreeForm, WithoutRadiiThereIsNoDiameter) {
+  Skeleton skeleton = candelabra();
+  skeleton.radius.assign(skeleton.node_count(), 0);
+  EXPECT_FALSE(form_of(skeleton).diameter);
+}
+
+TEST(TreeForm, ACrownInAPlaneHasNoVolume) {
+  Skeleton skeleton = candelabra();
+  for (Vec3& position : skeleton.position) position.z = 0;
+  const TreeForm form = form_of(skeleton);
+  EXPECT_EQ(form.crown_hull_volume, 0);
+  EXPECT_EQ(form.crown_hull_area, 0);
+  EXPECT_EQ(form.crown_ground_area, 0);
+  EXPECT_DOUBLE_EQ(form.crown_width, 2);
+}
+
+TEST(TreeForm, LabelsSayWhatAMetamerIs) {
+  Skeleton skeleton = candelabra();
+  skeleton.extra["metamer"] = {-1, 0, 0, 1, 2, 1, 2};
+  EXPECT_EQ(form_of(skeleton).metamers, 3U);
+}
+
+TEST(TreeForm, TwiceTheSizeHasTwiceTheLengthsAndFourTimesTheAreas) {
+  Skeleton skeleton = candelabra();
+  const TreeForm small = form_of(skeleton);
+  for (Vec3& position : skeleton.position) position *= 2;
+  const TreeForm large = form_of(skeleton);
+  EXPECT_NEAR(large.height, 2 * small.height, 1e-6);
+  EXPECT_NEAR(large.crown_width, 2 * small.crown_width, 1e-6);
+  EXPECT_NEAR(large.crown_hull_area, 4 * small.crown_hull_area, 1e-5);
+  EXPECT_NEAR(large.crown_hull_volume, 8 * small.crown_hull_volume, 1e-5);
+  EXPECT_EQ(large.axes_by_order, small.axes_by_order);
+}
+
+TEST(SplitTrees, AForestFallsIntoItsTrees) {
+  // Two candelabras whose nodes alternate, the second one moved.
+  const Skeleton one = candelabra();
+  Skeleton forest;
+  for (NodeIndex node = 0; node < one.node_count(); ++node) {
+    for (NodeIndex which = 0; which < 2; ++which) {
+      const NodeIndex parent = one.is_root(node) ? kNoNode : 2 * one.parent[node] + which;
+      const NodeIndex added = forest.add_node(parent, one.position[node] + Vec3(which, 0, 0), one.birth[node]);
+      forest.axis[added] = 2 * one.axis[node] + which;
+      forest.order[added] = one.order[node];
+      forest.radius[added] = one.radius[node];
+    }
+  }
+  forest.extra["light"].resize(forest.node_count());
+  for (NodeIndex node = 0; node < forest.node_count(); ++node) forest.extra["light"][node] = static_cast<float>(node);
+  const std::vector<Skeleton> trees = split_trees(forest);
+  ASSERT_EQ(trees.size(), 2U);
+  for (std::size_t which = 0; which < 2; ++which) {
+    EXPECT_TRUE(check_skeleton(trees[which]));
+    EXPECT_EQ(trees[which].parent, one.parent);
+    EXPECT_EQ(trees[which].axis, one.axis);
+    EXPECT_EQ(trees[which].radius, one.radius);
+    EXPECT_EQ(trees[which].extra.at("light")[3], static_cast<float>(6 + which));
+    EXPECT_EQ(trees[which].position[5], one.position[5] + Vec3(which, 0, 0));
+  }
+}
+
+}  // namespace
+}  // namespace meristem

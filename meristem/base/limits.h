@@ -20,6 +20,7 @@ struct Limits {
   std::uint64_t instances = 20'000'000;      ///< organs and sites in all
   std::uint64_t triangles = 50'000'000;      ///< after instancing
   std::uint64_t mesh_bytes = 2'000'000'000;  ///< distinct geometry
+  std::uint64_t file_bytes = 1'000'000'000;  ///< one file that a document names
 };
 
 /// The fault of a limit: `wanted` of `what` where `limit` are allowed; `path` is the parameter to change.

@@ -1,39 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-// Crown envelopes and the attraction points in them.
+// Crown envelopes: the space that a tree's attraction points fill. Points in them are placed by crown_points.h.
 #pragma once
 
-#include <cstdint>
-#include <vector>
+#include <memory>
 
-#include "meristem/base/curve.h"
-#include "meristem/base/progress.h"
-#include "meristem/base/random.h"
 #include "meristem/base/vec.h"
 
 namespace meristem {
 
-/// A body of revolution about the vertical through the root: radius as a natural cubic spline of height.
-class ProfileCrown {
+/// A part of space, relative to the root of a tree, y up, metres.
+class Crown {
  public:
-  /// Marked points (radius, height) in metres, at least two, heights strictly rising. Radii below 0 count as 0.
-  /// Throws std::invalid_argument for other points; documents are checked before.
-  explicit ProfileCrown(const std::vector<Vec2>& profile);
+  virtual ~Crown() = default;
 
-  double radius_at(double height) const;  ///< 0 outside the marked heights
-  double lowest() const;                  ///< metres above the root
-  double highest() const;
-  double volume() const { return volume_; }  ///< cubic metres
-  bool contains(Vec3 point) const;           ///< relative to the root
-
-  /// `count` points uniform in volume, relative to the root: the height by inverting the cumulated cross-section, then
-  /// uniform in the disc. The k-th point is a function of (key, k) alone.
-  std::vector<Vec3> sample(std::uint64_t count, RandomKey key, Progress& progress) const;
-
- private:
-  Curve radius_;
-  std::vector<double> heights_;    // equally spaced
-  std::vector<double> cumulated_;  // volume below each height
-  double volume_ = 0;
+  /// The same on every machine; may be called from many threads at once.
+  virtual bool contains(Vec3 point) const = 0;
+  /// A box that holds all of it; empty only where the crown is.
+  virtual Box bounds() const = 0;
+  /// Where (x and z) its vertical axis stands, from which zones measure what is outer: the middle of the bounds, and
+  /// the root for profiles.
+  virtual Vec2 axis() const {
+    const Vec3 middle = bounds().is_empty() ? Vec3(0) : bounds().centre();
+    return {middle.x, middle.z};
+  }
 };
+
+using CrownPointer = std::shared_ptr<const Crown>;
 
 }  // namespace meristem

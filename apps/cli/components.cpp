@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "commands.h"
@@ -11,17 +14,21 @@ namespace meristem::cli {
 
 namespace {
 
-void print_table(const ParameterTable& table, int indent) {
+void print_table(const ParameterTable& table, int indent, std::vector<const ParameterTable*> above = {}) {
+  above.push_back(&table);
   const std::vector<Value> defaults = table.defaults();
   for (std::size_t k = 0; k < table.parameters.size(); ++k) {
     const Parameter& row = table.parameters[k];
-    const bool nested = row.kind == ParameterKind::object || row.kind == ParameterKind::list;
+    const bool nested = row.nested != nullptr;
     std::string facts = nested ? "" : row.expectation();
     if (row.required) facts += facts.empty() ? "required" : "; required";
     if (!nested && !row.required && !defaults[k].is_null()) facts += "; default " + write_json_line(defaults[k]);
     fmt::print("{:{}}{}{}\n", "", indent, row.name, facts.empty() ? "" : " - " + facts);
     fmt::print("{:{}}{}\n", "", indent + 4, row.doc);
-    if (nested) print_table(*row.nested, indent + 4);
+    // A table that contains itself was printed above.
+    if (nested && std::find(above.begin(), above.end(), &row.nested()) == above.end()) {
+      print_table(row.nested(), indent + 4, above);
+    }
   }
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reference.h"
 
+#include <algorithm>
 #include <iterator>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -28,8 +30,8 @@ number or an expression of numbers and the document's variables.
 enum class Variation { none, as_stated };
 
 bool varies(const Parameter& row) {
-  const bool is_number =
-      row.kind == ParameterKind::number || row.kind == ParameterKind::integer || row.kind == ParameterKind::vector;
+  const bool is_number = row.kind == ParameterKind::number || row.kind == ParameterKind::integer ||
+                         row.kind == ParameterKind::vector || row.kind == ParameterKind::box;
   return is_number && !row.form.fixed;
 }
 
@@ -79,16 +81,28 @@ class Page {
       if (has_column_) write_cell(variation == Variation::as_stated && varies(row) ? "yes" : "");
       fmt::format_to(std::back_inserter(out_), "{} |\n", cell(row.doc));
       if (!is_nested) continue;
-      const bool is_list = row.kind == ParameterKind::list;
-      rows(*row.nested, above + row.name + (is_list ? "[]." : "."), is_list ? Variation::none : variation, nullptr);
+      // The rows of a table that contains itself stand above.
+      if (std::find(open_.begin(), open_.end(), &row.nested()) != open_.end()) continue;
+      open_.push_back(&row.nested());
+      rows(row.nested(), fmt::format("{}{}{}.", above, row.name, element(row.kind)),
+           row.kind == ParameterKind::object ? variation : Variation::none, nullptr);
+      open_.pop_back();
     }
   }
 
-  static std::string value(const Parameter& row) {
-    if (row.kind == ParameterKind::list) return "a list of objects";
-    if (row.kind != ParameterKind::object) return row.expectation();
-    if (row.nested->shorthand.empty()) return "an object";
-    return fmt::format("an object, or `{}` alone", row.nested->shorthand);
+  /// What stands between a list's or map's name and that of a parameter in it.
+  static std::string_view element(ParameterKind kind) {
+    return kind == ParameterKind::list ? "[]" : kind == ParameterKind::map ? ".*" : "";
+  }
+
+  std::string value(const Parameter& row) const {
+    if (row.nested == nullptr) return row.expectation();
+    const bool stands_above = std::find(open_.begin(), open_.end(), &row.nested()) != open_.end();
+    const std::string what = stands_above ? row.nested().name.substr(row.nested().name.find(' ') + 1) : "object";
+    if (row.kind == ParameterKind::list) return fmt::format("a list of {}s", what);
+    if (row.kind == ParameterKind::map) return fmt::format("an object of names and {}s", what);
+    if (row.nested().shorthand.empty()) return fmt::format("an {}", what);
+    return fmt::format("an {}, or `{}` alone", what, row.nested().shorthand);
   }
 
   void write(const std::vector<std::string>& cells) {
@@ -98,7 +112,8 @@ class Page {
   void write_cell(const std::string& text) { fmt::format_to(std::back_inserter(out_), "{} | ", cell(text)); }
 
   std::string out_;
-  bool has_column_ = false;  // that says what varies
+  bool has_column_ = false;                  // that says what varies
+  std::vector<const ParameterTable*> open_;  // nested tables whose rows are being written
 };
 
 }  // namespace

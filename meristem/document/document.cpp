@@ -2,6 +2,7 @@
 #include "meristem/document/document.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -20,7 +21,8 @@ const std::vector<std::string> kLinkKinds = {"child", "branch", "leaf"};
 /// Fills a Document from the tree of its text; the reader collects what is wrong.
 class DocumentReader {
  public:
-  DocumentReader(const Value& root, const Registry& registry) : root_(root), registry_(registry) {}
+  DocumentReader(const Value& root, const Registry& registry, std::string folder)
+      : root_(root), registry_(registry), folder_(std::move(folder)) {}
 
   /// Returns the faults and warnings.
   std::vector<Diagnostic> run(Document& document, std::optional<std::uint64_t> seed) {
@@ -43,7 +45,7 @@ class DocumentReader {
       if (is_free_name(variable.name)) constants.push_back({variable.name, variable.value});
     }
 
-    ParameterReader reader(std::move(constants), document.graph.limits);
+    ParameterReader reader(std::move(constants), document.graph.limits, folder_);
     read_head(reader, document);
     read_components(reader, document.graph);
     read_links(reader, document.graph);
@@ -338,6 +340,7 @@ class DocumentReader {
 
   const Value& root_;
   const Registry& registry_;
+  const std::string folder_;  // of the document
   const Place top_;
   std::unordered_map<std::string, ComponentIndex> component_by_id_;
   std::vector<std::string> ids_;
@@ -366,10 +369,11 @@ Document read_document(std::string text, const std::string& file, const Registry
   Document document;
   document.source = {.file = file, .text = std::move(text)};
   std::vector<Diagnostic> diagnostics;
+  const std::string folder = std::filesystem::path(file).parent_path().string();
   try {
     Value root = parse_json(document.source.text);
     if (root.object() != nullptr) apply_overrides(root, overrides, document.source, diagnostics);
-    if (diagnostics.empty()) diagnostics = DocumentReader(root, registry).run(document, seed);
+    if (diagnostics.empty()) diagnostics = DocumentReader(root, registry, folder).run(document, seed);
   } catch (const InputError& error) {
     diagnostics = error.diagnostics();
   }

@@ -67,7 +67,8 @@ struct Document {
 /// Splits "PATH=VALUE"; the value is JSON where it reads as such, else text. Throws InputError for other texts.
 Override parse_override(std::string_view text);
 
-/// Reads a document's text. `file` is its name in messages. Throws one InputError with all faults (up to the limit),
+/// Reads a document's text. `file` is its name in messages, and the files that it names are
+/// sought from that one's folder. Throws one InputError with all faults (up to the limit),
 /// each with line, column and document path.
 Document read_document(std::string text, const std::string& file, const Registry& registry,
                        const std::vector<Override>& overrides = {}, std::optional<std::uint64_t> seed = {});

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/document/schema.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "meristem/document/tables.h"
 #include "meristem/graph/placement.h"
@@ -44,10 +47,16 @@ Value closed_object(Object properties, List required) {
   return schema;
 }
 
+/// The schemas of tables that contain themselves, each once, by name.
+struct Definitions {
+  std::vector<std::string> begun;  // names that are defined, or are about to be
+  Object made;
+};
+
 /// Writes tables as schemas. In a component, numbers may vary from instance to instance.
 class SchemaWriter {
  public:
-  explicit SchemaWriter(bool varies) : varies_(varies) {}
+  SchemaWriter(bool varies, Definitions& definitions) : varies_(varies), definitions_(definitions) {}
 
   Value table(const ParameterTable& table, Object properties = {}, List required = {}) const {
     const std::vector<Value> defaults = table.defaults();
@@ -65,12 +74,42 @@ class SchemaWriter {
       for (const std::string& name : group) alternatives.emplace_back(Object{{"required", List{name}}});
       schema.object()->emplace_back("oneOf", std::move(alternatives));
     }
+    add_company(table, *schema.object());
     schema.object()->emplace_back("description", table.doc);
     if (table.shorthand.empty()) return schema;
     return any_of({parameter(*table.find(table.shorthand)), std::move(schema)});
   }
 
  private:
+  static void add_company(const ParameterTable& table, Object& schema) {
+    Object dependencies;
+    List never;
+    for (const ParameterTable::Company& rule : table.company) {
+      if (rule.is_wanted) {
+        dependencies.emplace_back(rule.parameter, List{rule.other});
+      } else {
+        never.emplace_back(Object{{"required", List{rule.parameter, rule.other}}});
+      }
+    }
+    if (!dependencies.empty()) schema.emplace_back("dependencies", std::move(dependencies));
+    if (!never.empty()) schema.emplace_back("not", any_of(std::move(never)));
+  }
+
+  /// A nested table's schema, or where it contains itself a reference to its definition.
+  Value nested(const ParameterTable& nested_table, bool varies) const {
+    const SchemaWriter writer(varies, definitions_);
+    if (!nested_table.contains_itself()) return writer.table(nested_table);
+    const std::string noun = nested_table.name.substr(nested_table.name.find(' ') + 1);
+    const std::string name = varies ? noun : "fixed_" + noun;
+    std::vector<std::string>& begun = definitions_.begun;
+    if (std::find(begun.begin(), begun.end(), name) == begun.end()) {
+      begun.push_back(name);
+      Value schema = writer.table(nested_table);
+      definitions_.made.emplace_back(name, std::move(schema));
+    }
+    return Object{{"allOf", List{Object{{"$ref", "#/definitions/" + name}}}}};
+  }
+
   static std::string description(const Parameter& row) {
     if (row.form.unit == Unit::none) return row.doc;
     return row.doc + " Unit: " + std::string(unit_name(row.form.unit)) + ".";
@@ -99,6 +138,7 @@ class SchemaWriter {
       case ParameterKind::boolean:
         return typed("boolean");
       case ParameterKind::text:
+      case ParameterKind::file:
       case ParameterKind::condition:
         return typed("string");
       case ParameterKind::choice:
@@ -115,10 +155,17 @@ class SchemaWriter {
         return points(row.form);
       case ParameterKind::selection:
         return selection();
+      case ParameterKind::box:
+        return list_of(list_of(number("number", row.form), 3, 3), 2, 2);
       case ParameterKind::object:
-        return SchemaWriter(varies_).table(*row.nested);
+        return nested(row.nested(), varies_);
       case ParameterKind::list:
-        return list_of(SchemaWriter(false).table(*row.nested), 0, 0);
+        return list_of(nested(row.nested(), false), 0, 0);
+      case ParameterKind::map: {
+        Object schema = typed("object");
+        schema.emplace_back("additionalProperties", nested(row.nested(), false));
+        return schema;
+      }
     }
     return Object{};
   }
@@ -130,41 +177,44 @@ class SchemaWriter {
   }
 
   bool varies_;
+  Definitions& definitions_;
 };
 
-Value component_schema(const Registry& registry) {
+Value component_schema(const Registry& registry, Definitions& definitions) {
   List alternatives;
   for (const ComponentType& type : registry.types()) {
     alternatives.push_back(
-        SchemaWriter(true).table(type.parameters, {{"type", Object{{"const", type.name}}}}, {"type"}));
+        SchemaWriter(true, definitions).table(type.parameters, {{"type", Object{{"const", type.name}}}}, {"type"}));
   }
   return Object{{"oneOf", std::move(alternatives)}};
 }
 
-Value link_schema() {
+Value link_schema(const SchemaWriter& writer) {
   const Value id = typed("string");
   Object ends{{"from", id}, {"to", id}, {"kind", Object{{"enum", List{"child", "branch", "leaf"}}}}};
-  return any_of({list_of(id, 2, 2), SchemaWriter(false).table(placement_table(), std::move(ends), {"from", "to"})});
+  return any_of({list_of(id, 2, 2), writer.table(placement_table(), std::move(ends), {"from", "to"})});
 }
 
 }  // namespace
 
 Value document_schema(const Registry& registry) {
+  Definitions definitions;
+  const SchemaWriter writer(false, definitions);
   Object components = typed("object");
   components.emplace_back("propertyNames", Object{{"pattern", "^[A-Za-z0-9_]+$"}});
-  components.emplace_back("additionalProperties", component_schema(registry));
+  components.emplace_back("additionalProperties", component_schema(registry, definitions));
   components.emplace_back("minProperties", 1);
   Object variables = typed("object");
-  variables.emplace_back("additionalProperties", SchemaWriter(false).table(variable_table()));
+  variables.emplace_back("additionalProperties", writer.table(variable_table()));
 
-  const SchemaWriter writer(false);
   Object properties{{"variables", std::move(variables)},
                     {"components", std::move(components)},
-                    {"links", list_of(link_schema(), 0, 0)},
+                    {"links", list_of(link_schema(writer), 0, 0)},
                     {"limits", writer.table(limits_table())}};
   const Value head = writer.table(head_table(), std::move(properties), {"components"});
 
   Object schema{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "Meristem plant document"}};
+  if (!definitions.made.empty()) schema.emplace_back("definitions", std::move(definitions.made));
   schema.insert(schema.end(), head.object()->begin(), head.object()->end());
   return schema;
 }

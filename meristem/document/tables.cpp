@@ -47,8 +47,8 @@ const ParameterTable& scene_table() {
       Table<SceneSettings>("a scene", "What surrounds the plants.")
           .number("latitude", &SceneSettings::latitude, {.unit = Unit::degree, .min = -90, .max = 90},
                   "Of the place, north positive; needed for a sun with a day.")
-          .object("sun", &SceneSettings::sun, sun_table(), "Light from the zenith if not given.")
-          .object("ground", &SceneSettings::ground, ground_table(), "The ground in pictures.")
+          .object("sun", &SceneSettings::sun, sun_table, "Light from the zenith if not given.")
+          .object("ground", &SceneSettings::ground, ground_table, "The ground in pictures.")
           .check([](const SceneSettings& scene, const Place& place, ParameterReader& reader) {
             if (scene.sun && scene.sun->day && !scene.latitude) {
               reader.fault(Place(place, "sun"), "a sun with a day needs a latitude", R"("latitude" in the scene)");
@@ -78,8 +78,8 @@ const ParameterTable& head_table() {
           .text("author", &DocumentHead::author, "Who made it; carried into exports.")
           .text("licence", &DocumentHead::licence, "Under which it may be used; carried into exports.")
           .integer("seed", &DocumentHead::seed, {.min = 0, .max = kLargestWhole}, "All that is random comes from it.")
-          .object("scene", &DocumentHead::scene, scene_table(), "What surrounds the plants.")
-          .object("output", &DocumentHead::output, output_table(), "Defaults for pictures.")
+          .object("scene", &DocumentHead::scene, scene_table, "What surrounds the plants.")
+          .object("output", &DocumentHead::output, output_table, "Defaults for pictures.")
           .elsewhere({"variables", "components", "links", "limits"});
   return table;
 }
@@ -105,7 +105,9 @@ const ParameterTable& limits_table() {
           .integer("nodes", &Limits::nodes, {.min = 1, .max = 4e9}, "Skeleton nodes.")
           .integer("instances", &Limits::instances, {.min = 1, .max = 4e9}, "Instances of components in all.")
           .integer("triangles", &Limits::triangles, {.min = 1, .max = kLargestWhole}, "Triangles after instancing.")
-          .integer("mesh_bytes", &Limits::mesh_bytes, {.min = 1, .max = kLargestWhole}, "Bytes of distinct geometry.");
+          .integer("mesh_bytes", &Limits::mesh_bytes, {.min = 1, .max = kLargestWhole}, "Bytes of distinct geometry.")
+          .integer("file_bytes", &Limits::file_bytes, {.min = 1, .max = kLargestWhole},
+                   "Bytes of one file that the document names.");
   return table;
 }
 

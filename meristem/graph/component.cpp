@@ -38,8 +38,8 @@ const ParameterTable& component_base_table() {
                   "0 is glossy, 1 is matt; the component's own if not given.")
           .number("translucency", &ComponentBase::translucency, {.min = 0, .max = 1, .fixed = true},
                   "Share of the light that passes through a thin blade; the component's own if not given.")
-          .object("place", &ComponentBase::place, transform_table(), "Moves this component's geometry only.")
-          .object("frame", &ComponentBase::frame, transform_table(),
+          .object("place", &ComponentBase::place, transform_table, "Moves this component's geometry only.")
+          .object("frame", &ComponentBase::frame, transform_table,
                   "Moves this component's coordinate system and all that hangs on it.")
           .integer("recursion", &ComponentBase::recursion, {.min = 1, .max = 1000, .fixed = true},
                    "How many instances in a row a link from below back to this component makes, the first included.")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/graph/parameter.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -76,10 +77,16 @@ std::string Parameter::expectation() const {
       return fmt::format("a condition over {}", fmt::join(names, ", "));
     case ParameterKind::selection:
       return "a list such as [0, [3, 5], \"i % 4 == 2\"]";
+    case ParameterKind::box:
+      return "two corners, the lower first, such as [[-1, 0, -1], [1, 2, 1]]";
+    case ParameterKind::file:
+      return "the path of a file";
     case ParameterKind::object:
-      return fmt::format("an object with {}", fmt::join(nested->names(), ", "));
+      return fmt::format("an object with {}", fmt::join(nested().names(), ", "));
     case ParameterKind::list:
-      return fmt::format("a list of objects with {}", fmt::join(nested->names(), ", "));
+      return fmt::format("a list of objects with {}", fmt::join(nested().names(), ", "));
+    case ParameterKind::map:
+      return fmt::format("an object of names, each with {}", fmt::join(nested().names(), ", "));
   }
   return "";
 }
@@ -89,6 +96,19 @@ const Parameter* ParameterTable::find(std::string_view parameter) const {
     if (row.name == parameter) return &row;
   }
   return nullptr;
+}
+
+bool ParameterTable::contains_itself() const {
+  std::vector<const ParameterTable*> reached{this};
+  for (std::size_t k = 0; k < reached.size(); ++k) {
+    for (const Parameter& row : reached[k]->parameters) {
+      if (row.nested == nullptr) continue;
+      const ParameterTable& below = row.nested();
+      if (&below == this) return true;
+      if (std::find(reached.begin(), reached.end(), &below) == reached.end()) reached.push_back(&below);
+    }
+  }
+  return false;
 }
 
 std::vector<std::string> ParameterTable::names() const {

@@ -34,8 +34,11 @@ enum class ParameterKind {
   points,     ///< a list of pairs [x, y]
   condition,  ///< an expression that is true or false for each place
   selection,  ///< a list of instance numbers, ranges and conditions
+  box,        ///< two corners [[x, y, z], [x, y, z]], the lower first
+  file,       ///< the path of a file, from the document's folder, whose content is read with the document
   object,     ///< a nested table
   list,       ///< a list of nested tables
+  map,        ///< an object of names, with a nested table each
 };
 
 /// What a number may be. In a component every number may differ from instance to instance unless it is `fixed`.
@@ -52,11 +55,12 @@ struct Parameter {
   std::string name;
   std::string doc;  ///< one sentence, with what happens when the value is raised where that is not plain
   ParameterKind kind = ParameterKind::number;
-  NumberForm form;                         ///< of numbers, integers and the elements of vectors
-  std::vector<std::string> choices;        ///< of a choice
-  std::size_t count = 0;                   ///< of integers
-  const ParameterTable* nested = nullptr;  ///< of an object or list
-  std::vector<std::string> names;          ///< variables of a condition
+  NumberForm form;                   ///< of numbers, integers and the elements of vectors
+  std::vector<std::string> choices;  ///< of a choice
+  std::size_t count = 0;             ///< of integers
+  /// Of an object, list or map. A function, so that tables may contain themselves.
+  const ParameterTable& (*nested)() = nullptr;
+  std::vector<std::string> names;  ///< variables of a condition
   bool required = false;
 
   /// Stores what `value` says into the struct at `object`, or reports faults.
@@ -79,6 +83,13 @@ class ParameterTable {
   std::vector<std::string> elsewhere;            ///< further keys, which whoever owns the table reads itself ("type")
   std::string shorthand;                         ///< the parameter that a bare value sets, or empty
   std::vector<std::vector<std::string>> one_of;  ///< of each group exactly one must be given
+  /// A parameter that stands only beside another, or never beside it.
+  struct Company {
+    std::string parameter;
+    std::string other;
+    bool is_wanted = true;
+  };
+  std::vector<Company> company;
   /// Rules between parameters; called when all of them could be read.
   std::function<void(const void* object, const Place& place, ParameterReader& reader)> check;
   /// The defaults, as documents write them.
@@ -86,6 +97,8 @@ class ParameterTable {
 
   const Parameter* find(std::string_view parameter) const;
   std::vector<std::string> names() const;
+  /// Whether a row below, at any depth, has this table again.
+  bool contains_itself() const;
 };
 
 }  // namespace meristem

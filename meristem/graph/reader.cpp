@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include <fmt/format.h>
@@ -133,7 +134,21 @@ void ParameterReader::object(const ParameterTable& table, void* object, const Va
             "exactly one of them");
     }
   }
+  check_company(table, *members, place);
   if (table.check && faults_ == faults_before) table.check(object, place, *this);
+}
+
+void ParameterReader::check_company(const ParameterTable& table, const Value::Object& given, const Place& place) {
+  const auto is_given = [&](const std::string& name) {
+    return std::any_of(given.begin(), given.end(), [&](const Value::Member& member) { return member.first == name; });
+  };
+  for (const ParameterTable::Company& rule : table.company) {
+    if (!is_given(rule.parameter) || is_given(rule.other) == rule.is_wanted) continue;
+    fault_name(
+        Place(place, rule.parameter),
+        fmt::format("'{}' has no meaning {} '{}'", rule.parameter, rule.is_wanted ? "without" : "beside", rule.other),
+        rule.is_wanted ? fmt::format("'{}' beside it", rule.other) : "only one of them", "");
+  }
 }
 
 bool ParameterReader::check_range(const Parameter& parameter, double value, const Place& place, std::string_view what) {
@@ -252,6 +267,30 @@ void ParameterReader::store_number(const Parameter& parameter, const Value& valu
 const std::string* ParameterReader::text(const Parameter& parameter, const Value& value, const Place& place) {
   if (value.text() == nullptr) wrong_kind(parameter, value, place);
   return value.text();
+}
+
+void ParameterReader::file(const Parameter& parameter, const Value& value, const Place& place,
+                           FunctionRef<void(const std::string& path)> load) {
+  const std::string* given = text(parameter, value, place);
+  if (given == nullptr) return;
+  const std::filesystem::path folder(folder_);
+  try {
+    load(given->empty() ? "" : (folder / *given).string());
+  } catch (const InputError& error) {
+    // One fault says both places: this one, and the one in the file.
+    for (const Diagnostic& found : error.diagnostics()) {
+      std::string at = found.line > 0 ? fmt::format("{}:{}", *given, found.line) : *given;
+      if (found.column > 0) at += fmt::format(":{}", found.column);
+      std::string similar = found.nearest;
+      // The nearest file is named as the document would name it.
+      if (!folder_.empty() && similar.starts_with((folder / "").string())) {
+        similar.erase(0, (folder / "").string().size());
+      }
+      fault(place, fmt::format("'{}': {}", at, found.message), found.expected, std::move(similar));
+    }
+  } catch (const MachineError& error) {
+    fault(place, error.what());
+  }
 }
 
 std::optional<std::size_t> ParameterReader::choice(const Parameter& parameter, const Value& value, const Place& place) {

@@ -10,6 +10,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/expression.h"
+#include "meristem/base/function_ref.h"
 #include "meristem/base/limits.h"
 #include "meristem/graph/parameter.h"
 #include "meristem/graph/varying.h"
@@ -27,9 +28,10 @@ struct NumberSlot {
 /// differ from instance to instance.
 class ParameterReader {
  public:
-  /// `constants` are the document's variables.
-  ParameterReader(std::vector<ExpressionNames::Constant> constants, const Limits& limits)
-      : constants_(std::move(constants)), limits_(limits) {}
+  /// `constants` are the document's variables; paths of files start in `folder`, or where it is empty in the present
+  /// one.
+  ParameterReader(std::vector<ExpressionNames::Constant> constants, const Limits& limits, std::string folder = {})
+      : constants_(std::move(constants)), limits_(limits), folder_(std::move(folder)) {}
 
   /// Reads `value` into the struct at `object`. Every number must be one number.
   void read(const ParameterTable& table, void* object, const Value& value, const Place& place);
@@ -63,16 +65,21 @@ class ParameterReader {
   std::optional<Expression> expression(const Value& value, const Place& place, std::span<const std::string> variables);
   const std::string* text(const Parameter& parameter, const Value& value, const Place& place);
   std::optional<std::size_t> choice(const Parameter& parameter, const Value& value, const Place& place);
+  /// Calls `load` with the full path of the file that `value` names; what it throws becomes faults at `place`.
+  void file(const Parameter& parameter, const Value& value, const Place& place,
+            FunctionRef<void(const std::string& path)> load);
   /// The table's members from an object, or its shorthand from a bare value.
   void object(const ParameterTable& table, void* object, const Value& value, const Place& place);
   void wrong_kind(const Parameter& parameter, const Value& value, const Place& place);
 
  private:
+  void check_company(const ParameterTable& table, const Value::Object& given, const Place& place);
   bool may_vary(const Parameter& parameter, const void* member) const;
   bool check_range(const Parameter& parameter, double value, const Place& place, std::string_view what);
 
   std::vector<ExpressionNames::Constant> constants_;
   Limits limits_;
+  std::string folder_;
   std::vector<Diagnostic> diagnostics_;
   std::size_t faults_ = 0;
   std::byte* varying_begin_ = nullptr;

@@ -168,6 +168,17 @@ Value show_vector(Unit unit, Vec3 vector) {
   return Value::List{to_document(unit, vector.x), to_document(unit, vector.y), to_document(unit, vector.z)};
 }
 
+void read_box(const Parameter& self, const Value& value, const Place& place, ParameterReader& reader, Box& out) {
+  const Value::List* corners = value.list();
+  if (corners == nullptr || corners->size() != 2) return reader.wrong_kind(self, value, place);
+  read_vector(self, (*corners)[0], Place(place, std::size_t{0}), reader, out.low);
+  read_vector(self, (*corners)[1], Place(place, std::size_t{1}), reader, out.high);
+}
+
+Value show_box(Unit unit, const Box& box) {
+  return Value::List{show_vector(unit, box.low), show_vector(unit, box.high)};
+}
+
 void read_colour(const Parameter& self, const Value& value, const Place& place, ParameterReader& reader, Vec3& out) {
   const std::string* text = reader.text(self, value, place);
   if (text == nullptr) return;

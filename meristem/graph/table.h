@@ -18,6 +18,8 @@
 #include <vector>
 
 #include "meristem/base/curve.h"
+#include "meristem/base/limits.h"
+#include "meristem/graph/asset.h"
 #include "meristem/graph/parameter.h"
 #include "meristem/graph/reader.h"
 #include "meristem/graph/selection.h"
@@ -46,6 +48,8 @@ void read_integers(const Parameter&, const Value&, const Place&, ParameterReader
 Value show_integers(const std::vector<int>& numbers);
 void read_vector(const Parameter&, const Value&, const Place&, ParameterReader&, Vec3& out);
 Value show_vector(Unit unit, Vec3 vector);
+void read_box(const Parameter&, const Value&, const Place&, ParameterReader&, Box& out);
+Value show_box(Unit unit, const Box& box);
 void read_colour(const Parameter&, const Value&, const Place&, ParameterReader&, Vec3& out);
 Value show_colour(Vec3 colour);
 void read_selection(const Parameter&, const Value&, const Place&, ParameterReader&, std::optional<Selection>& out);
@@ -132,6 +136,19 @@ class Table {
     made.form = form;
     return std::move(*this);
   }
+  /// Two corners [[x, y, z], [x, y, z]]; each number may vary.
+  Table&& box(std::string name, std::optional<Box> P::*member, NumberForm form, std::string doc) && {
+    Parameter& made = row(
+        ParameterKind::box, std::move(name), std::move(doc),
+        [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
+          table_detail::read_box(self, value, place, reader, (object.*member).emplace(Box{Vec3(0), Vec3(0)}));
+        },
+        [member, unit = form.unit](const P& object) {
+          return object.*member ? table_detail::show_box(unit, *(object.*member)) : Value();
+        });
+    made.form = form;
+    return std::move(*this);
+  }
   /// sRGB in [0, 1], written "#rrggbb".
   Table&& colour(std::string name, Vec3 P::*member, std::string doc) && {
     row(
@@ -168,7 +185,9 @@ class Table {
         [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
           table_detail::read_points(self, value, place, reader, object.*member);
         },
-        [member](const P& object) { return table_detail::show_points(object.*member); });
+        [member](const P& object) {
+          return (object.*member).empty() ? Value() : table_detail::show_points(object.*member);
+        });
     made.form = form;
     return std::move(*this);
   }
@@ -209,50 +228,92 @@ class Table {
         });
     return std::move(*this);
   }
-  /// A nested struct, or an optional one.
+  /// A file; `load` reads it, and throws InputError for faults in it.
+  template <class T>
+  Table&& file(std::string name, Asset<T> P::*member, T (*load)(const std::string& path, const Limits& limits),
+               std::string doc) && {
+    row(
+        ParameterKind::file, std::move(name), std::move(doc),
+        [member, load](const Parameter& self, P& object, const Value& value, const Place& place,
+                       ParameterReader& reader) {
+          reader.file(self, value, place, [&](const std::string& path) {
+            object.*member = {*value.text(), std::make_shared<const T>(load(path, reader.limits()))};
+          });
+        },
+        [member](const P& object) { return object.*member ? Value((object.*member).path) : Value(); });
+    return std::move(*this);
+  }
+  /// A nested struct, or an optional one. `nested` is the function that makes its table.
   template <class M>
-  Table&& object(std::string name, M P::*member, const ParameterTable& nested, std::string doc) && {
+  Table&& object(std::string name, M P::*member, const ParameterTable& (*nested)(), std::string doc) && {
     Parameter& made = row(
         ParameterKind::object, std::move(name), std::move(doc),
-        [member, &nested](const Parameter&, P& object, const Value& value, const Place& place,
-                          ParameterReader& reader) {
+        [member, nested](const Parameter&, P& object, const Value& value, const Place& place, ParameterReader& reader) {
           if constexpr (table_detail::Optional<M>::value) {
-            reader.object(nested, &(object.*member).emplace(), value, place);
+            reader.object(nested(), &(object.*member).emplace(), value, place);
           } else {
-            reader.object(nested, &(object.*member), value, place);
+            reader.object(nested(), &(object.*member), value, place);
           }
         },
-        [member, &nested](const P& object) {
+        [member, nested](const P& object) {
           if constexpr (table_detail::Optional<M>::value) {
-            return object.*member ? table_detail::show_object(nested, &*(object.*member)) : Value();
+            return object.*member ? table_detail::show_object(nested(), &*(object.*member)) : Value();
           } else {
-            return table_detail::show_object(nested, &(object.*member));
+            return table_detail::show_object(nested(), &(object.*member));
           }
         });
-    made.nested = &nested;
+    made.nested = nested;
     return std::move(*this);
   }
   /// A list of nested structs. Numbers in them cannot vary from instance to instance.
   template <class Element>
-  Table&& list(std::string name, std::vector<Element> P::*member, const ParameterTable& nested, std::string doc) && {
+  Table&& list(std::string name, std::vector<Element> P::*member, const ParameterTable& (*nested)(),
+               std::string doc) && {
     Parameter& made = row(
         ParameterKind::list, std::move(name), std::move(doc),
-        [member, &nested](const Parameter& self, P& object, const Value& value, const Place& place,
-                          ParameterReader& reader) {
+        [member, nested](const Parameter& self, P& object, const Value& value, const Place& place,
+                         ParameterReader& reader) {
           const Value::List* values = value.list();
           if (values == nullptr) return reader.wrong_kind(self, value, place);
           std::vector<Element>& elements = object.*member;
           elements.assign(values->size(), Element{});
           for (std::size_t k = 0; k < values->size(); ++k) {
-            reader.object(nested, &elements[k], (*values)[k], Place(place, k));
+            reader.object(nested(), &elements[k], (*values)[k], Place(place, k));
           }
         },
-        [member, &nested](const P& object) {
+        [member, nested](const P& object) {
           Value::List shown;
-          for (const Element& element : object.*member) shown.push_back(table_detail::show_object(nested, &element));
+          for (const Element& element : object.*member) shown.push_back(table_detail::show_object(nested(), &element));
           return Value(std::move(shown));
         });
-    made.nested = &nested;
+    made.nested = nested;
+    return std::move(*this);
+  }
+
+  /// Nested structs by name, in the order of the document. Numbers in them cannot vary from instance to instance.
+  template <class Element>
+  Table&& map(std::string name, std::vector<std::pair<std::string, Element>> P::*member,
+              const ParameterTable& (*nested)(), std::string doc) && {
+    Parameter& made = row(
+        ParameterKind::map, std::move(name), std::move(doc),
+        [member, nested](const Parameter& self, P& object, const Value& value, const Place& place,
+                         ParameterReader& reader) {
+          const Value::Object* values = value.object();
+          if (values == nullptr) return reader.wrong_kind(self, value, place);
+          (object.*member).clear();
+          for (const auto& [key, element] : *values) {
+            (object.*member).emplace_back(key, Element{});
+            reader.object(nested(), &(object.*member).back().second, element, Place(place, key));
+          }
+        },
+        [member, nested](const P& object) {
+          Value::Object shown;
+          for (const auto& [key, element] : object.*member) {
+            shown.emplace_back(key, table_detail::show_object(nested(), &element));
+          }
+          return Value(std::move(shown));
+        });
+    made.nested = nested;
     return std::move(*this);
   }
 
@@ -279,6 +340,16 @@ class Table {
   /// Of these parameters exactly one must be given.
   Table&& one_of(std::vector<std::string> names) && {
     table_.one_of.push_back(std::move(names));
+    return std::move(*this);
+  }
+  /// None of these parameters may be given without `other`.
+  Table&& only_with(const std::string& other, const std::vector<std::string>& names) && {
+    for (const std::string& name : names) table_.company.push_back({name, other, true});
+    return std::move(*this);
+  }
+  /// None of these parameters may be given beside `other`.
+  Table&& never_with(const std::string& other, const std::vector<std::string>& names) && {
+    for (const std::string& name : names) table_.company.push_back({name, other, false});
     return std::move(*this);
   }
   /// Further keys that whoever owns the table reads itself.

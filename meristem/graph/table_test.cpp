@@ -66,9 +66,9 @@ const ParameterTable& flower_table() {
           .integers("size", &Flower::size, 2, {.min = 1, .max = 99}, "Size.")
           .condition("where", &Flower::where, {"u", "order"}, "Where.")
           .selection("omit", &Flower::omit, "Omit.")
-          .object("petal", &Flower::petal, petal_table(), "Petal.")
-          .object("sepal", &Flower::sepal, petal_table(), "Sepal.")
-          .list("whorls", &Flower::whorls, petal_table(), "Whorls.");
+          .object("petal", &Flower::petal, petal_table, "Petal.")
+          .object("sepal", &Flower::sepal, petal_table, "Sepal.")
+          .list("whorls", &Flower::whorls, petal_table, "Whorls.");
   return table;
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <vector>
+#include <optional>
 
+#include "meristem/components/crown_table.h"
 #include "meristem/graph/component.h"
 #include "meristem/grow/colonize/colonize.h"
 
@@ -10,14 +11,8 @@ namespace meristem {
 
 /// A tree that grows into the attraction points of its crown.
 struct Colonize : ComponentBase {
-  struct Crown {
-    std::vector<Vec2> profile;  ///< (radius, height), metres over the root
-  };
-  struct Points {
-    std::uint64_t count = 2400;
-  };
-  Crown crown;
-  Points points;
+  std::optional<CrownForm> crown;
+  PointsForm points;
   ColonizeParameters growth;
   Surface surface;
 };

@@ -49,7 +49,7 @@ TEST(Override, SetsParametersOfComponents) {
   const Document document = read_with({"tree.points=50", "tree.step=0.02", "tree.crown.profile[1][0]=3"});
   EXPECT_EQ(tree_of(document).points.count, 50U);
   EXPECT_DOUBLE_EQ(tree_of(document).growth.step, 0.02);
-  EXPECT_EQ(tree_of(document).crown.profile[1].x, 3);
+  EXPECT_EQ(tree_of(document).crown->profile[1].x, 3);
 }
 
 TEST(Override, SetsKeysOfTheDocument) {

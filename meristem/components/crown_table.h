@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Crowns and their points as documents write them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "meristem/base/random.h"
+#include "meristem/graph/component.h"
+#include "meristem/scene/crown.h"
+
+namespace meristem {
+
+struct ProfileForm {
+  std::vector<Vec2> profile;  ///< (radius, height), metres over the root
+};
+
+struct EllipsoidForm {
+  Vec3 centre{0};
+  Vec3 radii{1};
+};
+
+struct SphereForm {
+  Vec3 centre{0};
+  double radius = 1;
+};
+
+struct ConeForm {
+  Vec3 base{0};
+  double radius = 1;
+  double height = 2;
+};
+
+/// Exactly one member is given.
+struct CrownForm {
+  std::vector<Vec2> profile;
+  std::vector<std::pair<std::string, ProfileForm>> profiles;  ///< by azimuth, degrees
+  std::vector<CrownForm> united;
+  std::vector<CrownForm> intersected;
+  std::vector<CrownForm> subtracted;  ///< all others from the first
+  std::optional<EllipsoidForm> ellipsoid;
+  std::optional<SphereForm> sphere;
+  std::optional<ConeForm> cone;
+  std::optional<Box> box;
+};
+
+struct ShareForm {
+  double share = 0;
+  double above = 0;
+  double outer = 1;
+};
+
+struct PointsForm {
+  std::uint64_t count = 2400;
+  std::vector<ShareForm> shares;
+  bool blue_noise = false;
+};
+
+const ParameterTable& crown_table();   ///< of CrownForm
+const ParameterTable& points_table();  ///< of PointsForm
+
+/// The crown that a checked form means; null where its list is empty.
+CrownPointer build_crown(const CrownForm& form);
+
+/// The attraction points of one tree, relative to its root. Throws InputError at `component`'s crown or points.
+std::vector<Vec3> make_points(const std::optional<CrownForm>& crown, const PointsForm& points, RandomKey key,
+                              const GrowContext& context);
+
+}  // namespace meristem

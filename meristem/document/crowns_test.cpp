@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// Crowns and points as documents write them: what they become, and what is said of wrong ones.
+#include <array>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "meristem/components/colonize.h"
+#include "meristem/components/crown_table.h"
+#include "meristem/components/registry.h"
+#include "meristem/document/document.h"
+#include "meristem/document/grow.h"
+
+namespace meristem {
+namespace {
+
+constexpr const char* kSmall = R"("points": 300)";
+
+std::string document_with(const std::string& crown, const std::string& points = kSmall) {
+  return fmt::format(R"({{"meristem": 1, "components": {{"tree": {{"type": "colonize",
+"crown": {}, {}}}}}}})",
+                     crown, points);
+}
+
+Document read(const std::string& text) { return read_document(text, "d.json", builtin_components()); }
+
+CrownPointer crown(const std::string& text) {
+  const Document document = read(document_with(text));
+  return build_crown(*static_cast<const Colonize*>(document.graph.components[0].parameters.get())->crown);
+}
+
+/// The first fault of reading, else of growing.
+std::string fault(const std::string& crown_text, const std::string& points = kSmall) {
+  try {
+    Progress progress;
+    grow_document(read(document_with(crown_text, points)), progress);
+  } catch (const InputError& error) {
+    return error.diagnostics().at(0).text();
+  }
+  return "no fault";
+}
+
+TEST(CrownDocument, TakesEveryCrown) {
+  struct Case {
+    const char* text;
+    Vec3 inside;
+    Vec3 outside;
+  };
+  const std::array<Case, 10> cases{{
+      {R"({"profile": [[1, 1], [0, 3]]})", {0.9F, 1, 0}, {0.9F, 2, 0}},
+      {R"({"profiles": {"0": [[0,0.5],[1,2],[0,3]], "180": [[0,0.5],[0.4,2],[0,3]]}})", {0, 2, -0.9F}, {0, 2, 0.9F}},
+      {R"({"profiles": {"90.5": {"profile": [[1, 1], [1, 3]]}, "-90": [[2, 1], [2, 3]]}})",
+       {-1.9F, 2, 0},
+       {1.9F, 2, 0}},
+      {R"({"union": [{"sphere": {"centre": [0, 1, 0], "radius": 1}}, {"sphere": {"centre": [0, 4, 0], "radius": 1}}]})",
+       {0, 4.9F, 0},
+       {0, 2.5F, 0}},
+      {R"({"intersection": [{"sphere": {"centre": [0, 1, 0], "radius": 1}}, {"box": [[0, 0, 0], [1, 2, 1]]}]})",
+       {0.5F, 1, 0.5F},
+       {-0.5F, 1, 0.5F}},
+      {R"({"difference": [{"sphere": {"centre": [0, 1, 0], "radius": 1}}, {"box": [[0, 0, 0], [1, 2, 1]]}]})",
+       {-0.5F, 1, 0.5F},
+       {0.5F, 1, 0.5F}},
+      {R"({"ellipsoid": {"centre": [0,3,0], "radii": [1,2,1]}})", {0, 4.9F, 0}, {0, 0.9F, 0}},
+      {R"({"cone": {"base": [0, 1, 0], "radius": 1, "height": 3}})", {0, 3.9F, 0}, {0.5F, 3.9F, 0}},
+      {R"({"box": [[-3,0,3],[3,8,"4+2"]]})", {-2, 1, 4}, {0, 1, 0}},
+      {R"({"union": [{"union": [{"difference": [{"profile": [[1, 1], [1, 3]]}, {"cone": {"base": [0, 1, 0], "radius": 0.5, "height": 2}}]}]}]})",
+       {0.9F, 2, 0},
+       {0, 2, 0}},
+  }};
+  for (const Case& each : cases) {
+    SCOPED_TRACE(each.text);
+    const CrownPointer made = crown(each.text);
+    EXPECT_TRUE(made->contains(each.inside));
+    EXPECT_FALSE(made->contains(each.outside));
+    EXPECT_EQ(fault(each.text), "no fault");
+  }
+}
+
+TEST(CrownDocument, TakesSharesAndBlueNoise) {
+  const char* const ball = R"({"sphere": {"centre": [0, 2, 0], "radius": 1}})";
+  EXPECT_EQ(fault(ball, R"("points": {"count": 300, "shares": [{"share": 0.2, "above": 0.4}]})"), "no fault");
+  EXPECT_EQ(fault(ball, R"("points": {"count": 300, "shares": [{"share": 0.9, "outer": 0.15}], "blue_noise": true})"),
+            "no fault");
+  EXPECT_EQ(fault(ball, R"("points": {"shares": [{"share": 0.3, "above": 0.5, "outer": "1/2"}, {"share": 0.7}]})"),
+            "no fault");
+}
+
+TEST(CrownDocument, EveryFaultHasItsPlaceAndSaysWhatIsWanted) {
+  const std::array<std::array<const char*, 2>, 22> cases{{
+      {R"({})", "d.json:2:10: components.tree.crown: a crown has none of profile, profiles"},
+      {R"({"sphere": {"centre": [0, 1, 0], "radius": 1}, "box": [[0, 0, 0], [1, 1, 1]]})",
+       "crown: a crown has more than one of"},
+      {R"({"profile": [[1, 1]]})", "d.json:2:22: components.tree.crown.profile: the profile has fewer than two points"},
+      {R"({"profile": [[1, 2], [1, 1]]})", "crown.profile[1]: the height 1 does not rise; expected a height above 2"},
+      {R"({"profile": [[1, 2], [-1, 3]]})", "crown.profile[1]: the radius -1 is negative"},
+      {R"({"profile": [[0, 2], [0, 3]]})", "components.tree.crown.profile: the crown is empty"},
+      {R"({"profiles": {}})", "components.tree.crown: the crown is made of nothing"},
+      {R"({"profiles": {"north": [[1, 0], [1, 2]]}})",
+       "d.json:2:24: components.tree.crown.profiles.north: 'north' is no azimuth"},
+      {R"({"profiles": {"22.5": [[1, 2], [1, 1]]}})",
+       "d.json:2:41: components.tree.crown.profiles.22.5[1]: the height 1"},
+      {R"({"profiles": {"-90": [[1, 1], [1, 2]], "270": [[1, 1], [1, 2]]}})", "'270' is the same azimuth as '-90'"},
+      {R"({"union": []})", "components.tree.crown: the crown is made of nothing"},
+      {R"({"union": [{"sphere": {"centre": [0, 1, 0], "radius": -2}}]})",
+       "crown.union[0].sphere.radius: the value -2 is out of range"},
+      {R"({"union": [{"sphere": {"centre": [0, 1, 0]}}]})", "crown.union[0].sphere: a sphere has no 'radius'"},
+      {R"({"union": {"sphere": {}}})", "crown.union: 'union' cannot be an object"},
+      {R"({"intersection": [{"sphere": {"centre": [0, 1, 0], "radius": 1}}, {"sphere": {"centre": [0, 4, 0], "radius": 1}}]})",
+       "components.tree.crown: the crown is empty, or nearly; expected"},
+      {R"({"union": [{"difference": [{"sphere": {"centre": [0, 1, 0], "radius": 1}}, {"sphere": {"centre": [0, 1, 0], "radius": 1}}]}]})",
+       "components.tree.crown.union[0]: the crown is empty"},
+      {R"({"ellipsoid": {"centre": [0, 3, 0], "radii": [1, 0, 1]}})",
+       "crown.ellipsoid.radii[1]: the value 0 is out of range"},
+      {R"({"elipsoid": {"centre": [0, 3, 0], "radii": [1, 0, 1]}})", "did you mean 'ellipsoid'?"},
+      {R"({"cone": {"base": [0, 1], "radius": 1, "height": 3}})", "crown.cone.base: 'base' cannot be a list of 2"},
+      {R"({"box": [[0, 0, 0], [1, -1, 1]]})", "crown.box: the box ends in y at -1, where it begins at 0"},
+      {R"({"box": [0, 0, 0, 1, 1, 1]})", "crown.box: 'box' cannot be a list of 6; expected two corners"},
+      {R"("round")", "components.tree.crown: a crown cannot be the text 'round'"},
+  }};
+  for (const auto& [text, wanted] : cases) {
+    EXPECT_NE(fault(text).find(wanted), std::string::npos) << text << "\n" << fault(text) << "\nis not\n" << wanted;
+  }
+}
+
+TEST(CrownDocument, FaultyPointsHaveTheirPlace) {
+  const char* const ball = R"({"sphere": {"centre": [0, 2, 0], "radius": 1}})";
+  const std::array<std::array<const char*, 2>, 6> cases{{
+      {R"("points": {"shares": [{"share": 0.6}, {"share": 0.5}]})", "points.shares: the shares sum to 1.1"},
+      {R"("points": {"shares": [{"share": 0}]})", "points.shares[0].share: the value 0 is out of range"},
+      {R"("points": {"shares": [{"above": 0.5}]})", "points.shares[0]: a share has no 'share'"},
+      {R"("points": {"shares": [{"share": 0.5, "outer": 0}]})", "points.shares[0].outer: the value 0 is out of range"},
+      {R"("points": {"shares": [{"share": 0.5, "over": 0.4}]})", "'over' is not a parameter of a share"},
+      {R"("points": {"count": 0})", "points.count: the value 0 is out of range"},
+  }};
+  for (const auto& [text, wanted] : cases) {
+    EXPECT_NE(fault(ball, text).find(wanted), std::string::npos) << fault(ball, text) << "\nis not\n" << wanted;
+  }
+  const std::string cone = R"({"cone": {"base": [0, 0, 0], "radius": 1, "height": 1}})";
+  EXPECT_NE(fault(cone, R"("points": {"shares": [{"share": 0.5, "above": 0.999}]})")
+                .find("tree.points.shares[0]: the share's part"),
+            std::string::npos);
+}
+
+TEST(CrownDocument, SizesMayVaryFromTreeToTree) {
+  const std::string text = R"({"meristem": 1, "components": {
+    "row": {"type": "simple", "hidden": true}, "second": {"type": "simple", "hidden": true},
+    "tree": {"type": "colonize", "crown": {"sphere": {"centre": [0, 2, 0], "radius": "0.5 + i"}}, "points": 200}},
+    "links": [["row", "tree"], ["second", "tree"]]})";
+  EXPECT_NO_THROW(read(text));
+}
+
+TEST(CrownDocument, NestingIsBounded) {
+  std::string crown = R"({"sphere": {"centre": [0, 2, 0], "radius": 1}})";
+  for (int k = 0; k < 100; ++k) crown = fmt::format(R"({{"union": [{}]}})", crown);
+  EXPECT_NE(fault(crown).find("nest"), std::string::npos) << fault(crown);
+}
+
+}  // namespace
+}  // namespace meristem

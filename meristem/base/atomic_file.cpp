@@ -98,13 +98,19 @@ void AtomicFile::write(const void* data, std::size_t size) {
   buffer_.insert(buffer_.end(), bytes, bytes + size);
 }
 
-void AtomicFile::commit() {
-  if (descriptor_ < 0) throw std::invalid_argument("a file is committed once");
+void AtomicFile::close() {
+  if (descriptor_ < 0) throw std::invalid_argument("a file is closed once");
   flush();
   // Network file systems tell of a full disk only when closing.
   if (const int descriptor = std::exchange(descriptor_, -1); descriptor != STDOUT_FILENO && ::close(descriptor) != 0) {
     fail();
   }
+  is_closed_ = true;
+}
+
+void AtomicFile::commit() {
+  if (!is_closed_) close();
+  is_closed_ = false;
   if (temporary_.empty()) return;
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail();
   temporary_.clear();

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace meristem {
@@ -22,12 +23,19 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   void write(const void* data, std::size_t size);
+  void write(std::string_view text) { write(text.data(), text.size()); }
   template <class T>
   void write(std::span<const T> values) {
     write(values.data(), values.size_bytes());
   }
   std::size_t size() const { return size_; }  ///< bytes written so far
-  /// Puts the file in place. Ends the writing: later calls throw std::invalid_argument, also after a failure.
+  /// True where bytes go straight through and nothing can be taken back.
+  bool is_stream() const { return temporary_.empty(); }
+  /// Ends the writing with every byte on its way to the disk; only the renaming is left for `commit()`. So several
+  /// files appear together or not at all, as far as the disk decides. Later calls but commit() throw
+  /// std::invalid_argument, also after a failure.
+  void close();
+  /// Puts the file in place, closing it if it is not. Later calls throw std::invalid_argument, also after a failure.
   void commit();
 
  private:
@@ -41,6 +49,7 @@ class AtomicFile {
   std::string target_;     // path_ with links followed
   std::string temporary_;  // empty where bytes go straight through, and once renamed
   int descriptor_ = -1;
+  bool is_closed_ = false;  // by close(), without a fault
   std::size_t size_ = 0;
   std::vector<std::byte> buffer_;
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/base/atomic_file.h"
 
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -10,11 +9,11 @@
 #include <thread>
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "meristem/base/diagnostic.h"
+#include "tests/support/file_size_limit.h"
 
 namespace meristem {
 namespace {
@@ -46,26 +45,6 @@ std::string complaint(const std::string& path, std::size_t size = 1) {
   }
   return {};
 }
-
-/// Lets no file of this process grow beyond `bytes` while it lives, as a full disk would.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
-};
 
 class AtomicFileTest : public testing::Test {
  protected:
@@ -219,6 +198,27 @@ TEST_F(AtomicFileTest, DashAndDevStdoutAreStandardOutput) {
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "to the screen");
   }
   EXPECT_FALSE(fs::exists("-"));
+}
+
+TEST_F(AtomicFileTest, ClosedFileIsOnTheDiskButNotInPlace) {
+  AtomicFile file(at("file").string());
+  EXPECT_FALSE(file.is_stream());
+  put(file, "text");
+  file.close();
+  EXPECT_FALSE(fs::exists(at("file")));
+  EXPECT_THROW(put(file, "more"), std::invalid_argument);
+  EXPECT_THROW(file.close(), std::invalid_argument);
+  file.commit();
+  EXPECT_EQ(content_of(at("file")), "text");
+  EXPECT_THROW(file.commit(), std::invalid_argument);
+}
+
+TEST_F(AtomicFileTest, CloseTellsOfAFullDisk) {
+  const FileSizeLimit limit(1000);
+  AtomicFile file(at("file").string());
+  put(file, std::string(2000, 'x'));
+  EXPECT_THROW(file.close(), MachineError);
+  EXPECT_THROW(file.commit(), std::invalid_argument);
 }
 
 TEST_F(AtomicFileTest, EndsWithCommitOrFailure) {

@@ -14,6 +14,7 @@
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
+#include "meristem/output/block_writer.h"
 #include "meristem/output/gltf_json.h"
 #include "meristem/output/gltf_layout.h"
 
@@ -42,8 +43,6 @@ void check_size(std::uint64_t bytes) {
   throw InputError(std::move(fault));
 }
 
-bool is_mirrored(const Frame& frame) { return glm::dot(glm::cross(frame.axes[0], frame.axes[1]), frame.axes[2]) < 0; }
-
 /// Writes `frames * per_frame` elements. `fill(frame, first, last, out)` computes those from `first` to `last` of one
 /// frame.
 template <class Element, class Fill>
@@ -54,13 +53,11 @@ void stream_elements(std::size_t frames, std::size_t per_frame, AtomicFile& file
     const std::size_t size = std::min(kBatch, count - start);
     parallel_for(size, kBlock, [&](std::size_t begin, std::size_t end) {
       progress.check();
-      while (begin < end) {
-        const std::size_t frame = (start + begin) / per_frame;
-        const std::size_t first = (start + begin) % per_frame;
-        const std::size_t last = std::min(per_frame, first + (end - begin));
-        fill(frame, first, last, batch.data() + begin);
-        begin += last - first;
-      }
+      Element* out = batch.data() + begin;
+      for_each_run(start + begin, start + end, per_frame, [&](std::size_t frame, std::size_t first, std::size_t last) {
+        fill(frame, first, last, out);
+        out += last - first;
+      });
     });
     file.write(std::span<const Element>(batch.data(), size));
     progress.advance(size);

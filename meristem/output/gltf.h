@@ -5,18 +5,10 @@
 #include <string>
 
 #include "meristem/base/progress.h"
+#include "meristem/output/provenance.h"
 #include "meristem/shape/mesh_scene.h"
 
 namespace meristem {
-
-/// What a file says about where it came from, so that the plant can be grown again.
-struct Provenance {
-  std::string name;  ///< the document's
-  std::string author;
-  std::string licence;
-  std::uint64_t seed = 0;
-  std::string version;  ///< of the program
-};
 
 struct GltfOptions {
   /// Instances of one material are flattened into one mesh up to this many triangles; beyond, nodes share meshes.

@@ -12,7 +12,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
-#include "meristem/base/random.h"
+#include "tests/support/sample_scenes.h"
 
 namespace meristem {
 namespace {
@@ -77,64 +77,6 @@ Glb written(const MeshScene& scene, const GltfOptions& options = {}) {
   return glb;
 }
 
-std::shared_ptr<const Mesh> triangle() {
-  Mesh mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}};
-  mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
-  mesh.uvs = {{0, 0}, {1, 0}, {0.25F, 1}};
-  mesh.triangles = {{0, 1, 2}};
-  return std::make_shared<const Mesh>(std::move(mesh));
-}
-
-/// A strip of `count` triangles.
-std::shared_ptr<const Mesh> strip(std::uint32_t count) {
-  Mesh mesh;
-  for (std::uint32_t i = 0; i < count + 2; ++i) mesh.positions.emplace_back(i * 0.5F, i % 2, 0);
-  for (std::uint32_t i = 0; i < count; ++i) mesh.triangles.push_back({i, i + 1 + i % 2, i + 2 - i % 2});
-  return std::make_shared<const Mesh>(std::move(mesh));
-}
-
-Frame mirror() {
-  Frame frame;
-  frame.axes[0].x = -1;
-  return frame;
-}
-
-Frame sheared() {
-  Frame frame;
-  frame.axes[1] = {0.5F, 1, 0};
-  return frame;
-}
-
-Frame shifted(Vec3 by) { return {Mat3(1), by}; }
-
-MeshScene scene_of(std::shared_ptr<const Mesh> mesh, std::vector<Frame> frames) {
-  MeshScene scene;
-  Material material;
-  material.name = "leaf";
-  scene.materials = {material};
-  scene.meshes = {{"leaf", std::move(mesh), 0, std::move(frames)}};
-  return scene;
-}
-
-/// A stem and many leaves, enough for several blocks.
-MeshScene tree(std::size_t leaves) {
-  const RandomKey key(5);
-  std::vector<Frame> frames;
-  for (std::size_t i = 0; i < leaves; ++i) {
-    Frame frame = frame_along(3.0F * key.direction(2 * i), key.direction(2 * i + 1), kUp);
-    frame.axes *= static_cast<float>(key.child(1).uniform(i, 0.5, 2.0));
-    if (i % 3 == 0) frame = frame * mirror();
-    frames.push_back(frame);
-  }
-  MeshScene scene = scene_of(triangle(), frames);
-  Material wood;
-  wood.name = "stem";
-  scene.materials.push_back(wood);
-  scene.meshes.push_back({"stem", strip(5000), 1, {Frame()}});
-  return scene;
-}
-
 TEST(Gltf, SaysWhereThePlantCameFrom) {
   GltfOptions options;
   options.provenance = {"Oak", "A. Author", "CC-BY-4.0", 18446744073709551615U, "1.2.3"};
@@ -185,7 +127,7 @@ TEST(Gltf, WritesLinearColours) {
 }
 
 TEST(Gltf, BoundsEqualTheExtremesOfWhatIsWritten) {
-  const Glb glb = written(tree(1000));
+  const Glb glb = written(leafy_scene(1000));
   ASSERT_EQ(glb.json["meshes"].size(), 2U);
   for (const Json& mesh : glb.json["meshes"]) {
     const Json& accessor = glb.accessor(mesh["primitives"][0], "POSITION");
@@ -199,7 +141,7 @@ TEST(Gltf, BoundsEqualTheExtremesOfWhatIsWritten) {
 }
 
 TEST(Gltf, ArraysAreAlignedAndFillTheBuffer) {
-  const Glb glb = written(tree(7));  // 21 vertices, 7 triangles: 42 bytes of indices
+  const Glb glb = written(leafy_scene(7));  // 21 vertices, 7 triangles: 42 bytes of indices
   std::uint64_t end = 0;
   for (const Json& view : glb.json["bufferViews"]) {
     const auto offset = view["byteOffset"].get<std::uint64_t>();
@@ -210,7 +152,7 @@ TEST(Gltf, ArraysAreAlignedAndFillTheBuffer) {
 }
 
 TEST(Gltf, OneNodeAComponentWithItsNameAndAPrimitiveAMaterial) {
-  MeshScene scene = tree(10);
+  MeshScene scene = leafy_scene(10);
   scene.meshes.push_back({"leaf", triangle(), 1, {shifted({1, 2, 3})}});
   const Json json = written(scene).json;
   ASSERT_EQ(json["nodes"].size(), 2U);
@@ -266,7 +208,7 @@ TEST(Gltf, WideIndicesReachEveryInstance) {
 TEST(Gltf, PastTheFlatteningLimitNodesShareMeshes) {
   GltfOptions options;
   options.flatten_triangles = 5999;
-  const MeshScene scene = tree(1000);
+  const MeshScene scene = leafy_scene(1000);
   const Glb glb = written(scene, options);
   ASSERT_EQ(glb.json["nodes"].size(), 1002U);
   const Json& leaf = glb.json["nodes"][0];
@@ -304,7 +246,7 @@ TEST(Gltf, HasTheSameBytesOnAnyNumberOfThreads) {
   for (const std::uint64_t flatten : {0, 5'000'000}) {
     GltfOptions options;
     options.flatten_triangles = flatten;
-    const MeshScene scene = tree(40000);
+    const MeshScene scene = leafy_scene(40000);
     const std::string expected = [&] {
       const ThreadLimit limit(1);
       return written(scene, options).bytes;
@@ -332,12 +274,12 @@ TEST(Gltf, RefusesWhatDoesNotFitTheFormat) {
 
 TEST(Gltf, ReportsAFullDisk) {
   Progress progress;
-  EXPECT_THROW(write_glb(tree(1000), "/dev/full", {}, progress), MachineError);
+  EXPECT_THROW(write_glb(leafy_scene(1000), "/dev/full", {}, progress), MachineError);
 }
 
 TEST(Gltf, ReportsARefusedPath) {
   Progress progress;
-  EXPECT_THROW(write_glb(tree(10), "/nonexistent/plant.glb", {}, progress), MachineError);
+  EXPECT_THROW(write_glb(leafy_scene(10), "/nonexistent/plant.glb", {}, progress), MachineError);
 }
 
 TEST(Gltf, LeavesNothingWhenCancelled) {
@@ -349,7 +291,7 @@ TEST(Gltf, LeavesNothingWhenCancelled) {
     if (fraction > 0.5) self->cancel();
   });
   self = &progress;
-  EXPECT_THROW(write_glb(tree(400'000), directory + "plant.glb", {}, progress), Cancelled);
+  EXPECT_THROW(write_glb(leafy_scene(400'000), directory + "plant.glb", {}, progress), Cancelled);
   EXPECT_TRUE(std::filesystem::is_empty(directory));
   std::filesystem::remove(directory);
 }

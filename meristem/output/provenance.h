@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace meristem {
+
+/// What a file says about where it came from, so that the plant can be grown again.
+struct Provenance {
+  std::string name;  ///< the document's
+  std::string author;
+  std::string licence;
+  std::uint64_t seed = 0;
+  std::string version;  ///< of the program
+};
+
+/// The same for people, and the units, as comments of a file: one line each, without a mark of a comment.
+std::vector<std::string> provenance_lines(const Provenance& provenance);
+
+}  // namespace meristem

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/skeleton_csv.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include "meristem/base/atomic_file.h"
+#include "meristem/output/block_writer.h"
+#include "meristem/output/skeleton_table.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr std::size_t kNumberBytes = 24;
+
+/// A text as one field: in quotes where it holds what would end the field.
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string field = "\"";
+  for (const char c : text) field.append(c == '"' ? 2 : 1, c);
+  return field + '"';
+}
+
+class CsvRows {
+ public:
+  explicit CsvRows(const SkeletonTable& table) : table_(table) {
+    for (const std::string& component : table.components()) components_.push_back(quoted(component));
+  }
+
+  std::string header() const {
+    std::string line;
+    for (const SkeletonColumn& column : table_.columns()) line += quoted(column.name) + ',';
+    line.back() = '\n';
+    return line;
+  }
+
+  std::size_t most_row_bytes() const {
+    std::size_t longest = 0;
+    for (const std::string& component : components_) longest = std::max(longest, component.size());
+    return longest + table_.columns().size() * kNumberBytes;
+  }
+
+  void append(const SkeletonRow& row, std::string& out) const {
+    for (std::size_t k = 0; k < table_.columns().size(); ++k) {
+      append_field(table_.columns()[k].kind, table_.value(row, k), out);
+      out += ',';
+    }
+    out.back() = '\n';
+  }
+
+ private:
+  void append_field(SkeletonColumn::Kind kind, double value, std::string& out) const {
+    if (kind == SkeletonColumn::Kind::label) {
+      out += components_[static_cast<std::size_t>(value)];
+    } else if (kind == SkeletonColumn::Kind::index) {
+      if (value != SkeletonTable::kNoRow) append_number(static_cast<std::uint64_t>(value), out);
+    } else if (!std::isnan(value)) {
+      append_number(static_cast<float>(value), out);
+    }
+  }
+
+  template <class Number>
+  static void append_number(Number value, std::string& out) {
+    std::array<char, kNumberBytes> digits;
+    const char* const end = fmt::format_to(digits.data(), FMT_COMPILE("{}"), value);
+    out.append(digits.data(), static_cast<std::size_t>(end - digits.data()));
+  }
+
+  const SkeletonTable& table_;
+  std::vector<std::string> components_;  // as fields
+};
+
+}  // namespace
+
+void write_skeleton_csv(const Plant& plant, const std::string& path, Progress& progress) {
+  const SkeletonTable table(plant);
+  const CsvRows rows(table);
+  progress.begin("writing CSV", table.row_count());
+  AtomicFile file(path);
+  file.write(rows.header());
+  const auto fill = [&](std::size_t begin, std::size_t end, std::string& out) {
+    table.for_each_row(begin, end, [&](const SkeletonRow& row) { rows.append(row, out); });
+  };
+  BlockWriter(file, progress).write(table.row_count(), rows.most_row_bytes(), fill);
+  file.commit();
+}
+
+}  // namespace meristem

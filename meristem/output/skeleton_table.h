@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// The skeletons of a plant as one table, a row a node: what every export of skeletons shows, under the same names.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "meristem/plant/plant.h"
+
+namespace meristem {
+
+/// One node of one stem.
+struct SkeletonRow {
+  std::size_t row = 0;   ///< its number in the table, from 0
+  std::size_t stem = 0;  ///< index into Plant::stems
+  NodeIndex node = 0;    ///< index into the stem's skeleton
+};
+
+struct SkeletonColumn {
+  enum class Kind {
+    label,   ///< a whole number that indexes SkeletonTable::components()
+    index,   ///< a whole number; kNoRow where there is none
+    number,  ///< a float; NaN where not known
+  };
+  std::string name;
+  Kind kind = Kind::number;
+};
+
+/// A view of all stems in the plant's order. The columns, in this order:
+///
+/// | column | meaning |
+/// | --- | --- |
+/// | `component`, `instance` | whose stem it is, and which of that component's |
+/// | `node`, `parent` | the row's number, and that of the parent's row |
+/// | `x`, `y`, `z`, `radius` | metres |
+/// | `axis` | counted on through the stems, so that no two stems share one |
+/// | `order`, `birth` | branching order, growth step |
+/// | others | what some skeleton has in `extra`, by name |
+class SkeletonTable {
+ public:
+  static constexpr double kNoRow = -1;
+
+  /// `plant` must outlive the table.
+  explicit SkeletonTable(const Plant& plant);
+
+  std::size_t row_count() const { return first_row_.back(); }
+  const std::vector<SkeletonColumn>& columns() const { return columns_; }
+  /// Ids of components with stems, in the plant's order.
+  const std::vector<std::string>& components() const { return components_; }
+
+  SkeletonRow row(std::size_t number) const;
+  /// Calls `body(row)` for each row from number `begin` to `end`.
+  template <class Body>
+  void for_each_row(std::size_t begin, std::size_t end, Body body) const {
+    if (begin >= end) return;
+    SkeletonRow row = this->row(begin);
+    for (; row.stem + 1 < first_row_.size() && row.row < end; ++row.stem, row.node = 0) {
+      for (; row.row < std::min(end, first_row_[row.stem + 1]); ++row.row, ++row.node) body(row);
+    }
+  }
+  /// The number of the parent's row, or kNoRow.
+  double parent(const SkeletonRow& row) const;
+  /// The value of a column, an index into columns(). Exact: a double holds every float and every index.
+  double value(const SkeletonRow& row, std::size_t column) const;
+
+ private:
+  const Plant& plant_;
+  std::vector<SkeletonColumn> columns_;
+  std::vector<std::string> components_;
+  std::vector<std::size_t> component_;                         // of each stem, an index into components_
+  std::vector<std::size_t> first_row_;                         // of each stem, and the end
+  std::vector<std::size_t> first_axis_;                        // of each stem
+  std::vector<std::vector<const std::vector<float>*>> extra_;  // of each stem, for each further column; may be null
+};
+
+}  // namespace meristem

@@ -45,15 +45,16 @@ void add_grow(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("grow", "Grow a document and write it to files");
   auto options = std::make_shared<GrowOptions>();
   options->document.add_to(*command);
-  std::string endings;
-  for (const Format& format : formats()) endings += fmt::format(" {} ({})", format.ending, format.doc);
   command
       ->add_option("-o,--output", options->outputs,
-                   "File to write, its format by its ending:" + endings + "; - for standard output; may be repeated")
+                   "File to write, its format by its ending, see below; - for standard output; may be repeated")
       ->required()
       ->type_name("FILE")
       ->allow_extra_args(false);
-  command->footer("Example: meristem grow models/oak.json -o oak.glb --seed 3 --set leaf.length=0.12");
+  std::string endings;
+  for (const Format& format : formats()) endings += fmt::format("  {:<14} {}\n", format.ending, format.doc);
+  command->footer("Files end in:\n" + endings +
+                  "Example: meristem grow models/oak.json -o oak.glb --seed 3 --set leaf.length=0.12");
   command->callback([options, &run] { run = [options] { grow(*options); }; });
 }
 

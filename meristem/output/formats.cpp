@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/output/formats.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "meristem/base/version.h"
 #include "meristem/output/gltf.h"
+#include "meristem/output/names.h"
+#include "meristem/output/obj.h"
+#include "meristem/output/ply.h"
+#include "meristem/output/skeleton_csv.h"
 
 namespace meristem {
 
@@ -25,9 +27,43 @@ constexpr Format kFormats[] = {
      [](const Document& document, const GrownDocument& grown, const std::string& path, Progress& progress) {
        write_glb(grown.meshes, path, {.provenance = provenance_of(document)}, progress);
      }},
+    {".obj", "Wavefront OBJ with its MTL file beside it",
+     [](const Document& document, const GrownDocument& grown, const std::string& path, Progress& progress) {
+       write_obj(grown.meshes, path, {provenance_of(document)}, progress);
+     }},
+    {".ply", "the mesh as binary PLY, for MeshLab, Open3D and Blender",
+     [](const Document& document, const GrownDocument& grown, const std::string& path, Progress& progress) {
+       write_mesh_ply(grown.meshes, path, {provenance_of(document)}, progress);
+     }},
+    {".skeleton.ply", "the skeletons as points with radius, and edges, in binary PLY",
+     [](const Document& document, const GrownDocument& grown, const std::string& path, Progress& progress) {
+       write_skeleton_ply(grown.plant, path, {provenance_of(document)}, progress);
+     }},
+    {".csv", "the skeletons as a table, one row a node",
+     [](const Document&, const GrownDocument& grown, const std::string& path, Progress& progress) {
+       write_skeleton_csv(grown.plant, path, progress);
+     }},
 };
 
-char lower(char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+std::vector<std::string> endings() {
+  std::vector<std::string> known;
+  for (const Format& format : kFormats) known.emplace_back(format.ending);
+  return known;
+}
+
+/// `.glb, .obj or .ply`.
+std::string listed(const std::vector<std::string>& known) {
+  const auto last = known.end() - 1;
+  return fmt::format("{} or {}", fmt::join(known.begin(), last, ", "), *last);
+}
+
+/// The known ending nearest to one of those that `name` may be said to have, longer ones first.
+std::string nearest_ending(const std::string& name) {
+  for (std::size_t dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1)) {
+    if (std::string nearest = nearest_name(name.substr(dot), endings()); !nearest.empty()) return nearest;
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -35,20 +71,19 @@ std::span<const Format> formats() { return kFormats; }
 
 const Format& format_of(const std::string& path) {
   if (path == "-") return kFormats[0];
-  const std::size_t name = path.find_last_of('/') + 1;
-  const std::size_t dot = path.find_last_of('.');
-  std::string ending = dot == std::string::npos || dot < name ? "" : path.substr(dot);
-  std::transform(ending.begin(), ending.end(), ending.begin(), lower);
-  std::vector<std::string> known;
+  const std::string name = lower_case(path.substr(path.find_last_of('/') + 1));
+  const Format* best = nullptr;
   for (const Format& format : kFormats) {
-    if (format.ending == ending) return format;
-    known.emplace_back(format.ending);
+    if (name.ends_with(format.ending) && (best == nullptr || format.ending.size() > best->ending.size()))
+      best = &format;
   }
-  throw InputError(Diagnostic{.message = ending.empty()
-                                             ? fmt::format("'{}' has no ending that names a format", path)
-                                             : fmt::format("'{}' is not a format that can be written", ending),
-                              .expected = fmt::format("a file that ends in {}", fmt::join(known, " or ")),
-                              .nearest = nearest_name(ending, known)});
+  if (best != nullptr) return *best;
+  const std::size_t dot = name.find_last_of('.');
+  throw InputError(Diagnostic{
+      .message = dot == std::string::npos ? fmt::format("'{}' has no ending that names a format", path)
+                                          : fmt::format("'{}' is not a format that can be written", name.substr(dot)),
+      .expected = "a file that ends in " + listed(endings()),
+      .nearest = nearest_ending(name)});
 }
 
 }  // namespace meristem

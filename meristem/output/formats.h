@@ -13,7 +13,7 @@ namespace meristem {
 
 /// A kind of file that a grown document can be written to.
 struct Format {
-  std::string_view ending;  ///< with its dot
+  std::string_view ending;  ///< with its dot; may hold more than one
   std::string_view doc;     ///< one line
   void (*write)(const Document& document, const GrownDocument& grown, const std::string& path, Progress& progress);
 };
@@ -21,8 +21,8 @@ struct Format {
 /// All formats, the default first.
 std::span<const Format> formats();
 
-/// The format of a path by its ending (capitals count as equal); "-" is standard output in the default format.
-/// Throws InputError that names the known endings.
+/// The format of a path by its ending, the longest that fits (capitals count as equal); "-" is standard output in the
+/// default format. Throws InputError that names the known endings, and the nearest.
 const Format& format_of(const std::string& path);
 
 }  // namespace meristem

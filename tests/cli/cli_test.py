@@ -5,12 +5,15 @@
 Usage: cli_test.py PROGRAM [unittest options]
 """
 
+import csv
+import io
 import json
 import os
 import pty
 import re
 import select
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -125,7 +128,10 @@ class CommandLine(Case):
             self.assert_ends(WRONG_INPUT, *arguments)
 
     def test_unknown_format_names_the_known(self):
-        self.assertIn("a file that ends in .glb", self.assert_ends(WRONG_INPUT, "grow", "box.json", "-o", "a.xyz"))
+        errors = self.assert_ends(WRONG_INPUT, "grow", "box.json", "-o", "a.xyz")
+        self.assertIn("'.xyz' is not a format that can be written; expected a file that ends in .glb, ", errors)
+        self.assertIn("did you mean '.skeleton.ply'?",
+                      self.assert_ends(WRONG_INPUT, "grow", "box.json", "-o", "a.skeleton.pyl"))
         self.assertIn("ends in .png", self.assert_ends(WRONG_INPUT, "render", "box.json", "-o", "a.jpg"))
 
     def test_set_that_sets_nothing(self):
@@ -263,7 +269,8 @@ class Output(Case):
             self.assertIn("Is a directory", errors)
 
     def test_full_disk(self):
-        for command, ending in (("grow", "glb"), ("render", "png")):
+        for command, ending in (("grow", "glb"), ("grow", "obj"), ("grow", "ply"), ("grow", "skeleton.ply"),
+                                ("grow", "csv"), ("render", "png")):
             os.symlink("/dev/full", self.path("full." + ending))
             options = ["--size", "9x9", "--samples", "1"] if command == "render" else []
             errors = self.assert_ends(FAILED, command, "box.json", "-o", "full." + ending, *options)
@@ -287,6 +294,100 @@ class Output(Case):
             process = self.start("grow", "tree.json", "-o", "out.glb", stderr=full)
             process.stdout.close()
             self.assertEqual(process.wait(60), DONE)
+
+
+class Formats(Case):
+    """What the files of one plant say must be the same; they are read with Python's own means."""
+
+    FILES = ["a.glb", "a.obj", "a.ply", "a.skeleton.ply", "a.csv"]
+
+    def setUp(self):
+        super().setUp()
+        outputs = [argument for name in self.FILES for argument in ("-o", name)]
+        self.announcement = self.assert_ends(DONE, "grow", "tree.json", *outputs)
+
+    def counted(self, what):
+        return int(re.search(rf"(\d+) {what}", self.announcement)[1])
+
+    def read_ply(self, name):
+        """The header's comments, and a list of rows (dictionaries) for each element."""
+        header, body = self.read(name).split(b"end_header\n", 1)
+        codes = {"float": "f", "int": "i", "uchar": "B"}
+        comments, elements = [], []
+        for line in header.decode().splitlines():
+            words = line.split()
+            if words[0] == "comment":
+                comments.append(line.removeprefix("comment "))
+            elif words[0] == "element":
+                elements.append((words[1], int(words[2]), [], []))
+            elif words[0] == "property":
+                elements[-1][2].append(words[-1])
+                # All lists are triangles: a count and three numbers.
+                elements[-1][3].append(codes[words[1]] if words[1] != "list" else "B3" + codes[words[3]])
+        rows = {}
+        for element, count, names, types in elements:
+            record = struct.Struct("<" + "".join(types))
+            chunk, body = body[:count * record.size], body[count * record.size:]
+            rows[element] = [dict(zip(names, values)) if "B3i" not in types else values
+                             for values in record.iter_unpack(chunk)]
+        self.assertEqual(body, b"")
+        return comments, rows
+
+    def read_table(self):
+        return list(csv.DictReader(io.StringIO(self.read("a.csv").decode(), newline="")))
+
+    def test_all_are_written(self):
+        self.assertEqual(sorted(os.listdir(self.folder)), sorted(self.FILES + ["a.mtl", "box.json", "tree.json"]))
+
+    def test_meshes_have_the_same_vertices_and_triangles(self):
+        _, ply = self.read_ply("a.ply")
+        self.assertEqual(len(ply["face"]), self.counted("triangles"))
+        self.assertTrue(all(count == 3 for count, *_ in ply["face"]))
+        lines = self.read("a.obj").decode().splitlines()
+        single = struct.Struct("<f")
+        positions = [tuple(single.unpack(single.pack(float(number)))[0] for number in line.split()[1:])
+                     for line in lines if line.startswith("v ")]
+        self.assertEqual(positions, [(row["x"], row["y"], row["z"]) for row in ply["vertex"]])
+        faces = [tuple(int(corner.split("/")[0]) - 1 for corner in line.split()[1:])
+                 for line in lines if line.startswith("f ")]
+        self.assertEqual(faces, [row[1:] for row in ply["face"]])
+
+    def test_obj_names_the_materials_of_its_mtl(self):
+        lines = self.read("a.obj").decode().splitlines()
+        self.assertIn("mtllib a.mtl", lines)
+        self.assertEqual([line for line in lines if line.startswith("g ")], ["g tree", "g leaf"])
+        used = {line.split()[1] for line in lines if line.startswith("usemtl ")}
+        made = re.findall(r"^newmtl (.*)$", self.read("a.mtl").decode(), re.MULTILINE)
+        self.assertEqual(sorted(used), sorted(made))
+
+    def test_skeletons_have_the_same_nodes(self):
+        comments, ply = self.read_ply("a.skeleton.ply")
+        self.assertIn("component 0 tree", comments)
+        self.assertIn("units: metres, y up", comments)
+        table = self.read_table()
+        self.assertEqual(len(table), self.counted("nodes"))
+        self.assertEqual(len(ply["vertex"]), len(table))
+        for number, (row, vertex) in enumerate(zip(table, ply["vertex"])):
+            self.assertEqual(row["component"], "tree")
+            self.assertEqual(int(row["node"]), number)
+            self.assertEqual(int(row["parent"] or -1), vertex["parent"])
+            self.assertLess(vertex["parent"], number)
+            for column in ("instance", "axis", "order"):
+                self.assertEqual(int(row[column]), vertex[column])
+            for column in ("x", "y", "z", "radius", "birth"):
+                self.assertEqual(struct.pack("<f", float(row[column])), struct.pack("<f", vertex[column]), column)
+        edges = [(edge["vertex1"], edge["vertex2"]) for edge in ply["edge"]]
+        self.assertEqual(edges, [(int(row["parent"]), int(row["node"])) for row in table if row["parent"]])
+
+    def test_same_bytes_on_any_number_of_threads(self):
+        for name in self.FILES[1:]:
+            for threads in ("1", "3"):
+                self.assert_ends(DONE, "grow", "tree.json", "-o", "b" + name, "--threads", threads)
+                self.assertEqual(self.read("b" + name).replace(b"ba.mtl", b"a.mtl"), self.read(name))
+
+    def test_help_lists_every_ending(self):
+        text = self.run_program("grow", "--help").stdout.decode()
+        self.assertEqual(re.findall(r"^  (\.\S+) ", text, re.MULTILINE), [name[1:] for name in self.FILES])
 
 
 class Listing(Case):

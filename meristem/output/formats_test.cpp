@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/formats.h"
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/diagnostic.h"
+
+namespace meristem {
+namespace {
+
+Diagnostic refusal_of(const std::string& path) {
+  try {
+    format_of(path);
+  } catch (const InputError& error) {
+    return error.diagnostics().front();
+  }
+  ADD_FAILURE() << path << " is accepted";
+  return {};
+}
+
+TEST(Formats, EveryEndingNamesItsFormat) {
+  for (const Format& format : formats()) {
+    EXPECT_EQ(format_of("a.b/my oak" + std::string(format.ending)).ending, format.ending);
+  }
+}
+
+TEST(Formats, TheLongestEndingWins) {
+  EXPECT_EQ(format_of("oak.skeleton.ply").ending, ".skeleton.ply");
+  EXPECT_EQ(format_of("oak.Skeleton.PLY").ending, ".skeleton.ply");
+  EXPECT_EQ(format_of("oak.skeletons.ply").ending, ".ply");
+  EXPECT_EQ(format_of("oak.skeleton.ply/a.obj").ending, ".obj");
+}
+
+TEST(Formats, StandardOutputTakesTheFirst) { EXPECT_EQ(&format_of("-"), formats().data()); }
+
+TEST(Formats, RefusalsNameAllEndingsAndTheNearest) {
+  const Diagnostic fault = refusal_of("oak.gbl");
+  EXPECT_EQ(fault.message, "'.gbl' is not a format that can be written");
+  for (const Format& format : formats()) EXPECT_NE(fault.expected.find(format.ending), std::string::npos);
+  EXPECT_EQ(fault.nearest, ".glb");
+  EXPECT_EQ(refusal_of("oak.skeleton.pyl").nearest, ".skeleton.ply");
+  EXPECT_EQ(refusal_of("my.oak.ojb").nearest, ".obj");
+  EXPECT_EQ(refusal_of("oak.jpeg").nearest, "");
+  EXPECT_EQ(refusal_of("a.glb/oak").message, "'a.glb/oak' has no ending that names a format");
+}
+
+}  // namespace
+}  // namespace meristem

@@ -186,7 +186,7 @@ class Colonizer : public Grower {
     trees_.reserve(seedlings.size());
     for (std::size_t k = 0; k < seedlings.size(); ++k) {
       check_points(cloud.point_count() + seedlings[k].points.size());
-      trees_.emplace_back(species_, cloud, seedlings[k], key);
+      trees_.emplace_back(species_, cloud, seedlings[k], key.child("tree").child(k));
     }
     grows_.assign(trees_.size(), true);
   }

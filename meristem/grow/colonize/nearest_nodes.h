@@ -7,6 +7,7 @@
 // served are passed by. Costs per new node: the points it comes nearer to, and a few more around.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -59,21 +60,27 @@ class NearestNodes {
 
  private:
   using Leaf = std::uint32_t;
-  struct Candidate {
-    Vec3 position{0};
-    float within2 = 0;  // squared distances below this are influenced
-    NodeIndex node = 0;
+
+  /// A round's new nodes, structure of arrays.
+  struct Candidates {
+    NodeIndex first = 0;
+    std::vector<float> x, y, z;
+    std::vector<float> within2;  // squared distances below this are influenced
   };
 
   /// What a thread needs to let candidates descend one part of the tree.
   struct Descent {
-    std::vector<Candidate> stack;  // the candidates of a node of the tree lie above those of its parent
-    std::vector<Leaf>* influenced;
+    const Candidates* candidates;
+    std::vector<std::uint32_t> stack;  // which of them are near a node of the tree lies above those near its parent
   };
 
-  void descend(int level, std::uint32_t index, std::size_t candidates, Descent& descent);
-  std::size_t push_candidates(std::uint32_t place, std::size_t first, std::size_t last, Descent& descent) const;
-  bool compare(Leaf leaf, const Candidate& candidate);
+  void start_descent(int level, std::uint32_t index, const Candidates& candidates);
+  void descend(int level, std::uint32_t index, std::size_t first, std::size_t last, Descent& descent);
+  std::size_t push_near(std::uint32_t place, std::size_t first, std::size_t last, Descent& descent) const;
+  bool compare(Leaf leaf, std::span<const std::uint32_t> near, const Candidates& candidates);
+  void join_halves(std::uint32_t place) {
+    farthest2_[place] = std::max(farthest2_[2 * place + 1], farthest2_[2 * place + 2]);
+  }
   void remove(Leaf leaf, std::uint32_t point);
 
   std::size_t living_;

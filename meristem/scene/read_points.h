@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meristem/base/limits.h"
+#include "meristem/base/vec.h"
+
+namespace meristem {
+
+/// Points as a file has them; in double, because scans may carry the coordinates of a whole country.
+using PointCloud = std::vector<DVec3>;
+
+/// The points of a PLY file (properties x, y and z of its element `vertex`), or of a text with a point a line: its
+/// first three numbers, between blanks, commas or semicolons. In a text, lines that begin with # or // are comments,
+/// and the first other line may be a heading. Throws InputError with file and line or row.
+PointCloud read_points(const std::string& path, const Limits& limits);
+/// The same of a file's bytes; `file` is its name in messages.
+PointCloud parse_points(std::string_view bytes, const std::string& file, const Limits& limits);
+
+}  // namespace meristem

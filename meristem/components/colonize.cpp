@@ -20,6 +20,9 @@ std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowC
 void expand(const Colonize& tree, const Site&, Emitter& out) { out.stem(out.take_grown(), tree.surface); }
 
 void check_distances(const Colonize& tree, const Place& place, ParameterReader& reader) {
+  if (!tree.crown && !tree.points.file) {
+    reader.fault(place, "a colonize has no 'crown'", "a 'crown', or 'points' with a 'file'");
+  }
   const ColonizeParameters& growth = tree.growth;
   if (growth.kill >= growth.influence) {
     reader.fault(Place(place, "kill"),
@@ -85,8 +88,8 @@ ComponentType colonize_component() {
       .name = "colonize",
       .doc = "A tree that grows into a cloud of attraction points (space colonization).",
       .parameters = Table<Colonize>("a colonize", "A tree that grows into a cloud of attraction points.")
-                        .object("crown", &Colonize::crown, crown_table, "The envelope that the points fill.")
-                        .required()
+                        .object("crown", &Colonize::crown, crown_table,
+                                "The envelope that the points fill; needed unless they come from a file.")
                         .object("points", &Colonize::points, points_table, "The attraction points.")
                         .members(&Colonize::growth, growth_table())
                         .members(&Colonize::growth, &ColonizeParameters::radii, pipe_table())

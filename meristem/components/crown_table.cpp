@@ -6,10 +6,13 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <glm/mat3x3.hpp>
 
 #include "meristem/scene/combined_crown.h"
 #include "meristem/scene/crown_points.h"
+#include "meristem/scene/mesh_crown.h"
 #include "meristem/scene/profile_crown.h"
+#include "meristem/scene/read_mesh.h"
 #include "meristem/scene/solid_crowns.h"
 
 namespace meristem {
@@ -167,6 +170,24 @@ const ParameterTable& share_table() {
   return table;
 }
 
+/// Scans may have the coordinates of a country, so they are moved in double.
+std::vector<Vec3> points_of_file(const CrownPointer& crown, const PointsForm& form, const GrowContext& context) {
+  const Frame frame = form.file_place.frame();
+  const glm::dmat3 axes(frame.axes);
+  const DVec3 origin(frame.origin);
+  std::vector<Vec3> points;
+  for (const DVec3 position : *form.file) {
+    const Vec3 point(origin + axes * position);
+    if (crown == nullptr || crown->contains(point)) points.push_back(point);
+  }
+  if (points.empty()) {
+    throw InputError(Diagnostic{.message = fmt::format("none of the points of '{}' lies in the crown", form.file.path),
+                                .expected = "points over the root; scale, turn or translate them",
+                                .path = "components." + context.component + ".points.file"});
+  }
+  return points;
+}
+
 }  // namespace
 
 const ParameterTable& crown_table() {
@@ -184,7 +205,11 @@ const ParameterTable& crown_table() {
           .object("sphere", &CrownForm::sphere, sphere_table, "A ball.")
           .object("cone", &CrownForm::cone, cone_table, "A cone with its apex up.")
           .box("box", &CrownForm::box, kCoordinate, "The lower and the upper corner of a box.")
-          .one_of({"profile", "profiles", "union", "intersection", "difference", "ellipsoid", "sphere", "cone", "box"})
+          .file("mesh", &CrownForm::mesh, read_closed_mesh, "A closed mesh in an OBJ or PLY file.")
+          .members(&CrownForm::mesh_place, import_table())
+          .one_of({"profile", "profiles", "union", "intersection", "difference", "ellipsoid", "sphere", "cone", "box",
+                   "mesh"})
+          .only_with("mesh", import_names())
           .check(check_crown);
   return table;
 }
@@ -197,6 +222,12 @@ const ParameterTable& points_table() {
           .list("shares", &PointsForm::shares, share_table,
                 "How many of them go to which part of the crown; the rest is uniform in all of it.")
           .boolean("blue_noise", &PointsForm::blue_noise, "Whether neighbours keep their distance.")
+          .file("file", &PointsForm::file, read_points,
+                "The points of a scan, in a PLY file or a text with a point a line, over the root; a crown cuts off "
+                "those outside.")
+          .members(&PointsForm::file_place, import_table())
+          .never_with("file", {"count", "shares", "blue_noise"})
+          .only_with("file", import_names())
           .shorthand("count")
           .check(check_points);
   return table;
@@ -213,6 +244,7 @@ CrownPointer build_crown(const CrownForm& form) {
   if (form.sphere) return std::make_shared<EllipsoidCrown>(form.sphere->centre, Vec3(form.sphere->radius));
   if (form.cone) return std::make_shared<ConeCrown>(form.cone->base, form.cone->radius, form.cone->height);
   if (form.box) return std::make_shared<BoxCrown>(*form.box);
+  if (form.mesh) return std::make_shared<MeshCrown>(form.mesh.content, form.mesh_place.frame());
 
   const auto combined = [](CombineKind kind, const std::vector<CrownForm>& forms) {
     std::vector<CrownPointer> crowns;
@@ -227,6 +259,7 @@ CrownPointer build_crown(const CrownForm& form) {
 
 std::vector<Vec3> make_points(const std::optional<CrownForm>& crown, const PointsForm& points, RandomKey key,
                               const GrowContext& context) {
+  if (points.file) return points_of_file(crown ? build_crown(*crown) : nullptr, points, context);
   PointDistribution distribution{.count = points.count, .blue_noise = points.blue_noise};
   for (const ShareForm& share : points.shares) {
     distribution.shares.push_back({share.share, {.above = share.above, .outer = share.outer}});

@@ -9,8 +9,11 @@
 #include <vector>
 
 #include "meristem/base/random.h"
+#include "meristem/components/import_table.h"
 #include "meristem/graph/component.h"
+#include "meristem/scene/closed_mesh.h"
 #include "meristem/scene/crown.h"
+#include "meristem/scene/read_points.h"
 
 namespace meristem {
 
@@ -45,6 +48,8 @@ struct CrownForm {
   std::optional<SphereForm> sphere;
   std::optional<ConeForm> cone;
   std::optional<Box> box;
+  Asset<ClosedMesh> mesh;
+  ImportPlace mesh_place;
 };
 
 struct ShareForm {
@@ -57,6 +62,8 @@ struct PointsForm {
   std::uint64_t count = 2400;
   std::vector<ShareForm> shares;
   bool blue_noise = false;
+  Asset<PointCloud> file;  ///< instead of the rows above
+  ImportPlace file_place;
 };
 
 const ParameterTable& crown_table();   ///< of CrownForm
@@ -65,7 +72,8 @@ const ParameterTable& points_table();  ///< of PointsForm
 /// The crown that a checked form means; null where its list is empty.
 CrownPointer build_crown(const CrownForm& form);
 
-/// The attraction points of one tree, relative to its root. Throws InputError at `component`'s crown or points.
+/// The attraction points of one tree, relative to its root: those of the file that lie in the crown, if there is one,
+/// else so many in the crown. Throws InputError at the component's crown or points.
 std::vector<Vec3> make_points(const std::optional<CrownForm>& crown, const PointsForm& points, RandomKey key,
                               const GrowContext& context);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Crowns and points as documents write them: what they become, and what is said of wrong ones.
 #include <array>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 #include <fmt/format.h>
@@ -141,6 +143,117 @@ TEST(CrownDocument, FaultyPointsHaveTheirPlace) {
   EXPECT_NE(fault(cone, R"("points": {"shares": [{"share": 0.5, "above": 0.999}]})")
                 .find("tree.points.shares[0]: the share's part"),
             std::string::npos);
+}
+
+/// A folder with files for one test.
+class CrownFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directories(folder_ / "scans");
+    write("scans/tree.xyz", "# a scan, z up\n0 0 1\n0.2 0 1.5\n-0.2 0.1 1.8\n0 4 1\n");
+    write("scans/bad.xyz", "0 0 1\n0 0 nan\n");
+    write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n");
+    write("tetra.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+  std::string document_path() const { return (folder_ / "d.json").string(); }
+
+  Document read_here(const std::string& members) const {
+    const std::string text = fmt::format(R"({{"meristem": 1, "components": {{"tree": {{"type": "colonize",
+{}}}}}}})",
+                                         members);
+    return read_document(text, document_path(), builtin_components());
+  }
+  /// The first fault, without the path of the document.
+  std::string fault_here(const std::string& members) const {
+    try {
+      Progress progress;
+      grow_document(read_here(members), progress);
+    } catch (const InputError& error) {
+      Diagnostic found = error.diagnostics().at(0);
+      found.file = "d.json";
+      return found.text();
+    }
+    return "no fault";
+  }
+  std::vector<Vec3> points_of(const std::string& members) const {
+    const Document document = read_here(members);
+    const auto& tree = *static_cast<const Colonize*>(document.graph.components[0].parameters.get());
+    Progress progress;
+    const Limits limits;
+    const Scene scene;
+    Stand stand;
+    const std::string component = "tree";
+    return make_points(tree.crown, tree.points, RandomKey(1), {scene, limits, component, stand, progress});
+  }
+
+  const std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "meristem_crown_files";
+};
+
+TEST_F(CrownFiles, AreSoughtFromTheDocumentsFolder) {
+  EXPECT_EQ(points_of(R"("points": {"file": "scans/tree.xyz"})").size(), 4U);
+  EXPECT_EQ(fault_here(R"("points": {"file": "scans/tree.xyz", "up": "z"}, "influence": 5)"), "no fault");
+}
+
+TEST_F(CrownFiles, PointsAreTurnedUpScaledTurnedAndMoved) {
+  const std::vector<Vec3> points =
+      points_of(R"("points": {"file": "scans/tree.xyz", "up": "z", "scale": 2, "translate": [10, 0, 0]})");
+  EXPECT_EQ(points[0], Vec3(10, 2, 0));
+  EXPECT_LT(glm::length(points[2] - Vec3(9.6F, 3.6F, -0.2F)), 1e-5F);
+  const std::vector<Vec3> turned = points_of(R"("points": {"file": "scans/tree.xyz", "rotate": [0, 90, 0]})");
+  EXPECT_LT(glm::length(turned[0] - Vec3(1, 0, 0)), 1e-5F);
+}
+
+TEST_F(CrownFiles, ACrownCutsOffThePointsOutside) {
+  EXPECT_EQ(
+      points_of(R"("points": {"file": "scans/tree.xyz", "up": "z"}, "crown": {"profile": [[1, 0], [1, 3]]})").size(),
+      3U);
+  EXPECT_EQ(
+      fault_here(R"("points": {"file": "scans/tree.xyz"}, "crown": {"box": [[5, 5, 5], [6, 6, 6]]})"),
+      "d.json:2:20: components.tree.points.file: none of the points of 'scans/tree.xyz' lies in the crown; expected "
+      "points over the root; scale, turn or translate them");
+}
+
+TEST_F(CrownFiles, AMeshIsACrown) {
+  const Document document = read_here(R"("crown": {"mesh": "tetra.obj", "up": "z", "translate": [0, 1, 0]})");
+  const auto& tree = *static_cast<const Colonize*>(document.graph.components[0].parameters.get());
+  const CrownPointer made = build_crown(*tree.crown);
+  EXPECT_TRUE(made->contains({0.1F, 2.7F, -0.1F}));
+  EXPECT_FALSE(made->contains({0.1F, 2.7F, 0.1F}));
+  EXPECT_FALSE(made->contains({0.1F, 0.9F, -0.1F}));
+  EXPECT_EQ(fault_here(R"("points": 200, "crown": {"mesh": "tetra.obj"})"), "no fault");
+  EXPECT_EQ(
+      fault_here(R"("points": 200, "crown": {"union": [{"mesh": "tetra.obj", "scale": 2}, {"mesh": "tetra.obj"}]})"),
+      "no fault");
+}
+
+TEST_F(CrownFiles, EveryFaultSaysItsPlaceInTheDocumentAndInTheFile) {
+  EXPECT_EQ(
+      fault_here(R"("points": {"file": "scans/bad.xyz"})"),
+      "d.json:2:20: components.tree.points.file: 'scans/bad.xyz:2:5': z is not a finite number; expected a number (m)");
+  EXPECT_EQ(fault_here(R"("points": {"file": "scans/tre.xyz"})"),
+            "d.json:2:20: components.tree.points.file: 'scans/tre.xyz': there is no such file; did you mean "
+            "'scans/tree.xyz'?");
+  EXPECT_EQ(fault_here(R"("crown": {"mesh": "tetr.obj"})"),
+            "d.json:2:19: components.tree.crown.mesh: 'tetr.obj': there is no such file; did you mean 'tetra.obj'?");
+  EXPECT_EQ(fault_here(R"("crown": {"mesh": "open.obj"})"),
+            "d.json:2:19: components.tree.crown.mesh: 'open.obj': 3 edges are open, with a triangle on one side only; "
+            "the first "
+            "goes from (1, 0, 0) to (0, 1, 0); expected a closed mesh, whose every edge has a triangle on both sides");
+  EXPECT_NE(fault_here(R"("crown": {"mesh": "scans"})").find("'scans': this is a folder"), std::string::npos);
+  EXPECT_NE(fault_here(R"("crown": {"mesh": ""})").find("'': there is no such file"), std::string::npos);
+  EXPECT_NE(fault_here(R"("crown": {"mesh": 3})").find("'mesh' cannot be the number 3; expected the path of a file"),
+            std::string::npos);
+  EXPECT_NE(
+      fault_here(R"("crown": {"box": [[0, 0, 0], [1, 1, 1]], "up": "z"})").find("'up' has no meaning without 'mesh'"),
+      std::string::npos);
+  EXPECT_NE(
+      fault_here(R"("points": {"file": "scans/tree.xyz", "count": 3})").find("'count' has no meaning beside 'file'"),
+      std::string::npos);
+  EXPECT_EQ(fault_here(R"("step": 0.05)"),
+            "d.json:1:40: components.tree: a colonize has no 'crown'; expected a 'crown', or 'points' with a 'file'");
 }
 
 TEST(CrownDocument, SizesMayVaryFromTreeToTree) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// In space by qhull, which is told to triangulate and whose messages go nowhere; in the plane by sorting and walking
-// once along either side.
+// In space by qhull, which is told to triangulate and whose messages go nowhere. A large cloud is first thinned: no
+// point inside the hull of some of the points is on the hull of all. In the plane by sorting and walking once along
+// either side.
 //
 // Based on: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, The Quickhull algorithm for convex hulls, 1996; A. M. Andrew,
 // Another efficient algorithm for convex hulls in two dimensions, 1979.
@@ -13,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "meristem/base/parallel.h"
+
 extern "C" {
 #include <libqhull_r/qhull_ra.h>
 }
@@ -20,6 +23,7 @@ extern "C" {
 namespace meristem {
 namespace {
 
+constexpr std::size_t kPointsPerBlock = 8192;
 constexpr double kFlat = 1e-5;  // of the longest edge of the box around the points: thinner hulls count as flat
 
 /// A qhull computation and its memory, without output.
@@ -84,13 +88,7 @@ Mesh compact_mesh(std::span<const Vec3> points, std::vector<std::array<std::uint
   return mesh;
 }
 
-double cross(Vec2 origin, Vec2 a, Vec2 b) {
-  return (double{a.x} - origin.x) * (double{b.y} - origin.y) - (double{a.y} - origin.y) * (double{b.x} - origin.x);
-}
-
-}  // namespace
-
-Mesh convex_hull(std::span<const Vec3> points) {
+Mesh hull_by_qhull(std::span<const Vec3> points) {
   Box box;
   for (const Vec3 point : points) box.add(point);
   if (points.size() < 4) return {};
@@ -117,6 +115,44 @@ Mesh convex_hull(std::span<const Vec3> points) {
   const double longest = std::max({size.x, size.y, size.z});
   if (volume_of(mesh) <= kFlat * longest * surface_area_of(mesh)) return {};
   return mesh;
+}
+
+/// The points that are on the hull of their block, in their order; all of a flat block.
+std::vector<Vec3> thinned(std::span<const Vec3> points, const Progress* progress) {
+  std::vector<std::vector<Vec3>> blocks((points.size() + kPointsPerBlock - 1) / kPointsPerBlock);
+  parallel_for(points.size(), kPointsPerBlock, [&](std::size_t begin, std::size_t end) {
+    if (progress != nullptr) progress->check();
+    const auto block = points.subspan(begin, end - begin);
+    Mesh hull = hull_by_qhull(block);
+    std::vector<Vec3>& kept = blocks[begin / kPointsPerBlock];
+    if (hull.positions.empty()) {
+      kept.assign(block.begin(), block.end());
+    } else {
+      kept = std::move(hull.positions);
+    }
+  });
+  std::vector<Vec3> all;
+  for (const auto& kept : blocks) all.insert(all.end(), kept.begin(), kept.end());
+  return all;
+}
+
+double cross(Vec2 origin, Vec2 a, Vec2 b) {
+  return (double{a.x} - origin.x) * (double{b.y} - origin.y) - (double{a.y} - origin.y) * (double{b.x} - origin.x);
+}
+
+}  // namespace
+
+Mesh convex_hull(std::span<const Vec3> points, const Progress* progress) {
+  std::vector<Vec3> fewer;
+  // Until thinning takes no longer half of them away.
+  while (points.size() > 2 * kPointsPerBlock) {
+    std::vector<Vec3> next = thinned(points, progress);
+    const bool is_worthwhile = next.size() <= points.size() / 2;
+    fewer = std::move(next);
+    points = fewer;
+    if (!is_worthwhile) break;
+  }
+  return hull_by_qhull(points);
 }
 
 std::vector<Vec2> convex_outline(std::vector<Vec2> points) {

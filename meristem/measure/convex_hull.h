@@ -2,14 +2,17 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "meristem/base/mesh.h"
+#include "meristem/base/progress.h"
 
 namespace meristem {
 
 /// The convex hull of points (finite, metres) as a closed mesh without normals: its vertices are among the points, its
 /// triangles face outward. Points that lie in one plane, nearly so, or are fewer than four have no hull: an empty mesh.
-Mesh convex_hull(std::span<const Vec3> points);
+/// Throws Cancelled if `progress`, where given, says so; it is asked every few milliseconds.
+Mesh convex_hull(std::span<const Vec3> points, const Progress* progress = nullptr);
 
 /// The convex hull of points in a plane, counter-clockwise from the lowest x (of these the lowest y), without points in
 /// the middle of edges. Points on a line give its two ends, equal ones one.

@@ -74,6 +74,29 @@ TEST(ConvexHull, SphereIsApproachedFromInside) {
   EXPECT_GT(surface_area_of(hull), 0.995 * 4 * kPi);
 }
 
+TEST(ConvexHull, LargeCloudsAreThinnedFirst) {
+  // A ball in which only eight corners stand out.
+  std::vector<Vec3> points;
+  for (std::uint64_t k = 0; k < 50'000; ++k) points.push_back(on_sphere(k));
+  for (int k = 0; k < 8; ++k) {
+    points.insert(points.begin() + 6000 * k, Vec3((k & 1) != 0 ? 2 : -2, (k & 2) != 0 ? 2 : -2, (k & 4) != 0 ? 2 : -2));
+  }
+  const Mesh hull = convex_hull(points);
+  EXPECT_TRUE(check_mesh(hull));
+  EXPECT_EQ(hull.vertex_count(), 8U);
+  EXPECT_NEAR(volume_of(hull), 64, 1e-9);
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(convex_hull(points, &progress), Cancelled);
+}
+
+TEST(ConvexHull, LargeFlatCloudsHaveNone) {
+  std::vector<Vec3> points;
+  for (std::uint64_t k = 0; k < 30'000; ++k)
+    points.emplace_back(RandomKey(1).uniform(k), 0.5F, RandomKey(2).uniform(k));
+  EXPECT_EQ(convex_hull(points).triangle_count(), 0U);
+}
+
 TEST(ConvexHull, FarFromTheOriginNothingIsLost) {
   const Mesh hull = convex_hull(box_grid({2, 2, 2}, {4096, 0, -8192}, 2));
   EXPECT_NEAR(volume_of(hull), 8, 1e-9);

@@ -21,10 +21,15 @@ struct TreeRecord {
   std::vector<std::uint64_t> streams;
 };
 
-TreeRecord record_tree(const Skeleton& skeleton, const MeasureOptions& options) {
+TreeRecord record_tree(const Skeleton& skeleton, const MeasureOptions& options, const Progress& progress) {
   const Children children(skeleton);
-  return {measure_form(skeleton, children), sample_forks(skeleton, children, options.fork_diameter),
-          strahler_streams(skeleton, strahler_numbers(skeleton, children))};
+  TreeRecord record;
+  record.form = measure_form(skeleton, children, &progress);
+  progress.check();
+  record.forks = sample_forks(skeleton, children, options.fork_diameter);
+  progress.check();
+  record.streams = strahler_streams(skeleton, strahler_numbers(skeleton, children));
+  return record;
 }
 
 template <class T>
@@ -119,12 +124,12 @@ StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, cons
   parallel_for(skeletons.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       if (has_one_root(*skeletons[k])) {
-        of_skeleton[k].push_back(record_tree(*skeletons[k], options));
+        of_skeleton[k].push_back(record_tree(*skeletons[k], options, progress));
         progress.advance(skeletons[k]->node_count());
         continue;
       }
       for (const Skeleton& tree : split_trees(*skeletons[k])) {
-        of_skeleton[k].push_back(record_tree(tree, options));
+        of_skeleton[k].push_back(record_tree(tree, options, progress));
         progress.advance(tree.node_count());
       }
     }

@@ -72,7 +72,7 @@ std::vector<bool> find_crown(const Skeleton& skeleton, const Children& children,
   return in_crown;
 }
 
-void measure_crown(const Skeleton& skeleton, const Children& children, TreeForm& form) {
+void measure_crown(const Skeleton& skeleton, const Children& children, const Progress* progress, TreeForm& form) {
   const std::vector<bool> in_crown = find_crown(skeleton, children, form);
   if (!form.fork) return;
   const double base = skeleton.position[*form.fork].y;
@@ -90,7 +90,7 @@ void measure_crown(const Skeleton& skeleton, const Children& children, TreeForm&
   // Cauchy: a convex outline's extent, averaged over all directions, is its perimeter over pi.
   form.crown_mean_width = outline.perimeter / kPi;
   form.crown_ground_area = outline.area;
-  const Mesh hull = convex_hull(crown);
+  const Mesh hull = convex_hull(crown, progress);
   form.crown_hull_area = surface_area_of(hull);
   form.crown_hull_volume = volume_of(hull);
 }
@@ -127,13 +127,13 @@ std::vector<Skeleton> split_trees(const Skeleton& skeleton) {
   return trees;
 }
 
-TreeForm measure_form(const Skeleton& skeleton, const Children& children) {
+TreeForm measure_form(const Skeleton& skeleton, const Children& children, const Progress* progress) {
   TreeForm form;
   if (skeleton.node_count() == 0) return form;
   count_nodes(skeleton, children, form);
   form.metamers = count_metamers(skeleton);
   form.diameter = breast_height_diameter(skeleton);
-  measure_crown(skeleton, children, form);
+  measure_crown(skeleton, children, progress, form);
   return form;
 }
 

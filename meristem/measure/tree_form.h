@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "meristem/base/progress.h"
 #include "meristem/plant/skeleton.h"
 
 namespace meristem {
@@ -37,6 +38,7 @@ struct TreeForm {
 inline constexpr double kBreastHeight = 1.3;  ///< metres above the root
 
 /// `skeleton` has one root, its first node. The crown is what lies past the first fork on the way from the root.
-TreeForm measure_form(const Skeleton& skeleton, const Children& children);
+/// Throws Cancelled if `progress`, where given, says so.
+TreeForm measure_form(const Skeleton& skeleton, const Children& children, const Progress* progress = nullptr);
 
 }  // namespace meristem

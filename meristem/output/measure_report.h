@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "meristem/graph/value.h"
+#include "meristem/measure/measures.h"
+
+namespace meristem {
+
+/// The measures as an object of numbers, lists and null by the names of their rows; with `each`, a list "each" of such
+/// objects follows, one a tree.
+Value measures_value(const StandMeasures& measures, bool each);
+
+/// The measures as lines for people: name, value with four digits, unit. With `each`, a block for each tree follows.
+std::string measures_text(const StandMeasures& measures, bool each);
+
+/// The manual's table of all measures, in Markdown.
+std::string measures_reference();
+
+}  // namespace meristem

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/measure_report.h"
+
+#include <gtest/gtest.h>
+
+#include "meristem/document/json.h"
+
+namespace meristem {
+namespace {
+
+StandMeasures two_trees() {
+  StandMeasures stand;
+  stand.whole.trees = 2;
+  stand.whole.height = 12.34567;
+  stand.whole.length_by_order = {1, 2.5};
+  stand.whole.inclination_altitude = kPi / 4;
+  stand.whole.leaf_count = 7;
+  stand.trees.resize(2);
+  stand.trees[1].height = 3;
+  return stand;
+}
+
+TEST(MeasureReport, ValueHasAKeyForEachRowAndNullForTheUnknown) {
+  const Value value = measures_value(two_trees(), false);
+  EXPECT_EQ(value.object()->size(), measure_rows().size());
+  EXPECT_EQ(*value.find("height"), Value(12.34567));
+  EXPECT_EQ(*value.find("length_by_order"), Value(Value::List{1, 2.5}));
+  EXPECT_EQ(*value.find("leaf_count"), Value(7));
+  EXPECT_TRUE(value.find("stem_diameter")->is_null());
+  EXPECT_EQ(value.find("each"), nullptr);
+  EXPECT_EQ(parse_json(write_json(value)), value);
+}
+
+TEST(MeasureReport, EachTreeFollowsWithoutWhatOnlyTheWholeHas) {
+  const Value value = measures_value(two_trees(), true);
+  const Value::List& trees = *value.find("each")->list();
+  ASSERT_EQ(trees.size(), 2U);
+  EXPECT_EQ(*trees[1].find("height"), Value(3));
+  EXPECT_EQ(trees[1].find("leaf_count"), nullptr);
+  EXPECT_NE(trees[1].find("nodes"), nullptr);
+}
+
+TEST(MeasureReport, TextHasALineForEachRow) {
+  const std::string text = measures_text(two_trees(), false);
+  EXPECT_NE(text.find("\nheight                   12.35 m\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nlength_by_order          1, 2.5 m\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nstem_diameter            -\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\ninclination_altitude     45 °\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("\ntree 1\n"), std::string::npos);
+  EXPECT_NE(measures_text(two_trees(), true).find("\n\ntree 2\n"), std::string::npos);
+}
+
+TEST(MeasureReport, ReferenceNamesEveryMeasure) {
+  const std::string page = measures_reference();
+  for (const MeasureRow& row : measure_rows())
+    EXPECT_NE(page.find("| `" + std::string(row.name) + "` |"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace meristem

@@ -94,6 +94,7 @@ int main(int argc, char** argv) {
   cli::Run run;
   cli::add_grow(app, run);
   cli::add_render(app, run);
+  cli::add_measure(app, run);
   cli::add_check(app, run);
   cli::add_components(app, run);
   cli::add_models(app, run);

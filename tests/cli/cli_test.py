@@ -96,7 +96,7 @@ class CommandLine(Case):
         self.assertIn(b"grow", self.run_program().stdout)
 
     def test_every_command_has_help_with_an_example(self):
-        for command in ([], ["grow"], ["render"], ["check"], ["components"], ["models"]):
+        for command in ([], ["grow"], ["render"], ["measure"], ["check"], ["components"], ["models"]):
             done = self.run_program(*command, "--help")
             self.assertEqual(done.returncode, DONE)
             self.assertIn(b"Example: meristem", done.stdout, command)
@@ -390,6 +390,101 @@ class Formats(Case):
         self.assertEqual(re.findall(r"^  (\.\S+) ", text, re.MULTILINE), [name[1:] for name in self.FILES])
 
 
+MTG = """CODE:\tFORM-A
+CLASSES:
+P\t1\tFREE\tFREE\tEXPLICIT
+A\t2\tFREE\tFREE\tEXPLICIT
+S\t3\tFREE\tFREE\tEXPLICIT
+FEATURES:
+XX\tREAL
+YY\tREAL
+ZZ\tREAL
+Thickness\tREAL
+MTG:
+ENTITY-CODE\t\tXX\tYY\tZZ\tThickness
+/P1
+^/A1\t\t0\t0\t0\t400
+^/S1\t\t0\t0\t200\t200
+\t+A1/S1\t100\t0\t300\t120
+^<S2\t\t0\t0\t400\t160
+"""
+
+
+class Measuring(Case):
+    def measured(self, *arguments):
+        done = self.run_program("measure", *arguments, "--json")
+        self.assertEqual(done.returncode, DONE, done.stderr.decode())
+        return json.loads(done.stdout)
+
+    def test_table_has_a_line_for_each_measure(self):
+        done = self.run_program("measure", "tree.json", "-q")
+        self.assertEqual((done.returncode, done.stderr), (DONE, b""))
+        listed = [line.split()[0] for line in self.run_program("measure", "--list").stdout.decode().splitlines()]
+        self.assertEqual([line.split()[0] for line in done.stdout.decode().splitlines()], listed)
+        self.assertEqual(list(self.measured("tree.json")), listed)
+
+    def test_json_agrees_with_what_grew(self):
+        measures = self.measured("tree.json", "--set", "points=200")
+        grown = self.run_program("grow", "tree.json", "-o", "a.glb", "--set", "points=200").stderr.decode()
+        self.assertIn(f'{measures["nodes"]} nodes, {measures["leaf_count"]} organs, {measures["triangles"]} triangles',
+                      grown)
+        self.assertEqual(measures["trees"], 1)
+        self.assertEqual(sum(measures["order_histogram"]), measures["axes"])
+        self.assertAlmostEqual(sum(measures["length_by_order"]), measures["length"])
+        self.assertAlmostEqual(measures["pipe_exponent"], 2.4, places=3)
+
+    def test_same_bytes_on_any_number_of_threads_and_a_file_or_standard_output(self):
+        first = self.run_program("measure", "tree.json", "--json", "--threads", "1").stdout
+        for threads in ("2", "8"):
+            self.assert_ends(DONE, "measure", "tree.json", "--json", "--threads", threads, "-o", "measures.json")
+            self.assertEqual(self.read("measures.json"), first)
+
+    def test_each_tree_of_a_stand(self):
+        trees = {name: {"type": "colonize", "crown": {"profile": [[0.2, 0.5], [1, 1], [0.2, 2]]}, "points": 100,
+                        "step": 0.05, "influence": 0.5, "kill": 0.15, "frame": {"translate": [x, 0, 0]}}
+                 for name, x in (("left", -3), ("right", 3))}
+        self.write("stand.json", json.dumps({"meristem": 1, "components": trees}))
+        measures = self.measured("stand.json", "--each")
+        self.assertEqual((measures["trees"], len(measures["each"])), (2, 2))
+        self.assertEqual(sum(tree["nodes"] for tree in measures["each"]), measures["nodes"])
+        self.assertEqual(max(tree["height"] for tree in measures["each"]), measures["height"])
+        self.assertNotIn("leaf_count", measures["each"][0])
+        self.assertIn(b"\ntree 2\n", self.run_program("measure", "stand.json", "--each").stdout)
+
+    def test_mtg_files_in_their_units(self):
+        self.write("walnut.mtg", MTG)
+        measures = self.measured("walnut.mtg", "--unit", "cm", "--diameter-unit", "mm", "--diameter", "Thickness")
+        self.assertEqual((measures["height"], measures["metamers"], measures["axes"]), (4, 3, 2))
+        self.assertAlmostEqual(measures["stem_diameter"], 0.4 - 0.65 * 0.2, places=6)
+        self.assertAlmostEqual(measures["branching_angle_median"], 45, places=4)
+        self.assertEqual(measures["leaf_count"], None)
+        self.assertEqual(measures["stem_diameter"], self.measured("walnut.mtg", "--unit", "cm", "--diameter-unit", "mm",
+                                                                  "--diameter", "Thickness", "--coordinates",
+                                                                  "XX,YY,ZZ")["stem_diameter"])
+        done = self.run_program("measure", "walnut.mtg")
+        self.assertEqual(done.stderr.decode(), "warning: walnut.mtg: the plant is 400 m high; --unit says what its "
+                                               "coordinates are in\n")
+        self.assertIn(b"stem_diameter            -\n", done.stdout)
+
+    def test_mtg_faults_have_file_line_and_column(self):
+        self.write("walnut.mtg", MTG.replace("^<S2", "^<T2"))
+        self.assertIn("walnut.mtg:17:3: 'T' is not a class", self.assert_ends(WRONG_INPUT, "measure", "walnut.mtg"))
+        self.write("walnut.mtg", MTG)
+        for arguments, message in ((["--diameter", "Thicknes"], "did you mean 'Thickness'?"),
+                                   (["--coordinates", "XX,YY"], "--coordinates cannot be 'XX,YY'"),
+                                   (["--set", "a=1"], "--set says nothing about 'walnut.mtg'"),
+                                   (["--unit", "ft"], "--unit")):
+            self.assertIn(message, self.assert_ends(WRONG_INPUT, "measure", "walnut.mtg", *arguments))
+        self.assertIn("did you mean 'walnut.mtg'?", self.assert_ends(WRONG_INPUT, "measure", "wallnut.mtg"))
+
+    def test_wrong_uses(self):
+        self.assertIn("document is required", self.assert_ends(WRONG_INPUT, "measure"))
+        self.assertIn("--unit says nothing about 'tree.json'",
+                      self.assert_ends(WRONG_INPUT, "measure", "tree.json", "--unit", "cm"))
+        self.assertIn("No such file or directory",
+                      self.assert_ends(FAILED, "measure", "tree.json", "-o", "no/such/folder/a.json", *LONG_GROWTH))
+
+
 class Listing(Case):
     def test_components_and_their_parameters(self):
         listed = self.run_program("components").stdout.decode()
@@ -443,6 +538,11 @@ class Signals(Case):
         self.stop(signal.SIGTERM, "grow", "tree.json", "-o", "a.glb", *LONG_GROWTH)
         self.assertEqual(sorted(os.listdir(self.folder)), before)
         self.assertEqual(self.read("a.glb"), b"before")
+
+    def test_measuring_leaves_nothing(self):
+        before = sorted(os.listdir(self.folder))
+        self.stop(signal.SIGINT, "measure", "tree.json", "-o", "a.txt", *LONG_GROWTH)
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
 
     def test_ignored_signals_stay_ignored(self):
         process = self.start("render", "tree.json", "-o", "a.png", *LONG_RENDER,

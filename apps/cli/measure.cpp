@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "documents.h"
+#include "meristem/base/atomic_file.h"
+#include "meristem/base/parallel.h"
+#include "meristem/base/read_file.h"
+#include "meristem/document/grow.h"
+#include "meristem/document/json.h"
+#include "meristem/measure/measures.h"
+#include "meristem/output/measure_report.h"
+#include "meristem/output/mtg_skeleton.h"
+#include "terminal.h"
+
+namespace meristem::cli {
+
+namespace {
+
+constexpr double kTallestTree = 150;  // metres: a file that says more has other units
+
+const std::map<std::string, double>& units() {
+  static const std::map<std::string, double> units{{"m", 1}, {"dm", 0.1}, {"cm", 0.01}, {"mm", 0.001}};
+  return units;
+}
+
+struct MeasureCommand {
+  DocumentOptions document;
+  MeasureOptions measures;
+  std::string output = "-";
+  bool json = false;
+  bool each = false;
+  bool list = false;
+  bool markdown = false;
+  // Of MTG files.
+  std::string coordinates;
+  std::string diameter;
+  std::string unit;
+  std::string diameter_unit;
+
+  bool reads_mtg() const { return document.path.ends_with(".mtg") || document.path.ends_with(".MTG"); }
+};
+
+/// Options that say nothing about the kind of file that is given are mistakes.
+void check_kind(const MeasureCommand& command) {
+  const auto require = [&](bool holds, const char* option, const char* kind) {
+    if (holds) return;
+    throw InputError(Diagnostic{.message = fmt::format("{} says nothing about '{}'", option, command.document.path),
+                                .expected = fmt::format("{} only with {}", option, kind)});
+  };
+  if (command.reads_mtg()) {
+    require(command.document.sets.empty(), "--set", "a document");
+    require(!command.document.seed, "--seed", "a document");
+  } else {
+    require(command.coordinates.empty(), "--coordinates", "an .mtg file");
+    require(command.diameter.empty(), "--diameter", "an .mtg file");
+    require(command.unit.empty(), "--unit", "an .mtg file");
+    require(command.diameter_unit.empty(), "--diameter-unit", "an .mtg file");
+  }
+}
+
+StandMeasures measure_document(const MeasureCommand& command) {
+  const Document document = open_document(command.document);
+  check_output(command.output);
+  const ThreadLimit threads(command.document.threads);
+  TerminalProgress terminal(command.document.quiet);
+  const GrownDocument grown = grow_document(document, terminal.progress());
+  return measure_plant(grown.plant, grown.meshes, command.measures, terminal.progress());
+}
+
+/// What commas part.
+std::array<std::string, 3> three_names(const std::string& text) {
+  const std::size_t first = text.find(',');
+  const std::size_t second = text.find(',', first + 1);
+  const bool has_two = first != std::string::npos && second != std::string::npos;
+  if (!has_two || text.find(',', second + 1) != std::string::npos) {
+    throw InputError(Diagnostic{.message = fmt::format("--coordinates cannot be '{}'", text),
+                                .expected = "the names of three features, such as XX,YY,ZZ"});
+  }
+  return {text.substr(0, first), text.substr(first + 1, second - first - 1), text.substr(second + 1)};
+}
+
+StandMeasures measure_mtg(const MeasureCommand& command) {
+  MtgGeometry geometry{.diameter = command.diameter};
+  if (!command.coordinates.empty()) geometry.position = three_names(command.coordinates);
+  if (!command.unit.empty()) geometry.length_unit = units().at(command.unit);
+  geometry.diameter_unit = command.diameter_unit.empty() ? geometry.length_unit : units().at(command.diameter_unit);
+  const std::string& path = command.document.path;
+  const Limits limits;
+  const MtgSkeleton read = skeleton_of(read_mtg(read_file(path, limits.file_bytes), path, limits), path, geometry);
+  check_output(command.output);
+
+  const ThreadLimit threads(command.document.threads);
+  StandMeasures stand;
+  {
+    TerminalProgress terminal(command.document.quiet);
+    const Skeleton* const skeleton = &read.skeleton;
+    stand = measure_skeletons(std::span(&skeleton, 1), command.measures, terminal.progress());
+  }
+  if (command.document.quiet) return stand;
+  std::vector<Diagnostic> warnings;
+  const auto warn = [&](std::string message) {
+    warnings.push_back({.severity = Severity::warning, .message = std::move(message), .file = path});
+  };
+  if (stand.whole.height > kTallestTree) {
+    warn(fmt::format("the plant is {:.0f} m high; --unit says what its coordinates are in", stand.whole.height));
+  }
+  if (read.guessed > 0) {
+    warn(fmt::format("entities without coordinates stand where they are borne: {}", read.guessed));
+  }
+  print_diagnostics(warnings);
+  return stand;
+}
+
+void measure(const MeasureCommand& command) {
+  check_kind(command);
+  const StandMeasures measures = command.reads_mtg() ? measure_mtg(command) : measure_document(command);
+  const std::string text =
+      command.json ? write_json(measures_value(measures, command.each)) : measures_text(measures, command.each);
+  AtomicFile file(command.output);
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
+void list_measures() {
+  for (const MeasureRow& row : measure_rows()) {
+    fmt::print("{:<24} {:<3} {}\n", row.name, row.unit, row.doc);
+  }
+}
+
+void add_mtg_options(CLI::App& command, MeasureCommand& options) {
+  const char* const group = "Of .mtg files, in which plants are coded and digitised";
+  command
+      .add_option("--coordinates", options.coordinates,
+                  "The features with the coordinates to the east, to the north and up; XX,YY,ZZ if not given")
+      ->type_name("X,Y,Z")
+      ->group(group);
+  command.add_option("--diameter", options.diameter, "The feature with diameters; TopDia or TopDiameter if not given")
+      ->type_name("NAME")
+      ->group(group);
+  std::vector<std::string> names;
+  for (const auto& [name, metres] : units()) names.push_back(name);
+  command.add_option("--unit", options.unit, "Of coordinates; m if not given")
+      ->type_name("UNIT")
+      ->check(CLI::IsMember(names))
+      ->group(group);
+  command.add_option("--diameter-unit", options.diameter_unit, "Of diameters; that of --unit if not given")
+      ->type_name("UNIT")
+      ->check(CLI::IsMember(names))
+      ->group(group);
+}
+
+}  // namespace
+
+void add_measure(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("measure", "Grow a document, or read an .mtg file, and measure it");
+  auto options = std::make_shared<MeasureCommand>();
+  options->document.add_to(*command);
+  command->get_option("document")->required(false);
+  command->add_option("-o,--output", options->output, "File to write; standard output if not given")->type_name("FILE");
+  command->add_flag("--json", options->json, "Write JSON instead of a table");
+  command->add_flag("--each", options->each, "Measure each tree on its own as well");
+  command
+      ->add_option("--fork-diameter", options->measures.fork_diameter,
+                   "Area ratios count from forks of this thickness; 0.02 if not given")
+      ->type_name("METRES")
+      ->check(CLI::Range(0.0, 1000.0));
+  command->add_flag("--list", options->list, "Say what is measured");
+  command->add_flag("--markdown", options->markdown, "Print all measures as the table of the manual")
+      ->excludes("--list");
+  add_mtg_options(*command, *options);
+  command->footer(
+      "Example: meristem measure models/oak.json --seed 3 --json -o oak-measures.json\n"
+      "         meristem measure walnut.mtg --unit cm --diameter-unit mm");
+  command->callback([options, &run] {
+    const bool is_listing = options->list || options->markdown;
+    if (!is_listing && options->document.path.empty()) throw CLI::RequiredError("document");
+    run = [options] {
+      if (options->list) {
+        list_measures();
+      } else if (options->markdown) {
+        fmt::print("{}", measures_reference());
+      } else {
+        measure(*options);
+      }
+    };
+  });
+}
+
+}  // namespace meristem::cli

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes as a mesh: indices in range, or a fault of that file; and around a mesh that is found closed the surface
+// winds no more often than it has triangles, and nowhere around points far away.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/scene/read_mesh.h"
+
+namespace {
+
+void require(bool holds) {
+  if (!holds) __builtin_trap();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace meristem;
+  Limits limits;
+  limits.triangles = 5000;
+  try {
+    const TriangleMesh mesh = parse_mesh({reinterpret_cast<const char*>(data), size}, "body", limits);
+    require(mesh.triangles.size() <= limits.triangles);
+    for (const auto& triangle : mesh.triangles) {
+      for (const std::uint32_t vertex : triangle) require(vertex < mesh.positions.size());
+    }
+    if (!closedness_faults(mesh).empty()) return 0;
+    const ClosedMesh closed(mesh);
+    const auto most = static_cast<int>(mesh.triangles.size());
+    for (const DVec3 position : mesh.positions) require(std::abs(closed.winding_number(position)) <= most);
+    require(!closed.contains(DVec3(1e300)) && !closed.contains(DVec3(-1e300)));
+  } catch (const InputError& error) {
+    for (const Diagnostic& found : error.diagnostics()) require(!found.message.empty() && found.file == "body");
+  }
+  return 0;
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes as a file of points: finite points within the limit, or a fault of that file.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/scene/read_points.h"
+
+namespace {
+
+void require(bool holds) {
+  if (!holds) __builtin_trap();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace meristem;
+  Limits limits;
+  limits.points = 5000;
+  try {
+    const PointCloud points = parse_points({reinterpret_cast<const char*>(data), size}, "scan", limits);
+    require(!points.empty() && points.size() <= limits.points);
+    for (const DVec3 point : points) {
+      require(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z));
+    }
+  } catch (const InputError& error) {
+    for (const Diagnostic& found : error.diagnostics()) require(!found.message.empty() && found.file == "scan");
+  }
+  return 0;
+}

@@ -7,6 +7,7 @@
 #include "meristem/scene/blue_noise.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -20,6 +21,22 @@ constexpr int kMostMisses = 40;  // in a row
 constexpr float kShrink = 0.97F;
 constexpr std::size_t kLeastBatch = 256;
 constexpr std::size_t kMostBatch = 1U << 16;
+
+/// The 27 cells around a point, its own first, then those that share a side, an edge and a corner with it.
+constexpr std::array<std::array<std::int8_t, 3>, 27> kNeighbours = [] {
+  std::array<std::array<std::int8_t, 3>, 27> cells{};
+  std::size_t count = 0;
+  for (int steps = 0; steps <= 3; ++steps) {
+    for (int k = 0; k < 27; ++k) {
+      const int x = k % 3 - 1;
+      const int y = k / 3 % 3 - 1;
+      const int z = k / 9 - 1;
+      if (x * x + y * y + z * z != steps) continue;
+      cells[count++] = {static_cast<std::int8_t>(x), static_cast<std::int8_t>(y), static_cast<std::int8_t>(z)};
+    }
+  }
+  return cells;
+}();
 
 /// The cube root, by Newton's steps from above: exact arithmetic only, and not in any inner loop.
 double cube_root(double x) {
@@ -45,13 +62,13 @@ bool BlueNoise::append(CrownSampler& sampler, std::uint64_t count, Progress& pro
     }
     if (kept == 0 && misses == 0) {
       const double spacing = cube_root(kFilled * 6 / kPi * sampler.volume() / static_cast<double>(count));
-      begin_group(spacing, points.size() + count, points);
+      begin_group(spacing, count);
     }
     const std::uint64_t before = kept;
     for (const Vec3 dart : darts) {
       if (kept == count) break;
-      if (is_free(dart, points)) {
-        insert(static_cast<std::uint32_t>(points.size()), dart);
+      if (is_free(dart)) {
+        insert(dart, present_spacing_);
         points.push_back(dart);
         ++kept;
         misses = 0;
@@ -66,44 +83,48 @@ bool BlueNoise::append(CrownSampler& sampler, std::uint64_t count, Progress& pro
 }
 
 /// Sorts all points so far into cells that fit the new group's spacing.
-void BlueNoise::begin_group(double spacing, std::size_t expected, const std::vector<Vec3>& points) {
+void BlueNoise::begin_group(double spacing, std::size_t expected) {
   present_spacing_ = static_cast<float>(spacing);
   cell_size_ = std::max(spacing, 1e-9);
-  first_.assign(std::bit_ceil(std::max<std::size_t>(2 * expected, 16)), kNone);
-  next_.clear();
-  std::vector<float> spacings;
-  spacings.swap(spacing_);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    insert(static_cast<std::uint32_t>(k), points[k]);
-    spacing_[k] = spacings[k];
-  }
+  first_.assign(std::bit_ceil(std::max<std::size_t>(2 * (kept_.size() + expected), 16)), kNone);
+  std::vector<Kept> before;
+  before.swap(kept_);
+  for (const Kept& each : before) insert(each.point, each.spacing);
 }
 
-void BlueNoise::insert(std::uint32_t index, Vec3 point) {
-  const std::size_t home = bucket(cell(point.x), cell(point.y), cell(point.z));
-  spacing_.push_back(present_spacing_);
-  next_.push_back(first_[home]);
-  first_[home] = index;
+void BlueNoise::insert(Vec3 point, float spacing) {
+  const DVec3 cell = glm::floor(DVec3(point) / cell_size_);
+  const std::size_t home =
+      bucket(static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y), static_cast<std::int64_t>(cell.z));
+  kept_.push_back({point, spacing, first_[home]});
+  first_[home] = static_cast<std::uint32_t>(kept_.size() - 1);
 }
 
-bool BlueNoise::is_free(Vec3 point, const std::vector<Vec3>& points) const {
-  const std::int64_t x = cell(point.x);
-  const std::int64_t y = cell(point.y);
-  const std::int64_t z = cell(point.z);
-  for (int k = 0; k < 27; ++k) {
+bool BlueNoise::is_free(Vec3 point) const {
+  const DVec3 in_cells = DVec3(point) / cell_size_;
+  const DVec3 cell = glm::floor(in_cells);
+  const DVec3 within = in_cells - cell;
+  const double reach = present_spacing_ / cell_size_;
+  // From the point's own cell outward, as most darts are too near to a point there.
+  for (const std::array<std::int8_t, 3>& step : kNeighbours) {
+    double squared = 0;
+    for (int k = 0; k < 3; ++k) {
+      const int side = step[static_cast<std::size_t>(k)];
+      const double gap = side == 0 ? 0 : side > 0 ? 1 - within[k] : within[k];
+      squared += gap * gap;
+    }
+    if (squared > reach * reach) continue;
     // A point may be met in several buckets that cells share; that costs time and nothing else.
-    std::uint32_t other = first_[bucket(x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1)];
-    for (; other != kNone; other = next_[other]) {
-      const Vec3 between = points[other] - point;
-      const float apart = std::min(present_spacing_, spacing_[other]);
+    std::uint32_t other =
+        first_[bucket(static_cast<std::int64_t>(cell.x) + step[0], static_cast<std::int64_t>(cell.y) + step[1],
+                      static_cast<std::int64_t>(cell.z) + step[2])];
+    for (; other != kNone; other = kept_[other].next) {
+      const Vec3 between = kept_[other].point - point;
+      const float apart = std::min(present_spacing_, kept_[other].spacing);
       if (glm::dot(between, between) < apart * apart) return false;
     }
   }
   return true;
-}
-
-std::int64_t BlueNoise::cell(float coordinate) const {
-  return static_cast<std::int64_t>(std::floor(coordinate / cell_size_));
 }
 
 std::size_t BlueNoise::bucket(std::int64_t x, std::int64_t y, std::int64_t z) const {

@@ -4,20 +4,47 @@
 #include <fmt/format.h>
 
 #include "meristem/components/surface_table.h"
+#include "meristem/graph/node_condition.h"
+#include "meristem/plant/shed.h"
 
 namespace meristem {
 
 namespace {
 
-std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowContext& context) {
-  const Vec3 root = site.frame.origin;
-  std::vector<Vec3> points = make_points(tree.crown, tree.points, site.key.child("points"), context);
-  for (Vec3& point : points) point += root;
-  return make_colonizer(context.stand, {{root, std::move(points)}}, tree.growth, site.key.child("growth"),
-                        context.limits, context.component);
+/// Whether all roots grow into the same points.
+bool shares_points(const Colonize& tree) { return tree.one_crown || tree.points.file.content != nullptr; }
+
+/// The points of one crown or file, moved to the world.
+std::vector<Vec3> points_at(const Colonize& tree, Vec3 place, RandomKey key, const GrowContext& context) {
+  std::vector<Vec3> points = make_points(tree.crown, tree.points, key, context);
+  for (Vec3& point : points) point += place;
+  return points;
 }
 
-void expand(const Colonize& tree, const Site&, Emitter& out) { out.stem(out.take_grown(), tree.surface); }
+std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowContext& context) {
+  const RandomKey key = site.key.child("points");
+  const bool shares = shares_points(tree);
+  std::vector<Seedling> seedlings;
+  for (const Vec3 root : tree.roots) {
+    Seedling& seedling = seedlings.emplace_back();
+    seedling.root = site.frame.point(root);
+    const std::size_t k = seedlings.size() - 1;
+    if (!shares) seedling.points = points_at(tree, seedling.root, k == 0 ? key : key.child(k), context);
+  }
+  if (shares) seedlings[0].points = points_at(tree, site.frame.origin, key, context);
+  return make_colonizer(context.stand, seedlings, tree.growth, site.key.child("growth"), context.limits,
+                        context.component);
+}
+
+void expand(const Colonize& tree, const Site& site, Emitter& out) {
+  Skeleton skeleton = out.take_grown();
+  if (tree.shed) {
+    skeleton = shed_branches(skeleton, nodes_where(skeleton, Axes(skeleton), *tree.shed, site.key.child("shed")));
+    assign_pipe_radii(skeleton, tree.growth.radii);
+    assign_axes(skeleton);
+  }
+  out.stem(std::move(skeleton), tree.surface);
+}
 
 void check_distances(const Colonize& tree, const Place& place, ParameterReader& reader) {
   if (!tree.crown && !tree.points.file) {
@@ -36,9 +63,10 @@ void check_distances(const Colonize& tree, const Place& place, ParameterReader& 
                              growth.step, growth.kill),
                  fmt::format("a number (m) of at most {:.7g}", growth.kill));
   }
-  if (tree.points.count > reader.limits().points) {
-    reader.fault_limit(Place(place, "points"), "attraction points", static_cast<double>(tree.points.count),
-                       reader.limits().points, "points");
+  const std::size_t crowns = shares_points(tree) ? 1 : tree.roots.size();
+  const double points = static_cast<double>(tree.points.count) * static_cast<double>(crowns);
+  if (points > static_cast<double>(reader.limits().points)) {
+    reader.fault_limit(Place(place, "points"), "attraction points", points, reader.limits().points, "points");
   }
 }
 
@@ -77,7 +105,9 @@ const ParameterTable& pipe_table() {
                   "Of the finest twigs; raised, all wood gets thicker.")
           .number(
               "pipe_exponent", &PipeModel::exponent, {.min = 1, .max = 10},
-              "A fork's radius to this power is the sum of its branches'; raised, thinner trunks. 2 to 3.5 in nature.");
+              "A fork's radius to this power is the sum of its branches'; raised, thinner trunks. 2 to 3.5 in nature.")
+          .number("memory", &PipeModel::memory, {.min = 0, .max = 1},
+                  "How far wood keeps the thickness that shed branches gave it; 0 forgets them.");
   return table;
 }
 
@@ -91,8 +121,15 @@ ComponentType colonize_component() {
                         .object("crown", &Colonize::crown, crown_table,
                                 "The envelope that the points fill; needed unless they come from a file.")
                         .object("points", &Colonize::points, points_table, "The attraction points.")
+                        .places("roots", &Colonize::roots, {.unit = Unit::metre, .min = -1e5, .max = 1e5},
+                                "Where trees of this kind stand; each has its crown, and they compete.")
+                        .boolean("one_crown", &Colonize::one_crown,
+                                 "One crown over the component's place, which all roots grow into.")
                         .members(&Colonize::growth, growth_table())
                         .members(&Colonize::growth, &ColonizeParameters::radii, pipe_table())
+                        .condition("shed", &Colonize::shed, node_variables(),
+                                   "Branches that are gone when growth is done: the condition holds where they began, "
+                                   "as in \"height < 2 && radius < 0.01\".")
                         .object("surface", &Colonize::surface, surface_table, "How the stems are clothed.")
                         .check(check_distances),
       .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},

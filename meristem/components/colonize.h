@@ -2,18 +2,23 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "meristem/components/crown_table.h"
 #include "meristem/graph/component.h"
+#include "meristem/graph/selection.h"
 #include "meristem/grow/colonize/colonize.h"
 
 namespace meristem {
 
-/// A tree that grows into the attraction points of its crown.
-struct Colonize : ComponentBase {
+/// A tree that grows into the attraction points of its crown, or several of them.
+struct Colonize : GrowingComponent {
   std::optional<CrownForm> crown;
   PointsForm points;
+  std::vector<Vec3> roots{Vec3(0)};  ///< where the trees stand, in the component's frame
+  bool one_crown = false;            ///< one crown over the component's place instead of one over each root
   ColonizeParameters growth;
+  std::optional<Condition> shed;  ///< branches that are gone when growth is done
   Surface surface;
 };
 

@@ -144,5 +144,69 @@ TEST(ColonizeComponent, RulesHoldForEachInstanceWhereParametersVary) {
   EXPECT_EQ(fault(with({{"kill", "0.7 + i"}})).path, "components.tree.kill");
 }
 
+std::size_t root_count(const Skeleton& skeleton) {
+  return static_cast<std::size_t>(std::count(skeleton.parent.begin(), skeleton.parent.end(), kNoNode));
+}
+
+TEST(ColonizeComponent, RootsMakeAGroveWithACrownOverEach) {
+  const Value::List two{Value::List{0, 0, 0}, Value::List{2, 0, 0}};
+  const Plant plant = tree(with({{"points", 300}, {"roots", two}})).grow();
+  ASSERT_EQ(plant.stems.size(), 1U);
+  const Skeleton& grove = plant.stems[0].skeleton;
+  EXPECT_TRUE(check_skeleton(grove));
+  EXPECT_EQ(root_count(grove), 2U);
+  // Each crown is some 1.2 m wide.
+  EXPECT_LT(bounds(grove).low.x, -0.3F);
+  EXPECT_GT(bounds(grove).high.x, 2.3F);
+}
+
+TEST(ColonizeComponent, OneCrownIsSharedByAllRoots) {
+  const Value::List two{Value::List{-0.2, 0, 0}, Value::List{0.2, 0, 0}};
+  const auto grove = [&](bool shared) {
+    return tree(with({{"points", 300}, {"roots", two}, {"one_crown", shared}})).grow().stems[0].skeleton;
+  };
+  const Skeleton shared = grove(true);
+  EXPECT_TRUE(check_skeleton(shared));
+  EXPECT_EQ(root_count(shared), 2U);
+  EXPECT_LT(shared.node_count(), grove(false).node_count());
+  EXPECT_LT(bounds(shared).high.x, 0.65F);
+}
+
+TEST(ColonizeComponent, TreesOfADocumentCompeteUnlessAlone) {
+  const auto nodes = [](bool alone) {
+    GraphBuilder builder(builtin_components());
+    builder.component("view", "camera");
+    for (const char* id : {"a", "b"}) {
+      const double x = *id == 'a' ? -0.2 : 0.2;
+      const Value frame = Value::Object{{"translate", Value::List{x, 0, 0}}};
+      builder.component(id, "colonize", with({{"points", 400}, {"alone", alone}, {"frame", frame}}));
+      builder.link("view", id);
+    }
+    return builder.grow().node_count();
+  };
+  EXPECT_LT(static_cast<double>(nodes(false)), 0.85 * static_cast<double>(nodes(true)));
+}
+
+TEST(ColonizeComponent, ShedBranchesAreGoneAndRememberedByTheWood) {
+  const auto stem = [](const char* shed, double memory) {
+    return tree(with({{"points", 500}, {"shed", shed}, {"memory", memory}})).grow().stems[0].skeleton;
+  };
+  const Skeleton whole = tree(with({{"points", 500}})).grow().stems[0].skeleton;
+  const Skeleton remembering = stem("height < 1.2", 1);
+  const Skeleton forgetting = stem("height < 1.2", 0);
+  ASSERT_TRUE(check_skeleton(remembering));
+  ASSERT_TRUE(check_skeleton(forgetting));
+  EXPECT_LT(remembering.node_count(), whole.node_count());
+  EXPECT_EQ(remembering.position, forgetting.position);
+  EXPECT_EQ(remembering.radius[0], whole.radius[0]);
+  EXPECT_LT(forgetting.radius[0], whole.radius[0]);
+  EXPECT_EQ(fault({{"crown", kCrown}, {"shed", "heigth < 1"}}).nearest, "height");
+}
+
+TEST(ColonizeComponent, RefusesRootsThatAreNone) {
+  EXPECT_EQ(fault(with({{"roots", Value::List{}}})).path, "components.tree.roots");
+  EXPECT_EQ(fault(with({{"roots", Value::List{Value::List{0, 0}}}})).path, "components.tree.roots[0]");
+}
+
 }  // namespace
 }  // namespace meristem

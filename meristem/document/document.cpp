@@ -11,6 +11,7 @@
 #include "meristem/document/locate.h"
 #include "meristem/document/override.h"
 #include "meristem/document/tables.h"
+#include "meristem/graph/node_condition.h"
 
 namespace meristem {
 
@@ -137,7 +138,7 @@ class DocumentReader {
     const auto is_in = [&name](const auto& names) {
       return std::find(names.begin(), names.end(), name) != names.end();
     };
-    return is_builtin_name(name) || is_in(site_variables()) || is_in(placement_variables());
+    return is_builtin_name(name) || is_in(site_variables()) || is_in(node_variables());
   }
   /// Expressions can only be compiled with names that a variable may have.
   static bool is_free_name(const std::string& name) { return is_identifier(name) && !has_meaning(name); }

@@ -30,6 +30,14 @@ const ParameterTable& transform_table() {
 
 }  // namespace
 
+const ParameterTable& growing_component_table() {
+  static const ParameterTable table =
+      Table<GrowingComponent>("a growing component", "What components that grow have besides.")
+          .boolean("alone", &GrowingComponent::alone,
+                   "Grows in a stand of its own, without competing with the document's other plants.");
+  return table;
+}
+
 const ParameterTable& component_base_table() {
   static const ParameterTable table =
       Table<ComponentBase>("a component", "What all components have.")

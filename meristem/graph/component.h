@@ -61,8 +61,15 @@ struct ComponentBase {
   bool hidden = false;               ///< no geometry; children stay
 };
 
+/// What components that grow have besides.
+struct GrowingComponent : ComponentBase {
+  bool alone = false;  ///< grows in a stand of its own
+};
+
 /// The rows of ComponentBase, which follow each component's own.
 const ParameterTable& component_base_table();
+/// Those of GrowingComponent, which stand between.
+const ParameterTable& growing_component_table();
 
 struct Prototype;
 
@@ -88,6 +95,8 @@ struct ComponentType {
   std::function<const ComponentBase&(const void* parameters)> base;
   /// Expands a block of instances.
   std::function<void(const Prototype&, std::span<const Site>, Emitter&)> expand;
+  /// Whether each instance grows in a stand of its own; empty for components that do not grow.
+  std::function<bool(const void* parameters)> grows_alone;
   /// Plants one instance in a stand; empty for components that do not grow.
   std::function<std::unique_ptr<Grower>(const Prototype&, const Site&, double time, const GrowContext&)> grow;
 };
@@ -117,8 +126,8 @@ struct ComponentDefinition {
   bool makes_stems = false;
   /// Makes one instance's geometry and says where children stand, through `out`, relative to the instance's own frame.
   void (*expand)(const P& parameters, const Site& site, Emitter& out) = nullptr;
-  /// For components that grow: plants one instance at its site. After growing, `expand` finds the skeleton in
-  /// `out.take_grown()`.
+  /// For components that grow (P derives from GrowingComponent): plants one instance at its site. After growing,
+  /// `expand` finds the skeleton in `out.take_grown()`.
   std::unique_ptr<Grower> (*grow)(const P& parameters, const Site& site, const GrowContext& context) = nullptr;
 };
 
@@ -128,6 +137,10 @@ ComponentType define_component(ComponentDefinition<P> definition) {
   ComponentType type;
   type.name = std::move(definition.name);
   type.doc = std::move(definition.doc);
+  if constexpr (std::is_base_of_v<GrowingComponent, P>) {
+    std::move(definition.parameters).template include<GrowingComponent>(growing_component_table());
+    type.grows_alone = [](const void* parameters) { return static_cast<const P*>(parameters)->alone; };
+  }
   type.parameters =
       std::move(definition.parameters).template include<ComponentBase>(component_base_table()).elsewhere({"type"});
   type.material = definition.material;
@@ -144,7 +157,7 @@ ComponentType define_component(ComponentDefinition<P> definition) {
       out.instance(instance, sites[k], k, [&](const Site& site) { expand(instance, site, out); });
     }
   };
-  if (definition.grow != nullptr) {
+  if constexpr (std::is_base_of_v<GrowingComponent, P>) {
     type.grow = [grow = definition.grow](const Prototype& prototype, const Site& site, double time,
                                          const GrowContext& context) {
       P instance = *static_cast<const P*>(prototype.parameters.get());

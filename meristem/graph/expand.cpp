@@ -85,26 +85,45 @@ class Expansion {
     return "components." + graph_.components[component].id;
   }
 
-  /// Grows all that waits in one stand, then expands it with what has grown.
+  /// Grows all that waits in one stand, but for plants that want to be alone, and expands it with what has grown.
   void grow_waiting() {
     std::deque<Batch> batches = std::move(growing_);
     growing_.clear();
     std::stable_sort(batches.begin(), batches.end(),
                      [](const Batch& a, const Batch& b) { return a.component < b.component; });
-    Stand stand;
+    Stand together;
     for (const Batch& batch : batches) {
-      const Prototype& prototype = graph_.components[batch.component];
-      const GrowContext context{scene_, graph_.limits, prototype.id, stand, progress_};
-      for (const Site& site : batch.sites) stand.add(prototype.type->grow(prototype, site, time_, context));
+      if (grows_alone(batch)) continue;
+      for (const Site& site : batch.sites) plant(batch.component, site, together);
     }
-    stand.grow(progress_);
-    std::vector<Skeleton> skeletons = stand.take_skeletons(progress_);
+    together.grow(progress_);
+    std::vector<Skeleton> skeletons = together.take_skeletons(progress_);
     auto next = skeletons.begin();
     for (const Batch& batch : batches) {
-      const auto end = next + static_cast<std::ptrdiff_t>(batch.sites.size());
-      expand_batch(batch, {std::make_move_iterator(next), std::make_move_iterator(end)});
-      next = end;
+      std::vector<Skeleton> grown;
+      for (const Site& site : batch.sites) {
+        grown.push_back(grows_alone(batch) ? grow_alone(batch.component, site) : std::move(*next++));
+      }
+      expand_batch(batch, std::move(grown));
     }
+  }
+
+  bool grows_alone(const Batch& batch) const {
+    const Prototype& prototype = graph_.components[batch.component];
+    return prototype.type->grows_alone(prototype.parameters.get());
+  }
+
+  void plant(ComponentIndex component, const Site& site, Stand& stand) {
+    const Prototype& prototype = graph_.components[component];
+    const GrowContext context{scene_, graph_.limits, prototype.id, stand, progress_};
+    stand.add(prototype.type->grow(prototype, site, time_, context));
+  }
+
+  Skeleton grow_alone(ComponentIndex component, const Site& site) {
+    Stand stand;
+    plant(component, site, stand);
+    stand.grow(progress_);
+    return std::move(stand.take_skeletons(progress_)[0]);
   }
 
   /// Expands the instances in parallel blocks and hands their places on along the links.

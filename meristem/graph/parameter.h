@@ -32,6 +32,7 @@ enum class ParameterKind {
   colour,     ///< "#6b8e23"
   curve,      ///< {"curve": [[x, y], ...], "kind": "spline" | "linear"}
   points,     ///< a list of pairs [x, y]
+  places,     ///< a list of places [x, y, z]
   condition,  ///< an expression that is true or false for each place
   selection,  ///< a list of instance numbers, ranges and conditions
   box,        ///< two corners [[x, y, z], [x, y, z]], the lower first

@@ -7,14 +7,10 @@
 #include "meristem/base/frame.h"
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
+#include "meristem/graph/node_condition.h"
 #include "meristem/graph/table.h"
 
 namespace meristem {
-
-const std::vector<std::string>& placement_variables() {
-  static const std::vector<std::string> names = {"order", "radius", "u", "height", "birth", "tip_distance"};
-  return names;
-}
 
 const ParameterTable& placement_table() {
   static const ParameterTable table =
@@ -23,7 +19,7 @@ const ParameterTable& placement_table() {
                   "Places per metre of stem; 40 where neither density nor count is given.")
           .integer("count", &Placement::count, {.min = 0, .max = 2e9},
                    "Places on each skeleton, shared out over its axes by their length.")
-          .condition("where", &Placement::where, placement_variables(),
+          .condition("where", &Placement::where, node_variables(),
                      "Which parts of the stems carry children; the twigs, \"tip_distance < 0.4\", if not given.")
           .integer("whorl", &Placement::whorl, {.min = 1, .max = 1000},
                    "Children at each place, evenly about the axis.")
@@ -78,52 +74,12 @@ struct AxisPlaces {
   std::uint64_t first_site = 0;
 };
 
-float segment_length(const Skeleton& skeleton, NodeIndex node) {
-  return skeleton.is_root(node) ? 0 : glm::distance(skeleton.position[node], skeleton.position[skeleton.parent[node]]);
-}
-
-/// From the mother node to the tip.
-float axis_length(const Skeleton& skeleton, std::span<const NodeIndex> nodes) {
-  double length = 0;
-  for (const NodeIndex node : nodes) length += segment_length(skeleton, node);
-  return static_cast<float>(length);
-}
-
 /// For every node whether the segment that ends in it may carry children.
 std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const Axes& axes, const Placement& placement,
                                          RandomKey key) {
-  const std::size_t count = skeleton.node_count();
-  const std::vector<float> tip = tip_distance(skeleton);
-  std::vector<std::uint8_t> eligible(count);
-  if (!placement.where) {
-    for (std::size_t k = 0; k < count; ++k) eligible[k] = tip[k] < kDefaultTwig ? 1 : 0;
-    return eligible;
-  }
-  std::vector<double> order(count), radius(count), u(count), height(count), birth(count), distance(count),
-      result(count);
-  for (AxisIndex a = 0; a < axes.count(); ++a) {
-    const auto nodes = axes.of(a);
-    const float whole = std::max(1e-20F, axis_length(skeleton, nodes));
-    float arc = 0;
-    for (const NodeIndex node : nodes) {
-      arc += segment_length(skeleton, node);
-      u[node] = arc / whole;
-    }
-  }
-  for (std::size_t k = 0; k < count; ++k) {
-    order[k] = skeleton.order[k];
-    radius[k] = skeleton.radius[k];
-    height[k] = skeleton.position[k].y;
-    birth[k] = skeleton.birth[k];
-    distance[k] = tip[k];
-  }
-  const double* const columns[] = {order.data(), radius.data(), u.data(), height.data(), birth.data(), distance.data()};
-  std::vector<RandomKey> keys;
-  if (placement.where->expression.is_random()) {
-    for (std::size_t k = 0; k < count; ++k) keys.push_back(key.child(k));
-  }
-  placement.where->expression.evaluate(count, columns, keys, result.data());
-  for (std::size_t k = 0; k < count; ++k) eligible[k] = result[k] != 0 ? 1 : 0;
+  if (placement.where) return nodes_where(skeleton, axes, *placement.where, key);
+  std::vector<std::uint8_t> eligible;
+  for (const float distance : tip_distance(skeleton)) eligible.push_back(distance < kDefaultTwig ? 1 : 0);
   return eligible;
 }
 

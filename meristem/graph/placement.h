@@ -33,9 +33,6 @@ struct Placement {
 
 const ParameterTable& placement_table();
 
-/// Names in `where`: order, radius, u, height, birth, tip_distance (of a node, metres; height above the ground).
-const std::vector<std::string>& placement_variables();
-
 struct PlacementContext {
   Vec3 light{0, 1, 0};  ///< unit vector toward it
   Site parent;          ///< of the instance that made the stem; the places' keys and depths come from it

@@ -168,6 +168,22 @@ Value show_vector(Unit unit, Vec3 vector) {
   return Value::List{to_document(unit, vector.x), to_document(unit, vector.y), to_document(unit, vector.z)};
 }
 
+void read_places(const Parameter& self, const Value& value, const Place& place, ParameterReader& reader,
+                 std::vector<Vec3>& out) {
+  const Value::List* list = value.list();
+  if (list == nullptr || list->empty()) return reader.wrong_kind(self, value, place);
+  out.assign(list->size(), Vec3(0));
+  Parameter each = element_of(self);
+  each.kind = ParameterKind::vector;
+  for (std::size_t k = 0; k < list->size(); ++k) read_vector(each, (*list)[k], Place(place, k), reader, out[k]);
+}
+
+Value show_places(Unit unit, const std::vector<Vec3>& places) {
+  Value::List list;
+  for (const Vec3 place : places) list.push_back(show_vector(unit, place));
+  return list;
+}
+
 void read_box(const Parameter& self, const Value& value, const Place& place, ParameterReader& reader, Box& out) {
   const Value::List* corners = value.list();
   if (corners == nullptr || corners->size() != 2) return reader.wrong_kind(self, value, place);

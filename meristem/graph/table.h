@@ -48,6 +48,8 @@ void read_integers(const Parameter&, const Value&, const Place&, ParameterReader
 Value show_integers(const std::vector<int>& numbers);
 void read_vector(const Parameter&, const Value&, const Place&, ParameterReader&, Vec3& out);
 Value show_vector(Unit unit, Vec3 vector);
+void read_places(const Parameter&, const Value&, const Place&, ParameterReader&, std::vector<Vec3>& out);
+Value show_places(Unit unit, const std::vector<Vec3>& places);
 void read_box(const Parameter&, const Value&, const Place&, ParameterReader&, Box& out);
 Value show_box(Unit unit, const Box& box);
 void read_colour(const Parameter&, const Value&, const Place&, ParameterReader&, Vec3& out);
@@ -189,6 +191,18 @@ class Table {
           return (object.*member).empty() ? Value() : table_detail::show_points(object.*member);
         });
     made.form = form;
+    return std::move(*this);
+  }
+  /// A list of places [[x, y, z], ...], at least one.
+  Table&& places(std::string name, std::vector<Vec3> P::*member, NumberForm form, std::string doc) && {
+    Parameter& made = row(
+        ParameterKind::places, std::move(name), std::move(doc),
+        [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
+          table_detail::read_places(self, value, place, reader, object.*member);
+        },
+        [member, unit = form.unit](const P& object) { return table_detail::show_places(unit, object.*member); });
+    made.form = form;
+    made.form.fixed = true;
     return std::move(*this);
   }
   /// A list of exactly `count` whole numbers.

@@ -13,10 +13,13 @@
 namespace meristem {
 namespace {
 
-std::vector<std::uint32_t> count_tips(const Skeleton& skeleton) {
-  std::vector<std::uint32_t> tips(skeleton.node_count(), 0);
+/// Those at or beyond each node, with the remembered part of those that were shed.
+std::vector<double> count_tips(const Skeleton& skeleton, double memory) {
+  const auto shed = skeleton.extra.find("shed");
+  std::vector<double> tips(skeleton.node_count(), 0);
   for (std::size_t node = skeleton.node_count(); node-- > 0;) {
     if (tips[node] == 0) tips[node] = 1;
+    if (shed != skeleton.extra.end()) tips[node] += memory * shed->second[node];
     const NodeIndex parent = skeleton.parent[node];
     if (parent != kNoNode) tips[parent] += tips[node];
   }
@@ -27,7 +30,7 @@ std::vector<std::uint32_t> count_tips(const Skeleton& skeleton) {
 
 void assign_pipe_radii(Skeleton& skeleton, const PipeModel& model) {
   if (!(model.tip_radius > 0 && model.exponent > 0)) throw std::invalid_argument("pipe model: numbers above 0 wanted");
-  const std::vector<std::uint32_t> tips = count_tips(skeleton);
+  const std::vector<double> tips = count_tips(skeleton, model.memory);
   // Parents come first, and most nodes continue theirs without a fork.
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     const NodeIndex parent = skeleton.parent[node];

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/plant/shed.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace meristem {
+namespace {
+
+/// Where each node stands in the result; kNoNode for those that go.
+std::vector<NodeIndex> place_survivors(const Skeleton& skeleton, std::span<const std::uint8_t> marked) {
+  std::vector<NodeIndex> place(skeleton.node_count(), kNoNode);
+  NodeIndex survivors = 0;
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    const NodeIndex parent = skeleton.parent[node];
+    const bool begins_branch = parent != kNoNode && skeleton.axis[node] != skeleton.axis[parent];
+    const bool is_shed = parent != kNoNode && (place[parent] == kNoNode || (begins_branch && marked[node] != 0));
+    if (!is_shed) place[node] = survivors++;
+  }
+  return place;
+}
+
+/// The tips at or beyond each node, with those lost there before.
+std::vector<float> count_tips(const Skeleton& skeleton) {
+  const auto before = skeleton.extra.find("shed");
+  std::vector<float> tips(skeleton.node_count(), 0);
+  for (std::size_t node = skeleton.node_count(); node-- > 0;) {
+    if (tips[node] == 0) tips[node] = 1;
+    if (before != skeleton.extra.end()) tips[node] += before->second[node];
+    if (skeleton.parent[node] != kNoNode) tips[skeleton.parent[node]] += tips[node];
+  }
+  return tips;
+}
+
+}  // namespace
+
+Skeleton shed_branches(const Skeleton& skeleton, std::span<const std::uint8_t> marked) {
+  const std::vector<NodeIndex> place = place_survivors(skeleton, marked);
+  const std::vector<float> tips = count_tips(skeleton);
+  Skeleton kept;
+  kept.extra["shed"];
+  for (const auto& [name, values] : skeleton.extra) kept.extra[name];
+  std::map<AxisIndex, AxisIndex> axes;  // the numbers of those that stay
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    const NodeIndex parent = skeleton.parent[node];
+    if (place[node] == kNoNode) {
+      // The node where a branch was keeps count of it.
+      if (parent != kNoNode && place[parent] != kNoNode) kept.extra["shed"][place[parent]] += tips[node];
+      continue;
+    }
+    const NodeIndex copy =
+        kept.add_node(parent == kNoNode ? kNoNode : place[parent], skeleton.position[node], skeleton.birth[node]);
+    kept.radius[copy] = skeleton.radius[node];
+    kept.order[copy] = skeleton.order[node];
+    kept.axis[copy] = axes.try_emplace(skeleton.axis[node], static_cast<AxisIndex>(axes.size())).first->second;
+    for (const auto& [name, values] : skeleton.extra) kept.extra[name][copy] = values[node];
+  }
+  return kept;
+}
+
+}  // namespace meristem

@@ -2,6 +2,7 @@
 #include "meristem/components/registry.h"
 
 #include "meristem/components/camera.h"
+#include "meristem/components/cloud.h"
 #include "meristem/components/colonize.h"
 #include "meristem/components/leaf.h"
 #include "meristem/components/simple.h"
@@ -14,6 +15,7 @@ const Registry& builtin_components() {
       simple_component(),
       leaf_component(),
       colonize_component(),
+      cloud_component(),
   });
   return registry;
 }

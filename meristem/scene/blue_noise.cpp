@@ -23,8 +23,8 @@ constexpr std::size_t kLeastBatch = 256;
 constexpr std::size_t kMostBatch = 1U << 16;
 
 /// The 27 cells around a point, its own first, then those that share a side, an edge and a corner with it.
-constexpr std::array<std::array<std::int8_t, 3>, 27> kNeighbours = [] {
-  std::array<std::array<std::int8_t, 3>, 27> cells{};
+constexpr std::array<std::array<int, 3>, 27> kNeighbours = [] {
+  std::array<std::array<int, 3>, 27> cells{};
   std::size_t count = 0;
   for (int steps = 0; steps <= 3; ++steps) {
     for (int k = 0; k < 27; ++k) {
@@ -32,7 +32,7 @@ constexpr std::array<std::array<std::int8_t, 3>, 27> kNeighbours = [] {
       const int y = k / 3 % 3 - 1;
       const int z = k / 9 - 1;
       if (x * x + y * y + z * z != steps) continue;
-      cells[count++] = {static_cast<std::int8_t>(x), static_cast<std::int8_t>(y), static_cast<std::int8_t>(z)};
+      cells[count++] = {x, y, z};
     }
   }
   return cells;
@@ -106,7 +106,7 @@ bool BlueNoise::is_free(Vec3 point) const {
   const DVec3 within = in_cells - cell;
   const double reach = present_spacing_ / cell_size_;
   // From the point's own cell outward, as most darts are too near to a point there.
-  for (const std::array<std::int8_t, 3>& step : kNeighbours) {
+  for (const std::array<int, 3>& step : kNeighbours) {
     double squared = 0;
     for (int k = 0; k < 3; ++k) {
       const int side = step[static_cast<std::size_t>(k)];

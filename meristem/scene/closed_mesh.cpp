@@ -43,6 +43,10 @@ std::int32_t cell_of(std::int32_t coordinate, int level) {
   return std::min(coordinate >> (kBits - level), (1 << level) - 1);
 }
 
+std::size_t cell_index(std::int32_t x, std::int32_t z, int level) {
+  return (static_cast<std::size_t>(z) << static_cast<unsigned>(level)) + static_cast<std::size_t>(x);
+}
+
 }  // namespace
 
 ClosedMesh::ClosedMesh(const TriangleMesh& mesh) : positions_(mesh.positions), triangles_(mesh.triangles) {
@@ -90,7 +94,7 @@ void ClosedMesh::build_levels() {
     while (level > 0 && (1 << (kBits - level)) < extent) --level;
     for (std::int32_t z = cell_of(z_low, level); z <= cell_of(z_high, level); ++z) {
       for (std::int32_t x = cell_of(x_low, level); x <= cell_of(x_high, level); ++x) {
-        see(levels_[static_cast<std::size_t>(level)], static_cast<std::size_t>((z << level) + x));
+        see(levels_[static_cast<std::size_t>(level)], cell_index(x, z, level));
       }
     }
   };
@@ -131,7 +135,7 @@ int ClosedMesh::winding_number(DVec3 point) const {
   int winding = 0;
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     const int level = static_cast<int>(k);
-    const auto cell = static_cast<std::size_t>((cell_of(snapped[2], level) << level) + cell_of(snapped[0], level));
+    const auto cell = cell_index(cell_of(snapped[0], level), cell_of(snapped[2], level), level);
     for (std::uint32_t t = levels_[k].begin[cell]; t < levels_[k].begin[cell + 1]; ++t) {
       add_crossing(triangles_[levels_[k].triangles[t]], snapped, winding);
     }

@@ -14,6 +14,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
 #include "meristem/scene/combined_crown.h"
+#include "meristem/scene/mesh_crown.h"
 #include "meristem/scene/profile_crown.h"
 #include "meristem/scene/solid_crowns.h"
 
@@ -127,6 +128,17 @@ TEST(CrownPoints, AreUniformInCombinations) {
     const double radius = glm::length(DVec3(p));
     return DVec3((std::pow(radius, 3) - 1) / 7, (p.y / radius + 1) / 2, turn_of(p.x, p.z));
   });
+}
+
+TEST(CrownPoints, AreUniformInMeshes) {
+  TriangleMesh cube;
+  for (int k = 0; k < 8; ++k) cube.positions.emplace_back(k & 1, k >> 1 & 1, k >> 2);
+  cube.triangles = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
+  const Frame frame{.axes = rotation(glm::normalize(Vec3(1, 2, 3)), 1), .origin = {0, 2, 1}};
+  const MeshCrown crown(std::make_shared<const ClosedMesh>(cube), frame);
+  expect_uniform(place(crown, {.count = kMany}),
+                 [&](Vec3 p) { return DVec3(glm::transpose(frame.axes) * (p - frame.origin)); });
 }
 
 TEST(CrownPoints, AreUniformInZones) {

@@ -244,6 +244,7 @@ void PlyFile::check_size(const PlyElement& element, std::uint64_t bytes_left) co
   for (const PlyProperty& property : element.properties) {
     row += format_ == PlyFormat::ascii ? 2 : size_of(property.count_type.value_or(property.type));
   }
+  if (row == 0) return;
   const std::uint64_t rows = (bytes_left + (format_ == PlyFormat::ascii ? 1 : 0)) / row;
   if (element.count <= rows) return;
   throw InputError(Diagnostic{

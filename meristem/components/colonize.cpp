@@ -50,6 +50,7 @@ void check_distances(const Colonize& tree, const Place& place, ParameterReader& 
   if (!tree.crown && !tree.points.file) {
     reader.fault(place, "a colonize has no 'crown'", "a 'crown', or 'points' with a 'file'");
   }
+  if (tree.crown) check_shares(*tree.crown, tree.points, place, reader);
   const ColonizeParameters& growth = tree.growth;
   if (growth.kill >= growth.influence) {
     reader.fault(Place(place, "kill"),

@@ -233,6 +233,19 @@ const ParameterTable& points_table() {
   return table;
 }
 
+void check_shares(const CrownForm& crown, const PointsForm& points, const Place& place, ParameterReader& reader) {
+  if (points.shares.empty()) return;
+  const CrownPointer built = build_crown(crown);
+  const Place points_place(place, "points");
+  const Place shares(points_place, "shares");
+  for (std::size_t k = 0; k < points.shares.size(); ++k) {
+    const ShareForm& share = points.shares[k];
+    if (is_fillable(ZonedCrown(*built, {.above = share.above, .outer = share.outer}))) continue;
+    return reader.fault(Place(shares, k), "the share's part of the crown is empty, or nearly",
+                        "a smaller 'above' or a larger 'outer'");
+  }
+}
+
 CrownPointer build_crown(const CrownForm& form) {
   if (!form.profile.empty()) return std::make_shared<ProfileCrown>(form.profile);
   if (!form.profiles.empty()) {
@@ -248,6 +261,7 @@ CrownPointer build_crown(const CrownForm& form) {
 
   const auto combined = [](CombineKind kind, const std::vector<CrownForm>& forms) {
     std::vector<CrownPointer> crowns;
+    crowns.reserve(forms.size());
     for (const CrownForm& each : forms) crowns.push_back(build_crown(each));
     return std::make_shared<CombinedCrown>(kind, std::move(crowns));
   };

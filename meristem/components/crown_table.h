@@ -69,6 +69,9 @@ struct PointsForm {
 const ParameterTable& crown_table();   ///< of CrownForm
 const ParameterTable& points_table();  ///< of PointsForm
 
+/// Reports shares whose part of the crown is empty. `place` is the component's.
+void check_shares(const CrownForm& crown, const PointsForm& points, const Place& place, ParameterReader& reader);
+
 /// The crown that a checked form means; null where its list is empty.
 CrownPointer build_crown(const CrownForm& form);
 

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace meristem {
 namespace {
 
@@ -77,8 +79,8 @@ void MtgFaults::throw_if_any() const {
 }
 
 std::string shown(std::string_view text) {
-  if (text.size() <= kLongestShown) return "'" + std::string(text) + "'";
-  return "'" + std::string(text.substr(0, kLongestShown)) + "...'";
+  if (text.size() <= kLongestShown) return fmt::format("'{}'", text);
+  return fmt::format("'{}...'", text.substr(0, kLongestShown));
 }
 
 std::optional<double> to_number(std::string_view text) {

@@ -90,6 +90,8 @@ TEST(Document, ReportsAllFaultsAtOnceWithTheirPlaces) {
       "d.json:9:22: links[0][1]: there is no component 'tree'; did you mean 'tre'?");
 }
 
+std::string type_names() { return fmt::format("{}", fmt::join(builtin_components().names(), ", ")); }
+
 struct Rejection {
   const char* about;
   std::string text;
@@ -117,10 +119,9 @@ const Rejection kRejections[] = {
     {"BadId", with("", R"("a-b": {"type": "simple"})"),
      "3:16: components.a-b: 'a-b' cannot name a component; expected letters, digits and _"},
     {"NoType", with("", R"("a": {})"),
-     "3:21: components.a: 'a' has no type; expected a \"type\": one of camera, simple, leaf, colonize"},
+     "3:21: components.a: 'a' has no type; expected a \"type\": one of " + type_names()},
     {"ComponentAsNumber", with("", R"("a": 3)"),
-     "3:21: components.a: a component cannot be the number 3; expected a \"type\": one of camera, simple, leaf, "
-     "colonize"},
+     "3:21: components.a: a component cannot be the number 3; expected a \"type\": one of " + type_names()},
     {"UnknownChoice", with("", R"("a": {"type": "simple", "shape": "bax"})"),
      "3:49: components.a.shape: 'bax' is not a value of 'shape'; expected one of box, sphere, cylinder, cone, torus; "
      "did "

@@ -42,6 +42,7 @@ void check_points_asked(const Cloud& cloud, const Place& place, ParameterReader&
   if (!cloud.crown && !cloud.points.file) {
     reader.fault(place, "a cloud has no 'crown'", "a 'crown', or 'points' with a 'file'");
   }
+  if (cloud.crown) check_shares(*cloud.crown, cloud.points, place, reader);
   const auto points = static_cast<double>(cloud.points.count);
   if (points > static_cast<double>(reader.limits().points)) {
     reader.fault_limit(Place(place, "points"), "attraction points", points, reader.limits().points, "points");

@@ -93,15 +93,19 @@ const std::vector<std::string>& good_documents() {
   return documents;
 }
 
-TEST(Schema, AcceptsEveryShippedModel) {
-  std::size_t models = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(MERISTEM_MODELS)) {
+void expect_accepted(const char* folder) {
+  std::size_t documents = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".json") continue;
-    ++models;
+    ++documents;
     EXPECT_TRUE(schema().accepts(parse(read_text_file(entry.path())))) << entry.path();
   }
-  EXPECT_GT(models, 0U);
+  EXPECT_GT(documents, 0U);
 }
+
+TEST(Schema, AcceptsEveryShippedModel) { expect_accepted(MERISTEM_MODELS); }
+
+TEST(Schema, AcceptsEveryFigureOfTheManual) { expect_accepted(MERISTEM_FIGURES); }
 
 TEST(Schema, AcceptsWhatTheReaderAccepts) {
   for (const std::string& document : good_documents()) {

@@ -1,0 +1,58 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""`meristem check` finds the models and the documents of the manual's figures good, also with what each figure sets;
+and every picture that the manual shows is there. Usage: shipped_test.py PROGRAM REPOSITORY
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+program, repository = sys.argv[1], pathlib.Path(sys.argv[2])
+figures = repository / "docs/manual/figures"
+failures = 0
+
+
+def fail(message):
+    global failures
+    failures += 1
+    print(message)
+
+
+def check(document, *settings):
+    done = subprocess.run([program, "check", str(document), *settings], capture_output=True, text=True, timeout=60)
+    if done.returncode != 0 or "warning" in done.stdout + done.stderr:
+        fail(f"{document.name} {' '.join(settings)}:\n{done.stdout}{done.stderr}")
+
+
+def only_settings(options):
+    """The --set options among those of `render`, each with its value."""
+    return [word for k, option in enumerate(options) if option == "--set" for word in options[k:k + 2]]
+
+
+models = sorted((repository / "models").glob("*.json"))
+documents = sorted(figures.glob("*.json"))
+for path in models + documents:
+    check(path)
+
+pictures = set()
+for line in (figures / "figures.txt").read_text(encoding="utf-8").splitlines():
+    if line.strip() and not line.startswith("#"):
+        name, document, *options = line.split()
+        pictures.add(name)
+        check(figures / f"{document}.json", *only_settings(options))
+
+for page in [repository / "README.md", *(repository / "docs").glob("**/*.md")]:
+    for picture in re.findall(r"!\[[^\]]*\]\(([^)]+\.png)\)", page.read_text(encoding="utf-8")):
+        if not (page.parent / picture).is_file():
+            fail(f"{page}: there is no picture {picture}")
+
+for picture in figures.glob("*.png"):
+    if picture.stem not in pictures:
+        fail(f"{picture}: figures.txt does not say how it is made")
+
+if not (models and documents and pictures):
+    fail("there are no models, no documents or no figures")
+print(f"{len(models)} models, {len(documents)} documents of {len(pictures)} figures, {failures} faults")
+sys.exit(failures > 0)

@@ -21,6 +21,9 @@ struct Surface {
   Style style = Style::tubes;
   int sides = 8;       ///< sides of the thickest tube; thinner ones have fewer. More: rounder, more triangles
   float uv_scale = 1;  ///< metres of bark that one texture tile covers
+  float smooth = 3;  ///< radii along the axis to both sides over which a tube's radius is levelled; 0: as the skeleton
+  float collar = 0.8F;  ///< radii over which branches grow out of their mother; 0: they start with a crease
+  float flare = 0.5F;   ///< how much wider roots are at the ground than above it
 
   bool operator==(const Surface&) const = default;
 };

@@ -8,7 +8,9 @@
 // gets a fan of rings about its node. On the inner side of a bend rings reach back no farther than their segments let
 // them, so that neighbours never cross.
 //
-// Deliberately left to others: smoothing of the axis (plant/finish.h), and blending of forks.
+// A lateral grows out of its mother with a collar (collar.h), a root flares toward the ground.
+//
+// Deliberately left to others: smoothing of the axis (plant/finish.h).
 //
 // Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund
 // 2020, section 3.6.1 (equation 3.26 holds for the interior angle); W. Wang et al., Computation of rotation minimizing
@@ -27,144 +29,22 @@
 #include "meristem/base/frame.h"
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
+#include "meristem/shape/tube_plan.h"
 
 namespace meristem {
 namespace {
 
-constexpr float kThinnest = 1e-6F;                   // metres: thinner tubes would have degenerate triangles
-constexpr float kCosSharpestMitre = 0.25881905F;     // 75 degrees
-constexpr float kCosSharpestFanOfTwo = -0.8660254F;  // 150 degrees
-constexpr float kInnerReach = 0.45F;                 // of the shorter segment; two neighbours leave a tenth of it free
-constexpr float kFanSpacing = 0.05F;                 // between a fan's rings, in radii
-constexpr float kHidden = 0.95F;     // of the mother's inner radius that a lateral's first ring may fill
-constexpr float kStartDepth = 0.5F;  // how far a lateral's closed start reaches back, in radii
+constexpr float kLeastCosine = 0.25881905F;  // of half a bend: the sharpest mitre
+constexpr float kInnerReach = 0.45F;         // of the shorter segment; two neighbours leave a tenth of it free
+constexpr float kFanSpacing = 0.05F;         // between a fan's rings, in radii
+constexpr float kStartDepth = 0.5F;          // how far a lateral's closed start reaches back, in radii
+constexpr float kHiddenFillet = 0.3F;        // of a fillet that runs on below the mother's bark
+constexpr std::array<float, AxisPlan::kFlareRings> kFlareShares{0.1F, 0.25F, 0.5F};  // of the first segment
 constexpr std::size_t kAxesPerBlock = 64;
 constexpr std::size_t kRingsPerCheck = 4096;
 
 struct Turn {
   float cosine, sine;
-};
-
-/// As normalized_or, but in floats: it is asked for a million times a tree.
-Vec3 unit_or(Vec3 vector, Vec3 fallback) {
-  const float square = glm::dot(vector, vector);
-  return square > 1e-24F && square < 1e24F ? vector * (1 / std::sqrt(square)) : fallback;
-}
-
-/// The points of an axis from its start to its tip: its nodes, after the mother node if there is one.
-struct AxisPath {
-  const Skeleton* skeleton = nullptr;
-  std::span<const NodeIndex> nodes;
-  NodeIndex mother = kNoNode;
-
-  bool is_lateral() const { return mother != kNoNode; }
-  std::size_t size() const { return nodes.empty() ? 0 : nodes.size() + (is_lateral() ? 1 : 0); }
-  /// The node at point i; 0 is the mother of a lateral axis.
-  NodeIndex node(std::size_t i) const { return is_lateral() ? (i == 0 ? mother : nodes[i - 1]) : nodes[i]; }
-  Vec3 position(std::size_t i) const { return skeleton->position[node(i)]; }
-  float radius(std::size_t i) const { return std::max(skeleton->radius[node(i)], kThinnest); }
-  float base_radius() const { return std::max(skeleton->radius[nodes[0]], kThinnest); }
-  /// The direction from point i to the next, or `fallback` where they coincide.
-  Vec3 direction(std::size_t i, Vec3 fallback) const { return unit_or(position(i + 1) - position(i), fallback); }
-};
-
-/// What one axis becomes, and where it stands in the mesh.
-struct AxisPlan {
-  std::uint32_t sides = 0;
-  std::uint32_t rings = 0;
-  float start_radius = 0;
-  std::uint64_t first_vertex = 0;
-  std::uint64_t first_triangle = 0;
-
-  // A lateral's start is one hidden point; a root's is a flat disc with vertices of its own. A tip has a point a side.
-  std::uint64_t start_vertices(bool is_lateral) const { return is_lateral ? 1 : sides + 1; }
-  std::uint64_t vertices(bool is_lateral) const {
-    return rings == 0 ? 0 : std::uint64_t{rings} * (sides + 1) + start_vertices(is_lateral) + sides;
-  }
-  std::uint64_t triangles() const { return rings == 0 ? 0 : 2 * std::uint64_t{sides} * rings; }
-};
-
-/// How many rings share a bend with this cosine.
-std::uint32_t fan_size(float cosine) {
-  return cosine >= kCosSharpestMitre ? 1 : cosine >= kCosSharpestFanOfTwo ? 2 : 3;
-}
-
-/// All axes of a skeleton with their places in the mesh.
-class TubePlan {
- public:
-  TubePlan(const Skeleton& skeleton, const Surface& surface) : skeleton_(skeleton), axes_(skeleton) {
-    most_sides_ = std::max(3, surface.sides);
-    for (const float radius : skeleton.radius) thickest_ = std::max(thickest_, radius);
-    plans_.resize(axes_.count());
-    // Sides first: how much of a lateral its mother hides depends on hers.
-    parallel_for(plans_.size(), kAxesPerBlock, [this](std::size_t begin, std::size_t end) {
-      for (std::size_t axis = begin; axis < end; ++axis) choose_sides(static_cast<AxisIndex>(axis));
-    });
-    parallel_for(plans_.size(), kAxesPerBlock, [this](std::size_t begin, std::size_t end) {
-      for (std::size_t axis = begin; axis < end; ++axis) count_rings(static_cast<AxisIndex>(axis));
-    });
-    for (std::size_t axis = 0; axis < plans_.size(); ++axis) {
-      plans_[axis].first_vertex = size_.vertices;
-      plans_[axis].first_triangle = size_.triangles;
-      size_.vertices += plans_[axis].vertices(path(static_cast<AxisIndex>(axis)).is_lateral());
-      size_.triangles += plans_[axis].triangles();
-    }
-  }
-
-  TubeSize size() const { return size_; }
-  std::size_t axis_count() const { return plans_.size(); }
-  int most_sides() const { return most_sides_; }
-  const AxisPlan& operator[](std::size_t axis) const { return plans_[axis]; }
-
-  AxisPath path(AxisIndex axis) const {
-    const std::span<const NodeIndex> nodes = axes_.of(axis);
-    return {&skeleton_, nodes, nodes.empty() ? kNoNode : skeleton_.parent[nodes[0]]};
-  }
-
- private:
-  void choose_sides(AxisIndex axis) {
-    const AxisPath points = path(axis);
-    if (points.size() == 0) return;
-    const double share = thickest_ > 0 ? math::pow(std::min(1.0F, points.base_radius() / thickest_), 1.0 / 3) : 0;
-    plans_[axis].sides = static_cast<std::uint32_t>(std::max(3.0, std::floor(most_sides_ * share + 0.5)));
-  }
-
-  void count_rings(AxisIndex axis) {
-    const AxisPath points = path(axis);
-    if (points.size() < 2) return;
-    AxisPlan& plan = plans_[axis];
-    plan.start_radius = points.base_radius();
-    if (points.is_lateral()) plan.start_radius = std::min(plan.start_radius, room_inside(points.mother));
-    plan.rings = 2;
-    Vec3 before = points.direction(0, kUp);
-    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-      const Vec3 after = points.direction(i, before);
-      plan.rings += fan_size(glm::dot(before, after));
-      before = after;
-    }
-  }
-
-  /// The radius of the largest disc about a node that its tube hides however the disc is turned.
-  float room_inside(NodeIndex node) const {
-    const std::span<const NodeIndex> nodes = axes_.of(skeleton_.axis[node]);
-    const float radius = std::max(skeleton_.radius[node], kThinnest);
-    // The flats of the tube are nearer than its corners, and where it tapers the nearest point lies ahead.
-    const double flat = math::cos(kPi / plans_[skeleton_.axis[node]].sides);
-    const auto next = std::upper_bound(nodes.begin(), nodes.end(), node);
-    double taper = 0;
-    if (next != nodes.end()) {
-      const float length = glm::distance(skeleton_.position[*next], skeleton_.position[node]);
-      taper = std::max(0.0F, radius - skeleton_.radius[*next]) / std::max(length, kThinnest);
-    }
-    return static_cast<float>(kHidden * radius * flat / std::sqrt(1 + taper * taper));
-  }
-
-  const Skeleton& skeleton_;
-  Axes axes_;
-  int most_sides_ = 3;
-  float thickest_ = 0;
-  std::vector<AxisPlan> plans_;
-  TubeSize size_;
 };
 
 /// Cosines and sines of the corners of polygons with 3 to `most` sides; the last corner is the first once more.
@@ -208,20 +88,20 @@ struct Mitre {
 /// Writes one axis into its place.
 class AxisMesher {
  public:
-  AxisMesher(const AxisPath& path, const AxisPlan& plan, std::span<const Turn> corners, double uv_scale, Mesh& mesh)
-      : path_(path), plan_(plan), corners_(corners), mesh_(mesh) {
-    next_vertex_ = static_cast<std::uint32_t>(plan.first_vertex);
-    next_triangle_ = plan.first_triangle;
-    const double around = 2 * kPi * path.base_radius();
-    tiles_ = static_cast<float>(std::max(1.0, std::floor(around / uv_scale + 0.5)));
+  AxisMesher(const TubePlan& tubes, AxisIndex axis, const Surface& surface, std::span<const Turn> corners, Mesh& mesh)
+      : tubes_(tubes), path_(tubes.path(axis)), plan_(tubes[axis]), surface_(surface), corners_(corners), mesh_(mesh) {
+    next_vertex_ = static_cast<std::uint32_t>(plan_.first_vertex);
+    next_triangle_ = plan_.first_triangle;
+    const double around = 2 * kPi * path_.radius(0);
+    tiles_ = static_cast<float>(std::max(1.0, std::floor(around / surface.uv_scale + 0.5)));
   }
 
   void run(const Progress& progress) {
-    Vec3 before = path_.direction(0, kUp);
+    Vec3 before = plan_.collar ? plan_.collar->direction : path_.direction(0, kUp);
     x_ = any_perpendicular(before);
     start(before);
     const std::size_t last = path_.size() - 1;
-    for (std::size_t i = 1; i < last; ++i) {
+    for (std::size_t i = plan_.collar ? plan_.collar->next_point : 1; i < last; ++i) {
       const Vec3 after = path_.direction(i, before);
       advance_v(i);
       bend(i, before, after);
@@ -235,17 +115,26 @@ class AxisMesher {
   }
 
  private:
-  float radius(std::size_t i) const { return i == 0 ? plan_.start_radius : path_.radius(i); }
-  float length(std::size_t i) const { return glm::distance(path_.position(i), path_.position(i + 1)); }
+  /// The point before the first bend, where a branch comes free, stands for all before it.
+  bool is_free_point(std::size_t i) const { return plan_.collar && i + 1 == plan_.collar->next_point; }
+  Vec3 position(std::size_t i) const { return is_free_point(i) ? plan_.collar->centre : path_.position(i); }
+  float radius(std::size_t i) const {
+    if (is_free_point(i)) return plan_.collar->radius;
+    if (path_.is_lateral()) return i == 0 ? plan_.start_radius : path_.radius(i);
+    return path_.radius(i) * flare(glm::distance(path_.position(0), path_.position(i)));
+  }
+  float flare(float metres) const { return flare_factor(surface_, plan_.start_radius, metres); }
+  float length(std::size_t i) const { return glm::distance(position(i), position(i + 1)); }
   /// The radius's growth a metre from point i to the next.
-  float slope(std::size_t i) const { return (radius(i + 1) - radius(i)) / std::max(length(i), kThinnest); }
+  float slope(std::size_t i) const { return (radius(i + 1) - radius(i)) / std::max(length(i), kThinnestTube); }
   /// v of a metre along the tube where it has this radius; equal to u of a metre around it.
   float tiles_per_metre(float at_radius) const { return tiles_ / (static_cast<float>(2 * kPi) * at_radius); }
 
   void advance_v(std::size_t i) { v_ += length(i - 1) * tiles_per_metre(0.5F * (radius(i - 1) + radius(i))); }
 
-  /// The closed start: for a lateral a point behind its first ring, inside the mother; else a disc.
+  /// The closed start: for a lateral a collar or a point behind its first ring, inside the mother; else a disc.
   void start(Vec3 direction) {
+    if (plan_.collar) return start_collar();
     const Vec3 centre = path_.position(0);
     if (path_.is_lateral()) {
       const std::uint32_t point = add_vertex(centre - kStartDepth * radius(0) * direction, -direction, {0.5F, 0});
@@ -253,17 +142,108 @@ class AxisMesher {
       ring(centre, radius(0), Mitre(direction), 1 / kStartDepth, slope(0));
       return;
     }
+    start_root(direction);
+  }
+
+  void start_root(Vec3 direction) {
+    const Vec3 centre = path_.position(0);
     const float scale = radius(0) * tiles_per_metre(radius(0));
     const std::uint32_t middle = add_vertex(centre, -direction, {0, 0});
     close_start(middle);
     next_vertex_ += plan_.sides;
-    ring(centre, radius(0), Mitre(direction), slope(0), slope(0));
+    const float first = flare_slope(0);
+    ring(centre, radius(0), Mitre(direction), first, first);
     // The disc's rim is the ring once more, with the disc's own normal and uvs.
     for (std::uint32_t k = 0; k < plan_.sides; ++k) {
       const std::uint32_t vertex = middle + 1 + k;
       mesh_.positions[vertex] = mesh_.positions[vertex + plan_.sides];
       mesh_.normals[vertex] = -direction;
       mesh_.uvs[vertex] = {-scale * corners_[k].cosine, scale * corners_[k].sine};
+    }
+    for (std::uint32_t k = 0; k < plan_.flare_rings; ++k) {
+      const float way = kFlareShares[k] * length(0);
+      const float here = glm::mix(path_.radius(0), path_.radius(1), kFlareShares[k]) * flare(way);
+      v_ = way * tiles_per_metre(here);
+      ring(centre + way * direction, here, Mitre(direction), flare_slope(way), flare_slope(way));
+      join();
+    }
+    v_ = 0;
+  }
+
+  /// The radius's growth a metre at so many metres up the first segment.
+  float flare_slope(float metres) const {
+    const float step = 0.01F * length(0);
+    const auto radius_at = [&](float way) {
+      return glm::mix(path_.radius(0), path_.radius(1), way / std::max(length(0), kThinnestTube)) * flare(way);
+    };
+    return (radius_at(metres + step) - radius_at(metres)) / std::max(step, kThinnestTube);
+  }
+
+  /// The rings between the mother's bark and the first free one, along a curve for each corner that leaves the bark
+  /// flat and ends in the branch's own direction.
+  void start_collar() {
+    const Collar& collar = *plan_.collar;
+    const Bark bark = tubes_.bark_below(path_);
+    const Vec3 y = glm::cross(collar.direction, x_);
+    const float farthest = 2 * (glm::distance(collar.centre, path_.position(0)) + collar.radius);
+    const std::uint32_t stride = plan_.sides + 1;
+    const std::uint32_t point = next_vertex_++;
+    const std::uint32_t first = next_vertex_;
+    close_start(point);
+    Vec3 middle(0);
+    for (std::uint32_t k = 0; k <= plan_.sides; ++k) {
+      const Vec3 out = corners_[k].cosine * x_ + corners_[k].sine * y;
+      const Vec3 top = collar.centre + collar.radius * out;
+      const Vec3 foot = top - bark.trace(top, -collar.direction, farthest) * collar.direction;
+      const Vec3 up = bark.normal(foot);
+      const Vec3 away = unit_or(out - glm::dot(out, up) * up, out);
+      Vec3 low = foot + collar.fillet * away;
+      const Vec3 outward = bark.normal(low);
+      low -= (bark.distance(low) + plan_.sink) * outward;
+      const Vec3 hidden = low + kHiddenFillet * collar.fillet * (away - outward);
+      middle += hidden;
+      put_collar_vertex(first + k, hidden, unit_or(away - 0.3F * outward, -outward), k);
+      for (std::uint32_t j = 1; j < AxisPlan::kCollarRings; ++j) {
+        const float t = static_cast<float>(j - 1) / static_cast<float>(AxisPlan::kCollarRings - 2);
+        const Vec3 place = (1 - t) * (1 - t) * low + 2 * t * (1 - t) * foot + t * t * top;
+        const Vec3 along = unit_or((1 - t) * (foot - low) + t * (top - foot), collar.direction);
+        const Vec3 facing = (1 - t) * outward + t * out;
+        const Vec3 normal = t == 0 ? outward : unit_or(facing - glm::dot(facing, along) * along, out);
+        put_collar_vertex(first + j * stride + k, place, normal, k);
+      }
+    }
+    // The hidden point lies deeper than the ring about it.
+    middle /= static_cast<float>(stride);
+    mesh_.positions[point] = middle - kHiddenFillet * collar.fillet * bark.normal(middle);
+    mesh_.normals[point] = -collar.direction;
+    mesh_.uvs[point] = {0.5F, 0};
+    finish_collar(first);
+  }
+
+  void put_collar_vertex(std::uint32_t vertex, Vec3 place, Vec3 normal, std::uint32_t corner) {
+    mesh_.positions[vertex] = place;
+    mesh_.normals[vertex] = normal;
+    mesh_.uvs[vertex].x = static_cast<float>(corner) * tiles_ / static_cast<float>(plan_.sides);
+  }
+
+  /// Measures v along the collar's rings and joins them.
+  void finish_collar(std::uint32_t first) {
+    const std::uint32_t stride = plan_.sides + 1;
+    next_vertex_ = first + stride;
+    for (std::uint32_t j = 1; j < AxisPlan::kCollarRings; ++j) {
+      float way = 0;
+      for (std::uint32_t k = 0; k < plan_.sides; ++k) {
+        const std::uint32_t vertex = next_vertex_ + k;
+        way += glm::distance(mesh_.positions[vertex], mesh_.positions[vertex - stride]);
+      }
+      const float before = v_;
+      v_ += way / static_cast<float>(plan_.sides) * tiles_per_metre(plan_.collar->radius);
+      for (std::uint32_t k = 0; k < stride; ++k) {
+        mesh_.uvs[next_vertex_ + k].y = v_;
+        if (j == 1) mesh_.uvs[first + k].y = before;
+      }
+      next_vertex_ += stride;
+      join();
     }
   }
 
@@ -286,7 +266,7 @@ class AxisMesher {
     const Vec3 outer = unit_or(before - after, Vec3(0));
     Mitre mitre(before, after, glm::normalize(before + after), outer);
     mitre.inner_stretch = inner_stretch(i, mitre.half_cosine);
-    ring(path_.position(i), radius(i), mitre, slope(i - 1), slope(i));
+    ring(position(i), radius(i), mitre, slope(i - 1), slope(i));
     join();
   }
 
@@ -308,8 +288,7 @@ class AxisMesher {
       mitre.inner = glm::cross(middle, hinge);
       mitre.inner_stretch = reach;
       const float shift = (static_cast<float>(j) - 0.5F * static_cast<float>(count - 1)) * kFanSpacing * radius(i);
-      ring(path_.position(i) + shift * middle, radius(i), mitre, j == 0 ? slope(i - 1) : 0,
-           j + 1 == count ? slope(i) : 0);
+      ring(position(i) + shift * middle, radius(i), mitre, j == 0 ? slope(i - 1) : 0, j + 1 == count ? slope(i) : 0);
       join();
       // The middle of the tube stands still here, its outside turns by the part's angle.
       if (j + 1 < count) v_ += 0.5F * static_cast<float>(angle * part) * tiles_ / static_cast<float>(2 * kPi);
@@ -320,7 +299,7 @@ class AxisMesher {
   float inner_stretch(std::size_t i, float half_cosine) const {
     const float half_sine = std::sqrt(std::max(0.0F, 1 - half_cosine * half_cosine));
     const float room = kInnerReach * std::min(length(i - 1), length(i));
-    const float mitre = 1 / std::max(half_cosine, kCosSharpestMitre);
+    const float mitre = 1 / std::max(half_cosine, kLeastCosine);
     return room < mitre * radius(i) * half_sine ? room / (radius(i) * half_sine) : mitre;
   }
 
@@ -328,10 +307,10 @@ class AxisMesher {
   void finish(Vec3 direction) {
     const std::size_t last = path_.size() - 1;
     const float height = radius(last);
-    ring(path_.position(last), height, Mitre(direction), slope(last - 1), -1);
+    ring(position(last), height, Mitre(direction), slope(last - 1), -1);
     join();
     const std::uint32_t rim = next_vertex_ - plan_.sides - 1;
-    const Vec3 tip = path_.position(last) + height * direction;
+    const Vec3 tip = position(last) + height * direction;
     const float tip_v = v_ + height * static_cast<float>(std::sqrt(2.0)) * tiles_per_metre(height);
     for (std::uint32_t k = 0; k < plan_.sides; ++k) {
       const float u = tiles_ * (static_cast<float>(k) + 0.5F) / static_cast<float>(plan_.sides);
@@ -383,8 +362,10 @@ class AxisMesher {
     mesh_.triangles[next_triangle_++] = {a, b, c};
   }
 
-  const AxisPath& path_;
+  const TubePlan& tubes_;
+  AxisPath path_;
   const AxisPlan& plan_;
+  const Surface& surface_;
   std::span<const Turn> corners_;
   Mesh& mesh_;
   std::uint32_t next_vertex_ = 0;
@@ -415,11 +396,11 @@ Mesh make_tubes(const Skeleton& skeleton, const Surface& surface, Progress& prog
   const CornerTable corners(plan.most_sides());
   parallel_for(plan.axis_count(), kAxesPerBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t axis = begin; axis < end; ++axis) {
-      const AxisPath path = plan.path(static_cast<AxisIndex>(axis));
+      const auto index = static_cast<AxisIndex>(axis);
       if (plan[axis].rings > 0) {
-        AxisMesher(path, plan[axis], corners.of(plan[axis].sides), surface.uv_scale, mesh).run(progress);
+        AxisMesher(plan, index, surface, corners.of(plan[axis].sides), mesh).run(progress);
       }
-      progress.advance(path.nodes.size());
+      progress.advance(plan.path(index).nodes.size());
     }
   });
   return mesh;

@@ -79,7 +79,12 @@ Skeleton random_tree(std::uint64_t seed, int nodes) {
   return builder.skeleton;
 }
 
-Mesh tubes(const Skeleton& skeleton, Surface surface = {}) {
+/// Tubes as the skeleton says, without collars, flares and levelled radii.
+Surface bare(int sides, float uv_scale = 1) {
+  return {.sides = sides, .uv_scale = uv_scale, .smooth = 0, .collar = 0, .flare = 0};
+}
+
+Mesh tubes(const Skeleton& skeleton, Surface surface = bare(8)) {
   Progress progress;
   return make_tubes(skeleton, surface, progress);
 }
@@ -97,14 +102,14 @@ float distance_to_segment(Vec3 point, Vec3 a, Vec3 b) {
 double polygon_area(int n, double r) { return 0.5 * n * r * r * std::sin(2 * kPi / n); }
 
 TEST(Tubes, StraightTubeIsAPrismWithACone) {
-  const Mesh tube = tubes(polyline({{0, 0, 0}, {0, 0.5, 0}, {0, 2, 0}}, {0.1F}), {.sides = 12});
+  const Mesh tube = tubes(polyline({{0, 0, 0}, {0, 0.5, 0}, {0, 2, 0}}, {0.1F}), bare(12));
   EXPECT_TRUE(check_mesh(tube));
   EXPECT_EQ(euler_number(tube), 2);
   EXPECT_NEAR(signed_volume(tube), polygon_area(12, 0.1) * (2 + 0.1 / 3), 1e-6);
 }
 
 TEST(Tubes, TaperingTubeHasTheVolumeOfFrustaAndTheirNormals) {
-  const Mesh tube = tubes(polyline({{0, 0, 0}, {0, 1, 0}, {0, 2, 0}}, {0.4F, 0.3F, 0.2F}), {.sides = 16});
+  const Mesh tube = tubes(polyline({{0, 0, 0}, {0, 1, 0}, {0, 2, 0}}, {0.4F, 0.3F, 0.2F}), bare(16));
   EXPECT_TRUE(check_mesh(tube));
   const auto frustum = [](double low, double high) {
     return polygon_area(16, 1) * (low * low + low * high + high * high) / 3;
@@ -119,7 +124,7 @@ TEST(Tubes, TaperingTubeHasTheVolumeOfFrustaAndTheirNormals) {
 TEST(Tubes, AMitredBendKeepsTheCrossSectionOfBothSegments) {
   for (const double angle : {5.0, 30.0, 60.0, 74.0}) {
     const Vec3 turned = tilted(angle);
-    const Mesh tube = tubes(polyline({{0, -3, 0}, {0, 0, 0}, 3.0F * turned}, {0.2F}), {.sides = 8});
+    const Mesh tube = tubes(polyline({{0, -3, 0}, {0, 0, 0}, 3.0F * turned}, {0.2F}), bare(8));
     EXPECT_TRUE(check_mesh(tube));
     // The volume of a mitred prism is its cross-section by the length of its axis.
     EXPECT_NEAR(signed_volume(tube), polygon_area(8, 0.2) * (6 + 0.2 / 3), 1e-4) << angle;
@@ -162,7 +167,7 @@ TEST(Tubes, FramesDoNotTwistAlongAHelix) {
   for (int i = 0; i <= 200; ++i) {
     points.emplace_back(std::cos(0.1 * i), 0.05 * i, std::sin(0.1 * i));
   }
-  const Mesh tube = tubes(polyline(points, {0.05F}), {.sides = 6});
+  const Mesh tube = tubes(polyline(points, {0.05F}), bare(6));
   EXPECT_TRUE(check_mesh(tube));
   const std::size_t first = 7;
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -193,7 +198,7 @@ TEST(Tubes, ALateralStartsInsideItsMother) {
   for (const double angle : {10.0, 30.0, 60.0, 90.0, 120.0, 160.0}) {
     for (const float branch_radius : {0.02F, 0.1F, 0.2F}) {
       const Skeleton skeleton = fork(angle, 0.2F, branch_radius);
-      const Surface surface{.sides = 10};
+      const Surface surface = bare(10);
       const Mesh mesh = tubes(skeleton, surface);
       EXPECT_TRUE(check_mesh(mesh)) << angle;
       // The lateral's closed start and its first ring follow the stem's vertices; its sides fall with its radius.
@@ -226,7 +231,7 @@ TEST(Tubes, ThinnerTubesHaveFewerSidesAndNoneDeviatesMoreFromRound) {
     const NodeIndex base = builder.add(kNoNode, {10.0F * static_cast<float>(axis), 0, 0}, radius, axis);
     builder.add(base, {10.0F * static_cast<float>(axis), 5, 0}, radius, axis);
   }
-  const Mesh mesh = tubes(builder.skeleton, {.sides = 16});
+  const Mesh mesh = tubes(builder.skeleton, bare(16));
   EXPECT_TRUE(check_mesh(mesh));
   std::vector<int> triangles(30, 0);
   for (const auto& triangle : mesh.triangles) {
@@ -243,7 +248,7 @@ TEST(Tubes, ThinnerTubesHaveFewerSidesAndNoneDeviatesMoreFromRound) {
 }
 
 TEST(Tubes, TilesGoRoundAWholeNumberOfTimesAndKeepTheirAspect) {
-  const Surface surface{.sides = 24, .uv_scale = 0.1F};
+  const Surface surface = bare(24, 0.1F);
   const Mesh tube = tubes(polyline({{0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {0, 3, 0}}, {0.2F, 0.15F, 0.1F, 0.05F}), surface);
   // Four rings of 25 vertices follow the closed start.
   const std::size_t first = 25;
@@ -263,11 +268,13 @@ TEST(Tubes, TilesGoRoundAWholeNumberOfTimesAndKeepTheirAspect) {
 
 TEST(Tubes, SizeIsKnownBeforehand) {
   for (const Skeleton& skeleton : {random_tree(1, 2000), fork(60, 0.1F, 0.05F), Skeleton{}}) {
-    const TubeSize size = measure_tubes(skeleton, {});
-    const Mesh mesh = tubes(skeleton);
-    EXPECT_EQ(size.triangles, mesh.triangle_count());
-    EXPECT_EQ(size.vertices, mesh.vertex_count());
-    EXPECT_EQ(size.bytes(), mesh.bytes());
+    for (const Surface& surface : {bare(8), Surface{}}) {
+      const TubeSize size = measure_tubes(skeleton, surface);
+      const Mesh mesh = tubes(skeleton, surface);
+      EXPECT_EQ(size.triangles, mesh.triangle_count());
+      EXPECT_EQ(size.vertices, mesh.vertex_count());
+      EXPECT_EQ(size.bytes(), mesh.bytes());
+    }
   }
 }
 
@@ -276,7 +283,7 @@ TEST(Tubes, HaveTheSameBytesOnAnyNumberOfThreads) {
   std::string expected;
   for (const int threads : {1, 2, 3, 8}) {
     const ThreadLimit limit(threads);
-    const std::string got = bytes(tubes(skeleton));
+    const std::string got = bytes(tubes(skeleton, Surface{}));
     if (expected.empty()) expected = got;
     EXPECT_EQ(got, expected) << threads;
   }
@@ -313,7 +320,7 @@ RC_GTEST_PROP(Tubes, AreClosedAndFiniteForAnyPath, ()) {
     radii.push_back(radii.back() * (0.3F + 0.7F * share()));
   }
   // A random walk turns within its own radius, where triangles may lie behind normals; edges and volume must hold.
-  Mesh mesh = tubes(polyline(points, radii), {.sides = *rc::gen::inRange(3, 12)});
+  Mesh mesh = tubes(polyline(points, radii), bare(*rc::gen::inRange(3, 12)));
   mesh.normals.clear();
   RC_ASSERT(check_mesh(mesh, {.outward = false}));
 }

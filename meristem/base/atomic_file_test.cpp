@@ -14,6 +14,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "tests/support/file_size_limit.h"
+#include "tests/support/temporary_folder.h"
 
 namespace meristem {
 namespace {
@@ -48,17 +49,12 @@ std::string complaint(const std::string& path, std::size_t size = 1) {
 
 class AtomicFileTest : public testing::Test {
  protected:
-  AtomicFileTest() {
-    std::string name = testing::TempDir() + "meristem-atomic-XXXXXX";
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~AtomicFileTest() override { fs::remove_all(folder_); }
-
   fs::path at(const std::string& name) const { return folder_ / name; }
   std::ptrdiff_t entry_count() const { return std::distance(fs::directory_iterator(folder_), {}); }
 
  private:
-  fs::path folder_;
+  const TemporaryFolder temporary_;
+  const fs::path& folder_ = temporary_.path();
 };
 
 TEST_F(AtomicFileTest, AppearsWholeWhenCommitted) {

@@ -13,6 +13,7 @@
 #include "meristem/components/registry.h"
 #include "meristem/document/document.h"
 #include "meristem/document/grow.h"
+#include "tests/support/temporary_folder.h"
 
 namespace meristem {
 namespace {
@@ -155,7 +156,6 @@ class CrownFiles : public testing::Test {
     write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n");
     write("tetra.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
   std::string document_path() const { return (folder_ / "d.json").string(); }
@@ -189,7 +189,8 @@ class CrownFiles : public testing::Test {
     return make_points(tree.crown, tree.points, RandomKey(1), {scene, limits, component, stand, progress});
   }
 
-  const std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "meristem_crown_files";
+  const TemporaryFolder temporary_;
+  const std::filesystem::path& folder_ = temporary_.path();
 };
 
 TEST_F(CrownFiles, AreSoughtFromTheDocumentsFolder) {

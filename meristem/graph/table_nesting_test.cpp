@@ -8,6 +8,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/graph/table.h"
+#include "tests/support/temporary_folder.h"
 
 namespace meristem {
 namespace {
@@ -118,13 +119,12 @@ TEST(BoxRow, TakesTwoCorners) {
 class FileRow : public testing::Test {
  protected:
   void SetUp() override {
-    std::filesystem::create_directories(folder_);
     std::ofstream(folder_ / "a.txt") << "hello";
     std::ofstream(folder_ / "bad.txt") << "bad";
     std::ofstream(folder_ / "broken.txt") << "broken";
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  const std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "meristem_file_row";
+  const TemporaryFolder temporary_;
+  const std::filesystem::path& folder_ = temporary_.path();
 };
 
 TEST_F(FileRow, IsReadFromTheFolderAndSharedByCopies) {

@@ -18,6 +18,7 @@
 #include "tests/support/check_mesh.h"
 #include "tests/support/file_size_limit.h"
 #include "tests/support/sample_scenes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace meristem {
 namespace {
@@ -125,12 +126,6 @@ std::map<std::string, std::map<std::string, std::vector<float>>> parse_materials
 
 class ObjTest : public testing::Test {
  protected:
-  ObjTest() {
-    std::string name = testing::TempDir() + "meristem-obj-XXXXXX";
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~ObjTest() override { fs::remove_all(folder_); }
-
   std::string at(const std::string& name) const { return (folder_ / name).string(); }
   void write(const MeshScene& scene, const std::string& name = "plant.obj") const {
     Progress progress;
@@ -141,7 +136,8 @@ class ObjTest : public testing::Test {
     return parse(content_of(at("plant.obj")));
   }
 
-  fs::path folder_;
+  const TemporaryFolder temporary_;
+  const fs::path& folder_ = temporary_.path();
 };
 
 TEST_F(ObjTest, HoldsEveryInstanceToTheLastBit) {

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "meristem/base/diagnostic.h"
+#include "tests/support/temporary_folder.h"
 
 namespace meristem {
 namespace {
@@ -151,8 +152,8 @@ TEST(ReadPoints, AHeaderThatPromisesTooMuchIsRefusedBeforeTheMemoryIsSpent) {
 }
 
 TEST(ReadPoints, FilesThatAreNoneHaveTheirOwnFaults) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "meristem_read_points";
-  std::filesystem::create_directories(folder);
+  const TemporaryFolder temporary;
+  const std::filesystem::path& folder = temporary.path();
   std::ofstream(folder / "scan.xyz") << "1 2 3\n";
   std::ofstream(folder / "empty.xyz").close();
   const auto fault_of = [&](const std::filesystem::path& path) {
@@ -173,7 +174,6 @@ TEST(ReadPoints, FilesThatAreNoneHaveTheirOwnFaults) {
   Limits small;
   small.file_bytes = 5;
   EXPECT_THROW(read_points(folder / "scan.xyz", small), InputError);
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

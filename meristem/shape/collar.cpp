@@ -6,6 +6,7 @@ namespace {
 
 constexpr float kLeastSine = 0.2F;  // of the angle between branch and bark: 11.5 degrees
 constexpr float kGap = 0.3F;        // radii between the first free ring and the next
+constexpr float kThickest = 0.95F;  // of the mother's radius
 constexpr float kLeastFillet = 0.2F;
 constexpr int kBisections = 10;
 constexpr int kTraceSteps = 32;
@@ -44,7 +45,7 @@ Stop walk(const AxisPath& path, Stop from, float metres) {
 
 }  // namespace
 
-Bark::Bark(const AxisPath& mother, std::size_t point, float reach) {
+Bark::Bark(const AxisPath& mother, std::size_t point, float reach) : radius_(mother.radius(point)) {
   const auto add = [&](std::size_t from) {
     Cone& cone = cones_[count_++];
     cone.base = mother.position(from);
@@ -86,12 +87,17 @@ Vec3 Bark::normal(Vec3 place) const { return unit_or(nearest(place).outward, Vec
 
 float Bark::trace(Vec3 from, Vec3 direction, float farthest) const {
   float way = 0;
-  for (int step = 0; step < kTraceSteps && way < farthest; ++step) {
+  float nearest_way = 0;
+  float least = distance(from);
+  for (int step = 0; step < kTraceSteps && way < farthest && least > 1e-4F * farthest; ++step) {
     const float gap = distance(from + way * direction);
-    if (gap < 1e-4F * farthest) break;
-    way += gap;
+    if (gap < least) {
+      least = gap;
+      nearest_way = way;
+    }
+    way += std::max(gap, 1e-3F * farthest);
   }
-  return std::min(way, farthest);
+  return nearest_way;
 }
 
 std::optional<Collar> plan_collar(const AxisPath& path, const Bark& bark, float size) {
@@ -111,6 +117,7 @@ std::optional<Collar> plan_collar(const AxisPath& path, const Bark& bark, float 
   if (sine < kLeastSine) return std::nullopt;
   // Its side toward the crotch leaves later; there it is free, and a fillet's height on.
   const float radius = path.radius(point + 1);
+  if (radius > kThickest * bark.radius()) return std::nullopt;
   const float crotch = radius * std::sqrt(std::max(0.0F, 1 - sine * sine)) / sine;
   const float fillet = std::min(size * radius, way_left(path, exit) - crotch - kGap * radius);
   if (fillet < kLeastFillet * size * radius) return std::nullopt;

@@ -23,7 +23,9 @@ class Bark {
   float distance(Vec3 place) const;
   /// The bark's outward unit normal nearest to a place.
   Vec3 normal(Vec3 place) const;
-  /// Where a ray that starts outside meets the bark: metres along the unit `direction`, at most `farthest`.
+  float radius() const { return radius_; }  ///< of the mother at the node
+  /// Where a ray that starts outside meets the bark, or comes nearest to it: metres along the unit `direction`, at most
+  /// `farthest`.
   float trace(Vec3 from, Vec3 direction, float farthest) const;
 
  private:
@@ -43,6 +45,7 @@ class Bark {
   static constexpr std::size_t kMostCones = 12;
   std::array<Cone, kMostCones> cones_;
   std::size_t count_ = 0;
+  float radius_ = 0;
 };
 
 /// Where a branch comes free of its mother.

@@ -48,7 +48,9 @@ TEST(Bark, IsTheSurfaceOfItsCones) {
   EXPECT_NEAR(bark.distance({0, 0.1F, 0.05F}), -0.15F, 1e-6F);
   EXPECT_NEAR(glm::distance(bark.normal({0, 0.3F, -2}), Vec3(0, 0, -1)), 0, 1e-6F);
   EXPECT_NEAR(bark.trace({1, 0.2F, 0}, {-1, 0, 0}, 2), 0.8F, 1e-3F);
-  EXPECT_EQ(bark.trace({1, 0.2F, 0}, {1, 0, 0}, 2), 2);
+  // Rays that miss it stop where they are nearest.
+  EXPECT_EQ(bark.trace({1, 0.2F, 0}, {1, 0, 0}, 2), 0);
+  EXPECT_NEAR(bark.trace({1, 0.2F, 0.25F}, {-1, 0, 0}, 2), 1, 0.05F);
 }
 
 TEST(Collar, BranchesComeFreeWhereTheirCrotchDoes) {
@@ -72,6 +74,8 @@ TEST(Collar, LeavesOutBranchesAlongTheBarkAndStubs) {
   EXPECT_FALSE(TubePlan(steep, surface)[1].collar.has_value());
   const Skeleton stub = fork(90, 0.1F, 0.02F);
   EXPECT_FALSE(TubePlan(stub, surface)[1].collar.has_value());
+  const Skeleton equal = fork(90, 0.2F);
+  EXPECT_FALSE(TubePlan(equal, surface)[1].collar.has_value());
   // Twigs whose swelling nobody could see have none.
   const Skeleton twig = fork(90, 0.002F);
   EXPECT_FALSE(TubePlan(twig, surface)[1].collar.has_value());
@@ -79,7 +83,7 @@ TEST(Collar, LeavesOutBranchesAlongTheBarkAndStubs) {
 
 TEST(Collar, FlowsIntoTheBarkWithItsNormalsAtEveryAngle) {
   for (const double angle : {25.0, 40.0, 60.0, 90.0, 120.0, 150.0}) {
-    for (const float branch_radius : {0.04F, 0.09F, 0.15F}) {
+    for (const float branch_radius : {0.04F, 0.09F, 0.15F, 0.185F}) {
       const Skeleton skeleton = fork(angle, branch_radius);
       const Surface surface = collared(24);
       const TubePlan plan(skeleton, surface);

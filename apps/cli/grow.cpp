@@ -22,7 +22,10 @@ void grow(const GrowOptions& options) {
   std::vector<const Format*> formats;
   for (const std::string& output : options.outputs) formats.push_back(&format_of(output));
   const Document document = open_document(options.document);
-  for (const std::string& output : options.outputs) check_output(output);
+  for (std::size_t k = 0; k < formats.size(); ++k) {
+    check_output(options.outputs[k]);
+    if (formats[k]->companion != nullptr) check_output(formats[k]->companion(options.outputs[k]));
+  }
 
   const ThreadLimit threads(options.document.threads);
   std::string summary;

@@ -30,7 +30,8 @@ constexpr Format kFormats[] = {
     {".obj", "Wavefront OBJ with its MTL file beside it",
      [](const Document& document, const GrownDocument& grown, const std::string& path, Progress& progress) {
        write_obj(grown.meshes, path, {provenance_of(document)}, progress);
-     }},
+     },
+     material_path},
     {".ply", "the mesh as binary PLY, for MeshLab, Open3D and Blender",
      [](const Document& document, const GrownDocument& grown, const std::string& path, Progress& progress) {
        write_mesh_ply(grown.meshes, path, {provenance_of(document)}, progress);

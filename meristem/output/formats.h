@@ -16,6 +16,8 @@ struct Format {
   std::string_view ending;  ///< with its dot; may hold more than one
   std::string_view doc;     ///< one line
   void (*write)(const Document& document, const GrownDocument& grown, const std::string& path, Progress& progress);
+  /// The file that is written beside it; null where there is none.
+  std::string (*companion)(const std::string& path) = nullptr;
 };
 
 /// All formats, the default first.

@@ -3,7 +3,7 @@
 // step 0.02 (2400/N)^(1/3) m, influence 17 steps, kill distance 2 steps. Counters: nodes, steps, peak memory of the
 // process. `growth` is ours; `rebuilt_tree` finds nearest nodes with a k-d tree of all nodes, built anew in every step;
 // `new_nodes_tree` with one of the step's new nodes alone. All three must grow the same tree, or the program fails.
-// After the runs it prints how cost grows with N, and the ratios of one thread of ours to the two.
+// After the runs it prints how cost grows with N, and the ratios of one thread of ours to the two, by medians.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -116,10 +116,16 @@ std::string form_hash(const Skeleton& skeleton) {
          meristem::hash128_hex(std::as_bytes(std::span(skeleton.parent))).substr(0, 8);
 }
 
-/// The form and the least time of every run, by name and points.
+/// The form and the times of every run, by name and points.
 struct Run {
   std::string form;
-  double seconds = 1e9;
+  std::vector<double> seconds;
+
+  double median() const {
+    std::vector<double> sorted = seconds;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted.empty() ? 0 : sorted[sorted.size() / 2];
+  }
 };
 std::map<std::pair<std::string, std::uint64_t>, Run>& runs() {
   static std::map<std::pair<std::string, std::uint64_t>, Run> all;
@@ -136,7 +142,7 @@ void measure(benchmark::State& state, const std::string& name, Grow grow_tree) {
     const auto begin = std::chrono::steady_clock::now();
     skeleton = grow_tree(points);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    run.seconds = std::min(run.seconds, seconds.count());
+    run.seconds.push_back(seconds.count());
   }
   run.form = form_hash(skeleton);
   rusage usage{};
@@ -144,6 +150,7 @@ void measure(benchmark::State& state, const std::string& name, Grow grow_tree) {
   state.counters["nodes"] = static_cast<double>(skeleton.node_count());
   state.counters["steps"] = *std::max_element(skeleton.birth.begin(), skeleton.birth.end());
   state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024;
+  state.counters["median_ms"] = 1000 * run.median();
   state.SetLabel(run.form);
 }
 
@@ -156,6 +163,7 @@ BENCHMARK(growth)
     ->ArgNames({"points", "threads"})
     ->ArgsProduct({{2'400, 7'590, 24'000, 75'900, 240'000}, {1}})
     ->Args({240'000, 2})
+    ->MinTime(3)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
@@ -189,7 +197,7 @@ BENCHMARK(new_nodes_tree)
 bool compare_runs() {
   const auto seconds = [](const std::string& name, std::uint64_t count) {
     const auto found = runs().find({name, count});
-    return found == runs().end() ? 0.0 : found->second.seconds;
+    return found == runs().end() ? 0.0 : found->second.median();
   };
   if (seconds("growth", 2'400) > 0 && seconds("growth", 240'000) > 0) {
     std::printf("cost grows with points^%.2f from 2,400 to 240,000\n",
@@ -201,7 +209,7 @@ bool compare_runs() {
     const auto ours = runs().find({"growth", count});
     if (ours == runs().end() || name == "growth") continue;
     std::printf("%s / growth at %lu points: %.1f\n", name.c_str(), static_cast<unsigned long>(count),
-                run.seconds / ours->second.seconds);
+                run.median() / ours->second.median());
     if (run.form == ours->second.form) continue;
     std::printf("%s grew another tree\n", name.c_str());
     all_equal = false;

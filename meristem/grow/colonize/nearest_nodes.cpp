@@ -79,6 +79,7 @@ void NearestNodes::add_nodes(NodeIndex first, std::span<const NewNode> nodes, Pr
     candidates.y.push_back(node.position.y);
     candidates.z.push_back(node.position.z);
     candidates.within2.push_back(just_above(node.influence * node.influence));
+    candidates.are_alike = candidates.are_alike && node.influence == nodes[0].influence;
   }
   if (nodes.size() < kNodesToShare) {
     progress.check();
@@ -154,16 +155,25 @@ bool NearestNodes::compare(Leaf leaf, std::span<const std::uint32_t> near, const
     const auto y = load<Floats>(y_.data() + k, count);
     const auto z = load<Floats>(z_.data() + k, count);
     const auto before2 = load<Floats>(distance2_.data() + k, count);
-    auto least2 = before2;
-    auto nearest = load<Indices>(node_.data() + k, count);
-    for (const std::uint32_t candidate : near) {
+    const auto before = load<Indices>(node_.data() + k, count);
+    // Where all candidates reach equally far, their reach is looked at once instead of for each.
+    const Floats reach2 = Floats{} + candidates.within2[near[0]];
+    auto least2 = candidates.are_alike ? (reach2 < before2 ? reach2 : before2) : before2;
+    auto nearest = before;
+    const auto look_at = [&](std::uint32_t candidate, auto... within2) {
       const Floats dx = x - candidates.x[candidate];
       const Floats dy = y - candidates.y[candidate];
       const Floats dz = z - candidates.z[candidate];
       const Floats square = (dx * dx + dz * dz) + dy * dy;
-      const auto takes = (square < least2) & (square < candidates.within2[candidate]);
+      const auto takes = ((square < least2) & ... & (square < within2));
       nearest = takes ? Indices{} + (candidates.first + candidate) : nearest;
       least2 = takes ? square : least2;
+    };
+    if (candidates.are_alike) {
+      for (const std::uint32_t candidate : near) look_at(candidate);
+      least2 = nearest == before ? before2 : least2;
+    } else {
+      for (const std::uint32_t candidate : near) look_at(candidate, candidates.within2[candidate]);
     }
     store(least2, distance2_.data() + k, count);
     store(nearest, node_.data() + k, count);

@@ -66,6 +66,7 @@ class NearestNodes {
     NodeIndex first = 0;
     std::vector<float> x, y, z;
     std::vector<float> within2;  // squared distances below this are influenced
+    bool are_alike = true;       // in that
   };
 
   /// What a thread needs to let candidates descend one part of the tree.

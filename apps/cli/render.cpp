@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -23,8 +26,34 @@ struct RenderOptions {
   std::string size;
   std::string view;
   std::optional<int> samples;
+  std::optional<int> turntable;  // frames all around
   bool transparent = false;
 };
+
+constexpr int kMostFrames = 9999;
+
+/// `oak_007.png` for frame 7 of some hundred of `oak.png`: as many digits as the last frame needs, at least three.
+std::string frame_path(const std::string& path, int frame, int frames) {
+  const std::size_t digits = std::max<std::size_t>(3, std::to_string(frames - 1).size());
+  return fmt::format("{}_{:0{}}{}", path.substr(0, path.size() - 4), frame, digits, path.substr(path.size() - 4));
+}
+
+std::vector<std::string> picture_paths(const RenderOptions& options) {
+  if (!options.turntable) return {options.output};
+  if (options.output == "-") {
+    throw InputError(Diagnostic{.message = "numbered frames cannot be written to standard output",
+                                .expected = "a file name such as oak.png for oak_000.png, oak_001.png, ..."});
+  }
+  if (*options.turntable < 1 || *options.turntable > kMostFrames) {
+    throw InputError(Diagnostic{.message = fmt::format("--turntable cannot be {}", *options.turntable),
+                                .expected = fmt::format("1 to {} frames", kMostFrames)});
+  }
+  std::vector<std::string> paths;
+  for (int k = 0; k < *options.turntable; ++k) {
+    paths.push_back(frame_path(options.output, k, *options.turntable));
+  }
+  return paths;
+}
 
 /// Two numbers around `separator`. Throws InputError with the option's name.
 template <class Number>
@@ -49,6 +78,7 @@ void check_ending(const std::string& path) {
 
 void render(const RenderOptions& options) {
   check_ending(options.output);
+  const std::vector<std::string> paths = picture_paths(options);
   const Document document = open_document(options.document);
   StillOptions still{.width = document.output.size[0], .height = document.output.size[1]};
   still.samples = options.samples.value_or(document.output.samples);
@@ -70,17 +100,22 @@ void render(const RenderOptions& options) {
     view.altitude = radians(altitude);
   }
   check_still_options(still);
-  check_output(options.output);
+  for (const std::string& path : paths) check_output(path);
 
   const ThreadLimit threads(options.document.threads);
   {
     TerminalProgress terminal(options.document.quiet);
     const GrownDocument grown = grow_document(document, terminal.progress());
-    write_png(render_still(grown.meshes, document.scene, view, still, terminal.progress()), options.output);
+    const Vec3 middle = grown.meshes.bounds().centre();
+    for (std::size_t k = 0; k < paths.size(); ++k) {
+      const double turn = 2 * kPi * static_cast<double>(k) / static_cast<double>(paths.size());
+      const View frame = turned(view, middle, turn);
+      write_png(render_still(grown.meshes, document.scene, frame, still, terminal.progress()), paths[k]);
+    }
   }
   if (!options.document.quiet) {
-    print_status(
-        fmt::format("{}: {} x {} pixels, {} samples", options.output, still.width, still.height, still.samples));
+    const std::string written = paths.size() == 1 ? paths[0] : fmt::format("{} to {}", paths.front(), paths.back());
+    print_status(fmt::format("{}: {} x {} pixels, {} samples", written, still.width, still.height, still.samples));
   }
 }
 
@@ -99,6 +134,10 @@ void add_render(CLI::App& app, Run& run) {
       ->add_option("--view", options->view,
                    "Where the camera stands, degrees from north over east and over the horizon")
       ->type_name("AZIMUTH,ALTITUDE");
+  command
+      ->add_option("--turntable", options->turntable,
+                   "Write so many numbered pictures, the camera going once around: oak_000.png, oak_001.png, ...")
+      ->type_name("N");
   command->add_flag("--transparent", options->transparent, "No sky and no ground, with an alpha channel");
   command->footer("Example: meristem render models/oak.json -o oak.png --size 800x800 --samples 64");
   command->callback([options, &run] { run = [options] { render(*options); }; });

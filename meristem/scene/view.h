@@ -9,13 +9,16 @@ namespace meristem {
 
 /// From where and how the scene is seen. What is unset is chosen so that the whole plant is in the picture.
 struct View {
-  std::optional<Vec3> position;  ///< of the camera, metres
-  std::optional<Vec3> target;    ///< what it looks at, metres; the middle of the plant
-  double azimuth =
-      2.6;  ///< of the camera as seen from the target where no position is given, from north over east, radians
+  std::optional<Vec3> position;    ///< of the camera, metres
+  std::optional<Vec3> target;      ///< what it looks at, metres; the middle of the plant
+  double azimuth = 2.6;            ///< of the camera as seen from the target where it has no position; radians
   double altitude = 0.1;           ///< and its height over the horizon, radians
   double field_of_view = 0.6;      ///< vertical, radians; larger: wider and more perspective
   std::optional<Vec3> background;  ///< sRGB; the sky if unset
 };
+
+/// The view with the camera moved on around the vertical through its target (`middle` where it has none), by an angle
+/// in radians from north over east. Turning it all around in equal steps shows the plant from every side.
+View turned(View view, Vec3 middle, double angle);
 
 }  // namespace meristem

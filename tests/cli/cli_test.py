@@ -124,7 +124,10 @@ class CommandLine(Case):
                           ["render", "box.json", "-o", "a.png", "--size", "99999x10"],
                           ["render", "box.json", "-o", "a.png", "--samples", "0"],
                           ["render", "box.json", "-o", "a.png", "--view", "nan,3"],
-                          ["render", "box.json", "-o", "a.png", "--view", "10,100"]):
+                          ["render", "box.json", "-o", "a.png", "--view", "10,100"],
+                          ["render", "box.json", "-o", "a.png", "--turntable", "0"],
+                          ["render", "box.json", "-o", "a.png", "--turntable", "10000"],
+                          ["render", "box.json", "-o", "-", "--turntable", "2"]):
             self.assert_ends(WRONG_INPUT, *arguments)
 
     def test_unknown_format_names_the_known(self):
@@ -244,6 +247,18 @@ class Output(Case):
         self.assertIn("<standard input>:1:14: ", done.stderr.decode())
         picture = self.run_program("render", "box.json", "-o", "-", "--size", "20x10", "--samples", "1").stdout
         self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
+
+    def test_a_turntable_writes_numbered_frames_from_all_sides(self):
+        done = self.run_program("render", "box.json", "-o", "turn.png", "--turntable", "3", "--size", "16x16",
+                                "--samples", "1")
+        self.assertEqual(done.returncode, DONE)
+        self.assertIn("turn_000.png to turn_002.png: 16 x 16 pixels", done.stderr.decode())
+        frames = [self.read(f"turn_00{k}.png") for k in range(3)]
+        self.assertEqual(len(set(frames)), 3)
+        self.assertNotIn("turn.png", os.listdir(self.folder))
+        # The first is the picture that there is without turning.
+        self.run_program("render", "box.json", "-o", "one.png", "--size", "16x16", "--samples", "1")
+        self.assertEqual(frames[0], self.read("one.png"))
 
     def test_standard_input_that_is_a_socket(self):
         import socket

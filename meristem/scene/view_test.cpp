@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/scene/view.h"
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/math.h"
+
+namespace meristem {
+namespace {
+
+TEST(TurnedView, MovesTheCameraFromNorthOverEast) {
+  View view;
+  view.position = Vec3(0, 2, -5);  // north of the root
+  const View east = turned(view, Vec3(0, 1, 0), kPi / 2);
+  EXPECT_NEAR(glm::distance(*east.position, Vec3(5, 2, 0)), 0, 1e-5F);
+  EXPECT_DOUBLE_EQ(east.azimuth, view.azimuth + kPi / 2);
+  view.target = Vec3(1, 0, 0);
+  EXPECT_NEAR(glm::distance(*turned(view, Vec3(9, 9, 9), kPi).position, Vec3(2, 2, 5)), 0, 1e-5F);
+}
+
+TEST(TurnedView, AWholeTurnIsNone) {
+  View view;
+  view.position = Vec3(1, 2, 3);
+  EXPECT_NEAR(glm::distance(*turned(view, Vec3(0), 2 * kPi).position, *view.position), 0, 1e-5F);
+  EXPECT_FALSE(turned(View(), Vec3(0), 1).position.has_value());
+}
+
+}  // namespace
+}  // namespace meristem

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tubes along the axes of a skeleton: one ring of vertices a node, in the plane that halves the bend (mitred), carried
-// along without twist, joined by triangles, closed at both ends. A lateral tube starts inside its mother with its own
-// first node's radius, or as much of it as the mother can hide.
+// along without twist, joined by triangles, closed at both ends. A lateral tube grows out of its mother with a collar
+// (collar.h); where that is not wanted or has no room it starts inside her with its own first node's radius, or as much
+// of it as she can hide. Steps in thickness are levelled along the axis and roots flare, as the surface says.
 #pragma once
 
 #include <cstdint>

@@ -13,10 +13,14 @@
 namespace meristem {
 namespace {
 
+struct Grain {
+  double weight = 1;
+};
+
 struct Rock {
   double weight = 1;
   std::vector<Rock> pebbles;
-  std::vector<std::pair<std::string, Rock>> named;
+  std::vector<std::pair<std::string, Grain>> named;
   std::optional<Box> box;
   Asset<std::string> file;
   double turn = 0;
@@ -31,11 +35,18 @@ std::string load(const std::string& path, const Limits& limits) {
   return text;
 }
 
+const ParameterTable& grain_table() {
+  static const ParameterTable table = Table<Grain>("a grain", "A grain.")
+                                          .number("weight", &Grain::weight, {.min = 0, .max = 9}, "Weight.")
+                                          .shorthand("weight");
+  return table;
+}
+
 const ParameterTable& rock_table() {
   static const ParameterTable table = Table<Rock>("a rock", "A rock.")
                                           .number("weight", &Rock::weight, {.min = 0, .max = 9}, "Weight.")
                                           .list("pebbles", &Rock::pebbles, rock_table, "Rocks in it.")
-                                          .map("named", &Rock::named, rock_table, "Rocks in it by name.")
+                                          .map("named", &Rock::named, grain_table, "Grains in it by name.")
                                           .box("box", &Rock::box, {.min = -9, .max = 9}, "Its bounds.")
                                           .file("file", &Rock::file, load, "Its text.")
                                           .number("turn", &Rock::turn, {}, "Of its text.")

@@ -205,7 +205,7 @@ TEST(ColonizeComponent, ShedBranchesAreGoneAndRememberedByTheWood) {
 
 TEST(ColonizeComponent, RefusesRootsThatAreNone) {
   EXPECT_EQ(fault(with({{"roots", Value::List{}}})).path, "components.tree.roots");
-  EXPECT_EQ(fault(with({{"roots", Value::List{Value::List{0, 0}}}})).path, "components.tree.roots[0]");
+  EXPECT_EQ(fault(with({{"roots", Value::List{Value(Value::List{0, 0})}}})).path, "components.tree.roots[0]");
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ TEST(BoxRow, TakesTwoCorners) {
   EXPECT_TRUE(rock_table().find("box")->show(&without).is_null());
   EXPECT_EQ(fault(Value::Object{{"box", Value::List{1, 2}}}).substr(0, 11), "rock.box[0]");
   EXPECT_EQ(
-      fault(Value::Object{{"box", Value::List{Value::List{1, 2, 3}}}}),
+      fault(Value::Object{{"box", Value::List{Value(Value::List{1, 2, 3})}}}),
       "rock.box: 'box' cannot be a list of 1; expected two corners, the lower first, such as [[-1, 0, -1], [1, 2, 1]]");
   EXPECT_NE(
       fault(Value::Object{{"box", Value::List{Value::List{1, 2, 3}, Value::List{1, 20, 3}}}}).find("rock.box[1][1]"),

@@ -38,17 +38,6 @@ void expand(const Cloud& cloud, const Site&, Emitter& out) {
   }
 }
 
-void check_points_asked(const Cloud& cloud, const Place& place, ParameterReader& reader) {
-  if (!cloud.crown && !cloud.points.file) {
-    reader.fault(place, "a cloud has no 'crown'", "a 'crown', or 'points' with a 'file'");
-  }
-  if (cloud.crown) check_shares(*cloud.crown, cloud.points, place, reader);
-  const auto points = static_cast<double>(cloud.points.count);
-  if (points > static_cast<double>(reader.limits().points)) {
-    reader.fault_limit(Place(place, "points"), "attraction points", points, reader.limits().points, "points");
-  }
-}
-
 }  // namespace
 
 ComponentType cloud_component() {
@@ -60,7 +49,9 @@ ComponentType cloud_component() {
                                 "The envelope that the points fill; needed unless they come from a file.")
                         .object("points", &Cloud::points, points_table, "The attraction points.")
                         .number("size", &Cloud::size, {.unit = Unit::metre, .min = 1e-5, .max = 1e4}, "Across a dot.")
-                        .check(check_points_asked),
+                        .check([](const Cloud& cloud, const Place& place, ParameterReader& reader) {
+                          check_cloud(cloud.crown, cloud.points, 1, "a cloud", place, reader);
+                        }),
       .material = {.colour = {0.06F, 0.16F, 0.55F}, .roughness = 0.9F},
       .expand = expand,
       .grow = grow,

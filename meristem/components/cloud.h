@@ -9,7 +9,7 @@
 namespace meristem {
 
 /// The attraction points of a crown as dots, to see what a crown or a distribution is before a tree grows into it.
-struct Cloud : GrowingComponent {
+struct Cloud : ComponentBase {
   std::optional<CrownForm> crown;
   PointsForm points;
   double size = 0.03;  ///< metres across a dot

@@ -12,7 +12,7 @@ namespace meristem {
 namespace {
 
 /// Whether all roots grow into the same points.
-bool shares_points(const Colonize& tree) { return tree.one_crown || tree.points.file.content != nullptr; }
+bool shares_points(const Colonize& tree) { return tree.one_crown || tree.points.file; }
 
 /// The points of one crown or file, moved to the world.
 std::vector<Vec3> points_at(const Colonize& tree, Vec3 place, RandomKey key, const GrowContext& context) {
@@ -46,11 +46,8 @@ void expand(const Colonize& tree, const Site& site, Emitter& out) {
   out.stem(std::move(skeleton), tree.surface);
 }
 
-void check_distances(const Colonize& tree, const Place& place, ParameterReader& reader) {
-  if (!tree.crown && !tree.points.file) {
-    reader.fault(place, "a colonize has no 'crown'", "a 'crown', or 'points' with a 'file'");
-  }
-  if (tree.crown) check_shares(*tree.crown, tree.points, place, reader);
+void check_colonize(const Colonize& tree, const Place& place, ParameterReader& reader) {
+  check_cloud(tree.crown, tree.points, shares_points(tree) ? 1 : tree.roots.size(), "a colonize", place, reader);
   const ColonizeParameters& growth = tree.growth;
   if (growth.kill >= growth.influence) {
     reader.fault(Place(place, "kill"),
@@ -63,11 +60,6 @@ void check_distances(const Colonize& tree, const Place& place, ParameterReader& 
                  fmt::format("'step' {:.7g} m is above 'kill' {:.7g} m, so nodes would jump over the points",
                              growth.step, growth.kill),
                  fmt::format("a number (m) of at most {:.7g}", growth.kill));
-  }
-  const std::size_t crowns = shares_points(tree) ? 1 : tree.roots.size();
-  const double points = static_cast<double>(tree.points.count) * static_cast<double>(crowns);
-  if (points > static_cast<double>(reader.limits().points)) {
-    reader.fault_limit(Place(place, "points"), "attraction points", points, reader.limits().points, "points");
   }
 }
 
@@ -132,7 +124,7 @@ ComponentType colonize_component() {
                                    "Branches that are gone when growth is done: the condition holds where they began, "
                                    "as in \"height < 2 && radius < 0.01\".")
                         .object("surface", &Colonize::surface, surface_table, "How the stems are clothed.")
-                        .check(check_distances),
+                        .check(check_colonize),
       .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
       .makes_stems = true,
       .expand = expand,

@@ -188,6 +188,20 @@ std::vector<Vec3> points_of_file(const CrownPointer& crown, const PointsForm& fo
   return points;
 }
 
+/// Reports shares whose part of the crown is empty.
+void check_shares(const CrownForm& crown, const PointsForm& points, const Place& place, ParameterReader& reader) {
+  if (points.shares.empty()) return;
+  const CrownPointer built = build_crown(crown);
+  const Place points_place(place, "points");
+  const Place shares(points_place, "shares");
+  for (std::size_t k = 0; k < points.shares.size(); ++k) {
+    const ShareForm& share = points.shares[k];
+    if (is_fillable(ZonedCrown(*built, {.above = share.above, .outer = share.outer}))) continue;
+    return reader.fault(Place(shares, k), "the share's part of the crown is empty, or nearly",
+                        "a smaller 'above' or a larger 'outer'");
+  }
+}
+
 }  // namespace
 
 const ParameterTable& crown_table() {
@@ -233,16 +247,15 @@ const ParameterTable& points_table() {
   return table;
 }
 
-void check_shares(const CrownForm& crown, const PointsForm& points, const Place& place, ParameterReader& reader) {
-  if (points.shares.empty()) return;
-  const CrownPointer built = build_crown(crown);
-  const Place points_place(place, "points");
-  const Place shares(points_place, "shares");
-  for (std::size_t k = 0; k < points.shares.size(); ++k) {
-    const ShareForm& share = points.shares[k];
-    if (is_fillable(ZonedCrown(*built, {.above = share.above, .outer = share.outer}))) continue;
-    return reader.fault(Place(shares, k), "the share's part of the crown is empty, or nearly",
-                        "a smaller 'above' or a larger 'outer'");
+void check_cloud(const std::optional<CrownForm>& crown, const PointsForm& points, std::size_t times,
+                 std::string_view component, const Place& place, ParameterReader& reader) {
+  if (!crown && !points.file) {
+    reader.fault(place, fmt::format("{} has no 'crown'", component), "a 'crown', or 'points' with a 'file'");
+  }
+  if (crown) check_shares(*crown, points, place, reader);
+  const double count = static_cast<double>(points.count) * static_cast<double>(times);
+  if (count > static_cast<double>(reader.limits().points)) {
+    reader.fault_limit(Place(place, "points"), "attraction points", count, reader.limits().points, "points");
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -69,8 +70,10 @@ struct PointsForm {
 const ParameterTable& crown_table();   ///< of CrownForm
 const ParameterTable& points_table();  ///< of PointsForm
 
-/// Reports shares whose part of the crown is empty. `place` is the component's.
-void check_shares(const CrownForm& crown, const PointsForm& points, const Place& place, ParameterReader& reader);
+/// Reports a crown that is missing, shares whose part of it is empty, and more points than allowed where it is filled
+/// `times` times. `place` is the component's, `component` what messages call it: "a colonize".
+void check_cloud(const std::optional<CrownForm>& crown, const PointsForm& points, std::size_t times,
+                 std::string_view component, const Place& place, ParameterReader& reader);
 
 /// The crown that a checked form means; null where its list is empty.
 CrownPointer build_crown(const CrownForm& form);

@@ -61,7 +61,7 @@ struct ComponentBase {
   bool hidden = false;               ///< no geometry; children stay
 };
 
-/// What components that grow have besides.
+/// What components that compete with others while they grow have besides.
 struct GrowingComponent : ComponentBase {
   bool alone = false;  ///< grows in a stand of its own
 };
@@ -95,7 +95,7 @@ struct ComponentType {
   std::function<const ComponentBase&(const void* parameters)> base;
   /// Expands a block of instances.
   std::function<void(const Prototype&, std::span<const Site>, Emitter&)> expand;
-  /// Whether each instance grows in a stand of its own; empty for components that do not grow.
+  /// Whether each instance grows in a stand of its own; empty for components that compete with none.
   std::function<bool(const void* parameters)> grows_alone;
   /// Plants one instance in a stand; empty for components that do not grow.
   std::function<std::unique_ptr<Grower>(const Prototype&, const Site&, double time, const GrowContext&)> grow;
@@ -126,8 +126,8 @@ struct ComponentDefinition {
   bool makes_stems = false;
   /// Makes one instance's geometry and says where children stand, through `out`, relative to the instance's own frame.
   void (*expand)(const P& parameters, const Site& site, Emitter& out) = nullptr;
-  /// For components that grow (P derives from GrowingComponent): plants one instance at its site. After growing,
-  /// `expand` finds the skeleton in `out.take_grown()`.
+  /// For components that grow: plants one instance at its site. After growing, `expand` finds the skeleton in
+  /// `out.take_grown()`. P derives from GrowingComponent if it competes with others.
   std::unique_ptr<Grower> (*grow)(const P& parameters, const Site& site, const GrowContext& context) = nullptr;
 };
 
@@ -157,7 +157,7 @@ ComponentType define_component(ComponentDefinition<P> definition) {
       out.instance(instance, sites[k], k, [&](const Site& site) { expand(instance, site, out); });
     }
   };
-  if constexpr (std::is_base_of_v<GrowingComponent, P>) {
+  if (definition.grow != nullptr) {
     type.grow = [grow = definition.grow](const Prototype& prototype, const Site& site, double time,
                                          const GrowContext& context) {
       P instance = *static_cast<const P*>(prototype.parameters.get());

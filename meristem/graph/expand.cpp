@@ -110,7 +110,8 @@ class Expansion {
 
   bool grows_alone(const Batch& batch) const {
     const Prototype& prototype = graph_.components[batch.component];
-    return prototype.type->grows_alone(prototype.parameters.get());
+    const auto& grows_alone = prototype.type->grows_alone;
+    return grows_alone && grows_alone(prototype.parameters.get());
   }
 
   void plant(ComponentIndex component, const Site& site, Stand& stand) {

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Times whole processes: every shipped document, grown to a GLB by the command line.
+"""Times whole processes: every shipped document, grown to a file by the command line.
 
 One document a process, RUNS times after a warm-up; wall and processor seconds as minimum and median, peak memory as the
 operating system counts it, and the file's hash, which has to be the same each time. As a reference for what a process
 costs at all, `meristem --version` is timed in the same run.
 
-    bench/documents.py [PROGRAM] [--runs N]
+    bench/documents.py [PROGRAM] [--runs N] [--endings .glb .obj .ply .skeleton.ply .csv]
 """
 import argparse
 import hashlib
@@ -40,17 +40,30 @@ def measure(command, runs):
 
 def print_row(name, spread, memory, note):
     (wall_min, wall), (cpu_min, cpu) = spread
-    print(f"{name:<16} {wall_min:8.3f} {wall:8.3f} {cpu_min:8.3f} {cpu:8.3f} {memory:8.0f}  {note}")
+    print(f"{name:<22} {wall_min:8.3f} {wall:8.3f} {cpu_min:8.3f} {cpu:8.3f} {memory:8.0f}  {note}")
+
+
+def time_document(arguments, document, target):
+    command = [arguments.program, "grow", str(document), "-o", target, "--quiet"]
+    spread, memory = measure(command, arguments.runs)
+    # In pieces: the system counts what this process holds to the peak of the next one that it starts.
+    digest = hashlib.sha256()
+    with open(target, "rb") as file:
+        while piece := file.read(1 << 20):
+            digest.update(piece)
+    print_row(pathlib.Path(target).name, spread, memory,
+              f"{os.path.getsize(target) / 1e6:.1f} MB, {digest.hexdigest()[:16]}")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program", nargs="?", default=str(ROOT / "build/release/bin/meristem"))
     parser.add_argument("--runs", type=int, default=7)
+    parser.add_argument("--endings", nargs="+", default=[".glb"], help="of the formats to write")
     arguments = parser.parse_args()
 
-    print(f"{'':<16} {'wall s':>17} {'processor s':>17} {'MB':>8}")
-    print(f"{'document':<16} {'min':>8} {'median':>8} {'min':>8} {'median':>8} {'peak':>8}  file")
+    print(f"{'':<22} {'wall s':>17} {'processor s':>17} {'MB':>8}")
+    print(f"{'file':<22} {'min':>8} {'median':>8} {'min':>8} {'median':>8} {'peak':>8}  size, hash")
     with open(os.devnull, "w") as quiet:
         saved = os.dup(1)
         os.dup2(quiet.fileno(), 1)
@@ -59,10 +72,8 @@ def main():
     print_row("(no document)", spread, memory, "")
     with tempfile.TemporaryDirectory() as folder:
         for document in sorted((ROOT / "models").glob("*.json")):
-            target = os.path.join(folder, document.stem + ".glb")
-            spread, memory = measure([arguments.program, "grow", str(document), "-o", target, "--quiet"], arguments.runs)
-            data = pathlib.Path(target).read_bytes()
-            print_row(document.stem, spread, memory, f"{len(data) / 1e6:.1f} MB, {hashlib.sha256(data).hexdigest()[:16]}")
+            for ending in arguments.endings:
+                time_document(arguments, document, os.path.join(folder, document.stem + ending))
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/components/camera.h"
 #include "meristem/document/grow.h"
-#include "meristem/output/image.h"
+#include "meristem/output/png.h"
 #include "meristem/output/still.h"
 #include "terminal.h"
 

@@ -10,20 +10,23 @@
 namespace meristem {
 
 /// Triangles with shared vertices, structure of arrays. Front faces wind counter-clockwise seen from outside.
-/// `normals` (unit) and `uvs` are empty or as long as `positions`. v rises from the base of an organ to its tip;
-/// images have v = 0 at their lower edge.
+/// `normals` (unit), `uvs` and `tangents` are empty or as long as `positions`. v rises from the base of an organ to its
+/// tip; images have v = 0 at their lower edge.
 struct Mesh {
   std::vector<Vec3> positions;  ///< metres
   std::vector<Vec3> normals;
   std::vector<Vec2> uvs;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  /// Where u rises, unit and at right angles to the normal; w is 1 where v rises along cross(normal, tangent), -1 where
+  /// it falls.
+  std::vector<Vec4> tangents;
 
   std::size_t vertex_count() const { return positions.size(); }
   std::size_t triangle_count() const { return triangles.size(); }
   /// Heap bytes in use.
   std::size_t bytes() const {
     return positions.size() * sizeof(Vec3) + normals.size() * sizeof(Vec3) + uvs.size() * sizeof(Vec2) +
-           triangles.size() * sizeof(triangles[0]);
+           tangents.size() * sizeof(Vec4) + triangles.size() * sizeof(triangles[0]);
   }
 };
 

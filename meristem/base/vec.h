@@ -9,12 +9,14 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 namespace meristem {
 
 // Geometry is stored in 32-bit floats; sums over many items are taken in the 64-bit forms.
 using Vec2 = glm::vec2;
 using Vec3 = glm::vec3;
+using Vec4 = glm::vec4;
 using Mat3 = glm::mat3;
 using DVec3 = glm::dvec3;
 

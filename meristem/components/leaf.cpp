@@ -103,6 +103,7 @@ ComponentType leaf_component() {
                           check_outline(leaf.blade, place, reader);
                         }),
       .material = {.colour = {0.33F, 0.46F, 0.20F}, .roughness = 0.6F, .translucency = 0.35F, .two_sided = true},
+      .variety = 0.12,
       .expand = expand,
   });
 }

@@ -148,7 +148,9 @@ class SchemaWriter {
       case ParameterKind::vector:
         return list_of(number("number", row.form), 3, 3);
       case ParameterKind::colour:
-        return Object{{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}};
+        return colour();
+      case ParameterKind::colours:
+        return list_of(colour(), 1, 0);
       case ParameterKind::curve:
         return closed_object({{"curve", points({})}, {"kind", Object{{"enum", List{"spline", "linear"}}}}}, {"curve"});
       case ParameterKind::points:
@@ -171,6 +173,8 @@ class SchemaWriter {
     }
     return Object{};
   }
+
+  static Value colour() { return Object{{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}}; }
 
   static Value selection() {
     const Value instance = number_schema("integer", {.min = 0, .max = 4294967295.0});

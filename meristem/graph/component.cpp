@@ -41,7 +41,13 @@ const ParameterTable& growing_component_table() {
 const ParameterTable& component_base_table() {
   static const ParameterTable table =
       Table<ComponentBase>("a component", "What all components have.")
-          .colour("colour", &ComponentBase::colour, "Colour of the material; the component's own if not given.")
+          .colour("colour", &ComponentBase::colour, "Mean colour; the component's own, or its picture's, if not given.")
+          .colours("colours", &ComponentBase::colours,
+                   "In place of one colour: instances have one of these, or one between two neighbours.")
+          .number("colour_at", &ComponentBase::colour_at, {.min = 0, .max = 1},
+                  "Where in the colours an instance's is, from the first (0) to the last (1); anywhere if not given.")
+          .number("variety", &ComponentBase::variety, {.min = 0, .max = 1, .fixed = true},
+                  "By how much instances differ in lightness and tone; raised, a more mottled crown.")
           .number("roughness", &ComponentBase::roughness, {.min = 0, .max = 1, .fixed = true},
                   "0 is glossy, 1 is matt; the component's own if not given.")
           .number("translucency", &ComponentBase::translucency, {.min = 0, .max = 1, .fixed = true},
@@ -56,7 +62,9 @@ const ParameterTable& component_base_table() {
           .selection("only", &ComponentBase::only, "All instances but these are without geometry.")
           .boolean("omit_keeps_children", &ComponentBase::omit_keeps_children,
                    "Whether what hangs on an omitted instance stays.")
-          .boolean("hidden", &ComponentBase::hidden, "No geometry; children stay.");
+          .boolean("hidden", &ComponentBase::hidden, "No geometry; children stay.")
+          .never_with("colour", {"colours"})
+          .only_with("colours", {"colour_at"});
   return table;
 }
 

@@ -31,6 +31,7 @@
 #include "meristem/graph/emitter.h"
 #include "meristem/graph/selection.h"
 #include "meristem/graph/table.h"
+#include "meristem/graph/texture_form.h"
 #include "meristem/graph/varying.h"
 #include "meristem/grow/stand.h"
 #include "meristem/scene/scene.h"
@@ -49,7 +50,11 @@ struct Transform {
 
 /// What all components have.
 struct ComponentBase {
-  std::optional<Vec3> colour;  ///< of the material; unset: the component type's own
+  std::optional<Vec3> colour;       ///< of the material; unset: the component type's own
+  std::vector<Vec3> colours;        ///< in its stead: each instance has one of them, or one between two
+  std::optional<double> colour_at;  ///< where in `colours`, 0 the first and 1 the last; unset: anywhere
+  std::optional<double> variety;    ///< by how much instances differ in lightness and tone
+  TextureForm texture;
   std::optional<double> roughness;
   std::optional<double> translucency;
   Transform place;                ///< moves this component's geometry only
@@ -87,12 +92,15 @@ struct ComponentType {
   std::string doc;
   ParameterTable parameters;  ///< own rows, then those of ComponentBase
   Material material;
+  double variety = 0;        ///< of colours, where the document does not say
   bool is_camera = false;    ///< the root of every graph
   bool makes_stems = false;  ///< branch links place children along stems
   std::size_t size = 0;      ///< of the parameter struct
 
   std::function<std::shared_ptr<void>()> make_parameters;  ///< a struct with the defaults
   std::function<const ComponentBase&(const void* parameters)> base;
+  /// What the uvs of its geometry show; empty where that is nothing in particular.
+  std::function<TextureShape(const void* parameters)> texture_shape;
   /// Expands a block of instances.
   std::function<void(const Prototype&, std::span<const Site>, Emitter&)> expand;
   /// Whether each instance grows in a stand of its own; empty for components that compete with none.
@@ -122,6 +130,7 @@ struct ComponentDefinition {
   std::string doc;
   Table<P> parameters;
   Material material{};
+  double variety = 0;
   bool is_camera = false;
   bool makes_stems = false;
   /// Makes one instance's geometry and says where children stand, through `out`, relative to the instance's own frame.
@@ -129,6 +138,8 @@ struct ComponentDefinition {
   /// For components that grow: plants one instance at its site. After growing, `expand` finds the skeleton in
   /// `out.take_grown()`. P derives from GrowingComponent if it competes with others.
   std::unique_ptr<Grower> (*grow)(const P& parameters, const Site& site, const GrowContext& context) = nullptr;
+  /// What the uvs of its geometry show, for textures that follow a shape.
+  TextureShape (*texture_shape)(const P& parameters) = nullptr;
 };
 
 template <class P>
@@ -144,6 +155,7 @@ ComponentType define_component(ComponentDefinition<P> definition) {
   type.parameters =
       std::move(definition.parameters).template include<ComponentBase>(component_base_table()).elsewhere({"type"});
   type.material = definition.material;
+  type.variety = definition.variety;
   type.is_camera = definition.is_camera;
   type.makes_stems = definition.makes_stems;
   type.size = sizeof(P);
@@ -166,6 +178,11 @@ ComponentType define_component(ComponentDefinition<P> definition) {
       Site own = site;
       own.frame = site.frame * instance.frame.frame();
       return grow(instance, own, context);
+    };
+  }
+  if (definition.texture_shape != nullptr) {
+    type.texture_shape = [shape = definition.texture_shape](const void* parameters) {
+      return shape(*static_cast<const P*>(parameters));
     };
   }
   return type;

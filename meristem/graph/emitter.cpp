@@ -11,6 +11,7 @@
 #include "meristem/base/hash.h"
 #include "meristem/base/math.h"
 #include "meristem/graph/component.h"
+#include "meristem/graph/looks.h"
 
 namespace meristem {
 
@@ -64,6 +65,7 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
                                 .expected = "smaller scales and shifts, here or in what it hangs on",
                                 .path = "components." + context_->component});
   }
+  tint_ = instance_tint(base, context_->variety, site.key.child("colour"));
   has_child_sites_ = false;
   stems_of_instance_ = 0;
   first_child_ = child_sites.size();
@@ -94,7 +96,7 @@ void Emitter::organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> m
   if (!visible_) return;
   const auto [found, is_new] = prototype_by_key_.try_emplace(key, static_cast<std::uint32_t>(prototypes.size()));
   if (is_new) prototypes.push_back({key, std::make_shared<const Mesh>(make())});
-  organs.push_back({geometry_frame_ * local, found->second, site_.birth});
+  organs.push_back({geometry_frame_ * local, found->second, tint_, site_.birth});
 }
 
 void Emitter::stem(Skeleton skeleton, const Surface& surface) {

@@ -40,6 +40,7 @@ struct EmitterContext {
   const std::string& component;  ///< id, for errors
   std::string multiplier;        ///< document path of what multiplies the children, for errors
   double time = 0;               ///< seconds
+  double variety = 0;            ///< of the instances' colours
   bool makes_stems = false;      ///< children of branch links stand along stems only
   bool wants_child_sites = true;
   bool wants_branch_sites = true;
@@ -102,6 +103,7 @@ class Emitter {
   std::size_t instance_ = 0;
   Site site_;             // of the present instance, with its own frame
   Frame geometry_frame_;  // that frame moved by `place`
+  Vec3 tint_{1};
   bool is_placed_ = false;
   bool visible_ = true;
   bool has_child_sites_ = false;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/parallel.h"
+#include "meristem/graph/looks.h"
 #include "meristem/grow/stand.h"
 
 namespace meristem {
@@ -140,6 +141,7 @@ class Expansion {
                            .component = prototype.id,
                            .multiplier = multiplier(batch.component, links),
                            .time = time_,
+                           .variety = prototype.base().variety.value_or(prototype.type->variety),
                            .makes_stems = prototype.type->makes_stems,
                            .wants_child_sites = wants(false),
                            .wants_branch_sites = wants(true),
@@ -289,16 +291,6 @@ class Expansion {
       output = {};
     }
     return plant;
-  }
-
-  static Material material_of(const Prototype& prototype) {
-    const ComponentBase& base = prototype.base();
-    Material material = prototype.type->material;
-    material.name = prototype.id;
-    material.colour = base.colour.value_or(material.colour);
-    material.roughness = static_cast<float>(base.roughness.value_or(material.roughness));
-    material.translucency = static_cast<float>(base.translucency.value_or(material.translucency));
-    return material;
   }
 
   static std::vector<std::uint32_t> ordinals_of_links(const Graph& graph) {

@@ -69,6 +69,8 @@ std::string Parameter::expectation() const {
       return "a list of three numbers [x, y, z]" + range_text(form);
     case ParameterKind::colour:
       return "a colour such as \"#6b8e23\"";
+    case ParameterKind::colours:
+      return "a list of colours such as [\"#6b8e23\", \"#d9a441\"]";
     case ParameterKind::curve:
       return "a curve such as {\"curve\": [[0, 1], [1, 0]]}";
     case ParameterKind::points:

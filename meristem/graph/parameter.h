@@ -30,6 +30,7 @@ enum class ParameterKind {
   integers,   ///< a list of so many whole numbers
   vector,     ///< three numbers
   colour,     ///< "#6b8e23"
+  colours,    ///< a list of colours, at least one
   curve,      ///< {"curve": [[x, y], ...], "kind": "spline" | "linear"}
   points,     ///< a list of pairs [x, y]
   places,     ///< a list of places [x, y, z]

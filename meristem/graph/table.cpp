@@ -213,6 +213,22 @@ Value show_colour(Vec3 colour) {
                      static_cast<int>(bytes.z));
 }
 
+void read_colours(const Parameter& self, const Value& value, const Place& place, ParameterReader& reader,
+                  std::vector<Vec3>& out) {
+  const Value::List* list = value.list();
+  if (list == nullptr || list->empty()) return reader.wrong_kind(self, value, place);
+  out.assign(list->size(), Vec3(0));
+  Parameter each = element_of(self);
+  each.kind = ParameterKind::colour;
+  for (std::size_t k = 0; k < list->size(); ++k) read_colour(each, (*list)[k], Place(place, k), reader, out[k]);
+}
+
+Value show_colours(const std::vector<Vec3>& colours) {
+  Value::List list;
+  for (const Vec3 colour : colours) list.push_back(show_colour(colour));
+  return list;
+}
+
 void read_selection(const Parameter& self, const Value& value, const Place& place, ParameterReader& reader,
                     std::optional<Selection>& out) {
   const Value::List* list = value.list();

@@ -54,6 +54,8 @@ void read_box(const Parameter&, const Value&, const Place&, ParameterReader&, Bo
 Value show_box(Unit unit, const Box& box);
 void read_colour(const Parameter&, const Value&, const Place&, ParameterReader&, Vec3& out);
 Value show_colour(Vec3 colour);
+void read_colours(const Parameter&, const Value&, const Place&, ParameterReader&, std::vector<Vec3>& out);
+Value show_colours(const std::vector<Vec3>& colours);
 void read_selection(const Parameter&, const Value&, const Place&, ParameterReader&, std::optional<Selection>& out);
 Value show_selection(const Selection& selection);
 void read_condition(const Parameter&, const Value&, const Place&, ParameterReader&, std::optional<Condition>& out);
@@ -168,6 +170,18 @@ class Table {
           table_detail::read_colour(self, value, place, reader, (object.*member).emplace(0.0F));
         },
         [member](const P& object) { return object.*member ? table_detail::show_colour(*(object.*member)) : Value(); });
+    return std::move(*this);
+  }
+  /// At least one colour.
+  Table&& colours(std::string name, std::vector<Vec3> P::*member, std::string doc) && {
+    row(
+        ParameterKind::colours, std::move(name), std::move(doc),
+        [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
+          table_detail::read_colours(self, value, place, reader, object.*member);
+        },
+        [member](const P& object) {
+          return (object.*member).empty() ? Value() : table_detail::show_colours(object.*member);
+        });
     return std::move(*this);
   }
   /// A function from [0, 1].
@@ -417,7 +431,8 @@ class Table {
     return std::move(*this);
   }
 
-  /// Takes over the rows of `table`, which read and show the part of the struct that `part` picks.
+  /// Takes over the rows of `table`, which read and show the part of the struct that `part` picks, and what it says of
+  /// their company; its rule stays behind.
   template <class Part>
   Table&& rows_of(const ParameterTable& table, Part part) {
     for (const Parameter& theirs : table.parameters) {
@@ -430,6 +445,8 @@ class Table {
         return show(&part(*const_cast<P*>(static_cast<const P*>(object))));
       };
     }
+    table_.one_of.insert(table_.one_of.end(), table.one_of.begin(), table.one_of.end());
+    table_.company.insert(table_.company.end(), table.company.begin(), table.company.end());
     return std::move(*this);
   }
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "meristem/output/colour.h"
+#include "meristem/base/colour.h"
 
 namespace meristem {
 

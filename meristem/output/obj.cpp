@@ -15,7 +15,7 @@
 
 #include "meristem/base/atomic_file.h"
 #include "meristem/output/block_writer.h"
-#include "meristem/output/colour.h"
+#include "meristem/base/colour.h"
 #include "meristem/output/names.h"
 
 namespace meristem {

@@ -13,7 +13,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
-#include "meristem/output/colour.h"
+#include "meristem/base/colour.h"
 #include "meristem/shape/primitives.h"
 #include "tests/support/check_mesh.h"
 #include "tests/support/file_size_limit.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "meristem/output/colour.h"
+#include "meristem/base/colour.h"
 
 namespace meristem {
 
@@ -23,14 +23,6 @@ float clearance(Vec3 position) {
 Vec3 transmission_tint(Vec3 colour) {
   const float brightest = std::max({colour.r, colour.g, colour.b, 1e-6F});
   return colour * glm::mix(Vec3(1), colour / brightest, Vec3(0.0F, 0.0F, 0.6F)) * Vec3(1.25F, 1.1F, 1.0F);
-}
-
-/// A leaf's own shade of its kind's colour: a few percent lighter or darker, greener or yellower.
-Vec3 own_shade(std::uint32_t part, std::uint32_t instance) {
-  const std::uint32_t bits = mixed_bits(instance ^ mixed_bits(part + 0x51ed270bU));
-  const float lighter = unit_float(bits) - 0.5F;
-  const float yellower = unit_float(mixed_bits(bits)) - 0.5F;
-  return (1 + 0.24F * lighter) * Vec3(1 + 0.22F * yellower, 1, 1 - 0.10F * yellower);
 }
 
 /// What a rough surface of plant wax mirrors, with the distribution of Trowbridge and Reitz, times the cosine.
@@ -61,7 +53,7 @@ PathTracer::PathTracer(const MeshScene& meshes, const RayScene& rays, Daylight l
     const float through = std::clamp(material.translucency, 0.0F, 1.0F);
     const float roughness = std::clamp(material.roughness, 0.2F, 1.0F);
     looks_.push_back({colour * (1 - through), glm::min(transmission_tint(colour), Vec3(1)) * through,
-                      roughness * roughness, material.two_sided, part.frames.size() > 1});
+                      roughness * roughness, material.two_sided});
   }
 }
 
@@ -78,7 +70,7 @@ PathTracer::Vertex PathTracer::surface_vertex(const Ray& ray, const RayHit& hit)
   if (away > 0) vertex.normal = normalized_or(vertex.normal - 1.01F * away * ray.direction, vertex.face_normal);
   vertex.lifted = point.position;
   if (is_front && !look.is_thin) vertex.lifted += point.smooth_offset;
-  const Vec3 shade = look.varies ? own_shade(hit.part, hit.instance) : Vec3(1);
+  const Vec3 shade = rays_.tint(hit);
   vertex.reflected = glm::min(look.reflected * shade, Vec3(1));
   vertex.transmitted = glm::min(look.transmitted * shade, Vec3(1));
   vertex.gloss_width = look.gloss_width;

@@ -47,7 +47,6 @@ class PathTracer {
     Vec3 transmitted;   ///< share that passes to the other side
     float gloss_width;  ///< alpha of the microfacet distribution
     bool is_thin;
-    bool varies;  ///< each instance a little
   };
   struct Vertex {
     Vec3 position;

@@ -7,7 +7,7 @@
 
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/diagnostic.h"
-#include "meristem/output/image.h"
+#include "meristem/output/png.h"
 
 namespace meristem {
 

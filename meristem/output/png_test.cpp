@@ -7,7 +7,7 @@
 #include <png.h>
 
 #include "meristem/base/diagnostic.h"
-#include "meristem/output/image.h"
+#include "meristem/output/png.h"
 
 namespace meristem {
 namespace {

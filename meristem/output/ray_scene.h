@@ -49,6 +49,8 @@ class RayScene {
   /// Whether any surface lies on the ray.
   bool is_blocked(const Ray& ray) const;
   SurfacePoint surface_point(const RayHit& hit) const;
+  /// Linear factors on the colour of the instance that was hit.
+  Vec3 tint(const RayHit& hit) const { return scene_.meshes[hit.part].tint(hit.instance); }
 
  private:
   struct Trees;

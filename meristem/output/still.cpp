@@ -10,7 +10,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
 #include "meristem/output/camera.h"
-#include "meristem/output/colour.h"
+#include "meristem/base/colour.h"
 #include "meristem/output/path_tracer.h"
 #include "meristem/output/tone_map.h"
 

@@ -4,7 +4,7 @@
 
 #include "meristem/base/progress.h"
 #include "meristem/base/vec.h"
-#include "meristem/output/image.h"
+#include "meristem/output/png.h"
 #include "meristem/scene/scene.h"
 #include "meristem/scene/view.h"
 #include "meristem/shape/mesh_scene.h"

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "meristem/base/math.h"
-#include "meristem/output/colour.h"
+#include "meristem/base/colour.h"
 
 namespace meristem {
 

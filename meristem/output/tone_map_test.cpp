@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "meristem/output/colour.h"
+#include "meristem/base/colour.h"
 
 namespace meristem {
 namespace {

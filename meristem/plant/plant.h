@@ -48,6 +48,7 @@ struct OrganPrototype {
 struct Organ {
   Frame frame;  ///< from the organ's own frame to the world; may scale
   std::uint32_t prototype = 0;
+  Vec3 tint{1};     ///< linear factors on the material's colour
   float birth = 0;  ///< growth step at which it appeared
 };
 

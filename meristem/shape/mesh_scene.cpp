@@ -91,7 +91,7 @@ std::vector<MeshInstances> clothe_stems(const Plant& plant, Progress& progress) 
     for (std::size_t i = begin; i < end; ++i) {
       const Stem& stem = plant.stems[i];
       auto mesh = std::make_shared<const Mesh>(make_tubes(stem.skeleton, stem.surface, progress));
-      clothed[i] = {stem.component, std::move(mesh), stem.material, {Frame{}}};
+      clothed[i] = {stem.component, std::move(mesh), stem.material, {Frame{}}, {}};
     }
   });
   return clothed;
@@ -103,15 +103,22 @@ std::vector<MeshInstances> place_organs(const Plant& plant, const std::vector<st
   std::vector<MeshInstances> placed(plant.prototypes.size());
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const OrganPrototype& prototype = plant.prototypes[i];
-    placed[i] = {prototype.component, prototype.mesh, prototype.material, {}};
+    placed[i] = {prototype.component, prototype.mesh, prototype.material, {}, {}};
     placed[i].frames.reserve(organs[i]);
+    placed[i].tints.reserve(organs[i]);
   }
   for (std::size_t begin = 0; begin < plant.organs.size(); begin += kOrgansPerBlock) {
     const std::size_t end = std::min(begin + kOrgansPerBlock, plant.organs.size());
     for (std::size_t i = begin; i < end; ++i) {
-      placed[plant.organs[i].prototype].frames.push_back(plant.organs[i].frame);
+      MeshInstances& instances = placed[plant.organs[i].prototype];
+      instances.frames.push_back(plant.organs[i].frame);
+      instances.tints.push_back(plant.organs[i].tint);
     }
     progress.advance(end - begin);
+  }
+  for (MeshInstances& instances : placed) {
+    const auto is_plain = [](Vec3 tint) { return tint == Vec3(1); };
+    if (std::all_of(instances.tints.begin(), instances.tints.end(), is_plain)) instances.tints = {};
   }
   return placed;
 }

@@ -11,7 +11,7 @@
 #include "meristem/grow/stand.h"
 #include "meristem/measure/counts.h"
 #include "meristem/output/gltf.h"
-#include "meristem/output/image.h"
+#include "meristem/output/png.h"
 #include "meristem/output/still.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"

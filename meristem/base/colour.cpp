@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Based on: IEC 61966-2-1:1999, the sRGB transfer function.
-#include "meristem/output/colour.h"
+#include "meristem/base/colour.h"
 
 #include <algorithm>
 

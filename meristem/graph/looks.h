@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// From what a document says of a component's looks to its material, and to what each instance makes of it.
+#pragma once
+
+#include "meristem/base/random.h"
+#include "meristem/graph/component.h"
+
+namespace meristem {
+
+/// The material of a component, with its texture.
+Material material_of(const Prototype& prototype);
+
+/// Linear factors on the material's colour for one instance: its place among the `colours`, and its own shade.
+Vec3 instance_tint(const ComponentBase& instance, double variety, RandomKey key);
+
+}  // namespace meristem

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a document says what texture a component wears.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "meristem/graph/asset.h"
+#include "meristem/graph/parameter.h"
+#include "meristem/shape/texture_recipe.h"
+
+namespace meristem {
+
+/// Pictures of the user's.
+struct PictureForm {
+  Asset<Image> colour;
+  Asset<Image> normals;
+  bool masked = false;  ///< the colour's alpha cuts holes
+};
+
+/// At most one of the four kinds is given.
+struct TextureForm {
+  std::optional<BarkRecipe> bark;
+  std::optional<LeafRecipe> leaf;
+  std::optional<PetalRecipe> petal;
+  std::optional<PictureForm> picture;
+  int pixels = 512;  ///< a side, of those that are made
+};
+
+const ParameterTable& texture_table();  ///< of TextureForm
+
+/// The texture that a checked form means, null for an empty one; equal forms share it while it is in use. `shape` is
+/// what the component's uvs show, `colour` (sRGB) its mean.
+std::shared_ptr<const Texture> make_texture(const TextureForm& form, const TextureShape& shape, Vec3 colour);
+
+}  // namespace meristem

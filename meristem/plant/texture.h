@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "meristem/base/image.h"
+#include "meristem/base/vec.h"
+
+namespace meristem {
+
+/// Pictures that lie on a surface by its uvs and repeat beyond them; v = 0 is the pictures' lower edge.
+struct Texture {
+  std::string name;     ///< for files: "furrowed"
+  Image colour;         ///< its alpha is a mask where `masked`, else 255
+  Image normals;        ///< in the surface's tangent space: x along u, y along v, z outward, as glTF wants them
+  Vec3 mean{1};         ///< linear mean colour of what is not masked out; what Material::colour stands for
+  bool masked = false;  ///< where alpha is below one half the surface has a hole
+
+  bool has_normals() const { return !normals.is_empty(); }
+};
+
+}  // namespace meristem

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a texture is made: by a procedure of ours, or from pictures of the user's.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "meristem/base/vec.h"
+#include "meristem/plant/texture.h"
+
+namespace meristem {
+
+/// Bark, tileable. Colours are relative to the mean, which is the material's.
+struct BarkRecipe {
+  enum class Style { smooth, furrowed, plated, peeling };
+  Style style = Style::furrowed;
+  double scale = 1;           ///< size of its features; raised, fewer and larger ones on a tile
+  double relief = 1;          ///< depth of its normals; 0 is flat
+  double contrast = 1;        ///< between ridges and seams
+  std::optional<Vec3> seams;  ///< sRGB, colour of furrows, gaps and lenticels; darker bark if unset
+  std::optional<Vec3> marks;  ///< sRGB, colour of patches: lichen, peeled places; none if unset
+  double seed = 1;
+
+  bool operator==(const BarkRecipe&) const = default;
+};
+
+/// A leaf with its veins, over u across and v along the blade.
+struct LeafRecipe {
+  enum class Veins { pinnate, palmate, parallel };
+  Veins veins = Veins::pinnate;
+  int pairs = 7;        ///< of side veins (pinnate), veins beside the middle one (else)
+  double angle = 0.8;   ///< radians between midrib and side veins
+  double contrast = 1;  ///< of veins and mottling
+  double relief = 1;
+  std::optional<Vec3> vein_colour;  ///< sRGB; lighter leaf if unset
+  std::optional<Vec3> edge_colour;  ///< sRGB, toward the margin, as in autumn; none if unset
+  double seed = 1;
+
+  bool operator==(const LeafRecipe&) const = default;
+};
+
+/// A petal, over u across and v from claw to edge.
+struct PetalRecipe {
+  std::optional<Vec3> throat;   ///< sRGB, colour at the claw; the petal's own if unset
+  double throat_length = 0.35;  ///< share of the petal that it fades over
+  std::optional<Vec3> stripes;  ///< sRGB, colour of the lines that run along it; none if unset
+  double relief = 1;
+  double seed = 1;
+
+  bool operator==(const PetalRecipe&) const = default;
+};
+
+/// What a component's uvs show, for textures that follow a shape.
+struct TextureShape {
+  std::vector<Vec2> outline;  ///< closed polygon in uv, counter-clockwise; empty: all of the unit square
+  bool masked = false;        ///< what lies outside of it is cut out by the texture
+
+  bool operator==(const TextureShape&) const = default;
+};
+
+/// The textures themselves: `pixels` a side, the same bytes on every machine and any number of threads.
+Texture make_bark_texture(const BarkRecipe& recipe, Vec3 colour, int pixels);
+Texture make_leaf_texture(const LeafRecipe& recipe, const TextureShape& shape, Vec3 colour, int pixels);
+Texture make_petal_texture(const PetalRecipe& recipe, const TextureShape& shape, Vec3 colour, int pixels);
+
+}  // namespace meristem

@@ -44,8 +44,8 @@ TEST(ColonizeComponent, GrowsASkeletonFromItsParameters) {
   EXPECT_TRUE(check_skeleton(skeleton));
   EXPECT_GT(skeleton.node_count(), 100U);
   EXPECT_FLOAT_EQ(*std::min_element(skeleton.radius.begin(), skeleton.radius.end()), 0.002F);
-  EXPECT_EQ(plant.stems[0].surface.sides, 5);
-  EXPECT_EQ(plant.stems[0].component, "tree");
+  EXPECT_EQ(plant.stems[0].parts[0].surface.sides, 5);
+  EXPECT_EQ(plant.stems[0].parts[0].component, "tree");
 }
 
 TEST(ColonizeComponent, MorePointsGiveMoreNodes) {

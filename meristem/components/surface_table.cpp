@@ -12,6 +12,9 @@ const ParameterTable& surface_table() {
           .choice("style", &Surface::style, {"tubes"}, "tubes: continuous tubes along the axes.")
           .integer("sides", &Surface::sides, {.min = 3, .max = 64, .fixed = true},
                    "Sides of the thickest stem, thinner ones have fewer; raised, rounder and heavier.")
+          .number("error", &Surface::error, {.min = 0, .max = 1, .fixed = true},
+                  "How far a tube may stray from its skeleton, in its radii; raised, fewer rings along straight stems.")
+          .choice("cap", &Surface::cap, {"pointed", "round", "flat"}, "How tips end.")
           .number("uv_scale", &Surface::uv_scale, {.unit = Unit::metre, .min = 0.001, .max = 100, .fixed = true},
                   "Bark that one tile of a texture covers.")
           .number("smooth", &Surface::smooth, {.min = 0, .max = 20, .fixed = true},

@@ -17,7 +17,8 @@ namespace meristem {
 
 namespace {
 
-constexpr std::uint64_t kCountedTogether = 1024;  // sites; an atomic addition for each would slow threads down
+constexpr std::uint32_t kOfThisBlock = 0x80000000U;  // marks numbers of stems that count within an emitter
+constexpr std::uint64_t kCountedTogether = 1024;     // sites; an atomic addition for each would slow threads down
 
 bool is_finite(const Frame& frame) {
   const auto finite = [](Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
@@ -100,7 +101,7 @@ void Emitter::organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> m
 }
 
 void Emitter::stem(Skeleton skeleton, const Surface& surface) {
-  EmittedStem& stem = stems.emplace_back(EmittedStem{std::move(skeleton), surface, site_, visible_, {}});
+  EmittedStem& stem = stems.emplace_back(EmittedStem{std::move(skeleton), surface, site_, visible_, tint_, {}});
   stem.site.key = site_.key.child("stem").child(stems_of_instance_++);
   if (is_placed_ && visible_) {
     stem.moved = stem.skeleton;
@@ -108,23 +109,41 @@ void Emitter::stem(Skeleton skeleton, const Surface& surface) {
   }
 }
 
+std::uint32_t Emitter::number_stems(std::uint32_t next) {
+  for (std::vector<Site>* sites : {&child_sites, &branch_sites}) {
+    for (Site& site : *sites) {
+      if (site.stem != kNoStem && (site.stem & kOfThisBlock) != 0) site.stem = next + (site.stem & ~kOfThisBlock);
+    }
+  }
+  return next + static_cast<std::uint32_t>(stems.size());
+}
+
 void Emitter::child_site(const Frame& local, float length, float radius) {
+  child_site_in_world(site_.frame * local, length, radius);
+}
+
+void Emitter::child_site_in_world(const Frame& frame, float length, float radius) {
   has_child_sites_ = true;
   const bool for_branches = context_->wants_branch_sites && !context_->makes_stems;
-  if (context_->wants_child_sites || for_branches) add_site(child_sites, local, 1, length, radius);
+  if (context_->wants_child_sites || for_branches) add_site(child_sites, frame, 1, length, radius);
 }
 
 void Emitter::branch_site(const Frame& local, float u, float length, float radius) {
-  if (context_->wants_branch_sites) add_site(branch_sites, local, u, length, radius);
+  if (context_->wants_branch_sites) add_site(branch_sites, site_.frame * local, u, length, radius);
 }
 
-void Emitter::add_site(std::vector<Site>& sites, const Frame& local, float u, float length, float radius) {
+void Emitter::add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius) {
   if (++uncounted_ == kCountedTogether) count_sites();
   Site& site = sites.emplace_back(site_);
-  site.frame = site_.frame * local;
+  site.frame = frame;
   site.u = u;
   site.length = length;
   site.radius = radius;
+  if (stems_of_instance_ == 0) return;  // else on the stem that the instance stands on itself
+  const Skeleton& skeleton = stems.back().skeleton;
+  site.stem = kOfThisBlock | static_cast<std::uint32_t>(stems.size() - 1);
+  site.node = static_cast<NodeIndex>(skeleton.node_count() - 1);
+  site.along = 1;
 }
 
 void Emitter::count_sites() {

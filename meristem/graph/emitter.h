@@ -30,6 +30,7 @@ struct EmittedStem {
   Surface surface;
   Site site;  ///< of the instance that made it, with a key of the stem's own
   bool visible = true;
+  Vec3 tint{1};
   std::optional<Skeleton> moved;  ///< what is seen instead of the skeleton where `place` moves it
 };
 
@@ -66,6 +67,8 @@ class Emitter {
   /// A place for children, relative to the instance's frame; called n times it multiplies them. Without a call,
   /// children stand in the instance's frame, unless `no_children` was called.
   void child_site(const Frame& local, float length = 0, float radius = 0);
+  /// The same for a frame in world space.
+  void child_site_in_world(const Frame& frame, float length, float radius);
   /// Children stand only where `child_site` says: for components whose number of children may be 0.
   void no_children() { has_child_sites_ = true; }
   /// A place for the children of branch links where it differs from those of child links. Without a call, and for
@@ -90,13 +93,15 @@ class Emitter {
   std::vector<EmittedPrototype> prototypes;
   std::vector<Organ> organs;  ///< their prototypes count within this emitter
   std::vector<EmittedStem> stems;
+  /// Numbers the stems on from `next`, and tells the places on them. Returns the number after the last.
+  std::uint32_t number_stems(std::uint32_t next);
   std::vector<Site> child_sites;  ///< with the key and depth of the instance that offers them
   std::vector<Site> branch_sites;
 
  private:
   void begin_instance(const ComponentBase& base, const Site& site);
   void end_instance();
-  void add_site(std::vector<Site>& sites, const Frame& local, float u, float length, float radius);
+  void add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius);
   void count_sites();
 
   EmitterContext* context_;

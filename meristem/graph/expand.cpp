@@ -10,6 +10,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/graph/looks.h"
 #include "meristem/grow/stand.h"
+#include "meristem/plant/join_stems.h"
 
 namespace meristem {
 
@@ -28,7 +29,7 @@ struct ComponentOutput {
   std::unordered_map<std::uint64_t, std::uint32_t> prototype_by_key;
   std::vector<std::shared_ptr<const Mesh>> meshes;
   std::vector<Organ> organs;
-  std::vector<Stem> stems;
+  std::uint32_t stems = 0;
 };
 
 class Expansion {
@@ -158,7 +159,13 @@ class Expansion {
       prototype.type->expand(prototype, std::span(batch.sites).subspan(begin, end - begin), emitters[begin / block]);
       progress_.advance(end - begin);
     });
-    for (const LinkIndex link : links) follow(link, emitters);
+    std::vector<std::uint32_t> first_stems;
+    std::uint32_t next_stem = static_cast<std::uint32_t>(stems_.size());
+    for (Emitter& emitter : emitters) {
+      first_stems.push_back(next_stem);
+      next_stem = emitter.number_stems(next_stem);
+    }
+    for (const LinkIndex link : links) follow(link, emitters, first_stems);
     for (Emitter& emitter : emitters) merge(batch.component, emitter);
   }
 
@@ -181,17 +188,20 @@ class Expansion {
     return links;
   }
 
-  /// The places that a link gives its child, over all instances of the parent.
-  void follow(LinkIndex index, const std::vector<Emitter>& emitters) {
+  /// The places that a link gives its child, over all instances of the parent. `first_stems` are the numbers of the
+  /// emitters' first stems.
+  void follow(LinkIndex index, const std::vector<Emitter>& emitters, const std::vector<std::uint32_t>& first_stems) {
     const Link& link = graph_.links[index];
     const bool has_stems = graph_.components[link.from].type->makes_stems;
     Batch batch{.component = link.to, .sites = {}};
-    for (const Emitter& emitter : emitters) {
+    for (std::size_t e = 0; e < emitters.size(); ++e) {
+      const Emitter& emitter = emitters[e];
+      std::uint32_t number = first_stems[e];
       if (link.kind == LinkKind::branch) {
-        for (const EmittedStem& stem : emitter.stems) add_places_along(index, stem, batch.sites);
+        for (const EmittedStem& stem : emitter.stems) add_places_along(index, stem, number++, batch.sites);
         for (const Site& site : emitter.branch_sites) add_site(index, site, batch.sites);
       } else if (link.kind == LinkKind::leaf && has_stems) {
-        for (const EmittedStem& stem : emitter.stems) add_tips(index, stem, batch.sites);
+        for (const EmittedStem& stem : emitter.stems) add_tips(index, stem, number++, batch.sites);
       } else {
         for (const Site& site : emitter.child_sites) add_site(index, site, batch.sites);
       }
@@ -199,8 +209,10 @@ class Expansion {
     enqueue(std::move(batch), index);
   }
 
-  void add_places_along(LinkIndex index, const EmittedStem& stem, std::vector<Site>& out) {
+  void add_places_along(LinkIndex index, const EmittedStem& stem, std::uint32_t number, std::vector<Site>& out) {
     PlacementContext context{.light = unit_vector(scene_.sun),
+                             .on_axis = graph_.components[graph_.links[index].to].type->makes_stems,
+                             .stem = number,
                              .parent = stem.site,
                              .limits = &graph_.limits,
                              .path = fmt::format("links[{}]", index)};
@@ -211,9 +223,9 @@ class Expansion {
     check_limit(out.size(), index);
   }
 
-  void add_tips(LinkIndex index, const EmittedStem& stem, std::vector<Site>& out) {
+  void add_tips(LinkIndex index, const EmittedStem& stem, std::uint32_t number, std::vector<Site>& out) {
     const RandomKey key = child_key(index, stem.site.key);
-    for (Site site : tip_sites(stem.skeleton, stem.site)) {
+    for (Site site : tip_sites(stem.skeleton, number, stem.site)) {
       site.key = key.child(site.i);
       add_keyed(index, site, out);
     }
@@ -262,20 +274,28 @@ class Expansion {
       output.organs.push_back(organ);
     }
     for (EmittedStem& emitted : emitter.stems) {
-      if (!emitted.visible) continue;
-      output.stems.push_back({.component = graph_.components[component].id,
-                              .instance = static_cast<std::uint32_t>(output.stems.size()),
-                              .material = 0,
-                              .surface = emitted.surface,
-                              .skeleton = std::move(emitted.moved ? *emitted.moved : emitted.skeleton)});
+      LooseStem& stem = stems_.emplace_back();
+      component_of_stem_.push_back(component);
+      if (!emitted.visible) continue;  // without a node
+      stem.part = {.component = graph_.components[component].id,
+                   .instance = output.stems++,
+                   .surface = emitted.surface,
+                   .tint = emitted.tint};
+      // What `place` has moved hangs on nothing.
+      const bool is_moved = emitted.moved.has_value();
+      stem.mother = is_moved ? kNoStem : emitted.site.stem;
+      stem.node = emitted.site.node;
+      stem.along = emitted.site.along;
+      stem.skeleton = std::move(is_moved ? *emitted.moved : emitted.skeleton);
     }
   }
 
   Plant assemble() {
     Plant plant;
+    std::vector<std::uint32_t> material_of_component(outputs_.size(), 0);
     for (ComponentIndex c = 0; c < outputs_.size(); ++c) {
       ComponentOutput& output = outputs_[c];
-      if (output.meshes.empty() && output.stems.empty()) continue;
+      if (output.meshes.empty() && output.stems == 0) continue;
       const auto material = static_cast<std::uint32_t>(plant.materials.size());
       plant.materials.push_back(material_of(graph_.components[c]));
       const auto first = static_cast<std::uint32_t>(plant.prototypes.size());
@@ -284,12 +304,14 @@ class Expansion {
         organ.prototype += first;
         plant.organs.push_back(organ);
       }
-      for (Stem& stem : output.stems) {
-        stem.material = material;
-        plant.stems.push_back(std::move(stem));
-      }
       output = {};
+      material_of_component[c] = material;
     }
+    for (std::size_t k = 0; k < stems_.size(); ++k) {
+      stems_[k].part.material = material_of_component[component_of_stem_[k]];
+    }
+    plant.stems = join_stems(std::move(stems_));
+    std::erase_if(plant.stems, [](const Stem& stem) { return stem.skeleton.node_count() == 0; });
     return plant;
   }
 
@@ -309,6 +331,8 @@ class Expansion {
   std::deque<Batch> growing_;
   std::uint64_t instances_ = 1;  // the root
   std::vector<ComponentOutput> outputs_;
+  std::vector<LooseStem> stems_;  // by number; hidden ones have no nodes
+  std::vector<ComponentIndex> component_of_stem_;
   std::vector<std::uint32_t> link_ordinals_;
 };
 

@@ -28,10 +28,16 @@ const ParameterTable& placement_table() {
                   "of 2.")
           .number("angle", &Placement::angle, {.unit = Unit::degree, .min = 0, .max = 180},
                   "Between axis and child; raised, children stand off more.")
+          .number("angle_tip", &Placement::angle_tip, {.unit = Unit::degree, .min = 0, .max = 180},
+                  "The angle at the axis's tip, if it is not the same as at its base.")
           .number("angle_spread", &Placement::angle_spread, {.unit = Unit::degree, .min = 0, .max = 180},
                   "The angle varies by up to this much to both sides.")
           .curve("size", &Placement::size,
                  "Scale of the children over u, from base to tip of each axis; where it is 0 or below there are none.")
+          .curve("spread", &Placement::spread,
+                 "Relative density over u, from base to tip of each axis; [[0, 0], [1, 1]] crowds the tip.")
+          .number("droop", &Placement::droop, {.min = -1, .max = 1},
+                  "How far children hang: 1 turns their heading straight down, -1 straight up.")
           .number("face_light", &Placement::face_light, {.min = 0, .max = 1},
                   "How far children turn their upper face to the light: 0 not at all, 1 wholly.")
           .number("start", &Placement::start, {.min = 0, .max = 1}, "Share of each axis left free at its base.")
@@ -61,9 +67,10 @@ struct Piece {
   float end = 1;
   float arc = 0;       // of `from` along the axis, metres
   float length = 0;    // of the whole segment
+  double weight = 1;   // relative density
   double carried = 0;  // eligible length of the axis before this piece
 
-  double eligible() const { return static_cast<double>(length) * (end - begin); }
+  double eligible() const { return weight * length * (end - begin); }
 };
 
 struct AxisPlaces {
@@ -83,13 +90,14 @@ std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const Axes& a
   return eligible;
 }
 
-/// The pieces of one axis between `start` and `end` that are eligible; those of a lateral begin at its mother's bark.
+/// The pieces of one axis between `start` and `end` that are eligible; those of a lateral begin at its mother's bark,
+/// of which `root_bark` metres lie over the skeleton's root.
 AxisPlaces measure_axis(const Skeleton& skeleton, std::span<const NodeIndex> nodes, const Placement& placement,
-                        const std::vector<std::uint8_t>& eligible) {
+                        const std::vector<std::uint8_t>& eligible, float root_bark) {
   AxisPlaces places;
   places.length = axis_length(skeleton, nodes);
   const NodeIndex mother = nodes.empty() ? kNoNode : skeleton.parent[nodes.front()];
-  const double bark = mother == kNoNode ? 0 : skeleton.radius[mother];
+  const double bark = mother == kNoNode ? root_bark : skeleton.radius[mother];
   const double low = std::max(bark, placement.start * places.length);
   const double high = placement.end * places.length;
   float arc = 0;
@@ -103,6 +111,9 @@ AxisPlaces measure_axis(const Skeleton& skeleton, std::span<const NodeIndex> nod
     piece.begin = static_cast<float>(std::clamp((low - piece.arc) / piece.length, 0.0, 1.0));
     piece.end = static_cast<float>(std::clamp((high - piece.arc) / piece.length, 0.0, 1.0));
     if (piece.end <= piece.begin) continue;
+    const double middle = piece.arc + 0.5 * (piece.begin + piece.end) * piece.length;
+    piece.weight = std::max(0.0, placement.spread(middle / places.length));
+    if (!(piece.weight > 0)) continue;
     piece.carried = places.eligible;
     places.eligible += piece.eligible();
     places.pieces.push_back(piece);
@@ -136,6 +147,9 @@ double count_places(std::vector<AxisPlaces>& axes, const Placement& placement, R
   return total * placement.whorl;
 }
 
+/// The order of a skeleton's main axis: a stem that stands on another is a lateral of it.
+int first_order(const Site& parent) { return parent.stem == kNoStem ? 0 : parent.order + 1; }
+
 /// Writes the sites of one axis.
 class AxisWriter {
  public:
@@ -159,7 +173,7 @@ class AxisWriter {
         tangent = next;
       }
       const Piece& piece = axis.pieces[p];
-      const auto along = static_cast<float>(piece.begin + (at - piece.carried) / piece.length);
+      const auto along = static_cast<float>(piece.begin + (at - piece.carried) / (piece.weight * piece.length));
       for (std::uint64_t w = 0; w < whorl; ++w) {
         const double azimuth = roll + static_cast<double>(k) * placement_.divergence +
                                2 * kPi * static_cast<double>(w) / static_cast<double>(whorl);
@@ -185,17 +199,33 @@ class AxisWriter {
     site.length = axis.length;
     site.u = std::min(1.0F, (piece.arc + along * piece.length) / std::max(axis.length, 1e-20F));
     site.birth = skeleton_.birth[piece.to];
-    site.order = skeleton_.order[piece.to];
+    site.order = static_cast<std::uint16_t>(first_order(context_.parent) + skeleton_.order[piece.to]);
 
-    const double angle = placement_.angle + placement_.angle_spread * site.key.child("angle").uniform(0, -1, 1);
+    const double base = placement_.angle;
+    const double tip = placement_.angle_tip.value_or(base);
+    const double angle =
+        base + (tip - base) * site.u + placement_.angle_spread * site.key.child("angle").uniform(0, -1, 1);
     const auto sine = static_cast<float>(math::sin(angle));
     const auto cosine = static_cast<float>(math::cos(angle));
     const Vec3 heading = cosine * tangent + sine * outward;
     const Vec3 upper = sine * tangent - cosine * outward;
     const Vec3 foot = glm::mix(skeleton_.position[piece.from], skeleton_.position[piece.to], along);
-    site.frame = frame_along(foot + site.radius * outward, heading, upper);
+    site.frame = frame_along(context_.on_axis ? foot : foot + site.radius * outward, heading, upper);
+    site.stem = context_.stem;
+    site.node = piece.to;
+    site.along = along;
+    if (placement_.droop != 0) turn_down(site.frame);
     if (placement_.face_light > 0) turn_to_light(site.frame);
     site.frame.axes *= static_cast<float>(std::max(0.0, placement_.size(site.u)));
+  }
+
+  /// Turns the frame so that its heading comes nearer to straight down, or up, by the share `droop`.
+  void turn_down(Frame& frame) const {
+    const Vec3 target = placement_.droop > 0 ? -kUp : kUp;
+    const Vec3 heading = frame.heading();
+    const Vec3 axis = normalized_or(glm::cross(heading, target), frame.right());
+    const double whole = math::acos(glm::dot(heading, target));
+    frame.axes = rotation(axis, whole * std::abs(placement_.droop)) * frame.axes;
   }
 
   /// Turns the frame so that its upper face comes nearer to the light by the share `face_light`.
@@ -218,10 +248,11 @@ std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placeme
   const Axes axes(skeleton);
   const std::vector<std::uint8_t> eligible =
       eligible_nodes(skeleton, axes, placement, context.parent.key.child("where"));
+  const float root_bark = context.parent.stem == kNoStem ? 0 : context.parent.radius;
   std::vector<AxisPlaces> places(axes.count());
   parallel_for(axes.count(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t a = begin; a < end; ++a) {
-      places[a] = measure_axis(skeleton, axes.of(static_cast<AxisIndex>(a)), placement, eligible);
+      places[a] = measure_axis(skeleton, axes.of(static_cast<AxisIndex>(a)), placement, eligible, root_bark);
     }
   });
 
@@ -246,7 +277,7 @@ std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placeme
   return out;
 }
 
-std::vector<Site> tip_sites(const Skeleton& skeleton, const Site& parent) {
+std::vector<Site> tip_sites(const Skeleton& skeleton, std::uint32_t stem, const Site& parent) {
   const Axes axes(skeleton);
   std::vector<Site> sites;
   for (AxisIndex a = 0; a < axes.count(); ++a) {
@@ -260,7 +291,10 @@ std::vector<Site> tip_sites(const Skeleton& skeleton, const Site& parent) {
     site.length = axis_length(skeleton, nodes);
     site.radius = skeleton.radius[tip];
     site.birth = skeleton.birth[tip];
-    site.order = skeleton.order[tip];
+    site.order = static_cast<std::uint16_t>(first_order(parent) + skeleton.order[tip]);
+    site.stem = stem;
+    site.node = tip;
+    site.along = 1;
   }
   for (std::size_t k = 0; k < sites.size(); ++k) {
     sites[k].i = static_cast<std::uint32_t>(k);

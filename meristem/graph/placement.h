@@ -24,8 +24,11 @@ struct Placement {
   int whorl = 1;                                    ///< organs a place
   double divergence = kGoldenAngleDeg * kPi / 180;  ///< turn about the axis from place to place
   double angle = kPi / 4;                           ///< between axis and organ
+  std::optional<double> angle_tip;                  ///< the same at the axis's tip, with even steps between; as `angle`
   double angle_spread = 0;                          ///< the angle varies evenly by up to this much to both sides
   Curve size{{{0, 1}}};                             ///< scale over u; below 0 counts as 0
+  Curve spread{{{0, 1}}};                           ///< relative density over u; below 0 counts as 0
+  double droop = 0;                                 ///< share of the turn that brings the heading straight down
   double face_light = 0;                            ///< share of the turn that brings the upper face to the light
   double start = 0;                                 ///< share of each axis left free at its base
   double end = 1;                                   ///< and the share at which the places end
@@ -34,8 +37,10 @@ struct Placement {
 const ParameterTable& placement_table();
 
 struct PlacementContext {
-  Vec3 light{0, 1, 0};  ///< unit vector toward it
-  Site parent;          ///< of the instance that made the stem; the places' keys and depths come from it
+  Vec3 light{0, 1, 0};   ///< unit vector toward it
+  bool on_axis = false;  ///< places lie on the stem's axis and not on its bark, for children that are stems themselves
+  std::uint32_t stem = kNoStem;  ///< number of the stem, for the places
+  Site parent;                   ///< of the instance that made the stem; the places' keys and depths come from it
   const Limits* limits = nullptr;
   std::string path;  ///< of the link in the document, for errors: "links[1]"
 };
@@ -47,7 +52,7 @@ struct PlacementContext {
 std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context);
 
 /// A place at the tip of every axis of `skeleton`, heading along its last segment (for a single node as the parent
-/// does); i and n count over all tips, the keys are the parent's.
-std::vector<Site> tip_sites(const Skeleton& skeleton, const Site& parent);
+/// does); i and n count over all tips, the keys are the parent's. `stem` is the skeleton's number.
+std::vector<Site> tip_sites(const Skeleton& skeleton, std::uint32_t stem, const Site& parent);
 
 }  // namespace meristem

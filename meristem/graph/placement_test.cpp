@@ -294,7 +294,7 @@ TEST(Placement, ASingleNodeHasNoPlacesButATip) {
   EXPECT_TRUE(places(skeleton, everywhere({{"density", 1000}})).empty());
   Site parent;
   parent.frame = frame_along({1, 2, 3}, {1, 0, 0}, kUp);
-  const auto tips = tip_sites(skeleton, parent);
+  const auto tips = tip_sites(skeleton, 0, parent);
   ASSERT_EQ(tips.size(), 1U);
   EXPECT_EQ(tips[0].frame.origin, Vec3(1, 2, 3));
   EXPECT_EQ(tips[0].frame.heading(), Vec3(1, 0, 0));
@@ -302,11 +302,11 @@ TEST(Placement, ASingleNodeHasNoPlacesButATip) {
 
 TEST(Placement, AnEmptySkeletonHasNoPlaces) {
   EXPECT_TRUE(places({}, everywhere({{"count", 10}})).empty());
-  EXPECT_TRUE(tip_sites({}, Site{}).empty());
+  EXPECT_TRUE(tip_sites({}, 0, Site{}).empty());
 }
 
 TEST(Placement, EveryAxisHasOneTip) {
-  const auto tips = tip_sites(twigs(0.12F), Site{});
+  const auto tips = tip_sites(twigs(0.12F), 0, Site{});
   ASSERT_EQ(tips.size(), 1001U);
   EXPECT_EQ(tips[0].frame.origin, Vec3(0, 20, 0));
   for (std::uint32_t k = 0; k < 1001; ++k) {

@@ -16,7 +16,7 @@ TEST(Counts, AddUpStemsAndOrgans) {
   // Two stems, one with a lateral.
   for (int i = 0; i < 2; ++i) {
     Stem stem;
-    stem.component = "tree";
+    stem.parts[0].component = "tree";
     const NodeIndex base = stem.skeleton.add_node(kNoNode, {i, 0, 0}, 0);
     stem.skeleton.add_node(base, {i, 2, 0}, 0);
     if (i == 1) stem.skeleton.axis[stem.skeleton.add_node(base, {i, 1, 1}, 0)] = 1;

@@ -148,7 +148,7 @@ TEST(Measures, PlantsAddTheirLeavesAndMeshes) {
   plant.materials.resize(2);
   plant.materials[1].two_sided = true;
   Stem stem;
-  stem.component = "tree";
+  stem.parts[0].component = "tree";
   stem.skeleton = random_tree(6, {0, 0, 0}, 200);
   plant.stems = {stem};
   Mesh blade;

@@ -41,7 +41,7 @@ TEST(SkeletonCsv, IsOneRowANodeWithEmptyFieldsForWhatIsNotThere) {
 TEST(SkeletonCsv, QuotesNamesThatHoldSeparators) {
   Plant plant = two_stems();
   plant.stems.resize(1);
-  plant.stems[0].component = "a,\"b\"\nc";
+  plant.stems[0].parts[0].component = "a,\"b\"\nc";
   plant.stems[0].skeleton.extra = {{"x, y", {1, 2, 3, 4}}};
   const std::string text = written(plant);
   EXPECT_EQ(text.substr(0, text.find('\n')), "component,instance,node,parent,x,y,z,radius,axis,order,birth,\"x, y\"");

@@ -48,9 +48,12 @@ SkeletonTable::SkeletonTable(const Plant& plant) : plant_(plant) {
   first_row_.push_back(0);
   std::size_t axes = 0;
   for (const Stem& stem : plant.stems) {
-    const auto [found, is_new] = component_indices.try_emplace(stem.component, components_.size());
-    if (is_new) components_.push_back(stem.component);
-    component_.push_back(found->second);
+    std::vector<std::size_t>& component = component_.emplace_back();
+    for (const StemPart& part : stem.parts) {
+      const auto [found, is_new] = component_indices.try_emplace(part.component, components_.size());
+      if (is_new) components_.push_back(part.component);
+      component.push_back(found->second);
+    }
     first_row_.push_back(first_row_.back() + stem.skeleton.node_count());
     first_axis_.push_back(axes);
     axes += axis_count(stem.skeleton);
@@ -79,9 +82,9 @@ double SkeletonTable::value(const SkeletonRow& row, std::size_t column) const {
   const Skeleton& skeleton = stem.skeleton;
   switch (column) {
     case Column::component:
-      return static_cast<double>(component_[row.stem]);
+      return static_cast<double>(component_[row.stem][stem.part_index(skeleton.axis[row.node])]);
     case Column::instance:
-      return stem.instance;
+      return stem.part(skeleton.axis[row.node]).instance;
     case Column::node:
       return static_cast<double>(row.row);
     case Column::parent:

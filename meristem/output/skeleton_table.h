@@ -69,7 +69,7 @@ class SkeletonTable {
   const Plant& plant_;
   std::vector<SkeletonColumn> columns_;
   std::vector<std::string> components_;
-  std::vector<std::size_t> component_;                         // of each stem, an index into components_
+  std::vector<std::vector<std::size_t>> component_;            // of each stem's parts, indices into components_
   std::vector<std::size_t> first_row_;                         // of each stem, and the end
   std::vector<std::size_t> first_axis_;                        // of each stem
   std::vector<std::vector<const std::vector<float>*>> extra_;  // of each stem, for each further column; may be null

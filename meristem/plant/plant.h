@@ -18,23 +18,36 @@ namespace meristem {
 /// How stems want to be clothed; `meristem/shape` does it.
 struct Surface {
   enum class Style { tubes };
+  enum class Cap { pointed, round, flat };
   Style style = Style::tubes;
-  int sides = 8;       ///< sides of the thickest tube; thinner ones have fewer. More: rounder, more triangles
-  float uv_scale = 1;  ///< metres of bark that one texture tile covers
+  int sides = 8;        ///< sides of the thickest tube; thinner ones have fewer. More: rounder, more triangles
+  float error = 0.03F;  ///< radii by which a tube may stray from its skeleton; raised, fewer rings where it is straight
+  float uv_scale = 1;   ///< metres of bark that one texture tile covers
   float smooth = 3;  ///< radii along the axis to both sides over which a tube's radius is levelled; 0: as the skeleton
-  float collar = 0.8F;  ///< radii over which branches grow out of their mother; 0: they start with a crease
-  float flare = 0.5F;   ///< how much wider roots are at the ground than above it
+  float collar = 0.8F;     ///< radii over which branches grow out of their mother; 0: they start with a crease
+  float flare = 0.5F;      ///< how much wider roots are at the ground than above it
+  Cap cap = Cap::pointed;  ///< how tips end
 
   bool operator==(const Surface&) const = default;
 };
 
-/// One grown skeleton with its looks.
-struct Stem {
+/// What one component's instance has given to a skeleton.
+struct StemPart {
   std::string component;       ///< id in the document
   std::uint32_t instance = 0;  ///< which instance of that component
   std::uint32_t material = 0;  ///< index into Plant::materials
   Surface surface;
-  Skeleton skeleton;  ///< in world space
+  Vec3 tint{1};  ///< linear factors on the material's colour
+};
+
+/// One grown skeleton with its looks. Where stems grow on stems, whatever made them, they are one skeleton.
+struct Stem {
+  std::vector<StemPart> parts{1};           ///< the first is the root's
+  std::vector<std::uint32_t> part_of_axis;  ///< index into parts, one an axis; empty where there is one part
+  Skeleton skeleton;                        ///< in world space
+
+  std::size_t part_index(AxisIndex axis) const { return part_of_axis.empty() ? 0 : part_of_axis[axis]; }
+  const StemPart& part(AxisIndex axis) const { return parts[part_index(axis)]; }
 };
 
 /// Geometry that many organs share.

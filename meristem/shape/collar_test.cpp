@@ -42,7 +42,7 @@ Mesh tubes(const Skeleton& skeleton, const Surface& surface) {
 TEST(Bark, IsTheSurfaceOfItsCones) {
   const Skeleton skeleton = fork(90, 0.1F);
   const Surface surface = collared(12);
-  const TubePlan plan(skeleton, surface);
+  const TubePlan plan(skeleton, {{surface}});
   const Bark bark = plan.bark_below(plan.path(1));
   EXPECT_NEAR(bark.distance({0.5F, 0.1F, 0}), 0.3F, 1e-6F);
   EXPECT_NEAR(bark.distance({0, 0.1F, 0.05F}), -0.15F, 1e-6F);
@@ -57,7 +57,7 @@ TEST(Collar, BranchesComeFreeWhereTheirCrotchDoes) {
   for (const double angle : {30.0, 45.0, 60.0, 90.0, 120.0}) {
     const Skeleton skeleton = fork(angle, 0.08F);
     const Surface surface = collared(16);
-    const TubePlan plan(skeleton, surface);
+    const TubePlan plan(skeleton, {{surface}});
     const std::optional<Collar>& collar = plan[1].collar;
     ASSERT_TRUE(collar.has_value()) << angle;
     EXPECT_NEAR(collar->radius, 0.08F, 1e-6F);
@@ -71,14 +71,14 @@ TEST(Collar, BranchesComeFreeWhereTheirCrotchDoes) {
 TEST(Collar, LeavesOutBranchesAlongTheBarkAndStubs) {
   const Surface surface = collared(16);
   const Skeleton steep = fork(8, 0.1F);
-  EXPECT_FALSE(TubePlan(steep, surface)[1].collar.has_value());
+  EXPECT_FALSE(TubePlan(steep, {{surface}})[1].collar.has_value());
   const Skeleton stub = fork(90, 0.1F, 0.02F);
-  EXPECT_FALSE(TubePlan(stub, surface)[1].collar.has_value());
+  EXPECT_FALSE(TubePlan(stub, {{surface}})[1].collar.has_value());
   const Skeleton equal = fork(90, 0.2F);
-  EXPECT_FALSE(TubePlan(equal, surface)[1].collar.has_value());
+  EXPECT_FALSE(TubePlan(equal, {{surface}})[1].collar.has_value());
   // Twigs whose swelling nobody could see have none.
   const Skeleton twig = fork(90, 0.002F);
-  EXPECT_FALSE(TubePlan(twig, surface)[1].collar.has_value());
+  EXPECT_FALSE(TubePlan(twig, {{surface}})[1].collar.has_value());
 }
 
 TEST(Collar, FlowsIntoTheBarkWithItsNormalsAtEveryAngle) {
@@ -86,7 +86,7 @@ TEST(Collar, FlowsIntoTheBarkWithItsNormalsAtEveryAngle) {
     for (const float branch_radius : {0.04F, 0.09F, 0.15F, 0.185F}) {
       const Skeleton skeleton = fork(angle, branch_radius);
       const Surface surface = collared(24);
-      const TubePlan plan(skeleton, surface);
+      const TubePlan plan(skeleton, {{surface}});
       ASSERT_TRUE(plan[1].collar.has_value());
       const Mesh mesh = tubes(skeleton, surface);
       ASSERT_TRUE(check_mesh(mesh)) << angle << " " << branch_radius;
@@ -157,7 +157,7 @@ TEST(SmoothRadii, SpreadAStepAndKeepTheEnds) {
     stem.radius[node] = i <= 20 ? 0.1F : 0.06F;
   }
   const Surface surface{.sides = 8, .smooth = 3, .collar = 0, .flare = 0};
-  const TubePlan plan(stem, surface);
+  const TubePlan plan(stem, {{surface}});
   const AxisPath path = plan.path(0);
   EXPECT_EQ(path.radius(0), 0.1F);
   EXPECT_EQ(path.radius(40), 0.06F);

@@ -6,14 +6,17 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include <glm/vector_relational.hpp>
 
 #include "meristem/base/parallel.h"
-#include "meristem/shape/tubes.h"
+#include "meristem/shape/tangents.h"
+#include "meristem/shape/tube_plan.h"
 
 namespace meristem {
 namespace {
@@ -24,7 +27,12 @@ void check_references(const Plant& plant) {
   const auto require = [](bool holds, const char* message) {
     if (!holds) throw std::invalid_argument(message);
   };
-  for (const Stem& stem : plant.stems) require(stem.material < plant.materials.size(), "a stem has no such material");
+  for (const Stem& stem : plant.stems) {
+    for (const StemPart& part : stem.parts) {
+      require(part.material < plant.materials.size(), "a stem has no such material");
+      require(part.surface.uv_scale > 0, "a surface's uv_scale is above 0");
+    }
+  }
   for (const OrganPrototype& prototype : plant.prototypes) {
     require(prototype.mesh != nullptr, "an organ prototype has no mesh");
     require(prototype.material < plant.materials.size(), "an organ prototype has no such material");
@@ -59,20 +67,52 @@ std::vector<std::size_t> organs_of_prototypes(const Plant& plant) {
   return counts;
 }
 
-/// Throws where the scene would pass a limit.
-void check_limits(const Plant& plant, const std::vector<std::size_t>& organs, const Limits& limits) {
-  std::vector<TubeSize> sizes(plant.stems.size());
-  parallel_for(sizes.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) sizes[i] = measure_tubes(plant.stems[i].skeleton, plant.stems[i].surface);
+/// One stem's tubes, planned: those of parts that look alike share a mesh.
+struct StemPlan {
+  std::vector<const StemPart*> looks;  // of each mesh
+  TubePlan tubes;
+
+  explicit StemPlan(const Stem& stem) : tubes(stem.skeleton, wears(stem, looks), stem.part_of_axis) {}
+
+ private:
+  static std::vector<TubeWear> wears(const Stem& stem, std::vector<const StemPart*>& looks) {
+    using Look = std::tuple<std::string_view, std::uint32_t, float, float, float>;
+    std::map<Look, std::uint32_t> mesh_of_look;
+    std::vector<TubeWear> wears;
+    wears.reserve(stem.parts.size());
+    for (const StemPart& part : stem.parts) {
+      const Look look(part.component, part.material, part.tint.r, part.tint.g, part.tint.b);
+      const auto [mesh, is_new] = mesh_of_look.try_emplace(look, static_cast<std::uint32_t>(looks.size()));
+      if (is_new) looks.push_back(&part);
+      wears.push_back({part.surface, mesh->second});
+    }
+    return wears;
+  }
+};
+
+std::vector<std::unique_ptr<StemPlan>> plan_stems(const Plant& plant) {
+  std::vector<std::unique_ptr<StemPlan>> plans(plant.stems.size());
+  parallel_for(plans.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) plans[i] = std::make_unique<StemPlan>(plant.stems[i]);
   });
+  return plans;
+}
+
+/// Throws where the scene would pass a limit.
+void check_limits(const Plant& plant, const std::vector<std::unique_ptr<StemPlan>>& plans,
+                  const std::vector<std::size_t>& organs, const Limits& limits) {
   Tally triangles;
   Tally bytes;
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    triangles.add(plant.stems[i].component, sizes[i].triangles);
-    bytes.add(plant.stems[i].component, sizes[i].bytes());
-    if (sizes[i].vertices > std::numeric_limits<std::uint32_t>::max()) {
-      throw_limit("vertices of one stem", static_cast<double>(sizes[i].vertices),
-                  std::numeric_limits<std::uint32_t>::max(), "triangles", "components." + plant.stems[i].component);
+  for (const std::unique_ptr<StemPlan>& plan : plans) {
+    for (std::size_t k = 0; k < plan->looks.size(); ++k) {
+      const std::string& component = plan->looks[k]->component;
+      const TubeSize size = plan->tubes.sizes()[k];
+      triangles.add(component, size.triangles);
+      bytes.add(component, size.bytes());
+      if (size.vertices > std::numeric_limits<std::uint32_t>::max()) {
+        throw_limit("vertices of one stem", static_cast<double>(size.vertices),
+                    std::numeric_limits<std::uint32_t>::max(), "triangles", "components." + component);
+      }
     }
   }
   for (std::size_t i = 0; i < organs.size(); ++i) {
@@ -85,16 +125,27 @@ void check_limits(const Plant& plant, const std::vector<std::size_t>& organs, co
 }
 
 /// The tubes of each stem.
-std::vector<MeshInstances> clothe_stems(const Plant& plant, Progress& progress) {
-  std::vector<MeshInstances> clothed(plant.stems.size());
+std::vector<MeshInstances> clothe_stems(const std::vector<std::unique_ptr<StemPlan>>& plans,
+                                        const std::vector<Material>& materials, Progress& progress) {
+  std::vector<std::vector<MeshInstances>> clothed(plans.size());
   parallel_for(clothed.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Stem& stem = plant.stems[i];
-      auto mesh = std::make_shared<const Mesh>(make_tubes(stem.skeleton, stem.surface, progress));
-      clothed[i] = {stem.component, std::move(mesh), stem.material, {Frame{}}, {}};
+      std::vector<Mesh> meshes = make_tubes(plans[i]->tubes, progress);
+      for (std::size_t k = 0; k < meshes.size(); ++k) {
+        const StemPart& look = *plans[i]->looks[k];
+        MeshInstances& instances = clothed[i].emplace_back();
+        instances.component = look.component;
+        if (needs_tangents(materials[look.material])) add_tangents(meshes[k]);
+        instances.mesh = std::make_shared<const Mesh>(std::move(meshes[k]));
+        instances.material = look.material;
+        instances.frames = {Frame{}};
+        if (look.tint != Vec3(1)) instances.tints = {look.tint};
+      }
     }
   });
-  return clothed;
+  std::vector<MeshInstances> all;
+  for (std::vector<MeshInstances>& stem : clothed) std::move(stem.begin(), stem.end(), std::back_inserter(all));
+  return all;
 }
 
 /// The frames of each prototype's organs, in the order of the organs.
@@ -103,7 +154,8 @@ std::vector<MeshInstances> place_organs(const Plant& plant, const std::vector<st
   std::vector<MeshInstances> placed(plant.prototypes.size());
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const OrganPrototype& prototype = plant.prototypes[i];
-    placed[i] = {prototype.component, prototype.mesh, prototype.material, {}, {}};
+    auto mesh = with_needed_tangents(prototype.mesh, plant.materials[prototype.material]);
+    placed[i] = {prototype.component, std::move(mesh), prototype.material, {}, {}};
     placed[i].frames.reserve(organs[i]);
     placed[i].tints.reserve(organs[i]);
   }
@@ -182,9 +234,10 @@ Box MeshScene::bounds() const {
 MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& progress) {
   check_references(plant);
   const std::vector<std::size_t> organs = organs_of_prototypes(plant);
-  check_limits(plant, organs, limits);
+  const std::vector<std::unique_ptr<StemPlan>> plans = plan_stems(plant);
+  check_limits(plant, plans, organs, limits);
   progress.begin("meshing", plant.node_count() + plant.organs.size());
-  std::vector<MeshInstances> meshes = clothe_stems(plant, progress);
+  std::vector<MeshInstances> meshes = clothe_stems(plans, plant.materials, progress);
   std::vector<MeshInstances> placed = place_organs(plant, organs, progress);
   std::move(placed.begin(), placed.end(), std::back_inserter(meshes));
   return {plant.materials, grouped(std::move(meshes))};

@@ -19,7 +19,7 @@ namespace {
 
 Stem stem(const std::string& component, float height) {
   Stem result;
-  result.component = component;
+  result.parts[0].component = component;
   NodeIndex node = result.skeleton.add_node(kNoNode, Vec3(0), 0);
   for (int i = 1; i <= 4; ++i) node = result.skeleton.add_node(node, {0, 0.25F * height * static_cast<float>(i), 0}, 0);
   std::fill(result.skeleton.radius.begin(), result.skeleton.radius.end(), 0.1F);
@@ -31,7 +31,7 @@ Plant plant_of_all_sorts() {
   Plant plant;
   plant.materials.resize(3);
   plant.stems = {stem("trunk", 2), stem("vine", 3), stem("trunk", 4)};
-  plant.stems[1].material = 1;
+  plant.stems[1].parts[0].material = 1;
   plant.prototypes = {{"leaf", 2, std::make_shared<const Mesh>(make_leaf_blade({}))},
                       {"vine", 1, std::make_shared<const Mesh>(make_sphere(0.1, 6))},
                       {"leaf", 2, std::make_shared<const Mesh>(make_box({1, 1, 1}))},
@@ -80,7 +80,7 @@ TEST(MeshScene, CountsTrianglesAfterInstancing) {
   const MeshScene scene = scene_of(plant);
   EXPECT_EQ(scene.instance_count(), 3U + 10U);
   std::uint64_t expected = 0;
-  for (const Stem& each : plant.stems) expected += measure_tubes(each.skeleton, each.surface).triangles;
+  for (const Stem& each : plant.stems) expected += measure_tubes(each.skeleton, each.parts[0].surface).triangles;
   for (const Organ& organ : plant.organs) expected += plant.prototypes[organ.prototype].mesh->triangle_count();
   EXPECT_EQ(scene.triangle_count(), expected);
 }
@@ -158,7 +158,7 @@ TEST(MeshScene, RejectsIndicesThatPointNowhere) {
     EXPECT_THROW(scene_of(plant), std::invalid_argument);
   };
   rejects([](Plant& plant) { plant.organs[3].prototype = 4; });
-  rejects([](Plant& plant) { plant.stems[0].material = 3; });
+  rejects([](Plant& plant) { plant.stems[0].parts[0].material = 3; });
   rejects([](Plant& plant) { plant.prototypes[0].material = 3; });
   rejects([](Plant& plant) { plant.prototypes[0].mesh = nullptr; });
 }

@@ -40,6 +40,8 @@ constexpr float kFanSpacing = 0.05F;         // between a fan's rings, in radii
 constexpr float kStartDepth = 0.5F;          // how far a lateral's closed start reaches back, in radii
 constexpr float kHiddenFillet = 0.3F;        // of a fillet that runs on below the mother's bark
 constexpr std::array<float, AxisPlan::kFlareRings> kFlareShares{0.1F, 0.25F, 0.5F};  // of the first segment
+constexpr float kSqrt2 = 1.4142135F;
+constexpr auto kDomeStep = static_cast<float>(kPi / 2 / (AxisPlan::kDomeRings + 1));  // along a dome, in radii
 constexpr std::size_t kAxesPerBlock = 64;
 constexpr std::size_t kRingsPerCheck = 4096;
 
@@ -88,12 +90,17 @@ struct Mitre {
 /// Writes one axis into its place.
 class AxisMesher {
  public:
-  AxisMesher(const TubePlan& tubes, AxisIndex axis, const Surface& surface, std::span<const Turn> corners, Mesh& mesh)
-      : tubes_(tubes), path_(tubes.path(axis)), plan_(tubes[axis]), surface_(surface), corners_(corners), mesh_(mesh) {
+  AxisMesher(const TubePlan& tubes, AxisIndex axis, std::span<const Turn> corners, Mesh& mesh)
+      : tubes_(tubes),
+        path_(tubes.path(axis)),
+        plan_(tubes[axis]),
+        surface_(tubes.surface(axis)),
+        corners_(corners),
+        mesh_(mesh) {
     next_vertex_ = static_cast<std::uint32_t>(plan_.first_vertex);
     next_triangle_ = plan_.first_triangle;
     const double around = 2 * kPi * path_.radius(0);
-    tiles_ = static_cast<float>(std::max(1.0, std::floor(around / surface.uv_scale + 0.5)));
+    tiles_ = static_cast<float>(std::max(1.0, std::floor(around / surface_.uv_scale + 0.5)));
   }
 
   void run(const Progress& progress) {
@@ -111,7 +118,7 @@ class AxisMesher {
     advance_v(last);
     finish(before);
     assert(next_triangle_ == plan_.first_triangle + plan_.triangles());
-    assert(next_vertex_ == plan_.first_vertex + plan_.vertices(path_.is_lateral()));
+    assert(next_vertex_ == plan_.first_vertex + plan_.vertices(path_.is_lateral(), surface_.cap));
   }
 
  private:
@@ -303,18 +310,59 @@ class AxisMesher {
     return room < mitre * radius(i) * half_sine ? room / (radius(i) * half_sine) : mitre;
   }
 
-  /// The last ring and a cone as high as it is wide.
+  /// The last ring and the cap.
   void finish(Vec3 direction) {
     const std::size_t last = path_.size() - 1;
-    const float height = radius(last);
-    ring(position(last), height, Mitre(direction), slope(last - 1), -1);
-    join();
+    const float width = radius(last);
+    const Vec3 centre = position(last);
+    const float before = slope(last - 1);
+    switch (surface_.cap) {
+      case Surface::Cap::pointed:  // a cone as high as it is wide
+        ring(centre, width, Mitre(direction), before, -1);
+        join();
+        close_tip(centre + width * direction, direction, width * kSqrt2);
+        return;
+      case Surface::Cap::round:
+        ring(centre, width, Mitre(direction), before, 0);
+        join();
+        for (std::uint32_t k = 1; k <= AxisPlan::kDomeRings; ++k) {
+          const double angle = k * kPi / 2 / (AxisPlan::kDomeRings + 1);
+          const auto sine = static_cast<float>(math::sin(angle));
+          const auto cosine = static_cast<float>(math::cos(angle));
+          v_ += kDomeStep * width * tiles_per_metre(width);
+          ring(centre + sine * width * direction, cosine * width, Mitre(direction), -sine / cosine, -sine / cosine);
+          join();
+        }
+        close_tip(centre + width * direction, direction, kDomeStep * width);
+        return;
+      case Surface::Cap::flat:
+        ring(centre, width, Mitre(direction), before, before);
+        join();
+        close_end(centre, direction);
+    }
+  }
+
+  /// Triangles from the last ring to a tip `metres` farther along the surface: a vertex a side, as each has its own u.
+  void close_tip(Vec3 tip, Vec3 direction, float metres) {
     const std::uint32_t rim = next_vertex_ - plan_.sides - 1;
-    const Vec3 tip = position(last) + height * direction;
-    const float tip_v = v_ + height * static_cast<float>(std::sqrt(2.0)) * tiles_per_metre(height);
+    const float tip_v = v_ + metres * tiles_per_metre(radius(path_.size() - 1));
     for (std::uint32_t k = 0; k < plan_.sides; ++k) {
       const float u = tiles_ * (static_cast<float>(k) + 0.5F) / static_cast<float>(plan_.sides);
       add_triangle(rim + k, rim + k + 1, add_vertex(tip, direction, {u, tip_v}));
+    }
+  }
+
+  /// A disc on the last ring, with its own normal and uvs.
+  void close_end(Vec3 centre, Vec3 direction) {
+    const std::uint32_t rim = next_vertex_ - plan_.sides - 1;
+    const float scale = radius(path_.size() - 1) * tiles_per_metre(radius(path_.size() - 1));
+    const std::uint32_t middle = add_vertex(centre, direction, {0, 0});
+    for (std::uint32_t k = 0; k < plan_.sides; ++k) {
+      const Vec2 uv(scale * corners_[k].cosine, scale * corners_[k].sine);
+      add_vertex(mesh_.positions[rim + k], direction, uv);
+    }
+    for (std::uint32_t k = 0; k < plan_.sides; ++k) {
+      add_triangle(middle, middle + 1 + k, middle + 1 + (k + 1) % plan_.sides);
     }
   }
 
@@ -324,19 +372,38 @@ class AxisMesher {
     const float weight_before = 1 / std::sqrt(1 + slope_before * slope_before);
     const float weight_after = 1 / std::sqrt(1 + slope_after * slope_after);
     const Vec3 taper = weight_before * slope_before * mitre.before + weight_after * slope_after * mitre.after;
-    const float du = tiles_ / static_cast<float>(plan_.sides);
-    for (std::uint32_t k = 0; k <= plan_.sides; ++k) {
-      const Vec3 out = corners_[k].cosine * x_ + corners_[k].sine * y;
-      const float along = glm::dot(out, mitre.across);
+    // What lies along the hinge stays; what lies across it is laid into the mitre plane, on either side.
+    const auto laid = [&](Vec3 out, float stretch, Vec3 toward) {
       const float outward = glm::dot(out, mitre.outer);
-      // What lies along the hinge stays; what lies across it is laid into the mitre plane.
-      Vec3 offset = out - along * mitre.across - outward * mitre.outer;
-      const float level = outward / mitre.half_cosine;
-      offset += level > 0 ? level * mitre.outer_stretch * mitre.outer : level * mitre.inner_stretch * mitre.inner;
-      const Vec3 reflected = out - 2 * along * mitre.across;
-      const Vec3 normal = glm::normalize(weight_before * out + weight_after * reflected - taper);
-      add_vertex(centre + ring_radius * offset, normal, {static_cast<float>(k) * du, v_});
+      const Vec3 along_hinge = out - glm::dot(out, mitre.across) * mitre.across - outward * mitre.outer;
+      return ring_radius * (along_hinge + outward / mitre.half_cosine * stretch * toward);
+    };
+    const auto averaged = [&](Vec3 out) {
+      const Vec3 reflected = out - 2 * glm::dot(out, mitre.across) * mitre.across;
+      return weight_before * out + weight_after * reflected;
+    };
+    // All of that is linear in the corner's direction but for the side of the bend that it lies on.
+    const Vec3 outer_x = laid(x_, mitre.outer_stretch, mitre.outer);
+    const Vec3 outer_y = laid(y, mitre.outer_stretch, mitre.outer);
+    const Vec3 inner_x = laid(x_, mitre.inner_stretch, mitre.inner);
+    const Vec3 inner_y = laid(y, mitre.inner_stretch, mitre.inner);
+    const Vec3 normal_x = averaged(x_);
+    const Vec3 normal_y = averaged(y);
+    const float outward_x = glm::dot(x_, mitre.outer);
+    const float outward_y = glm::dot(y, mitre.outer);
+    const float du = tiles_ / static_cast<float>(plan_.sides);
+    Vec3* const positions = &mesh_.positions[next_vertex_];
+    Vec3* const normals = &mesh_.normals[next_vertex_];
+    Vec2* const uvs = &mesh_.uvs[next_vertex_];
+    for (std::uint32_t k = 0; k <= plan_.sides; ++k) {
+      const auto [cosine, sine] = corners_[k];
+      const bool is_outer = cosine * outward_x + sine * outward_y > 0;
+      positions[k] = centre + cosine * (is_outer ? outer_x : inner_x) + sine * (is_outer ? outer_y : inner_y);
+      const Vec3 normal = cosine * normal_x + sine * normal_y - taper;
+      normals[k] = normal * (1 / std::sqrt(glm::dot(normal, normal)));
+      uvs[k] = {static_cast<float>(k) * du, v_};
     }
+    next_vertex_ += plan_.sides + 1;
     x_ -= 2 * glm::dot(x_, mitre.across) * mitre.across;
     x_ = glm::normalize(x_ - glm::dot(x_, mitre.after) * mitre.after);
   }
@@ -377,33 +444,39 @@ class AxisMesher {
 
 }  // namespace
 
-TubeSize measure_tubes(const Skeleton& skeleton, const Surface& surface) { return TubePlan(skeleton, surface).size(); }
+TubeSize measure_tubes(const Skeleton& skeleton, const Surface& surface) {
+  return TubePlan(skeleton, {{surface}}).sizes()[0];
+}
 
 Mesh make_tubes(const Skeleton& skeleton, const Surface& surface, Progress& progress) {
   if (!(surface.uv_scale > 0)) throw std::invalid_argument("a surface's uv_scale is above 0");
-  // Give every axis its place.
-  const TubePlan plan(skeleton, surface);
-  const TubeSize size = plan.size();
-  if (size.vertices > std::numeric_limits<std::uint32_t>::max()) {
-    throw std::invalid_argument("a mesh has at most 2^32 vertices");
+  return std::move(make_tubes(TubePlan(skeleton, {{surface}}), progress)[0]);
+}
+
+std::vector<Mesh> make_tubes(const TubePlan& plan, Progress& progress) {
+  std::vector<Mesh> meshes(plan.sizes().size());
+  for (std::size_t k = 0; k < meshes.size(); ++k) {
+    const TubeSize size = plan.sizes()[k];
+    if (size.vertices > std::numeric_limits<std::uint32_t>::max()) {
+      throw std::invalid_argument("a mesh has at most 2^32 vertices");
+    }
+    meshes[k].positions.resize(size.vertices);
+    meshes[k].normals.resize(size.vertices);
+    meshes[k].uvs.resize(size.vertices);
+    meshes[k].triangles.resize(size.triangles);
   }
-  Mesh mesh;
-  mesh.positions.resize(size.vertices);
-  mesh.normals.resize(size.vertices);
-  mesh.uvs.resize(size.vertices);
-  mesh.triangles.resize(size.triangles);
-  // Let every axis fill it.
+  // Let every axis fill its place.
   const CornerTable corners(plan.most_sides());
   parallel_for(plan.axis_count(), kAxesPerBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t axis = begin; axis < end; ++axis) {
       const auto index = static_cast<AxisIndex>(axis);
       if (plan[axis].rings > 0) {
-        AxisMesher(plan, index, surface, corners.of(plan[axis].sides), mesh).run(progress);
+        AxisMesher(plan, index, corners.of(plan[axis].sides), meshes[plan[axis].mesh]).run(progress);
       }
-      progress.advance(plan.path(index).nodes.size());
+      progress.advance(plan.node_count(index));
     }
   });
-  return mesh;
+  return meshes;
 }
 
 }  // namespace meristem

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "meristem/base/mesh.h"
 #include "meristem/base/progress.h"
@@ -22,14 +23,17 @@ struct TubeSize {
   std::uint64_t bytes() const { return vertices * (2 * sizeof(Vec3) + sizeof(Vec2)) + triangles * 12; }
 };
 
-/// The size of `make_tubes(skeleton, surface)`, at a few per cent of its cost.
+class TubePlan;
+
+/// The size of `make_tubes(skeleton, surface)`.
 TubeSize measure_tubes(const Skeleton& skeleton, const Surface& surface);
 
 /// The tubes of all axes as one mesh with normals and uvs: a closed body for each axis. Axes of a single node without a
 /// mother make nothing.
 ///
 /// The thickest tube has `surface.sides` sides (at least 3); the number falls with the cube root of an axis's first
-/// radius, so that nothing deviates more from round than the thickest tube: radius * (1 - cos(pi / sides)).
+/// radius, so that nothing deviates more from round than the thickest tube: radius * (1 - cos(pi / sides)). Along an
+/// axis nodes get no ring where axis and radius run straight within `surface.error` radii.
 /// u goes around a whole number of times, as near to tiles of `surface.uv_scale` metres as can be; v grows along the
 /// axis so that a tile keeps its aspect however the tube tapers.
 /// No vertex is farther than 1.27 radii from its axis on the outside of a bend. Where an axis bends within its tube's
@@ -38,5 +42,8 @@ TubeSize measure_tubes(const Skeleton& skeleton, const Surface& surface);
 /// Counts the skeleton's nodes into the caller's stage of `progress`. Throws std::invalid_argument where the mesh would
 /// need more than 2^32 vertices, Cancelled. Deterministic on any number of threads; cost linear in nodes.
 Mesh make_tubes(const Skeleton& skeleton, const Surface& surface, Progress& progress);
+
+/// The same for a skeleton whose axes wear different surfaces (tube_plan.h): the plan's meshes.
+std::vector<Mesh> make_tubes(const TubePlan& plan, Progress& progress);
 
 }  // namespace meristem

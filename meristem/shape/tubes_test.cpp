@@ -81,7 +81,7 @@ Skeleton random_tree(std::uint64_t seed, int nodes) {
 
 /// Tubes as the skeleton says, without collars, flares and levelled radii.
 Surface bare(int sides, float uv_scale = 1) {
-  return {.sides = sides, .uv_scale = uv_scale, .smooth = 0, .collar = 0, .flare = 0};
+  return {.sides = sides, .error = 0, .uv_scale = uv_scale, .smooth = 0, .collar = 0, .flare = 0};
 }
 
 Mesh tubes(const Skeleton& skeleton, Surface surface = bare(8)) {

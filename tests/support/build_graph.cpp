@@ -25,7 +25,7 @@ void append_mesh(std::vector<std::byte>& bytes, const Mesh& mesh) {
 
 void append_component(std::vector<std::byte>& bytes, const Plant& plant, std::string_view component) {
   for (const Stem& stem : plant.stems) {
-    if (stem.component != component) continue;
+    if (stem.parts[0].component != component) continue;
     const std::string hash = skeleton_hash(stem.skeleton);
     append(bytes, std::vector<char>(hash.begin(), hash.end()));
   }

@@ -11,7 +11,7 @@ namespace meristem {
 
 /// A fork of four nodes with a column `light` as "tree", and a rod of three as the third "vine".
 inline Plant two_stems() {
-  Stem tree{.component = "tree"};
+  Stem tree{.parts = {{.component = "tree"}}};
   Skeleton& fork = tree.skeleton;
   fork.add_node(kNoNode, {0, 0, 0}, 0);
   fork.add_node(0, {0, 1, 0}, 1);
@@ -22,7 +22,7 @@ inline Plant two_stems() {
   fork.order = {0, 0, 0, 1};
   fork.extra["light"] = {0, 0.1F, 0.2F, 0.3F};
 
-  Stem vine{.component = "vine", .instance = 3};
+  Stem vine{.parts = {{.component = "vine", .instance = 3}}};
   Skeleton& rod = vine.skeleton;
   rod.add_node(kNoNode, {3, 0, 0}, 0);
   rod.add_node(0, {3, 0.1F, 0}, 1);
@@ -38,7 +38,7 @@ inline Plant two_stems() {
 /// One stem without forks, of so many nodes at odd places.
 inline Plant long_stem(std::size_t nodes) {
   const RandomKey key(9);
-  Stem stem{.component = "stem"};
+  Stem stem{.parts = {{.component = "stem"}}};
   for (NodeIndex k = 0; k < nodes; ++k) stem.skeleton.add_node(k == 0 ? kNoNode : k - 1, key.direction(k), k * 0.1F);
   Plant plant;
   plant.stems.push_back(std::move(stem));

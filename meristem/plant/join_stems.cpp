@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/plant/join_stems.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace meristem {
+
+namespace {
+
+/// The place on a mother's segment where a daughter springs.
+struct Graft {
+  NodeIndex node = 0;
+  float along = 1;
+  std::uint32_t daughter = 0;
+};
+
+Vec3 place_of(const Skeleton& mother, NodeIndex node, float along) {
+  if (mother.is_root(node)) return mother.position[node];
+  return glm::mix(mother.position[mother.parent[node]], mother.position[node], along);
+}
+
+bool has_single_root(const Skeleton& skeleton) {
+  if (skeleton.node_count() < 2) return false;
+  return std::count(skeleton.parent.begin(), skeleton.parent.end(), kNoNode) == 1;
+}
+
+bool can_join(const LooseStem& stem, const std::vector<LooseStem>& stems, float reach) {
+  if (stem.mother == kNoStem || !has_single_root(stem.skeleton)) return false;
+  const Skeleton& mother = stems[stem.mother].skeleton;
+  if (stem.node >= mother.node_count()) return false;
+  const Vec3 place = place_of(mother, stem.node, stem.along);
+  return glm::distance(place, stem.skeleton.position[0]) <= reach * mother.radius[stem.node] + 1e-4F;
+}
+
+/// Puts the stems of one tree, mothers before daughters, into one skeleton.
+class TreeJoiner {
+ public:
+  TreeJoiner(std::vector<LooseStem>& stems, std::vector<std::vector<Graft>>& grafts) : stems_(stems), grafts_(grafts) {}
+
+  Stem join(const std::vector<std::uint32_t>& members) {
+    std::size_t nodes = 0;
+    for (const std::uint32_t member : members) nodes += stems_[member].skeleton.node_count() + 1;
+    tree_.skeleton.reserve(nodes);
+    tree_.parts.clear();
+    for (const std::uint32_t member : members) add_stem(member, member == members[0]);
+    return std::move(tree_);
+  }
+
+ private:
+  /// Where a daughter's root has gone, and what she takes over from her mother there.
+  struct Joint {
+    NodeIndex node = kNoNode;
+    std::uint16_t order = 0;
+  };
+
+  void add_stem(std::uint32_t member, bool is_root) {
+    LooseStem& stem = stems_[member];
+    part_ = static_cast<std::uint32_t>(tree_.parts.size());
+    tree_.parts.push_back(std::move(stem.part));
+    const Skeleton& from = stem.skeleton;
+    const Joint joint = is_root ? Joint{} : joints_.at(member);
+    order_ = is_root ? 0 : joint.order + 1;
+    // Axes get numbers when their first node comes.
+    axis_of_.assign(from.node_count(), kNoNode);
+    node_of_.assign(from.node_count(), kNoNode);
+    const std::vector<Graft>& grafts = grafts_[member];
+    auto next = grafts.begin();
+    for (NodeIndex node = 0; node < from.node_count(); ++node) {
+      NodeIndex parent = from.is_root(node) ? kNoNode : node_of_[from.parent[node]];
+      for (; next != grafts.end() && next->node == node; ++next) {
+        const bool is_between = !from.is_root(node) && next->along < kAtEnd;
+        if (!is_between) break;
+        parent = add_between(from, node, next->along, parent);
+        joints_[next->daughter] = {parent, tree_.skeleton.order[parent]};
+      }
+      const bool gives_way = !is_root && node == 0;
+      node_of_[node] = gives_way ? joint.node : add_node(from, node, parent);
+      for (; next != grafts.end() && next->node == node; ++next) {
+        joints_[next->daughter] = {node_of_[node], tree_.skeleton.order[node_of_[node]]};
+      }
+    }
+    stem.skeleton = {};
+  }
+
+  NodeIndex add_node(const Skeleton& from, NodeIndex node, NodeIndex parent) {
+    const NodeIndex made = tree_.skeleton.add_node(parent, from.position[node], from.birth[node]);
+    tree_.skeleton.radius[made] = from.radius[node];
+    place_on_axis(from, node, made);
+    for (const auto& [name, values] : from.extra) column(name)[made] = values[node];
+    return made;
+  }
+
+  NodeIndex add_between(const Skeleton& from, NodeIndex node, float along, NodeIndex parent) {
+    const NodeIndex begin = from.parent[node];
+    const auto between = [&](const auto& values) { return glm::mix(values[begin], values[node], along); };
+    const NodeIndex made = tree_.skeleton.add_node(parent, between(from.position), between(from.birth));
+    // A lateral starts with its own first node's radius.
+    const bool is_start = from.axis[begin] != from.axis[node];
+    tree_.skeleton.radius[made] = is_start ? from.radius[node] : between(from.radius);
+    place_on_axis(from, node, made);
+    for (const auto& [name, values] : from.extra) column(name)[made] = between(values);
+    return made;
+  }
+
+  void place_on_axis(const Skeleton& from, NodeIndex node, NodeIndex made) {
+    AxisIndex& axis = axis_of_[from.axis[node]];
+    if (axis == kNoNode) {
+      axis = static_cast<AxisIndex>(tree_.part_of_axis.size());
+      tree_.part_of_axis.push_back(part_);
+    }
+    tree_.skeleton.axis[made] = axis;
+    tree_.skeleton.order[made] = static_cast<std::uint16_t>(order_ + from.order[node]);
+  }
+
+  std::vector<float>& column(const std::string& name) {
+    std::vector<float>& values = tree_.skeleton.extra[name];
+    values.resize(tree_.skeleton.node_count(), 0);
+    return values;
+  }
+
+  static constexpr float kAtEnd = 0.999F;  // nearer to a segment's end the daughter springs from its node
+
+  std::vector<LooseStem>& stems_;
+  std::vector<std::vector<Graft>>& grafts_;
+  std::map<std::uint32_t, Joint> joints_;
+  Stem tree_;
+  std::uint32_t part_ = 0;
+  int order_ = 0;
+  std::vector<AxisIndex> axis_of_;
+  std::vector<NodeIndex> node_of_;
+};
+
+}  // namespace
+
+std::vector<Stem> join_stems(std::vector<LooseStem> stems, float reach) {
+  // Find the tree that each stem belongs to, and what grows on each.
+  std::vector<std::uint32_t> root(stems.size());
+  std::vector<std::vector<std::uint32_t>> members(stems.size());
+  std::vector<std::vector<Graft>> grafts(stems.size());
+  for (std::uint32_t k = 0; k < stems.size(); ++k) {
+    const bool joins = can_join(stems[k], stems, reach);
+    root[k] = joins ? root[stems[k].mother] : k;
+    members[root[k]].push_back(k);
+    if (joins) grafts[stems[k].mother].push_back({stems[k].node, stems[k].along, k});
+  }
+  for (std::vector<Graft>& places : grafts) {
+    std::stable_sort(places.begin(), places.end(), [](const Graft& a, const Graft& b) {
+      return a.node != b.node ? a.node < b.node : a.along < b.along;
+    });
+  }
+  // A stem that has no daughters stays as it is.
+  std::vector<Stem> joined;
+  for (std::uint32_t k = 0; k < stems.size(); ++k) {
+    if (root[k] != k) continue;
+    if (members[k].size() > 1) {
+      joined.push_back(TreeJoiner(stems, grafts).join(members[k]));
+      continue;
+    }
+    Stem& stem = joined.emplace_back();
+    stem.parts[0] = std::move(stems[k].part);
+    stem.skeleton = std::move(stems[k].skeleton);
+  }
+  return joined;
+}
+
+}  // namespace meristem

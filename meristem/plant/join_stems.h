@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "meristem/plant/plant.h"
+
+namespace meristem {
+
+inline constexpr std::uint32_t kNoStem = 0xffffffffU;
+
+/// A stem as it was made, and where on which other one it grows.
+struct LooseStem {
+  StemPart part;
+  Skeleton skeleton;
+  std::uint32_t mother = kNoStem;  ///< an earlier stem of the list
+  NodeIndex node = 0;              ///< on the segment of hers that ends in this node
+  float along = 1;                 ///< at this share of it
+};
+
+/// Joins stems to those that they grow on: the mother gets a node where her daughter springs, the daughter's root gives
+/// way to it, and her axes become laterals of the mother's, of orders counted on from hers. Stems with several roots or
+/// none, and those that begin farther from their place than `reach` radii of the mother there, stay on their own.
+///
+/// Stems come out in the order of their roots in the list; axes are numbered by their first nodes. Cost linear but for
+/// the sorting of places along a segment.
+std::vector<Stem> join_stems(std::vector<LooseStem> stems, float reach = 3);
+
+}  // namespace meristem

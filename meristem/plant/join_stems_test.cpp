@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/plant/join_stems.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/check_skeleton.h"
+
+namespace meristem {
+namespace {
+
+/// A straight stem of so many segments of 1 m.
+Skeleton rod(Vec3 from, Vec3 heading, int segments, float radius) {
+  Skeleton skeleton;
+  NodeIndex last = skeleton.add_node(kNoNode, from, 0);
+  for (int k = 1; k <= segments; ++k) last = skeleton.add_node(last, from + static_cast<float>(k) * heading, 1);
+  std::fill(skeleton.radius.begin(), skeleton.radius.end(), radius);
+  return skeleton;
+}
+
+LooseStem stem(std::string component, Skeleton skeleton) {
+  LooseStem loose;
+  loose.part.component = std::move(component);
+  loose.skeleton = std::move(skeleton);
+  return loose;
+}
+
+LooseStem daughter(std::string component, Skeleton skeleton, std::uint32_t mother, NodeIndex node, float along) {
+  LooseStem loose = stem(std::move(component), std::move(skeleton));
+  loose.mother = mother;
+  loose.node = node;
+  loose.along = along;
+  return loose;
+}
+
+/// A trunk of two segments, a bough at 1.5 m, a twig at the bough's first node.
+std::vector<LooseStem> small_tree() {
+  std::vector<LooseStem> stems;
+  stems.push_back(stem("trunk", rod({0, 0, 0}, kUp, 2, 0.2F)));
+  stems.push_back(daughter("bough", rod({0, 1.5F, 0}, {1, 0, 0}, 2, 0.1F), 0, 2, 0.5F));
+  stems.push_back(daughter("twig", rod({1, 1.5F, 0}, {0, 0, 1}, 1, 0.05F), 1, 1, 1));
+  return stems;
+}
+
+TEST(JoinStems, MakesOneSkeletonWithLateralsAtTheirPlaces) {
+  const std::vector<Stem> joined = join_stems(small_tree());
+  ASSERT_EQ(joined.size(), 1U);
+  const Skeleton& tree = joined[0].skeleton;
+  check_skeleton(tree);
+  // Three nodes of the trunk and one more where the bough springs, two of the bough, one of the twig.
+  ASSERT_EQ(tree.node_count(), 7U);
+  EXPECT_EQ(tree.position[2], Vec3(0, 1.5F, 0));
+  EXPECT_EQ(tree.axis, (std::vector<AxisIndex>{0, 0, 0, 0, 1, 1, 2}));
+  EXPECT_EQ(tree.order, (std::vector<std::uint16_t>{0, 0, 0, 0, 1, 1, 2}));
+  EXPECT_EQ(tree.parent[4], 2U);  // the bough grows from the new node
+  EXPECT_EQ(tree.parent[6], 4U);  // the twig from the bough's first
+  EXPECT_EQ(tree.radius[2], 0.2F);
+  EXPECT_EQ(joined[0].part(0).component, "trunk");
+  EXPECT_EQ(joined[0].part(1).component, "bough");
+  EXPECT_EQ(joined[0].part(2).component, "twig");
+}
+
+TEST(JoinStems, StemsOnTheSameSegmentSpringInTheirOrderAlongIt) {
+  std::vector<LooseStem> stems;
+  stems.push_back(stem("trunk", rod({0, 0, 0}, kUp, 1, 0.2F)));
+  for (const float along : {0.75F, 0.25F, 0.5F, 0.25F}) {
+    stems.push_back(daughter("bough", rod({0, along, 0}, {1, 0, 0}, 1, 0.1F), 0, 1, along));
+  }
+  const std::vector<Stem> joined = join_stems(std::move(stems));
+  ASSERT_EQ(joined.size(), 1U);
+  const Skeleton& tree = joined[0].skeleton;
+  check_skeleton(tree);
+  float last = -1;
+  for (const NodeIndex node : Axes(tree).of(0)) {
+    EXPECT_GE(tree.position[node].y, last);
+    last = tree.position[node].y;
+  }
+  EXPECT_EQ(joined[0].parts.size(), 5U);
+}
+
+TEST(JoinStems, KeepsApartWhatDoesNotTouchOrHasSeveralRoots) {
+  std::vector<LooseStem> stems = small_tree();
+  stems[1].skeleton = rod({5, 1.5F, 0}, {1, 0, 0}, 2, 0.1F);  // far from the trunk
+  stems[2].skeleton.append(rod({3, 0, 0}, kUp, 1, 0.1F));
+  const std::vector<Stem> joined = join_stems(std::move(stems));
+  ASSERT_EQ(joined.size(), 3U);
+  for (const Stem& each : joined) EXPECT_TRUE(each.part_of_axis.empty());
+}
+
+TEST(JoinStems, ExtraColumnsAreMixedAtNewNodesAndZeroWhereUnknown) {
+  std::vector<LooseStem> stems = small_tree();
+  stems[0].skeleton.extra["light"] = {0, 0.2F, 0.6F};
+  stems[2].skeleton.extra["age"] = {1, 2};
+  const std::vector<Stem> joined = join_stems(std::move(stems));
+  const Skeleton& tree = joined[0].skeleton;
+  check_skeleton(tree);
+  EXPECT_FLOAT_EQ(tree.extra.at("light")[2], 0.4F);
+  EXPECT_EQ(tree.extra.at("light")[6], 0);
+  EXPECT_EQ(tree.extra.at("age")[6], 2);
+  EXPECT_EQ(tree.extra.at("age")[0], 0);
+}
+
+TEST(JoinStems, AStemWithoutDaughtersStaysAsItIs) {
+  std::vector<LooseStem> stems;
+  stems.push_back(stem("trunk", rod({0, 0, 0}, kUp, 3, 0.2F)));
+  const std::string hash = skeleton_hash(stems[0].skeleton);
+  EXPECT_EQ(skeleton_hash(join_stems(std::move(stems))[0].skeleton), hash);
+}
+
+}  // namespace
+}  // namespace meristem

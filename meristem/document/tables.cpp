@@ -107,7 +107,9 @@ const ParameterTable& limits_table() {
           .integer("triangles", &Limits::triangles, {.min = 1, .max = kLargestWhole}, "Triangles after instancing.")
           .integer("mesh_bytes", &Limits::mesh_bytes, {.min = 1, .max = kLargestWhole}, "Bytes of distinct geometry.")
           .integer("file_bytes", &Limits::file_bytes, {.min = 1, .max = kLargestWhole},
-                   "Bytes of one file that the document names.");
+                   "Bytes of one file that the document names.")
+          .integer("picture_pixels", &Limits::picture_pixels, {.min = 1, .max = 1e9},
+                   "Pixels of one picture that the document names.");
   return table;
 }
 

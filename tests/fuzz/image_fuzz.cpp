@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes as a picture: as many bytes as its size says and no more pixels than allowed, or a fault of that file.
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/read_image.h"
+
+namespace {
+
+void require(bool holds) {
+  if (!holds) __builtin_trap();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace meristem;
+  Limits limits;
+  limits.picture_pixels = 10'000;
+  try {
+    const Image image = parse_image({reinterpret_cast<const char*>(data), size}, "picture", limits);
+    const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    require(!image.is_empty() && pixels <= limits.picture_pixels && image.rgba.size() == 4 * pixels);
+  } catch (const InputError& error) {
+    for (const Diagnostic& found : error.diagnostics()) require(!found.message.empty() && found.file == "picture");
+  }
+  return 0;
+}

@@ -13,16 +13,17 @@
 
 namespace meristem {
 
-/// Bark, tileable. Colours are relative to the mean, which is the material's.
+/// Bark as a tile of about a metre. Its mean colour is the material's.
 struct BarkRecipe {
+  /// smooth: beech; furrowed: oak, ash, poplar; plated: pine; peeling: birch.
   enum class Style { smooth, furrowed, plated, peeling };
   Style style = Style::furrowed;
   double scale = 1;           ///< size of its features; raised, fewer and larger ones on a tile
   double relief = 1;          ///< depth of its normals; 0 is flat
-  double contrast = 1;        ///< between ridges and seams
-  std::optional<Vec3> seams;  ///< sRGB, colour of furrows, gaps and lenticels; darker bark if unset
-  std::optional<Vec3> marks;  ///< sRGB, colour of patches: lichen, peeled places; none if unset
-  double seed = 1;
+  double contrast = 1;        ///< of colours; 0 is even
+  std::optional<Vec3> seams;  ///< sRGB, colour of furrows, gaps and lenticels; dark bark if unset
+  std::optional<Vec3> marks;  ///< sRGB, colour of lichen and peeled places; little of them if unset
+  std::uint64_t seed = 1;     ///< another tile of the same kind
 
   bool operator==(const BarkRecipe&) const = default;
 };
@@ -31,13 +32,13 @@ struct BarkRecipe {
 struct LeafRecipe {
   enum class Veins { pinnate, palmate, parallel };
   Veins veins = Veins::pinnate;
-  int pairs = 7;        ///< of side veins (pinnate), veins beside the middle one (else)
-  double angle = 0.8;   ///< radians between midrib and side veins
-  double contrast = 1;  ///< of veins and mottling
+  int pairs = 7;               ///< of side veins (pinnate); of main veins beside the middle one (else)
+  double angle = radians(45);  ///< between main and side veins, radians
+  double contrast = 1;         ///< of veins and mottling
   double relief = 1;
-  std::optional<Vec3> vein_colour;  ///< sRGB; lighter leaf if unset
+  std::optional<Vec3> vein_colour;  ///< sRGB; a lighter leaf's if unset
   std::optional<Vec3> edge_colour;  ///< sRGB, toward the margin, as in autumn; none if unset
-  double seed = 1;
+  std::uint64_t seed = 1;
 
   bool operator==(const LeafRecipe&) const = default;
 };
@@ -46,9 +47,9 @@ struct LeafRecipe {
 struct PetalRecipe {
   std::optional<Vec3> throat;   ///< sRGB, colour at the claw; the petal's own if unset
   double throat_length = 0.35;  ///< share of the petal that it fades over
-  std::optional<Vec3> stripes;  ///< sRGB, colour of the lines that run along it; none if unset
+  std::optional<Vec3> stripes;  ///< sRGB, colour of the lines that run along it; faint ones if unset
   double relief = 1;
-  double seed = 1;
+  std::uint64_t seed = 1;
 
   bool operator==(const PetalRecipe&) const = default;
 };
@@ -57,11 +58,13 @@ struct PetalRecipe {
 struct TextureShape {
   std::vector<Vec2> outline;  ///< closed polygon in uv, counter-clockwise; empty: all of the unit square
   bool masked = false;        ///< what lies outside of it is cut out by the texture
+  double aspect = 1;          ///< width over height of the unit square as it lies on the surface
 
   bool operator==(const TextureShape&) const = default;
 };
 
-/// The textures themselves: `pixels` a side, the same bytes on every machine and any number of threads.
+/// The textures themselves: `pixels` a side, the same bytes on every machine and any number of threads. `colour` (sRGB)
+/// is the mean that comes out. Bark's opposite edges join. What lies outside a masked shape has the margin's colours.
 Texture make_bark_texture(const BarkRecipe& recipe, Vec3 colour, int pixels);
 Texture make_leaf_texture(const LeafRecipe& recipe, const TextureShape& shape, Vec3 colour, int pixels);
 Texture make_petal_texture(const PetalRecipe& recipe, const TextureShape& shape, Vec3 colour, int pixels);

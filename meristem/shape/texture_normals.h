@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "meristem/base/image.h"
+
+namespace meristem {
+
+/// How heights lie on the surface.
+struct ReliefForm {
+  double relief = 1;   ///< factor on the heights
+  double aspect = 1;   ///< width over height of the picture
+  bool wraps = false;  ///< neighbours across the edges count
+};
+
+/// The normals of a square field of heights, which are in heights of the picture, rows from top to bottom: x along u
+/// (right), y along v (up), z outward, each from [-1, 1] as a byte.
+Image normals_of_heights(const std::vector<float>& heights, int pixels, const ReliefForm& form);
+
+}  // namespace meristem

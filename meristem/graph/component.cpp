@@ -48,6 +48,7 @@ const ParameterTable& component_base_table() {
                   "Where in the colours an instance's is, from the first (0) to the last (1); anywhere if not given.")
           .number("variety", &ComponentBase::variety, {.min = 0, .max = 1, .fixed = true},
                   "By how much instances differ in lightness and tone; raised, a more mottled crown.")
+          .object("texture", &ComponentBase::texture, texture_table, "What lies on its surface.")
           .number("roughness", &ComponentBase::roughness, {.min = 0, .max = 1, .fixed = true},
                   "0 is glossy, 1 is matt; the component's own if not given.")
           .number("translucency", &ComponentBase::translucency, {.min = 0, .max = 1, .fixed = true},

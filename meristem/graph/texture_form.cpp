@@ -1,8 +1,199 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/graph/texture_form.h"
 
+#include <algorithm>
+#include <mutex>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "meristem/base/hash.h"
+#include "meristem/base/read_image.h"
+#include "meristem/graph/table.h"
+#include "meristem/shape/mean_light.h"
+
 namespace meristem {
 
-std::shared_ptr<const Texture> make_texture(const TextureForm&, const TextureShape&, Vec3) { return nullptr; }
+namespace {
+
+constexpr NumberForm kFactor{.min = 0, .max = 4, .fixed = true};
+constexpr NumberForm kSeed{.min = 0, .max = 1e15, .fixed = true};
+
+const ParameterTable& bark_table() {
+  static const ParameterTable table =
+      Table<BarkRecipe>("a bark", "Bark that the program makes, a tile whose edges join.")
+          .choice("style", &BarkRecipe::style, {"smooth", "furrowed", "plated", "peeling"},
+                  "smooth as of beech, furrowed as of oak, plated as of pine, peeling as of birch.")
+          .number("scale", &BarkRecipe::scale, {.min = 0.1, .max = 10, .fixed = true},
+                  "Raised, fewer and larger features on a tile.")
+          .number("relief", &BarkRecipe::relief, kFactor, "Depth of furrows and ridges in the light; 0 is flat.")
+          .number("contrast", &BarkRecipe::contrast, kFactor, "Between its colours; 0 is one even colour.")
+          .colour("seams", &BarkRecipe::seams, "Of furrows, cracks and lenticels; dark bark if not given.")
+          .colour("marks", &BarkRecipe::marks, "Of lichen and, on peeling bark, of what lies open.")
+          .integer("seed", &BarkRecipe::seed, kSeed, "Another one gives another tile of the same kind.")
+          .shorthand("style");
+  return table;
+}
+
+const ParameterTable& leaf_table() {
+  static const ParameterTable table =
+      Table<LeafRecipe>("a leaf's texture", "A leaf with its veins that the program makes, over the blade's outline.")
+          .choice("veins", &LeafRecipe::veins, {"pinnate", "palmate", "parallel"},
+                  "pinnate: side veins from a midrib; palmate: main veins from the base to the lobes; parallel: from "
+                  "base to tip.")
+          .integer("pairs", &LeafRecipe::pairs, {.min = 1, .max = 40, .fixed = true},
+                   "Of side veins; of main veins beside the middle one where they are palmate or parallel.")
+          .number("angle", &LeafRecipe::angle, {.unit = Unit::degree, .min = 15, .max = 90, .fixed = true},
+                  "Between a main vein and its side veins.")
+          .number("contrast", &LeafRecipe::contrast, kFactor, "Of veins and mottling; 0 shows neither.")
+          .number("relief", &LeafRecipe::relief, kFactor, "Depth of the veins in the light; 0 is flat.")
+          .colour("vein_colour", &LeafRecipe::vein_colour, "Lighter than the leaf if not given.")
+          .colour("edge_colour", &LeafRecipe::edge_colour, "Toward the margin, as in autumn.")
+          .integer("seed", &LeafRecipe::seed, kSeed, "Another one gives another leaf of the same kind.")
+          .shorthand("veins");
+  return table;
+}
+
+const ParameterTable& petal_table() {
+  static const ParameterTable table =
+      Table<PetalRecipe>("a petal's texture", "A petal that the program makes, over the blade's outline.")
+          .colour("throat", &PetalRecipe::throat, "At the petal's base.")
+          .number("throat_length", &PetalRecipe::throat_length, {.min = 0.01, .max = 1, .fixed = true},
+                  "Share of the petal over which the throat's colour fades.")
+          .colour("stripes", &PetalRecipe::stripes, "Of the lines that fan out from the base.")
+          .number("relief", &PetalRecipe::relief, kFactor, "Depth of the lines in the light; 0 is flat.")
+          .integer("seed", &PetalRecipe::seed, kSeed, "Another one gives another petal of the same kind.");
+  return table;
+}
+
+const ParameterTable& picture_table() {
+  static const ParameterTable table =
+      Table<PictureForm>("a picture", "Pictures of your own, PNG or JPEG.")
+          .file("colour", &PictureForm::colour, read_image, "What the surface shows.")
+          .required()
+          .file("normals", &PictureForm::normals, read_image,
+                "Its relief as normals: red to the right, green up, blue outward.")
+          .boolean("masked", &PictureForm::masked, "Cuts holes where the picture's alpha is below one half.")
+          .shorthand("colour");
+  return table;
+}
+
+/// What tells textures apart.
+struct TextureKey {
+  std::optional<BarkRecipe> bark;
+  std::optional<LeafRecipe> leaf;
+  std::optional<PetalRecipe> petal;
+  std::string picture;  // hash of its pixels
+  TextureShape shape;
+  Vec3 colour{0};
+  int pixels = 0;
+
+  bool operator==(const TextureKey&) const = default;
+};
+
+std::string hash_of(const PictureForm& picture) {
+  std::string hash = picture.masked ? "masked" : "whole";
+  for (const Asset<Image>* image : {&picture.colour, &picture.normals}) {
+    if (!*image) continue;
+    hash += fmt::format(" {}x{} {}", (*image)->width, (*image)->height,
+                        hash128_hex(std::as_bytes(std::span((*image)->rgba))));
+  }
+  return hash;
+}
+
+TextureKey key_of(const TextureForm& form, const TextureShape& shape, Vec3 colour) {
+  if (form.picture) return {.picture = hash_of(*form.picture)};
+  TextureKey key{form.bark, form.leaf, form.petal, {}, {}, colour, form.pixels};
+  if (!form.bark) key.shape = shape;
+  return key;
+}
+
+/// Textures in use, by what they were made of.
+class TextureCache {
+ public:
+  std::shared_ptr<const Texture> find(const TextureKey& key) {
+    const std::scoped_lock lock(mutex_);
+    return find_locked(key);
+  }
+  /// Keeps `texture` while it is in use, or gives the one that another thread was quicker with.
+  std::shared_ptr<const Texture> keep(TextureKey key, Texture texture) {
+    const std::scoped_lock lock(mutex_);
+    if (std::shared_ptr<const Texture> other = find_locked(key)) return other;
+    entries_.erase(
+        std::remove_if(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.texture.expired(); }),
+        entries_.end());
+    auto kept = std::make_shared<const Texture>(std::move(texture));
+    entries_.push_back({std::move(key), kept});
+    return kept;
+  }
+
+ private:
+  struct Entry {
+    TextureKey key;
+    std::weak_ptr<const Texture> texture;
+  };
+
+  std::shared_ptr<const Texture> find_locked(const TextureKey& key) const {
+    for (const Entry& entry : entries_) {
+      if (entry.key != key) continue;
+      if (std::shared_ptr<const Texture> texture = entry.texture.lock()) return texture;
+    }
+    return nullptr;
+  }
+
+  std::mutex mutex_;
+  std::vector<Entry> entries_;
+};
+
+TextureCache& texture_cache() {
+  static TextureCache cache;
+  return cache;
+}
+
+Texture texture_of(const PictureForm& picture) {
+  Texture texture;
+  texture.name = "picture";
+  texture.masked = picture.masked;
+  texture.colour = *picture.colour;
+  if (!picture.masked) {
+    for (std::size_t k = 3; k < texture.colour.rgba.size(); k += 4) texture.colour.rgba[k] = 255;
+  }
+  if (picture.normals) texture.normals = *picture.normals;
+  texture.mean = mean_light(texture.colour, picture.masked);
+  return texture;
+}
+
+Texture painted(const TextureForm& form, const TextureShape& shape, Vec3 colour) {
+  if (form.bark) return make_bark_texture(*form.bark, colour, form.pixels);
+  if (form.leaf) return make_leaf_texture(*form.leaf, shape, colour, form.pixels);
+  if (form.petal) return make_petal_texture(*form.petal, shape, colour, form.pixels);
+  return texture_of(*form.picture);
+}
+
+}  // namespace
+
+const ParameterTable& texture_table() {
+  static const ParameterTable table =
+      Table<TextureForm>("a texture", "What lies on the component's surface: one of these kinds, or none.")
+          .object("bark", &TextureForm::bark, bark_table, "Bark, made by the program.")
+          .object("leaf", &TextureForm::leaf, leaf_table, "A leaf's veins and outline, made by the program.")
+          .object("petal", &TextureForm::petal, petal_table, "A petal, made by the program.")
+          .object("picture", &TextureForm::picture, picture_table, "A picture of your own.")
+          .integer("pixels", &TextureForm::pixels, {.min = 16, .max = 2048, .fixed = true},
+                   "Width and height of what the program makes; raised, finer and larger files.")
+          .never_with("bark", {"leaf", "petal", "picture"})
+          .never_with("leaf", {"petal", "picture"})
+          .never_with("petal", {"picture"})
+          .never_with("picture", {"pixels"});
+  return table;
+}
+
+std::shared_ptr<const Texture> make_texture(const TextureForm& form, const TextureShape& shape, Vec3 colour) {
+  if (!form.bark && !form.leaf && !form.petal && !form.picture) return nullptr;
+  TextureKey key = key_of(form, shape, colour);
+  if (std::shared_ptr<const Texture> texture = texture_cache().find(key)) return texture;
+  return texture_cache().keep(std::move(key), painted(form, shape, colour));
+}
 
 }  // namespace meristem

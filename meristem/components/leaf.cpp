@@ -5,34 +5,30 @@
 // length and half an octave of radius.
 #include "meristem/components/leaf.h"
 
-#include <cmath>
+#include <utility>
 
-#include "meristem/base/math.h"
+#include <fmt/format.h>
+
+#include "meristem/components/shared_shape.h"
+#include "meristem/shape/leaf_outline.h"
 
 namespace meristem {
 
 namespace {
 
-constexpr double kAngleStep = 5 * kPi / 180;
 constexpr double kStalkStep = 0.05;
 constexpr double kProportionSteps = 8;   // an octave
 constexpr double kStalkRadiusSteps = 2;  // an octave
-
-double to_step(double value, double step) { return std::floor(value / step + 0.5) * step; }
-
-/// To so many steps an octave.
-double to_octaves(double value, double steps) {
-  return math::pow(2, to_step(math::log(value) / math::log(2), 1 / steps));
-}
+constexpr std::size_t kMostCorners = 500;
 
 /// The shared blade, of length 1.
 LeafBlade shared_blade(const LeafBlade& exact) {
   LeafBlade blade = exact;
   blade.length = 1;
   blade.width = to_octaves(exact.width / exact.length, kProportionSteps);
-  blade.curl = to_step(exact.curl, kAngleStep);
-  blade.curl_across = to_step(exact.curl_across, kAngleStep);
-  blade.fold = to_step(exact.fold, kAngleStep);
+  blade.curl = to_step(exact.curl, kShapeAngleStep);
+  blade.curl_across = to_step(exact.curl_across, kShapeAngleStep);
+  blade.fold = to_step(exact.fold, kShapeAngleStep);
   blade.petiole = to_step(exact.petiole / exact.length, kStalkStep);
   // Without a stalk its radius must not tell shapes apart.
   blade.petiole_radius = blade.petiole > 0 ? to_octaves(exact.petiole_radius / exact.length, kStalkRadiusSteps) : 1;
@@ -50,7 +46,7 @@ void expand(const Leaf& leaf, const Site&, Emitter& out) {
   out.organ(frame, key, [&] { return make_leaf_blade(blade); });
 }
 
-void check_outline(const LeafBlade& blade, const Place& place, ParameterReader& reader) {
+void check_curve(const LeafBlade& blade, const Place& place, ParameterReader& reader) {
   bool has_width = false;
   for (const Vec2& point : blade.outline.points()) {
     if (point.y < 0 || point.y > 1) {
@@ -60,34 +56,104 @@ void check_outline(const LeafBlade& blade, const Place& place, ParameterReader& 
     has_width = has_width || point.y > 0;
   }
   if (!has_width) reader.fault(Place(place, "outline"), "the outline is empty", "a half width above 0 somewhere");
-  if (blade.across % 2 != 0) {
+}
+
+void check_polygon(const LeafBlade& blade, const Place& place, ParameterReader& reader) {
+  const Place polygon(place, "polygon");
+  if (blade.polygon.size() > kMostCorners) {
+    reader.fault(polygon, fmt::format("the polygon has {} points", blade.polygon.size()),
+                 fmt::format("at most {}", kMostCorners));
+    return;
+  }
+  bool has_width = false;
+  for (std::size_t k = 0; k < blade.polygon.size(); ++k) {
+    const Vec2 point = blade.polygon[k];
+    has_width = has_width || point.x > 0;
+    if (point.x >= 0 && point.x <= 1) continue;
+    reader.fault(Place(polygon, k), fmt::format("the half width {} leaves the range from 0 to 1", point.x),
+                 "a pair [half width, along]");
+    return;
+  }
+  if (!has_width) {
+    reader.fault(polygon, "the polygon is empty", "a half width above 0 somewhere");
+  } else if (polygon_crosses_itself(blade)) {
+    reader.fault(polygon, "the polygon crosses or touches itself or the midrib",
+                 "the right edge in its order from the joint [0, 0] to the tip [0, 1]");
+  }
+}
+
+void check_leaf(const Leaf& leaf, const Place& place, ParameterReader& reader) {
+  if (leaf.blade.polygon.empty()) {
+    check_curve(leaf.blade, place, reader);
+  } else {
+    check_polygon(leaf.blade, place, reader);
+  }
+  if (leaf.blade.across % 2 != 0) {
     reader.fault(Place(place, "across"), "'across' is odd", "an even number, so that a row of points is the midrib");
   }
+  const TextureForm& texture = leaf.texture;
+  const bool cuts = texture.leaf || texture.petal || (texture.picture && texture.picture->masked);
+  if (leaf.blade.edge == LeafBlade::Edge::picture && !cuts) {
+    reader.fault(Place(place, "edge"), "no texture cuts out the edge",
+                 "a 'texture' that is a leaf, a petal or a masked picture, or the edge 'shape'");
+  }
+}
+
+Table<LeafBlade> with_outline(Table<LeafBlade> table) {
+  return std::move(table)
+      .number("length", &LeafBlade::length, {.unit = Unit::metre, .min = 1e-4, .max = 100},
+              "Of the midrib, from the joint with the stalk to the tip.")
+      .number("width", &LeafBlade::width, {.unit = Unit::metre, .min = 1e-5, .max = 100}, "Across where it is widest.")
+      .curve("outline", &LeafBlade::outline,
+             "Half width from base (0) to tip (1) as a share of the largest; the blade's edge.")
+      .points(
+          "polygon", &LeafBlade::polygon, {.min = -2, .max = 2},
+          "The right edge in its stead, for lobes that overhang: pairs of half width and place along, from joint to "
+          "tip.")
+      .choice("corners", &LeafBlade::corners, {"sharp", "round"}, "Of the polygon.")
+      .never_with("polygon", {"outline"})
+      .only_with("polygon", {"corners"})
+      .number("heart", &LeafBlade::heart, {.min = 0, .max = 1, .fixed = true},
+              "How far the base reaches back beside the stalk, a share of the length.")
+      .integer("teeth", &LeafBlade::teeth, {.min = 0, .max = 200, .fixed = true},
+               "On each side; they get smaller toward base and tip.")
+      .number("teeth_depth", &LeafBlade::teeth_depth, {.min = 0, .max = 0.9, .fixed = true},
+              "Of the largest, a share of half the width.")
+      .number("teeth_lean", &LeafBlade::teeth_lean, {.min = 0, .max = 1, .fixed = true},
+              "Toward the tip: 0 even, 1 with the upper side cut straight in.")
+      .only_with("teeth", {"teeth_depth", "teeth_lean"});
+}
+
+Table<LeafBlade> with_bends(Table<LeafBlade> table) {
+  return std::move(table)
+      .number("curl", &LeafBlade::curl, {.unit = Unit::degree, .min = -720, .max = 720},
+              "Bend of the midrib from base to tip; raised, the tip sinks more.")
+      .number("curl_across", &LeafBlade::curl_across, {.unit = Unit::degree, .min = -350, .max = 350},
+              "Bend from edge to edge; raised, the edges sink more.")
+      .number("fold", &LeafBlade::fold, {.unit = Unit::degree, .min = -85, .max = 85},
+              "Angle by which both halves rise about the midrib.")
+      .curve("profile", &LeafBlade::profile,
+             "Height from midrib (0) to edge (1) on top of that, in shares of half the width; needs points across.")
+      .integer("waves", &LeafBlade::waves, {.min = 0, .max = 32, .fixed = true},
+               "Along each edge; each costs two rows.")
+      .number("waves_depth", &LeafBlade::waves_depth, {.min = -1, .max = 1, .fixed = true},
+              "Height of their crests, a share of half the width.")
+      .only_with("waves", {"waves_depth"})
+      .number("petiole", &LeafBlade::petiole, {.unit = Unit::metre, .min = 0, .max = 100},
+              "Length of the stalk before the blade.")
+      .number("petiole_radius", &LeafBlade::petiole_radius, {.unit = Unit::metre, .min = 1e-5, .max = 1},
+              "Of the stalk.");
 }
 
 const ParameterTable& blade_table() {
   static const ParameterTable table =
-      Table<LeafBlade>("a leaf", "A leaf blade with its stalk.")
-          .number("length", &LeafBlade::length, {.unit = Unit::metre, .min = 1e-4, .max = 100},
-                  "Base to tip of the blade.")
-          .number("width", &LeafBlade::width, {.unit = Unit::metre, .min = 1e-5, .max = 100},
-                  "Across where it is widest.")
-          .curve("outline", &LeafBlade::outline,
-                 "Half width from base (0) to tip (1) as a share of the largest; the blade's edge.")
-          .number("curl", &LeafBlade::curl, {.unit = Unit::degree, .min = -720, .max = 720},
-                  "Bend of the midrib from base to tip; raised, the tip sinks more.")
-          .number("curl_across", &LeafBlade::curl_across, {.unit = Unit::degree, .min = -350, .max = 350},
-                  "Bend from edge to edge; raised, the edges sink more.")
-          .number("fold", &LeafBlade::fold, {.unit = Unit::degree, .min = -85, .max = 85},
-                  "Angle by which both halves rise about the midrib.")
-          .number("petiole", &LeafBlade::petiole, {.unit = Unit::metre, .min = 0, .max = 100},
-                  "Length of the stalk before the blade.")
-          .number("petiole_radius", &LeafBlade::petiole_radius, {.unit = Unit::metre, .min = 1e-5, .max = 1},
-                  "Of the stalk.")
+      with_bends(with_outline(Table<LeafBlade>("a leaf", "A leaf blade with its stalk.")))
           .integer("rows", &LeafBlade::rows, {.min = 1, .max = 256, .fixed = true},
                    "Quads from base to tip; raised, the outline is followed more closely.")
           .integer("across", &LeafBlade::across, {.min = 2, .max = 64, .fixed = true},
-                   "Quads from edge to edge, an even number.");
+                   "Quads from edge to edge, an even number.")
+          .choice("edge", &LeafBlade::edge, {"shape", "picture"},
+                  "shape: the mesh follows the outline; picture: a simple hull, out of which the texture cuts it.");
   return table;
 }
 
@@ -96,15 +162,13 @@ const ParameterTable& blade_table() {
 ComponentType leaf_component() {
   return define_component<Leaf>({
       .name = "leaf",
-      .doc = "A leaf blade with outline, curl, fold and stalk; it heads along y with its upper face to z.",
-      .parameters = Table<Leaf>("a leaf", "A leaf blade with its stalk.")
-                        .members(&Leaf::blade, blade_table())
-                        .check([](const Leaf& leaf, const Place& place, ParameterReader& reader) {
-                          check_outline(leaf.blade, place, reader);
-                        }),
+      .doc = "A leaf blade with its stalk; it heads along y with its upper face to z.",
+      .parameters =
+          Table<Leaf>("a leaf", "A leaf blade with its stalk.").members(&Leaf::blade, blade_table()).check(check_leaf),
       .material = {.colour = {0.33F, 0.46F, 0.20F}, .roughness = 0.6F, .translucency = 0.35F, .two_sided = true},
       .variety = 0.12,
       .expand = expand,
+      .texture_shape = [](const Leaf& leaf) { return leaf_texture_shape(leaf.blade); },
   });
 }
 

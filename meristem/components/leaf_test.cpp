@@ -84,6 +84,25 @@ TEST(LeafComponent, AnglesAreRoundedToFiveDegrees) {
   EXPECT_NE(mesh(40), mesh(43));
 }
 
+TEST(LeafComponent, APolygonIsMirroredAtTheMidrib) {
+  const auto pair = [](double a, double b) { return Value(Value::List{a, b}); };
+  const Value polygon = Value::List{pair(1, 0.6), pair(0.5, 0.5), pair(0.5, 0.8)};
+  const Plant plant = leaves(1, {{"polygon", polygon}, {"length", 0.1}, {"width", 0.08}}).grow();
+  const Box box = box_of(plant, plant.organs.at(0));
+  EXPECT_NEAR(box.low.x, -0.04, 1e-6);
+  EXPECT_NEAR(box.high.x, 0.04, 1e-6);
+}
+
+TEST(LeafComponent, ItsTextureShowsTheWholeOutline) {
+  const ComponentType& type = *builtin_components().find("leaf");
+  Leaf leaf;
+  leaf.blade.heart = 0.2;
+  leaf.blade.teeth = 9;
+  const TextureShape shape = type.texture_shape(&leaf);
+  EXPECT_GT(shape.outline.size(), 4U * 9);
+  EXPECT_FALSE(shape.masked);
+}
+
 TEST(LeafComponent, LongLeavesKeepTheirThinStalk) {
   const Plant plant = leaves(1, {{"length", 3}, {"width", 1}, {"petiole", 0.6}, {"petiole_radius", 0.001}}).grow();
   EXPECT_TRUE(check_mesh(*plant.prototypes.at(0).mesh, {.closed = false, .outward = false}));
@@ -103,6 +122,14 @@ TEST(LeafComponent, FaultyBladesAreRejected) {
   EXPECT_EQ(path_of({{"across", 3}}), "components.leaf.across");
   EXPECT_EQ(path_of({{"length", 0}}), "components.leaf.length");
   EXPECT_EQ(path_of({{"rows", "i"}}), "components.leaf.rows");
+  const auto pair = [](double a, double b) { return Value(Value::List{a, b}); };
+  EXPECT_EQ(path_of({{"polygon", Value::List{pair(0.5, 0.2), pair(1.5, 0.5)}}}), "components.leaf.polygon[1]");
+  EXPECT_EQ(path_of({{"polygon", Value::List{pair(0, 0.2)}}}), "components.leaf.polygon");
+  EXPECT_EQ(path_of({{"polygon", Value::List{pair(1, 0.2), pair(0, 0.5), pair(1, 0.8)}}}), "components.leaf.polygon");
+  EXPECT_EQ(path_of({{"polygon", Value::List{pair(1, 0.5)}}, {"outline", outline(0, 1)}}), "components.leaf.outline");
+  EXPECT_EQ(path_of({{"teeth_depth", 0.2}}), "components.leaf.teeth_depth");
+  EXPECT_EQ(path_of({{"heart", "rand(0, 1)"}}), "components.leaf.heart");
+  EXPECT_EQ(path_of({{"edge", "picture"}}), "components.leaf.edge");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "meristem/components/cloud.h"
 #include "meristem/components/colonize.h"
 #include "meristem/components/leaf.h"
+#include "meristem/components/needles.h"
 #include "meristem/components/simple.h"
 
 namespace meristem {
@@ -14,6 +15,7 @@ const Registry& builtin_components() {
       camera_component(),
       simple_component(),
       leaf_component(),
+      needles_component(),
       colonize_component(),
       cloud_component(),
   });

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -192,6 +193,130 @@ TEST(LeafBlade, AnOutlineThatIsZeroInBetweenMakesTwoPartsThatMeetInAPoint) {
   EXPECT_NEAR(surface_area(leaf) / (blade.length * blade.width), 0.4, 1e-6);
 }
 
+/// Lobes that overhang, and a base that reaches behind the joint.
+LeafBlade palmate() {
+  LeafBlade blade;
+  blade.polygon = {{0.35F, -0.1F}, {0.3F, 0.12F}, {0.8F, 0.1F},  {0.65F, 0.25F}, {1, 0.55F},
+                   {0.7F, 0.5F},   {0.45F, 0.4F}, {0.4F, 0.75F}, {0.25F, 0.7F},  {0, 1}};
+  return blade;
+}
+
+/// Of the closed polygon, which runs counter-clockwise.
+double area_of(const std::vector<Vec2>& corners) {
+  double doubled = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const glm::dvec2 a(corners[i]), b(corners[(i + 1) % corners.size()]);
+    doubled += a.x * b.y - a.y * b.x;
+  }
+  return doubled / 2;
+}
+
+TEST(LeafBlade, AFlatPolygonHasItsExactArea) {
+  LeafBlade blade = palmate();
+  blade.across = 8;
+  blade.rows = 20;
+  std::vector<Vec2> corners{{0, 0}};
+  corners.insert(corners.end(), blade.polygon.begin(), blade.polygon.end());
+  const Mesh leaf = make_leaf_blade(blade);
+  EXPECT_TRUE(check_mesh(leaf, kOpen));
+  EXPECT_NEAR(surface_area(leaf) / (2 * area_of(corners) * blade.length * blade.width / 2), 1, 1e-5);
+}
+
+TEST(LeafBlade, ItsPictureIsTheOutlineThatTheMeshCovers) {
+  LeafBlade blade = palmate();
+  blade.heart = 0.1;
+  blade.rows = 40;
+  const TextureShape shape = leaf_texture_shape(blade);
+  Mesh flat = make_leaf_blade(blade);
+  for (std::size_t i = 0; i < flat.vertex_count(); ++i) flat.positions[i] = Vec3(flat.uvs[i], 0);
+  EXPECT_NEAR(surface_area(flat), area_of(shape.outline), 2e-3);
+  EXPECT_FALSE(shape.masked);
+  Box box;
+  for (const Vec2 uv : shape.outline) box.add(Vec3(uv, 0));
+  EXPECT_EQ(box.low, Vec3(0));
+  EXPECT_EQ(box.high, Vec3(1, 1, 0));
+}
+
+TEST(LeafBlade, AHullCoversThePictureWithFewTriangles) {
+  LeafBlade blade = palmate();
+  blade.teeth = 20;
+  blade.rows = 4;
+  blade.edge = LeafBlade::Edge::picture;
+  blade.petiole = 0.02;
+  const Mesh leaf = make_leaf_blade(blade);
+  EXPECT_TRUE(check_mesh(leaf, kOpen));
+  EXPECT_LE(leaf.triangle_count(), 9U + 2 * 2 * 5);
+  EXPECT_TRUE(leaf_texture_shape(blade).masked);
+  for (const Vec2 uv : leaf.uvs) EXPECT_TRUE(uv.x >= 0 && uv.x <= 1 && uv.y >= 0 && uv.y <= 1);
+}
+
+TEST(LeafBlade, ThePictureOfTheStalkLiesOnTheLeaf) {
+  LeafBlade blade;
+  blade.petiole = 0.02;
+  blade.edge = LeafBlade::Edge::picture;
+  const Mesh leaf = make_leaf_blade(blade);
+  for (std::size_t i = 0; i < 9; ++i) {
+    const double across = std::abs(leaf.uvs[i].x - 0.5) * 2;
+    EXPECT_LT(across, blade.outline(leaf.uvs[i].y));
+  }
+}
+
+TEST(LeafBlade, TeethCostTwoTrianglesEachOnEitherSide) {
+  LeafBlade blade = palmate();
+  blade.rows = 1;
+  const std::size_t entire = make_leaf_blade(blade).triangle_count();
+  blade.teeth = 10;
+  EXPECT_LE(make_leaf_blade(blade).triangle_count(), entire + 2 * 2 * 10);
+}
+
+TEST(LeafBlade, TheProfileLiftsEdges) {
+  LeafBlade blade;
+  blade.outline = Curve({{0, 1}});
+  blade.profile = Curve({{0, 0}, {0.5F, -0.1F}, {1, 0.3F}}, CurveKind::linear);
+  blade.across = 20;
+  const Mesh leaf = make_leaf_blade(blade);
+  EXPECT_TRUE(check_mesh(leaf, kOpen));
+  Box box;
+  for (const Vec3 position : leaf.positions) box.add(position);
+  EXPECT_NEAR(box.high.z, 0.3 * blade.width / 2, 1e-6);
+  EXPECT_NEAR(box.low.z, -0.1 * blade.width / 2, 2e-4);
+}
+
+TEST(LeafBlade, WavesRunAlongBothEdges) {
+  LeafBlade blade;
+  blade.outline = Curve({{0, 1}});
+  blade.waves = 4;
+  blade.waves_depth = 0.2;
+  blade.across = 6;
+  const Mesh leaf = make_leaf_blade(blade);
+  EXPECT_TRUE(check_mesh(leaf, kOpen));
+  int crests = 0, troughs = 0;
+  for (const Vec3 position : leaf.positions) {
+    if (std::abs(position.z - 0.2 * blade.width / 2) < 1e-6) ++crests;
+    if (std::abs(position.z + 0.2 * blade.width / 2) < 1e-6) ++troughs;
+  }
+  EXPECT_EQ(crests, 2 * 4);
+  EXPECT_EQ(troughs, 2 * 4);
+}
+
+RC_GTEST_PROP(LeafBlade, ALobedBladeIsSoundHoweverItBends, ()) {
+  const auto share = [] { return *rc::gen::inRange(0, 1001) / 1000.0; };
+  LeafBlade blade = palmate();
+  blade.corners = *rc::gen::element(LeafBlade::Corners::sharp, LeafBlade::Corners::round);
+  blade.edge = *rc::gen::element(LeafBlade::Edge::shape, LeafBlade::Edge::picture);
+  blade.heart = 0.3 * share();
+  blade.teeth = *rc::gen::inRange(0, 30);
+  blade.curl = 1.6 * share() - 0.8;
+  blade.curl_across = 1.6 * share() - 0.8;
+  blade.fold = 0.5 * share();
+  blade.waves = *rc::gen::inRange(0, 4);
+  blade.waves_depth = 0.1;
+  blade.rows = *rc::gen::inRange(6, 30);  // with fewer, slivers of a strong bend may turn away
+  blade.across = 2 * *rc::gen::inRange(1, 5);
+  blade.petiole = *rc::gen::element(0.0, 0.04);
+  RC_ASSERT(check_mesh(make_leaf_blade(blade), kOpen));
+}
+
 RC_GTEST_PROP(LeafBlade, IsSoundForAnyShape, ()) {
   const auto share = [] { return *rc::gen::inRange(0, 1001) / 1000.0; };
   LeafBlade blade;
@@ -219,6 +344,11 @@ TEST(LeafBlade, RejectsWhatMakesNoBlade) {
   rejects([](LeafBlade& blade) { blade.petiole = -0.1; });
   rejects([](LeafBlade& blade) { blade.petiole = 0.1, blade.petiole_radius = 0; });
   rejects([](LeafBlade& blade) { blade.curl = std::numeric_limits<double>::quiet_NaN(); });
+  rejects([](LeafBlade& blade) { blade.heart = -0.1; });
+  rejects([](LeafBlade& blade) { blade.teeth = -1; });
+  rejects([](LeafBlade& blade) { blade.waves_depth = std::numeric_limits<double>::infinity(); });
+  rejects([](LeafBlade& blade) { blade.polygon = {{-0.5F, 0.5F}}; });
+  rejects([](LeafBlade& blade) { blade.polygon = {{0, 0.5F}}; });
   rejects([](LeafBlade& blade) { blade.rows = 0; });
   rejects([](LeafBlade& blade) { blade.across = 3; });
 }

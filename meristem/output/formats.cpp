@@ -22,28 +22,35 @@ Provenance provenance_of(const Document& document) {
           .version = std::string(version())};
 }
 
+/// The MTL, and what pictures the components may need: which of them do is known once the plant has grown.
+std::vector<std::string> obj_companions(const Document& document, const std::string& path) {
+  std::vector<std::string> paths{material_path(path)};
+  for (const Prototype& component : document.graph.components) {
+    for (std::string& picture : picture_paths(path, component.id)) paths.push_back(std::move(picture));
+  }
+  return paths;
+}
+
 constexpr Format kFormats[] = {
     {".glb", "glTF 2.0 binary, for Blender, Godot, three.js and most others",
-     [](const Document& document, const GrownDocument& grown, const std::string& path, Progress& progress) {
-       write_glb(grown.meshes, path, {.provenance = provenance_of(document)}, progress);
-     }},
-    {".obj", "Wavefront OBJ with its MTL file beside it",
-     [](const Document& document, const GrownDocument& grown, const std::string& path, Progress& progress) {
-       write_obj(grown.meshes, path, {provenance_of(document)}, progress);
+     [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions& options,
+        Progress& progress) {
+       write_glb(grown.meshes, path, {.instanced = options.instanced, .provenance = provenance_of(document)}, progress);
      },
-     material_path},
+     true},
+    {".obj", "Wavefront OBJ with its MTL file and pictures beside it",
+     [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+        Progress& progress) { write_obj(grown.meshes, path, {provenance_of(document)}, progress); },
+     false, obj_companions},
     {".ply", "the mesh as binary PLY, for MeshLab, Open3D and Blender",
-     [](const Document& document, const GrownDocument& grown, const std::string& path, Progress& progress) {
-       write_mesh_ply(grown.meshes, path, {provenance_of(document)}, progress);
-     }},
+     [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+        Progress& progress) { write_mesh_ply(grown.meshes, path, {provenance_of(document)}, progress); }},
     {".skeleton.ply", "the skeletons as points with radius, and edges, in binary PLY",
-     [](const Document& document, const GrownDocument& grown, const std::string& path, Progress& progress) {
-       write_skeleton_ply(grown.plant, path, {provenance_of(document)}, progress);
-     }},
+     [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+        Progress& progress) { write_skeleton_ply(grown.plant, path, {provenance_of(document)}, progress); }},
     {".csv", "the skeletons as a table, one row a node",
-     [](const Document&, const GrownDocument& grown, const std::string& path, Progress& progress) {
-       write_skeleton_csv(grown.plant, path, progress);
-     }},
+     [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+        Progress& progress) { write_skeleton_csv(grown.plant, path, progress); }},
 };
 
 std::vector<std::string> endings() {

@@ -11,13 +11,19 @@
 
 namespace meristem {
 
+struct FormatOptions {
+  bool instanced = false;  ///< of formats that can: organs are places of one mesh, not copies
+};
+
 /// A kind of file that a grown document can be written to.
 struct Format {
   std::string_view ending;  ///< with its dot; may hold more than one
   std::string_view doc;     ///< one line
-  void (*write)(const Document& document, const GrownDocument& grown, const std::string& path, Progress& progress);
-  /// The file that is written beside it; null where there is none.
-  std::string (*companion)(const std::string& path) = nullptr;
+  void (*write)(const Document& document, const GrownDocument& grown, const std::string& path,
+                const FormatOptions& options, Progress& progress);
+  bool can_instance = false;
+  /// The files that may be written beside it; null where there are none.
+  std::vector<std::string> (*companions)(const Document& document, const std::string& path) = nullptr;
 };
 
 /// All formats, the default first.

@@ -37,6 +37,12 @@ std::string single_word(std::string_view text) {
   return word.empty() ? "_" : word;
 }
 
+std::string file_word(std::string_view text) {
+  std::string word = single_word(text);
+  std::replace(word.begin(), word.end(), '/', '_');
+  return word;
+}
+
 std::string lower_case(std::string_view text) {
   std::string result(text);
   for (char& c : result) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

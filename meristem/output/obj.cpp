@@ -2,8 +2,8 @@
 // An OBJ counts positions, texture coordinates and normals of the whole file, each from 1. So every mesh with its
 // instances goes out as four runs (positions, texture coordinates, normals, faces), and three offsets are carried on.
 //
-// Based on: Wavefront Technologies, Advanced Visualizer manual, appendix B1 (1995), OBJ and MTL; `Pr` from the
-// physically based extension of MTL (Exocortex, 2013), `Ns` from it as Blender does.
+// Based on: Wavefront Technologies, Advanced Visualizer manual, appendix B1 (1995), OBJ; colours behind positions as
+// MeshLab, Blender and three.js read them.
 #include "meristem/output/obj.h"
 
 #include <algorithm>
@@ -14,15 +14,17 @@
 #include <fmt/format.h>
 
 #include "meristem/base/atomic_file.h"
-#include "meristem/output/block_writer.h"
 #include "meristem/base/colour.h"
+#include "meristem/output/block_writer.h"
+#include "meristem/output/colour_factors.h"
 #include "meristem/output/names.h"
+#include "meristem/output/obj_materials.h"
 
 namespace meristem {
 
 namespace {
 
-constexpr std::size_t kVectorBytes = 64;  // "vn -1.2345678e-10 -1.2345678e-10 -1.2345678e-10"
+constexpr std::size_t kVectorBytes = 96;  // "v -1.2345678e-10 -1.2345678e-10 -1.2345678e-10 0.1234 0.1234 0.1234"
 constexpr std::size_t kFaceBytes = 256;   // nine numbers of up to 20 digits
 
 /// Names of materials and components, each a word of its own.
@@ -30,6 +32,7 @@ struct ObjNames {
   std::vector<std::string> materials;     // of each of MeshScene::materials
   std::vector<std::string> components;    // in the order in which the scene first has them
   std::vector<std::size_t> component_of;  // of each of MeshScene::meshes, an index into `components`
+  std::vector<bool> has_colours;          // of each component: some instances have tints
 };
 
 ObjNames names_of(const MeshScene& scene) {
@@ -39,33 +42,15 @@ ObjNames names_of(const MeshScene& scene) {
   names.materials = distinct_words(materials);
   std::vector<std::string> components;
   for (const MeshInstances& instances : scene.meshes) {
-    if (components.empty() || components.back() != instances.component) components.push_back(instances.component);
+    if (components.empty() || components.back() != instances.component) {
+      components.push_back(instances.component);
+      names.has_colours.push_back(false);
+    }
     names.component_of.push_back(components.size() - 1);
+    if (!instances.tints.empty()) names.has_colours.back() = true;
   }
   names.components = distinct_words(components);
   return names;
-}
-
-std::string comments(const Provenance& provenance) {
-  std::string text;
-  for (const std::string& line : provenance_lines(provenance)) text += "# " + line + "\n";
-  return text;
-}
-
-/// Blender reads a roughness of 1 - sqrt(Ns / 1000) where it does not know `Pr`.
-float shininess(float roughness) { return 1000 * (1 - roughness) * (1 - roughness); }
-
-void write_materials(const MeshScene& scene, const ObjNames& names, const Provenance& provenance, AtomicFile& file) {
-  std::vector<bool> is_used(scene.materials.size(), false);
-  for (const MeshInstances& instances : scene.meshes) is_used[instances.material] = true;
-  file.write(comments(provenance));
-  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-    if (!is_used[m]) continue;
-    const Material& material = scene.materials[m];
-    const Vec3 colour = linear_from_srgb(material.colour);
-    file.write(fmt::format("\nnewmtl {}\nKd {} {} {}\nNs {:.4g}\nPr {}\nPm 0\nd 1\n", names.materials[m], colour.r,
-                           colour.g, colour.b, shininess(material.roughness), material.roughness));
-  }
 }
 
 /// Appends a line as `format` makes it.
@@ -101,7 +86,22 @@ void append_face(std::string& out, const Mesh& mesh, const std::array<std::uint3
   }
 }
 
-void write_vertices(BlockWriter& writer, const MeshInstances& instances) {
+/// Positions with the instances' colours behind them.
+void write_coloured_positions(BlockWriter& writer, const MeshInstances& instances, const ColourFactors& factors) {
+  const Mesh& mesh = *instances.mesh;
+  const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, std::string& out) {
+    const Vec3 colour = srgb_from_linear(factors.instance(instances.tint(frame)));
+    const std::string tail = fmt::format(" {:.4g} {:.4g} {:.4g}\n", colour.r, colour.g, colour.b);
+    for (std::size_t v = first; v < last; ++v) {
+      const Vec3 point = instances.frames[frame].point(mesh.positions[v]);
+      append_line(out, FMT_COMPILE("v {} {} {}"), point.x, point.y, point.z);
+      out += tail;
+    }
+  };
+  write_for_frames(writer, instances.frames.size(), mesh.positions.size(), kVectorBytes, fill);
+}
+
+void write_vertices(BlockWriter& writer, const MeshInstances& instances, const ColourFactors* colours) {
   const Mesh& mesh = *instances.mesh;
   const auto write = [&](std::size_t per_frame, auto append) {
     const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, std::string& out) {
@@ -109,10 +109,14 @@ void write_vertices(BlockWriter& writer, const MeshInstances& instances) {
     };
     write_for_frames(writer, instances.frames.size(), per_frame, kVectorBytes, fill);
   };
-  write(mesh.positions.size(), [&](std::string& out, const Frame& frame, std::size_t v) {
-    const Vec3 point = frame.point(mesh.positions[v]);
-    append_line(out, FMT_COMPILE("v {} {} {}\n"), point.x, point.y, point.z);
-  });
+  if (colours != nullptr) {
+    write_coloured_positions(writer, instances, *colours);
+  } else {
+    write(mesh.positions.size(), [&](std::string& out, const Frame& frame, std::size_t v) {
+      const Vec3 point = frame.point(mesh.positions[v]);
+      append_line(out, FMT_COMPILE("v {} {} {}\n"), point.x, point.y, point.z);
+    });
+  }
   write(mesh.uvs.size(), [&](std::string& out, const Frame&, std::size_t v) {
     append_line(out, FMT_COMPILE("vt {} {}\n"), mesh.uvs[v].x, mesh.uvs[v].y);
   });
@@ -137,7 +141,8 @@ void write_faces(BlockWriter& writer, const MeshInstances& instances, const Offs
   write_for_frames(writer, instances.frames.size(), mesh.triangle_count(), kFaceBytes, fill);
 }
 
-void write_geometry(const MeshScene& scene, const ObjNames& names, AtomicFile& file, Progress& progress) {
+void write_geometry(const MeshScene& scene, const std::vector<ColourFactors>& factors, const ObjNames& names,
+                    AtomicFile& file, Progress& progress) {
   BlockWriter writer(file, progress);
   Offsets offsets;
   for (std::size_t k = 0; k < scene.meshes.size(); ++k) {
@@ -147,7 +152,8 @@ void write_geometry(const MeshScene& scene, const ObjNames& names, AtomicFile& f
     if (is_new || instances.material != scene.meshes[k - 1].material) {
       file.write(fmt::format("usemtl {}\n", names.materials[instances.material]));
     }
-    write_vertices(writer, instances);
+    const bool has_colours = names.has_colours[names.component_of[k]];
+    write_vertices(writer, instances, has_colours ? &factors[instances.material] : nullptr);
     write_faces(writer, instances, offsets);
     const Mesh& mesh = *instances.mesh;
     offsets.position += mesh.positions.size() * instances.frames.size();
@@ -168,32 +174,44 @@ std::uint64_t element_count(const MeshScene& scene) {
 
 }  // namespace
 
-std::string material_path(const std::string& obj_path) {
+namespace {
+
+/// `dir/oak` for `dir/oak.obj`.
+std::string stem_of(const std::string& obj_path) {
   constexpr std::string_view kEnding = ".obj";
   const std::size_t name_at = obj_path.rfind('/') + 1;  // 0 where there is no slash
   std::string name = obj_path.substr(name_at);
   if (name.size() > kEnding.size() && lower_case(name).ends_with(kEnding)) name.resize(name.size() - kEnding.size());
-  return obj_path.substr(0, name_at) + single_word(name) + ".mtl";
+  return obj_path.substr(0, name_at) + single_word(name);
+}
+
+}  // namespace
+
+std::string material_path(const std::string& obj_path) { return stem_of(obj_path) + ".mtl"; }
+
+std::array<std::string, 3> picture_paths(const std::string& obj_path, const std::string& material) {
+  const std::string stem = stem_of(obj_path) + "_" + file_word(material);
+  return {stem + "_colour.png", stem + "_normals.png", stem + "_mask.png"};
 }
 
 void write_obj(const MeshScene& scene, const std::string& path, const ObjOptions& options, Progress& progress) {
   progress.begin("writing OBJ", element_count(scene));
   const ObjNames names = names_of(scene);
+  const std::vector<ColourFactors> factors = colour_factors(scene);
   AtomicFile file(path);
-  file.write(comments(options.provenance));
-  std::optional<AtomicFile> materials;
+  for (const std::string& line : provenance_lines(options.provenance)) file.write("# " + line + "\n");
+  std::optional<ObjCompanions> companions;
   if (!file.is_stream()) {
-    const std::string beside = material_path(path);
-    materials.emplace(beside);
-    write_materials(scene, names, options.provenance, *materials);
-    file.write(fmt::format("mtllib {}\n", beside.substr(beside.rfind('/') + 1)));
+    companions.emplace(scene, factors, names.materials, path, options.provenance, progress);
+    const std::string materials = material_path(path);
+    file.write(fmt::format("mtllib {}\n", materials.substr(materials.rfind('/') + 1)));
   }
-  write_geometry(scene, names, file, progress);
+  write_geometry(scene, factors, names, file, progress);
 
   // Put the files in place once nothing but a rename can fail.
-  if (materials) materials->close();
+  if (companions) companions->close();
   file.close();
-  if (materials) materials->commit();
+  if (companions) companions->commit();
   file.commit();
 }
 

@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/atomic_file.h"
+#include "meristem/base/colour.h"
 #include "meristem/base/diagnostic.h"
 #include "meristem/output/block_writer.h"
 #include "meristem/output/names.h"
@@ -88,8 +89,13 @@ class MeshPly {
     for (std::size_t k = 0; k < scene_.meshes.size(); ++k) {
       const MeshInstances& instances = scene_.meshes[k];
       if (k == 0 || instances.component != scene_.meshes[k - 1].component) ++component;
-      const std::string tail = tail_of(scene_.materials[instances.material], component);
+      const Vec3 colour = scene_.materials[instances.material].colour;
+      const std::string plain_tail = tail_of(colour, component);
       const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, std::string& out) {
+        const std::string tail =
+            instances.tints.empty()
+                ? plain_tail
+                : tail_of(srgb_from_linear(linear_from_srgb(colour) * instances.tints[frame]), component);
         for (std::size_t v = first; v < last; ++v) {
           append_vertex(*instances.mesh, instances.frames[frame], v, out);
           out += tail;
@@ -122,10 +128,10 @@ class MeshPly {
   static constexpr std::size_t kMostVertexBytes = 8 * 4 + 3 + 4;
   static constexpr std::size_t kFaceBytes = 1 + 3 * 4;
 
-  /// What all vertices of one material and component end with.
-  static std::string tail_of(const Material& material, std::int32_t component) {
+  /// What all vertices of one colour (sRGB) and component end with.
+  static std::string tail_of(Vec3 colour, std::int32_t component) {
     std::string tail;
-    for (int channel = 0; channel < 3; ++channel) append(tail, byte_of(material.colour[channel]));
+    for (int channel = 0; channel < 3; ++channel) append(tail, byte_of(colour[channel]));
     append(tail, component);
     return tail;
   }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/png.h"
+
 #include <csetjmp>
 #include <exception>
 #include <stdexcept>
@@ -7,7 +9,7 @@
 
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/diagnostic.h"
-#include "meristem/output/png.h"
+#include "meristem/base/function_ref.h"
 
 namespace meristem {
 
@@ -15,14 +17,14 @@ namespace {
 
 /// What libpng's callbacks share. libpng is C and leaves by longjmp; exceptions wait here until its frames are gone.
 struct PngTarget {
-  AtomicFile& file;
+  FunctionRef<void(const void* data, std::size_t size)> write;
   std::exception_ptr failure;
 };
 
 void write_bytes(png_structp png, png_bytep data, png_size_t size) {
   auto& target = *static_cast<PngTarget*>(png_get_io_ptr(png));
   try {
-    target.file.write(data, size);
+    target.write(data, size);
     return;
   } catch (...) {
     target.failure = std::current_exception();
@@ -50,12 +52,12 @@ bool is_opaque(const Image& image) {
 }
 
 /// Nothing with a destructor may live here: libpng leaves it by longjmp.
-void write_rows(png_structp png, png_infop info, const Image& image, bool has_alpha) {
+void write_rows(png_structp png, png_infop info, const Image& image, PixelKind kind, bool has_alpha) {
   if (setjmp(png_jmpbuf(png)) != 0) return;
   png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
                has_alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+  if (kind == PixelKind::srgb) png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   // Named, so that the bytes do not change with libpng's defaults.
   png_set_compression_level(png, 6);
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_ALL_FILTERS);
@@ -67,26 +69,38 @@ void write_rows(png_structp png, png_infop info, const Image& image, bool has_al
   png_write_end(png, info);
 }
 
-}  // namespace
-
-void write_png(const Image& image, const std::string& path) {
+/// Gives the bytes of the PNG to `write`, in order.
+void stream_png(const Image& image, PixelKind kind, FunctionRef<void(const void* data, std::size_t size)> write) {
   if (image.width < 1 || image.height < 1 ||
       image.rgba.size() != std::size_t{4} * image.width * static_cast<std::size_t>(image.height)) {
-    throw std::invalid_argument("write_png: the picture's size and its bytes do not agree");
+    throw std::invalid_argument("a picture's size and its bytes do not agree");
   }
-  AtomicFile file(path);
-  PngTarget target{file, nullptr};
+  PngTarget target{write, nullptr};
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &target, keep_error, ignore_warning);
   png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
   if (info != nullptr) {
     png_set_write_fn(png, &target, write_bytes, flush_nothing);
-    write_rows(png, info, image, !is_opaque(image));
+    write_rows(png, info, image, kind, !is_opaque(image));
   } else {
     target.failure = std::make_exception_ptr(MachineError("PNG: libpng could not be set up"));
   }
   png_destroy_write_struct(&png, &info);
   if (target.failure) std::rethrow_exception(target.failure);
+}
+
+}  // namespace
+
+void write_png(const Image& image, const std::string& path, PixelKind kind) {
+  AtomicFile file(path);
+  stream_png(image, kind, [&](const void* data, std::size_t size) { file.write(data, size); });
   file.commit();
+}
+
+std::string encode_png(const Image& image, PixelKind kind) {
+  std::string bytes;
+  stream_png(image, kind,
+             [&](const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); });
+  return bytes;
 }
 
 }  // namespace meristem

@@ -7,7 +7,13 @@
 
 namespace meristem {
 
+/// What a picture's numbers are; readers must not take the brightness of directions for that of colours.
+enum class PixelKind { srgb, numbers };
+
 /// Writes a PNG to `path` ("-" for standard output); same picture, same bytes. Throws MachineError.
-void write_png(const Image& image, const std::string& path);
+void write_png(const Image& image, const std::string& path, PixelKind kind = PixelKind::srgb);
+
+/// The same bytes in memory.
+std::string encode_png(const Image& image, PixelKind kind = PixelKind::srgb);
 
 }  // namespace meristem

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Colours as files can hold them: a factor on the whole material and one on each instance, none above 1.
+#pragma once
+
+#include <vector>
+
+#include "meristem/shape/mesh_scene.h"
+
+namespace meristem {
+
+/// The light that comes back is texture * base * instance(tint), linear.
+struct ColourFactors {
+  Vec3 material{1};     ///< Material::tint()
+  Vec3 base{1};         ///< the most that any instance needs, at most 1
+  Vec3 mean{1};         ///< of all instances, at most 1
+  bool varies = false;  ///< some instances have tints of their own
+
+  /// The factor on `base` for an instance of this tint, in [0, 1].
+  Vec3 instance(Vec3 tint) const;
+};
+
+/// Those of each of the scene's materials.
+std::vector<ColourFactors> colour_factors(const MeshScene& scene);
+
+}  // namespace meristem

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "commands.h"
@@ -17,27 +15,16 @@ namespace {
 struct GrowOptions {
   DocumentOptions document;
   std::vector<std::string> outputs;
-  FormatOptions format;
 };
-
-/// An option that would change none of the files is a mistake.
-void check_options(const GrowOptions& options, const std::vector<const Format*>& formats) {
-  const auto can_instance = [](const Format* format) { return format->can_instance; };
-  if (!options.format.instanced || std::any_of(formats.begin(), formats.end(), can_instance)) return;
-  throw InputError(
-      Diagnostic{.message = "--instanced changes none of the files", .expected = "a file that ends in .glb"});
-}
 
 void grow(const GrowOptions& options) {
   // Everything that can be wrong with the command line and the document comes before any work.
   std::vector<const Format*> formats;
   for (const std::string& output : options.outputs) formats.push_back(&format_of(output));
-  check_options(options, formats);
   const Document document = open_document(options.document);
   for (std::size_t k = 0; k < formats.size(); ++k) {
     check_output(options.outputs[k]);
-    if (formats[k]->companions == nullptr) continue;
-    for (const std::string& companion : formats[k]->companions(document, options.outputs[k])) check_output(companion);
+    if (formats[k]->companion != nullptr) check_output(formats[k]->companion(options.outputs[k]));
   }
 
   const ThreadLimit threads(options.document.threads);
@@ -46,7 +33,7 @@ void grow(const GrowOptions& options) {
     TerminalProgress terminal(options.document.quiet);
     const GrownDocument grown = grow_document(document, terminal.progress());
     for (std::size_t k = 0; k < formats.size(); ++k) {
-      formats[k]->write(document, grown, options.outputs[k], options.format, terminal.progress());
+      formats[k]->write(document, grown, options.outputs[k], terminal.progress());
     }
     const Counts counts = count(grown.plant, grown.meshes);
     summary = fmt::format("{}: {} nodes, {} organs, {} triangles, {:.2f} m high", fmt::join(options.outputs, ", "),
@@ -67,8 +54,6 @@ void add_grow(CLI::App& app, Run& run) {
       ->required()
       ->type_name("FILE")
       ->allow_extra_args(false);
-  command->add_flag("--instanced", options->format.instanced,
-                    "Write leaves to .glb as places of one mesh: small files, that not every program reads");
   std::string endings;
   for (const Format& format : formats()) endings += fmt::format("  {:<14} {}\n", format.ending, format.doc);
   command->footer("Files end in:\n" + endings +

@@ -11,7 +11,8 @@ namespace meristem {
 namespace {
 
 constexpr int kBounces = 2;
-constexpr float kSurvival = 4;  // chance to go on, over the weight carried
+constexpr float kBounceSpread = 0.25F;  // light from all sides sees textures blurred
+constexpr float kSurvival = 4;          // chance to go on, over the weight carried
 constexpr auto kPiF = static_cast<float>(kPi);
 
 /// Rays leave a surface from a little above it; floats know a place 10 m away to a micrometre.
@@ -49,30 +50,52 @@ PathTracer::PathTracer(const MeshScene& meshes, const RayScene& rays, Daylight l
     : rays_(rays), light_(std::move(light)), ground_(ground) {
   for (const MeshInstances& part : meshes.meshes) {
     const Material& material = meshes.materials[part.material];
-    const Vec3 colour = linear_from_srgb(material.colour);
-    const float through = std::clamp(material.translucency, 0.0F, 1.0F);
     const float roughness = std::clamp(material.roughness, 0.2F, 1.0F);
-    looks_.push_back({colour * (1 - through), glm::min(transmission_tint(colour), Vec3(1)) * through,
-                      roughness * roughness, material.two_sided});
+    Look look{material.tint(), std::clamp(material.translucency, 0.0F, 1.0F), roughness * roughness, material.two_sided,
+              nullptr};
+    if (const Texture* texture = material.texture.get(); texture != nullptr && !texture->colour.is_empty()) {
+      look.texture = &textures_.try_emplace(texture, *texture).first->second;
+    }
+    looks_.push_back(look);
   }
 }
 
+/// The colour of the surface's texture there; its normal map turns the point's normal.
+Vec3 PathTracer::textured(const Look& look, const RayHit& hit, const Ray& ray, SurfacePoint& point) const {
+  const TexturePlace place = rays_.texture_place(hit);
+  // Seen at a low angle a place is long and narrow; the mean is taken over a square of the same area.
+  const float cosine = std::max(0.05F, std::abs(glm::dot(point.normal, ray.direction)));
+  const float width = ray.spread * hit.distance * place.uvs_per_metre / std::sqrt(cosine);
+  if (look.texture->has_normals()) {
+    const Vec3 mapped = look.texture->normal(place.uv, width);
+    const Vec3 along_u = place.along_u - glm::dot(place.along_u, point.normal) * point.normal;
+    const Vec3 along_v = place.along_v - glm::dot(place.along_v, point.normal) * point.normal;
+    point.normal = normalized_or(mapped.x * normalized_or(along_u, Vec3(0)) +
+                                     mapped.y * normalized_or(along_v, Vec3(0)) + mapped.z * point.normal,
+                                 point.normal);
+  }
+  return look.texture->colour(place.uv, width);
+}
+
 PathTracer::Vertex PathTracer::surface_vertex(const Ray& ray, const RayHit& hit) const {
-  const SurfacePoint point = rays_.surface_point(hit);
+  SurfacePoint point = rays_.surface_point(hit);
   const Look& look = looks_[hit.part];
   Vertex vertex;
   vertex.position = point.position;
   const bool is_front = glm::dot(point.face_normal, ray.direction) <= 0;
   vertex.face_normal = is_front ? point.face_normal : -point.face_normal;
-  vertex.normal = glm::dot(point.normal, vertex.face_normal) < 0 ? -point.normal : point.normal;
+  const bool is_behind = glm::dot(point.normal, vertex.face_normal) < 0;
+  Vec3 colour = look.tint * rays_.tint(hit);
+  if (look.texture != nullptr) colour *= textured(look, hit, ray, point);
+  colour = glm::clamp(colour, Vec3(0), Vec3(1));
+  vertex.normal = is_behind ? -point.normal : point.normal;
   // A normal that leans away from the viewer would make a bright rim; it leans back until it is seen edge on.
   const float away = glm::dot(vertex.normal, ray.direction);
   if (away > 0) vertex.normal = normalized_or(vertex.normal - 1.01F * away * ray.direction, vertex.face_normal);
   vertex.lifted = point.position;
   if (is_front && !look.is_thin) vertex.lifted += point.smooth_offset;
-  const Vec3 shade = rays_.tint(hit);
-  vertex.reflected = glm::min(look.reflected * shade, Vec3(1));
-  vertex.transmitted = glm::min(look.transmitted * shade, Vec3(1));
+  vertex.reflected = colour * (1 - look.through);
+  vertex.transmitted = look.through > 0 ? glm::min(transmission_tint(colour), Vec3(1)) * look.through : Vec3(0);
   vertex.gloss_width = look.gloss_width;
   vertex.cover = 1;
   return vertex;
@@ -155,6 +178,7 @@ Seen PathTracer::trace(Ray ray, SampleStream& samples) const {
       weight /= survival;
     }
     const float side = reflects ? 1 : -1;
+    ray.spread = kBounceSpread;
     ray.direction = glm::normalize(cosine_direction(side * vertex->normal, sample));
     // Where the interpolated normal lets a direction dip below the triangle, the surface is its own shadow.
     if (side * glm::dot(ray.direction, vertex->face_normal) <= 0) return seen;

@@ -8,12 +8,14 @@
 // 2021); E. Heitz: Understanding the masking-shadowing function (2014) for the gloss.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
 #include "meristem/output/daylight.h"
 #include "meristem/output/ray_scene.h"
 #include "meristem/output/sampling.h"
+#include "meristem/output/texture_sampler.h"
 #include "meristem/shape/mesh_scene.h"
 
 namespace meristem {
@@ -43,10 +45,11 @@ class PathTracer {
 
  private:
   struct Look {
-    Vec3 reflected;     ///< linear, share of light given back
-    Vec3 transmitted;   ///< share that passes to the other side
+    Vec3 tint;          ///< linear factor on the texture's colour, or the colour itself
+    float through;      ///< share of the light that passes to the other side
     float gloss_width;  ///< alpha of the microfacet distribution
     bool is_thin;
+    const TextureSampler* texture;  ///< null: one colour
   };
   struct Vertex {
     Vec3 position;
@@ -60,6 +63,7 @@ class PathTracer {
   };
 
   std::optional<Vertex> next_vertex(const Ray& ray) const;
+  Vec3 textured(const Look& look, const RayHit& hit, const Ray& ray, SurfacePoint& point) const;
   Vertex surface_vertex(const Ray& ray, const RayHit& hit) const;
   Vertex ground_vertex(const Ray& ray, float distance) const;
   Vec3 sunlight(const Vertex& vertex, Vec3 to_viewer, Vec2 sample) const;
@@ -68,6 +72,7 @@ class PathTracer {
   Daylight light_;
   std::optional<Ground> ground_;
   std::vector<Look> looks_;  ///< one a part of the scene
+  std::map<const Texture*, TextureSampler> textures_;
 };
 
 }  // namespace meristem

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "meristem/base/colour.h"
+
 namespace meristem {
 namespace {
 
@@ -138,6 +140,96 @@ TEST(PathTracer, NoSurfaceGivesBackMoreLightThanItGets) {
   EXPECT_LE(seen.light.g, 1.001F);
 }
 
+/// The level square with u to the east, v to the north, and a texture.
+MeshScene textured_square(Texture texture) {
+  MeshScene scene = level_square(white());
+  Mesh mesh = square(1);
+  mesh.uvs = {{0, 1}, {0, 0}, {1, 0}, {1, 1}};
+  scene.meshes[0].mesh = std::make_shared<const Mesh>(std::move(mesh));
+  scene.materials[0].texture = std::make_shared<const Texture>(std::move(texture));
+  return scene;
+}
+
+/// A texture of one row of pixels: their red, green, blue and alpha, one after another.
+Texture row_of(std::vector<std::uint8_t> rgba) {
+  Texture texture;
+  texture.colour = {static_cast<int>(rgba.size() / 4), 1, std::move(rgba)};
+  return texture;
+}
+
+const Ray kOnWest{{-0.5F, 2, 0.3F}, {0, -1, 0}};
+const Ray kOnEast{{0.5F, 2, 0.3F}, {0, -1, 0}};
+
+TEST(PathTracer, ATextureGivesBackItsShareOfAUniformSky) {
+  const MeshScene scene = textured_square(row_of({255, 128, 0, 255, 0, 255, 128, 255}));
+  const Daylight light = uniform_light({1, 0.5F, 2});
+  const Vec3 west = mean_seen(scene, light, std::nullopt, kOnWest).light;
+  EXPECT_NEAR(west.r, 1, 1e-3);
+  EXPECT_NEAR(west.g, 0.5 * 0.21586, 1e-3);
+  EXPECT_NEAR(west.b, 0, 1e-3);
+  const Vec3 east = mean_seen(scene, light, std::nullopt, kOnEast).light;
+  EXPECT_NEAR(east.r, 0, 1e-3);
+  EXPECT_NEAR(east.g, 0.5, 1e-3);
+  EXPECT_NEAR(east.b, 2 * 0.21586, 1e-3);
+}
+
+TEST(PathTracer, TextureMaterialAndInstanceMultiply) {
+  Texture texture = row_of({188, 188, 188, 255});
+  texture.mean = Vec3(0.5F);
+  MeshScene scene = textured_square(texture);
+  scene.materials[0].colour = Vec3(0.5F, 0.5F, 0.25F);
+  scene.meshes[0].tints = {Vec3(0.5F, 1, 1)};
+  const Vec3 expected = linear_from_srgb(Vec3(188 / 255.0F)) * scene.materials[0].tint() * Vec3(0.5F, 1, 1);
+  const Vec3 seen = mean_seen(scene, uniform_light(Vec3(1)), std::nullopt, kFromAbove).light;
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], expected[c], 2e-3 * expected[c]);
+}
+
+TEST(PathTracer, ATextureFarAwayHasTheColourOfItsMean) {
+  const MeshScene scene = textured_square(row_of({255, 255, 255, 255, 0, 0, 0, 255}));
+  Ray ray = kOnWest;
+  ray.spread = 2;  // 4 m wide where it meets the square of 2 m
+  EXPECT_NEAR(mean_seen(scene, uniform_light(Vec3(1)), std::nullopt, ray).light.g, 0.5, 1e-3);
+}
+
+/// How bright a square looks whose normal map points 60° to the side of u, in the sun from `azimuth_deg` at 60°.
+float brightness_with_tilted_normals(double azimuth_deg, bool has_tangents) {
+  Texture texture = row_of({255, 255, 255, 255});
+  texture.normals = {1, 1, {238, 128, 191, 255}};
+  MeshScene scene = textured_square(texture);
+  scene.materials[0].roughness = 1;
+  if (has_tangents) {
+    Mesh mesh = *scene.meshes[0].mesh;
+    mesh.normals.assign(4, Vec3(0, 1, 0));
+    mesh.tangents.assign(4, Vec4(1, 0, 0, 1));
+    scene.meshes[0].mesh = std::make_shared<const Mesh>(std::move(mesh));
+  }
+  const Sky sky({radians(azimuth_deg), radians(60)});
+  const Daylight sun_and_sky(sky, Vec3(0));
+  const Daylight sky_alone([&](Vec3 direction) { return sky.radiance(direction); }, Vec3(0));
+  return (mean_seen(scene, sun_and_sky, std::nullopt, kFromAbove).light.g -
+          mean_seen(scene, sky_alone, std::nullopt, kFromAbove).light.g) *
+         static_cast<float>(kPi) / sky.sun_irradiance().g;
+}
+
+TEST(PathTracer, ANormalMapLightsWithTheCosineOfItsNormal) {
+  for (const bool has_tangents : {false, true}) {
+    EXPECT_NEAR(brightness_with_tilted_normals(90, has_tangents), std::cos(radians(30)), 0.03);     // u is to the east
+    EXPECT_NEAR(brightness_with_tilted_normals(270, has_tangents), 0, 0.03);                        // 90° away from it
+    EXPECT_NEAR(brightness_with_tilted_normals(0, has_tangents), std::sin(radians(60)) / 2, 0.03);  // beside it
+  }
+}
+
+TEST(PathTracer, ATexturedBladeShinesThroughInItsColour) {
+  Texture texture = row_of({120, 160, 60, 255});
+  MeshScene scene = textured_square(texture);
+  scene.materials[0].two_sided = true;
+  scene.materials[0].translucency = 0.5F;
+  const Daylight light(Sky({0, radians(80)}), Vec3(0));
+  const Vec3 through = mean_seen(scene, light, std::nullopt, kFromBelow).light;
+  EXPECT_GT(through.g, 0.05F);
+  EXPECT_GT(through.g, 2 * through.b);
+}
+
 TEST(Daylight, TabulatedDomeIsTheSky) {
   const Sky sky({radians(200), radians(35)});
   const Daylight light(sky, Vec3(0.2F));
@@ -191,6 +283,43 @@ TEST(RayScene, NormalsFaceOutwardOnMirroredInstances) {
   const auto hit = rays.first_hit(kFromAbove);
   ASSERT_TRUE(hit);
   EXPECT_GT(rays.surface_point(*hit).face_normal.y, 0.99F);
+}
+
+TEST(RayScene, RaysPassTheHolesOfAMask) {
+  Texture texture = row_of({255, 255, 255, 255, 255, 255, 255, 0});
+  texture.masked = true;
+  MeshScene scene = textured_square(texture);
+  scene.meshes[0].frames = {Frame(), Frame()};
+  scene.meshes[0].frames[1].origin.y = -1;
+  Progress progress;
+  for (const std::uint64_t copied_triangles : {1000U, 0U}) {
+    const RayScene rays(scene, progress, copied_triangles);
+    EXPECT_TRUE(rays.first_hit(kOnWest));
+    EXPECT_TRUE(rays.is_blocked(kOnWest));
+    EXPECT_FALSE(rays.first_hit(kOnEast));
+    EXPECT_FALSE(rays.is_blocked(kOnEast));
+  }
+  auto closed = std::make_shared<Texture>(texture);
+  closed->masked = false;
+  scene.materials[0].texture = closed;
+  EXPECT_TRUE(RayScene(scene, progress).is_blocked(kOnEast));
+}
+
+TEST(RayScene, TexturesLieAlongTheirUvsOnTurnedAndMirroredInstances) {
+  MeshScene scene = textured_square(row_of({255, 255, 255, 255}));
+  Frame mirrored;
+  mirrored.axes[0].x = -2;
+  scene.meshes[0].frames = {mirrored};
+  Progress progress;
+  const RayScene rays(scene, progress);
+  const auto hit = rays.first_hit({{1, 2, 0.5F}, {0, -1, 0}});
+  ASSERT_TRUE(hit);
+  const TexturePlace place = rays.texture_place(*hit);
+  EXPECT_NEAR(place.uv.x, 0.25, 1e-5);
+  EXPECT_NEAR(place.uv.y, 0.25, 1e-5);
+  EXPECT_NEAR(place.uvs_per_metre, std::sqrt(1.0 / 8), 1e-5);
+  EXPECT_LT(glm::distance(place.along_u, Vec3(-1, 0, 0)), 1e-5);
+  EXPECT_LT(glm::distance(place.along_v, Vec3(0, 0, -1)), 1e-5);
 }
 
 TEST(RayScene, StopsBuildingWhenCancelled) {

@@ -2,8 +2,10 @@
 #include "meristem/output/ray_scene.h"
 
 #include <algorithm>
-#include <atomic>
+#include <array>
+#include <deque>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
+#include "meristem/output/texture_sampler.h"
 
 namespace meristem {
 
@@ -42,6 +45,39 @@ Mat3 normal_matrix(const Mat3& axes) {
   return glm::dot(axes[0], cofactors[0]) < 0 ? -cofactors : cofactors;
 }
 
+/// Weights of a triangle's three vertices.
+Vec3 vertex_weights(Vec2 barycentric) { return {1 - barycentric.x - barycentric.y, barycentric.x, barycentric.y}; }
+
+Vec2 uv_at(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle, Vec3 weights) {
+  return weights.x * mesh.uvs[triangle[0]] + weights.y * mesh.uvs[triangle[1]] + weights.z * mesh.uvs[triangle[2]];
+}
+
+/// What a masked geometry needs to know when a ray meets it.
+struct MaskedMesh {
+  const Mesh* mesh;
+  const AlphaMask* mask;
+};
+
+/// Lets rays pass where the mask has a hole.
+void pass_through_holes(const RTCFilterFunctionNArguments* arguments) {
+  const auto& masked = *static_cast<const MaskedMesh*>(arguments->geometryUserPtr);
+  for (unsigned k = 0; k < arguments->N; ++k) {
+    if (arguments->valid[k] == 0) continue;
+    // A copied mesh has the triangles of all its instances, one after another.
+    const std::size_t index = RTCHitN_primID(arguments->hit, arguments->N, k) % masked.mesh->triangle_count();
+    const Vec2 barycentric(RTCHitN_u(arguments->hit, arguments->N, k), RTCHitN_v(arguments->hit, arguments->N, k));
+    const Vec2 uv = uv_at(*masked.mesh, masked.mesh->triangles[index], vertex_weights(barycentric));
+    if (masked.mask->is_hole(uv)) arguments->valid[k] = 0;
+  }
+}
+
+/// The texture of a part if rays may pass through it, else null.
+const Texture* texture_with_holes(const MeshScene& scene, const MeshInstances& part) {
+  const Texture* texture = scene.materials[part.material].texture.get();
+  const bool has_holes = texture != nullptr && texture->masked && !texture->colour.is_empty();
+  return has_holes && !part.mesh->uvs.empty() ? texture : nullptr;
+}
+
 struct ReleaseGeometry {
   void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
 };
@@ -56,6 +92,8 @@ struct RayScene::Trees {
   RTCScene top = nullptr;
   std::vector<RTCScene> parts;  ///< trees of shared meshes; null for parts that were copied
   std::vector<GeometrySource> sources;
+  std::map<const Texture*, AlphaMask> masks;
+  std::deque<MaskedMesh> masked_meshes;  ///< the geometries point to them
   std::string failure;
 
   explicit Trees(Progress& progress) {
@@ -88,8 +126,18 @@ struct RayScene::Trees {
     if (!failure.empty()) throw MachineError("rendering: " + failure);
   }
 
-  /// Adds all of the frames' triangles to a scene.
-  void add_triangles(RTCScene scene, const Mesh& mesh, const std::vector<Frame>& frames, Progress& progress) const {
+  /// Gives a geometry the holes of its texture.
+  void cut_holes(RTCGeometry geometry, const Mesh& mesh, const Texture& texture) {
+    const auto [found, is_new] = masks.try_emplace(&texture, texture.colour);
+    masked_meshes.push_back({&mesh, &found->second});
+    rtcSetGeometryUserData(geometry, &masked_meshes.back());
+    rtcSetGeometryIntersectFilterFunction(geometry, pass_through_holes);
+    rtcSetGeometryOccludedFilterFunction(geometry, pass_through_holes);
+  }
+
+  /// Adds all of the frames' triangles to a scene. `texture` is null where it has no holes.
+  void add_triangles(RTCScene scene, const Mesh& mesh, const std::vector<Frame>& frames, const Texture* texture,
+                     Progress& progress) {
     const GeometryOwner owner(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
     RTCGeometry geometry = owner.get();
     const std::size_t vertices = mesh.vertex_count();
@@ -110,6 +158,7 @@ struct RayScene::Trees {
           }
         }
       });
+      if (texture != nullptr) cut_holes(geometry, mesh, *texture);
       rtcCommitGeometry(geometry);
       rtcAttachGeometry(scene, geometry);
     }
@@ -135,13 +184,14 @@ RayScene::RayScene(const MeshScene& scene, Progress& progress, std::uint64_t cop
   for (std::uint32_t p = 0; p < scene.meshes.size(); ++p) {
     const MeshInstances& part = scene.meshes[p];
     if (part.triangle_count() == 0) continue;
+    const Texture* texture = texture_with_holes(scene, part);
     if (copied[p]) {
       trees_->sources.push_back({p, kNoInstance});
-      trees_->add_triangles(trees_->top, *part.mesh, part.frames, progress);
+      trees_->add_triangles(trees_->top, *part.mesh, part.frames, texture, progress);
       continue;
     }
     trees_->parts[p] = trees_->new_scene(progress);
-    trees_->add_triangles(trees_->parts[p], *part.mesh, {Frame()}, progress);
+    trees_->add_triangles(trees_->parts[p], *part.mesh, {Frame()}, texture, progress);
     trees_->commit(trees_->parts[p], progress);
     for (std::uint32_t i = 0; i < part.frames.size(); ++i) {
       if (glm::determinant(part.frames[i].axes) == 0) continue;  // a flat organ shows no surface to rays
@@ -208,7 +258,7 @@ SurfacePoint RayScene::surface_point(const RayHit& hit) const {
   const Mesh& mesh = *part.mesh;
   const Frame& frame = part.frames[hit.instance];
   const auto& triangle = mesh.triangles[hit.triangle];
-  const Vec3 weights(1 - hit.barycentric.x - hit.barycentric.y, hit.barycentric.x, hit.barycentric.y);
+  const Vec3 weights = vertex_weights(hit.barycentric);
   const Vec3 a = mesh.positions[triangle[0]];
   const Vec3 b = mesh.positions[triangle[1]];
   const Vec3 c = mesh.positions[triangle[2]];
@@ -234,6 +284,44 @@ SurfacePoint RayScene::surface_point(const RayHit& hit) const {
   point.normal = normalized_or(to_outer_normal * blended, point.face_normal);
   point.smooth_offset = frame.vector(offset);
   return point;
+}
+
+TexturePlace RayScene::texture_place(const RayHit& hit) const {
+  TexturePlace place;
+  const MeshInstances& part = scene_.meshes[hit.part];
+  const Mesh& mesh = *part.mesh;
+  if (mesh.uvs.empty()) return place;
+  const Frame& frame = part.frames[hit.instance];
+  const auto& triangle = mesh.triangles[hit.triangle];
+  const Vec3 weights = vertex_weights(hit.barycentric);
+  place.uv = uv_at(mesh, triangle, weights);
+
+  // How wide the texture is drawn: the triangle's area on it, over that in the world.
+  const Vec3 to_b = frame.vector(mesh.positions[triangle[1]] - mesh.positions[triangle[0]]);
+  const Vec3 to_c = frame.vector(mesh.positions[triangle[2]] - mesh.positions[triangle[0]]);
+  const Vec2 uv_to_b = mesh.uvs[triangle[1]] - mesh.uvs[triangle[0]];
+  const Vec2 uv_to_c = mesh.uvs[triangle[2]] - mesh.uvs[triangle[0]];
+  const float area = glm::length(glm::cross(to_b, to_c));
+  const float uv_area = uv_to_b.x * uv_to_c.y - uv_to_b.y * uv_to_c.x;
+  if (area > 0) place.uvs_per_metre = std::sqrt(std::abs(uv_area) / area);
+
+  // Where u and v rise: by the mesh's tangents, else by the triangle's own uvs.
+  if (!mesh.tangents.empty() && !mesh.normals.empty()) {
+    Vec4 tangent(0);
+    Vec3 normal(0);
+    for (int k = 0; k < 3; ++k) {
+      tangent += weights[k] * mesh.tangents[triangle[k]];
+      normal += weights[k] * mesh.normals[triangle[k]];
+    }
+    const float handedness = tangent.w < 0 ? -1.0F : 1.0F;
+    place.along_u = normalized_or(frame.vector(Vec3(tangent)), Vec3(0));
+    place.along_v = normalized_or(frame.vector(handedness * glm::cross(normal, Vec3(tangent))), Vec3(0));
+  } else if (uv_area != 0) {
+    const float sign = uv_area < 0 ? -1.0F : 1.0F;
+    place.along_u = normalized_or(sign * (uv_to_c.y * to_b - uv_to_b.y * to_c), Vec3(0));
+    place.along_v = normalized_or(sign * (uv_to_b.x * to_c - uv_to_c.x * to_b), Vec3(0));
+  }
+  return place;
 }
 
 }  // namespace meristem

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A mesh scene that rays can ask: what is hit first, is anything in the way. Wraps Embree 3; small meshes with few
-// instances are copied out into one tree of triangles, which traces twice as fast, the rest stay instances.
+// instances are copied out into one tree of triangles, which traces twice as fast, the rest stay instances. Rays pass
+// through the holes of masked textures.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,8 @@ namespace meristem {
 
 struct Ray {
   Vec3 origin;
-  Vec3 direction;  ///< unit
+  Vec3 direction;    ///< unit
+  float spread = 0;  ///< by how much it stands for a wider cone, metres a metre; raised, textures are blurred more
 };
 
 /// A place on a surface.
@@ -35,6 +37,14 @@ struct SurfacePoint {
   Vec3 smooth_offset;  ///< from `position` to the curved surface that the interpolated normals suggest
 };
 
+/// How a texture lies on the surface there, in world space.
+struct TexturePlace {
+  Vec2 uv{0};
+  Vec3 along_u{0};          ///< unit where the mesh has tangents or its uvs spread, else 0
+  Vec3 along_v{0};          ///< the same
+  float uvs_per_metre = 0;  ///< geometric mean of both ways
+};
+
 class RayScene {
  public:
   /// `scene` must outlive this. Parts placed more than once are copied, in order, while they have at most
@@ -49,6 +59,7 @@ class RayScene {
   /// Whether any surface lies on the ray.
   bool is_blocked(const Ray& ray) const;
   SurfacePoint surface_point(const RayHit& hit) const;
+  TexturePlace texture_place(const RayHit& hit) const;
   /// Linear factors on the colour of the instance that was hit.
   Vec3 tint(const RayHit& hit) const { return scene_.meshes[hit.part].tint(hit.instance); }
 

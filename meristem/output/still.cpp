@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 #include <immintrin.h>
 
+#include "meristem/base/colour.h"
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
 #include "meristem/output/camera.h"
-#include "meristem/base/colour.h"
 #include "meristem/output/path_tracer.h"
 #include "meristem/output/tone_map.h"
 
@@ -19,6 +19,7 @@ namespace meristem {
 namespace {
 
 constexpr int kTile = 16;
+constexpr float kSharpness = 0.6F;  // width of textures' means over a pixel's; samples smooth what is left
 
 /// Numbers too small to matter count as 0 while it lives, in this thread; Embree asks for that.
 class FlushToZero {
@@ -96,7 +97,10 @@ float tent(float sample) { return sample < 0.5F ? std::sqrt(2 * sample) - 1 : 1 
 class Photographer {
  public:
   Photographer(const PathTracer& tracer, const Camera& camera, const Developer& developer, const StillOptions& options)
-      : tracer_(tracer), camera_(camera), developer_(developer), options_(options) {}
+      : tracer_(tracer), camera_(camera), developer_(developer), options_(options) {
+    const float half_pixel = 1 / static_cast<float>(options.height);
+    spread_ = kSharpness * glm::distance(camera.direction({0, half_pixel}), camera.direction({0, -half_pixel}));
+  }
 
   void expose(int x, int y, Progress& progress, std::uint8_t* rgba) const {
     Vec3 light(0);
@@ -108,7 +112,7 @@ class Photographer {
       const Vec2 jitter = samples.next();
       const Vec2 film(2 * (static_cast<float>(x) + 0.5F + tent(jitter.x)) / static_cast<float>(options_.width) - 1,
                       1 - 2 * (static_cast<float>(y) + 0.5F + tent(jitter.y)) / static_cast<float>(options_.height));
-      const Ray ray{camera_.position(), camera_.direction(film)};
+      const Ray ray{camera_.position(), camera_.direction(film), spread_};
       const Seen seen = tracer_.trace(ray, samples);
       light += seen.light;
       cover += seen.cover;
@@ -123,6 +127,7 @@ class Photographer {
   const Camera& camera_;
   const Developer& developer_;
   const StillOptions& options_;
+  float spread_;  // of camera rays
 };
 
 }  // namespace

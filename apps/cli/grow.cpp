@@ -3,6 +3,7 @@
 
 #include "commands.h"
 #include "documents.h"
+#include "frames.h"
 #include "meristem/base/parallel.h"
 #include "meristem/measure/counts.h"
 #include "meristem/output/formats.h"
@@ -15,12 +16,14 @@ namespace {
 struct GrowOptions {
   DocumentOptions document;
   std::vector<std::string> outputs;
+  double time = 0;
 };
 
 void grow(const GrowOptions& options) {
   // Everything that can be wrong with the command line and the document comes before any work.
   std::vector<const Format*> formats;
   for (const std::string& output : options.outputs) formats.push_back(&format_of(output));
+  const double time = checked_time(options.time);
   const Document document = open_document(options.document);
   for (std::size_t k = 0; k < formats.size(); ++k) {
     check_output(options.outputs[k]);
@@ -31,7 +34,7 @@ void grow(const GrowOptions& options) {
   std::string summary;
   {
     TerminalProgress terminal(options.document.quiet);
-    const GrownDocument grown = grow_document(document, terminal.progress());
+    const GrownDocument grown = grow_document(document, terminal.progress(), time);
     for (std::size_t k = 0; k < formats.size(); ++k) {
       formats[k]->write(document, grown, options.outputs[k], terminal.progress());
     }
@@ -54,6 +57,8 @@ void add_grow(CLI::App& app, Run& run) {
       ->required()
       ->type_name("FILE")
       ->allow_extra_args(false);
+  command->add_option("--time", options->time, "Grow the document as it stands at this time, its t, in seconds")
+      ->type_name("T");
   std::string endings;
   for (const Format& format : formats()) endings += fmt::format("  {:<14} {}\n", format.ending, format.doc);
   command->footer("Files end in:\n" + endings +

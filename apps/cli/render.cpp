@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -9,9 +8,11 @@
 
 #include "commands.h"
 #include "documents.h"
+#include "frames.h"
 #include "meristem/base/parallel.h"
 #include "meristem/components/camera.h"
 #include "meristem/document/grow.h"
+#include "meristem/output/camera.h"
 #include "meristem/output/png.h"
 #include "meristem/output/still.h"
 #include "terminal.h"
@@ -25,34 +26,39 @@ struct RenderOptions {
   std::string output;
   std::string size;
   std::string view;
+  std::string time = "0";
   std::optional<int> samples;
-  std::optional<int> turntable;  // frames all around
+  std::optional<int> turntable;  // pictures all around
   bool transparent = false;
 };
 
-constexpr int kMostFrames = 9999;
+/// A picture to make.
+struct Picture {
+  std::string path;
+  double time;  // seconds
+  double turn;  // of the camera around the plant, radians
+};
 
-/// `oak_007.png` for frame 7 of some hundred of `oak.png`: as many digits as the last frame needs, at least three.
-std::string frame_path(const std::string& path, int frame, int frames) {
-  const std::size_t digits = std::max<std::size_t>(3, std::to_string(frames - 1).size());
-  return fmt::format("{}_{:0{}}{}", path.substr(0, path.size() - 4), frame, digits, path.substr(path.size() - 4));
-}
-
-std::vector<std::string> picture_paths(const RenderOptions& options) {
-  if (!options.turntable) return {options.output};
-  if (options.output == "-") {
-    throw InputError(Diagnostic{.message = "numbered frames cannot be written to standard output",
-                                .expected = "a file name such as oak.png for oak_000.png, oak_001.png, ..."});
-  }
-  if (*options.turntable < 1 || *options.turntable > kMostFrames) {
+/// One picture, or one for each time or each side.
+std::vector<Picture> planned_pictures(const RenderOptions& options) {
+  const std::vector<double> times = frame_times(options.time);
+  if (times.size() == 1 && !options.turntable) return {{options.output, times[0], 0}};
+  if (options.turntable && (*options.turntable < 1 || *options.turntable > kMostFrames)) {
     throw InputError(Diagnostic{.message = fmt::format("--turntable cannot be {}", *options.turntable),
                                 .expected = fmt::format("1 to {} frames", kMostFrames)});
   }
-  std::vector<std::string> paths;
-  for (int k = 0; k < *options.turntable; ++k) {
-    paths.push_back(frame_path(options.output, k, *options.turntable));
+  if (options.turntable && times.size() > 1) {
+    throw InputError(Diagnostic{.message = "--turntable goes around a plant that stands still",
+                                .expected = "a single --time with it"});
   }
-  return paths;
+  const int count = options.turntable.value_or(static_cast<int>(times.size()));
+  const std::vector<std::string> paths = frame_paths(options.output, count);
+  std::vector<Picture> pictures;
+  for (int k = 0; k < count; ++k) {
+    pictures.push_back(
+        {paths[k], options.turntable ? times[0] : times[k], options.turntable ? 2 * kPi * k / count : 0});
+  }
+  return pictures;
 }
 
 /// Two numbers around `separator`. Throws InputError with the option's name.
@@ -76,45 +82,71 @@ void check_ending(const std::string& path) {
                               .expected = "a file that ends in .png"});
 }
 
-void render(const RenderOptions& options) {
-  check_ending(options.output);
-  const std::vector<std::string> paths = picture_paths(options);
-  const Document document = open_document(options.document);
-  StillOptions still{.width = document.output.size[0], .height = document.output.size[1]};
-  still.samples = options.samples.value_or(document.output.samples);
+/// What the document and the options say of the pictures.
+StillOptions chosen_still(const RenderOptions& options, const OutputSettings& output) {
+  StillOptions still{.width = output.size[0], .height = output.size[1]};
+  still.samples = options.samples.value_or(output.samples);
   still.transparent = options.transparent;
   if (!options.size.empty()) {
     std::tie(still.width, still.height) =
         number_pair<int>(options.size, 'x', "--size", "WIDTHxHEIGHT in pixels, such as 1200x1200");
   }
-  View view = camera_view(document.graph, document.structure);
-  if (!options.view.empty()) {
-    const auto [azimuth, altitude] =
-        number_pair<double>(options.view, ',', "--view", "AZIMUTH,ALTITUDE in degrees, such as 150,6");
-    if (!(std::abs(azimuth) <= 360 && std::abs(altitude) <= 89)) {
-      throw InputError(Diagnostic{.message = fmt::format("--view cannot be '{}'", options.view),
-                                  .expected = "an azimuth from -360 to 360 and an altitude from -89 to 89 degrees"});
-    }
-    view.position.reset();
-    view.azimuth = radians(azimuth);
-    view.altitude = radians(altitude);
-  }
   check_still_options(still);
-  for (const std::string& path : paths) check_output(path);
+  return still;
+}
+
+View chosen_view(const RenderOptions& options, const Document& document) {
+  View view = camera_view(document.graph, document.structure);
+  if (options.view.empty()) return view;
+  const auto [azimuth, altitude] =
+      number_pair<double>(options.view, ',', "--view", "AZIMUTH,ALTITUDE in degrees, such as 150,6");
+  if (!(std::abs(azimuth) <= 360 && std::abs(altitude) <= 89)) {
+    throw InputError(Diagnostic{.message = fmt::format("--view cannot be '{}'", options.view),
+                                .expected = "an azimuth from -360 to 360 and an altitude from -89 to 89 degrees"});
+  }
+  view.position.reset();
+  view.azimuth = radians(azimuth);
+  view.altitude = radians(altitude);
+  return view;
+}
+
+/// Grows the document for each of the times and takes the pictures. The camera does not follow the plant's
+/// growth: it stands where it shows the last picture's plant as a whole.
+void take_pictures(const Document& document, const std::vector<Picture>& pictures, View view, const StillOptions& still,
+                   Progress& progress) {
+  double grown_time = pictures.back().time;
+  GrownDocument grown = grow_document(document, progress, grown_time);
+  const Vec3 middle = grown.meshes.bounds().centre();
+  if (pictures.front().time != grown_time) {
+    view = placed_view(grown.meshes, view, static_cast<double>(still.width) / still.height);
+  }
+  for (const Picture& picture : pictures) {
+    if (picture.time != grown_time) {
+      grown_time = picture.time;
+      grown = grow_document(document, progress, grown_time);
+    }
+    const View turned_view = turned(view, middle, picture.turn);
+    write_png(render_still(grown.meshes, document.scene, turned_view, still, progress), picture.path);
+  }
+}
+
+void render(const RenderOptions& options) {
+  // Everything that can be wrong with the command line and the document comes before any work.
+  check_ending(options.output);
+  const std::vector<Picture> pictures = planned_pictures(options);
+  const Document document = open_document(options.document);
+  const StillOptions still = chosen_still(options, document.output);
+  const View view = chosen_view(options, document);
+  for (const Picture& picture : pictures) check_output(picture.path);
 
   const ThreadLimit threads(options.document.threads);
   {
     TerminalProgress terminal(options.document.quiet);
-    const GrownDocument grown = grow_document(document, terminal.progress());
-    const Vec3 middle = grown.meshes.bounds().centre();
-    for (std::size_t k = 0; k < paths.size(); ++k) {
-      const double turn = 2 * kPi * static_cast<double>(k) / static_cast<double>(paths.size());
-      const View frame = turned(view, middle, turn);
-      write_png(render_still(grown.meshes, document.scene, frame, still, terminal.progress()), paths[k]);
-    }
+    take_pictures(document, pictures, view, still, terminal.progress());
   }
   if (!options.document.quiet) {
-    const std::string written = paths.size() == 1 ? paths[0] : fmt::format("{} to {}", paths.front(), paths.back());
+    const std::string written =
+        pictures.size() == 1 ? pictures[0].path : fmt::format("{} to {}", pictures.front().path, pictures.back().path);
     print_status(fmt::format("{}: {} x {} pixels, {} samples", written, still.width, still.height, still.samples));
   }
 }
@@ -138,6 +170,10 @@ void add_render(CLI::App& app, Run& run) {
       ->add_option("--turntable", options->turntable,
                    "Write so many numbered pictures, the camera going once around: oak_000.png, oak_001.png, ...")
       ->type_name("N");
+  command
+      ->add_option("--time", options->time,
+                   "Show the document at time T, its t, in seconds; FROM:TO:STEP writes a numbered picture for each")
+      ->type_name("T|FROM:TO:STEP");
   command->add_flag("--transparent", options->transparent, "No sky and no ground, with an alpha channel");
   command->footer("Example: meristem render models/oak.json -o oak.png --size 800x800 --samples 64");
   command->callback([options, &run] { run = [options] { render(*options); }; });

@@ -131,4 +131,11 @@ Camera place_camera(const MeshScene& scene, const View& view, double aspect) {
   return {position, position - backward, view.field_of_view, aspect};
 }
 
+View placed_view(const MeshScene& scene, View view, double aspect) {
+  const Camera camera = place_camera(scene, view, aspect);
+  view.position = camera.position();
+  if (!view.target) view.target = camera.position() + camera.direction({0, 0});
+  return view;
+}
+
 }  // namespace meristem

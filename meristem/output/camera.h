@@ -29,4 +29,7 @@ class Camera {
 /// which all of `scene` stays clear of the picture's border, with the plant in the middle unless a target is given.
 Camera place_camera(const MeshScene& scene, const View& view, double aspect);
 
+/// `view` with the position and target that place_camera chooses for it, so that it stays while the plant changes.
+View placed_view(const MeshScene& scene, View view, double aspect);
+
 }  // namespace meristem

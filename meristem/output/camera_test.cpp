@@ -91,6 +91,18 @@ TEST(Camera, StandsWhereItIsTold) {
   EXPECT_NEAR(glm::dot(camera.direction({0, 0}), glm::normalize(*view.target - *view.position)), 1, 1e-6);
 }
 
+TEST(Camera, APlacedViewStaysWhileThePlantGrows) {
+  const MeshScene large = specks(300, Vec3(3));
+  for (const std::optional<Vec3> target : {std::optional<Vec3>(), std::optional<Vec3>(Vec3(0, 1, 0))}) {
+    View view;
+    view.target = target;
+    const Camera expected = place_camera(large, view, 1.5);
+    const Camera later = place_camera(specks(10, Vec3(1)), placed_view(large, view, 1.5), 1.5);
+    EXPECT_EQ(later.position(), expected.position());
+    EXPECT_LT(glm::distance(later.direction({0.7F, -0.4F}), expected.direction({0.7F, -0.4F})), 1e-5);
+  }
+}
+
 TEST(Camera, AzimuthSaysWhereItStands) {
   View view;
   view.azimuth = radians(90);

@@ -126,7 +126,19 @@ class CommandLine(Case):
                           ["render", "box.json", "-o", "a.png", "--view", "nan,3"],
                           ["render", "box.json", "-o", "a.png", "--view", "10,100"],
                           ["render", "box.json", "-o", "a.png", "--turntable", "0"],
-                          ["render", "box.json", "-o", "a.png", "--turntable", "10000"],
+                          ["render", "box.json", "-o", "a.png", "--turntable", "10001"],
+                          ["render", "box.json", "-o", "a.png", "--time", "soon"],
+                          ["render", "box.json", "-o", "a.png", "--time", "0:1"],
+                          ["render", "box.json", "-o", "a.png", "--time", "0:1:0"],
+                          ["render", "box.json", "-o", "a.png", "--time", "0:1:-1"],
+                          ["render", "box.json", "-o", "a.png", "--time", "1:0:1"],
+                          ["render", "box.json", "-o", "a.png", "--time", "0:inf:1"],
+                          ["render", "box.json", "-o", "a.png", "--time", "0:10000:1"],
+                          ["render", "box.json", "-o", "a.png", "--time", "0:1e300:1e-300"],
+                          ["render", "box.json", "-o", "a.png", "--time", "0:1:1", "--turntable", "2"],
+                          ["render", "box.json", "-o", "-", "--time", "0:1:1"],
+                          ["grow", "box.json", "-o", "a.glb", "--time", "nan"],
+                          ["grow", "box.json", "-o", "a.glb", "--time", "0:1:1"],
                           ["render", "box.json", "-o", "-", "--turntable", "2"]):
             self.assert_ends(WRONG_INPUT, *arguments)
 
@@ -259,6 +271,22 @@ class Output(Case):
         # The first is the picture that there is without turning.
         self.run_program("render", "box.json", "-o", "one.png", "--size", "16x16", "--samples", "1")
         self.assertEqual(frames[0], self.read("one.png"))
+
+    def test_time_changes_what_grows_and_writes_numbered_frames(self):
+        self.write("rising.json", '{"meristem": 1, "components": {"b": {"type": "simple", "size": [1, "1 + t", 1]}}}')
+        for time in ("0", "1.5"):
+            self.assertEqual(self.run_program("grow", "rising.json", "-o", f"at{time}.obj", "--time", time).returncode,
+                             DONE)
+        self.assertNotEqual(self.read("at0.obj"), self.read("at1.5.obj"))
+        size = ("--size", "16x16", "--samples", "1", "--view", "150,10")
+        done = self.run_program("render", "rising.json", "-o", "rise.png", "--time", "0:1:0.5", *size)
+        self.assertEqual(done.returncode, DONE, done.stderr)
+        self.assertIn("rise_000.png to rise_002.png: 16 x 16 pixels", done.stderr.decode())
+        frames = [self.read(f"rise_00{k}.png") for k in range(3)]
+        self.assertEqual(len(set(frames)), 3)
+        # The camera stands where the last frame alone would have it, and a single time makes a single picture.
+        self.run_program("render", "rising.json", "-o", "last.png", "--time", "1", *size)
+        self.assertEqual(frames[2], self.read("last.png"))
 
     def test_standard_input_that_is_a_socket(self):
         import socket

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "commands.h"
@@ -17,17 +19,28 @@ struct GrowOptions {
   DocumentOptions document;
   std::vector<std::string> outputs;
   double time = 0;
+  FormatOptions format;
 };
+
+/// An option that would change none of the files is a mistake.
+void check_options(const GrowOptions& options, const std::vector<const Format*>& formats) {
+  const auto can_instance = [](const Format* format) { return format->can_instance; };
+  if (!options.format.instanced || std::any_of(formats.begin(), formats.end(), can_instance)) return;
+  throw InputError(
+      Diagnostic{.message = "--instanced changes none of the files", .expected = "a file that ends in .glb"});
+}
 
 void grow(const GrowOptions& options) {
   // Everything that can be wrong with the command line and the document comes before any work.
   std::vector<const Format*> formats;
   for (const std::string& output : options.outputs) formats.push_back(&format_of(output));
   const double time = checked_time(options.time);
+  check_options(options, formats);
   const Document document = open_document(options.document);
   for (std::size_t k = 0; k < formats.size(); ++k) {
     check_output(options.outputs[k]);
-    if (formats[k]->companion != nullptr) check_output(formats[k]->companion(options.outputs[k]));
+    if (formats[k]->companions == nullptr) continue;
+    for (const std::string& companion : formats[k]->companions(document, options.outputs[k])) check_output(companion);
   }
 
   const ThreadLimit threads(options.document.threads);
@@ -36,7 +49,7 @@ void grow(const GrowOptions& options) {
     TerminalProgress terminal(options.document.quiet);
     const GrownDocument grown = grow_document(document, terminal.progress(), time);
     for (std::size_t k = 0; k < formats.size(); ++k) {
-      formats[k]->write(document, grown, options.outputs[k], terminal.progress());
+      formats[k]->write(document, grown, options.outputs[k], options.format, terminal.progress());
     }
     const Counts counts = count(grown.plant, grown.meshes);
     summary = fmt::format("{}: {} nodes, {} organs, {} triangles, {:.2f} m high", fmt::join(options.outputs, ", "),
@@ -59,6 +72,8 @@ void add_grow(CLI::App& app, Run& run) {
       ->allow_extra_args(false);
   command->add_option("--time", options->time, "Grow the document as it stands at this time, its t, in seconds")
       ->type_name("T");
+  command->add_flag("--instanced", options->format.instanced,
+                    "Write leaves to .glb as places of one mesh: small files, that not every program reads");
   std::string endings;
   for (const Format& format : formats()) endings += fmt::format("  {:<14} {}\n", format.ending, format.doc);
   command->footer("Files end in:\n" + endings +

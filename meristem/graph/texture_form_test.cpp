@@ -1,1 +1,153 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "meristem/graph/texture_form.h"
+
+#include <array>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/graph/reader.h"
+
+namespace meristem {
+namespace {
+
+struct Result {
+  TextureForm form;
+  std::vector<Diagnostic> faults;
+};
+
+Result read(const Value& value, const std::string& folder = {}) {
+  Result result;
+  ParameterReader reader({}, Limits{}, folder);
+  const Place top;
+  reader.read(texture_table(), &result.form, value, Place(top, "texture"));
+  result.faults = reader.take_diagnostics();
+  return result;
+}
+
+std::string fault(const Value& value) {
+  const Result result = read(value);
+  return result.faults.empty() ? "no fault" : result.faults[0].text();
+}
+
+TextureForm bark_form(int pixels = 32) {
+  TextureForm form;
+  form.bark = BarkRecipe{.style = BarkRecipe::Style::plated};
+  form.pixels = pixels;
+  return form;
+}
+
+/// A picture of one colour with an alpha.
+Asset<Image> picture(std::uint8_t red, std::uint8_t alpha) {
+  Image image{2, 1, {red, 0, 0, 255, red, 0, 0, alpha}};
+  return {"a.png", std::make_shared<const Image>(std::move(image))};
+}
+
+TEST(TextureForm, ReadsEachKindAndItsShorthand) {
+  const Result bark = read(Value::Object{{"bark", "peeling"}, {"pixels", 64}});
+  ASSERT_TRUE(bark.form.bark);
+  EXPECT_EQ(bark.form.bark->style, BarkRecipe::Style::peeling);
+  EXPECT_EQ(bark.form.pixels, 64);
+
+  const Result leaf = read(Value::Object{{"leaf", Value::Object{{"veins", "palmate"}, {"pairs", 2}, {"angle", 60}}}});
+  ASSERT_TRUE(leaf.form.leaf);
+  EXPECT_EQ(leaf.form.leaf->veins, LeafRecipe::Veins::palmate);
+  EXPECT_EQ(leaf.form.leaf->pairs, 2);
+  EXPECT_NEAR(leaf.form.leaf->angle, radians(60), 1e-12);
+
+  const Result petal = read(Value::Object{{"petal", Value::Object{{"throat", "#ffff00"}}}});
+  ASSERT_TRUE(petal.form.petal);
+  EXPECT_EQ(petal.form.petal->throat, Vec3(1, 1, 0));
+}
+
+TEST(TextureForm, RefusesTwoKindsAtOnce) {
+  EXPECT_NE(fault(Value::Object{{"bark", "smooth"}, {"leaf", "pinnate"}}), "no fault");
+  EXPECT_NE(fault(Value::Object{{"leaf", "pinnate"}, {"petal", Value::Object{}}}), "no fault");
+  EXPECT_EQ(fault(Value::Object{{"bark", "smooth"}}), "no fault");
+}
+
+TEST(TextureForm, RefusesUnknownStylesWithTheNearest) {
+  EXPECT_EQ(fault(Value::Object{{"bark", "furowed"}}),
+            "texture.bark: 'furowed' is not a value of 'style'; expected one of smooth, furrowed, plated, peeling; did "
+            "you mean "
+            "'furrowed'?");
+}
+
+TEST(TextureForm, RefusesPicturesThatAreNotThere) {
+  EXPECT_NE(fault(Value::Object{{"picture", "no-such-picture.png"}}).find("there is no such file"), std::string::npos);
+  EXPECT_NE(fault(Value::Object{{"picture", Value::Object{{"masked", true}}}}), "no fault");
+}
+
+TEST(TextureForm, WithoutAKindMakesNone) { EXPECT_EQ(make_texture({}, {}, Vec3(0.5F)), nullptr); }
+
+TEST(TextureForm, EqualOnesShareATextureWhileItIsInUse) {
+  const auto texture = make_texture(bark_form(), {}, Vec3(0.5F));
+  EXPECT_EQ(make_texture(bark_form(), {}, Vec3(0.5F)), texture);
+  // Bark follows no shape.
+  EXPECT_EQ(make_texture(bark_form(), {.masked = true}, Vec3(0.5F)), texture);
+  EXPECT_NE(make_texture(bark_form(), {}, Vec3(0.4F)), texture);
+  EXPECT_NE(make_texture(bark_form(33), {}, Vec3(0.5F)), texture);
+  TextureForm other = bark_form();
+  other.bark->seed = 2;
+  EXPECT_NE(make_texture(other, {}, Vec3(0.5F)), texture);
+}
+
+TEST(TextureForm, LetsGoOfATextureThatNobodyUses) {
+  const std::weak_ptr<const Texture> texture = make_texture(bark_form(), {}, Vec3(0.3F));
+  EXPECT_TRUE(texture.expired());
+}
+
+TEST(TextureForm, LeavesFollowTheShape) {
+  TextureForm form;
+  form.leaf = LeafRecipe{};
+  form.pixels = 32;
+  const auto whole = make_texture(form, {}, Vec3(0.5F));
+  const auto cut = make_texture(form, {{{0, 0}, {1, 0}, {0.5F, 1}}, true}, Vec3(0.5F));
+  EXPECT_FALSE(whole->masked);
+  EXPECT_TRUE(cut->masked);
+  EXPECT_EQ(cut->colour.pixel(0, 0)[3], 0);
+}
+
+TEST(TextureForm, ThreadsThatAskAtOnceShareATexture) {
+  std::array<std::shared_ptr<const Texture>, 4> textures;
+  {
+    std::vector<std::jthread> threads;
+    for (auto& texture : textures) {
+      threads.emplace_back([&texture] { texture = make_texture(bark_form(48), {}, Vec3(0.6F)); });
+    }
+  }
+  for (const auto& texture : textures) EXPECT_EQ(texture, textures[0]);
+}
+
+TEST(TextureForm, PicturesHaveTheirOwnMean) {
+  TextureForm form;
+  form.picture = PictureForm{.colour = picture(255, 0)};
+  const auto opaque = make_texture(form, {}, Vec3(0.5F));
+  EXPECT_EQ(opaque->mean, Vec3(1, 0, 0));
+  EXPECT_FALSE(opaque->masked);
+  EXPECT_EQ(opaque->colour.pixel(1, 0)[3], 255);
+  EXPECT_FALSE(opaque->has_normals());
+
+  form.picture->masked = true;
+  const auto masked = make_texture(form, {}, Vec3(0.5F));
+  EXPECT_NE(masked, opaque);
+  EXPECT_EQ(masked->colour.pixel(1, 0)[3], 0);
+}
+
+TEST(TextureForm, PicturesOfTheSamePixelsShareATexture) {
+  TextureForm one;
+  one.picture = PictureForm{.colour = picture(100, 255)};
+  TextureForm two;
+  two.picture = PictureForm{.colour = picture(100, 255)};
+  const auto texture = make_texture(one, {}, Vec3(0.5F));
+  EXPECT_EQ(make_texture(two, {}, Vec3(0.1F)), texture);
+  two.picture->colour = picture(101, 255);
+  EXPECT_NE(make_texture(two, {}, Vec3(0.5F)), texture);
+  two.picture->colour = one.picture->colour;
+  two.picture->normals = picture(128, 255);
+  EXPECT_NE(make_texture(two, {}, Vec3(0.5F)), texture);
+}
+
+}  // namespace
+}  // namespace meristem

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes one binary glTF of each kind that the writer knows into a directory, for an independent validator to judge.
+#include <algorithm>
+#include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string>
 
+#include <fmt/format.h>
+
+#include "meristem/base/atomic_file.h"
 #include "meristem/base/random.h"
 #include "meristem/output/gltf.h"
+#include "meristem/output/gltf_layout.h"
 #include "meristem/shape/leaf_blade.h"
 #include "meristem/shape/primitives.h"
+#include "meristem/shape/tangents.h"
 
 namespace meristem {
 namespace {
@@ -48,26 +56,126 @@ void add_leaves(MeshScene& scene, int count) {
   scene.meshes.push_back({"leaf", std::make_shared<const Mesh>(make_leaf_blade(blade)), 1, std::move(frames)});
 }
 
-void write(const MeshScene& scene, const std::string& path, std::uint64_t flatten_triangles) {
-  GltfOptions options;
-  options.flatten_triangles = flatten_triangles;
-  options.provenance = {"Sample \"plant\" \xC3\xA9", "A. Author", "CC0-1.0", 7, "0.1.0"};
-  Progress progress;
-  write_glb(scene, path, options, progress);
+int count_inexpressible(const MeshScene& scene) {
+  int count = 0;
+  for (const MeshInstances& instances : scene.meshes) {
+    for (const Frame& frame : instances.frames) count += is_expressible_as_node(frame) ? 0 : 1;
+  }
+  return count;
 }
 
+/// A checkered picture with a hole in the middle, and normals that lean to its corners.
+std::shared_ptr<const Texture> sample_texture() {
+  constexpr int kPixels = 32;
+  Texture texture;
+  texture.name = "sample";
+  texture.masked = true;
+  texture.mean = Vec3(0.6F, 0.7F, 0.5F);
+  texture.colour = texture.normals = {kPixels, kPixels, std::vector<std::uint8_t>(4 * kPixels * kPixels)};
+  for (int y = 0; y < kPixels; ++y) {
+    for (int x = 0; x < kPixels; ++x) {
+      const bool is_light = (x / 4 + y / 4) % 2 == 0;
+      const bool is_hole = std::abs(2 * x - kPixels) + std::abs(2 * y - kPixels) < kPixels / 4;
+      const auto light = static_cast<std::uint8_t>(is_light ? 220 : 170);
+      std::uint8_t* const colour = texture.colour.pixel(x, y);
+      std::uint8_t* const normal = texture.normals.pixel(x, y);
+      const std::uint8_t alpha = is_hole ? 0 : 255;
+      const std::array<std::uint8_t, 4> colours{light, light, 150, alpha};
+      const std::array<std::uint8_t, 4> normals{static_cast<std::uint8_t>(120 + x / 2),
+                                                static_cast<std::uint8_t>(120 + y / 2), 250, 255};
+      std::copy(colours.begin(), colours.end(), colour);
+      std::copy(normals.begin(), normals.end(), normal);
+    }
+  }
+  return std::make_shared<const Texture>(std::move(texture));
+}
+
+/// The same tree with textures and tangents on both materials and a tint on every leaf.
+MeshScene textured(MeshScene scene) {
+  const RandomKey key(12);
+  for (Material& material : scene.materials) material.texture = sample_texture();
+  for (MeshInstances& instances : scene.meshes) {
+    instances.mesh = with_needed_tangents(instances.mesh, scene.materials[instances.material]);
+    if (instances.frames.size() == 1) continue;
+    for (std::size_t i = 0; i < instances.frames.size(); ++i) {
+      instances.tints.emplace_back(key.child(0).uniform(i, 0.5, 1.6), key.child(1).uniform(i, 0.5, 1.2), 1);
+    }
+  }
+  return scene;
+}
+
+/// What a reader has to find in a file besides its triangles.
+struct Expected {
+  int instanced_meshes = 0;
+  int instance_colours = 0;
+  int vertex_colours = 0;
+  int tangents = 0;
+  int materials_with_map = 0;
+};
+
+/// Writes files, and what is in them for a reader to be compared with.
+class Samples {
+ public:
+  explicit Samples(std::string directory) : directory_(std::move(directory)) {}
+
+  void write(const MeshScene& scene, const std::string& name, std::uint64_t flatten_triangles, Expected expected,
+             bool instanced = false) {
+    GltfOptions options;
+    options.flatten_triangles = flatten_triangles;
+    options.instanced = instanced;
+    options.provenance = {"Sample \"plant\" \xC3\xA9", "A. Author", "CC0-1.0", 7, "0.1.0"};
+    Progress progress;
+    write_glb(scene, directory_ + "/" + name, options, progress);
+    const Box box = scene.bounds();
+    const bool is_empty = scene.triangle_count() == 0;
+    text_ += fmt::format("{}\n  \"{}\": {{\"triangles\": {}, \"low\": {}, \"high\": {}", text_.empty() ? "{" : ",",
+                         name, scene.triangle_count(), is_empty ? 1 : box.low.y, is_empty ? 0 : box.high.y);
+    text_ += fmt::format(", \"instanced_meshes\": {}, \"instance_colours\": {}, \"vertex_colours\": {}",
+                         expected.instanced_meshes, expected.instance_colours, expected.vertex_colours);
+    text_ += fmt::format(
+        ", \"tangents\": {}, \"materials_with_map\": {}, \"materials_with_normal_map\": {}, \"masked_materials\": {}}}",
+        expected.tangents, expected.materials_with_map, expected.materials_with_map, expected.materials_with_map);
+  }
+
+  void write_expectations() const {
+    AtomicFile file(directory_ + "/expected.json");
+    file.write(text_ + "\n}\n");
+    file.commit();
+  }
+
+ private:
+  std::string directory_;
+  std::string text_;
+};
+
 void write_all(const std::string& directory) {
+  constexpr std::uint64_t kNoLimit = 1'000'000;
   MeshScene stem = empty_scene();
   add_stem(stem, 12);
   MeshScene tree = stem;
   add_leaves(tree, 1000);
   MeshScene large = empty_scene();
   add_stem(large, 40000);
-  write(empty_scene(), directory + "/empty.glb", 0);
-  write(stem, directory + "/stem.glb", 1'000'000);
-  write(tree, directory + "/flattened.glb", 1'000'000);
-  write(tree, directory + "/shared.glb", 0);
-  write(large, directory + "/wide_indices.glb", 1'000'000);
+  Samples samples(directory);
+  samples.write(empty_scene(), "empty.glb", 0, {});
+  samples.write(stem, "stem.glb", kNoLimit, {});
+  samples.write(tree, "flattened.glb", kNoLimit, {});
+  samples.write(tree, "shared.glb", 0, {});
+  samples.write(large, "wide_indices.glb", kNoLimit, {});
+  // The stem, and the leaves: upright, mirrored, and those that had to be flattened.
+  samples.write(tree, "instanced.glb", kNoLimit, {.instanced_meshes = 2}, true);
+  samples.write(textured(tree), "textured.glb", kNoLimit,
+                {.vertex_colours = 1, .tangents = 2, .materials_with_map = 2});
+  // three.js makes two materials of one that meshes have with and without vertex colours.
+  samples.write(
+      textured(tree), "textured_instanced.glb", kNoLimit,
+      {.instanced_meshes = 2, .instance_colours = 2, .vertex_colours = 1, .tangents = 4, .materials_with_map = 3},
+      true);
+  // The stem, eight colours of leaves, and the flattened leaves: each leaf that is a node counts as a mesh.
+  const int nodes = 1000 - count_inexpressible(tree);
+  samples.write(textured(tree), "textured_shared.glb", 0,
+                {.vertex_colours = 1, .tangents = nodes + 2, .materials_with_map = 10});
+  samples.write_expectations();
 }
 
 }  // namespace

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The polygon is split at one line after the other, and what is left between the lines is triangulated by cutting ears,
-// the best shaped first. A split orders the places where the boundary crosses the line along it; between the first and
-// second, the third and fourth and so on, the line is inside, so there the parts of the boundary on either side are
-// closed. What else lies on the line becomes a corner on both sides, so that no gap opens when the triangles are bent.
+// The polygon is split at one line after the other, and what is left between the lines is triangulated: ears are cut
+// off, the best shaped first, then diagonals changed where that gives better shapes. A split orders the places where
+// the boundary crosses the line along it; between the first and second, the third and fourth and so on, the line is
+// inside, so there the parts of the boundary on either side are closed. What else lies on the line becomes a corner on
+// both sides, so that no gap opens when the triangles are bent.
 //
-// Based on: G. Meisters: Polygons have ears (The American Mathematical Monthly 82, 1975).
+// Based on: G. Meisters: Polygons have ears (The American Mathematical Monthly 82, 1975); C. Lawson: Transforming
+// triangulations (Discrete Mathematics 3, 1972).
 #include "meristem/shape/cut_polygon.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -20,7 +23,9 @@ namespace {
 using Point = glm::dvec2;
 using Polygon = std::vector<Point>;
 
-constexpr double kFlat = 1e-6;  // twice the area over the longest edge squared of triangles that are not made
+constexpr double kFlat = 1e-6;    // twice the area over the longest edge squared of triangles that are not made
+constexpr double kBetter = 1e-9;  // of shape, for which a diagonal is worth to be changed
+constexpr int kFlipPasses = 8;
 
 /// Twice the signed area, positive counter-clockwise.
 double turn(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
@@ -200,15 +205,64 @@ std::optional<std::size_t> best_ear(const Polygon& ring) {
   return best;
 }
 
-void clip_ears(Polygon ring, std::vector<FlatTriangle>& out) {
+/// Corners of a polygon by number.
+using Corners = std::array<std::size_t, 3>;
+
+double shape_quality(const Polygon& polygon, Corners corners) {
+  return shape_quality(polygon[corners[0]], polygon[corners[1]], polygon[corners[2]]);
+}
+
+std::vector<Corners> clip_ears(const Polygon& polygon) {
+  std::vector<Corners> triangles;
+  Polygon ring = polygon;
+  std::vector<std::size_t> number(ring.size());
+  for (std::size_t i = 0; i < number.size(); ++i) number[i] = i;
   while (ring.size() > 3) {
     const auto ear = best_ear(ring);
     if (!ear) break;
     const std::size_t i = *ear;
-    out.push_back({ring[(i + ring.size() - 1) % ring.size()], ring[i], ring[(i + 1) % ring.size()]});
+    triangles.push_back({number[(i + ring.size() - 1) % ring.size()], number[i], number[(i + 1) % ring.size()]});
     ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
+    number.erase(number.begin() + static_cast<std::ptrdiff_t>(i));
   }
-  if (ring.size() == 3 && shape_quality(ring[0], ring[1], ring[2]) > kFlat) out.push_back({ring[0], ring[1], ring[2]});
+  if (ring.size() == 3 && shape_quality(ring[0], ring[1], ring[2]) > kFlat) {
+    triangles.push_back({number[0], number[1], number[2]});
+  }
+  return triangles;
+}
+
+/// Draws the other diagonal in the quad of two neighbours where that gives better shapes; whether it did.
+bool flip(const Polygon& polygon, Corners& one, Corners& other) {
+  for (int k = 0; k < 3; ++k) {
+    for (int j = 0; j < 3; ++j) {
+      const std::size_t u = one[k], v = one[(k + 1) % 3];
+      if (other[j] != v || other[(j + 1) % 3] != u) continue;
+      const std::size_t left = one[(k + 2) % 3], right = other[(j + 2) % 3];
+      const Corners lower{u, right, left}, upper{right, v, left};
+      const double now = std::min(shape_quality(polygon, one), shape_quality(polygon, other));
+      const double then = std::min(shape_quality(polygon, lower), shape_quality(polygon, upper));
+      if (then <= now + kBetter) return false;
+      one = lower;
+      other = upper;
+      return true;
+    }
+  }
+  return false;
+}
+
+void triangulate(const Polygon& polygon, std::vector<FlatTriangle>& out) {
+  std::vector<Corners> triangles = clip_ears(polygon);
+  bool has_changed = true;
+  for (int pass = 0; pass < kFlipPasses && has_changed; ++pass) {
+    has_changed = false;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      for (std::size_t j = i + 1; j < triangles.size(); ++j) {
+        has_changed = flip(polygon, triangles[i], triangles[j]) || has_changed;
+      }
+    }
+  }
+  for (const Corners& corners : triangles)
+    out.push_back({polygon[corners[0]], polygon[corners[1]], polygon[corners[2]]});
 }
 
 bool do_edges_meet(Point a, Point b, Point c, Point d) {
@@ -226,8 +280,8 @@ std::vector<FlatTriangle> cut_polygon(const std::vector<glm::dvec2>& corners, co
   std::vector<FlatTriangle> triangles;
   if (corners.size() < 3) return triangles;
   for (Polygon& band : split_at_lines(corners, 1, lines.rows, lines.tolerance)) {
-    for (Polygon& part : split_at_lines(std::move(band), 0, lines.columns, lines.tolerance)) {
-      clip_ears(std::move(part), triangles);
+    for (const Polygon& part : split_at_lines(std::move(band), 0, lines.columns, lines.tolerance)) {
+      triangulate(part, triangles);
     }
   }
   return triangles;

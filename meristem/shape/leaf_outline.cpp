@@ -29,9 +29,12 @@ constexpr double kLobe = 0.05;        // shares of half the width: smaller turns
 constexpr double kPointed = 1e-3;     // shares of half the width: narrower rows are one point
 constexpr double kCoarse = 0.12;      // of half the width: by how much the mesh may miss the outline with one row
 constexpr double kFine = 0.002;       // the same of the outline that textures follow
+constexpr double kSliver = 0.008;     // the same of what the mesh leaves out in any case
+constexpr double kRowGap = 2.5e-3;    // of the length: rows are no nearer to each other or to the ends
 constexpr int kBaseSteps = 12;        // of a blunt base that becomes a heart
 constexpr double kSnap = 0.3;         // of the space between rows: so far they go to meet a corner of the edge
 constexpr double kEntireBase = 0.08;  // of the edge, from the joint: without teeth
+constexpr double kFullDepth = 1.5;    // 1 over the half width from which teeth have their full depth
 constexpr double kThinnest = 0.35;    // of the half width that teeth leave
 constexpr double kParallel = 1e-12;   // cross product of edges
 
@@ -302,7 +305,7 @@ Chain with_cuts(const Chain& chain, double aspect, const std::vector<double>& ar
   };
   Chain out;
   const auto cut_at = [&](Point point, Point direction, double depth) {
-    Point moved = point + depth * direction / scale;
+    Point moved = point + depth * std::min(1.0, kFullDepth * point.x) * direction / scale;
     moved.x = std::max(moved.x, kThinnest * point.x);
     append(out, moved);
   };
@@ -415,8 +418,8 @@ void tidy_rows(LeafOutline& outline) {
   std::sort(outline.rows.begin(), outline.rows.end());
   std::vector<double> rows;
   for (const double row : outline.rows) {
-    const bool is_inside = row > outline.low + kNearest && row < outline.high - kNearest;
-    if (is_inside && (rows.empty() || row > rows.back() + kNearest)) rows.push_back(row);
+    const bool is_inside = row > outline.low + kRowGap && row < outline.high - kRowGap;
+    if (is_inside && (rows.empty() || row > rows.back() + kRowGap)) rows.push_back(row);
   }
   outline.rows = std::move(rows);
 }
@@ -455,12 +458,17 @@ LeafOutline mesh_outline(const LeafBlade& blade) {
                                   outline.low, outline.high);
       for (const Point point : outline.edge) outline.rows.push_back(point.y);
     } else {
-      outline.edge = with_teeth(blade, thinned(entire, aspect_of(blade), kCoarse / blade.rows));
+      // Teeth so flat that they would only make slivers go again.
+      const double aspect = aspect_of(blade);
+      outline.edge = thinned(with_teeth(blade, thinned(entire, aspect, kCoarse / blade.rows)), aspect, kSliver);
       outline.rows = even_rows(blade.rows, outline);
     }
   }
-  // The crests of waves.
-  for (int k = 0; k < 2 * blade.waves; ++k) outline.rows.push_back((k + 0.5) / (2 * blade.waves));
+  if (blade.waves > 0) {
+    // Crests, troughs and what lies between; other rows would catch other parts of the waves and show as streaks.
+    outline.rows.clear();
+    for (int k = 1; k < 4 * blade.waves; ++k) outline.rows.push_back(k / (4.0 * blade.waves));
+  }
   tidy_rows(outline);
   return outline;
 }

@@ -77,7 +77,7 @@ TEST(LeafOutline, ThereAreAsManyTeethAsAskedFor) {
   LeafBlade blade;
   blade.outline = Curve({{0, 1}});
   blade.teeth = 12;
-  blade.teeth_depth = 0.05;
+  blade.teeth_depth = 0.2;
   // A notch between each two of them.
   EXPECT_EQ(count_notches(mesh_outline(blade).edge), 12 - 1);
 }

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kWidest = 0.45;   // of a needle's length: where it is widest
 constexpr float kRounded = 0.5F;   // how far a flat needle's normals lean outward, as if it were round
+constexpr double kRoll = 6;        // radians: up to this times the irregularity needles are turned about themselves
 constexpr double kBareBase = 0.1;  // of the shoot's twig, before the first needles
 
 void check(const NeedleShoot& shoot) {
@@ -60,9 +61,12 @@ class NeedleMesher {
     const Vec3 outward = combed(turn);
     const Vec3 ahead = static_cast<float>(math::sin(lean)) * outward + static_cast<float>(math::cos(lean)) * kUp;
     const auto height = static_cast<float>(shoot_.along * (kBareBase + (1 - kBareBase) * up));
-    // A needle's upper face looks to the shoot.
-    const Vec3 upper = static_cast<float>(math::sin(lean)) * kUp - static_cast<float>(math::cos(lean)) * outward;
-    const Frame bundle = frame_along({0, height, 0}, ahead, upper);
+    // A needle's upper face looks to the shoot, or up where needles are combed.
+    const Vec3 to_shoot = static_cast<float>(math::sin(lean)) * kUp - static_cast<float>(math::cos(lean)) * outward;
+    const Vec3 upper = glm::mix(to_shoot, Vec3(0, 0, 1), static_cast<float>(shoot_.flatten));
+    Frame bundle = frame_along({0, height, 0}, ahead, upper);
+    const double roll = kRoll * shoot_.irregular * (1 - shoot_.flatten) * (2 * key.uniform(3) - 1);
+    bundle.axes = bundle.axes * rotation(kUp, roll);
     for (int n = 0; n < shoot_.fascicle; ++n) add_needle(in_bundle(bundle, n, key), key.child("needle"), n);
   }
 

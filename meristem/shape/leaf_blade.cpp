@@ -23,7 +23,7 @@ namespace {
 constexpr double kRunOut = 0.2;       // of the length: how far a stalk can be seen on the midrib, at most
 constexpr double kRunOutRadii = 8;    // the same in radii of the stalk
 constexpr double kStraight = 1e-6;    // radians: arcs that bend less are lines
-constexpr double kTolerance = 2e-4;   // of the length: corners nearer to a row are on it
+constexpr double kTolerance = 1e-3;   // of the length: corners nearer to a row are on it
 constexpr double kLeastLength = 0.1;  // of the surface along where it is bent back upon itself
 constexpr double kVeinWidth = 0.05;   // of half the width: so wide the blade is where the stalk has its picture
 
@@ -152,8 +152,8 @@ class BladeMesher {
   std::vector<FlatTriangle> flat_triangles() const {
     std::vector<Point> corners;
     for (const Point point : outline_.edge) corners.emplace_back(half_width_ * point.x, point.y);
-    return cut_polygon(corners, {outline_.rows, column_lines(blade_, half_width_),
-                                 std::min(kTolerance, kTolerance * 50 * half_width_)});
+    return cut_polygon(
+        corners, {outline_.rows, column_lines(blade_, half_width_), kTolerance * std::min(1.0, 10 * half_width_)});
   }
 
   /// Vertices for both halves, from base to tip and from left to right.
@@ -260,6 +260,7 @@ TextureShape leaf_texture_shape(const LeafBlade& blade) {
   const LeafOutline outline = full_outline(blade);
   TextureShape shape;
   shape.masked = blade.edge == LeafBlade::Edge::picture;
+  shape.aspect = blade.width / (blade.length * (outline.high - outline.low));
   const auto add = [&](double side, glm::dvec2 point) {
     shape.outline.emplace_back(0.5 + 0.5 * side * point.x, (point.y - outline.low) / (outline.high - outline.low));
   };

@@ -27,7 +27,7 @@ int BarkPaints::area_count(double usual) const {
 
 Texture make_bark_texture(const BarkRecipe& recipe, Vec3 colour, int pixels) {
   const BarkPaints paints(recipe, colour, pixels);
-  Finish finish{.colour = colour, .form = {.relief = recipe.relief, .wraps = true}};
+  Finish finish{.name = {}, .colour = colour, .form = {.relief = recipe.relief, .wraps = true}};
   switch (recipe.style) {
     case BarkRecipe::Style::smooth:
       finish.name = "smooth bark";

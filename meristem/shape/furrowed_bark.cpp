@@ -34,7 +34,7 @@ Canvas paint_furrowed_bark(const BarkPaints& paints) {
     const float top = rise(gap + 0.05F, gap + 0.4F, edge);
 
     // Break the crests across into short blocks.
-    const TileableCells::Spot block = blocks.at(bent_u, v + 0.1F * ridge * bend[i]);
+    const auto block = crest > 0 ? blocks.at(bent_u, v + 0.1F * ridge * bend[i]) : TileableCells::Spot();
     const float crack = (1 - rise(0.01F, 0.09F, block.border / ridge)) * rise(-0.3F, 0.6F, slip[i]) * crest;
 
     const float shade = 0.16F * fibres[i] + 0.2F * (ridges.random(spot.cell, 0) - 0.5F) +

@@ -54,7 +54,7 @@ Texture make_leaf_texture(const LeafRecipe& recipe, const TextureShape& shape, V
         std::max({0.95F * spot.main, (1 - spot.main) * 0.65F * spot.side, (1 - spot.main) * 0.22F * fine});
     light = glm::mix(light, paints.veins, std::min(1.0F, paints.contrast * vein));
     const float height =
-        0.006F * spot.swell - 0.004F * spot.main - (1 - spot.main) * (0.0022F * spot.side + 0.0006F * fine);
+        0.0045F * spot.swell - 0.004F * spot.main - (1 - spot.main) * (0.0022F * spot.side + 0.0006F * fine);
     return Dab{light, height};
   });
   if (shape.masked) canvas.cover = map.cover;

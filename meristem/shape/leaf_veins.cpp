@@ -18,9 +18,10 @@ constexpr float kMidribWidth = 0.011F;  // half of it, at the base
 constexpr float kSideWidth = 0.0042F;
 constexpr float kCrossWidth = 0.0012F;
 constexpr float kCrossSpacing = 0.032F;
-constexpr float kSidesOfPalm = 0.11F;  // spacing along the main veins of a palm
-constexpr float kArch = 0.5F;          // of side veins, toward the tip
-constexpr double kPalmSpread = 105;    // degrees to each side, of main veins that follow no lobes
+constexpr float kSidesOfPalm = 0.11F;     // spacing along the main veins of a palm
+constexpr float kArch = 0.5F;             // of side veins, toward the tip
+constexpr std::uint64_t kMostSides = 64;  // side veins on one side of a main vein
+constexpr double kPalmSpread = 105;       // degrees to each side, of main veins that follow no lobes
 
 float angle_between(Vec2 a, Vec2 b) {
   return static_cast<float>(math::acos(glm::dot(a, b) / std::sqrt(glm::dot(a, a) * glm::dot(b, b))));
@@ -64,13 +65,17 @@ LeafVeins::LeafVeins(const LeafRecipe& recipe, const TextureShape& shape, const 
       aspect_(static_cast<float>(shape.aspect)),
       pixel_(1 / static_cast<float>(pixels)),
       lean_(static_cast<float>(math::cos(recipe.angle) / math::sin(recipe.angle))) {
-  const RandomKey key = RandomKey(recipe.seed).child("veins");
   if (recipe.veins == LeafRecipe::Veins::palmate) {
     find_palm(shape);
   } else {
-    mains_.push_back({{0, 1}, map.midrib.high - map.midrib.low, key});
+    mains_.push_back({{0, 1}, map.midrib.high - map.midrib.low, {}});
   }
-  for (std::size_t k = 0; k < mains_.size(); ++k) mains_[k].key = key.child(k);
+  const RandomKey key = RandomKey(recipe.seed).child("veins");
+  for (std::size_t k = 0; k < mains_.size(); ++k) {
+    for (std::uint64_t side = 0; side < 2 * kMostSides; ++side) {
+      mains_[k].shifts.push_back(0.3F * static_cast<float>(key.child(k).uniform(side) - 0.5));
+    }
+  }
 }
 
 /// Main veins to the lobes of the outline, or fanned out where it has none.
@@ -82,13 +87,13 @@ void LeafVeins::find_palm(const TextureShape& shape) {
   const auto most = static_cast<std::size_t>(2 * recipe_.pairs + 1);
   const std::vector<Vec2> tips = lobe_tips(outline, base, most);
   if (tips.size() == most && !shape.outline.empty()) {
-    for (const Vec2 tip : tips) mains_.push_back({glm::normalize(tip), glm::length(tip), RandomKey()});
+    for (const Vec2 tip : tips) mains_.push_back({glm::normalize(tip), glm::length(tip), {}});
     return;
   }
   for (int k = -recipe_.pairs; k <= recipe_.pairs; ++k) {
     const double angle = radians(kPalmSpread) * k / recipe_.pairs;
     const Vec2 heading(math::sin(angle), math::cos(angle));
-    mains_.push_back({heading, ray_length(outline, base, heading), RandomKey()});
+    mains_.push_back({heading, ray_length(outline, base, heading), {}});
   }
 }
 
@@ -101,7 +106,7 @@ float LeafVeins::line(float distance, float half_width) const {
 void LeafVeins::add_sides(const MainVein& vein, const SideForm& form, float along, float across, float wobble,
                           Spot& spot) const {
   const float s = std::abs(across);
-  const std::uint64_t side = across < 0 ? 1 : 0;
+  const std::size_t side = across < 0 ? 1 : 0;
   const float start = along - lean_ * s - kArch * s * s + 0.09F * form.spacing * wobble;
   const float slope = lean_ + 2 * kArch * s;
   const float upright = 1 / std::sqrt(1 + slope * slope);
@@ -113,9 +118,8 @@ void LeafVeins::add_sides(const MainVein& vein, const SideForm& form, float alon
   const float below = std::floor(place);
   float nearest = spacing;
   for (float k = below - 1; k <= below + 2; ++k) {
-    if (k < 0 || k >= form.count) continue;
-    const auto index = 2 * static_cast<std::uint64_t>(k) + side;
-    const float shifted = k + 0.3F * static_cast<float>(vein.key.uniform(index) - 0.5);
+    if (k < 0 || k >= std::min(form.count, static_cast<float>(kMostSides))) continue;
+    const float shifted = k + vein.shifts[2 * static_cast<std::size_t>(k) + side];
     nearest = std::min(nearest, std::abs(place - shifted) * spacing);
   }
   const float out = std::clamp(s / std::max(form.reach, 1e-3F), 0.0F, 1.0F);

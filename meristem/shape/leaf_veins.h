@@ -29,7 +29,7 @@ class LeafVeins {
   struct MainVein {
     Vec2 heading{0, 1};
     float length = 1;
-    RandomKey key;
+    std::vector<float> shifts;  // of side veins along it, in their spacing: right and left in turn
   };
   struct SideForm {
     float first;    // where the first one leaves its main vein

@@ -51,7 +51,7 @@ MarkMap tears_of(const BarkPaints& paints) {
 MarkMap scars_of(const BarkPaints& paints) {
   const RandomKey key = paints.key.child("scars");
   MarkMap map(paints.pixels);
-  const int count = paints.area_count(7);
+  const int count = paints.area_count(5);
   for (int k = 0; k < count; ++k) {
     const RandomKey own = key.child(static_cast<std::uint64_t>(k));
     const Vec2 centre(own.uniform(0), own.uniform(1));

@@ -25,12 +25,12 @@ Canvas paint_plated_bark(const BarkPaints& paints) {
     const float du = plate * bend[i];
     const float dv = plate * slip[i];
     const TileableCells::Spot spot = plates.at(u + 0.2F * du, v + 0.45F * dv);
-    const TileableCells::Spot scale = scales.at(u + 0.35F * du, v + 0.35F * dv);
 
     // Rise steeply from the cracks, which nearly close in places.
     const float edge = spot.border / plate;
     const float gap = 0.035F + 0.045F * gaps[i];
     const float crest = rise(gap - 0.02F, gap + 0.07F, edge);
+    const auto scale = crest > 0 ? scales.at(u + 0.35F * du, v + 0.35F * dv) : TileableCells::Spot();
     const float layer = scales.random(scale.cell, 0);
     // Scales thin out toward the plate's edge.
     const float worn = rise(0.3F, 0, edge - 0.2F * layer + 0.05F * gaps[i]);
@@ -43,7 +43,7 @@ Canvas paint_plated_bark(const BarkPaints& paints) {
     light = paints.toward(light, paints.seams, 0.4F * step * crest);
     light = paints.toward(light, paints.tone(0.3F * grain[i]) * paints.seams, 1 - crest);
     if (paints.marks) light = glm::mix(light, *paints.marks, 0.7F * crest * rise(0.2F, 0.6F, crusts[i]));
-    const float height = 0.2F * crest + 0.05F * layer * crest - 0.06F * worn - 0.02F * step + 0.012F * grain[i];
+    const float height = 0.2F * crest + 0.05F * layer * crest - 0.06F * worn - 0.02F * step * crest + 0.012F * grain[i];
     return Dab{light, plate * height};
   });
   return canvas;

@@ -45,44 +45,37 @@ TileableCells::Spot TileableCells::at(float u, float v) const {
   const Vec2 counts(columns_, rows_);
   const Vec2 place = Vec2(wrapped(u), wrapped(v)) * counts;
 
-  // Find the nearest of the points around.
-  std::array<Vec2, 9> offsets;
-  std::array<float, 9> squares;
-  const Point* nearest_point = nullptr;
-  std::size_t nearest = 0;
-  float nearest_square = std::numeric_limits<float>::infinity();
-  std::size_t k = 0;
+  // Measure to the nine points around; plain arrays, which become vector code.
+  float across[9];
+  float along[9];
+  float squares[9];
+  const Point* points[3];
   const int row = static_cast<int>(place.y);
-  for (int r = row - 1; r <= row + 1; ++r) {
+  for (int r = 0; r < 3; ++r) {
     // Cut off one cell further on, where nothing is negative.
-    const int column = static_cast<int>(place.x + ((r & 1) != 0 ? 0.5F : 1.0F)) - 1;
-    const Point* points = points_.data() + (r + kMargin) * stride_ + column - 1 + kMargin;
-    for (int c = 0; c < 3; ++c, ++k) {
-      offsets[k] = place - points[c].place;
-      squares[k] = glm::dot(offsets[k], offsets[k]);
-      if (squares[k] < nearest_square) {
-        nearest_square = squares[k];
-        nearest = k;
-        nearest_point = points + c;
-      }
+    const bool is_shifted = ((row - 1 + r) & 1) != 0;
+    const int column = static_cast<int>(place.x + (is_shifted ? 0.5F : 1.0F)) - 1;
+    points[r] = points_.data() + (row - 1 + r + kMargin) * stride_ + column - 1 + kMargin;
+    for (int c = 0; c < 3; ++c) {
+      across[3 * r + c] = place.x - points[r][c].place.x;
+      along[3 * r + c] = place.y - points[r][c].place.y;
     }
   }
+  for (int k = 0; k < 9; ++k) squares[k] = across[k] * across[k] + along[k] * along[k];
+  int nearest = 0;
+  for (int k = 1; k < 9; ++k) nearest = squares[k] < squares[nearest] ? k : nearest;
 
-  // Measure to the nearest of the lines between its point and the others, in widths of the tile. Squares of quotients
-  // are compared without dividing.
-  float least_difference = std::numeric_limits<float>::max();
-  float least_slope = 1;
-  for (std::size_t other = 0; other < k; ++other) {
-    if (other == nearest) continue;
-    const Vec2 slope = (offsets[nearest] - offsets[other]) * counts;
-    const float difference = (squares[other] - nearest_square) * (squares[other] - nearest_square);
-    const float slope_square = glm::dot(slope, slope);
-    if (difference * least_slope < least_difference * slope_square) {
-      least_difference = difference;
-      least_slope = slope_square;
-    }
+  // Find the nearest of the lines halfway to the others, in widths of the tile. That to itself is no number, and less
+  // than nothing.
+  float border = std::numeric_limits<float>::max();
+  for (int k = 0; k < 9; ++k) {
+    const float difference = squares[k] - squares[nearest];
+    const float slope_u = (across[nearest] - across[k]) * counts.x;
+    const float slope_v = (along[nearest] - along[k]) * counts.y;
+    const float square = difference * difference / (slope_u * slope_u + slope_v * slope_v);
+    border = square < border ? square : border;
   }
-  return {nearest_point->cell, 0.5F * std::sqrt(least_difference / least_slope), offsets[nearest]};
+  return {points[nearest / 3][nearest % 3].cell, 0.5F * std::sqrt(border), {across[nearest], along[nearest]}};
 }
 
 }  // namespace meristem

@@ -212,6 +212,7 @@ class Expansion {
   void add_places_along(LinkIndex index, const EmittedStem& stem, std::uint32_t number, std::vector<Site>& out) {
     PlacementContext context{.light = unit_vector(scene_.sun),
                              .on_axis = graph_.components[graph_.links[index].to].type->makes_stems,
+                             .has_grown = static_cast<bool>(graph_.components[graph_.links[index].from].type->grow),
                              .stem = number,
                              .parent = stem.site,
                              .limits = &graph_.limits,

@@ -19,8 +19,10 @@ const ParameterTable& placement_table() {
                   "Places per metre of stem; 40 where neither density nor count is given.")
           .integer("count", &Placement::count, {.min = 0, .max = 2e9},
                    "Places on each skeleton, shared out over its axes by their length.")
-          .condition("where", &Placement::where, node_variables(),
-                     "Which parts of the stems carry children; the twigs, \"tip_distance < 0.4\", if not given.")
+          .condition(
+              "where", &Placement::where, node_variables(),
+              "Which parts of the stems carry children. If not given: of what has grown the twigs, \"tip_distance < "
+              "0.4\", of other stems all.")
           .integer("whorl", &Placement::whorl, {.min = 1, .max = 1000},
                    "Children at each place, evenly about the axis.")
           .number("divergence", &Placement::divergence, {.unit = Unit::degree, .min = -360, .max = 360},
@@ -83,8 +85,9 @@ struct AxisPlaces {
 
 /// For every node whether the segment that ends in it may carry children.
 std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const Axes& axes, const Placement& placement,
-                                         RandomKey key) {
-  if (placement.where) return nodes_where(skeleton, axes, *placement.where, key);
+                                         const PlacementContext& context) {
+  if (placement.where) return nodes_where(skeleton, axes, *placement.where, context.parent.key.child("where"));
+  if (!context.has_grown) return std::vector<std::uint8_t>(skeleton.node_count(), 1);
   std::vector<std::uint8_t> eligible;
   for (const float distance : tip_distance(skeleton)) eligible.push_back(distance < kDefaultTwig ? 1 : 0);
   return eligible;
@@ -246,8 +249,7 @@ class AxisWriter {
 
 std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context) {
   const Axes axes(skeleton);
-  const std::vector<std::uint8_t> eligible =
-      eligible_nodes(skeleton, axes, placement, context.parent.key.child("where"));
+  const std::vector<std::uint8_t> eligible = eligible_nodes(skeleton, axes, placement, context);
   const float root_bark = context.parent.stem == kNoStem ? 0 : context.parent.radius;
   std::vector<AxisPlaces> places(axes.count());
   parallel_for(axes.count(), 64, [&](std::size_t begin, std::size_t end) {

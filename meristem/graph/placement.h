@@ -20,7 +20,7 @@ namespace meristem {
 struct Placement {
   std::optional<double> density;                    ///< places per metre of stem; 40 where neither is given
   std::optional<int> count;                         ///< places on a skeleton, shared out over its axes by length
-  std::optional<Condition> where;                   ///< default: tip_distance < 0.4
+  std::optional<Condition> where;                   ///< default: tip_distance < 0.4 on stems that have grown, else all
   int whorl = 1;                                    ///< organs a place
   double divergence = kGoldenAngleDeg * kPi / 180;  ///< turn about the axis from place to place
   double angle = kPi / 4;                           ///< between axis and organ
@@ -37,8 +37,9 @@ struct Placement {
 const ParameterTable& placement_table();
 
 struct PlacementContext {
-  Vec3 light{0, 1, 0};   ///< unit vector toward it
-  bool on_axis = false;  ///< places lie on the stem's axis and not on its bark, for children that are stems themselves
+  Vec3 light{0, 1, 0};    ///< unit vector toward it
+  bool on_axis = false;   ///< places lie on the stem's axis and not on its bark, for children that are stems themselves
+  bool has_grown = true;  ///< the stem is a growth model's, so that by default its twigs carry the children
   std::uint32_t stem = kNoStem;  ///< number of the stem, for the places
   Site parent;                   ///< of the instance that made the stem; the places' keys and depths come from it
   const Limits* limits = nullptr;

@@ -70,7 +70,8 @@ TEST(JoinStems, StemsOnTheSameSegmentSpringInTheirOrderAlongIt) {
   const Skeleton& tree = joined[0].skeleton;
   check_skeleton(tree);
   float last = -1;
-  for (const NodeIndex node : Axes(tree).of(0)) {
+  const Axes axes(tree);
+  for (const NodeIndex node : axes.of(0)) {
     EXPECT_GE(tree.position[node].y, last);
     last = tree.position[node].y;
   }

@@ -21,7 +21,7 @@ struct Surface {
   enum class Cap { pointed, round, flat };
   Style style = Style::tubes;
   int sides = 8;        ///< sides of the thickest tube; thinner ones have fewer. More: rounder, more triangles
-  float error = 0.03F;  ///< radii by which a tube may stray from its skeleton; raised, fewer rings where it is straight
+  float error = 0.03F;  ///< radii by which a tube may stray from its skeleton; raised, fewer rings; 0: one a node
   float uv_scale = 1;   ///< metres of bark that one texture tile covers
   float smooth = 3;  ///< radii along the axis to both sides over which a tube's radius is levelled; 0: as the skeleton
   float collar = 0.8F;     ///< radii over which branches grow out of their mother; 0: they start with a crease

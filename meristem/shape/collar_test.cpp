@@ -156,7 +156,7 @@ TEST(SmoothRadii, SpreadAStepAndKeepTheEnds) {
     const NodeIndex node = stem.add_node(i == 0 ? kNoNode : static_cast<NodeIndex>(i - 1), {0, 0.1F * i, 0}, 0);
     stem.radius[node] = i <= 20 ? 0.1F : 0.06F;
   }
-  const Surface surface{.sides = 8, .smooth = 3, .collar = 0, .flare = 0};
+  const Surface surface{.sides = 8, .error = 0, .smooth = 3, .collar = 0, .flare = 0};
   const TubePlan plan(stem, {{surface}});
   const AxisPath path = plan.path(0);
   EXPECT_EQ(path.radius(0), 0.1F);

@@ -121,7 +121,7 @@ void TubePlan::smooth_radii(AxisIndex axis) {
   }
 }
 
-/// Leaves out the nodes between which axis and radius run straight, but for the error that the surface allows.
+/// Leaves out the nodes between which axis and radius run straight within the error that the surface allows.
 void TubePlan::choose_rings(AxisIndex axis) {
   const std::span<const NodeIndex> nodes = axes_.of(axis);
   const std::span<NodeIndex> kept = std::span(kept_).subspan(axes_.first[axis], nodes.size());
@@ -132,7 +132,7 @@ void TubePlan::choose_rings(AxisIndex axis) {
     std::size_t next = i + 1;
     // Only so many at a time, so that the cost stays linear.
     const std::size_t last = std::min(nodes.size() - 1, i + kLongestRun);
-    while (i > 0 && next < last && is_straight(nodes, i, next + 1, error)) ++next;
+    while (error > 0 && i > 0 && next < last && is_straight(nodes, i, next + 1, error)) ++next;
     i = next;
   }
   kept_count_[axis] = count;

@@ -13,8 +13,10 @@
 
 #include "meristem/base/frame.h"
 #include "meristem/base/hash.h"
+#include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
+#include "meristem/shape/tube_plan.h"
 #include "tests/support/check_mesh.h"
 
 namespace meristem {
@@ -334,6 +336,96 @@ TEST(Tubes, CountNodesAsProgressAndStopWhenAsked) {
   EXPECT_EQ(seen.back(), 1);
   progress.cancel();
   EXPECT_THROW(make_tubes(skeleton, {}, progress), Cancelled);
+}
+
+/// A stem of many short segments along a quarter circle of 1 m, with an even taper.
+Skeleton quarter_circle(int segments) {
+  Skeleton stem;
+  for (int i = 0; i <= segments; ++i) {
+    const double angle = kPi / 2 * i / segments;
+    const Vec3 place(static_cast<float>(1 - math::cos(angle)), static_cast<float>(math::sin(angle)), 0);
+    const NodeIndex node = stem.add_node(i == 0 ? kNoNode : static_cast<NodeIndex>(i - 1), place, 0);
+    stem.radius[node] = 0.1F - 0.05F * static_cast<float>(i) / static_cast<float>(segments);
+  }
+  return stem;
+}
+
+TEST(Tubes, LeaveOutRingsOnlyWithinTheErrorAllowed) {
+  const Skeleton stem = quarter_circle(200);
+  Surface surface = bare(8);
+  std::size_t last = tubes(stem, surface).triangle_count();
+  for (const float error : {0.01F, 0.1F, 0.3F}) {
+    surface.error = error;
+    const TubePlan plan(stem, {{surface}});
+    const AxisPath path = plan.path(0);
+    EXPECT_LT(path.size(), 200U);
+    for (NodeIndex node = 0; node < stem.node_count(); ++node) {
+      float nearest = 1;
+      for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        nearest = std::min(nearest, distance_to_segment(stem.position[node], path.position(i), path.position(i + 1)));
+      }
+      EXPECT_LE(nearest, error * stem.radius[node] * 1.001F + 1e-6F) << error << " " << node;
+    }
+    const Mesh mesh = tubes(stem, surface);
+    EXPECT_TRUE(check_mesh(mesh));
+    EXPECT_LE(mesh.triangle_count(), last);
+    last = mesh.triangle_count();
+  }
+}
+
+TEST(Tubes, StraightStemsKeepFewRings) {
+  Skeleton stem;
+  for (int i = 0; i <= 120; ++i) {
+    const NodeIndex node = stem.add_node(i == 0 ? kNoNode : static_cast<NodeIndex>(i - 1), {0, 0.1F * i, 0}, 0);
+    stem.radius[node] = 0.1F;
+  }
+  Surface surface = bare(8);
+  surface.error = 0.01F;
+  EXPECT_LE(TubePlan(stem, {{surface}}).path(0).size(), 14U);
+}
+
+TEST(Tubes, CapsCloseTheTipAsAsked) {
+  const Skeleton stem = quarter_circle(20);
+  const auto volume = [&](Surface::Cap cap) {
+    Surface surface = bare(24);
+    surface.cap = cap;
+    const Mesh mesh = tubes(stem, surface);
+    EXPECT_TRUE(check_mesh(mesh));
+    EXPECT_EQ(euler_number(mesh), 2);
+    const TubeSize size = measure_tubes(stem, surface);
+    EXPECT_EQ(size.vertices, mesh.vertex_count());
+    EXPECT_EQ(size.triangles, mesh.triangle_count());
+    return signed_volume(mesh);
+  };
+  // Beyond a flat end a cone and a half ball of the tip's radius.
+  const double cube = 0.05 * 0.05 * 0.05;
+  const double flat = volume(Surface::Cap::flat);
+  EXPECT_NEAR(volume(Surface::Cap::pointed) - flat, kPi / 3 * cube, 0.03 * cube);
+  EXPECT_NEAR(volume(Surface::Cap::round) - flat, 2 * kPi / 3 * cube, 0.25 * cube);
+}
+
+TEST(Tubes, AxesOfOneSkeletonMayWearTheirOwn) {
+  Skeleton stem = quarter_circle(10);
+  NodeIndex last = 5;
+  for (int i = 1; i <= 5; ++i) {
+    last = stem.add_node(last, stem.position[5] + Vec3(-0.1F * i, 0.05F * i, 0), 0);
+    stem.radius[last] = 0.02F;
+    stem.axis[last] = 1;
+  }
+  const TubePlan plan(stem, {{bare(16), 0}, {bare(4), 1}}, {0, 1});
+  Progress progress;
+  const std::vector<Mesh> meshes = make_tubes(plan, progress);
+  ASSERT_EQ(meshes.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_TRUE(check_mesh(meshes[k]));
+    EXPECT_EQ(meshes[k].triangle_count(), plan.sizes()[k].triangles);
+  }
+  EXPECT_EQ(plan[0].sides, 16U);
+  EXPECT_EQ(plan[1].sides, 4U);
+  // Side by side they are what one mesh of equal wear would be.
+  const Mesh one = tubes(stem, bare(16));
+  EXPECT_EQ(std::vector<Vec3>(one.positions.begin(), one.positions.begin() + 16),
+            std::vector<Vec3>(meshes[0].positions.begin(), meshes[0].positions.begin() + 16));
 }
 
 TEST(Tubes, RejectASurfaceWithoutATileSize) {

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/tree.h"
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/parallel.h"
+#include "meristem/components/registry.h"
+#include "meristem/shape/mesh_scene.h"
+#include "tests/support/build_graph.h"
+#include "tests/support/check_mesh.h"
+#include "tests/support/check_skeleton.h"
+
+namespace meristem {
+namespace {
+
+GraphBuilder trunk(const Value::Object& parameters) {
+  GraphBuilder builder(builtin_components());
+  return builder.component("view", "camera").component("trunk", "tree", parameters).link("view", "trunk");
+}
+
+Vec3 tip_heading(const Skeleton& skeleton) {
+  const NodeIndex tip = static_cast<NodeIndex>(skeleton.node_count() - 1);
+  return glm::normalize(skeleton.position[tip] - skeleton.position[skeleton.parent[tip]]);
+}
+
+TEST(Tree, IsAsLongAndThickAsItSays) {
+  const Plant plant = trunk({{"length", 3}, {"radius", 0.1}, {"segments", 6}}).grow();
+  const Skeleton& stem = plant.stems.at(0).skeleton;
+  check_skeleton(stem);
+  ASSERT_EQ(stem.node_count(), 7U);
+  EXPECT_NEAR(stem.position[6].y, 3, 1e-5);
+  EXPECT_NEAR(stem.radius[0], 0.1, 1e-6);
+  EXPECT_NEAR(stem.radius[6], 0.015, 1e-6);
+}
+
+TEST(Tree, CurlTurnsTheTipByItsAngleHoweverManySegments) {
+  for (const int segments : {1, 4, 64}) {
+    const Plant plant = trunk({{"curl", 60}, {"segments", segments}}).grow();
+    EXPECT_NEAR(degrees(std::acos(tip_heading(plant.stems.at(0).skeleton).y)), 60, 0.01) << segments;
+  }
+}
+
+TEST(Tree, GravitropismClosesItsShareOfTheAngleHoweverManySegments) {
+  // It starts at 90 degrees from straight down; a half leaves 45.
+  for (const int segments : {1, 8, 64}) {
+    const Value::Object frame{{"rotate", Value(Value::List{90, 0, 0})}};
+    const Plant plant = trunk({{"gravitropism", 0.5}, {"segments", segments}, {"frame", frame}}).grow();
+    const Vec3 heading = tip_heading(plant.stems.at(0).skeleton);
+    EXPECT_NEAR(degrees(std::acos(-heading.y)), 45, 0.05) << segments;
+  }
+}
+
+TEST(Tree, PhototropismTurnsToTheSun) {
+  Scene scene;
+  scene.sun = {kPi / 2, radians(30)};
+  const Plant plant = trunk({{"phototropism", 1}}).grow(0, scene);
+  EXPECT_GT(glm::dot(tip_heading(plant.stems.at(0).skeleton), unit_vector(scene.sun)), 0.999F);
+}
+
+TEST(Tree, GnarlWandersDifferentlyInEachInstanceAndKeepsTheLength) {
+  GraphBuilder builder = trunk({{"hidden", true}});
+  builder.component("twig", "tree", {{"gnarl", 40}, {"segments", 32}, {"length", 1}});
+  const Plant plant = builder.link("trunk", "twig", LinkKind::branch, {{"count", 2}}).grow();
+  ASSERT_EQ(plant.stems.size(), 2U);  // nothing joins what is hidden
+  std::vector<Vec3> tips;
+  for (const Stem& stem : plant.stems) {
+    float length = 0;
+    for (NodeIndex node = 1; node < stem.skeleton.node_count(); ++node) {
+      length += glm::distance(stem.skeleton.position[node], stem.skeleton.position[node - 1]);
+    }
+    EXPECT_NEAR(length, 1, 1e-5);
+    tips.push_back(stem.skeleton.position.back() - stem.skeleton.position.front());
+  }
+  EXPECT_GT(glm::distance(tips[0], tips[1]), 0.01F);
+}
+
+GraphBuilder three_levels() {
+  GraphBuilder builder = trunk({{"length", 4}, {"radius", 0.1}});
+  builder.component("limb", "tree", {{"length", 1.5}, {"radius", "0.5*radius"}, {"gravitropism", 0.2}});
+  builder.component("twig", "tree", {{"length", 0.4}, {"radius", 0.008}});
+  builder.link("trunk", "limb", LinkKind::branch, {{"count", 12}, {"start", 0.2}, {"angle", 60}});
+  builder.link("limb", "twig", LinkKind::branch, {{"density", 6}, {"start", 0.2}});
+  return builder;
+}
+
+TEST(Tree, BranchesOnBranchesAreOneSkeletonWithTheirOrders) {
+  const Plant plant = three_levels().grow();
+  ASSERT_EQ(plant.stems.size(), 1U);
+  const Stem& tree = plant.stems[0];
+  check_skeleton(tree.skeleton);
+  const std::vector<std::string> names{"trunk", "limb", "twig"};
+  for (NodeIndex node = 0; node < tree.skeleton.node_count(); ++node) {
+    EXPECT_EQ(tree.part(tree.skeleton.axis[node]).component, names.at(tree.skeleton.order[node]));
+  }
+  // Each branch springs from a node on its mother's axis, where her line runs.
+  for (NodeIndex node = 1; node < tree.skeleton.node_count(); ++node) {
+    const NodeIndex parent = tree.skeleton.parent[node];
+    EXPECT_LT(glm::distance(tree.skeleton.position[node], tree.skeleton.position[parent]), 0.4F);
+  }
+}
+
+TEST(Tree, BranchesOnBranchesAreClosedMeshesOfTheirComponents) {
+  const Plant plant = three_levels().grow();
+  Progress progress;
+  const MeshScene scene = make_mesh_scene(plant, {}, progress);
+  ASSERT_EQ(scene.meshes.size(), 3U);
+  for (const MeshInstances& instances : scene.meshes) {
+    Mesh mesh = *instances.mesh;
+    mesh.normals.clear();
+    EXPECT_TRUE(check_mesh(mesh, {.outward = false})) << instances.component;
+  }
+}
+
+TEST(Tree, IsTheSameOnAnyNumberOfThreads) {
+  const ThreadLimit one(1);
+  const std::string hash = hash_of(three_levels().grow());
+  for (const int threads : {2, 3, 8}) {
+    const ThreadLimit limit(threads);
+    EXPECT_EQ(hash_of(three_levels().grow()), hash);
+  }
+}
+
+TEST(Tree, ChildrenStandAtItsTip) {
+  GraphBuilder builder = trunk({{"length", 2}, {"curl", 90}, {"segments", 32}});
+  const Plant plant = builder.component("cone", "simple").link("trunk", "cone").grow();
+  const std::vector<Organ> cones = organs_of(plant, "cone");
+  ASSERT_EQ(cones.size(), 1U);
+  const Skeleton& stem = plant.stems.at(0).skeleton;
+  EXPECT_EQ(cones[0].frame.origin, stem.position.back());
+  EXPECT_LT(glm::distance(glm::normalize(cones[0].frame.heading()), tip_heading(stem)), 1e-4F);
+}
+
+}  // namespace
+}  // namespace meristem

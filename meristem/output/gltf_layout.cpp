@@ -68,21 +68,22 @@ class LayoutBuilder {
     for (std::size_t m = 0; m < tints.size(); ++m) palettes_[m] = make_palette(tints[m], kPaletteColours);
   }
 
-  /// The material for meshes of a source, with or without uvs, all of whose instances together are `colour`: one of
-  /// the palette, or kNone.
-  std::size_t material_of(std::uint32_t source, std::size_t colour, bool has_uvs) {
-    const auto [entry, is_new] =
-        material_indices_.try_emplace(std::tuple(source, colour, has_uvs), layout_.materials.size());
-    if (!is_new) return entry->second;
+  /// The material of a mesh for its instances of one colour of the palette, or of all colours (kNone).
+  std::size_t material_of(const MeshInstances& instances, std::size_t colour) {
+    const std::uint32_t source = instances.material;
     const Material& material = scene_.materials[source];
+    const Texture* texture = instances.mesh->uvs.empty() ? nullptr : material.texture.get();
+    const auto [entry, is_new] =
+        material_indices_.try_emplace(std::tuple(source, colour, texture != nullptr), layout_.materials.size());
+    if (!is_new) return entry->second;
     const ColourFactors& factors = layout_.factors[source];
-    GltfMaterial made{material.name, source, has_uvs ? material.texture.get() : nullptr, factors.base, factors.mean};
+    GltfMaterial made{material.name, source, texture, factors.base, factors.mean};
     if (colour != kNone) {
       made.name += fmt::format(" {}", colour + 1);
       made.base = glm::min(factors.material * palettes_[source].colours[colour], Vec3(1));
       made.transmitted = made.base;
     }
-    if (material.texture != nullptr && !has_uvs) {
+    if (material.texture.get() != texture) {
       made.base *= material.texture->mean;
       made.transmitted *= material.texture->mean;
     }
@@ -123,7 +124,7 @@ class LayoutBuilder {
       mesh = layout_.meshes.size();
       layout_.meshes.push_back({instances.component, {}});
     }
-    const std::size_t material = material_of(instances.material, kNone, !instances.mesh->uvs.empty());
+    const std::size_t material = material_of(instances, kNone);
     add_piece(layout_.meshes[mesh], material, piece, layout_.factors[instances.material].varies);
   }
 
@@ -163,8 +164,7 @@ class LayoutBuilder {
                   std::vector<std::uint32_t> members) {
     const bool is_mirrored = layout_.has_instance_rows && group == 1;
     const bool has_palette = !layout_.has_instance_rows && !palettes_[instances.material].colours.empty();
-    const std::size_t material =
-        material_of(instances.material, has_palette ? group : kNone, !instances.mesh->uvs.empty());
+    const std::size_t material = material_of(instances, has_palette ? group : kNone);
     layout_.meshes.push_back({instances.component, {}});
     add_piece(layout_.meshes.back(), material, {instances.mesh.get(), is_mirrored ? kMirror : kIdentity, {}}, false);
     GltfSharedMesh shared;

@@ -2,16 +2,14 @@
 #include "meristem/output/gltf.h"
 
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
+#include "tests/support/read_glb.h"
 #include "tests/support/sample_scenes.h"
 
 namespace meristem {
@@ -19,62 +17,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A file as a reader that knows nothing of the writer sees it.
-struct Glb {
-  std::string bytes;
-  Json json;
-  std::string binary;
-
-  template <class T>
-  std::vector<T> values(const Json& accessor) const {
-    const Json& view = json["bufferViews"][accessor["bufferView"].get<int>()];
-    std::vector<T> result(view["byteLength"].get<std::size_t>() / sizeof(T));
-    std::memcpy(result.data(), binary.data() + view["byteOffset"].get<std::size_t>(), result.size() * sizeof(T));
-    return result;
-  }
-  const Json& accessor(const Json& primitive, const char* attribute) const {
-    return json["accessors"][primitive["attributes"][attribute].get<int>()];
-  }
-  const Json& indices(const Json& primitive) const { return json["accessors"][primitive["indices"].get<int>()]; }
-};
-
-std::uint32_t word(const std::string& bytes, std::size_t offset) {
-  std::uint32_t value = 0;
-  std::memcpy(&value, bytes.data() + offset, sizeof(value));
-  return value;
-}
-
-Glb parse(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  Glb glb;
-  glb.bytes.assign(std::istreambuf_iterator<char>(stream), {});
-  EXPECT_EQ(glb.bytes.substr(0, 4), "glTF");
-  EXPECT_EQ(word(glb.bytes, 4), 2U);
-  EXPECT_EQ(word(glb.bytes, 8), glb.bytes.size());
-  const std::uint32_t json_bytes = word(glb.bytes, 12);
-  EXPECT_EQ(json_bytes % 4, 0U);
-  EXPECT_EQ(glb.bytes.substr(16, 4), "JSON");
-  glb.json = Json::parse(glb.bytes.substr(20, json_bytes));
-  if (glb.bytes.size() > 20 + json_bytes) {
-    EXPECT_EQ(word(glb.bytes, 20 + json_bytes), glb.json["buffers"][0]["byteLength"]);
-    EXPECT_EQ(glb.bytes.substr(24 + json_bytes, 4), std::string("BIN\0", 4));
-    glb.binary = glb.bytes.substr(28 + json_bytes);
-  }
-  return glb;
-}
+Glb written(const MeshScene& scene, const GltfOptions& options = {}) { return written_glb(scene, options); }
 
 std::string temporary_path(const std::string& name) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   return testing::TempDir() + "gltf_" + test->name() + "_" + name + ".glb";
-}
-
-Glb written(const MeshScene& scene, const GltfOptions& options = {}) {
-  const std::string path = temporary_path("out");
-  Progress progress;
-  write_glb(scene, path, options, progress);
-  Glb glb = parse(path);
-  std::filesystem::remove(path);
-  return glb;
 }
 
 TEST(Gltf, SaysWhereThePlantCameFrom) {

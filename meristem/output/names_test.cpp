@@ -38,5 +38,10 @@ TEST(Names, ProvenanceTellsHowToGrowAgain) {
                                 "units: metres, y up"}));
 }
 
+TEST(Names, FileWordsHaveNoSlash) {
+  EXPECT_EQ(file_word("a/b c"), "a_b_c");
+  EXPECT_EQ(file_word(""), "_");
+}
+
 }  // namespace
 }  // namespace meristem

@@ -11,9 +11,10 @@
 
 #include <gtest/gtest.h>
 
+#include "meristem/base/colour.h"
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
-#include "meristem/base/colour.h"
+#include "meristem/output/png.h"
 #include "meristem/shape/primitives.h"
 #include "tests/support/check_mesh.h"
 #include "tests/support/file_size_limit.h"
@@ -43,6 +44,7 @@ struct Obj {
   std::vector<std::string> objects, groups;  // in the order of the file
   std::vector<std::string> face_materials;   // of each face
   std::vector<std::string> libraries;
+  std::vector<Vec3> colours;  // of those positions that have one
 
   /// The faces as a mesh with one vertex a position.
   Mesh mesh() const {
@@ -83,7 +85,8 @@ Obj parse(const std::string& text) {
     line >> key;
     if (key == "v" || key == "vn") {
       const std::vector<float> numbers = floats_of(line);
-      EXPECT_EQ(numbers.size(), 3U);
+      EXPECT_TRUE(numbers.size() == 3U || (key == "v" && numbers.size() == 6U)) << text_line;
+      if (numbers.size() == 6) obj.colours.emplace_back(numbers[3], numbers[4], numbers[5]);
       (key == "v" ? obj.positions : obj.normals).emplace_back(numbers.at(0), numbers.at(1), numbers.at(2));
     } else if (key == "vt") {
       const std::vector<float> numbers = floats_of(line);
@@ -223,6 +226,77 @@ TEST_F(ObjTest, NamesItsMaterialsByAFileBesideIt) {
   EXPECT_EQ(leaf["Kd"], (std::vector<float>{1, linear_from_srgb(Vec3(0.5F)).g, 0}));
   EXPECT_EQ(leaf["Pr"], std::vector<float>{0.8F});
   EXPECT_NEAR(leaf["Ns"].at(0), 40, 1e-3);
+}
+
+/// The lines of an MTL that name pictures, key to file.
+std::map<std::string, std::string> maps_of(const std::string& text) {
+  std::map<std::string, std::string> maps;
+  std::istringstream lines(text);
+  for (std::string key, rest; lines >> key && std::getline(lines >> std::ws, rest);) {
+    if (key.starts_with("map_") || key == "norm") maps[key] = rest;
+  }
+  return maps;
+}
+
+MeshScene textured_scene() {
+  MeshScene scene = scene_of(triangle(), {Frame()});
+  scene.materials[0].texture = plain_texture();
+  return scene;
+}
+
+TEST_F(ObjTest, WritesPicturesBesideItAndNamesThem) {
+  MeshScene scene = textured_scene();
+  scene.materials[0].name = "my/leaf";
+  write(scene, "my oak.obj");
+  const std::map<std::string, std::string> expected{{"map_Kd", "my_oak_my_leaf_colour.png"},
+                                                    {"map_d", "my_oak_my_leaf_mask.png"},
+                                                    {"map_Bump", "my_oak_my_leaf_normals.png"},
+                                                    {"norm", "my_oak_my_leaf_normals.png"}};
+  EXPECT_EQ(maps_of(content_of(at("my_oak.mtl"))), expected);
+  const Texture& texture = *scene.materials[0].texture;
+  EXPECT_EQ(content_of(at("my_oak_my_leaf_colour.png")), encode_png(texture.colour));
+  EXPECT_EQ(content_of(at("my_oak_my_leaf_normals.png")), encode_png(texture.normals, PixelKind::numbers));
+  const auto paths = picture_paths(at("my oak.obj"), "my/leaf");
+  for (const std::string& path : paths) EXPECT_TRUE(fs::exists(path)) << path;
+}
+
+TEST_F(ObjTest, TheMaskHasTheAlphaInEveryChannel) {
+  const MeshScene scene = textured_scene();
+  write(scene);
+  Image mask = scene.materials[0].texture->colour;
+  for (std::size_t i = 0; i < mask.rgba.size(); ++i) mask.rgba[i] = mask.rgba[i / 4 * 4 + 3];
+  EXPECT_EQ(content_of(at("plant_leaf_mask.png")), encode_png(mask, PixelKind::numbers));
+}
+
+TEST_F(ObjTest, MaterialsOfOneTextureShareItsPictures) {
+  MeshScene scene = textured_scene();
+  scene.materials.push_back(scene.materials[0]);
+  scene.materials[1].name = "other";
+  scene.meshes.push_back(scene.meshes[0]);
+  scene.meshes[1].material = 1;
+  write(scene);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 5);
+  EXPECT_FALSE(fs::exists(at("plant_other_colour.png")));
+}
+
+TEST_F(ObjTest, ComponentsWithTintsHaveVertexColours) {
+  MeshScene scene = leafy_scene(2);
+  EXPECT_TRUE(written(scene).colours.empty());
+  scene.meshes[0].tints = {{1, 0.5F, 0.25F}, {0.5F, 1, 1}};
+  const Obj obj = written(scene);
+  ASSERT_EQ(obj.colours.size(), 6U);
+  auto materials = parse_materials(content_of(at("plant.mtl")));
+  const std::vector<float> base = materials.at("leaf")["Kd"];
+  for (std::size_t v = 0; v < 6; ++v) {
+    const Vec3 light = Vec3(base[0], base[1], base[2]) * linear_from_srgb(obj.colours[v]);
+    EXPECT_LT(glm::length(light - scene.materials[0].tint() * scene.meshes[0].tints[v / 3]), 1e-3F) << v;
+  }
+}
+
+TEST_F(ObjTest, AFullDiskLeavesNoPictures) {
+  const FileSizeLimit limit(60);
+  EXPECT_THROW(write(textured_scene()), MachineError);
+  EXPECT_TRUE(fs::is_empty(folder_));
 }
 
 TEST_F(ObjTest, NamesWithSpacesAndLineEndsStayWords) {

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "meristem/base/colour.h"
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
 #include "meristem/shape/primitives.h"
@@ -194,6 +195,19 @@ TEST(MeshPly, VerticesHaveTheColourOfTheirMaterialAndTheirComponent) {
   EXPECT_EQ(ply.columns.at("vertex.component")[5], 0);
   EXPECT_EQ(ply.columns.at("vertex.red")[6], 102);
   EXPECT_EQ(ply.columns.at("vertex.component")[6], 1);
+}
+
+TEST(MeshPly, VerticesHaveTheTintOfTheirInstance) {
+  MeshScene scene = scene_of(triangle(), {Frame(), Frame()});
+  scene.materials[0].colour = {0.8F, 0.5F, 0.25F};
+  scene.meshes[0].tints = {{0.5F, 1, 3}, Vec3(1)};
+  const Ply ply = written(scene);
+  const Vec3 tinted = srgb_from_linear(linear_from_srgb(scene.materials[0].colour) * scene.meshes[0].tints[0]);
+  const Vec3 expected[] = {tinted, scene.materials[0].colour};
+  const char* const names[] = {"vertex.red", "vertex.green", "vertex.blue"};
+  for (std::size_t v = 0; v < 6; ++v) {
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(ply.columns.at(names[c])[v], 255 * expected[v / 3][c], 0.51) << v;
+  }
 }
 
 TEST(MeshPly, LeavesOutWhatNoMeshHas) {

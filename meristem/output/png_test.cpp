@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/png.h"
+
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -7,7 +9,6 @@
 #include <png.h>
 
 #include "meristem/base/diagnostic.h"
-#include "meristem/output/png.h"
 
 namespace meristem {
 namespace {
@@ -60,6 +61,20 @@ TEST(Png, SaysThatItsColoursAreSrgb) {
   const std::string bytes(std::istreambuf_iterator<char>(stream), {});
   EXPECT_NE(bytes.find("sRGB"), std::string::npos);
   std::filesystem::remove(path);
+}
+
+TEST(Png, MemoryAndFileHoldTheSameBytes) {
+  const std::string path = temporary_path();
+  for (const PixelKind kind : {PixelKind::srgb, PixelKind::numbers}) {
+    write_png(gradient(false), path, kind);
+    std::ifstream stream(path, std::ios::binary);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), encode_png(gradient(false), kind));
+  }
+  std::filesystem::remove(path);
+}
+
+TEST(Png, NumbersAreNotCalledColours) {
+  EXPECT_EQ(encode_png(gradient(true), PixelKind::numbers).find("sRGB"), std::string::npos);
 }
 
 TEST(Png, ReportsAFullDisk) { EXPECT_THROW(write_png(gradient(true), "/dev/full"), MachineError); }

@@ -2,6 +2,7 @@
 // Small mesh scenes for tests of writers.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -69,6 +70,34 @@ inline MeshScene leafy_scene(std::size_t leaves) {
   scene.materials.push_back(wood);
   scene.meshes.push_back({"stem", strip(5000), 1, {Frame()}});
   return scene;
+}
+
+/// A picture of one colour, in which only alpha and nothing else differs along x where `masked`.
+inline Image plain_image(int size, std::array<std::uint8_t, 3> colour, bool masked) {
+  Image image{size, size, {}};
+  for (int i = 0; i < size * size; ++i) {
+    image.rgba.insert(image.rgba.end(), colour.begin(), colour.end());
+    image.rgba.push_back(masked && i % size == 0 ? 0 : 255);
+  }
+  return image;
+}
+
+/// A masked texture with normals, whose mean is a half in each channel.
+inline std::shared_ptr<const Texture> plain_texture() {
+  Texture texture;
+  texture.name = "plain";
+  texture.colour = plain_image(4, {188, 188, 188}, true);
+  texture.normals = plain_image(2, {128, 128, 255}, false);
+  texture.mean = Vec3(0.5F);
+  texture.masked = true;
+  return std::make_shared<const Texture>(std::move(texture));
+}
+
+/// The triangle with tangents along x.
+inline std::shared_ptr<const Mesh> triangle_with_tangents() {
+  Mesh mesh = *triangle();
+  mesh.tangents.assign(3, Vec4(1, 0, 0, 1));
+  return std::make_shared<const Mesh>(std::move(mesh));
 }
 
 /// All instances as one mesh: what a file that flattens them must hold. Normals and uvs of a mesh without are 0.

@@ -231,7 +231,7 @@ TEST(GltfLooks, HaveTheSameBytesOnAnyNumberOfThreads) {
     if (mode == 2) options.flatten_triangles = 0;
     const auto bytes = [&](int threads) {
       const ThreadLimit limit(threads);
-      return written_glb(scene, options).bytes;
+      return glb_bytes(scene, options);
     };
     const std::string expected = bytes(1);
     for (const int threads : {2, 3, 8}) EXPECT_TRUE(bytes(threads) == expected) << threads << " threads";

@@ -68,6 +68,15 @@ inline Glb read_glb(const std::string& path) {
   return glb;
 }
 
+/// The bytes of `scene` written.
+inline std::string glb_bytes(const MeshScene& scene, const GltfOptions& options = {}) {
+  const TemporaryFolder folder;
+  Progress progress;
+  write_glb(scene, folder / "plant.glb", options, progress);
+  std::ifstream stream(folder / "plant.glb", std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
 /// `scene` written and read again.
 inline Glb written_glb(const MeshScene& scene, const GltfOptions& options = {}) {
   const TemporaryFolder folder;

@@ -433,6 +433,59 @@ class Formats(Case):
         self.assertEqual(re.findall(r"^  (\.\S+) ", text, re.MULTILINE), [name[1:] for name in self.FILES])
 
 
+class Looks(Case):
+    """Textures and instances in the files that `grow` writes."""
+
+    TEXTURED = TREE.replace('"type": "leaf"', '"type": "leaf", "texture": {"leaf": "pinnate", "pixels": 64}, "variety": 1')
+
+    def setUp(self):
+        super().setUp()
+        self.write("textured.json", self.TEXTURED)
+
+    def grown_json(self, *options):
+        """The size of a binary glTF, and its JSON."""
+        self.assert_ends(DONE, "grow", "textured.json", "-o", "out.glb", *options)
+        data = self.read("out.glb")
+        return len(data), json.loads(data[20:20 + struct.unpack("<I", data[12:16])[0]])
+
+    def test_pictures_stand_in_glb(self):
+        _, gltf = self.grown_json()
+        leaf = next(material for material in gltf["materials"] if material["name"] == "leaf")
+        self.assertIn("baseColorTexture", leaf["pbrMetallicRoughness"])
+        self.assertEqual({image["mimeType"] for image in gltf["images"]}, {"image/png"})
+
+    def test_pictures_stand_beside_obj(self):
+        self.assert_ends(DONE, "grow", "textured.json", "-o", "my oak.obj")
+        named = set(re.findall(r"^(?:map_\w+|norm) (.*)$", self.read("my_oak.mtl").decode(), re.MULTILINE))
+        self.assertIn("my_oak_leaf_colour.png", named)
+        for name in named:
+            self.assertEqual(self.read(name)[:8], b"\x89PNG\r\n\x1a\n")
+
+    def test_refused_pictures_fail_before_the_work(self):
+        os.mkdir(self.path("a_leaf_normals.png"))
+        errors = self.assert_ends(FAILED, "grow", "textured.json", "-o", "a.obj", *LONG_GROWTH)
+        self.assertIn("cannot write 'a_leaf_normals.png': Is a directory", errors)
+
+    def test_instanced_files_are_small_and_whole(self):
+        plain_size, _ = self.grown_json()
+        size, gltf = self.grown_json("--instanced")
+        self.assertLess(size, plain_size)
+        self.assertIn("EXT_mesh_gpu_instancing", gltf["extensionsUsed"])
+        self.assertIn("EXT_mesh_gpu_instancing", gltf["nodes"][-1]["extensions"])
+
+    def test_instanced_needs_a_format_that_can(self):
+        errors = self.assert_ends(WRONG_INPUT, "grow", "textured.json", "-o", "a.obj", "--instanced")
+        self.assertIn("--instanced changes none of the files; expected a file that ends in .glb", errors)
+
+    def test_same_bytes_on_any_number_of_threads(self):
+        for options in ([], ["--instanced"]):
+            files = []
+            for threads in ("1", "3"):
+                self.assert_ends(DONE, "grow", "textured.json", "-o", "out.glb", "--threads", threads, *options)
+                files.append(self.read("out.glb"))
+            self.assertEqual(files[0], files[1])
+
+
 MTG = """CODE:\tFORM-A
 CLASSES:
 P\t1\tFREE\tFREE\tEXPLICIT

@@ -84,7 +84,7 @@ void LeafVeins::find_palm(const TextureShape& shape) {
   for (const Vec2 point : shape.outline) outline.emplace_back((point.x - 0.5F) * aspect_, point.y);
   if (outline.empty()) outline = {{-0.5F * aspect_, 0}, {0.5F * aspect_, 0}, {0.5F * aspect_, 1}, {-0.5F * aspect_, 1}};
   const Vec2 base(0, map_.midrib.low);
-  const auto most = static_cast<std::size_t>(2 * recipe_.pairs + 1);
+  const auto most = 2 * static_cast<std::size_t>(recipe_.pairs) + 1;
   const std::vector<Vec2> tips = lobe_tips(outline, base, most);
   if (tips.size() == most && !shape.outline.empty()) {
     for (const Vec2 tip : tips) mains_.push_back({glm::normalize(tip), glm::length(tip), {}});
@@ -152,7 +152,7 @@ LeafVeins::Spot LeafVeins::pinnate_at(Vec2 place, std::size_t row, float wobble)
 LeafVeins::Spot LeafVeins::palmate_at(Vec2 place, float wobble) const {
   // Belong to the main vein whose line is nearest.
   const Vec2 from = place - Vec2(0, map_.midrib.low);
-  const MainVein* own = nullptr;
+  const MainVein* own = &mains_.front();
   float nearest = 1e9F;
   float second = 1e9F;
   for (const MainVein& vein : mains_) {

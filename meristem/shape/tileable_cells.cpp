@@ -4,6 +4,7 @@
 #include "meristem/shape/tileable_cells.h"
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace meristem {
@@ -55,7 +56,7 @@ TileableCells::Spot TileableCells::at(float u, float v) const {
     // Cut off one cell further on, where nothing is negative.
     const bool is_shifted = ((row - 1 + r) & 1) != 0;
     const int column = static_cast<int>(place.x + (is_shifted ? 0.5F : 1.0F)) - 1;
-    points[r] = points_.data() + (row - 1 + r + kMargin) * stride_ + column - 1 + kMargin;
+    points[r] = points_.data() + static_cast<std::ptrdiff_t>(row - 1 + r + kMargin) * stride_ + column - 1 + kMargin;
     for (int c = 0; c < 3; ++c) {
       across[3 * r + c] = place.x - points[r][c].place.x;
       along[3 * r + c] = place.y - points[r][c].place.y;

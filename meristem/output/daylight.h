@@ -19,9 +19,10 @@ class Daylight {
   Daylight(FunctionRef<Vec3(Vec3 direction)> dome, Vec3 below);
 
   /// What is seen in a direction: the dome; below the horizon, the horizon.
-  Vec3 seen(Vec3 direction) const;
-  /// What lights surfaces from a direction: the dome, or the ground below the horizon.
-  Vec3 falling(Vec3 direction) const { return direction.y < 0 ? below_ : seen(direction); }
+  Vec3 seen(Vec3 direction) const { return looked_up(seen_, direction); }
+  /// What lights surfaces from a direction: the dome, or the ground below the horizon. As a camera set between sun and
+  /// shade sees it: paler than the dome itself, so that shade is not blue.
+  Vec3 falling(Vec3 direction) const { return direction.y < 0 ? below_ : looked_up(falling_, direction); }
   Vec3 below() const { return below_; }
 
   Vec3 sun_direction() const { return sun_direction_; }
@@ -30,9 +31,11 @@ class Daylight {
   bool has_sun() const { return sun_irradiance_ != Vec3(0); }
 
  private:
-  void tabulate(FunctionRef<Vec3(Vec3)> dome);
+  static std::vector<Vec3> tabulated(FunctionRef<Vec3(Vec3)> dome);
+  static Vec3 looked_up(const std::vector<Vec3>& table, Vec3 direction);
 
-  std::vector<Vec3> table_;
+  std::vector<Vec3> seen_;
+  std::vector<Vec3> falling_;
   Vec3 below_;
   Vec3 sun_direction_ = kUp;
   Vec3 sun_irradiance_{0};

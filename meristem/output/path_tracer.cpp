@@ -12,7 +12,8 @@ namespace {
 
 constexpr int kBounces = 2;
 constexpr float kBounceSpread = 0.25F;  // light from all sides sees textures blurred
-constexpr float kSurvival = 4;          // chance to go on, over the weight carried
+// The chance to go on after each bounce, over the weight carried.
+constexpr float kSurvival[kBounces] = {5, 2};
 constexpr auto kPiF = static_cast<float>(kPi);
 
 /// Rays leave a surface from a little above it; floats know a place 10 m away to a micrometre.
@@ -171,12 +172,10 @@ Seen PathTracer::trace(Ray ray, SampleStream& samples) const {
     const bool reflects = sample.x < share;
     sample.x = reflects ? sample.x / share : (sample.x - share) / (1 - share);
     weight *= reflects ? vertex->reflected / share : vertex->transmitted / (1 - share);
-    // After the first bounce most paths carry little; few go on, with the weight of those that stop.
-    if (bounce > 0) {
-      const float survival = std::clamp(kSurvival * luminance(weight), 0.1F, 1.0F);
-      if (samples.next().x >= survival) return seen;
-      weight /= survival;
-    }
+    // Of the paths that carry little, few go on, with the weight of those that stop.
+    const float survival = std::clamp(kSurvival[bounce] * luminance(weight), 0.1F, 1.0F);
+    if (survival < 1 && samples.next().x >= survival) return seen;
+    weight /= survival;
     const float side = reflects ? 1 : -1;
     ray.spread = kBounceSpread;
     ray.direction = glm::normalize(cosine_direction(side * vertex->normal, sample));

@@ -60,7 +60,9 @@ std::uint32_t permuted(std::uint32_t index, std::uint32_t count, std::uint32_t s
     index &= mask;
     index ^= index >> 5;
   } while (index >= count);
-  return (index + seed) % count;
+  // A turn by a share of the count that the seed chooses; a division would take as long as all of the rounds.
+  const std::uint32_t turned = index + static_cast<std::uint32_t>((std::uint64_t{seed} * count) >> 32);
+  return turned < count ? turned : turned - count;
 }
 
 Vec2 SampleStream::next() {

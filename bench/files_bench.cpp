@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// Binary glTF of a million triangles and of a crown of leaves, on the memory's file system. The reference is the least
+// that anybody could do: the finished bytes of the same file, written by fwrite. Ratios are to be read within a run.
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <benchmark/benchmark.h>
+
+#include "meristem/base/random.h"
+#include "meristem/output/gltf.h"
+#include "meristem/plant/plant.h"
+#include "meristem/shape/leaf_blade.h"
+#include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/primitives.h"
+
+namespace {
+
+using namespace meristem;
+
+/// A file that goes with its owner.
+class OutputFile {
+ public:
+  OutputFile() {
+    const char* const folder = std::getenv("MERISTEM_BENCH_FOLDER");
+    path_ = std::string(folder != nullptr ? folder : "/dev/shm") + "/meristem_files_bench.glb";
+  }
+  ~OutputFile() { std::filesystem::remove(path_); }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+/// One smooth mesh of a million triangles, with normals and uvs.
+MeshScene large_scene() {
+  constexpr std::uint32_t kSide = 708;
+  Mesh mesh;
+  for (std::uint32_t y = 0; y < kSide; ++y) {
+    for (std::uint32_t x = 0; x < kSide; ++x) {
+      const Vec2 uv = Vec2(x, y) / static_cast<float>(kSide - 1);
+      mesh.positions.emplace_back(uv.x, 0.1F * uv.x * uv.y, uv.y);
+      mesh.normals.push_back(glm::normalize(Vec3(-0.1F * uv.y, 1, -0.1F * uv.x)));
+      mesh.uvs.push_back(uv);
+      if (x == 0 || y == 0) continue;
+      const std::uint32_t corner = y * kSide + x;
+      mesh.triangles.push_back({corner - kSide - 1, corner - 1, corner});
+      mesh.triangles.push_back({corner - kSide - 1, corner, corner - kSide});
+    }
+  }
+  MeshScene scene;
+  scene.materials.emplace_back().name = "stem";
+  scene.meshes.push_back({"stem", std::make_shared<const Mesh>(std::move(mesh)), 0, {Frame()}, {}});
+  return scene;
+}
+
+/// A crown of leaves in their places, each with its own colour.
+Plant leafy_plant(std::size_t leaves) {
+  const RandomKey key(5);
+  Plant plant;
+  plant.materials.emplace_back().name = "leaf";
+  OrganPrototype prototype;
+  prototype.component = "leaf";
+  prototype.mesh = std::make_shared<const Mesh>(make_leaf_blade(LeafBlade{}));
+  plant.prototypes.push_back(prototype);
+  for (std::size_t i = 0; i < leaves; ++i) {
+    Organ organ;
+    organ.frame = frame_along(3.0F * key.direction(2 * i), key.direction(2 * i + 1), kUp);
+    organ.frame.axes *= static_cast<float>(key.child(1).uniform(i, 0.5, 2.0));
+    organ.tint = Vec3(key.child(2).uniform(i, 0.7, 1.3), 1, 1);
+    plant.organs.push_back(organ);
+  }
+  return plant;
+}
+
+void write_large(benchmark::State& state) {
+  const MeshScene scene = large_scene();
+  const OutputFile file;
+  for (auto _ : state) {
+    Progress progress;
+    write_glb(scene, file.path(), {}, progress);
+  }
+  state.counters["triangles"] = static_cast<double>(scene.triangle_count());
+  state.counters["bytes"] = static_cast<double>(std::filesystem::file_size(file.path()));
+}
+BENCHMARK(write_large)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void place_and_write_leaves(benchmark::State& state) {
+  const Plant plant = leafy_plant(63'000);
+  const OutputFile file;
+  GltfOptions options;
+  options.instanced = state.range(0) != 0;
+  for (auto _ : state) {
+    Progress progress;
+    write_glb(make_mesh_scene(plant, Limits{}, progress), file.path(), options, progress);
+  }
+  state.counters["triangles"] = static_cast<double>(plant.prototypes[0].mesh->triangle_count() * plant.organs.size());
+  state.counters["bytes"] = static_cast<double>(std::filesystem::file_size(file.path()));
+}
+BENCHMARK(place_and_write_leaves)->ArgName("instanced")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// The reference: the bytes of the same files, which nobody has to make.
+void write_finished_bytes(benchmark::State& state, const MeshScene& scene) {
+  const OutputFile file;
+  Progress progress;
+  write_glb(scene, file.path(), {}, progress);
+  std::ifstream stream(file.path(), std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  for (auto _ : state) {
+    std::filesystem::remove(file.path());
+    std::FILE* out = std::fopen(file.path().c_str(), "wb");
+    if (out == nullptr) return state.SkipWithError("cannot write");
+    std::fwrite(bytes.data(), 1, bytes.size(), out);
+    std::fclose(out);
+  }
+  state.counters["bytes"] = static_cast<double>(bytes.size());
+}
+
+void reference_large(benchmark::State& state) { write_finished_bytes(state, large_scene()); }
+BENCHMARK(reference_large)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void reference_leaves(benchmark::State& state) {
+  Progress progress;
+  write_finished_bytes(state, make_mesh_scene(leafy_plant(63'000), Limits{}, progress));
+}
+BENCHMARK(reference_leaves)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+
+BENCHMARK_MAIN();

@@ -388,7 +388,7 @@ class Formats(Case):
         self.assertTrue(all(count == 3 for count, *_ in ply["face"]))
         lines = self.read("a.obj").decode().splitlines()
         single = struct.Struct("<f")
-        positions = [tuple(single.unpack(single.pack(float(number)))[0] for number in line.split()[1:])
+        positions = [tuple(single.unpack(single.pack(float(number)))[0] for number in line.split()[1:4])
                      for line in lines if line.startswith("v ")]
         self.assertEqual(positions, [(row["x"], row["y"], row["z"]) for row in ply["vertex"]])
         faces = [tuple(int(corner.split("/")[0]) - 1 for corner in line.split()[1:])

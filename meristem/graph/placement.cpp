@@ -28,6 +28,10 @@ const ParameterTable& placement_table() {
           .number("divergence", &Placement::divergence, {.unit = Unit::degree, .min = -360, .max = 360},
                   "Turn about the axis from place to place: 137.508 spiral, 180 in two rows, 90 crosswise with a whorl "
                   "of 2.")
+          .number(
+              "roll", &Placement::roll, {.unit = Unit::degree, .min = -360, .max = 360},
+              "Where about the axis the first child stands, from the upper side of what makes the stem to its right; "
+              "anywhere if not given.")
           .number("angle", &Placement::angle, {.unit = Unit::degree, .min = 0, .max = 180},
                   "Between axis and child; raised, children stand off more.")
           .number("angle_tip", &Placement::angle_tip, {.unit = Unit::degree, .min = 0, .max = 180},
@@ -162,11 +166,11 @@ class AxisWriter {
   void write(const AxisPlaces& axis, Site* out) {
     if (axis.places == 0) return;
     const auto whorl = static_cast<std::uint64_t>(placement_.whorl);
-    const double roll = 2 * kPi * key_.uniform(1);
+    const double roll = placement_.roll.value_or(2 * kPi * key_.uniform(1));
     const double spacing = axis.eligible / static_cast<double>(axis.places);
     std::size_t p = 0;
     Vec3 tangent = piece_tangent(axis.pieces[0]);
-    Vec3 radial = any_perpendicular(tangent);
+    Vec3 radial = first_radial(tangent);
     for (std::uint64_t k = 0; k < axis.places; ++k) {
       // Walk to the piece with the k-th place, carrying the radial direction without twist.
       const double at = (static_cast<double>(k) + 0.5) * spacing;
@@ -191,6 +195,13 @@ class AxisWriter {
   }
 
  private:
+  /// The direction from the axis that rolls count from.
+  Vec3 first_radial(Vec3 tangent) const {
+    if (!placement_.roll) return any_perpendicular(tangent);
+    const Vec3 upper = context_.parent.frame.upper();
+    return normalized_or(upper - glm::dot(upper, tangent) * tangent, any_perpendicular(tangent));
+  }
+
   Vec3 piece_tangent(const Piece& piece) const {
     return normalized_or(skeleton_.position[piece.to] - skeleton_.position[piece.from], kUp);
   }

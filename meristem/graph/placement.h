@@ -23,6 +23,7 @@ struct Placement {
   std::optional<Condition> where;                   ///< default: tip_distance < 0.4 on stems that have grown, else all
   int whorl = 1;                                    ///< organs a place
   double divergence = kGoldenAngleDeg * kPi / 180;  ///< turn about the axis from place to place
+  std::optional<double> roll;                       ///< of the first place, from the stem's upper side; else anywhere
   double angle = kPi / 4;                           ///< between axis and organ
   std::optional<double> angle_tip;                  ///< the same at the axis's tip, with even steps between; as `angle`
   double angle_spread = 0;                          ///< the angle varies evenly by up to this much to both sides

@@ -4,9 +4,11 @@
 #include "meristem/components/camera.h"
 #include "meristem/components/cloud.h"
 #include "meristem/components/colonize.h"
+#include "meristem/components/hydra.h"
 #include "meristem/components/leaf.h"
 #include "meristem/components/needles.h"
 #include "meristem/components/simple.h"
+#include "meristem/components/tree.h"
 
 namespace meristem {
 
@@ -16,6 +18,8 @@ const Registry& builtin_components() {
       simple_component(),
       leaf_component(),
       needles_component(),
+      tree_component(),
+      hydra_component(),
       colonize_component(),
       cloud_component(),
   });

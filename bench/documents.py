@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Times whole processes: every shipped document, grown to a file by the command line.
+"""Times whole processes: every shipped document and trees.json, grown to a file by the command line.
 
 One document a process, RUNS times after a warm-up; wall and processor seconds as minimum and median, peak memory as the
 operating system counts it, and the file's hash, which has to be the same each time. As a reference for what a process
@@ -71,7 +71,7 @@ def main():
         os.dup2(saved, 1)
     print_row("(no document)", spread, memory, "")
     with tempfile.TemporaryDirectory() as folder:
-        for document in sorted((ROOT / "models").glob("*.json")):
+        for document in sorted((ROOT / "models").glob("*.json")) + [ROOT / "bench/trees.json"]:
             for ending in arguments.endings:
                 time_document(arguments, document, os.path.join(folder, document.stem + ending))
 

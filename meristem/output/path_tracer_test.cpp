@@ -243,6 +243,17 @@ TEST(Daylight, TabulatedDomeIsTheSky) {
   }
 }
 
+TEST(Daylight, FallsAsBrightAsItIsSeenButPaler) {
+  const Daylight light(Sky({radians(200), radians(35)}), Vec3(0.2F));
+  const auto blueness = [](Vec3 colour) { return colour.b / luminance(colour); };
+  for (const int azimuth_deg : {20, 140, 260}) {
+    const Vec3 direction = unit_vector({radians(azimuth_deg), radians(60)});
+    EXPECT_NEAR(luminance(light.falling(direction)), luminance(light.seen(direction)), 1e-4);
+    EXPECT_LT(blueness(light.falling(direction)), blueness(light.seen(direction)));
+    EXPECT_GT(blueness(light.falling(direction)), 1);
+  }
+}
+
 TEST(RayScene, InstancesAndCopiesAnswerAlike) {
   const auto mesh = std::make_shared<const Mesh>(square(0.3F));
   std::vector<Frame> frames;

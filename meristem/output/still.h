@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A ray-cast picture: sun and sky with soft shadows, one bounce between surfaces, a ground that catches the shadow.
+// A ray-cast picture: sun and sky with soft shadows, textured and translucent surfaces that light each other, a ground
+// that catches the shadow.
 #pragma once
 
 #include "meristem/base/progress.h"

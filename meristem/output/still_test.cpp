@@ -67,6 +67,53 @@ TEST(Still, IsTheSamePictureOnAnyNumberOfThreads) {
   for (const int threads : {2, 3, 8}) EXPECT_TRUE(render(threads) == expected) << threads << " threads";
 }
 
+/// The same with leaves that a texture cuts out and tilts, each in a colour of its own.
+MeshScene block_with_textured_leaves() {
+  MeshScene scene = block_with_leaves();
+  Mesh leaf = *scene.meshes[1].mesh;
+  leaf.uvs = {{0.5F, 0}, {1, 0.5F}, {0, 0.5F}, {0.5F, 1}};
+  scene.meshes[1].mesh = std::make_shared<const Mesh>(std::move(leaf));
+  auto texture = std::make_shared<Texture>();
+  texture->masked = true;
+  texture->colour = {2, 2, {40, 90, 20, 255, 90, 120, 30, 0, 60, 110, 20, 0, 120, 140, 60, 200}};
+  texture->normals = {2, 1, {150, 128, 250, 255, 110, 140, 250, 255}};
+  texture->mean = Vec3(0.05F, 0.12F, 0.02F);
+  scene.materials[1].texture = texture;
+  for (std::size_t i = 0; i < scene.meshes[1].frames.size(); ++i) {
+    scene.meshes[1].tints.push_back(Vec3(0.8F) + 0.4F * Vec3(RandomKey(3).uniform(i)));
+  }
+  return scene;
+}
+
+TEST(Still, TexturedLeavesAreTheSameOnAnyNumberOfThreads) {
+  const MeshScene meshes = block_with_textured_leaves();
+  const auto render = [&](int threads) {
+    const ThreadLimit limit(threads);
+    Progress progress;
+    return render_still(meshes, Scene(), View(), small(50, 4), progress).rgba;
+  };
+  const std::vector<std::uint8_t> expected = render(1);
+  for (const int threads : {2, 3, 8}) EXPECT_TRUE(render(threads) == expected) << threads << " threads";
+}
+
+TEST(Still, HolesLetTheBackgroundThrough) {
+  StillOptions options = small(48, 16);
+  options.transparent = true;
+  Progress progress;
+  const auto cover = [&](const MeshScene& meshes) {
+    View view;
+    view.position = Vec3(0, 1.2F, 4);
+    view.target = Vec3(0, 1.2F, 0);
+    double sum = 0;
+    const Image image = render_still(meshes, Scene(), view, options, progress);
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) sum += image.rgba[i];
+    return sum;
+  };
+  MeshScene whole = block_with_textured_leaves();
+  whole.materials[1].texture = nullptr;
+  EXPECT_LT(cover(block_with_textured_leaves()), 0.95 * cover(whole));
+}
+
 TEST(Still, TransparentPicturesHoldThePlantAlone) {
   StillOptions options = small(48, 4);
   options.transparent = true;

@@ -135,7 +135,7 @@ Table<LeafBlade> with_bends(Table<LeafBlade> table) {
       .curve("profile", &LeafBlade::profile,
              "Height from midrib (0) to edge (1) on top of that, in shares of half the width; needs points across.")
       .integer("waves", &LeafBlade::waves, {.min = 0, .max = 32, .fixed = true},
-               "Along each edge; each has four rows, in the stead of 'rows'.")
+               "Along each edge; each has at least four of the rows.")
       .number("waves_depth", &LeafBlade::waves_depth, {.min = -1, .max = 1, .fixed = true},
               "Height of their crests, a share of half the width.")
       .only_with("waves", {"waves_depth"})

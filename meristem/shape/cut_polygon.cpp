@@ -279,8 +279,8 @@ bool do_edges_meet(Point a, Point b, Point c, Point d) {
 std::vector<FlatTriangle> cut_polygon(const std::vector<glm::dvec2>& corners, const CutLines& lines) {
   std::vector<FlatTriangle> triangles;
   if (corners.size() < 3) return triangles;
-  for (Polygon& band : split_at_lines(corners, 1, lines.rows, lines.tolerance)) {
-    for (const Polygon& part : split_at_lines(std::move(band), 0, lines.columns, lines.tolerance)) {
+  for (Polygon& band : split_at_lines(corners, 1, lines.rows, lines.row_tolerance)) {
+    for (const Polygon& part : split_at_lines(std::move(band), 0, lines.columns, lines.column_tolerance)) {
       triangulate(part, triangles);
     }
   }

@@ -16,7 +16,8 @@ using FlatTriangle = std::array<glm::dvec2, 3>;
 struct CutLines {
   std::vector<double> rows;
   std::vector<double> columns;
-  double tolerance = 1e-4;  ///< corners nearer to a line than this count as on it; lines are further apart
+  /// Corners nearer to a line than this count as on it; lines are further apart.
+  double row_tolerance = 1e-4, column_tolerance = 1e-4;
 };
 
 /// The simple polygon `corners`, counter-clockwise, in triangles without area in common, from row to row. No corner of

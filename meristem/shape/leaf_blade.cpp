@@ -20,12 +20,13 @@
 namespace meristem {
 namespace {
 
-constexpr double kRunOut = 0.2;       // of the length: how far a stalk can be seen on the midrib, at most
-constexpr double kRunOutRadii = 8;    // the same in radii of the stalk
-constexpr double kStraight = 1e-6;    // radians: arcs that bend less are lines
-constexpr double kTolerance = 1e-3;   // of the length: corners nearer to a row are on it
-constexpr double kLeastLength = 0.1;  // of the surface along where it is bent back upon itself
-constexpr double kVeinWidth = 0.05;   // of half the width: so wide the blade is where the stalk has its picture
+constexpr double kRunOut = 0.2;            // of the length: how far a stalk can be seen on the midrib, at most
+constexpr double kRunOutRadii = 8;         // the same in radii of the stalk
+constexpr double kStraight = 1e-6;         // radians: arcs that bend less are lines
+constexpr double kRowTolerance = 1e-3;     // of the length: corners nearer to a row are on it
+constexpr double kColumnTolerance = 0.02;  // of half the width: corners nearer to a column are on it
+constexpr double kLeastLength = 0.1;       // of the surface along where it is bent back upon itself
+constexpr double kVeinWidth = 0.05;        // of half the width: so wide the blade is where the stalk has its picture
 
 bool is_right_edge(const std::vector<Vec2>& polygon) {
   const auto is_beside = [](Vec2 p) { return std::isfinite(p.x + p.y) && p.x >= 0; };
@@ -153,7 +154,8 @@ class BladeMesher {
     std::vector<Point> corners;
     for (const Point point : outline_.edge) corners.emplace_back(half_width_ * point.x, point.y);
     return cut_polygon(
-        corners, {outline_.rows, column_lines(blade_, half_width_), kTolerance * std::min(1.0, 10 * half_width_)});
+        corners, {outline_.rows, column_lines(blade_, half_width_), kRowTolerance * std::min(1.0, 10 * half_width_),
+                  std::min(kColumnTolerance, 0.2 / blade_.across) * half_width_});
   }
 
   /// Vertices for both halves, from base to tip and from left to right.

@@ -34,7 +34,7 @@ struct LeafBlade {
   double curl_across = 0;    ///< total bend across the widest place, from edge to edge; positive: the edges sink
   double fold = 0;           ///< angle by which each half is raised about the midrib, a V from above
   Curve profile;             ///< height over the distance from the midrib (0 to 1), both in shares of half the width
-  int waves = 0;             ///< along each edge; each has four rows, in the stead of `rows`
+  int waves = 0;             ///< along each edge; each has at least four rows
   double waves_depth = 0.1;  ///< height of their crests as a share of half the width
   double petiole = 0;        ///< length of the stalk before the blade
   double petiole_radius = 0.001;

@@ -296,6 +296,16 @@ Cuts make_cuts(const LeafBlade& blade, double total, double depth) {
   return cuts;
 }
 
+/// An outline without an edge yet, as long as the chain.
+LeafOutline outline_within(const Chain& chain) {
+  LeafOutline outline;
+  for (const Point point : chain) {
+    outline.low = std::min(outline.low, point.y);
+    outline.high = std::max(outline.high, point.y);
+  }
+  return outline;
+}
+
 /// The chain with its edge cut inward.
 Chain with_cuts(const Chain& chain, double aspect, const std::vector<double>& arcs, const Cuts& cuts) {
   const Point scale{aspect, 1};
@@ -303,10 +313,11 @@ Chain with_cuts(const Chain& chain, double aspect, const std::vector<double>& ar
     const Point along = scale * (chain[segment + 1] - chain[segment]);
     return glm::normalize(Point(-along.y, along.x));
   };
+  const LeafOutline extent = outline_within(chain);
   Chain out;
   const auto cut_at = [&](Point point, Point direction, double depth) {
     Point moved = point + depth * std::min(1.0, kFullDepth * point.x) * direction / scale;
-    moved.x = std::max(moved.x, kThinnest * point.x);
+    moved = {std::max(moved.x, kThinnest * point.x), std::clamp(moved.y, extent.low, extent.high)};
     append(out, moved);
   };
   std::size_t cut = 0;
@@ -424,16 +435,6 @@ void tidy_rows(LeafOutline& outline) {
   outline.rows = std::move(rows);
 }
 
-/// An outline without an edge yet, as long as the chain.
-LeafOutline outline_within(const Chain& chain) {
-  LeafOutline outline;
-  for (const Point point : chain) {
-    outline.low = std::min(outline.low, point.y);
-    outline.high = std::max(outline.high, point.y);
-  }
-  return outline;
-}
-
 }  // namespace
 
 LeafOutline full_outline(const LeafBlade& blade) {
@@ -454,8 +455,11 @@ LeafOutline mesh_outline(const LeafBlade& blade) {
     const Chain entire = entire_edge(blade);
     outline = outline_within(entire);
     if (blade.edge == LeafBlade::Edge::picture) {
-      outline.edge = simpler_hull(convex_hull(entire, outline.low, outline.high), static_cast<std::size_t>(blade.rows),
-                                  outline.low, outline.high);
+      // Teeth lie inside, but where a narrow lobe's may come out on its other side.
+      Chain points = with_teeth(blade, entire);
+      points.insert(points.end(), entire.begin(), entire.end());
+      outline.edge = simpler_hull(convex_hull(std::move(points), outline.low, outline.high),
+                                  static_cast<std::size_t>(blade.rows), outline.low, outline.high);
       for (const Point point : outline.edge) outline.rows.push_back(point.y);
     } else {
       // Teeth so flat that they would only make slivers go again.
@@ -467,7 +471,12 @@ LeafOutline mesh_outline(const LeafBlade& blade) {
   if (blade.waves > 0) {
     // Crests, troughs and what lies between; other rows would catch other parts of the waves and show as streaks.
     outline.rows.clear();
-    for (int k = 1; k < 4 * blade.waves; ++k) outline.rows.push_back(k / (4.0 * blade.waves));
+    const int fourths = 4 * blade.waves;
+    const int rows = fourths * std::max(1, blade.rows / fourths);
+    const int last = static_cast<int>(std::ceil(outline.high * rows));
+    for (int k = static_cast<int>(std::floor(outline.low * rows)); k < last; ++k) {
+      outline.rows.push_back(static_cast<double>(k) / rows);
+    }
   }
   tidy_rows(outline);
   return outline;

@@ -79,7 +79,7 @@ TEST(LeafOutline, ThereAreAsManyTeethAsAskedFor) {
   blade.teeth = 12;
   blade.teeth_depth = 0.2;
   // A notch between each two of them.
-  EXPECT_EQ(count_notches(mesh_outline(blade).edge), 12 - 1);
+  EXPECT_EQ(count_notches(full_outline(blade).edge), 12 - 1);
 }
 
 TEST(LeafOutline, TeethCutIntoTheOutlineButNotIntoItsWidth) {

@@ -299,13 +299,12 @@ TEST(LeafBlade, WavesRunAlongBothEdges) {
   EXPECT_EQ(troughs, 2 * 4);
 }
 
-RC_GTEST_PROP(LeafBlade, ALobedBladeIsSoundHoweverItIsCut, ()) {
+RC_GTEST_PROP(LeafBlade, ALobedBladeIsSoundHoweverItIsBent, ()) {
   const auto share = [] { return *rc::gen::inRange(0, 1001) / 1000.0; };
   LeafBlade blade = palmate();
   blade.corners = *rc::gen::element(LeafBlade::Corners::sharp, LeafBlade::Corners::round);
   blade.edge = *rc::gen::element(LeafBlade::Edge::shape, LeafBlade::Edge::picture);
   blade.heart = 0.3 * share();
-  blade.teeth = *rc::gen::inRange(0, 30);
   blade.curl = share() - 0.5;
   blade.curl_across = share() - 0.5;
   blade.fold = 0.3 * share();

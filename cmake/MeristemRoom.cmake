@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 
+# What ccache needs to tell that a precompiled header is the same.
+set(MERISTEM_PCH_OPTIONS $<IF:$<CXX_COMPILER_ID:GNU>,-fpch-preprocess,-fno-pch-timestamp>)
+
 # Warnings, determinism and sanitizers, the same for every target of the project.
 function(meristem_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
@@ -50,7 +53,8 @@ function(meristem_room name)
   if(MERISTEM_TESTS AND ROOM_TESTS)
     add_executable(${target}_tests ${ROOM_TESTS})
     meristem_compile_options(${target}_tests)
-    target_compile_options(${target}_tests PRIVATE ${MERISTEM_TEST_OPTIONS})
+    target_compile_options(${target}_tests PRIVATE ${MERISTEM_TEST_OPTIONS} ${MERISTEM_PCH_OPTIONS})
+    target_precompile_headers(${target}_tests REUSE_FROM meristem_test_headers)
     target_link_libraries(${target}_tests PRIVATE meristem::${name} meristem_test_support GTest::gtest_main)
     gtest_discover_tests(${target}_tests DISCOVERY_MODE PRE_TEST PROPERTIES LABELS ${name})
   endif()

@@ -143,5 +143,18 @@ TEST(LeafTexture, IsTheSameOnAnyNumberOfThreads) {
   }
 }
 
+TEST(LeafTexture, VeinsEndForEveryAspectAndWhereFannedOnesLieOutside) {
+  // The base of this one lies over its corners, and below all veins that fan out to the sides.
+  const TextureShape tent{{{0, 0}, {0.5F, 0.4F}, {1, 0}, {0.5F, 1}}, true};
+  for (const LeafRecipe::Veins veins : kVeins) {
+    for (const double aspect : {1e-6, 1.0, 1e3, 1e6}) {
+      TextureShape shape = tent;
+      shape.aspect = aspect;
+      const Texture texture = make_leaf_texture({.veins = veins}, shape, kGreen, kPixels);
+      EXPECT_LT(glm::distance(texture.mean, linear_from_srgb(kGreen)), 0.01F) << aspect;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace meristem

@@ -20,6 +20,7 @@ constexpr float kCrossWidth = 0.0012F;
 constexpr float kCrossSpacing = 0.032F;
 constexpr float kSidesOfPalm = 0.11F;     // spacing along the main veins of a palm
 constexpr float kArch = 0.5F;             // of side veins, toward the tip
+constexpr float kShortestVein = 1e-3F;    // a fanned one may lie outside of the outline
 constexpr std::uint64_t kMostSides = 64;  // side veins on one side of a main vein
 constexpr double kPalmSpread = 105;       // degrees to each side, of main veins that follow no lobes
 
@@ -72,6 +73,7 @@ LeafVeins::LeafVeins(const LeafRecipe& recipe, const TextureShape& shape, const 
   }
   const RandomKey key = RandomKey(recipe.seed).child("veins");
   for (std::size_t k = 0; k < mains_.size(); ++k) {
+    mains_[k].length = std::max(mains_[k].length, kShortestVein);
     for (std::uint64_t side = 0; side < 2 * kMostSides; ++side) {
       mains_[k].shifts.push_back(0.3F * static_cast<float>(key.child(k).uniform(side) - 0.5));
     }
@@ -117,7 +119,8 @@ void LeafVeins::add_sides(const MainVein& vein, const SideForm& form, float alon
   const float place = (start * (0.75F + 0.4F * closer) - form.first) / form.spacing + (side == 1 ? 0.25F : 0.0F);
   const float below = std::floor(place);
   float nearest = spacing;
-  for (float k = below - 1; k <= below + 2; ++k) {
+  for (int step = -1; step <= 2; ++step) {
+    const float k = below + static_cast<float>(step);
     if (k < 0 || k >= std::min(form.count, static_cast<float>(kMostSides))) continue;
     const float shifted = k + vein.shifts[2 * static_cast<std::size_t>(k) + side];
     nearest = std::min(nearest, std::abs(place - shifted) * spacing);

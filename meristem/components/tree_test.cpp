@@ -130,5 +130,20 @@ TEST(Tree, ChildrenStandAtItsTip) {
   EXPECT_LT(glm::distance(glm::normalize(cones[0].frame.heading()), tip_heading(stem)), 1e-4F);
 }
 
+TEST(Tree, TooManyNodesAreStoppedAndNamed) {
+  // Ten trunks of eleven nodes.
+  auto builder =
+      GraphBuilder(builtin_components()).component("view", "camera").component("star", "hydra", {{"number", 10}});
+  builder.component("trunk", "tree", {{"segments", 10}}).link("view", "star").link("star", "trunk");
+  EXPECT_EQ(builder.node_limit(110).grow().node_count(), 110U);
+  for (const int threads : {1, 8}) {
+    const ThreadLimit limit(threads);
+    const std::vector<Diagnostic> faults = faults_of([&] { builder.node_limit(109).grow(); });
+    ASSERT_EQ(faults.size(), 1U);
+    EXPECT_EQ(faults[0].text(),
+              "components.trunk: with 'trunk' there are more than 109 nodes; expected at most 109 (limits.nodes)");
+  }
+}
+
 }  // namespace
 }  // namespace meristem

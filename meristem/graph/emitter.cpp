@@ -101,6 +101,7 @@ void Emitter::organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> m
 }
 
 void Emitter::stem(Skeleton skeleton, const Surface& surface) {
+  count_nodes(skeleton.node_count());
   EmittedStem& stem = stems.emplace_back(EmittedStem{std::move(skeleton), surface, site_, visible_, tint_, {}});
   stem.site.key = site_.key.child("stem").child(stems_of_instance_++);
   if (is_placed_ && visible_) {
@@ -157,6 +158,15 @@ void Emitter::count_sites() {
                    .path = context_->multiplier});
   }
   uncounted_ = 0;
+}
+
+void Emitter::count_nodes(std::uint64_t more) {
+  const std::uint64_t limit = context_->limits.nodes;
+  if (context_->nodes.fetch_add(more, std::memory_order_relaxed) + more <= limit) return;
+  throw InputError(
+      Diagnostic{.message = fmt::format("with '{}' there are more than {} nodes", context_->component, limit),
+                 .expected = fmt::format("at most {} (limits.nodes)", limit),
+                 .path = "components." + context_->component});
 }
 
 Skeleton Emitter::take_grown() {

@@ -46,12 +46,13 @@ struct EmitterContext {
   bool wants_child_sites = true;
   bool wants_branch_sites = true;
   std::atomic<std::uint64_t> instances{0};  ///< so far, with the places that are offered to more
+  std::atomic<std::uint64_t> nodes{0};      ///< so far, of all stems
 };
 
 /// Takes what the instances of one block emit. One thread uses one emitter; blocks are merged in their order.
 ///
 /// An instance whose frame has shrunk to nothing emits nothing, nor does what hangs on it. Throws InputError for frames
-/// that are not finite, and when the places for children pass the limit of instances.
+/// that are not finite, when the places for children pass the limit of instances, and the stems that of nodes.
 class Emitter {
  public:
   /// `context` outlives the emitter.
@@ -103,6 +104,7 @@ class Emitter {
   void end_instance();
   void add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius);
   void count_sites();
+  void count_nodes(std::uint64_t more);
 
   EmitterContext* context_;
   std::size_t instance_ = 0;

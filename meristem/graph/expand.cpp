@@ -146,7 +146,8 @@ class Expansion {
                            .makes_stems = prototype.type->makes_stems,
                            .wants_child_sites = wants(false),
                            .wants_branch_sites = wants(true),
-                           .instances = instances_};
+                           .instances = instances_,
+                           .nodes = nodes_};
     const std::size_t block = grown.empty() ? kBlock : 1;
     std::vector<Emitter> emitters((batch.sites.size() + block - 1) / block, Emitter(context));
     for (std::size_t k = 0; k < grown.size(); ++k) {
@@ -159,6 +160,7 @@ class Expansion {
       prototype.type->expand(prototype, std::span(batch.sites).subspan(begin, end - begin), emitters[begin / block]);
       progress_.advance(end - begin);
     });
+    nodes_ = context.nodes;
     std::vector<std::uint32_t> first_stems;
     std::uint32_t next_stem = static_cast<std::uint32_t>(stems_.size());
     for (Emitter& emitter : emitters) {
@@ -331,6 +333,7 @@ class Expansion {
   std::deque<Batch> ready_;
   std::deque<Batch> growing_;
   std::uint64_t instances_ = 1;  // the root
+  std::uint64_t nodes_ = 0;
   std::vector<ComponentOutput> outputs_;
   std::vector<LooseStem> stems_;  // by number; hidden ones have no nodes
   std::vector<ComponentIndex> component_of_stem_;

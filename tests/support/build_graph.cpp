@@ -54,6 +54,11 @@ GraphBuilder& GraphBuilder::instance_limit(std::uint64_t limit) {
   return *this;
 }
 
+GraphBuilder& GraphBuilder::node_limit(std::uint64_t limit) {
+  graph_.limits.nodes = limit;
+  return *this;
+}
+
 GraphBuilder& GraphBuilder::component(const std::string& id, const std::string& type, const Value::Object& parameters) {
   Prototype prototype{.id = id, .type = registry_.find(type), .parameters = {}, .varyings = {}};
   if (prototype.type == nullptr) throw std::invalid_argument("no component type " + type);

@@ -19,6 +19,7 @@ class GraphBuilder {
   GraphBuilder& variable(std::string name, double value);
   GraphBuilder& seed(std::uint64_t seed);
   GraphBuilder& instance_limit(std::uint64_t limit);
+  GraphBuilder& node_limit(std::uint64_t limit);
   /// Adds a component of the given type, or replaces the one with this id.
   GraphBuilder& component(const std::string& id, const std::string& type, const Value::Object& parameters = {});
   GraphBuilder& link(std::string_view from, std::string_view to, LinkKind kind = LinkKind::child,

@@ -145,5 +145,19 @@ TEST(Tree, TooManyNodesAreStoppedAndNamed) {
   }
 }
 
+TEST(Tree, TooManyPixelsOfTexturesAreStoppedAndNamed) {
+  const auto two = [](const char* colour) {
+    const Value::Object texture{{"bark", "smooth"}, {"pixels", 16}};
+    auto builder = trunk({{"texture", texture}, {"colour", "#808080"}});
+    return builder.component("other", "tree", {{"texture", texture}, {"colour", colour}}).link("view", "other");
+  };
+  EXPECT_EQ(two("#405060").texture_limit(512).grow().materials.size(), 2U);
+  EXPECT_EQ(two("#808080").texture_limit(256).grow().materials.size(), 2U);  // they share one
+  const std::vector<Diagnostic> faults = faults_of([&] { two("#405060").texture_limit(511).grow(); });
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].path, "components.other.texture");
+  EXPECT_NE(faults[0].expected.find("limits.texture_pixels"), std::string::npos) << faults[0].text();
+}
+
 }  // namespace
 }  // namespace meristem

@@ -109,7 +109,9 @@ const ParameterTable& limits_table() {
           .integer("file_bytes", &Limits::file_bytes, {.min = 1, .max = kLargestWhole},
                    "Bytes of one file that the document names.")
           .integer("picture_pixels", &Limits::picture_pixels, {.min = 1, .max = 1e9},
-                   "Pixels of one picture that the document names.");
+                   "Pixels of one picture that the document names.")
+          .integer("texture_pixels", &Limits::texture_pixels, {.min = 1, .max = kLargestWhole},
+                   "Pixels of all textures together; components with the same one share it.");
   return table;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <deque>
 #include <iterator>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -293,6 +294,16 @@ class Expansion {
     }
   }
 
+  /// Throws where this material's texture is one too many. What it shares with others counts once.
+  void count_pixels(const Material& material) {
+    if (material.texture == nullptr || !textures_.insert(material.texture.get()).second) return;
+    const Image& colour = material.texture->colour;
+    texture_pixels_ += static_cast<std::uint64_t>(colour.width) * static_cast<std::uint64_t>(colour.height);
+    if (texture_pixels_ <= graph_.limits.texture_pixels) return;
+    throw_limit("pixels of textures", static_cast<double>(texture_pixels_), graph_.limits.texture_pixels,
+                "texture_pixels", fmt::format("components.{}.texture", material.name));
+  }
+
   Plant assemble() {
     Plant plant;
     std::vector<std::uint32_t> material_of_component(outputs_.size(), 0);
@@ -301,6 +312,7 @@ class Expansion {
       if (output.meshes.empty() && output.stems == 0) continue;
       const auto material = static_cast<std::uint32_t>(plant.materials.size());
       plant.materials.push_back(material_of(graph_.components[c]));
+      count_pixels(plant.materials.back());
       const auto first = static_cast<std::uint32_t>(plant.prototypes.size());
       for (auto& mesh : output.meshes) plant.prototypes.push_back({graph_.components[c].id, material, std::move(mesh)});
       for (Organ& organ : output.organs) {
@@ -338,6 +350,8 @@ class Expansion {
   std::vector<LooseStem> stems_;  // by number; hidden ones have no nodes
   std::vector<ComponentIndex> component_of_stem_;
   std::vector<std::uint32_t> link_ordinals_;
+  std::set<const Texture*> textures_;  // only asked, never walked: addresses have no order to rely on
+  std::uint64_t texture_pixels_ = 0;
 };
 
 }  // namespace

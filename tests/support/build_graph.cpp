@@ -59,6 +59,11 @@ GraphBuilder& GraphBuilder::node_limit(std::uint64_t limit) {
   return *this;
 }
 
+GraphBuilder& GraphBuilder::texture_limit(std::uint64_t pixels) {
+  graph_.limits.texture_pixels = pixels;
+  return *this;
+}
+
 GraphBuilder& GraphBuilder::component(const std::string& id, const std::string& type, const Value::Object& parameters) {
   Prototype prototype{.id = id, .type = registry_.find(type), .parameters = {}, .varyings = {}};
   if (prototype.type == nullptr) throw std::invalid_argument("no component type " + type);

@@ -42,6 +42,21 @@ std::uint64_t shape_key(std::initializer_list<double> numbers) {
   return hash64(std::string_view(reinterpret_cast<const char*>(numbers.begin()), numbers.size() * sizeof(double)));
 }
 
+std::shared_ptr<const Mesh> SharedMeshes::find(std::uint64_t key) const {
+  const std::scoped_lock lock(mutex_);
+  const auto found = meshes_.find(key);
+  return found == meshes_.end() ? nullptr : found->second;
+}
+
+std::shared_ptr<const Mesh> SharedMeshes::keep(std::uint64_t key, Mesh mesh) {
+  const std::uint64_t size = mesh.bytes();
+  auto made = std::make_shared<const Mesh>(std::move(mesh));
+  const std::scoped_lock lock(mutex_);
+  const auto [kept, is_new] = meshes_.try_emplace(key, std::move(made));
+  if (is_new) bytes_ += size;
+  return kept->second;
+}
+
 void Emitter::instance(const ComponentBase& base, const Site& site, std::size_t index,
                        FunctionRef<void(const Site&)> expand) {
   const bool omitted = (base.omit && base.omit->contains(site, context_->time)) ||
@@ -96,8 +111,19 @@ void Emitter::end_instance() {
 void Emitter::organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make) {
   if (!visible_) return;
   const auto [found, is_new] = prototype_by_key_.try_emplace(key, static_cast<std::uint32_t>(prototypes.size()));
-  if (is_new) prototypes.push_back({key, std::make_shared<const Mesh>(make())});
+  if (is_new) prototypes.push_back({key, shared_mesh(key, make)});
   organs.push_back({geometry_frame_ * local, found->second, tint_, site_.birth});
+}
+
+std::shared_ptr<const Mesh> Emitter::shared_mesh(std::uint64_t key, FunctionRef<Mesh()> make) {
+  if (std::shared_ptr<const Mesh> mesh = context_->meshes.find(key)) return mesh;
+  std::shared_ptr<const Mesh> mesh = context_->meshes.keep(key, make());
+  const std::uint64_t limit = context_->limits.mesh_bytes;
+  if (context_->mesh_bytes + context_->meshes.bytes() <= limit) return mesh;
+  throw InputError(
+      Diagnostic{.message = fmt::format("the shapes of '{}' take more than {} bytes", context_->component, limit),
+                 .expected = fmt::format("at most {} (limits.mesh_bytes)", limit),
+                 .path = "components." + context_->component});
 }
 
 void Emitter::stem(Skeleton skeleton, const Surface& surface) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -34,6 +35,21 @@ struct EmittedStem {
   std::optional<Skeleton> moved;  ///< what is seen instead of the skeleton where `place` moves it
 };
 
+/// Meshes that the blocks of one component share, by their keys. May be called from many threads.
+class SharedMeshes {
+ public:
+  /// Null where there is none yet.
+  std::shared_ptr<const Mesh> find(std::uint64_t key) const;
+  /// Keeps `mesh`, or gives the one that another thread was quicker with.
+  std::shared_ptr<const Mesh> keep(std::uint64_t key, Mesh mesh);
+  std::uint64_t bytes() const { return bytes_; }
+
+ private:
+  mutable std::mutex mutex_;
+  std::unordered_map<std::uint64_t, std::shared_ptr<const Mesh>> meshes_;
+  std::atomic<std::uint64_t> bytes_{0};
+};
+
 /// What the emitters of one component's instances have in common.
 struct EmitterContext {
   const Scene& scene;
@@ -47,12 +63,15 @@ struct EmitterContext {
   bool wants_branch_sites = true;
   std::atomic<std::uint64_t> instances{0};  ///< so far, with the places that are offered to more
   std::atomic<std::uint64_t> nodes{0};      ///< so far, of all stems
+  std::uint64_t mesh_bytes = 0;             ///< of what was made before
+  SharedMeshes meshes{};
 };
 
 /// Takes what the instances of one block emit. One thread uses one emitter; blocks are merged in their order.
 ///
 /// An instance whose frame has shrunk to nothing emits nothing, nor does what hangs on it. Throws InputError for frames
-/// that are not finite, when the places for children pass the limit of instances, and the stems that of nodes.
+/// that are not finite, when the places for children pass the limit of instances, the stems that of nodes, and the
+/// meshes that of bytes.
 class Emitter {
  public:
   /// `context` outlives the emitter.
@@ -61,7 +80,7 @@ class Emitter {
   // For components.
 
   /// Geometry at `local` in the instance's frame (moved by its `place`). Instances of one component with equal `key`
-  /// share what the first one makes.
+  /// share what one of them makes, so the key and what all instances have in common must tell the whole mesh.
   void organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make);
   /// A skeleton in world space. The instance's `place` moves it, but not what hangs on it.
   void stem(Skeleton skeleton, const Surface& surface);
@@ -105,6 +124,7 @@ class Emitter {
   void add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius);
   void count_sites();
   void count_nodes(std::uint64_t more);
+  std::shared_ptr<const Mesh> shared_mesh(std::uint64_t key, FunctionRef<Mesh()> make);
 
   EmitterContext* context_;
   std::size_t instance_ = 0;

@@ -148,7 +148,8 @@ class Expansion {
                            .wants_child_sites = wants(false),
                            .wants_branch_sites = wants(true),
                            .instances = instances_,
-                           .nodes = nodes_};
+                           .nodes = nodes_,
+                           .mesh_bytes = mesh_bytes_};
     const std::size_t block = grown.empty() ? kBlock : 1;
     std::vector<Emitter> emitters((batch.sites.size() + block - 1) / block, Emitter(context));
     for (std::size_t k = 0; k < grown.size(); ++k) {
@@ -270,7 +271,10 @@ class Expansion {
     for (std::size_t k = 0; k < prototype.size(); ++k) {
       const auto [found, is_new] = output.prototype_by_key.try_emplace(
           emitter.prototypes[k].key, static_cast<std::uint32_t>(output.meshes.size()));
-      if (is_new) output.meshes.push_back(std::move(emitter.prototypes[k].mesh));
+      if (is_new) {
+        mesh_bytes_ += emitter.prototypes[k].mesh->bytes();
+        output.meshes.push_back(std::move(emitter.prototypes[k].mesh));
+      }
       prototype[k] = found->second;
     }
     for (Organ& organ : emitter.organs) {
@@ -346,6 +350,7 @@ class Expansion {
   std::deque<Batch> growing_;
   std::uint64_t instances_ = 1;  // the root
   std::uint64_t nodes_ = 0;
+  std::uint64_t mesh_bytes_ = 0;
   std::vector<ComponentOutput> outputs_;
   std::vector<LooseStem> stems_;  // by number; hidden ones have no nodes
   std::vector<ComponentIndex> component_of_stem_;

@@ -59,6 +59,11 @@ GraphBuilder& GraphBuilder::node_limit(std::uint64_t limit) {
   return *this;
 }
 
+GraphBuilder& GraphBuilder::mesh_limit(std::uint64_t bytes) {
+  graph_.limits.mesh_bytes = bytes;
+  return *this;
+}
+
 GraphBuilder& GraphBuilder::texture_limit(std::uint64_t pixels) {
   graph_.limits.texture_pixels = pixels;
   return *this;

@@ -20,6 +20,7 @@ class GraphBuilder {
   GraphBuilder& seed(std::uint64_t seed);
   GraphBuilder& instance_limit(std::uint64_t limit);
   GraphBuilder& node_limit(std::uint64_t limit);
+  GraphBuilder& mesh_limit(std::uint64_t bytes);
   GraphBuilder& texture_limit(std::uint64_t pixels);
   /// Adds a component of the given type, or replaces the one with this id.
   GraphBuilder& component(const std::string& id, const std::string& type, const Value::Object& parameters = {});

@@ -12,8 +12,10 @@ namespace {
 
 constexpr int kBounces = 2;
 constexpr float kBounceSpread = 0.25F;  // light from all sides sees textures blurred
-// The chance to go on after each bounce, over the weight carried.
-constexpr float kSurvival[kBounces] = {5, 2};
+// The chance that a path goes on, over the weight it carries. Level ground shows grain where a crown hides it, and most
+// of its paths end in the sky at once.
+constexpr float kKeennessOfPlants = 1.8F;
+constexpr float kKeennessOfGround = 4;
 constexpr auto kPiF = static_cast<float>(kPi);
 
 /// Rays leave a surface from a little above it; floats know a place 10 m away to a micrometre.
@@ -99,6 +101,7 @@ PathTracer::Vertex PathTracer::surface_vertex(const Ray& ray, const RayHit& hit)
   vertex.transmitted = look.through > 0 ? glm::min(transmission_tint(colour), Vec3(1)) * look.through : Vec3(0);
   vertex.gloss_width = look.gloss_width;
   vertex.cover = 1;
+  vertex.keenness = kKeennessOfPlants;
   return vertex;
 }
 
@@ -112,6 +115,7 @@ PathTracer::Vertex PathTracer::ground_vertex(const Ray& ray, float distance) con
   vertex.reflected = ground_->colour;
   vertex.transmitted = Vec3(0);
   vertex.gloss_width = 0;
+  vertex.keenness = kKeennessOfGround;
   const float away =
       glm::distance(Vec2(vertex.position.x, vertex.position.z), Vec2(ground_->centre.x, ground_->centre.z)) /
       ground_->fade_distance;
@@ -173,7 +177,7 @@ Seen PathTracer::trace(Ray ray, SampleStream& samples) const {
     sample.x = reflects ? sample.x / share : (sample.x - share) / (1 - share);
     weight *= reflects ? vertex->reflected / share : vertex->transmitted / (1 - share);
     // Of the paths that carry little, few go on, with the weight of those that stop.
-    const float survival = std::clamp(kSurvival[bounce] * luminance(weight), 0.1F, 1.0F);
+    const float survival = std::clamp(vertex->keenness * luminance(weight), 0.1F, 1.0F);
     if (survival < 1 && samples.next().x >= survival) return seen;
     weight /= survival;
     const float side = reflects ? 1 : -1;

@@ -60,6 +60,7 @@ class PathTracer {
     Vec3 transmitted;
     float gloss_width;  ///< 0: none
     float cover;        ///< below 1 where the ground fades
+    float keenness;     ///< the chance that a path goes on from here, over the weight it carries
   };
 
   std::optional<Vertex> next_vertex(const Ray& ray) const;

@@ -9,7 +9,7 @@ namespace meristem {
 /// What surrounds plants and what they perceive. Growth models ask it and test nothing on their own.
 struct Scene {
   SkyDirection sun{0, kPi / 2};             ///< from the zenith where the document names no sun
-  Vec3 ground_colour{0.52F, 0.50F, 0.36F};  ///< sRGB
+  Vec3 ground_colour{0.50F, 0.54F, 0.37F};  ///< sRGB
 };
 
 }  // namespace meristem

@@ -69,10 +69,13 @@ class TreeJoiner {
     auto next = grafts.begin();
     for (NodeIndex node = 0; node < from.node_count(); ++node) {
       NodeIndex parent = from.is_root(node) ? kNoNode : node_of_[from.parent[node]];
+      float last_along = -1;
       for (; next != grafts.end() && next->node == node; ++next) {
         const bool is_between = !from.is_root(node) && next->along < kAtEnd;
         if (!is_between) break;
-        parent = add_between(from, node, next->along, parent);
+        // Those of a whorl share their node.
+        if (next->along > last_along) parent = add_between(from, node, next->along, parent);
+        last_along = next->along;
         joints_[next->daughter] = {parent, tree_.skeleton.order[parent]};
       }
       const bool gives_way = !is_root && node == 0;

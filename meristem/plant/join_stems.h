@@ -19,9 +19,9 @@ struct LooseStem {
   float along = 1;                 ///< at this share of it
 };
 
-/// Joins stems to those that they grow on: the mother gets a node where her daughter springs, the daughter's root gives
-/// way to it, and her axes become laterals of the mother's, of orders counted on from hers. Stems with several roots or
-/// none, and those that begin farther from their place than `reach` radii of the mother there, stay on their own.
+/// Joins stems to those that they grow on: the mother gets a node where daughters spring, their roots give way to it,
+/// and their axes become laterals of the mother's, of orders counted on from hers. Stems with several roots or none,
+/// and those that begin farther from their place than `reach` radii of the mother there, stay on their own.
 ///
 /// Stems come out in the order of their roots in the list; axes are numbered by their first nodes. Cost linear but for
 /// the sorting of places along a segment.

@@ -76,6 +76,8 @@ TEST(JoinStems, StemsOnTheSameSegmentSpringInTheirOrderAlongIt) {
     last = tree.position[node].y;
   }
   EXPECT_EQ(joined[0].parts.size(), 5U);
+  // Two of the trunk, four tips, and three where boughs spring: the two at a quarter share theirs.
+  EXPECT_EQ(tree.node_count(), 9U);
 }
 
 TEST(JoinStems, KeepsApartWhatDoesNotTouchOrHasSeveralRoots) {

@@ -315,6 +315,7 @@ class Expansion {
       ComponentOutput& output = outputs_[c];
       if (output.meshes.empty() && output.stems == 0) continue;
       const auto material = static_cast<std::uint32_t>(plant.materials.size());
+      progress_.check();
       plant.materials.push_back(material_of(graph_.components[c]));
       count_pixels(plant.materials.back());
       const auto first = static_cast<std::uint32_t>(plant.prototypes.size());

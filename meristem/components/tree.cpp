@@ -104,7 +104,7 @@ void expand(const Tree& tree, const Site& site, Emitter& out) {
   const Frame end = path.end(skeleton.position.back());
   const float tip_radius = skeleton.radius.back();
   out.stem(std::move(skeleton), tree.surface);
-  out.child_site_in_world(end, static_cast<float>(tree.length), tip_radius);
+  out.child_site_in_world(end, glm::length(end.heading()) * static_cast<float>(tree.length), tip_radius);
 }
 
 }  // namespace

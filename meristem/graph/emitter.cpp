@@ -81,7 +81,7 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
                                 .expected = "smaller scales and shifts, here or in what it hangs on",
                                 .path = "components." + context_->component});
   }
-  tint_ = instance_tint(base, context_->variety, site.key.child("colour"));
+  tint_ = context_->tinting.tint(base, site.key.child("colour"));
   has_child_sites_ = false;
   stems_of_instance_ = 0;
   first_child_ = child_sites.size();
@@ -146,7 +146,8 @@ std::uint32_t Emitter::number_stems(std::uint32_t next) {
 }
 
 void Emitter::child_site(const Frame& local, float length, float radius) {
-  child_site_in_world(site_.frame * local, length, radius);
+  const float scale = glm::length(site_.frame.heading());
+  child_site_in_world(site_.frame * local, scale * length, scale * radius);
 }
 
 void Emitter::child_site_in_world(const Frame& frame, float length, float radius) {
@@ -156,7 +157,8 @@ void Emitter::child_site_in_world(const Frame& frame, float length, float radius
 }
 
 void Emitter::branch_site(const Frame& local, float u, float length, float radius) {
-  if (context_->wants_branch_sites) add_site(branch_sites, site_.frame * local, u, length, radius);
+  const float scale = glm::length(site_.frame.heading());
+  if (context_->wants_branch_sites) add_site(branch_sites, site_.frame * local, u, scale * length, scale * radius);
 }
 
 void Emitter::add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius) {

@@ -21,6 +21,7 @@
 namespace meristem {
 
 struct ComponentBase;
+class Tinting;
 
 /// A key for geometry that instances with these numbers share.
 std::uint64_t shape_key(std::initializer_list<double> numbers);
@@ -57,7 +58,7 @@ struct EmitterContext {
   const std::string& component;  ///< id, for errors
   std::string multiplier;        ///< document path of what multiplies the children, for errors
   double time = 0;               ///< seconds
-  double variety = 0;            ///< of the instances' colours
+  const Tinting& tinting;        ///< of the instances
   bool makes_stems = false;      ///< children of branch links stand along stems only
   bool wants_child_sites = true;
   bool wants_branch_sites = true;
@@ -84,8 +85,8 @@ class Emitter {
   void organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make);
   /// A skeleton in world space. The instance's `place` moves it, but not what hangs on it.
   void stem(Skeleton skeleton, const Surface& surface);
-  /// A place for children, relative to the instance's frame; called n times it multiplies them. Without a call,
-  /// children stand in the instance's frame, unless `no_children` was called.
+  /// A place for children, relative to the instance's frame, as are the length and radius that they see; called n times
+  /// it multiplies them. Without a call, children stand in the instance's frame, unless `no_children` was called.
   void child_site(const Frame& local, float length = 0, float radius = 0);
   /// The same for a frame in world space.
   void child_site_in_world(const Frame& frame, float length, float radius);

@@ -138,12 +138,13 @@ class Expansion {
       return std::any_of(links.begin(), links.end(),
                          [&](LinkIndex k) { return (graph_.links[k].kind == LinkKind::branch) == branches; });
     };
+    const Tinting tinting(prototype);
     EmitterContext context{.scene = scene_,
                            .limits = graph_.limits,
                            .component = prototype.id,
                            .multiplier = multiplier(batch.component, links),
                            .time = time_,
-                           .variety = prototype.base().variety.value_or(prototype.type->variety),
+                           .tinting = tinting,
                            .makes_stems = prototype.type->makes_stems,
                            .wants_child_sites = wants(false),
                            .wants_branch_sites = wants(true),

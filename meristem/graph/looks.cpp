@@ -18,13 +18,12 @@ Vec3 linear_mean(const std::vector<Vec3>& colours) {
   return sum / static_cast<float>(colours.size());
 }
 
-/// Between the two colours about `at`, in linear light.
-Vec3 linear_at(const std::vector<Vec3>& colours, double at) {
-  const double place = std::clamp(at, 0.0, 1.0) * static_cast<double>(colours.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(place), colours.size() - 1);
-  const auto above = std::min(below + 1, colours.size() - 1);
-  const auto share = static_cast<float>(place - static_cast<double>(below));
-  return glm::mix(linear_from_srgb(colours[below]), linear_from_srgb(colours[above]), share);
+/// Between the two factors about `at`.
+Vec3 factor_at(const std::vector<Vec3>& factors, double at) {
+  const double place = std::clamp(at, 0.0, 1.0) * static_cast<double>(factors.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(place), factors.size() - 1);
+  const auto above = std::min(below + 1, factors.size() - 1);
+  return glm::mix(factors[below], factors[above], static_cast<float>(place - static_cast<double>(below)));
 }
 
 }  // namespace
@@ -46,15 +45,18 @@ Material material_of(const Prototype& prototype) {
   return material;
 }
 
-Vec3 instance_tint(const ComponentBase& instance, double variety, RandomKey key) {
-  Vec3 tint(1);
-  if (!instance.colours.empty()) {
-    const double at = instance.colour_at.value_or(key.uniform(0));
-    tint = linear_at(instance.colours, at) / glm::max(linear_mean(instance.colours), Vec3(1e-4F));
-  }
-  if (variety > 0) {
-    const double lighter = variety * (2 * key.uniform(1) - 1);
-    const double yellower = kToneOfVariety * variety * (2 * key.uniform(2) - 1);
+Tinting::Tinting(const Prototype& prototype) : variety_(prototype.base().variety.value_or(prototype.type->variety)) {
+  const std::vector<Vec3>& colours = prototype.base().colours;
+  if (colours.empty()) return;
+  const Vec3 mean = glm::max(linear_mean(colours), Vec3(1e-4F));
+  for (const Vec3 colour : colours) colours_.push_back(linear_from_srgb(colour) / mean);
+}
+
+Vec3 Tinting::tint(const ComponentBase& instance, RandomKey key) const {
+  Vec3 tint = colours_.empty() ? Vec3(1) : factor_at(colours_, instance.colour_at.value_or(key.uniform(0)));
+  if (variety_ > 0) {
+    const double lighter = variety_ * (2 * key.uniform(1) - 1);
+    const double yellower = kToneOfVariety * variety_ * (2 * key.uniform(2) - 1);
     const DVec3 shade = (1 + lighter) * DVec3(1 + yellower, 1, 1 - 0.45 * yellower);
     tint *= glm::max(Vec3(shade), Vec3(0));
   }

@@ -10,7 +10,17 @@ namespace meristem {
 /// The material of a component, with its texture.
 Material material_of(const Prototype& prototype);
 
-/// Linear factors on the material's colour for one instance: its place among the `colours`, and its own shade.
-Vec3 instance_tint(const ComponentBase& instance, double variety, RandomKey key);
+/// What tells a component's instances apart in colour.
+class Tinting {
+ public:
+  explicit Tinting(const Prototype& prototype);
+
+  /// Linear factors on the material's colour for one instance: its place among the `colours`, and its own shade.
+  Vec3 tint(const ComponentBase& instance, RandomKey key) const;
+
+ private:
+  std::vector<Vec3> colours_;  // over their mean, linear
+  double variety_;
+};
 
 }  // namespace meristem

@@ -8,7 +8,7 @@
 
 #include "meristem/base/frame.h"
 #include "meristem/base/random.h"
-#include "meristem/plant/join_stems.h"
+#include "meristem/plant/plant.h"
 
 namespace meristem {
 

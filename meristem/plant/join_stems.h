@@ -8,8 +8,6 @@
 
 namespace meristem {
 
-inline constexpr std::uint32_t kNoStem = 0xffffffffU;
-
 /// A stem as it was made, and where on which other one it grows.
 struct LooseStem {
   StemPart part;

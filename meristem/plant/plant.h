@@ -31,6 +31,8 @@ struct Surface {
   bool operator==(const Surface&) const = default;
 };
 
+inline constexpr std::uint32_t kNoStem = 0xffffffffU;  ///< in place of a stem's number
+
 /// What one component's instance has given to a skeleton.
 struct StemPart {
   std::string component;       ///< id in the document

@@ -62,7 +62,8 @@ std::vector<Station> candidates(const Curve& outline) {
   std::sort(places.begin(), places.end());
   std::vector<Station> stations;
   for (const double place : places) {
-    const double half_width = outline(place);
+    // A spline may swing beyond its points; the blade stays as wide as it says.
+    const double half_width = std::min(1.0, outline(place));
     stations.push_back({place, half_width < kPointed ? 0 : half_width});
   }
   return stations;

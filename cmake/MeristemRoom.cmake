@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 
 # What ccache needs to tell that a precompiled header is the same.
-set(MERISTEM_PCH_OPTIONS $<IF:$<CXX_COMPILER_ID:GNU>,-fpch-preprocess,-fno-pch-timestamp>)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set(MERISTEM_PCH_OPTIONS -fpch-preprocess)
+else()
+  set(MERISTEM_PCH_OPTIONS "SHELL:-Xclang -fno-pch-timestamp")
+endif()
 
 # Warnings, determinism and sanitizers, the same for every target of the project.
 function(meristem_compile_options target)

@@ -10,11 +10,12 @@ namespace {
 
 constexpr float kCosSharpestMitre = 0.25881905F;     // 75 degrees
 constexpr float kCosSharpestFanOfTwo = -0.8660254F;  // 150 degrees
-constexpr float kHidden = 0.95F;         // of the mother's inner radius that a lateral's first ring may fill
-constexpr float kBarkReach = 6;          // of the mother's radius along her axis that a collar may touch
-constexpr float kFlareHeight = 4;        // of a root's radius
-constexpr float kLeastCollar = 0.3F;     // of a branch's radius that must exceed what roundness allows
-constexpr std::size_t kLongestRun = 12;  // nodes that one ring may stand for
+constexpr float kHidden = 0.95F;           // of the mother's inner radius that a lateral's first ring may fill
+constexpr float kBarkReach = 6;            // of the mother's radius along her axis that a collar may touch
+constexpr float kFlareHeight = 4;          // of a root's radius
+constexpr float kLeastCollar = 0.3F;       // of a branch's radius that must exceed what roundness allows
+constexpr std::uint32_t kRoundCollar = 6;  // sides: coarser tubes show no collar, which would double a twig's triangles
+constexpr std::size_t kLongestRun = 12;    // nodes that one ring may stand for
 constexpr std::size_t kAxesPerBlock = 64;
 
 }  // namespace
@@ -193,7 +194,8 @@ void TubePlan::plan_start(const AxisPath& points, AxisPlan& plan, AxisIndex axis
     return;
   }
   const float hollow = roundness(skeleton_.axis[points.mother]);
-  if (surface(axis).collar > 0 && kLeastCollar * plan.start_radius > hollow) {
+  const bool is_round = plan.sides >= kRoundCollar;
+  if (surface(axis).collar > 0 && is_round && kLeastCollar * plan.start_radius > hollow) {
     plan.collar = plan_collar(points, bark_below(points), surface(axis).collar);
     plan.sink = 2 * hollow;
   }

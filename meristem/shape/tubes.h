@@ -31,6 +31,7 @@ TubeSize measure_tubes(const Skeleton& skeleton, const Surface& surface);
 /// The tubes of all axes as one mesh with normals and uvs: a closed body for each axis. Axes of a single node without a
 /// mother make nothing.
 ///
+/// Laterals have collars where they have at least 6 sides and more thickness than hers hides.
 /// The thickest tube has `surface.sides` sides (at least 3); the number falls with the cube root of an axis's first
 /// radius, so that nothing deviates more from round than the thickest tube: radius * (1 - cos(pi / sides)). Along an
 /// axis nodes get no ring where axis and radius run straight within `surface.error` radii.

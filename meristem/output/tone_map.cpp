@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "meristem/base/math.h"
 #include "meristem/base/colour.h"
+#include "meristem/base/math.h"
 
 namespace meristem {
 

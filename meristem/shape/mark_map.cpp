@@ -46,4 +46,14 @@ float MarkMap::at(float u, float v) const {
   return above + down * (below - above);
 }
 
+MarkMap scattered_marks(int pixels, int count, RandomKey key,
+                        FunctionRef<void(MarkMap& map, Vec2 centre, RandomKey own, int number)> draw) {
+  MarkMap map(pixels);
+  for (int k = 0; k < count; ++k) {
+    const RandomKey own = key.child(static_cast<std::uint64_t>(k));
+    draw(map, Vec2(own.uniform(0), own.uniform(1)), own, k);
+  }
+  return map;
+}
+
 }  // namespace meristem

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "meristem/base/function_ref.h"
+#include "meristem/base/random.h"
 #include "meristem/base/vec.h"
 
 namespace meristem {
@@ -26,5 +27,9 @@ class MarkMap {
   int pixels_;
   std::vector<float> values_;
 };
+
+/// `count` marks at random places, each drawn by `draw` from a key of its own.
+MarkMap scattered_marks(int pixels, int count, RandomKey key,
+                        FunctionRef<void(MarkMap& map, Vec2 centre, RandomKey own, int number)> draw);
 
 }  // namespace meristem

@@ -13,48 +13,33 @@ namespace {
 constexpr float kSheet = 0.0016F;  // thickness of a peeling sheet, in widths of the tile
 
 MarkMap dashes_of(const BarkPaints& paints) {
-  const RandomKey key = paints.key.child("dashes");
-  MarkMap map(paints.pixels);
-  const int count = paints.area_count(300);
-  for (int k = 0; k < count; ++k) {
-    const RandomKey own = key.child(static_cast<std::uint64_t>(k));
-    const Vec2 centre(own.uniform(0), own.uniform(1));
+  const auto draw = [&](MarkMap& map, Vec2 centre, RandomKey own, int) {
     // Many are short and few are long.
     const double longer = own.uniform(2) * own.uniform(3);
     const Vec2 reach =
         paints.scale * Vec2(0.004 + 0.045 * longer, 0.0012 + 0.0022 * longer + own.uniform(4, 0, 0.0008));
     const auto strength = static_cast<float>(own.uniform(5, 0.3, 1));
     map.add(centre, reach, [&](Vec2 place) { return strength * rise(1, 0.35F, glm::dot(place, place)); });
-  }
-  return map;
+  };
+  return scattered_marks(paints.pixels, paints.area_count(300), paints.key.child("dashes"), draw);
 }
 
 /// Where a sheet has come loose along a tear: from 0 far above to 1 at the curled edge.
 MarkMap tears_of(const BarkPaints& paints) {
-  const RandomKey key = paints.key.child("tears");
-  MarkMap map(paints.pixels);
-  const int count = paints.area_count(13);
-  for (int k = 0; k < count; ++k) {
-    const RandomKey own = key.child(static_cast<std::uint64_t>(k));
-    const Vec2 centre(own.uniform(0), own.uniform(1));
+  const auto draw = [&](MarkMap& map, Vec2 centre, RandomKey own, int) {
     const Vec2 reach = paints.scale * Vec2(own.uniform(2, 0.06, 0.22), own.uniform(3, 0.006, 0.014));
     map.add(centre, reach, [&](Vec2 place) {
       const float depth = 1 - place.x * place.x;
       const float above = 0.5F * (1 + place.y);
       return above < depth ? 1 - above / depth : 0.0F;
     });
-  }
-  return map;
+  };
+  return scattered_marks(paints.pixels, paints.area_count(13), paints.key.child("tears"), draw);
 }
 
 /// Black places, 1 in their middle and 0 at their edge: lozenges, and the two-winged beards over old branches.
 MarkMap scars_of(const BarkPaints& paints) {
-  const RandomKey key = paints.key.child("scars");
-  MarkMap map(paints.pixels);
-  const int count = paints.area_count(5);
-  for (int k = 0; k < count; ++k) {
-    const RandomKey own = key.child(static_cast<std::uint64_t>(k));
-    const Vec2 centre(own.uniform(0), own.uniform(1));
+  const auto draw = [&](MarkMap& map, Vec2 centre, RandomKey own, int k) {
     const Vec2 reach = paints.scale * Vec2(own.uniform(2, 0.04, 0.15), own.uniform(3, 0.025, 0.07));
     if (k % 3 == 1) {
       map.add(centre, 1.2F * reach, [](Vec2 place) {
@@ -66,8 +51,8 @@ MarkMap scars_of(const BarkPaints& paints) {
       map.add(centre, reach,
               [](Vec2 place) { return 1 - std::min(1.0F, std::abs(place.x) + std::abs(place.y) * std::abs(place.y)); });
     }
-  }
-  return map;
+  };
+  return scattered_marks(paints.pixels, paints.area_count(5), paints.key.child("scars"), draw);
 }
 
 }  // namespace

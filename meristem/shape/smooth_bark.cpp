@@ -10,17 +10,12 @@ namespace {
 
 /// Short corky warts, wider than high.
 MarkMap lenticels_of(const BarkPaints& paints) {
-  const RandomKey key = paints.key.child("lenticels");
-  MarkMap map(paints.pixels);
-  const int count = paints.area_count(500);
-  for (int k = 0; k < count; ++k) {
-    const RandomKey own = key.child(static_cast<std::uint64_t>(k));
-    const Vec2 centre(own.uniform(0), own.uniform(1));
+  const auto draw = [&](MarkMap& map, Vec2 centre, RandomKey own, int) {
     const Vec2 reach = paints.scale * Vec2(own.uniform(2, 0.003, 0.01), own.uniform(3, 0.0014, 0.003));
     const auto strength = static_cast<float>(own.uniform(4, 0.1, 0.8));
     map.add(centre, reach, [&](Vec2 place) { return strength * rise(1, 0, glm::dot(place, place)); });
-  }
-  return map;
+  };
+  return scattered_marks(paints.pixels, paints.area_count(500), paints.key.child("lenticels"), draw);
 }
 
 }  // namespace

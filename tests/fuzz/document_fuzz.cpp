@@ -9,6 +9,7 @@
 #include "meristem/base/progress.h"
 #include "meristem/components/registry.h"
 #include "meristem/document/grow.h"
+#include "tests/fuzz/require.h"
 
 namespace {
 
@@ -21,10 +22,6 @@ std::vector<Override> tight_limits() {
           {"limits.instances", 500},
           {"limits.triangles", 20e3},
           {"limits.mesh_bytes", 4'000'000}};
-}
-
-void require(bool holds) {
-  if (!holds) __builtin_trap();
 }
 
 }  // namespace

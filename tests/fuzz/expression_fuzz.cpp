@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "meristem/base/expression.h"
+#include "tests/fuzz/require.h"
 
 namespace {
 

@@ -6,14 +6,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/read_image.h"
-
-namespace {
-
-void require(bool holds) {
-  if (!holds) __builtin_trap();
-}
-
-}  // namespace
+#include "tests/fuzz/require.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace meristem;
@@ -24,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     require(!image.is_empty() && pixels <= limits.picture_pixels && image.rgba.size() == 4 * pixels);
   } catch (const InputError& error) {
-    for (const Diagnostic& found : error.diagnostics()) require(!found.message.empty() && found.file == "picture");
+    require_faults_of(error, "picture");
   }
   return 0;
 }

@@ -8,14 +8,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/scene/read_mesh.h"
-
-namespace {
-
-void require(bool holds) {
-  if (!holds) __builtin_trap();
-}
-
-}  // namespace
+#include "tests/fuzz/require.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace meristem;
@@ -33,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const DVec3 position : mesh.positions) require(std::abs(closed.winding_number(position)) <= most);
     require(!closed.contains(DVec3(1e300)) && !closed.contains(DVec3(-1e300)));
   } catch (const InputError& error) {
-    for (const Diagnostic& found : error.diagnostics()) require(!found.message.empty() && found.file == "body");
+    require_faults_of(error, "body");
   }
   return 0;
 }

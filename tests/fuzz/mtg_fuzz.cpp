@@ -7,14 +7,11 @@
 
 #include "meristem/measure/measures.h"
 #include "meristem/output/mtg_skeleton.h"
+#include "tests/fuzz/require.h"
 
 namespace {
 
 using namespace meristem;
-
-void require(bool holds) {
-  if (!holds) __builtin_trap();
-}
 
 void check_tree(const MtgTree& tree) {
   for (MtgVertex vertex = 1; vertex < tree.vertex_count(); ++vertex) {

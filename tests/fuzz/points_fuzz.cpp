@@ -7,14 +7,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/scene/read_points.h"
-
-namespace {
-
-void require(bool holds) {
-  if (!holds) __builtin_trap();
-}
-
-}  // namespace
+#include "tests/fuzz/require.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace meristem;
@@ -27,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       require(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z));
     }
   } catch (const InputError& error) {
-    for (const Diagnostic& found : error.diagnostics()) require(!found.message.empty() && found.file == "scan");
+    require_faults_of(error, "scan");
   }
   return 0;
 }

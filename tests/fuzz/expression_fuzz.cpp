@@ -17,12 +17,9 @@ using meristem::Expression;
 using meristem::ExpressionError;
 using meristem::ExpressionNames;
 using meristem::RandomKey;
+using meristem::require;
 
 constexpr std::size_t kLanes = 75;  // a block of 64, one of 8, three single ones
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
 
 void compare_lanes(const Expression& expression) {
   std::vector<double> i(kLanes);

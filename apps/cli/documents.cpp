@@ -61,12 +61,23 @@ Document open_document(const DocumentOptions& options) {
   return document;
 }
 
-void check_output(const std::string& path) {
+void check_output(const std::string& path, std::span<const std::string> inputs) {
   std::error_code ignored;
+  for (const std::string& input : inputs) {
+    if (!fs::equivalent(path, input, ignored)) continue;
+    throw InputError(Diagnostic{.message = fmt::format("'{}' would be written over, and it is read", input),
+                                .expected = "another name or folder for what is written"});
+  }
   const fs::file_status status = fs::status(path, ignored);
   const bool is_stream =
       path == "-" || (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
   if (!is_stream) AtomicFile file(path);
+}
+
+std::vector<std::string> input_files(const Document& document) {
+  std::vector<std::string> files = document.source.named_files;
+  files.push_back(document.source.file);
+  return files;
 }
 
 std::string models_folder() {

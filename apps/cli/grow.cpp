@@ -37,10 +37,13 @@ void grow(const GrowOptions& options) {
   const double time = checked_time(options.time);
   check_options(options, formats);
   const Document document = open_document(options.document);
+  const std::vector<std::string> inputs = input_files(document);
   for (std::size_t k = 0; k < formats.size(); ++k) {
-    check_output(options.outputs[k]);
+    check_output(options.outputs[k], inputs);
     if (formats[k]->companions == nullptr) continue;
-    for (const std::string& companion : formats[k]->companions(document, options.outputs[k])) check_output(companion);
+    for (const std::string& companion : formats[k]->companions(document, options.outputs[k])) {
+      check_output(companion, inputs);
+    }
   }
 
   const ThreadLimit threads(options.document.threads);

@@ -64,7 +64,7 @@ void check_kind(const MeasureCommand& command) {
 
 StandMeasures measure_document(const MeasureCommand& command) {
   const Document document = open_document(command.document);
-  check_output(command.output);
+  check_output(command.output, input_files(document));
   const ThreadLimit threads(command.document.threads);
   TerminalProgress terminal(command.document.quiet);
   const GrownDocument grown = grow_document(document, terminal.progress());
@@ -91,7 +91,7 @@ StandMeasures measure_mtg(const MeasureCommand& command) {
   const std::string& path = command.document.path;
   const Limits limits;
   const MtgSkeleton read = skeleton_of(read_mtg(read_file(path, limits.file_bytes), path, limits), path, geometry);
-  check_output(command.output);
+  check_output(command.output, std::span(&path, 1));
 
   const ThreadLimit threads(command.document.threads);
   StandMeasures stand;

@@ -137,7 +137,8 @@ void render(const RenderOptions& options) {
   const Document document = open_document(options.document);
   const StillOptions still = chosen_still(options, document.output);
   const View view = chosen_view(options, document);
-  for (const Picture& picture : pictures) check_output(picture.path);
+  const std::vector<std::string> inputs = input_files(document);
+  for (const Picture& picture : pictures) check_output(picture.path, inputs);
 
   const ThreadLimit threads(options.document.threads);
   {

@@ -50,6 +50,7 @@ class DocumentReader {
     read_head(reader, document);
     read_components(reader, document.graph);
     read_links(reader, document.graph);
+    document.source.named_files = reader.files();
     take_from(reader);
     if (seed) document.graph.seed = *seed;
 

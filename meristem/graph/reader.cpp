@@ -274,8 +274,10 @@ void ParameterReader::file(const Parameter& parameter, const Value& value, const
   const std::string* given = text(parameter, value, place);
   if (given == nullptr) return;
   const std::filesystem::path folder(folder_);
+  const std::string path = given->empty() ? "" : (folder / *given).string();
+  files_.push_back(path);
   try {
-    load(given->empty() ? "" : (folder / *given).string());
+    load(path);
   } catch (const InputError& error) {
     // One fault says both places: this one, and the one in the file.
     for (const Diagnostic& found : error.diagnostics()) {

@@ -68,6 +68,8 @@ class ParameterReader {
   /// Calls `load` with the full path of the file that `value` names; what it throws becomes faults at `place`.
   void file(const Parameter& parameter, const Value& value, const Place& place,
             FunctionRef<void(const std::string& path)> load);
+  /// The paths of all files that were named so far.
+  const std::vector<std::string>& files() const { return files_; }
   /// The table's members from an object, or its shorthand from a bare value.
   void object(const ParameterTable& table, void* object, const Value& value, const Place& place);
   void wrong_kind(const Parameter& parameter, const Value& value, const Place& place);
@@ -80,6 +82,7 @@ class ParameterReader {
   std::vector<ExpressionNames::Constant> constants_;
   Limits limits_;
   std::string folder_;
+  std::vector<std::string> files_;
   std::vector<Diagnostic> diagnostics_;
   std::size_t faults_ = 0;
   std::byte* varying_begin_ = nullptr;

@@ -466,6 +466,22 @@ class Looks(Case):
         errors = self.assert_ends(FAILED, "grow", "textured.json", "-o", "a.obj", *LONG_GROWTH)
         self.assertIn("cannot write 'a_leaf_normals.png': Is a directory", errors)
 
+    def test_files_that_are_read_are_never_written_over(self):
+        self.assert_ends(DONE, "grow", "textured.json", "-o", "own.obj")
+        picture = self.read("own_leaf_colour.png")
+        self.write("own.json", TREE.replace('"type": "leaf"', '"type": "leaf", "texture": {"picture": {"colour": '
+                                            '"own_leaf_colour.png"}}'))
+        refused = "would be written over, and it is read"
+        for command, output in (("grow", "own.obj"), ("render", "own_leaf_colour.png"), ("measure", "own.json"),
+                                ("render", "./own_leaf_colour.png")):
+            options = {"grow": LONG_GROWTH, "render": LONG_RENDER, "measure": LONG_GROWTH}[command]
+            self.assertIn(refused, self.assert_ends(WRONG_INPUT, command, "own.json", "-o", output, *options))
+        self.write("walnut.mtg", MTG)
+        self.assertIn(refused, self.assert_ends(WRONG_INPUT, "measure", "walnut.mtg", "-o", "walnut.mtg"))
+        self.assertEqual(self.read("own_leaf_colour.png"), picture)
+        self.assertEqual(self.read("walnut.mtg").decode(), MTG)
+        self.assert_ends(DONE, "grow", "own.json", "-o", "other.obj")
+
     def test_instanced_files_are_small_and_whole(self):
         plain_size, _ = self.grown_json()
         size, gltf = self.grown_json("--instanced")

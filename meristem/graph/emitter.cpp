@@ -25,6 +25,14 @@ bool is_finite(const Frame& frame) {
   return finite(frame.origin) && finite(frame.axes[0]) && finite(frame.axes[1]) && finite(frame.axes[2]);
 }
 
+/// Stops where a limit is passed. `message` names the limit and not the count, which depends on what other threads have
+/// counted so far.
+[[noreturn]] void throw_past(std::string message, std::uint64_t limit, std::string_view limit_name, std::string path) {
+  throw InputError(Diagnostic{.message = std::move(message),
+                              .expected = fmt::format("at most {} (limits.{})", limit, limit_name),
+                              .path = std::move(path)});
+}
+
 /// True where the frame's volume is too small to be inverted.
 bool has_vanished(const Frame& frame) { return std::abs(glm::determinant(frame.axes)) < 1e-36F; }
 
@@ -120,10 +128,8 @@ std::shared_ptr<const Mesh> Emitter::shared_mesh(std::uint64_t key, FunctionRef<
   std::shared_ptr<const Mesh> mesh = context_->meshes.keep(key, make());
   const std::uint64_t limit = context_->limits.mesh_bytes;
   if (context_->mesh_bytes + context_->meshes.bytes() <= limit) return mesh;
-  throw InputError(
-      Diagnostic{.message = fmt::format("the shapes of '{}' take more than {} bytes", context_->component, limit),
-                 .expected = fmt::format("at most {} (limits.mesh_bytes)", limit),
-                 .path = "components." + context_->component});
+  throw_past(fmt::format("the shapes of '{}' take more than {} bytes", context_->component, limit), limit, "mesh_bytes",
+             "components." + context_->component);
 }
 
 void Emitter::stem(Skeleton skeleton, const Surface& surface) {
@@ -136,13 +142,13 @@ void Emitter::stem(Skeleton skeleton, const Surface& surface) {
   }
 }
 
-std::uint32_t Emitter::number_stems(std::uint32_t next) {
+void Emitter::number_stems(std::uint32_t first) {
+  first_stem = first;
   for (std::vector<Site>* sites : {&child_sites, &branch_sites}) {
     for (Site& site : *sites) {
-      if (site.stem != kNoStem && (site.stem & kOfThisBlock) != 0) site.stem = next + (site.stem & ~kOfThisBlock);
+      if (site.stem != kNoStem && (site.stem & kOfThisBlock) != 0) site.stem = first + (site.stem & ~kOfThisBlock);
     }
   }
-  return next + static_cast<std::uint32_t>(stems.size());
 }
 
 void Emitter::child_site(const Frame& local, float length, float radius) {
@@ -178,12 +184,9 @@ void Emitter::add_site(std::vector<Site>& sites, const Frame& frame, float u, fl
 void Emitter::count_sites() {
   const std::uint64_t limit = context_->limits.instances;
   const std::uint64_t before = context_->instances.fetch_add(uncounted_, std::memory_order_relaxed);
-  // The message names the limit and not the count, which depends on what other threads have counted so far.
   if (before + uncounted_ > limit) {
-    throw InputError(
-        Diagnostic{.message = fmt::format("'{}' offers places to more than {} instances", context_->component, limit),
-                   .expected = fmt::format("at most {} (limits.instances)", limit),
-                   .path = context_->multiplier});
+    throw_past(fmt::format("'{}' offers places to more than {} instances", context_->component, limit), limit,
+               "instances", context_->multiplier);
   }
   uncounted_ = 0;
 }
@@ -191,10 +194,8 @@ void Emitter::count_sites() {
 void Emitter::count_nodes(std::uint64_t more) {
   const std::uint64_t limit = context_->limits.nodes;
   if (context_->nodes.fetch_add(more, std::memory_order_relaxed) + more <= limit) return;
-  throw InputError(
-      Diagnostic{.message = fmt::format("with '{}' there are more than {} nodes", context_->component, limit),
-                 .expected = fmt::format("at most {} (limits.nodes)", limit),
-                 .path = "components." + context_->component});
+  throw_past(fmt::format("with '{}' there are more than {} nodes", context_->component, limit), limit, "nodes",
+             "components." + context_->component);
 }
 
 Skeleton Emitter::take_grown() {

@@ -114,8 +114,9 @@ class Emitter {
   std::vector<EmittedPrototype> prototypes;
   std::vector<Organ> organs;  ///< their prototypes count within this emitter
   std::vector<EmittedStem> stems;
-  /// Numbers the stems on from `next`, and tells the places on them. Returns the number after the last.
-  std::uint32_t number_stems(std::uint32_t next);
+  std::uint32_t first_stem = 0;  ///< number of the first of them
+  /// Numbers the stems on from `first`, and tells the places on them.
+  void number_stems(std::uint32_t first);
   std::vector<Site> child_sites;  ///< with the key and depth of the instance that offers them
   std::vector<Site> branch_sites;
 

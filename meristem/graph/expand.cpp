@@ -164,13 +164,12 @@ class Expansion {
       progress_.advance(end - begin);
     });
     nodes_ = context.nodes;
-    std::vector<std::uint32_t> first_stems;
-    std::uint32_t next_stem = static_cast<std::uint32_t>(stems_.size());
+    std::size_t stems = stems_.size();
     for (Emitter& emitter : emitters) {
-      first_stems.push_back(next_stem);
-      next_stem = emitter.number_stems(next_stem);
+      emitter.number_stems(static_cast<std::uint32_t>(stems));
+      stems += emitter.stems.size();
     }
-    for (const LinkIndex link : links) follow(link, emitters, first_stems);
+    for (const LinkIndex link : links) follow(link, emitters);
     for (Emitter& emitter : emitters) merge(batch.component, emitter);
   }
 
@@ -193,15 +192,13 @@ class Expansion {
     return links;
   }
 
-  /// The places that a link gives its child, over all instances of the parent. `first_stems` are the numbers of the
-  /// emitters' first stems.
-  void follow(LinkIndex index, const std::vector<Emitter>& emitters, const std::vector<std::uint32_t>& first_stems) {
+  /// The places that a link gives its child, over all instances of the parent.
+  void follow(LinkIndex index, const std::vector<Emitter>& emitters) {
     const Link& link = graph_.links[index];
     const bool has_stems = graph_.components[link.from].type->makes_stems;
     Batch batch{.component = link.to, .sites = {}};
-    for (std::size_t e = 0; e < emitters.size(); ++e) {
-      const Emitter& emitter = emitters[e];
-      std::uint32_t number = first_stems[e];
+    for (const Emitter& emitter : emitters) {
+      std::uint32_t number = emitter.first_stem;
       if (link.kind == LinkKind::branch) {
         for (const EmittedStem& stem : emitter.stems) add_places_along(index, stem, number++, batch.sites);
         for (const Site& site : emitter.branch_sites) add_site(index, site, batch.sites);

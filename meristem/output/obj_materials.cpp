@@ -26,6 +26,7 @@ std::vector<bool> materials_in_use(const MeshScene& scene) {
 /// A texture and the paths of its pictures, empty where it has none of that kind.
 struct Pictures {
   const Texture* texture = nullptr;
+  bool owns = false;  // the pictures are named by this material, the first that has the texture
   std::string colour, normals, mask;
 };
 
@@ -73,6 +74,7 @@ std::vector<Pictures> pictures_of(const MeshScene& scene, const std::string& obj
     const std::size_t owner = first.try_emplace(texture, m).first->second;
     const auto [colour, normals, mask] = picture_paths(obj_path, words[owner]);
     pictures[m].texture = texture;
+    pictures[m].owns = owner == m;
     if (!texture->colour.is_empty()) pictures[m].colour = colour;
     if (texture->has_normals()) pictures[m].normals = normals;
     if (!texture->colour.is_empty() && texture->masked) pictures[m].mask = mask;
@@ -84,11 +86,10 @@ std::vector<Pictures> pictures_of(const MeshScene& scene, const std::string& obj
 std::vector<Picture> encode_pictures(const std::vector<Pictures>& of_materials, Progress& progress) {
   std::vector<Picture> pictures;
   const auto add = [&](const std::string& path, const Texture* texture, Picture::Kind kind) {
-    const auto is_it = [&](const Picture& known) { return known.path == path; };
-    if (path.empty() || std::any_of(pictures.begin(), pictures.end(), is_it)) return;
-    pictures.push_back({path, texture, kind, {}});
+    if (!path.empty()) pictures.push_back({path, texture, kind, {}});
   };
   for (const Pictures& material : of_materials) {
+    if (!material.owns) continue;
     add(material.colour, material.texture, Picture::Kind::colour);
     add(material.normals, material.texture, Picture::Kind::normals);
     add(material.mask, material.texture, Picture::Kind::mask);

@@ -2,7 +2,8 @@
 #include "meristem/plant/join_stems.h"
 
 #include <algorithm>
-#include <cmath>
+#include <map>
+#include <string>
 #include <utility>
 
 namespace meristem {

@@ -12,7 +12,7 @@
 #include "meristem/base/random.h"
 #include "meristem/shape/leaf_blade.h"
 #include "meristem/shape/primitives.h"
-#include "meristem/shape/tubes.h"
+#include "meristem/shape/tube_plan.h"
 
 namespace meristem {
 namespace {
@@ -80,7 +80,9 @@ TEST(MeshScene, CountsTrianglesAfterInstancing) {
   const MeshScene scene = scene_of(plant);
   EXPECT_EQ(scene.instance_count(), 3U + 10U);
   std::uint64_t expected = 0;
-  for (const Stem& each : plant.stems) expected += measure_tubes(each.skeleton, each.parts[0].surface).triangles;
+  for (const Stem& each : plant.stems) {
+    expected += TubePlan(each.skeleton, {{each.parts[0].surface}}).sizes()[0].triangles;
+  }
   for (const Organ& organ : plant.organs) expected += plant.prototypes[organ.prototype].mesh->triangle_count();
   EXPECT_EQ(scene.triangle_count(), expected);
 }

@@ -444,10 +444,6 @@ class AxisMesher {
 
 }  // namespace
 
-TubeSize measure_tubes(const Skeleton& skeleton, const Surface& surface) {
-  return TubePlan(skeleton, {{surface}}).sizes()[0];
-}
-
 Mesh make_tubes(const Skeleton& skeleton, const Surface& surface, Progress& progress) {
   if (!(surface.uv_scale > 0)) throw std::invalid_argument("a surface's uv_scale is above 0");
   return std::move(make_tubes(TubePlan(skeleton, {{surface}}), progress)[0]);

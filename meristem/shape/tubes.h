@@ -25,9 +25,6 @@ struct TubeSize {
 
 class TubePlan;
 
-/// The size of `make_tubes(skeleton, surface)`.
-TubeSize measure_tubes(const Skeleton& skeleton, const Surface& surface);
-
 /// The tubes of all axes as one mesh with normals and uvs: a closed body for each axis. Axes of a single node without a
 /// mother make nothing.
 ///

@@ -271,7 +271,7 @@ TEST(Tubes, TilesGoRoundAWholeNumberOfTimesAndKeepTheirAspect) {
 TEST(Tubes, SizeIsKnownBeforehand) {
   for (const Skeleton& skeleton : {random_tree(1, 2000), fork(60, 0.1F, 0.05F), Skeleton{}}) {
     for (const Surface& surface : {bare(8), Surface{}}) {
-      const TubeSize size = measure_tubes(skeleton, surface);
+      const TubeSize size = TubePlan(skeleton, {{surface}}).sizes()[0];
       const Mesh mesh = tubes(skeleton, surface);
       EXPECT_EQ(size.triangles, mesh.triangle_count());
       EXPECT_EQ(size.vertices, mesh.vertex_count());
@@ -392,7 +392,7 @@ TEST(Tubes, CapsCloseTheTipAsAsked) {
     const Mesh mesh = tubes(stem, surface);
     EXPECT_TRUE(check_mesh(mesh));
     EXPECT_EQ(euler_number(mesh), 2);
-    const TubeSize size = measure_tubes(stem, surface);
+    const TubeSize size = TubePlan(stem, {{surface}}).sizes()[0];
     EXPECT_EQ(size.vertices, mesh.vertex_count());
     EXPECT_EQ(size.triangles, mesh.triangle_count());
     return signed_volume(mesh);

@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Times whole processes: every shipped document and trees.json, grown to a file by the command line.
+"""Times whole processes: documents, the shipped ones and trees.json if none are named, grown or drawn.
 
 One document a process, RUNS times after a warm-up; wall and processor seconds as minimum and median, peak memory as the
 operating system counts it, and the file's hash, which has to be the same each time. As a reference for what a process
 costs at all, `meristem --version` is timed in the same run.
 
-    bench/documents.py [PROGRAM] [--runs N] [--endings .glb .obj .ply .skeleton.ply .csv]
+    bench/documents.py [PROGRAM] [--runs N] [--documents FILE ...] [--endings .glb .obj .ply .skeleton.ply .csv .png]
+
+Pictures (.png) have 800 x 800 pixels and 64 samples.
 """
 import argparse
 import hashlib
@@ -44,7 +46,10 @@ def print_row(name, spread, memory, note):
 
 
 def time_document(arguments, document, target):
-    command = [arguments.program, "grow", str(document), "-o", target, "--quiet"]
+    draws = target.endswith(".png")
+    command = [arguments.program, "render" if draws else "grow", str(document), "-o", target, "--quiet"]
+    if draws:
+        command += ["--size", "800x800", "--samples", "64"]
     spread, memory = measure(command, arguments.runs)
     # In pieces: the system counts what this process holds to the peak of the next one that it starts.
     digest = hashlib.sha256()
@@ -59,6 +64,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program", nargs="?", default=str(ROOT / "build/release/bin/meristem"))
     parser.add_argument("--runs", type=int, default=7)
+    documents = sorted((ROOT / "models").glob("*.json")) + [ROOT / "bench/trees.json"]
+    parser.add_argument("--documents", nargs="+", type=pathlib.Path, default=documents, metavar="FILE")
     parser.add_argument("--endings", nargs="+", default=[".glb"], help="of the formats to write")
     arguments = parser.parse_args()
 
@@ -71,7 +78,7 @@ def main():
         os.dup2(saved, 1)
     print_row("(no document)", spread, memory, "")
     with tempfile.TemporaryDirectory() as folder:
-        for document in sorted((ROOT / "models").glob("*.json")) + [ROOT / "bench/trees.json"]:
+        for document in arguments.documents:
             for ending in arguments.endings:
                 time_document(arguments, document, os.path.join(folder, document.stem + ending))
 

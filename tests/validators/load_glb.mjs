@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Loads the samples with the loader of three.js and compares what it makes of them with what glb_samples says that it
-// wrote. Exits 1 where they differ. Pictures are not decoded, which takes a browser.
+// wrote; or loads the GLBs it is given and prints what is in them. Exits 1 where they differ. Pictures are not decoded,
+// which takes a browser.
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import process from 'node:process';
@@ -9,7 +10,7 @@ globalThis.self ??= globalThis;
 
 const folder = process.argv[2];
 if (!folder) {
-  console.error('usage: node load_glb.mjs FOLDER_OF_SAMPLES');
+  console.error('usage: node load_glb.mjs FOLDER_OF_SAMPLES | FILE.glb ...');
   process.exit(1);
 }
 const [{ Matrix4, Texture }, { GLTFLoader }] = await Promise.all([
@@ -73,6 +74,14 @@ function countsOf(scene) {
   counts.materials_with_normal_map = all.filter(({ normalMap }) => normalMap).length;
   counts.masked_materials = all.filter(({ alphaTest }) => alphaTest === 0.5).length;
   return { counts, low, high };
+}
+
+if (folder.endsWith('.glb')) {
+  for (const file of process.argv.slice(2)) {
+    const { counts } = countsOf((await load(file)).scene);
+    console.log(file, counts);
+  }
+  process.exit(0);
 }
 
 let faults = 0;

@@ -2,13 +2,17 @@
 #pragma once
 
 #include "meristem/base/vec.h"
+#include "meristem/scene/light.h"
+#include "meristem/scene/obstacles.h"
 #include "meristem/scene/sun.h"
 
 namespace meristem {
 
 /// What surrounds plants and what they perceive. Growth models ask it and test nothing on their own.
 struct Scene {
-  SkyDirection sun{0, kPi / 2};             ///< from the zenith where the document names no sun
+  Light light;                              ///< that plants grow in
+  Obstacles obstacles;                      ///< that shade them and that they do not enter
+  SkyDirection sun{0, kPi / 2};             ///< in pictures; from the zenith where the document names no sun
   Vec3 ground_colour{0.50F, 0.54F, 0.37F};  ///< sRGB
 };
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/scene/light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "meristem/base/math.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr double kNearest = 0.1;  // metres: a lamp is no point, so nearer to it light does not grow for ever
+
+}  // namespace
+
+LightRay Light::ray_to(const Lamp& lamp, Vec3 place) {
+  const DVec3 way = DVec3(lamp.position) - DVec3(place);
+  const double distance = std::sqrt((way.x * way.x + way.z * way.z) + way.y * way.y);
+  const double near = std::max(distance, kNearest);
+  return {.toward = distance > 0 ? Vec3(way / distance) : kUp,
+          .distance = distance,
+          .strength = lamp.strength / (near * near)};
+}
+
+std::vector<FarLight> sun_of_day(double latitude, double day, double every_hours) {
+  std::vector<FarLight> positions;
+  double sum = 0;
+  // From midnight to midnight, the second one left out: on the polar day it is the first one again.
+  const auto steps = static_cast<int>(std::floor(12 / every_hours));
+  for (int k = -steps; k <= steps; ++k) {
+    const double hour = 12 + k * every_hours;
+    if (hour >= 24) continue;
+    const SkyDirection sun = sun_position(latitude, day, hour);
+    if (!(sun.altitude > 0)) continue;
+    positions.push_back({unit_vector(sun), sun.altitude});
+    sum += sun.altitude;
+  }
+  for (FarLight& position : positions) position.strength /= sum;
+  return positions;
+}
+
+}  // namespace meristem

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "meristem/output/daylight.h"
-#include "meristem/output/ray_scene.h"
 #include "meristem/output/sampling.h"
 #include "meristem/output/texture_sampler.h"
 #include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/ray_scene.h"
 
 namespace meristem {
 

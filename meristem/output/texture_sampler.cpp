@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "meristem/base/colour.h"
+#include "meristem/shape/pixel_neighbours.h"
 
 namespace meristem {
 
@@ -24,23 +25,6 @@ ByteTable decoded_bytes(PixelMeaning meaning) {
   }
   return table;
 }
-
-/// The two pixels along one way that lie about a place, and the share of the second; pictures repeat.
-struct Neighbours {
-  int first;
-  int second;
-  float share;
-
-  Neighbours(float turns, int count) {
-    const float at = (turns - std::floor(turns)) * static_cast<float>(count) - 0.5F;
-    const float below = std::floor(at);
-    share = at - below;
-    first = static_cast<int>(below);
-    if (first < 0) first += count;
-    first = std::min(first, count - 1);
-    second = first + 1 == count ? 0 : first + 1;
-  }
-};
 
 /// Which pixels of `count` the `index`-th of `halves` covers, and how much of the last ones.
 struct Cover {
@@ -109,8 +93,8 @@ Vec4 PixelPyramid::mean(Vec2 uv, float width) const {
   // Level n has pixels of 2^n; the nearest power of two is taken, a root of two above it the next.
   const float pixels = std::clamp(1.41421356F * width * pixels_per_uv_, 1.0F, 1e9F);
   const Level& level = levels_[std::min<std::size_t>(std::ilogb(pixels), levels_.size() - 1)];
-  const Neighbours columns(uv.x, level.width);
-  const Neighbours rows(1 - uv.y, level.height);
+  const PixelNeighbours columns(uv.x, level.width);
+  const PixelNeighbours rows(1 - uv.y, level.height);
   const auto at = [&](int row, int column) {
     const Pixel& pixel = level.pixels[std::size_t{1} * row * level.width + column];
     return Vec4(pixel[0], pixel[1], pixel[2], pixel[3]);
@@ -135,22 +119,6 @@ Vec3 TextureSampler::normal(Vec2 uv, float width) const {
   const Vec3 mean = 2.0F * Vec3(normals_[0].mean(uv, width)) - 1.0F;
   const float length = glm::length(mean);
   return length > 1e-3F ? mean / length : Vec3(0, 0, 1);
-}
-
-AlphaMask::AlphaMask(const Image& image) : width_(image.width), height_(image.height) {
-  alpha_.reserve(std::size_t{1} * width_ * height_);
-  for (std::size_t i = 3; i < image.rgba.size(); i += 4) alpha_.push_back(image.rgba[i]);
-}
-
-bool AlphaMask::is_hole(Vec2 uv) const {
-  const Neighbours columns(uv.x, width_);
-  const Neighbours rows(1 - uv.y, height_);
-  const std::uint8_t* upper = alpha_.data() + std::size_t{1} * rows.first * width_;
-  const std::uint8_t* lower = alpha_.data() + std::size_t{1} * rows.second * width_;
-  const auto along = [&](const std::uint8_t* row) {
-    return glm::mix(static_cast<float>(row[columns.first]), static_cast<float>(row[columns.second]), columns.share);
-  };
-  return glm::mix(along(upper), along(lower), rows.share) < 127.5F;
 }
 
 }  // namespace meristem

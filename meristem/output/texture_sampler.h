@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Textures as a path tracer reads them: linear light, means over any width from a pyramid of halved pictures, and the
-// mask by itself, as rays ask for it at every leaf they meet.
+// Textures as a path tracer reads them: linear light, means over any width from a pyramid of halved pictures.
 //
 // Based on: L. Williams: Pyramidal parametrics (1983).
 #pragma once
@@ -60,19 +59,6 @@ class TextureSampler {
   PixelPyramid colours_;
   std::vector<PixelPyramid> normals_;  // one, or none
   Vec3 mean_;
-};
-
-/// Where a masked texture has holes.
-class AlphaMask {
- public:
-  explicit AlphaMask(const Image& image);
-  /// Whether alpha, bilinear between pixels, is below one half.
-  bool is_hole(Vec2 uv) const;
-
- private:
-  int width_;
-  int height_;
-  std::vector<std::uint8_t> alpha_;
 };
 
 }  // namespace meristem

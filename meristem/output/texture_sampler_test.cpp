@@ -99,13 +99,5 @@ TEST(TextureSampler, NormalsAreUnitAndPointWhereTheMapSays) {
   EXPECT_NEAR(glm::length(sampler.normal({0.5F, 0.5F}, 0)), 1, 1e-5);
 }
 
-TEST(AlphaMask, IsAHoleBelowOneHalf) {
-  const AlphaMask mask({2, 2, {0, 0, 0, 255, 0, 0, 0, 128, 0, 0, 0, 127, 0, 0, 0, 0}});
-  EXPECT_FALSE(mask.is_hole({0.25F, 0.75F}));
-  EXPECT_FALSE(mask.is_hole({0.75F, 0.75F}));
-  EXPECT_TRUE(mask.is_hole({0.25F, 0.25F}));
-  EXPECT_TRUE(mask.is_hole({0.75F, 0.25F}));
-}
-
 }  // namespace
 }  // namespace meristem

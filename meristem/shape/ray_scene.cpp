@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "meristem/output/ray_scene.h"
+#include "meristem/shape/ray_scene.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
-#include "meristem/output/texture_sampler.h"
+#include "meristem/shape/alpha_mask.h"
 
 namespace meristem {
 
@@ -98,7 +98,7 @@ struct RayScene::Trees {
 
   explicit Trees(Progress& progress) {
     device = rtcNewDevice(nullptr);
-    if (device == nullptr) throw MachineError("rendering: Embree could not be started");
+    if (device == nullptr) throw MachineError("tracing rays: Embree could not be started");
     const auto keep_failure = [](void* self, RTCError code, const char* reason) {
       if (code != RTC_ERROR_CANCELLED) static_cast<Trees*>(self)->failure = reason;
     };
@@ -123,7 +123,7 @@ struct RayScene::Trees {
   void commit(RTCScene scene, Progress& progress) const {
     rtcCommitScene(scene);
     progress.check();
-    if (!failure.empty()) throw MachineError("rendering: " + failure);
+    if (!failure.empty()) throw MachineError("tracing rays: " + failure);
   }
 
   /// Gives a geometry the holes of its texture.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "meristem/base/frame.h"
 #include "meristem/base/random.h"
 #include "meristem/scene/mesh_crown.h"
+#include "tests/support/sample_bodies.h"
 
 namespace meristem {
 namespace {
@@ -26,42 +26,6 @@ TriangleMesh cube(DVec3 low = DVec3(0), double size = 1) {
   return mesh;
 }
 
-// An octahedron whose triangles are split in four so many times, on a sphere.
-TriangleMesh sphere(int splits, double radius = 1) {
-  TriangleMesh mesh;
-  mesh.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-  mesh.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
-  for (int k = 0; k < splits; ++k) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
-    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [found, is_new] = middles.try_emplace(std::minmax(a, b), mesh.positions.size());
-      if (is_new) mesh.positions.push_back(glm::normalize(mesh.positions[a] + mesh.positions[b]));
-      return found->second;
-    };
-    std::vector<std::array<std::uint32_t, 3>> split;
-    for (const auto& [a, b, c] : mesh.triangles) {
-      const std::uint32_t ab = middle(a, b);
-      const std::uint32_t bc = middle(b, c);
-      const std::uint32_t ca = middle(c, a);
-      split.insert(split.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-    }
-    mesh.triangles = std::move(split);
-  }
-  for (DVec3& position : mesh.positions) position *= radius;
-  return mesh;
-}
-
-void turn_over(TriangleMesh& mesh) {
-  for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
-}
-
-TriangleMesh joined(TriangleMesh a, const TriangleMesh& b) {
-  const auto offset = static_cast<std::uint32_t>(a.positions.size());
-  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
-  for (const auto& [p, q, r] : b.triangles) a.triangles.push_back({p + offset, q + offset, r + offset});
-  return a;
-}
-
 DVec3 random_point(std::uint64_t index, double reach) {
   const RandomKey key(11);
   const DVec3 share(key.uniform(index, 0), key.uniform(index, 1), key.child(1).uniform(index));
@@ -69,7 +33,7 @@ DVec3 random_point(std::uint64_t index, double reach) {
 }
 
 TEST(ClosedMesh, SphereHasItsPointsAndVolume) {
-  const ClosedMesh mesh(sphere(5));
+  const ClosedMesh mesh(sphere_mesh(5));
   EXPECT_NEAR(mesh.volume(), 4 * kPi / 3, 0.01);
   for (std::uint64_t k = 0; k < 50'000; ++k) {
     const DVec3 point = random_point(k, 1.2);
@@ -97,7 +61,7 @@ TEST(ClosedMesh, PointsOverEdgesVerticesAndInPlanesOfFacesAreDecidedOnce) {
 }
 
 TEST(ClosedMesh, PointsUnderVerticesOfASphereAreInside) {
-  const TriangleMesh mesh = sphere(3);
+  const TriangleMesh mesh = sphere_mesh(3);
   const ClosedMesh closed(mesh);
   for (const DVec3 vertex : mesh.positions) {
     EXPECT_TRUE(closed.contains({vertex.x * 0.999, 0, vertex.z * 0.999}));
@@ -127,16 +91,16 @@ TEST(ClosedMesh, TurnedCubesHaveTheirAnalyticInside) {
 }
 
 TEST(ClosedMesh, InsideIsWhereTheSurfaceWindsAroundThePoint) {
-  TriangleMesh inner = sphere(3, 0.5);
-  const ClosedMesh doubled(joined(sphere(3), inner));
+  TriangleMesh inner = sphere_mesh(3, 0.5);
+  const ClosedMesh doubled(joined(sphere_mesh(3), inner));
   EXPECT_EQ(doubled.winding_number(DVec3(0)), 2);
   EXPECT_TRUE(doubled.contains(DVec3(0)));
   turn_over(inner);
-  const ClosedMesh hollow(joined(sphere(3), inner));
+  const ClosedMesh hollow(joined(sphere_mesh(3), inner));
   EXPECT_FALSE(hollow.contains(DVec3(0)));
   EXPECT_TRUE(hollow.contains({0.7, 0, 0}));
-  EXPECT_NEAR(hollow.volume(), ClosedMesh(sphere(3)).volume() * 7 / 8, 1e-9);
-  TriangleMesh inside_out = sphere(3);
+  EXPECT_NEAR(hollow.volume(), ClosedMesh(sphere_mesh(3)).volume() * 7 / 8, 1e-9);
+  TriangleMesh inside_out = sphere_mesh(3);
   turn_over(inside_out);
   const ClosedMesh turned(inside_out);
   EXPECT_EQ(turned.winding_number(DVec3(0)), -1);
@@ -179,7 +143,7 @@ TEST(ClosedMesh, RejectsIndicesOutOfRange) {
 
 TEST(Closedness, ClosedMeshesHaveNoFaults) {
   EXPECT_TRUE(closedness_faults(cube()).empty());
-  EXPECT_TRUE(closedness_faults(sphere(3)).empty());
+  EXPECT_TRUE(closedness_faults(sphere_mesh(3)).empty());
   TriangleMesh turned = cube();
   turn_over(turned);
   EXPECT_TRUE(closedness_faults(turned).empty());

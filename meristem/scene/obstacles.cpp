@@ -1,40 +1,122 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/scene/obstacles.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
+
+#include "meristem/scene/obstacle_tree.h"
 
 namespace meristem {
 
 namespace {
 
-/// The distance along a ray to a triangle (Moeller and Trumbore), if it is met before `within`.
-std::optional<double> distance_to(DVec3 origin, DVec3 direction, DVec3 a, DVec3 b, DVec3 c, double within) {
-  const DVec3 u = b - a;
-  const DVec3 v = c - a;
-  const DVec3 p = glm::cross(direction, v);
-  const double determinant = glm::dot(u, p);
-  if (determinant == 0) return std::nullopt;
-  const DVec3 w = origin - a;
-  const double along_u = glm::dot(w, p) / determinant;
-  if (!(along_u >= 0 && along_u <= 1)) return std::nullopt;
-  const DVec3 q = glm::cross(w, u);
-  const double along_v = glm::dot(direction, q) / determinant;
-  if (!(along_v >= 0 && along_u + along_v <= 1)) return std::nullopt;
-  const double distance = glm::dot(v, q) / determinant;
-  if (!(distance >= 0 && distance < within)) return std::nullopt;
-  return distance;
+/// The smallest box of floats that holds all positions.
+Box box_around(const TriangleMesh& mesh) {
+  Box box;
+  for (const DVec3 position : mesh.positions) {
+    const Vec3 rounded(position);
+    box.add(rounded);
+    for (int k = 0; k < 3; ++k) {
+      constexpr float kInfinity = std::numeric_limits<float>::infinity();
+      if (rounded[k] > position[k]) box.low[k] = std::min(box.low[k], std::nextafter(rounded[k], -kInfinity));
+      if (rounded[k] < position[k]) box.high[k] = std::max(box.high[k], std::nextafter(rounded[k], kInfinity));
+    }
+  }
+  return box;
 }
+
+bool holds(const Box& box, Vec3 place) {
+  return glm::all(glm::lessThanEqual(box.low, place)) && glm::all(glm::lessThanEqual(place, box.high));
+}
+
+bool overlap(const Box& a, const Box& b) {
+  return glm::all(glm::lessThanEqual(a.low, b.high)) && glm::all(glm::lessThanEqual(b.low, a.high));
+}
+
+void check_mesh(const TriangleMesh& mesh) {
+  for (const DVec3 position : mesh.positions) {
+    const Vec3 rounded(position);
+    if (!std::isfinite(rounded.x + rounded.y + rounded.z)) {
+      throw std::invalid_argument("obstacles: a position is not finite");
+    }
+  }
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t vertex : triangle) {
+      if (vertex >= mesh.positions.size()) throw std::invalid_argument("obstacles: an index is out of range");
+    }
+  }
+}
+
+/// The mesh with its axes renamed, so that what stood along axis `first` stands along x.
+TriangleMesh renamed(const TriangleMesh& mesh, int first) {
+  TriangleMesh result{{}, mesh.triangles};
+  result.positions.reserve(mesh.positions.size());
+  for (const DVec3 position : mesh.positions) {
+    result.positions.emplace_back(position[first], position[(first + 1) % 3], position[(first + 2) % 3]);
+  }
+  return result;
+}
+
+/// Where a body's mass is; of a broken one, which has none, where its surface is.
+DVec3 centroid_of(const Obstacle& body, DVec3 middle) {
+  double total = 0;
+  DVec3 sum(0);
+  for (const auto& [p, q, r] : body.mesh.triangles) {
+    const DVec3 a = body.mesh.positions[p] - middle;
+    const DVec3 b = body.mesh.positions[q] - middle;
+    const DVec3 c = body.mesh.positions[r] - middle;
+    if (body.is_broken) {
+      const double area = glm::length(glm::cross(b - a, c - a));
+      total += area;
+      sum += area * (a + b + c) / 3.0;
+    } else {
+      const double volume = glm::dot(a, glm::cross(b, c));
+      total += volume;
+      sum += volume * (a + b + c) / 4.0;
+    }
+  }
+  return total != 0 ? middle + sum / total : middle;
+}
+
+/// Says whether a place is inside one body.
+class Inside {
+ public:
+  explicit Inside(const Obstacle& body) : box_(box_around(body.mesh)) {
+    views_.emplace_back(body.mesh);
+    if (!body.is_broken) return;
+    for (int axis = 1; axis < 3; ++axis) views_.emplace_back(renamed(body.mesh, axis));
+  }
+
+  const Box& box() const { return box_; }
+
+  bool contains(Vec3 place) const {
+    if (!holds(box_, place)) return false;
+    const DVec3 at(place);
+    if (views_.size() == 1) return views_[0].contains(at);
+    int votes = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const DVec3 seen(at[axis], at[(axis + 1) % 3], at[(axis + 2) % 3]);
+      votes += views_[static_cast<std::size_t>(axis)].winding_number(seen) % 2 != 0 ? 1 : 0;
+    }
+    return votes >= 2;
+  }
+
+ private:
+  Box box_;
+  std::vector<ClosedMesh> views_;  // one, or of a broken body three with their axes renamed
+};
 
 }  // namespace
 
 struct Obstacles::Content {
   std::vector<Obstacle> bodies;
-  std::vector<ClosedMesh> insides;
+  std::vector<Inside> insides;
   std::vector<Vec3> centroids;
-  std::vector<Box> boxes;
   Box bounds;
+  std::unique_ptr<const ObstacleTree> tree;
 };
 
 TriangleMesh box_mesh(DVec3 low, DVec3 high) {
@@ -53,25 +135,16 @@ Obstacles::Obstacles() : content_(std::make_shared<const Content>()) {}
 Obstacles::Obstacles(std::vector<Obstacle> bodies) {
   auto content = std::make_shared<Content>();
   content->bodies = std::move(bodies);
+  std::vector<const TriangleMesh*> meshes;
   for (const Obstacle& body : content->bodies) {
-    content->insides.emplace_back(body.mesh);
-    Box box;
-    double volume = 0;
-    DVec3 sum(0);
-    for (const auto& triangle : body.mesh.triangles) {
-      const DVec3 a = body.mesh.positions[triangle[0]];
-      const DVec3 b = body.mesh.positions[triangle[1]];
-      const DVec3 c = body.mesh.positions[triangle[2]];
-      const double part = glm::dot(a, glm::cross(b, c));
-      volume += part;
-      sum += part * (a + b + c) / 4.0;
-    }
-    for (const DVec3 position : body.mesh.positions) box.add(Vec3(position));
-    content->boxes.push_back(box);
+    check_mesh(body.mesh);
+    meshes.push_back(&body.mesh);
+    const Box box = content->insides.emplace_back(body).box();
     content->bounds.add(box);
-    const Vec3 centroid = volume != 0 ? Vec3(sum / volume) : box.centre();
+    const DVec3 centroid = box.is_empty() ? DVec3(0) : centroid_of(body, DVec3(box.centre()));
     content->centroids.emplace_back(centroid.x, 0, centroid.z);
   }
+  if (!meshes.empty()) content->tree = std::make_unique<const ObstacleTree>(meshes);
   content_ = std::move(content);
 }
 
@@ -79,30 +152,26 @@ const std::vector<Obstacle>& Obstacles::bodies() const { return content_->bodies
 Box Obstacles::bounds() const { return content_->bounds; }
 
 bool Obstacles::contain(Vec3 place) const {
-  for (const ClosedMesh& inside : content_->insides) {
-    if (inside.contains(DVec3(place))) return true;
-  }
-  return false;
+  if (!holds(content_->bounds, place)) return false;
+  return std::any_of(content_->insides.begin(), content_->insides.end(),
+                     [place](const Inside& inside) { return inside.contains(place); });
 }
 
 bool Obstacles::cross(Vec3 from, Vec3 to) const {
-  const DVec3 way = DVec3(to) - DVec3(from);
-  const double length = glm::length(way);
-  return length > 0 && first_hit(from, Vec3(way / length), length).has_value();
+  if (empty() || from == to) return false;
+  Box way;
+  way.add(from);
+  way.add(to);
+  if (!overlap(way, content_->bounds)) return false;
+  if (content_->tree->is_met(DVec3(from), DVec3(to) - DVec3(from), 1)) return true;
+  // Ways shorter than a double can tell from none end on the other side all the same.
+  return contain(from) != contain(to);
 }
 
 std::optional<Obstacles::Hit> Obstacles::first_hit(Vec3 origin, Vec3 direction, double within) const {
-  std::optional<Hit> first;
-  for (std::size_t k = 0; k < bodies().size(); ++k) {
-    const TriangleMesh& mesh = bodies()[k].mesh;
-    for (const auto& triangle : mesh.triangles) {
-      const auto distance =
-          distance_to(DVec3(origin), DVec3(direction), mesh.positions[triangle[0]], mesh.positions[triangle[1]],
-                      mesh.positions[triangle[2]], first ? first->distance : within);
-      if (distance) first = Hit{*distance, k};
-    }
-  }
-  return first;
+  if (empty()) return std::nullopt;
+  const auto hit = content_->tree->first_hit(DVec3(origin), DVec3(direction), within);
+  return hit ? std::optional(Hit{hit->distance, hit->body}) : std::nullopt;
 }
 
 Vec3 Obstacles::ground_centroid(std::size_t obstacle) const { return content_->centroids[obstacle]; }

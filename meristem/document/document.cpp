@@ -154,18 +154,7 @@ class DocumentReader {
     document.graph.seed = head.seed;
     document.output = std::move(head.output);
     document.scene.ground_colour = head.scene.ground.colour;
-    if (head.scene.sun) document.scene.sun = sun_of(head.scene);
-    if (document.scene.sun.altitude <= 0) {
-      const Place scene(top_, "scene");
-      reader.warn(Place(scene, "sun"), "the sun is below the horizon, so there is only the light of the sky");
-    }
-  }
-
-  static SkyDirection sun_of(const SceneSettings& scene) {
-    const SunSettings& sun = *scene.sun;
-    if (sun.azimuth && sun.altitude) return {*sun.azimuth, *sun.altitude};
-    if (sun.day && scene.latitude) return sun_position(*scene.latitude, *sun.day, sun.hour);
-    return Scene{}.sun;  // a fault was reported
+    if (reader.fault_count() == 0) light_scene(head.scene.light, Place(top_, "scene"), reader, document.scene);
   }
 
   void read_components(ParameterReader& reader, Graph& graph) {

@@ -245,14 +245,6 @@ TEST(Document, HangsAComponentWhoseOnlyParentIsItselfOnTheCamera) {
   EXPECT_EQ(document.structure.recursions.size(), 1U);
 }
 
-TEST(Document, WarnsOfASunBelowTheHorizon) {
-  const Document document = read(with(R"("scene": {"latitude": 51, "sun": {"day": 100, "hour": 1}},)"));
-  ASSERT_EQ(document.warnings.size(), 1U);
-  EXPECT_EQ(document.warnings[0].severity, Severity::warning);
-  EXPECT_EQ(document.warnings[0].text(),
-            "d.json:2:34: scene.sun: the sun is below the horizon, so there is only the light of the sky");
-}
-
 TEST(Document, StopsAtTheLimitOfFaultsAndCountsTheRest) {
   std::string links;
   for (int k = 0; k < 30; ++k) links += fmt::format("{}[\"tree\", \"nowhere{}\"]", k == 0 ? "" : ", ", k);

@@ -9,33 +9,6 @@ namespace {
 
 constexpr double kLargestWhole = 9007199254740992;  // 2^53: up to here a JSON number is exact
 
-void check_sun(const SunSettings& sun, const Place& place, ParameterReader& reader) {
-  const bool by_place = sun.azimuth || sun.altitude;
-  if (by_place == sun.day.has_value()) {
-    return reader.fault(place, by_place ? "the sun is given both by its place and by a day" : "the sun has no place",
-                        R"({"azimuth": 180, "altitude": 61} or {"day": 126, "hour": 9.5})");
-  }
-  if (by_place && !(sun.azimuth && sun.altitude)) {
-    reader.fault(place, "the sun has only one of azimuth and altitude",
-                 R"(both, as in {"azimuth": 180, "altitude": 61})");
-  }
-}
-
-const ParameterTable& sun_table() {
-  static const ParameterTable table =
-      Table<SunSettings>("a sun",
-                         "Where the light comes from: a place on the sky, or a day and hour at the scene's latitude.")
-          .number("azimuth", &SunSettings::azimuth, {.unit = Unit::degree, .min = -360, .max = 360},
-                  "From north over east.")
-          .number("altitude", &SunSettings::altitude, {.unit = Unit::degree, .min = -90, .max = 90},
-                  "Over the horizon.")
-          .number("day", &SunSettings::day, {.unit = Unit::day, .min = 1, .max = 366}, "Day of the year.")
-          .number("hour", &SunSettings::hour, {.unit = Unit::hour, .min = 0, .max = 24},
-                  "True solar time; the sun is highest at 12.")
-          .check(check_sun);
-  return table;
-}
-
 const ParameterTable& ground_table() {
   static const ParameterTable table = Table<GroundSettings>("a ground", "The ground in pictures.")
                                           .colour("colour", &GroundSettings::colour, "Of the bare ground.");
@@ -45,14 +18,10 @@ const ParameterTable& ground_table() {
 const ParameterTable& scene_table() {
   static const ParameterTable table =
       Table<SceneSettings>("a scene", "What surrounds the plants.")
-          .number("latitude", &SceneSettings::latitude, {.unit = Unit::degree, .min = -90, .max = 90},
-                  "Of the place, north positive; needed for a sun with a day.")
-          .object("sun", &SceneSettings::sun, sun_table, "Light from the zenith if not given.")
+          .members(&SceneSettings::light, light_table())
           .object("ground", &SceneSettings::ground, ground_table, "The ground in pictures.")
           .check([](const SceneSettings& scene, const Place& place, ParameterReader& reader) {
-            if (scene.sun && scene.sun->day && !scene.latitude) {
-              reader.fault(Place(place, "sun"), "a sun with a day needs a latitude", R"("latitude" in the scene)");
-            }
+            check_light(scene.light, place, reader);
           });
   return table;
 }

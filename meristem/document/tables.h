@@ -2,29 +2,20 @@
 // The tables of a document's own keys; those of components come from the registry.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "meristem/document/document.h"
+#include "meristem/document/light_table.h"
 #include "meristem/graph/parameter.h"
 
 namespace meristem {
-
-/// How a document says where the light comes from.
-struct SunSettings {
-  std::optional<double> azimuth;   // radians
-  std::optional<double> altitude;  // radians
-  std::optional<double> day;
-  double hour = 12;
-};
 
 struct GroundSettings {
   Vec3 colour = Scene{}.ground_colour;
 };
 
 struct SceneSettings {
-  std::optional<double> latitude;  // radians
-  std::optional<SunSettings> sun;
+  LightSettings light;
   GroundSettings ground;
 };
 

@@ -227,7 +227,9 @@ class Table {
         [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
           table_detail::read_integers(self, value, place, reader, object.*member);
         },
-        [member](const P& object) { return table_detail::show_integers(object.*member); });
+        [member](const P& object) {
+          return (object.*member).empty() ? Value() : table_detail::show_integers(object.*member);
+        });
     made.form = form;
     made.count = count;
     return std::move(*this);

@@ -52,5 +52,11 @@ struct Light {
 /// the order of time; strengths in proportion to their altitudes, 1 in all. Empty in the polar night. `latitude` in
 /// radians.
 std::vector<FarLight> sun_of_day(double latitude, double day, double every_hours);
+/// The same over several days, one after another; strengths in proportion to altitudes over all of them.
+std::vector<FarLight> sun_of_days(double latitude, const std::vector<double>& days, double every_hours);
+
+/// A dome of even brightness: 40 patches of equal solid angle, strengths in proportion to the sine of the altitude
+/// (what falls on level ground), `strength` in all. The same seen from all four sides.
+std::vector<FarLight> even_sky(double strength);
 
 }  // namespace meristem

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/document/light_table.h"
+
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "meristem/graph/table.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr double kSeasonHours = 1;        // between the positions of a season that does not say
+constexpr double kMostPositions = 10000;  // a year of all its hours; growth asks each for shade
+constexpr std::size_t kMostLamps = 1000;
+constexpr int kDaysOfYear = 365;
+
+/// The days of a season; one that ends before it begins goes on into the next year.
+std::vector<double> season_days(const SunSettings& sun) {
+  const int first = sun.days[0];
+  const bool goes_on = sun.days[1] < first;
+  const int last = sun.days[1] + (goes_on ? kDaysOfYear : 0);
+  const auto steps = static_cast<int>(std::floor((last - first) / sun.every_days));
+  std::vector<double> days;
+  for (int k = 0; k <= steps; ++k) {
+    const double day = first + k * sun.every_days;
+    days.push_back(goes_on && day > kDaysOfYear ? day - kDaysOfYear : day);
+  }
+  return days;
+}
+
+void check_positions(const SunSettings& sun, const Place& place, ParameterReader& reader) {
+  const double a_day = 2 * std::floor(12 / sun.every_hours.value_or(kSeasonHours)) + 1;
+  const double days = sun.days.empty() ? 1 : static_cast<double>(season_days(sun).size());
+  if (days * a_day <= kMostPositions) return;
+  const char* const name = sun.every_hours && a_day > days ? "every_hours" : "every_days";
+  reader.fault(Place(place, name), fmt::format("{:.12g} positions of the sun are too many", days * a_day),
+               fmt::format("at most {}: a longer '{}'", kMostPositions, name));
+}
+
+void check_sun(const SunSettings& sun, const Place& place, ParameterReader& reader) {
+  const bool by_place = sun.azimuth || sun.altitude;
+  const bool by_day = sun.day || !sun.days.empty();
+  if (by_place == by_day) {
+    return reader.fault(place, by_place ? "the sun is given both by its place and by a day" : "the sun has no place",
+                        R"({"azimuth": 180, "altitude": 61} or {"day": 126, "hour": 9.5})");
+  }
+  if (by_place && !(sun.azimuth && sun.altitude)) {
+    return reader.fault(place, "the sun has only one of azimuth and altitude",
+                        R"(both, as in {"azimuth": 180, "altitude": 61})");
+  }
+  if (sun.every_hours || !sun.days.empty()) check_positions(sun, place, reader);
+}
+
+const ParameterTable& sun_table() {
+  static const ParameterTable table =
+      Table<SunSettings>("a sun",
+                         "Where the light comes from: a place on the sky, an hour of a day at the scene's latitude, a "
+                         "whole day, or a season.")
+          .number("azimuth", &SunSettings::azimuth, {.unit = Unit::degree, .min = -360, .max = 360},
+                  "From north over east.")
+          .number("altitude", &SunSettings::altitude, {.unit = Unit::degree, .min = -90, .max = 90},
+                  "Over the horizon.")
+          .number("day", &SunSettings::day, {.unit = Unit::day, .min = 1, .max = 366}, "Day of the year.")
+          .integers("days", &SunSettings::days, 2, {.unit = Unit::day, .min = 1, .max = 366},
+                    "First and last day of a season, which may go on into the next year.")
+          .number("every_days", &SunSettings::every_days, {.unit = Unit::day, .min = 1, .max = 366},
+                  "From one day of the season to the next.")
+          .number("every_hours", &SunSettings::every_hours,
+                  {.unit = Unit::hour, .min = 0, .max = 24, .above_min = true},
+                  "Makes a whole day of light, the sun at noon and so many hours apart before and after; 1 in a season "
+                  "if not given.")
+          .number("hour", &SunSettings::hour, {.unit = Unit::hour, .min = 0, .max = 24},
+                  "True solar time; the sun is highest at 12. Of a whole day or season, the hour of pictures.")
+          .never_with("day", {"days"})
+          .only_with("days", {"every_days"})
+          .never_with("azimuth", {"every_hours"})
+          .check(check_sun);
+  return table;
+}
+
+const ParameterTable& lamp_table() {
+  static const ParameterTable table =
+      Table<Lamp>("a lamp", "A light that shines to all sides.")
+          .vector("position", &Lamp::position, {.unit = Unit::metre, .min = -1e5, .max = 1e5}, "Where it hangs.")
+          .required()
+          .number("strength", &Lamp::strength, {.min = 0, .max = 1e6, .above_min = true},
+                  "One metre away, against all far light together; falls with the square of the distance.");
+  return table;
+}
+
+/// What the sun does wrong if it gives no light, in words.
+std::string reason_without_sun(const LightSettings& settings) {
+  const SunSettings& sun = *settings.sun;
+  if (!sun.day && sun.days.empty()) return "the sun is below the horizon";
+  const double latitude = degrees(*settings.latitude);
+  if (!sun.days.empty()) {
+    return fmt::format("the sun does not rise from day {} to {} at latitude {:.6g}", sun.days[0], sun.days[1],
+                       latitude);
+  }
+  if (sun.every_hours) return fmt::format("the sun does not rise on day {:.6g} at latitude {:.6g}", *sun.day, latitude);
+  return fmt::format("the sun is below the horizon at {:.6g} h on day {:.6g} at latitude {:.6g}", sun.hour, *sun.day,
+                     latitude);
+}
+
+std::string_view consequence_without_sun(const LightSettings& settings) {
+  const bool has_sky = settings.sky > 0;
+  if (settings.lamps.empty()) return has_sky ? "the sky gives all light" : "there is no light to grow by";
+  return has_sky ? "sky and lamps give all light" : "the lamps give all light";
+}
+
+/// Where the sun stands in pictures.
+SkyDirection shown_sun(const LightSettings& settings) {
+  const SunSettings& sun = *settings.sun;
+  if (sun.azimuth) return {*sun.azimuth, *sun.altitude};
+  if (sun.day) return sun_position(*settings.latitude, *sun.day, sun.hour);
+  const std::vector<double> days = season_days(sun);
+  return sun_position(*settings.latitude, days[days.size() / 2], sun.hour);
+}
+
+/// All positions of the sun, 1 in all.
+std::vector<FarLight> sun_positions(const LightSettings& settings, SkyDirection shown) {
+  const SunSettings& sun = *settings.sun;
+  if (!sun.days.empty()) {
+    return sun_of_days(*settings.latitude, season_days(sun), sun.every_hours.value_or(kSeasonHours));
+  }
+  if (sun.day && sun.every_hours) return sun_of_days(*settings.latitude, {*sun.day}, *sun.every_hours);
+  if (shown.altitude <= 0) return {};
+  return {FarLight{.toward = unit_vector(shown)}};
+}
+
+}  // namespace
+
+const ParameterTable& light_table() {
+  static const ParameterTable table =
+      Table<LightSettings>("a light", "The light of a scene.")
+          .number("latitude", &LightSettings::latitude, {.unit = Unit::degree, .min = -90, .max = 90},
+                  "Of the place, north positive; needed for a sun with a day.")
+          .object("sun", &LightSettings::sun, sun_table, "Light from the zenith if not given.")
+          .number("sky", &LightSettings::sky, {.min = 0, .max = 1},
+                  "Share of the far light that comes from all of the sky; the rest is the sun's. Raised, sides and "
+                  "shade get more.")
+          .list("lamps", &LightSettings::lamps, lamp_table, "Lights within the scene.");
+  return table;
+}
+
+void check_light(const LightSettings& settings, const Place& place, ParameterReader& reader) {
+  const std::optional<SunSettings>& sun = settings.sun;
+  if (sun && (sun->day || !sun->days.empty()) && !settings.latitude) {
+    reader.fault(Place(place, "sun"), "a sun with a day needs a latitude", R"("latitude" in the scene)");
+  }
+  if (settings.lamps.size() > kMostLamps) {
+    reader.fault(Place(place, "lamps"), fmt::format("{} lamps are too many", settings.lamps.size()),
+                 fmt::format("at most {}", kMostLamps));
+  }
+}
+
+void light_scene(const LightSettings& settings, const Place& place, ParameterReader& reader, Scene& scene) {
+  Light& light = scene.light;
+  if (settings.sun) {
+    scene.sun = shown_sun(settings);
+    light.sun = sun_positions(settings, scene.sun);
+    const Place sun_place(place, "sun");
+    if (light.sun.empty()) {
+      reader.warn(sun_place, fmt::format("{}, so {}", reason_without_sun(settings), consequence_without_sun(settings)));
+    } else if (scene.sun.altitude <= 0) {
+      reader.warn(sun_place, fmt::format("in pictures, at {:.6g} h, the sun is below the horizon", settings.sun->hour));
+    }
+  }
+  for (FarLight& position : light.sun) position.strength *= 1 - settings.sky;
+  if (settings.sky == 1) light.sun.clear();
+  if (settings.sky > 0) light.sky = even_sky(settings.sky);
+  light.lamps = settings.lamps;
+}
+
+}  // namespace meristem

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a document's scene says of its light, and the light that comes of it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "meristem/graph/parameter.h"
+#include "meristem/scene/scene.h"
+
+namespace meristem {
+
+/// Where the sun stands: at a place on the sky, at an hour of a day, over a day, or over a season.
+struct SunSettings {
+  std::optional<double> azimuth;      // radians
+  std::optional<double> altitude;     // radians
+  std::optional<double> day;          // of the year
+  std::vector<int> days;              // the first and the last of a season; empty if there is none
+  double every_days = 30;             // in a season
+  std::optional<double> every_hours;  // over a day; always over a season
+  double hour = 12;                   // of a day without every_hours, and of pictures
+};
+
+struct LightSettings {
+  std::optional<double> latitude;  // radians
+  std::optional<SunSettings> sun;
+  double sky = 0;  // share of the far light
+  std::vector<Lamp> lamps;
+};
+
+/// Of LightSettings; check_light has its rules.
+const ParameterTable& light_table();
+void check_light(const LightSettings& settings, const Place& place, ParameterReader& reader);
+
+/// Sets the scene's light and its sun in pictures; `place` is the scene's. Warns where the sun gives no light. The
+/// settings are those that check_light finds no fault with.
+void light_scene(const LightSettings& settings, const Place& place, ParameterReader& reader, Scene& scene);
+
+}  // namespace meristem

@@ -21,6 +21,16 @@ std::vector<Vec3> points_at(const Colonize& tree, Vec3 place, RandomKey key, con
   return points;
 }
 
+ColonizeParameters growth_of(const Colonize& tree) {
+  ColonizeParameters growth = tree.growth;
+  growth.light.shift = tree.light.shift_m.value_or(tree.light.shift * growth.step);
+  growth.light.drift = tree.light.drift * growth.step;
+  growth.light.sunlit_weight = tree.light.sunlit_weight;
+  growth.light.hold_height = tree.light.hold_height;
+  growth.light.limit = tree.light.limit;
+  return growth;
+}
+
 std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowContext& context) {
   const RandomKey key = site.key.child("points");
   const bool shares = shares_points(tree);
@@ -32,8 +42,8 @@ std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowC
     if (!shares) seedling.points = points_at(tree, seedling.root, k == 0 ? key : key.child(k), context);
   }
   if (shares) seedlings[0].points = points_at(tree, site.frame.origin, key, context);
-  return make_colonizer(context.stand, seedlings, tree.growth, site.key.child("growth"), context.limits,
-                        context.component);
+  return make_colonizer(context.stand, std::move(seedlings), growth_of(tree), site.key.child("growth"), context.scene,
+                        context.limits, context.component);
 }
 
 void expand(const Colonize& tree, const Site& site, Emitter& out) {
@@ -61,6 +71,34 @@ void check_colonize(const Colonize& tree, const Place& place, ParameterReader& r
                              growth.step, growth.kill),
                  fmt::format("a number (m) of at most {:.7g}", growth.kill));
   }
+}
+
+const ParameterTable& limit_table() {
+  static const ParameterTable table =
+      Table<LightLimit>("a limit", "Which points are too dark to grow to.")
+          .number("share", &LightLimit::share, {.min = 0, .max = 0.99},
+                  "Of the points, the darkest first, that are left out; 0 leaves out none.")
+          .number("radius", &LightLimit::radius, {.unit = Unit::metre, .min = 0, .max = 1000, .above_min = true},
+                  "Points so near to the way of the light dim it.")
+          .number("k", &LightLimit::k, {.min = 0, .max = 100}, "How much each of them dims it: by exp(-k).");
+  return table;
+}
+
+const ParameterTable& light_table() {
+  static const ParameterTable table =
+      Table<LightForm>("a light response", "How the tree answers to the light of the scene.")
+          .number("shift", &LightForm::shift, {.unit = Unit::step, .min = 0, .max = 1},
+                  "By how much all points move toward brighter places in a step; raised, a stronger lean.")
+          .number("shift_m", &LightForm::shift_m, {.unit = Unit::metre, .min = 0, .max = 1000},
+                  "The same in metres, in its stead.")
+          .number("drift", &LightForm::drift, {.unit = Unit::step, .min = 0, .max = 1},
+                  "By how much each point moves to where it gets brighter for the node that it pulls.")
+          .number("sunlit_weight", &LightForm::sunlit_weight, {.min = 0, .max = 100},
+                  "How strongly nodes in the light feel it; those in the shade of obstacles do with strength 1.")
+          .boolean("hold_height", &LightForm::hold_height, "Keeps the points' top at its height while they move.")
+          .object("limit", &LightForm::limit, limit_table, "Leaves out the points that lie in the deepest shade.")
+          .never_with("shift", {"shift_m"});
+  return table;
 }
 
 const ParameterTable& finish_table() {
@@ -119,6 +157,7 @@ ComponentType colonize_component() {
                         .boolean("one_crown", &Colonize::one_crown,
                                  "One crown over the component's place, which all roots grow into.")
                         .members(&Colonize::growth, growth_table())
+                        .object("light", &Colonize::light, light_table, "How the tree answers to the light.")
                         .members(&Colonize::growth, &ColonizeParameters::radii, pipe_table())
                         .condition("shed", &Colonize::shed, node_variables(),
                                    "Branches that are gone when growth is done: the condition holds where they began, "

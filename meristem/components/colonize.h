@@ -11,13 +11,24 @@
 
 namespace meristem {
 
+/// How it answers to light; see LightResponse.
+struct LightForm {
+  double shift = 0;  ///< in steps
+  std::optional<double> shift_m;
+  double drift = 0;  ///< in steps
+  double sunlit_weight = 1;
+  bool hold_height = false;
+  LightLimit limit;
+};
+
 /// A tree that grows into the attraction points of its crown, or several of them.
 struct Colonize : GrowingComponent {
   std::optional<CrownForm> crown;
   PointsForm points;
   std::vector<Vec3> roots{Vec3(0)};  ///< where the trees stand, in the component's frame
   bool one_crown = false;            ///< one crown over the component's place instead of one over each root
-  ColonizeParameters growth;
+  ColonizeParameters growth;         ///< without its light
+  LightForm light;
   std::optional<Condition> shed;  ///< branches that are gone when growth is done
   Surface surface;
 };

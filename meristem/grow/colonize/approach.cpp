@@ -12,7 +12,7 @@ double length2(DVec3 vector) { return (vector.x * vector.x + vector.z * vector.z
 
 }  // namespace
 
-std::optional<Vec3> nearest_of(const std::vector<Vec3>& points, Vec3 root) {
+std::optional<Vec3> nearest_of(std::span<const Vec3> points, Vec3 root) {
   std::optional<Vec3> nearest;
   double least2 = std::numeric_limits<double>::infinity();
   for (const Vec3 point : points) {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <optional>
-#include <vector>
+#include <span>
 
 #include "meristem/base/vec.h"
 
@@ -17,7 +17,7 @@ struct Approach {
 };
 
 /// The nearest of `points` to `root`; of equally near ones that with the lowest index. Nothing without points.
-std::optional<Vec3> nearest_of(const std::vector<Vec3>& points, Vec3 root);
+std::optional<Vec3> nearest_of(std::span<const Vec3> points, Vec3 root);
 
 /// `target` is relative to the root; `step` and `influence` in metres.
 Approach plan_approach(Vec3 target, double step, double influence);

@@ -22,8 +22,9 @@ TEST(Approach, NeedsNoStepsWithinTheInfluenceDistance) {
 TEST(Approach, CountsEvenHopelessWays) { EXPECT_GT(plan_approach({0, 1e18F, 0}, 1e-6, 1).steps, 1'000'000'000'000U); }
 
 TEST(Approach, TakesTheFirstOfEquallyNearPoints) {
-  EXPECT_EQ(nearest_of({{0, 9, 0}, {0, 0, 2}, {2, 0, 0}}, Vec3(0)), Vec3(0, 0, 2));
-  EXPECT_EQ(nearest_of({{0, 9, 0}, {0, 0, 2}, {2, 0, 0}}, Vec3(0, 8, 0)), Vec3(0, 9, 0));
+  const std::vector<Vec3> points{{0, 9, 0}, {0, 0, 2}, {2, 0, 0}};
+  EXPECT_EQ(nearest_of(points, Vec3(0)), Vec3(0, 0, 2));
+  EXPECT_EQ(nearest_of(points, Vec3(0, 8, 0)), Vec3(0, 9, 0));
   EXPECT_FALSE(nearest_of({}, Vec3(0)).has_value());
 }
 

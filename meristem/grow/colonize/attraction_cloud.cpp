@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "meristem/grow/colonize/approach.h"
 
 namespace meristem {
 namespace {
@@ -13,14 +16,17 @@ std::int64_t in_units(double component) { return static_cast<std::int64_t>(compo
 
 }  // namespace
 
-AttractionCloud::Tree AttractionCloud::join(Vec3 root, const std::vector<Vec3>& points, double influence, double kill) {
+AttractionCloud::Tree AttractionCloud::join(Vec3 root, const std::vector<Vec3>& points, const Attraction& attraction,
+                                            const Scene& scene) {
+  scene_ = &scene;
   if (trees_.empty()) origin_ = root;
   const auto tree = static_cast<Tree>(trees_.size());
   Member& member = trees_.emplace_back();
   member.offset = root - origin_;
-  member.influence = static_cast<float>(influence);
-  const auto reach = static_cast<float>(kill);
+  member.attraction = attraction;
+  const auto reach = static_cast<float>(attraction.kill);
   member.kill2 = reach * reach;
+  member.points = points.size();
   points_.reserve(points_.size() + points.size());
   for (const Vec3 point : points) points_.push_back(point - origin_);
   add_node(tree, Vec3(0));
@@ -33,46 +39,144 @@ void AttractionCloud::add_node(Tree tree, Vec3 position) {
 }
 
 std::optional<Vec3> AttractionCloud::nearest_point(Tree tree) const {
-  if (!nearest_) return std::nullopt;
-  const Vec3 offset = trees_[tree].offset;
-  const std::optional<Vec3> point = nearest_->nearest_point(offset);
-  return point ? std::optional(*point - offset) : std::nullopt;
+  const Member& member = trees_[tree];
+  if (member.nearest_own || (!still_ && !moving_)) return member.nearest_own;
+  const auto point = still_ ? still_->nearest_point(member.offset) : moving_->nearest_point(member.offset);
+  return point ? std::optional(*point - member.offset) : std::nullopt;
 }
 
 void AttractionCloud::begin_round(Progress& progress) {
   progress.check();
   // Points near a root pull it once before they are used up.
-  const bool kills = nearest_.has_value();
-  if (!nearest_) nearest_.emplace(std::move(points_), progress);
+  const bool is_first = !still_ && !moving_;
+  if (is_first) plant_points(progress);
   const auto first_new = static_cast<NodeIndex>(nodes_.size());
   take_new_nodes(progress);
-  gather_pulls(first_new, kills);
+  for (Member& member : trees_) {
+    member.pulls.clear();
+    member.advances = 0;
+  }
+  // Use points up, and sum up the others by node. Points that move do so in between: they pull from where they go to.
+  const auto is_used_up = [&](NodeIndex node, float distance2) {
+    return !is_first && distance2 <= trees_[nodes_[node].tree].kill2;
+  };
+  if (still_) {
+    still_->sweep([&](Vec3 point, NodeIndex node, float distance2) {
+      const bool goes = is_used_up(node, distance2);
+      if (goes || node >= first_new) ++trees_[nodes_[node].tree].advances;
+      if (!goes) add_pull(node, point);
+      return !goes;
+    });
+  } else {
+    moving_->sweep([&](Vec3, NodeIndex node, float distance2) {
+      const bool goes = is_used_up(node, distance2);
+      Member& member = trees_[nodes_[node].tree];
+      if (goes) ++member.advances;
+      if (!goes) member.now_closest2 = std::min(member.now_closest2, distance2);
+      return !goes;
+    });
+    for (Member& member : trees_) note_closeness(member);
+    motion_->move(*moving_, progress);
+    moving_->sweep([&](Vec3 point, NodeIndex node, float) {
+      add_pull(node, point);
+      return true;
+    });
+  }
+  hand_over_pulls();
+}
+
+/// A tree that follows a moving cloud gains on it, or uses points up; two points that ride along on both sides of a tip
+/// are neither.
+void AttractionCloud::note_closeness(Member& member) {
+  constexpr float kNearer = 0.998F;
+  const bool gains = member.now_closest2 < kNearer * member.closest2;
+  if (gains || member.advances > 0) member.closest2 = member.now_closest2;
+  if (gains) ++member.advances;
+  member.now_closest2 = std::numeric_limits<float>::infinity();
+}
+
+/// Brings the points into the form in which they live from the first round on.
+void AttractionCloud::plant_points(Progress& progress) {
+  leave_out_darkest(progress);
+  std::size_t first = 0;
+  for (Member& member : trees_) {
+    const std::span<const Vec3> own = std::span(points_).subspan(first, member.points);
+    if (const auto nearest = nearest_of(own, member.offset)) member.nearest_own = *nearest - member.offset;
+    first += member.points;
+  }
+  const auto moves = [](const Member& member) { return member.attraction.light.moves(); };
+  if (std::any_of(trees_.begin(), trees_.end(), moves)) {
+    start_moving();
+  } else {
+    still_.emplace(std::move(points_), progress);
+  }
+  points_ = {};
+}
+
+/// Removes the share of each tree's points that lies in the deepest shade, also of other trees' points.
+void AttractionCloud::leave_out_darkest(const Progress& progress) {
+  std::vector<Vec3> kept;
+  std::vector<Vec3> world;
+  std::optional<LightLimit> known;  // what `light` was counted for
+  std::vector<double> light;
+  std::size_t first = 0;
+  for (Member& member : trees_) {
+    const LightLimit& limit = member.attraction.light.limit;
+    const std::span<const Vec3> own = std::span(points_).subspan(first, member.points);
+    first += member.points;
+    if (!(limit.share > 0)) {
+      kept.insert(kept.end(), own.begin(), own.end());
+      continue;
+    }
+    if (world.empty()) {
+      for (const Vec3 point : points_) world.push_back(origin_ + point);
+    }
+    if (!known || known->radius != limit.radius || known->k != limit.k) {
+      light = light_of_points(world, *scene_, limit.radius, limit.k, progress);
+      known = limit;
+    }
+    const std::span<const double> own_light = std::span(light).subspan(first - member.points, member.points);
+    const std::vector<Vec3> brighter = without_darkest(own, own_light, limit.share);
+    kept.insert(kept.end(), brighter.begin(), brighter.end());
+    member.points = brighter.size();
+  }
+  points_ = std::move(kept);
+}
+
+void AttractionCloud::start_moving() {
+  std::vector<MovingPoint> points;
+  std::vector<CloudMotion::Cloud> clouds;
+  for (const Member& member : trees_) {
+    CloudMotion::Cloud cloud{member.attraction.light, member.offset.y, 0};
+    for (std::size_t k = 0; k < member.points; ++k) {
+      MovingPoint& point = points.emplace_back();
+      point.position = points_[points.size() - 1];
+      point.cloud = static_cast<std::uint32_t>(clouds.size());
+      cloud.top = std::max(cloud.top, static_cast<double>(point.position.y) - cloud.base);
+    }
+    clouds.push_back(cloud);
+  }
+  moving_.emplace(std::move(points));
+  motion_.emplace(*scene_, origin_, std::move(clouds));
 }
 
 void AttractionCloud::take_new_nodes(Progress& progress) {
   std::vector<NearestNodes::NewNode> added;
   added.reserve(new_nodes_.size());
-  for (const Node& node : new_nodes_) added.push_back({node.position, trees_[node.tree].influence});
-  nearest_->add_nodes(static_cast<NodeIndex>(nodes_.size()), added, progress);
+  for (const Node& node : new_nodes_) {
+    const Attraction& attraction = trees_[node.tree].attraction;
+    added.push_back({node.position, static_cast<float>(attraction.influence)});
+    if (motion_) motion_->add_node(node.position, attraction.light.sunlit_weight);
+  }
+  const auto first = static_cast<NodeIndex>(nodes_.size());
+  if (still_) still_->add_nodes(first, added, progress);
+  if (moving_) moving_->add_nodes(first, added, progress);
   nodes_.insert(nodes_.end(), new_nodes_.begin(), new_nodes_.end());
   new_nodes_.clear();
 }
 
-void AttractionCloud::gather_pulls(NodeIndex first_new, bool kills) {
-  for (Member& member : trees_) {
-    member.pulls.clear();
-    member.advances = 0;
-  }
-  // Use points up, and sum up the others by node.
-  sums_.clear();
-  nearest_->sweep([&](Vec3 point, NodeIndex node, float distance2) {
-    Member& member = trees_[nodes_[node].tree];
-    const bool is_used_up = kills && distance2 <= member.kill2;
-    if (is_used_up || node >= first_new) ++member.advances;
-    if (!is_used_up) add_pull(node, point);
-    return !is_used_up;
-  });
-  // Hand the sums to their trees in the order of the nodes.
+/// Hands the sums to their trees in the order of the nodes.
+void AttractionCloud::hand_over_pulls() {
   std::sort(sums_.begin(), sums_.end(), [](const Sum& a, const Sum& b) { return a.node < b.node; });
   for (const Sum& sum : sums_) {
     Node& node = nodes_[sum.node];
@@ -80,6 +184,7 @@ void AttractionCloud::gather_pulls(NodeIndex first_new, bool kills) {
     const DVec3 units(static_cast<double>(sum.x), static_cast<double>(sum.y), static_cast<double>(sum.z));
     trees_[node.tree].pulls.push_back({node.index, units / kUnit});
   }
+  sums_.clear();
 }
 
 void AttractionCloud::add_pull(std::uint32_t index, Vec3 point) {

@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "meristem/base/vec.h"
+#include "meristem/grow/colonize/cloud_motion.h"
+#include "meristem/grow/colonize/light_response.h"
+#include "meristem/grow/colonize/moving_points.h"
 #include "meristem/grow/colonize/nearest_nodes.h"
 #include "meristem/grow/stand.h"
 
@@ -18,38 +21,54 @@ struct Pull {
   DVec3 sum{0};        ///< of the unit vectors from the node to its points
 };
 
+/// What points are to a tree.
+struct Attraction {
+  double influence = 0;  ///< metres within which they pull its nodes, above 0, may be infinite
+  double kill = 0;       ///< metres within which its nodes use them up, above 0
+  LightResponse light;   ///< of the points that it brings
+};
+
 /// The attraction points of all trees of a stand, which compete for them: a point belongs to the nearest node within
 /// its tree's influence distance, whichever tree brought the point, and is used up when that node is within its tree's
-/// kill distance. Places are relative to the first tree's root, so that a stand far from the world's origin loses no
-/// digits; each tree speaks of places relative to its own root.
+/// kill distance. The points that a tree brings may lose those in the deepest shade before growth, and may move with
+/// the light that falls on the nodes which they pull, whichever trees those belong to; a point that has moved into an
+/// obstacle rests while it is there. Places are relative to the first tree's root, so that a stand far from the world's
+/// origin loses no digits; each tree speaks of places relative to its own root.
 class AttractionCloud : public Commons {
  public:
   using Tree = std::uint32_t;
 
-  /// A tree with its root at `root` (world space) that brings `points` (world space); its root is its node 0. Distances
-  /// in metres, above 0. To be called before the first round.
-  Tree join(Vec3 root, const std::vector<Vec3>& points, double influence, double kill);
+  /// A tree with its root at `root` (world space) that brings `points` (world space); its root is its node 0. `scene`
+  /// is the same for all and outlives the cloud. To be called before the first round.
+  Tree join(Vec3 root, const std::vector<Vec3>& points, const Attraction& attraction, const Scene& scene);
   /// A new node of a tree; its points are counted from the next round on.
   void add_node(Tree tree, Vec3 position);
 
   /// Which of a tree's nodes are pulled in this round and where to, by rising index. Sums are of whole numbers (unit
   /// vectors in steps of 2^-38), so they do not depend on the order of the points.
   std::span<const Pull> pulls(Tree tree) const { return trees_[tree].pulls; }
-  /// Whether the tree's newest nodes used up a point or came nearer to one.
+  /// Whether the tree's nodes used up a point or came nearer to one: its newest nodes or, where points move, the nearest
+  /// of all.
   bool has_advanced(Tree tree) const { return trees_[tree].advances > 0; }
-  /// The living point nearest to a tree's root. Costs as much as a search in a tree of points.
+  /// The point to which a tree should grow that none pulls yet: in the first round the nearest of those that it
+  /// brought, where it brought none the living one nearest to its root. Costs as much as a search in a tree of points.
   std::optional<Vec3> nearest_point(Tree tree) const;
 
   std::uint64_t node_count() const { return nodes_.size() + new_nodes_.size(); }
-  std::uint64_t point_count() const { return nearest_ ? nearest_->living() : points_.size(); }
+  std::uint64_t point_count() const { return still_ ? still_->living() : moving_ ? moving_->living() : points_.size(); }
 
   void begin_round(Progress& progress) override;
 
  private:
   struct Member {
     Vec3 offset{0};  // its root relative to the cloud's origin
-    float influence = 0;
+    Attraction attraction;
     float kill2 = 0;
+    std::size_t points = 0;           // that it brought; those of all trees stand one after another
+    std::optional<Vec3> nearest_own;  // of these, relative to its root
+    // Squared distances between moving points and nodes: the least at the last advance, and the least of this round.
+    float closest2 = std::numeric_limits<float>::infinity();
+    float now_closest2 = std::numeric_limits<float>::infinity();
     NodeIndex node_count = 0;
     std::uint64_t advances = 0;
     std::vector<Pull> pulls;
@@ -65,14 +84,21 @@ class AttractionCloud : public Commons {
     std::int64_t x, y, z;
   };
 
+  void plant_points(Progress& progress);
+  void leave_out_darkest(const Progress& progress);
+  void start_moving();
   void take_new_nodes(Progress& progress);
-  void gather_pulls(NodeIndex first_new, bool kills);
+  static void note_closeness(Member& member);
+  void hand_over_pulls();
   void add_pull(std::uint32_t node, Vec3 point);
 
+  const Scene* scene_ = nullptr;
   Vec3 origin_{0};
   std::vector<Member> trees_;
-  std::vector<Vec3> points_;  // until the first round
-  std::optional<NearestNodes> nearest_;
+  std::vector<Vec3> points_;  // until the first round; from then on they are in one of these
+  std::optional<NearestNodes> still_;
+  std::optional<MovingPoints> moving_;
+  std::optional<CloudMotion> motion_;
   std::vector<Node> nodes_;
   std::vector<Node> new_nodes_;
   std::vector<Sum> sums_;

@@ -10,11 +10,13 @@
 namespace meristem {
 namespace {
 
+const Scene kOpenScene;
+
 // One tree with its root at the first of `nodes`, after its first round.
 class OneTree {
  public:
   OneTree(const std::vector<Vec3>& points, const std::vector<Vec3>& nodes) {
-    cloud_.join(nodes[0], points, 100, 0.01);
+    cloud_.join(nodes[0], points, {100, 0.01, {}}, kOpenScene);
     for (std::size_t k = 1; k < nodes.size(); ++k) cloud_.add_node(0, nodes[k] - nodes[0]);
     Progress progress;
     cloud_.begin_round(progress);
@@ -54,8 +56,8 @@ TEST(AttractionCloud, APointOnItsNodePullsNowhere) {
 
 TEST(AttractionCloud, APointBelongsToTheNearestNodeWhicheverTreeBroughtIt) {
   AttractionCloud cloud;
-  const auto first = cloud.join({0, 0, 0}, {{9, 1, 0}}, 100, 0.1);
-  const auto second = cloud.join({10, 0, 0}, {{1, 1, 0}}, 100, 0.1);
+  const auto first = cloud.join({0, 0, 0}, {{9, 1, 0}}, {100, 0.1, {}}, kOpenScene);
+  const auto second = cloud.join({10, 0, 0}, {{1, 1, 0}}, {100, 0.1, {}}, kOpenScene);
   Progress progress;
   cloud.begin_round(progress);
   // Each has the other's point, a metre to its side and one up.
@@ -67,8 +69,8 @@ TEST(AttractionCloud, APointBelongsToTheNearestNodeWhicheverTreeBroughtIt) {
 
 TEST(AttractionCloud, PointsAreUsedUpWithinTheirTreesKillDistance) {
   AttractionCloud cloud;
-  const auto greedy = cloud.join({0, 0, 0}, {{0, 1, 0}}, 100, 0.5);
-  const auto modest = cloud.join({10, 0, 0}, {{10, 1, 0}}, 100, 0.1);
+  const auto greedy = cloud.join({0, 0, 0}, {{0, 1, 0}}, {100, 0.5, {}}, kOpenScene);
+  const auto modest = cloud.join({10, 0, 0}, {{10, 1, 0}}, {100, 0.1, {}}, kOpenScene);
   Progress progress;
   cloud.begin_round(progress);
   for (const auto tree : {greedy, modest}) cloud.add_node(tree, {0, 0.7F, 0});
@@ -86,8 +88,8 @@ TEST(AttractionCloud, PointsAreUsedUpWithinTheirTreesKillDistance) {
 
 TEST(AttractionCloud, FindsTheNearestPointFromEachRoot) {
   AttractionCloud cloud;
-  cloud.join({0, 0, 0}, {{0, 3, 0}, {8, 1, 0}}, 0.5, 0.1);
-  const auto other = cloud.join({10, 0, 0}, {}, 0.5, 0.1);
+  cloud.join({0, 0, 0}, {{0, 3, 0}, {8, 1, 0}}, {0.5, 0.1, {}}, kOpenScene);
+  const auto other = cloud.join({10, 0, 0}, {}, {0.5, 0.1, {}}, kOpenScene);
   Progress progress;
   cloud.begin_round(progress);
   EXPECT_EQ(cloud.nearest_point(0), Vec3(0, 3, 0));

@@ -14,6 +14,7 @@
 
 #include "meristem/base/limits.h"
 #include "meristem/base/random.h"
+#include "meristem/grow/colonize/light_response.h"
 #include "meristem/grow/stand.h"
 #include "meristem/plant/pipe_radii.h"
 
@@ -32,6 +33,7 @@ struct ColonizeParameters {
   double kill = 0.3;       ///< metres within which a node uses up a point that it pulls; smaller: denser twigs
   int iterations = 1000;   ///< at most so many steps
   Vec3 bias{0};            ///< added to each growth direction: (0, 0.2, 0) makes all grow upward a little
+  LightResponse light;
   Finish finish;
   PipeModel radii;
 };
@@ -51,8 +53,12 @@ struct Seedling {
 /// limits; std::invalid_argument for points that are not finite. make_colonizer itself throws InputError where the
 /// stand's points exceed the limits, and std::invalid_argument unless step, influence and kill distance are above 0 and
 /// iterations at least 0.
-std::unique_ptr<Grower> make_colonizer(Stand& stand, const std::vector<Seedling>& seedlings,
-                                       const ColonizeParameters& parameters, RandomKey key, const Limits& limits,
-                                       std::string component);
+///
+/// No node stands in one of the scene's obstacles and no segment passes through one; points inside them are left out.
+/// make_colonizer throws InputError where a root stands in one, or where they leave no points. `scene` must outlive the
+/// growth; it is the same for all plants of a stand.
+std::unique_ptr<Grower> make_colonizer(Stand& stand, std::vector<Seedling> seedlings,
+                                       const ColonizeParameters& parameters, RandomKey key, const Scene& scene,
+                                       const Limits& limits, std::string component);
 
 }  // namespace meristem

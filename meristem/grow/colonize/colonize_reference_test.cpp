@@ -12,6 +12,8 @@
 namespace meristem {
 namespace {
 
+const Scene kOpenScene;
+
 void search_all_pairs(const std::vector<Vec3>& nodes, NodeIndex, PlainPoints& points) {
   for (std::size_t k = 0; k < points.position.size(); ++k) {
     points.nearest[k] = 0;
@@ -41,7 +43,7 @@ TEST(ColonizeReference, IncrementalGrowthEqualsBruteForceNodeByNode) {
     ColonizeParameters parameters{.step = 0.03, .influence = influence, .kill = 0.06, .iterations = 80};
     parameters.finish = {.decimate = 0, .relax = false, .subdivide = 0};
     Stand stand;
-    stand.add(make_colonizer(stand, {{Vec3(0), points}}, parameters, key, Limits(), "tree"));
+    stand.add(make_colonizer(stand, {{Vec3(0), points}}, parameters, key, kOpenScene, Limits(), "tree"));
     Progress progress;
     stand.grow(progress);
     const Skeleton skeleton = stand.take_skeletons(progress)[0];

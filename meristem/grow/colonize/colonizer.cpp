@@ -46,10 +46,18 @@ void check_parameters(const ColonizeParameters& parameters) {
 /// What all trees of one component have in common.
 struct Species {
   ColonizeParameters parameters;
+  const Scene& scene;
   Limits limits;
   std::string component;
 
   std::string path(const char* parameter) const { return fmt::format("components.{}.{}", component, parameter); }
+  [[noreturn]] void refuse(const char* parameter, std::string message, std::string expected) const {
+    Diagnostic fault;
+    fault.message = std::move(message);
+    fault.expected = std::move(expected);
+    fault.path = path(parameter);
+    throw InputError(std::move(fault));
+  }
   void require_nodes(std::uint64_t nodes, const char* parameter) const {
     if (nodes <= limits.nodes) return;
     throw_limit("skeleton nodes", static_cast<double>(nodes), limits.nodes, "nodes", path(parameter));
@@ -63,9 +71,8 @@ class Tree {
       : species_(&species),
         cloud_(&cloud),
         key_(key),
-        member_(cloud.join(seedling.root, seedling.points, species.parameters.influence, species.parameters.kill)),
+        member_(cloud.join(seedling.root, seedling.points, attraction(species.parameters), species.scene)),
         root_(seedling.root),
-        nearest_own_point_(nearest_of(seedling.points, seedling.root)),
         places_(species.parameters.step) {
     note_node(kNoNode, Vec3(0));
   }
@@ -76,10 +83,18 @@ class Tree {
   Vec3 root() const { return root_; }
 
  private:
+  static Attraction attraction(const ColonizeParameters& parameters) {
+    return {parameters.influence, parameters.kill, parameters.light};
+  }
   bool start_approach();
   bool grow_toward_cloud();
   bool grow_into_cloud(std::span<const Pull> pulls);
   std::optional<Vec3> place_child(const Pull& pull);
+  /// Whether no obstacle is at `to` or on the way there, both relative to the root.
+  bool is_open(Vec3 from, Vec3 to) const {
+    const Obstacles& obstacles = species_->scene.obstacles;
+    return obstacles.empty() || !(obstacles.cross(root_ + from, root_ + to) || obstacles.contain(root_ + to));
+  }
   void add_node(NodeIndex parent, Vec3 position);
   void note_node(NodeIndex parent, Vec3 position);
 
@@ -88,7 +103,6 @@ class Tree {
   RandomKey key_;
   AttractionCloud::Tree member_;
   Vec3 root_;
-  std::optional<Vec3> nearest_own_point_;  // world space
   Skeleton skeleton_;
   ChildPlaces places_;
   std::vector<std::uint8_t> turns_;  // by node
@@ -109,18 +123,16 @@ bool Tree::step() {
 /// Plans the stem to the cloud, and returns whether there is a cloud to grow to.
 bool Tree::start_approach() {
   const ColonizeParameters& parameters = species_->parameters;
-  const std::optional<Vec3> target =
-      nearest_own_point_ ? std::optional(*nearest_own_point_ - root_) : cloud_->nearest_point(member_);
+  const std::optional<Vec3> target = cloud_->nearest_point(member_);
   if (!target) return false;
   approach_ = plan_approach(*target, parameters.step, parameters.influence);
   if (approach_.steps >= static_cast<std::uint64_t>(parameters.iterations)) {
-    throw InputError(Diagnostic{
-        .message = fmt::format("the crown is out of reach: its nearest point is {:.4g} m from the root, {} steps of "
-                               "{:.4g} m before it is within the influence distance of {:.4g} m",
-                               approach_.distance, approach_.steps, parameters.step, parameters.influence),
-        .expected =
-            fmt::format("more than {} iterations, a longer step, or a crown nearer to the root", approach_.steps),
-        .path = species_->path("iterations")});
+    species_->refuse(
+        "iterations",
+        fmt::format("the crown is out of reach: its nearest point is {:.4g} m from the root, {} steps of {:.4g} m "
+                    "before it is within the influence distance of {:.4g} m",
+                    approach_.distance, approach_.steps, parameters.step, parameters.influence),
+        fmt::format("more than {} iterations, a longer step, or a crown nearer to the root", approach_.steps));
   }
   species_->require_nodes(approach_.steps, "step");
   // One more in case rounding keeps the point just outside.
@@ -132,7 +144,15 @@ bool Tree::grow_toward_cloud() {
   if (approach_steps_left_ == 0) return false;
   --approach_steps_left_;
   const auto last = static_cast<NodeIndex>(skeleton_.node_count() - 1);
-  add_node(last, Vec3(approach_.direction * (species_->parameters.step * (last + 1.0))));
+  const Vec3 place(approach_.direction * (species_->parameters.step * (last + 1.0)));
+  if (!is_open(skeleton_.position[last], place)) {
+    const Vec3 wall = root_ + place;
+    species_->refuse("crown",
+                     fmt::format("an obstacle stands between a root and its crown, at ({:.4g}, {:.4g}, {:.4g})", wall.x,
+                                 wall.y, wall.z),
+                     "a root that reaches its crown in a straight line");
+  }
+  add_node(last, place);
   return true;
 }
 
@@ -141,7 +161,8 @@ bool Tree::grow_into_cloud(std::span<const Pull> pulls) {
   barren_steps_ = cloud_->has_advanced(member_) ? 0 : barren_steps_ + 1;
   if (barren_steps_ > kBarrenSteps) return false;
   for (const Pull& pull : pulls) {
-    if (const std::optional<Vec3> place = place_child(pull)) add_node(pull.node, *place);
+    const std::optional<Vec3> place = place_child(pull);
+    if (place && is_open(skeleton_.position[pull.node], *place)) add_node(pull.node, *place);
   }
   return true;
 }
@@ -179,9 +200,10 @@ void Tree::note_node(NodeIndex parent, Vec3 position) {
 
 class Colonizer : public Grower {
  public:
-  Colonizer(Stand& stand, const std::vector<Seedling>& seedlings, const ColonizeParameters& parameters, RandomKey key,
-            const Limits& limits, std::string component)
-      : species_{parameters, limits, std::move(component)} {
+  Colonizer(Stand& stand, std::vector<Seedling> seedlings, const ColonizeParameters& parameters, RandomKey key,
+            const Scene& scene, const Limits& limits, std::string component)
+      : species_{parameters, scene, limits, std::move(component)} {
+    leave_out_inner_points(seedlings);
     auto& cloud = stand.commons<AttractionCloud>();
     trees_.reserve(seedlings.size());
     for (std::size_t k = 0; k < seedlings.size(); ++k) {
@@ -201,6 +223,7 @@ class Colonizer : public Grower {
     throw_limit("attraction points", static_cast<double>(points), species_.limits.points, "points",
                 species_.path("points"));
   }
+  void leave_out_inner_points(std::vector<Seedling>& seedlings) const;
   Skeleton finish(Skeleton skeleton, Progress& progress) const;
 
   Species species_;
@@ -216,6 +239,25 @@ bool Colonizer::step(Progress& progress) {
     any_grows = any_grows || grows_[k];
   }
   return any_grows;
+}
+
+/// Removes the points that lie in obstacles.
+void Colonizer::leave_out_inner_points(std::vector<Seedling>& seedlings) const {
+  const Obstacles& obstacles = species_.scene.obstacles;
+  if (obstacles.empty()) return;
+  for (Seedling& seedling : seedlings) {
+    if (obstacles.contain(seedling.root)) {
+      species_.refuse("roots",
+                      fmt::format("a root stands inside an obstacle, at ({:.4g}, {:.4g}, {:.4g})", seedling.root.x,
+                                  seedling.root.y, seedling.root.z),
+                      "a place outside all of scene.obstacles");
+    }
+    if (seedling.points.empty()) continue;
+    std::erase_if(seedling.points, [&](Vec3 point) { return obstacles.contain(point); });
+    if (seedling.points.empty()) {
+      species_.refuse("crown", "the crown lies wholly inside obstacles", "a crown that reaches out of scene.obstacles");
+    }
+  }
 }
 
 double total_length(const Skeleton& skeleton) {
@@ -259,11 +301,11 @@ Skeleton Colonizer::finish(Skeleton skeleton, Progress& progress) const {
 
 }  // namespace
 
-std::unique_ptr<Grower> make_colonizer(Stand& stand, const std::vector<Seedling>& seedlings,
-                                       const ColonizeParameters& parameters, RandomKey key, const Limits& limits,
-                                       std::string component) {
+std::unique_ptr<Grower> make_colonizer(Stand& stand, std::vector<Seedling> seedlings,
+                                       const ColonizeParameters& parameters, RandomKey key, const Scene& scene,
+                                       const Limits& limits, std::string component) {
   check_parameters(parameters);
-  return std::make_unique<Colonizer>(stand, seedlings, parameters, key, limits, std::move(component));
+  return std::make_unique<Colonizer>(stand, std::move(seedlings), parameters, key, scene, limits, std::move(component));
 }
 
 }  // namespace meristem

@@ -12,9 +12,13 @@ namespace {
 
 constexpr std::size_t kPointsPerBlock = 1 << 14;  // fewer are not worth another thread
 
-Box box_of(const Vec3* begin, const Vec3* end) {
+Vec3 position_of(Vec3 point) { return point; }
+Vec3 position_of(const NumberedPlace& place) { return place.position; }
+
+template <class Point>
+Box box_of(const Point* begin, const Point* end) {
   Box box;
-  for (const Vec3* point = begin; point != end; ++point) box.add(*point);
+  for (const Point* point = begin; point != end; ++point) box.add(position_of(*point));
   return box;
 }
 
@@ -25,17 +29,23 @@ int longest_axis(const Box& box) {
 }
 
 /// Puts the median along an axis in its place, smaller ones before it and larger ones after it.
-void halve(Vec3* begin, Vec3* middle, Vec3* end) {
+template <class Point>
+void halve(Point* begin, Point* middle, Point* end) {
   if (middle == end) return;
   const int axis = longest_axis(box_of(begin, end));
-  std::nth_element(begin, middle, end, [axis](Vec3 a, Vec3 b) { return a[axis] < b[axis]; });
+  std::nth_element(begin, middle, end,
+                   [axis](const Point& a, const Point& b) { return position_of(a)[axis] < position_of(b)[axis]; });
 }
 
 }  // namespace
 
-PointTree::PointTree(std::vector<Vec3>& points, Progress& progress) : point_count_(points.size()) {
-  for (const Vec3 point : points) {
-    if (!std::isfinite(point.x + point.y + point.z)) throw std::invalid_argument("attraction points must be finite");
+template <class Point>
+void PointTree::build(std::vector<Point>& points, const Progress& progress) {
+  for (const Point& point : points) {
+    const Vec3 position = position_of(point);
+    if (!std::isfinite(position.x + position.y + position.z)) {
+      throw std::invalid_argument("attraction points must be finite");
+    }
   }
   while (point_count_ >> leaf_level_ > kLeafPoints - 1) ++leaf_level_;
   // Halve level by level; the nodes of one are independent.
@@ -61,5 +71,8 @@ PointTree::PointTree(std::vector<Vec3>& points, Progress& progress) : point_coun
     boxes_[node].add(boxes_[2 * node + 2]);
   }
 }
+
+template void PointTree::build(std::vector<Vec3>&, const Progress&);
+template void PointTree::build(std::vector<NumberedPlace>&, const Progress&);
 
 }  // namespace meristem

@@ -10,6 +10,12 @@
 
 namespace meristem {
 
+/// A node with its number, as trees of nodes keep it.
+struct NumberedPlace {
+  Vec3 position{0};
+  std::uint32_t number = 0;
+};
+
 /// Points halved again and again at the median of their longest extent, until at most kLeafPoints are left together: a
 /// complete binary tree whose nodes need no links. It adapts to clouds of any shape, also to several far apart and to
 /// outliers, which a grid of equal cells does not.
@@ -21,7 +27,12 @@ class PointTree {
   static constexpr std::size_t kLeafPoints = 64;
 
   /// Orders `points` in place. Throws std::invalid_argument for coordinates that are not finite, Cancelled.
-  PointTree(std::vector<Vec3>& points, Progress& progress);
+  PointTree(std::vector<Vec3>& points, const Progress& progress) : point_count_(points.size()) {
+    build(points, progress);
+  }
+  PointTree(std::vector<NumberedPlace>& points, const Progress& progress) : point_count_(points.size()) {
+    build(points, progress);
+  }
 
   int leaf_level() const { return leaf_level_; }
   std::uint32_t leaf_count() const { return std::uint32_t{1} << leaf_level_; }
@@ -35,6 +46,9 @@ class PointTree {
   const std::vector<Box>& boxes() const { return boxes_; }
 
  private:
+  template <class Point>
+  void build(std::vector<Point>& points, const Progress& progress);
+
   std::uint64_t point_count_;
   int leaf_level_ = 0;
   std::vector<Box> boxes_;

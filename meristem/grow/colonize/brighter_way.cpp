@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "meristem/grow/colonize/light_response.h"
+
+namespace meristem {
+namespace {
+
+double dot(DVec3 a, DVec3 b) { return (a.x * b.x + a.z * b.z) + a.y * b.y; }
+
+/// Away from an obstacle at right angles to the light; straight toward the light where that leaves nothing.
+DVec3 out_of_shade(DVec3 place, DVec3 centroid, DVec3 toward_light) {
+  const DVec3 away = place - centroid;
+  const DVec3 across = away - toward_light * dot(away, toward_light);
+  const double length = std::sqrt(dot(across, across));
+  return length > 1e-9 ? across / length : toward_light;
+}
+
+}  // namespace
+
+DVec3 brighter_way(const Scene& scene, Vec3 place, double sunlit_weight) {
+  DVec3 sum(0);
+  scene.light.for_each_ray(place, [&](const LightRay& ray) {
+    const DVec3 toward(ray.toward);
+    const auto shade = scene.obstacles.first_hit(place, ray.toward, ray.distance);
+    if (shade) {
+      const DVec3 centroid(scene.obstacles.ground_centroid(shade->obstacle));
+      sum += ray.strength * out_of_shade(DVec3(place), centroid, toward);
+    } else {
+      sum += ray.strength * sunlit_weight * toward;
+    }
+  });
+  return sum;
+}
+
+}  // namespace meristem

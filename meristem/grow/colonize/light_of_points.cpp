@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points are seen along each light's direction: laid out in a plane at right angles to it, nearest to the light first,
+// each counts those that came before it and lie near, in a grid of counters.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+
+#include "meristem/base/frame.h"
+#include "meristem/base/math.h"
+#include "meristem/base/parallel.h"
+#include "meristem/grow/colonize/light_response.h"
+
+namespace meristem {
+namespace {
+
+constexpr int kCellsPerRadius = 6;
+constexpr int kBrickBits = 4;
+constexpr int kBrickSide = 1 << kBrickBits;
+constexpr std::size_t kLightsAtOnce = 16;
+constexpr std::size_t kPointsPerBlock = 64;
+
+/// Of the rows of a disc, from its middle outward.
+using HalfWidths = std::array<int, kCellsPerRadius + 1>;
+
+/// Counters in a plane, cell by cell, kept in bricks where there are any.
+class CellCounts {
+ public:
+  void add(std::int64_t x, std::int64_t y) { ++bricks_[key(x >> kBrickBits, y >> kBrickBits)][place(x, y)]; }
+
+  /// All within a disc whose rows reach `half_widths[|dy|]` cells to both sides of the middle.
+  std::uint64_t in_disc(std::int64_t x, std::int64_t y, const HalfWidths& half_widths) const {
+    // It lies in four bricks at most.
+    std::uint64_t count = 0;
+    for (std::int64_t by = (y - kCellsPerRadius) >> kBrickBits; by <= (y + kCellsPerRadius) >> kBrickBits; ++by) {
+      for (std::int64_t bx = (x - kCellsPerRadius) >> kBrickBits; bx <= (x + kCellsPerRadius) >> kBrickBits; ++bx) {
+        const auto brick = bricks_.find(key(bx, by));
+        if (brick != bricks_.end())
+          count += in_brick(brick->second, x - bx * kBrickSide, y - by * kBrickSide, half_widths);
+      }
+    }
+    return count;
+  }
+
+ private:
+  using Brick = std::array<std::uint32_t, std::size_t{kBrickSide} * kBrickSide>;
+
+  /// The part of a disc about (x, y), counted from the brick's corner, that lies in it.
+  static std::uint64_t in_brick(const Brick& brick, std::int64_t x, std::int64_t y, const HalfWidths& half_widths) {
+    std::uint64_t count = 0;
+    const std::int64_t last = std::min<std::int64_t>(y + kCellsPerRadius, kBrickSide - 1);
+    for (std::int64_t row = std::max<std::int64_t>(y - kCellsPerRadius, 0); row <= last; ++row) {
+      const int half = half_widths[static_cast<std::size_t>(std::abs(row - y))];
+      const std::int64_t right = std::min<std::int64_t>(x + half, kBrickSide - 1);
+      for (std::int64_t cell = std::max<std::int64_t>(x - half, 0); cell <= right; ++cell)
+        count += brick[place(cell, row)];
+    }
+    return count;
+  }
+  static std::uint64_t key(std::int64_t x, std::int64_t y) {
+    return static_cast<std::uint64_t>(x) << 32 ^ (static_cast<std::uint64_t>(y) & 0xFFFFFFFF);
+  }
+  static std::size_t place(std::int64_t x, std::int64_t y) {
+    return static_cast<std::size_t>((y & (kBrickSide - 1)) * kBrickSide + (x & (kBrickSide - 1)));
+  }
+
+  // Looked up only, so its order does not matter.
+  std::unordered_map<std::uint64_t, Brick> bricks_;
+};
+
+HalfWidths disc_half_widths() {
+  HalfWidths half_widths{};
+  for (int dy = 0; dy <= kCellsPerRadius; ++dy) {
+    half_widths[static_cast<std::size_t>(dy)] =
+        static_cast<int>(std::floor(std::sqrt(kCellsPerRadius * kCellsPerRadius - dy * dy)));
+  }
+  return half_widths;
+}
+
+/// For each point how many others lie between it and a light far away toward `toward`, within `radius` to the side.
+std::vector<std::uint32_t> count_before(const std::vector<Vec3>& points, Vec3 toward, double radius) {
+  const auto half_widths = disc_half_widths();
+  const Frame frame = frame_along(Vec3(0), toward, any_perpendicular(toward));
+  const DVec3 right(frame.axes[0]);
+  const DVec3 forward(frame.axes[2]);
+  const DVec3 way(toward);
+  const DVec3 origin(points[0]);
+  struct Seen {
+    double depth;  // toward the light
+    std::int64_t x, y;
+    std::uint32_t point;
+  };
+  std::vector<Seen> seen;
+  seen.reserve(points.size());
+  const double per_metre = kCellsPerRadius / radius;
+  for (const Vec3 point : points) {
+    const DVec3 offset = DVec3(point) - origin;
+    seen.push_back({glm::dot(offset, way), static_cast<std::int64_t>(std::floor(glm::dot(offset, right) * per_metre)),
+                    static_cast<std::int64_t>(std::floor(glm::dot(offset, forward) * per_metre)),
+                    static_cast<std::uint32_t>(seen.size())});
+  }
+  std::sort(seen.begin(), seen.end(),
+            [](const Seen& a, const Seen& b) { return a.depth != b.depth ? a.depth > b.depth : a.point < b.point; });
+  std::vector<std::uint32_t> counts(points.size());
+  CellCounts cells;
+  for (const Seen& one : seen) {
+    counts[one.point] = static_cast<std::uint32_t>(cells.in_disc(one.x, one.y, half_widths));
+    cells.add(one.x, one.y);
+  }
+  return counts;
+}
+
+}  // namespace
+
+std::vector<double> light_of_points(const std::vector<Vec3>& points, const Scene& scene, double radius, double k,
+                                    const Progress& progress) {
+  std::vector<double> light(points.size());
+  if (points.empty()) return light;
+  const auto is_shaded = [&](Vec3 point, const LightRay& ray) {
+    return scene.obstacles.first_hit(point, ray.toward, ray.distance).has_value();
+  };
+  std::vector<FarLight> far = scene.light.sun;
+  far.insert(far.end(), scene.light.sky.begin(), scene.light.sky.end());
+  std::vector<std::vector<std::uint32_t>> before(kLightsAtOnce);
+  for (std::size_t first = 0; first < far.size(); first += kLightsAtOnce) {
+    const std::size_t count = std::min(kLightsAtOnce, far.size() - first);
+    parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
+        progress.check();
+        before[f] = count_before(points, far[first + f].toward, radius);
+      }
+    });
+    parallel_for(points.size(), kPointsPerBlock, [&](std::size_t begin, std::size_t end) {
+      progress.check();
+      for (std::size_t p = begin; p < end; ++p) {
+        for (std::size_t f = 0; f < count; ++f) {
+          const FarLight& one = far[first + f];
+          if (!is_shaded(points[p], {.toward = one.toward})) light[p] += one.strength * math::exp(-k * before[f][p]);
+        }
+      }
+    });
+  }
+  parallel_for(points.size(), kPointsPerBlock, [&](std::size_t begin, std::size_t end) {
+    progress.check();
+    for (std::size_t p = begin; p < end; ++p) {
+      for (const Lamp& lamp : scene.light.lamps) {
+        const LightRay ray = Light::ray_to(lamp, points[p]);
+        if (!is_shaded(points[p], ray)) light[p] += ray.strength;
+      }
+    }
+  });
+  return light;
+}
+
+std::vector<Vec3> without_darkest(std::span<const Vec3> points, std::span<const double> light, double share) {
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return light[a] != light[b] ? light[a] < light[b] : a < b; });
+  const auto removed = static_cast<std::size_t>(std::floor(share * static_cast<double>(points.size())));
+  order.erase(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(std::min(removed, points.size())));
+  std::sort(order.begin(), order.end());
+  std::vector<Vec3> left;
+  for (const std::uint32_t k : order) left.push_back(points[k]);
+  return left;
+}
+
+}  // namespace meristem

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// How colonizing trees answer to light. Response A moves the whole cloud of attraction points toward brighter places
+// before each step. Response B lets light act on single points: those in the deepest shade are left out, each moves as
+// its own nearest node feels, and the cloud's height is held.
+//
+// Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund
+// 2020, section 4.4, with the settled reading of its equations 4.19 to 4.24; response B is our own.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "meristem/base/progress.h"
+#include "meristem/base/vec.h"
+#include "meristem/scene/scene.h"
+
+namespace meristem {
+
+/// Light-limited space: the darkest points are removed before growth.
+struct LightLimit {
+  double share = 0;     ///< of a tree's points, 0 to 1
+  double radius = 0.3;  ///< metres to the side of a ray within which other points dim it
+  double k = 0.1;       ///< the light falls by exp(-k) with each of them
+};
+
+struct LightResponse {
+  double shift = 0;          ///< metres by which the whole cloud moves in a step
+  double drift = 0;          ///< metres by which a point near a node wholly in shade moves in a step
+  double sunlit_weight = 1;  ///< strength of light that arrives over that of light in whose shade a node stands
+  bool hold_height = false;  ///< scales the heights of the points after each move, so that the cloud's top stays
+  LightLimit limit;
+
+  bool moves() const { return shift != 0 || drift != 0; }
+};
+
+/// Where it gets brighter from a place: for each of the scene's lights the unit vector toward it, times
+/// `sunlit_weight`, or, where an obstacle is in the way, the unit vector away from the obstacle's centroid on the
+/// ground and at right angles to the light; their sum, weighted by strength. 0 where there is no light.
+DVec3 brighter_way(const Scene& scene, Vec3 place, double sunlit_weight);
+
+/// What is left of points when `share` (0 to 1) of them, rounded down, is removed, the darkest first; of equally dark
+/// ones the first. In their order.
+std::vector<Vec3> without_darkest(std::span<const Vec3> points, std::span<const double> light, double share);
+
+/// The light of each of `points` (world space), 0 to 1 without lamps: over the scene's lights, weighted by strength,
+/// the mean of exp(-k c), 0 in the shade of obstacles, with c the number of other points between it and the light and
+/// within `radius` of that way. Points do not dim lamps. c is counted in cells of a sixth of the radius. Costs in
+/// proportion to points and lights; the same on any number of threads. Throws Cancelled.
+std::vector<double> light_of_points(const std::vector<Vec3>& points, const Scene& scene, double radius, double k,
+                                    const Progress& progress);
+
+}  // namespace meristem

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/colonize/moving_points.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "meristem/base/parallel.h"
+
+namespace meristem {
+namespace {
+
+constexpr std::size_t kPointsPerBlock = 256;
+constexpr float kBelow = 0.999998F;  // what rounding may have taken from a distance or from several moves
+
+float squared_distance(Vec3 a, Vec3 b) {
+  const Vec3 offset = a - b;
+  return (offset.x * offset.x + offset.z * offset.z) + offset.y * offset.y;
+}
+
+}  // namespace
+
+MovingPoints::MovingPoints(std::vector<MovingPoint> points) : points_(std::move(points)) {
+  for (const MovingPoint& point : points_) {
+    if (!std::isfinite(point.position.x + point.position.y + point.position.z)) {
+      throw std::invalid_argument("attraction points must be finite");
+    }
+  }
+}
+
+void MovingPoints::add_nodes(NodeIndex first, std::span<const NewNode> nodes, const Progress& progress) {
+  std::vector<NumberedPlace> places;
+  places.reserve(nodes.size());
+  for (const NewNode& node : nodes) {
+    places.push_back({node.position, first + static_cast<NodeIndex>(places.size())});
+    nodes_.push_back({node.position, node.influence * node.influence});
+    are_alike_ = are_alike_ && nodes_.back().within2 == nodes_.front().within2;
+    widest_ = std::max(widest_, node.influence);
+  }
+  forest_.add(places, progress);
+  std::optional<NodeTree> added;
+  if (!places.empty()) added.emplace(std::move(places), progress);
+  parallel_for(points_.size(), kPointsPerBlock, [&](std::size_t begin, std::size_t end) {
+    progress.check();
+    for (std::size_t k = begin; k < end; ++k) update(points_[k], added);
+  });
+}
+
+void MovingPoints::update(MovingPoint& point, const std::optional<NodeTree>& added) const {
+  const float nearest = point.node == kNoNode ? widest_ : std::sqrt(point.distance2);
+  const bool knows_enough = point.others > nearest &&
+                            (point.node == kNoNode || point.distance2 <= nodes_[point.node].within2) &&
+                            !(added && added->has_any(point.position, point.others * point.others));
+  if (!knows_enough) look(point);
+}
+
+void MovingPoints::look(MovingPoint& point) const {
+  // What was nearest still bounds the search.
+  NearestTwo nearest;
+  for (const NodeIndex known : {point.node, point.runner_up}) {
+    if (known != kNoNode) nearest.offer(known, squared_distance(point.position, nodes_[known].position));
+  }
+  forest_.search(point.position, nearest);
+  point.runner_up = nearest.second;
+  const auto reaches = [&](NodeIndex node, float square) { return square <= nodes_[node].within2; };
+  point.node = kNoNode;
+  point.distance2 = std::numeric_limits<float>::infinity();
+  point.others = kBelow * std::sqrt(nearest.first2);
+  if (nearest.first == kNoNode) return;
+  if (reaches(nearest.first, nearest.first2)) {
+    point.node = nearest.first;
+    point.distance2 = nearest.first2;
+    point.others = kBelow * std::sqrt(nearest.second2);
+  } else if (!are_alike_) {
+    // Of trees that reach farther one may influence it past a nearer node that does not.
+    float within2 = widest_ * widest_;
+    for (const NodeTree& tree : forest_.trees()) {
+      tree.visit(point.position, within2, [&](NodeIndex node, float square) {
+        if (!reaches(node, square) || square > point.distance2) return;
+        if (square == point.distance2 && node > point.node) return;
+        point.node = node;
+        point.distance2 = square;
+        within2 = square;
+      });
+    }
+    point.others = -1;
+  }
+}
+
+void MovingPoints::move(std::size_t index, Vec3 to) {
+  MovingPoint& point = points_[index];
+  point.others -= std::sqrt(squared_distance(to, point.position)) / kBelow;
+  point.position = to;
+  if (point.node != kNoNode) point.distance2 = squared_distance(to, nodes_[point.node].position);
+}
+
+std::optional<Vec3> MovingPoints::nearest_point(Vec3 place) const {
+  std::optional<Vec3> nearest;
+  float least2 = std::numeric_limits<float>::infinity();
+  for (const MovingPoint& point : points_) {
+    const float square = squared_distance(point.position, place);
+    if (square >= least2) continue;
+    least2 = square;
+    nearest = point.position;
+  }
+  return nearest;
+}
+
+}  // namespace meristem

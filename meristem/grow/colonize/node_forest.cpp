@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/colonize/node_forest.h"
+
+#include <utility>
+
+namespace meristem {
+
+void NodeTree::search(Vec3 place, NearestTwo& nearest) const {
+  float within2 = nearest.second2;
+  visit(place, within2, [&](NodeIndex node, float square) {
+    nearest.offer(node, square);
+    within2 = nearest.second2;
+  });
+}
+
+bool NodeTree::has_any(Vec3 place, float within2) const {
+  bool has = false;
+  visit(place, within2, [&](NodeIndex, float square) {
+    if (square >= within2) return;
+    has = true;
+    within2 = -1;
+  });
+  return has;
+}
+
+void NodeForest::add(std::span<const NumberedPlace> nodes, const Progress& progress) {
+  if (nodes.empty()) return;
+  std::vector<NumberedPlace> joined(nodes.begin(), nodes.end());
+  while (!trees_.empty() && trees_.back().nodes().size() <= 2 * joined.size()) {
+    const std::vector<NumberedPlace>& last = trees_.back().nodes();
+    joined.insert(joined.end(), last.begin(), last.end());
+    trees_.pop_back();
+  }
+  trees_.emplace_back(std::move(joined), progress);
+}
+
+}  // namespace meristem

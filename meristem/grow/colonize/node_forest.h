@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// The nodes of growing trees, to find those nearest to a place. Nodes only come; trees of them double in size, so each
+// is built into a new one as often as the logarithm of their number.
+//
+// Based on: J. Bentley, J. Saxe: Decomposable searching problems I (1980).
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "meristem/base/progress.h"
+#include "meristem/grow/colonize/point_tree.h"
+#include "meristem/plant/skeleton.h"
+
+namespace meristem {
+
+/// The two nodes nearest to a place; of nodes equally near the ones with the lower numbers. A node may be offered
+/// again.
+struct NearestTwo {
+  NodeIndex first = kNoNode;
+  NodeIndex second = kNoNode;
+  float first2 = std::numeric_limits<float>::infinity();  ///< squared distances
+  float second2 = std::numeric_limits<float>::infinity();
+
+  void offer(NodeIndex node, float distance2) {
+    if (distance2 > second2 || (distance2 == second2 && node >= second) || node == first) return;
+    if (distance2 < first2 || (distance2 == first2 && node < first)) {
+      second = first;
+      second2 = first2;
+      first = node;
+      first2 = distance2;
+    } else {
+      second = node;
+      second2 = distance2;
+    }
+  }
+};
+
+/// Some nodes, ordered once.
+class NodeTree {
+ public:
+  NodeTree(std::vector<NumberedPlace> nodes, const Progress& progress)
+      : nodes_(std::move(nodes)), tree_(nodes_, progress) {}
+
+  const std::vector<NumberedPlace>& nodes() const { return nodes_; }
+  /// Offers all nodes that may be among the two.
+  void search(Vec3 place, NearestTwo& nearest) const;
+  /// Whether a node is nearer to a place than the root of `within2`.
+  bool has_any(Vec3 place, float within2) const;
+  /// Calls `see(node, squared distance)` for all nodes up to the root of `within2` away; it may lower that.
+  template <class See>
+  void visit(Vec3 place, float& within2, See see) const;
+
+ private:
+  std::vector<NumberedPlace> nodes_;
+  PointTree tree_;
+};
+
+/// Nodes that become more.
+class NodeForest {
+ public:
+  void add(std::span<const NumberedPlace> nodes, const Progress& progress);
+  const std::vector<NodeTree>& trees() const { return trees_; }
+  void search(Vec3 place, NearestTwo& nearest) const {
+    for (const NodeTree& tree : trees_) tree.search(place, nearest);
+  }
+
+ private:
+  std::vector<NodeTree> trees_;  // from large to small
+};
+
+template <class See>
+void NodeTree::visit(Vec3 place, float& within2, See see) const {
+  struct Part {
+    int level;
+    std::uint32_t index;
+    float gap2;
+  };
+  const auto part_at = [&](int level, std::uint32_t index) {
+    return Part{level, index, distance2(tree_.boxes()[PointTree::place(level, index)], place)};
+  };
+  // One part waits on each level; more than 2^32 nodes do not exist.
+  Part waiting[34];
+  int count = 0;
+  waiting[count++] = part_at(0, 0);
+  while (count > 0) {
+    const Part part = waiting[--count];
+    if (part.gap2 > within2) continue;
+    if (part.level < tree_.leaf_level()) {
+      // Look into the nearer half first.
+      const Part left = part_at(part.level + 1, 2 * part.index);
+      const Part right = part_at(part.level + 1, 2 * part.index + 1);
+      const bool is_left_nearer = left.gap2 <= right.gap2;
+      waiting[count++] = is_left_nearer ? right : left;
+      waiting[count++] = is_left_nearer ? left : right;
+      continue;
+    }
+    const std::uint32_t end = tree_.first_point(part.level, part.index + 1);
+    for (std::uint32_t k = tree_.first_point(part.level, part.index); k < end; ++k) {
+      const Vec3 offset = place - nodes_[k].position;
+      const float square = (offset.x * offset.x + offset.z * offset.z) + offset.y * offset.y;
+      if (square <= within2) see(nodes_[k].number, square);
+    }
+  }
+}
+
+}  // namespace meristem

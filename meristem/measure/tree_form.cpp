@@ -90,9 +90,9 @@ void measure_crown(const Skeleton& skeleton, const Children& children, const Pro
   // Cauchy: a convex outline's extent, averaged over all directions, is its perimeter over pi.
   form.crown_mean_width = outline.perimeter / kPi;
   form.crown_ground_area = outline.area;
-  const Mesh hull = convex_hull(crown, progress);
-  form.crown_hull_area = surface_area_of(hull);
-  form.crown_hull_volume = volume_of(hull);
+  form.crown_hull = convex_hull(crown, progress);
+  form.crown_hull_area = surface_area_of(form.crown_hull);
+  form.crown_hull_volume = volume_of(form.crown_hull);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "meristem/base/mesh.h"
 #include "meristem/base/progress.h"
 #include "meristem/plant/skeleton.h"
 
@@ -30,6 +31,7 @@ struct TreeForm {
   double crown_ground_area = 0;    ///< of the convex hull of the crown's nodes projected on the ground
   double crown_hull_area = 0;      ///< of the convex hull of the crown's nodes, square metres
   double crown_hull_volume = 0;    ///< cubic metres
+  Mesh crown_hull;                 ///< convex_hull of the crown's nodes: empty where they are flat or there is no crown
   std::optional<double> diameter;  ///< of the main axis at breast height (1.3 m) above the root, if it reaches it
   DVec3 segment_sum{0};            ///< of all vectors from parent to node
   DVec3 node_sum{0};               ///< of all nodes, relative to the root

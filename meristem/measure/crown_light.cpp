@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// In:  a crown's convex hull, the sun's positions, obstacles. Out: the share of the hull that each position lights.
+//
+// A convex body shades itself exactly where it faces away, so the area that faces the sun is a sum over triangles. Only
+// the obstacles' shadow on it is sampled, with rays from places that are spread evenly over it: one after another by
+// area along the triangles, across them by steps of the golden ratio.
+//
+// Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund
+// 2020, equation 5.5, which counts random places on the whole hull and tests them against it as well.
+#include "meristem/measure/crown_light.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "meristem/base/parallel.h"
+#include "meristem/measure/convex_hull.h"
+#include "meristem/measure/surface_places.h"
+
+namespace meristem {
+namespace {
+
+constexpr std::size_t kRaysPerBlock = 2048;
+
+/// The share of some places' area from which a far light is seen. Each of the sun's positions has its own `turn`, so
+/// that those with few rays do not use the same places.
+double unshaded_share(const SurfacePlaces& places, Vec3 toward, const Obstacles& obstacles, std::uint64_t rays,
+                      std::size_t turn, const Progress* progress) {
+  const double first = fraction(0.5 + static_cast<double>(turn) * kSquareSteps[0]);
+  const double start = fraction(static_cast<double>(turn) * kSquareSteps[1]);
+  std::vector<std::uint64_t> unshaded((rays + kRaysPerBlock - 1) / kRaysPerBlock, 0);
+  parallel_for(rays, kRaysPerBlock, [&](std::size_t begin, std::size_t end) {
+    if (progress != nullptr) progress->check();
+    for (std::size_t k = begin; k < end; ++k) {
+      const double along = (static_cast<double>(k) + first) / static_cast<double>(rays);
+      const double across = fraction(start + static_cast<double>(k) * kGoldenStep);
+      const Vec3 place = places.position(places.at(along, across));
+      const auto hit = obstacles.first_hit(place, toward, std::numeric_limits<double>::infinity());
+      if (!hit) ++unshaded[begin / kRaysPerBlock];
+    }
+  });
+  const std::uint64_t sum = std::accumulate(unshaded.begin(), unshaded.end(), std::uint64_t{0});
+  return static_cast<double>(sum) / static_cast<double>(rays);
+}
+
+}  // namespace
+
+CrownLight measure_crown_light(const Mesh& hull, const Scene& scene, std::uint64_t rays, const Progress* progress) {
+  CrownLight light;
+  const std::vector<FarLight>& sun = scene.light.sun;
+  const double area = surface_area_of(hull);
+  light.lit_shares.resize(sun.size(), 0);
+  if (sun.empty() || !(area > 0)) return light;
+  const std::uint64_t rays_each = std::max<std::uint64_t>(rays / sun.size(), 1);
+  parallel_for(sun.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      if (progress != nullptr) progress->check();
+      const SurfacePlaces facing(hull, DVec3(sun[k].toward));
+      double share = facing.area() / area;
+      if (share > 0 && !scene.obstacles.empty()) {
+        share *= unshaded_share(facing, sun[k].toward, scene.obstacles, rays_each, k, progress);
+      }
+      light.lit_shares[k] = share;
+    }
+  });
+  const double sum = std::accumulate(light.lit_shares.begin(), light.lit_shares.end(), 0.0);
+  light.lit_share = sum / static_cast<double>(sun.size());
+  return light;
+}
+
+}  // namespace meristem

@@ -10,6 +10,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/read_file.h"
+#include "meristem/scene/glb_mesh.h"
 #include "meristem/scene/ply_file.h"
 #include "meristem/scene/text_scanner.h"
 
@@ -146,10 +147,12 @@ TriangleMesh parse_ply(std::string_view bytes, const std::string& file, const Li
 }  // namespace
 
 TriangleMesh parse_mesh(std::string_view bytes, const std::string& file, const Limits& limits) {
-  TriangleMesh mesh = PlyFile::begins(bytes) ? parse_ply(bytes, file, limits) : ObjReader(bytes, file, limits).read();
+  TriangleMesh mesh = begins_glb(bytes)        ? parse_glb(bytes, file, limits)
+                      : PlyFile::begins(bytes) ? parse_ply(bytes, file, limits)
+                                               : ObjReader(bytes, file, limits).read();
   if (mesh.triangles.empty()) {
     throw InputError(
-        Diagnostic{.message = "the file has no faces", .expected = "an OBJ or PLY file with faces", .file = file});
+        Diagnostic{.message = "the file has no faces", .expected = "an OBJ, PLY or GLB file with faces", .file = file});
   }
   return mesh;
 }

@@ -14,6 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace meristem;
   Limits limits;
   limits.triangles = 5000;
+  limits.instances = 1000;
   try {
     const TriangleMesh mesh = parse_mesh({reinterpret_cast<const char*>(data), size}, "body", limits);
     require(mesh.triangles.size() <= limits.triangles);

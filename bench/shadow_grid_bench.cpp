@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shade of the buds of a crown. Counters: shaders or queries a second; voxels a shader touches; bytes of the grid;
+// `to_plain`, the time of a map with an entry a voxel over ours, measured in the same run.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <unordered_map>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "meristem/base/random.h"
+#include "meristem/scene/shadow_grid.h"
+
+namespace {
+
+using meristem::ShadowForm;
+using meristem::ShadowGrid;
+using meristem::Vec3;
+
+constexpr int kBuds = 20'000;
+
+/// Buds all over a ball of 3 m, each near the one before, as along shoots.
+std::vector<Vec3> buds() {
+  const meristem::RandomKey key(3);
+  std::vector<Vec3> places;
+  Vec3 place(0);
+  for (std::uint64_t k = 0; k < kBuds; ++k) {
+    if (k % 10 == 0) place = static_cast<float>(3 * std::cbrt(key.uniform(k))) * key.direction(k);
+    place += 0.1F * key.direction(k + kBuds);
+    places.push_back(place);
+  }
+  return places;
+}
+
+ShadowForm form_of(const benchmark::State& state) {
+  ShadowForm form;
+  form.depth = static_cast<int>(state.range(0));
+  if (state.range(1) != 0) form.toward_light = glm::normalize(Vec3(0.4F, 0.7F, 0.5F));
+  return form;
+}
+
+/// Light from the zenith, an entry a voxel.
+class PlainGrid {
+ public:
+  explicit PlainGrid(const ShadowForm& form) : form_(form) {}
+  void add(Vec3 place) {
+    const auto voxel = [&](int k) { return static_cast<std::int64_t>(std::floor(place[k] / form_.voxel)); };
+    double shade = form_.amount;
+    for (int q = 0; q <= form_.depth; ++q, shade /= form_.base) {
+      for (int x = -q; x <= q; ++x) {
+        for (int z = -q; z <= q; ++z) voxels_[key(voxel(0) + x, voxel(1) - q, voxel(2) + z)] += shade;
+      }
+    }
+  }
+
+ private:
+  static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
+    const auto part = [](std::int64_t at) { return static_cast<std::uint64_t>(at) & 0x1FFFFF; };
+    return part(x) | part(y) << 21 | part(z) << 42;
+  }
+  ShadowForm form_;
+  std::unordered_map<std::uint64_t, double> voxels_;
+};
+
+template <class Grid>
+double seconds_of_adding(const ShadowForm& form, const std::vector<Vec3>& places) {
+  double best = 1e9;
+  for (int k = 0; k < 3; ++k) {
+    const auto begin = std::chrono::steady_clock::now();
+    Grid grid(form);
+    for (const Vec3 place : places) grid.add(place);
+    benchmark::DoNotOptimize(&grid);
+    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  }
+  return best;
+}
+
+void count(benchmark::State& state, const char* what) {
+  state.counters[what] = benchmark::Counter(kBuds, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+/// All buds into an empty grid.
+void add(benchmark::State& state) {
+  const std::vector<Vec3> places = buds();
+  const ShadowForm form = form_of(state);
+  std::size_t bytes = 0;
+  for (auto _ : state) {
+    ShadowGrid grid(form);
+    for (const Vec3 place : places) grid.add(place);
+    bytes = grid.bytes();
+  }
+  count(state, "shaders/s");
+  const double layers = form.depth + 1;
+  state.counters["voxels"] = layers * (2 * layers - 1) * (2 * layers + 1) / 3;
+  state.counters["bytes"] = static_cast<double>(bytes);
+  state.counters["to_plain"] = seconds_of_adding<PlainGrid>(form, places) / seconds_of_adding<ShadowGrid>(form, places);
+}
+BENCHMARK(add)->ArgNames({"depth", "tilted"})->ArgsProduct({{3, 8}, {0, 1}})->Unit(benchmark::kMillisecond);
+
+/// A round of growth that sheds as much as it adds: shade moves within a grid that is there.
+void move(benchmark::State& state) {
+  const std::vector<Vec3> places = buds();
+  ShadowGrid grid(form_of(state));
+  for (const Vec3 place : places) grid.add(place);
+  for (auto _ : state) {
+    for (const Vec3 place : places) {
+      grid.remove(place);
+      grid.add(place);
+    }
+  }
+  count(state, "shaders/s");
+}
+BENCHMARK(move)->ArgNames({"depth", "tilted"})->Args({3, 0})->Unit(benchmark::kMillisecond);
+
+void ask(benchmark::State& state) {
+  const std::vector<Vec3> places = buds();
+  ShadowGrid grid(form_of(state));
+  for (const Vec3 place : places) grid.add(place);
+  double sum = 0;
+  for (auto _ : state) {
+    for (const Vec3 place : places) sum += grid.shade(place);
+  }
+  benchmark::DoNotOptimize(sum);
+  count(state, "queries/s");
+}
+BENCHMARK(ask)->ArgNames({"depth", "tilted"})->Args({3, 0})->Unit(benchmark::kMillisecond);
+
+void turn(benchmark::State& state) {
+  const std::vector<Vec3> places = buds();
+  ShadowGrid grid(form_of(state));
+  for (const Vec3 place : places) grid.add(place);
+  Vec3 sum(0);
+  for (auto _ : state) {
+    for (const Vec3 place : places) sum += grid.brighter_way(place);
+  }
+  benchmark::DoNotOptimize(sum);
+  count(state, "queries/s");
+}
+BENCHMARK(turn)->ArgNames({"depth", "tilted"})->Args({3, 0})->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();

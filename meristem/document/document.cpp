@@ -154,7 +154,9 @@ class DocumentReader {
     document.graph.seed = head.seed;
     document.output = std::move(head.output);
     document.scene.ground_colour = head.scene.ground.colour;
-    if (reader.fault_count() == 0) light_scene(head.scene.light, Place(top_, "scene"), reader, document.scene);
+    if (reader.fault_count() > 0) return;
+    light_scene(head.scene.light, Place(top_, "scene"), reader, document.scene);
+    document.scene.obstacles = build_obstacles(head.scene.obstacles);
   }
 
   void read_components(ParameterReader& reader, Graph& graph) {

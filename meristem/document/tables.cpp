@@ -19,9 +19,12 @@ const ParameterTable& scene_table() {
   static const ParameterTable table =
       Table<SceneSettings>("a scene", "What surrounds the plants.")
           .members(&SceneSettings::light, light_table())
+          .list("obstacles", &SceneSettings::obstacles, obstacle_table,
+                "Bodies that plants do not enter and that shade them.")
           .object("ground", &SceneSettings::ground, ground_table, "The ground in pictures.")
           .check([](const SceneSettings& scene, const Place& place, ParameterReader& reader) {
             check_light(scene.light, place, reader);
+            check_obstacles(scene.obstacles, Place(place, "obstacles"), reader);
           });
   return table;
 }

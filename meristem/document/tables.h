@@ -3,9 +3,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "meristem/document/document.h"
 #include "meristem/document/light_table.h"
+#include "meristem/document/obstacle_table.h"
 #include "meristem/graph/parameter.h"
 
 namespace meristem {
@@ -16,6 +18,7 @@ struct GroundSettings {
 
 struct SceneSettings {
   LightSettings light;
+  std::vector<ObstacleForm> obstacles;
   GroundSettings ground;
 };
 

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/document/obstacle_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/mat3x3.hpp>
+
+#include "meristem/graph/table.h"
+#include "meristem/scene/read_mesh.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr NumberForm kCoordinate{.unit = Unit::metre, .min = -1e5, .max = 1e5};
+constexpr double kFarthest = 1e6;        // metres along an axis, where a float still tells centimetres apart
+constexpr double kBytesATriangle = 300;  // of the mesh, of what is inside it, and of the tree
+
+DVec3 placed(const Frame& frame, DVec3 position) { return DVec3(frame.origin) + glm::dmat3(frame.axes) * position; }
+
+/// The form's mesh where it stands in the scene.
+TriangleMesh placed_mesh(const ObstacleForm& form) {
+  TriangleMesh mesh = form.mesh ? *form.mesh
+                                : box_mesh(glm::min(DVec3(form.box->low), DVec3(form.box->high)),
+                                           glm::max(DVec3(form.box->low), DVec3(form.box->high)));
+  const Frame frame = form.place.frame();
+  for (DVec3& position : mesh.positions) position = placed(frame, position);
+  return mesh;
+}
+
+void check_box(const Box& box, const Place& place, ParameterReader& reader) {
+  constexpr const char* kAxes = "xyz";
+  for (int k = 0; k < 3; ++k) {
+    if (box.low[k] != box.high[k]) continue;
+    return reader.fault(place,
+                        fmt::format("the box is flat: both of its corners have {} at {:.7g}", kAxes[k], box.low[k]),
+                        "two corners that differ in x, y and z");
+  }
+}
+
+void check_closed(const ObstacleForm& form, const Place& place, ParameterReader& reader) {
+  const std::vector<std::string> faults = closedness_faults(*form.mesh);
+  if (faults.empty()) return;
+  const std::string found = fmt::format("{}", fmt::join(faults, "; "));
+  if (form.broken) {
+    return reader.warn(place, fmt::format("'{}' is not closed and used as it is: {}", form.mesh.path, found));
+  }
+  reader.fault(place, fmt::format("'{}' is not closed: {}", form.mesh.path, found),
+               "a closed mesh, or \"broken\": true to use it as well as can be");
+}
+
+void check_obstacle(const ObstacleForm& form, const Place& place, ParameterReader& reader) {
+  if (form.box) check_box(*form.box, Place(place, "box"), reader);
+  if (form.mesh) check_closed(form, Place(place, "mesh"), reader);
+  double farthest = 0;
+  for (const DVec3 position : placed_mesh(form).positions) {
+    const DVec3 away = glm::abs(position);
+    farthest = std::max({farthest, away.x, away.y, away.z});
+  }
+  if (!(farthest <= kFarthest)) {
+    reader.fault(place, fmt::format("the obstacle reaches {:.4g} m from the origin", farthest),
+                 fmt::format("coordinates within {:.0f} m; scale and translate it", kFarthest));
+  }
+}
+
+}  // namespace
+
+const ParameterTable& obstacle_table() {
+  static const ParameterTable table =
+      Table<ObstacleForm>("an obstacle", "A body that plants do not enter and that shades them.")
+          .box("box", &ObstacleForm::box, kCoordinate, "Two opposite corners of a box, in any order.")
+          .file("mesh", &ObstacleForm::mesh, read_mesh, "A closed mesh in an OBJ, PLY or GLB file.")
+          .members(&ObstacleForm::place, import_table())
+          .boolean("broken", &ObstacleForm::broken,
+                   "Whether a mesh that is not closed is used all the same; then most of three views, along x, y and "
+                   "z, say what is inside it.")
+          .colour("colour", &ObstacleForm::colour, "In pictures; its surface is matt.")
+          .boolean("hidden", &ObstacleForm::hidden, "Whether pictures leave it out; growth still minds it.")
+          .one_of({"box", "mesh"})
+          .only_with("mesh", {"up", "broken"})
+          .check(check_obstacle);
+  return table;
+}
+
+void check_obstacles(const std::vector<ObstacleForm>& forms, const Place& place, ParameterReader& reader) {
+  double triangles = 0;
+  for (const ObstacleForm& form : forms) triangles += form.mesh ? static_cast<double>(form.mesh->triangles.size()) : 12;
+  const Limits& limits = reader.limits();
+  if (triangles > static_cast<double>(limits.triangles)) {
+    return reader.fault_limit(place, "triangles of obstacles", triangles, limits.triangles, "triangles");
+  }
+  if (kBytesATriangle * triangles > static_cast<double>(limits.mesh_bytes)) {
+    reader.fault_limit(place, "bytes of obstacles", kBytesATriangle * triangles, limits.mesh_bytes, "mesh_bytes");
+  }
+}
+
+Obstacles build_obstacles(const std::vector<ObstacleForm>& forms) {
+  std::vector<Obstacle> bodies;
+  for (const ObstacleForm& form : forms) {
+    bodies.push_back({.mesh = placed_mesh(form),
+                      .colour = form.colour,
+                      .is_broken = form.broken && !closedness_faults(*form.mesh).empty(),
+                      .is_hidden = form.hidden});
+  }
+  return Obstacles(std::move(bodies));
+}
+
+}  // namespace meristem

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Obstacles as documents write them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "meristem/components/import_table.h"
+#include "meristem/graph/asset.h"
+#include "meristem/graph/parameter.h"
+#include "meristem/scene/obstacles.h"
+
+namespace meristem {
+
+/// Exactly one of box and mesh is given.
+struct ObstacleForm {
+  std::optional<Box> box;  ///< corners as written, in any order
+  Asset<TriangleMesh> mesh;
+  ImportPlace place;
+  bool broken = false;
+  bool hidden = false;
+  Vec3 colour = Obstacle{}.colour;
+};
+
+const ParameterTable& obstacle_table();  ///< of ObstacleForm
+
+/// Reports more triangles than the limits allow; `place` is the list's.
+void check_obstacles(const std::vector<ObstacleForm>& forms, const Place& place, ParameterReader& reader);
+
+/// The obstacles that checked forms mean.
+Obstacles build_obstacles(const std::vector<ObstacleForm>& forms);
+
+}  // namespace meristem

@@ -14,6 +14,7 @@
 #include "meristem/measure/measures.h"
 #include "meristem/output/measure_report.h"
 #include "meristem/output/mtg_skeleton.h"
+#include "meristem/output/organ_csv.h"
 #include "terminal.h"
 
 namespace meristem::cli {
@@ -31,6 +32,7 @@ struct MeasureCommand {
   DocumentOptions document;
   MeasureOptions measures;
   std::string output = "-";
+  std::string organs;  // a file for them; empty: none
   bool json = false;
   bool each = false;
   bool list = false;
@@ -54,6 +56,8 @@ void check_kind(const MeasureCommand& command) {
   if (command.reads_mtg()) {
     require(command.document.sets.empty(), "--set", "a document");
     require(!command.document.seed, "--seed", "a document");
+    require(!command.measures.organ_light, "--light", "a document");
+    require(command.organs.empty(), "--organs", "a document");
   } else {
     require(command.coordinates.empty(), "--coordinates", "an .mtg file");
     require(command.diameter.empty(), "--diameter", "an .mtg file");
@@ -62,13 +66,27 @@ void check_kind(const MeasureCommand& command) {
   }
 }
 
+void check_organs(const MeasureCommand& command, std::span<const std::string> inputs) {
+  if (command.organs == command.output) {
+    throw InputError(Diagnostic{.message = "the measures and those of the organs would be written to one place",
+                                .expected = "-o FILE and --organs FILE to be different"});
+  }
+  check_output(command.organs, inputs);
+}
+
 StandMeasures measure_document(const MeasureCommand& command) {
   const Document document = open_document(command.document);
-  check_output(command.output, input_files(document));
+  const std::vector<std::string> inputs = input_files(document);
+  check_output(command.output, inputs);
+  if (!command.organs.empty()) check_organs(command, inputs);
   const ThreadLimit threads(command.document.threads);
   TerminalProgress terminal(command.document.quiet);
   const GrownDocument grown = grow_document(document, terminal.progress());
-  return measure_plant(grown.plant, grown.meshes, command.measures, terminal.progress());
+  MeasureOptions options = command.measures;
+  options.organ_light |= !command.organs.empty();
+  StandMeasures stand = measure_plant(grown.plant, grown.meshes, document.scene, options, terminal.progress());
+  if (!command.organs.empty()) write_organ_csv(grown.plant, stand.organs, command.organs, terminal.progress());
+  return stand;
 }
 
 /// What commas part.
@@ -98,7 +116,7 @@ StandMeasures measure_mtg(const MeasureCommand& command) {
   {
     TerminalProgress terminal(command.document.quiet);
     const Skeleton* const skeleton = &read.skeleton;
-    stand = measure_skeletons(std::span(&skeleton, 1), command.measures, terminal.progress());
+    stand = measure_skeletons(std::span(&skeleton, 1), nullptr, command.measures, terminal.progress());
   }
   if (command.document.quiet) return stand;
   std::vector<Diagnostic> warnings;
@@ -168,12 +186,19 @@ void add_measure(CLI::App& app, Run& run) {
                    "Area ratios count from forks of this thickness; 0.02 if not given")
       ->type_name("METRES")
       ->check(CLI::Range(0.0, 1000.0));
+  command->add_flag("--light", options->measures.organ_light,
+                    "Measure the light on the leaves, which may take seconds");
+  command
+      ->add_option("--organs", options->organs,
+                   "Table in CSV to write, with the light on every organ; - for standard output")
+      ->type_name("FILE");
   command->add_flag("--list", options->list, "Say what is measured");
   command->add_flag("--markdown", options->markdown, "Print all measures as the table of the manual")
       ->excludes("--list");
   add_mtg_options(*command, *options);
   command->footer(
       "Example: meristem measure models/oak.json --seed 3 --json -o oak-measures.json\n"
+      "         meristem measure oak --set scene.sun.day=172 --organs leaves.csv\n"
       "         meristem measure walnut.mtg --unit cm --diameter-unit mm");
   command->callback([options, &run] {
     const bool is_listing = options->list || options->markdown;

@@ -9,7 +9,7 @@
 namespace meristem {
 namespace {
 
-constexpr std::size_t kOrgansPerBlock = 4096;
+constexpr std::size_t kOrgansPerBlock = 1024;
 
 /// Twice the area vectors of a mesh's triangles in its own frame.
 std::vector<DVec3> area_vectors(const Mesh& mesh) {
@@ -37,32 +37,33 @@ double area_in(const Frame& frame, const std::vector<DVec3>& vectors) {
 
 }  // namespace
 
-Foliage measure_foliage(const Plant& plant, Progress& progress) {
-  // The triangles of those prototypes that are leaves; others have an empty list.
-  std::vector<bool> is_leaf(plant.prototypes.size());
-  std::vector<std::vector<DVec3>> vectors(plant.prototypes.size());
-  for (std::size_t k = 0; k < plant.prototypes.size(); ++k) {
-    is_leaf[k] = plant.materials[plant.prototypes[k].material].two_sided;
-    if (is_leaf[k]) vectors[k] = area_vectors(*plant.prototypes[k].mesh);
-  }
+bool is_leaf(const Plant& plant, const OrganPrototype& prototype) {
+  return plant.materials[prototype.material].two_sided;
+}
+
+std::vector<double> organ_areas(const Plant& plant, Progress& progress) {
+  std::vector<std::vector<DVec3>> vectors;
+  for (const OrganPrototype& prototype : plant.prototypes) vectors.push_back(area_vectors(*prototype.mesh));
   progress.begin("measuring", plant.organs.size());
-  std::vector<Foliage> blocks((plant.organs.size() + kOrgansPerBlock - 1) / kOrgansPerBlock);
-  parallel_for(plant.organs.size(), kOrgansPerBlock, [&](std::size_t begin, std::size_t end) {
-    Foliage& block = blocks[begin / kOrgansPerBlock];
+  std::vector<double> areas(plant.organs.size());
+  parallel_for(areas.size(), kOrgansPerBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      const Organ& organ = plant.organs[k];
-      if (!is_leaf[organ.prototype]) continue;
-      ++block.leaves;
-      block.area += area_in(organ.frame, vectors[organ.prototype]);
+      areas[k] = area_in(plant.organs[k].frame, vectors[plant.organs[k].prototype]);
     }
     progress.advance(end - begin);
   });
-  Foliage whole;
-  for (const Foliage& block : blocks) {
-    whole.leaves += block.leaves;
-    whole.area += block.area;
+  return areas;
+}
+
+Foliage measure_foliage(const Plant& plant, Progress& progress) {
+  const std::vector<double> areas = organ_areas(plant, progress);
+  Foliage foliage;
+  for (std::size_t k = 0; k < areas.size(); ++k) {
+    if (!is_leaf(plant, plant.prototypes[plant.organs[k].prototype])) continue;
+    ++foliage.leaves;
+    foliage.area += areas[k];
   }
-  return whole;
+  return foliage;
 }
 
 }  // namespace meristem

@@ -19,12 +19,18 @@ struct TreeRecord {
   TreeForm form;
   ForkSamples forks;
   std::vector<std::uint64_t> streams;
+  std::optional<double> lit_share;
 };
 
-TreeRecord record_tree(const Skeleton& skeleton, const MeasureOptions& options, const Progress& progress) {
+TreeRecord record_tree(const Skeleton& skeleton, const Scene* scene, const MeasureOptions& options,
+                       const Progress& progress) {
   const Children children(skeleton);
   TreeRecord record;
   record.form = measure_form(skeleton, children, &progress);
+  if (scene != nullptr && !record.form.crown_hull.triangles.empty()) {
+    record.lit_share = measure_crown_light(record.form.crown_hull, *scene, options.crown_rays, &progress).lit_share;
+  }
+  record.form.crown_hull = {};
   progress.check();
   record.forks = sample_forks(skeleton, children, options.fork_diameter);
   progress.check();
@@ -78,6 +84,18 @@ void set_directions(DVec3 segment_sum, DVec3 centroid, Measures& measures) {
   measures.centroid_radius = horizontal(centroid);
 }
 
+/// The lit share of all hulls together.
+std::optional<double> mean_lit_share(std::span<const TreeRecord> records) {
+  double area = 0;
+  double lit = 0;
+  for (const TreeRecord& record : records) {
+    if (!record.lit_share) continue;
+    area += record.form.crown_hull_area;
+    lit += record.form.crown_hull_area * *record.lit_share;
+  }
+  return area > 0 ? std::optional(lit / area) : std::nullopt;
+}
+
 /// The measures of a stand; of one tree, if there is one.
 Measures summarise(std::span<const TreeRecord> records) {
   Measures measures;
@@ -97,6 +115,7 @@ Measures summarise(std::span<const TreeRecord> records) {
   measures.axes = std::accumulate(measures.axes_by_order.begin(), measures.axes_by_order.end(), std::uint64_t{0});
   measures.length = std::accumulate(measures.length_by_order.begin(), measures.length_by_order.end(), 0.0);
   copy_size(tallest->form, measures);
+  measures.lit_share = mean_lit_share(records);
   set_directions(segment_sum, node_sum / static_cast<double>(std::max<std::uint64_t>(measures.nodes, 1)), measures);
   measures.bifurcation_ratios = bifurcation_ratios(measures.strahler_streams);
   if (measures.strahler_streams.size() > 1) {
@@ -115,8 +134,8 @@ bool has_one_root(const Skeleton& skeleton) {
 
 }  // namespace
 
-StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, const MeasureOptions& options,
-                                Progress& progress) {
+StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, const Scene* scene,
+                                const MeasureOptions& options, Progress& progress) {
   std::uint64_t nodes = 0;
   for (const Skeleton* skeleton : skeletons) nodes += skeleton->node_count();
   progress.begin("measuring", nodes);
@@ -124,28 +143,28 @@ StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, cons
   parallel_for(skeletons.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       if (has_one_root(*skeletons[k])) {
-        of_skeleton[k].push_back(record_tree(*skeletons[k], options, progress));
+        of_skeleton[k].push_back(record_tree(*skeletons[k], scene, options, progress));
         progress.advance(skeletons[k]->node_count());
         continue;
       }
       for (const Skeleton& tree : split_trees(*skeletons[k])) {
-        of_skeleton[k].push_back(record_tree(tree, options, progress));
+        of_skeleton[k].push_back(record_tree(tree, scene, options, progress));
         progress.advance(tree.node_count());
       }
     }
   });
   std::vector<TreeRecord> records;
   for (auto& some : of_skeleton) std::move(some.begin(), some.end(), std::back_inserter(records));
-  StandMeasures stand{summarise(records), {}};
+  StandMeasures stand{summarise(records), {}, {}};
   for (const TreeRecord& record : records) stand.trees.push_back(summarise(std::span(&record, 1)));
   return stand;
 }
 
-StandMeasures measure_plant(const Plant& plant, const MeshScene& meshes, const MeasureOptions& options,
-                            Progress& progress) {
+StandMeasures measure_plant(const Plant& plant, const MeshScene& meshes, const Scene& scene,
+                            const MeasureOptions& options, Progress& progress) {
   std::vector<const Skeleton*> skeletons;
   for (const Stem& stem : plant.stems) skeletons.push_back(&stem.skeleton);
-  StandMeasures stand = measure_skeletons(skeletons, options, progress);
+  StandMeasures stand = measure_skeletons(skeletons, &scene, options, progress);
   const Foliage foliage = measure_foliage(plant, progress);
   Measures& whole = stand.whole;
   whole.leaf_count = foliage.leaves;
@@ -156,6 +175,13 @@ StandMeasures measure_plant(const Plant& plant, const MeshScene& meshes, const M
   std::uint64_t bytes = 0;
   for (const MeshInstances& mesh : meshes.meshes) bytes += mesh.mesh->bytes() + mesh.frames.size() * sizeof(Frame);
   whole.bytes = bytes;
+  if (!options.organ_light) return stand;
+  stand.organs = measure_organ_light(plant, meshes, scene, progress);
+  const LitOrgan leaves = mean_leaf_light(plant, stand.organs);
+  if (leaves.area > 0) {
+    whole.leaf_exposure = leaves.exposure;
+    whole.leaf_irradiance = leaves.irradiance;
+  }
   return stand;
 }
 

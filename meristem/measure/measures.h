@@ -9,8 +9,11 @@
 #include <vector>
 
 #include "meristem/base/progress.h"
+#include "meristem/measure/crown_light.h"
+#include "meristem/measure/organ_light.h"
 #include "meristem/measure/samples.h"
 #include "meristem/plant/plant.h"
+#include "meristem/scene/scene.h"
 #include "meristem/shape/mesh_scene.h"
 
 namespace meristem {
@@ -35,6 +38,7 @@ struct Measures {
   double crown_ground_area = 0;
   double crown_hull_area = 0;
   double crown_hull_volume = 0;
+  std::optional<double> lit_share;  ///< of the hull; of several trees, of all their hulls together
   std::optional<double> stem_diameter;
   std::optional<double> slenderness;
   std::optional<double> inclination_azimuth;
@@ -53,6 +57,8 @@ struct Measures {
   std::optional<std::uint64_t> leaf_count;
   std::optional<double> leaf_area;
   std::optional<double> leaf_area_index;
+  std::optional<double> leaf_exposure;  ///< only where options ask for the light on organs; the same below
+  std::optional<double> leaf_irradiance;
   std::optional<std::uint64_t> triangles;
   std::optional<std::uint64_t> instances;
   std::optional<std::uint64_t> bytes;
@@ -62,20 +68,23 @@ struct Measures {
 struct StandMeasures {
   Measures whole;
   std::vector<Measures> trees;
+  std::vector<LitOrgan> organs;  ///< in the plant's order; empty unless options ask for them
 };
 
 struct MeasureOptions {
-  double fork_diameter = 0.02;  ///< metres: area ratios count from forks at least that thick
+  double fork_diameter = 0.02;            ///< metres: area ratios count from forks at least that thick
+  std::uint64_t crown_rays = kCrownRays;  ///< for the lit share of each tree, see crown_light.h
+  bool organ_light = false;               ///< measures the light on every organ, which takes longer than all else
 };
 
-/// Measures skeletons alone. Begins one stage of `progress`, which counts nodes. The same numbers on any number of
-/// threads.
-StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, const MeasureOptions& options,
-                                Progress& progress);
+/// Measures skeletons alone. Without a `scene` (null) no light is measured. Begins one stage of `progress`, which
+/// counts nodes. The same numbers on any number of threads.
+StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, const Scene* scene,
+                                const MeasureOptions& options, Progress& progress);
 
-/// Measures a plant with its leaves and meshes.
-StandMeasures measure_plant(const Plant& plant, const MeshScene& meshes, const MeasureOptions& options,
-                            Progress& progress);
+/// Measures a plant with its leaves and meshes, where it stands.
+StandMeasures measure_plant(const Plant& plant, const MeshScene& meshes, const Scene& scene,
+                            const MeasureOptions& options, Progress& progress);
 
 /// Nothing, a number, or a list of numbers, in the unit of its row.
 using MeasureValue = std::variant<std::monostate, double, std::vector<double>>;

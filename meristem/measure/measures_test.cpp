@@ -34,7 +34,7 @@ StandMeasures measure(const std::vector<Skeleton>& skeletons) {
   std::vector<const Skeleton*> pointers;
   for (const Skeleton& skeleton : skeletons) pointers.push_back(&skeleton);
   Progress progress;
-  return measure_skeletons(pointers, {}, progress);
+  return measure_skeletons(pointers, nullptr, {}, progress);
 }
 
 /// A slanted chain.
@@ -158,7 +158,7 @@ TEST(Measures, PlantsAddTheirLeavesAndMeshes) {
   plant.organs.resize(40);
   Progress progress;
   const MeshScene meshes = make_mesh_scene(plant, {}, progress);
-  const Measures whole = measure_plant(plant, meshes, {}, progress).whole;
+  const Measures whole = measure_plant(plant, meshes, {}, {}, progress).whole;
   EXPECT_EQ(whole.leaf_count, 40U);
   EXPECT_DOUBLE_EQ(*whole.leaf_area, 20);
   EXPECT_DOUBLE_EQ(*whole.leaf_area_index, 20 / whole.crown_ground_area);
@@ -169,7 +169,7 @@ TEST(Measures, PlantsAddTheirLeavesAndMeshes) {
 
 TEST(Measures, AnEmptyPlantHasNothing) {
   Progress progress;
-  const StandMeasures stand = measure_plant({}, {}, {}, progress);
+  const StandMeasures stand = measure_plant({}, {}, {}, {}, progress);
   EXPECT_TRUE(stand.trees.empty());
   EXPECT_EQ(stand.whole.nodes, 0U);
   EXPECT_FALSE(stand.whole.leaf_area_index);

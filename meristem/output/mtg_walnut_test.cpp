@@ -25,7 +25,7 @@ class Walnut : public testing::Test {
     read_ = skeleton_of(tree_, *path, {.length_unit = 0.01, .diameter_unit = 0.001});
     Progress progress;
     const Skeleton* const skeleton = &read_.skeleton;
-    measures_ = measure_skeletons(std::span(&skeleton, 1), {}, progress).whole;
+    measures_ = measure_skeletons(std::span(&skeleton, 1), nullptr, {}, progress).whole;
   }
 
   MtgTree tree_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "meristem/base/colour.h"
 
@@ -16,12 +17,9 @@ constexpr float kBounceSpread = 0.25F;  // light from all sides sees textures bl
 // of its paths end in the sky at once.
 constexpr float kKeennessOfPlants = 1.8F;
 constexpr float kKeennessOfGround = 4;
+// Metres: the bright spot about a lamp on what it hangs by would come back by a few paths, as specks.
+constexpr float kNearestByBounce = 0.5F;
 constexpr auto kPiF = static_cast<float>(kPi);
-
-/// Rays leave a surface from a little above it; floats know a place 10 m away to a micrometre.
-float clearance(Vec3 position) {
-  return 2e-5F * (0.1F + std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)}));
-}
 
 /// Colours of thin blades by the light that shines through: yellower, as green absorbs twice.
 Vec3 transmission_tint(Vec3 colour) {
@@ -49,8 +47,9 @@ float gloss(Vec3 normal, Vec3 to_light, Vec3 to_viewer, float width) {
 
 }  // namespace
 
-PathTracer::PathTracer(const MeshScene& meshes, const RayScene& rays, Daylight light, std::optional<Ground> ground)
-    : rays_(rays), light_(std::move(light)), ground_(ground) {
+PathTracer::PathTracer(const MeshScene& meshes, const RayScene& rays, Daylight light, std::optional<Ground> ground,
+                       Lamplight lamps)
+    : rays_(rays), light_(std::move(light)), ground_(ground), lamps_(std::move(lamps)) {
   for (const MeshInstances& part : meshes.meshes) {
     const Material& material = meshes.materials[part.material];
     const float roughness = std::clamp(material.roughness, 0.2F, 1.0F);
@@ -136,17 +135,31 @@ std::optional<PathTracer::Vertex> PathTracer::next_vertex(const Ray& ray) const 
 Vec3 PathTracer::sunlight(const Vertex& vertex, Vec3 to_viewer, Vec2 sample) const {
   if (!light_.has_sun()) return Vec3(0);
   const Vec3 to_sun = cone_direction(light_.sun_direction(), light_.sun_angular_radius(), sample);
-  const bool shines_through = glm::dot(to_sun, vertex.face_normal) < 0;
-  const float cosine = glm::dot(to_sun, vertex.normal) * (shines_through ? -1.0F : 1.0F);
+  return share_seen(vertex, to_viewer, to_sun, std::numeric_limits<float>::infinity()) * light_.sun_irradiance();
+}
+
+Vec3 PathTracer::lamplight(const Vertex& vertex, Vec3 to_viewer, bool is_seen, SampleStream& samples) const {
+  Vec3 seen(0);
+  lamps_.for_each_ray(vertex.position, is_seen ? 0 : kNearestByBounce, samples, [&](const Lamplight::Ray& ray) {
+    seen += share_seen(vertex, to_viewer, ray.toward, ray.distance) * ray.irradiance;
+  });
+  return seen;
+}
+
+/// How much of the light that falls from a direction, from so far away, is seen by the viewer.
+Vec3 PathTracer::share_seen(const Vertex& vertex, Vec3 to_viewer, Vec3 to_light, float distance) const {
+  const bool shines_through = glm::dot(to_light, vertex.face_normal) < 0;
+  const float cosine = glm::dot(to_light, vertex.normal) * (shines_through ? -1.0F : 1.0F);
   const Vec3 share = shines_through ? vertex.transmitted : vertex.reflected;
   if (cosine <= 0 || share == Vec3(0)) return Vec3(0);
   const Vec3 side = shines_through ? -vertex.face_normal : vertex.face_normal;
-  if (rays_.is_blocked({vertex.lifted + clearance(vertex.position) * side, to_sun})) return Vec3(0);
+  const Ray shadow{vertex.lifted + RayScene::clearance(vertex.position) * side, to_light};
+  if (rays_.is_blocked(shadow, distance)) return Vec3(0);
   Vec3 given = share * (cosine / kPiF);
   if (!shines_through && vertex.gloss_width > 0) {
-    given += Vec3(gloss(vertex.normal, to_sun, to_viewer, vertex.gloss_width));
+    given += Vec3(gloss(vertex.normal, to_light, to_viewer, vertex.gloss_width));
   }
-  return given * light_.sun_irradiance();
+  return given;
 }
 
 Seen PathTracer::trace(Ray ray, SampleStream& samples) const {
@@ -165,6 +178,7 @@ Seen PathTracer::trace(Ray ray, SampleStream& samples) const {
       vertex->gloss_width = 0;  // seen by way of a matt surface, gloss is noise and nothing else
     }
     seen.light += weight * sunlight(*vertex, -ray.direction, samples.next());
+    if (!lamps_.empty()) seen.light += weight * lamplight(*vertex, -ray.direction, bounce == 0, samples);
     if (bounce == kBounces) return seen;
 
     // Go on from one side or the other, as often as light does.
@@ -185,7 +199,7 @@ Seen PathTracer::trace(Ray ray, SampleStream& samples) const {
     ray.direction = glm::normalize(cosine_direction(side * vertex->normal, sample));
     // Where the interpolated normal lets a direction dip below the triangle, the surface is its own shadow.
     if (side * glm::dot(ray.direction, vertex->face_normal) <= 0) return seen;
-    ray.origin = vertex->position + side * clearance(vertex->position) * vertex->face_normal;
+    ray.origin = vertex->position + side * RayScene::clearance(vertex->position) * vertex->face_normal;
   }
 }
 

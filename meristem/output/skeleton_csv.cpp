@@ -2,39 +2,26 @@
 #include "meristem/output/skeleton_csv.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-
-#include <fmt/compile.h>
-#include <fmt/format.h>
 
 #include "meristem/base/atomic_file.h"
 #include "meristem/output/block_writer.h"
+#include "meristem/output/csv.h"
 #include "meristem/output/skeleton_table.h"
 
 namespace meristem {
 
 namespace {
 
-constexpr std::size_t kNumberBytes = 24;
-
-/// A text as one field: in quotes where it holds what would end the field.
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string field = "\"";
-  for (const char c : text) field.append(c == '"' ? 2 : 1, c);
-  return field + '"';
-}
-
 class CsvRows {
  public:
   explicit CsvRows(const SkeletonTable& table) : table_(table) {
-    for (const std::string& component : table.components()) components_.push_back(quoted(component));
+    for (const std::string& component : table.components()) components_.push_back(csv_field(component));
   }
 
   std::string header() const {
     std::string line;
-    for (const SkeletonColumn& column : table_.columns()) line += quoted(column.name) + ',';
+    for (const SkeletonColumn& column : table_.columns()) line += csv_field(column.name) + ',';
     line.back() = '\n';
     return line;
   }
@@ -42,7 +29,7 @@ class CsvRows {
   std::size_t most_row_bytes() const {
     std::size_t longest = 0;
     for (const std::string& component : components_) longest = std::max(longest, component.size());
-    return longest + table_.columns().size() * kNumberBytes;
+    return longest + table_.columns().size() * kCsvNumberBytes;
   }
 
   void append(const SkeletonRow& row, std::string& out) const {
@@ -58,17 +45,10 @@ class CsvRows {
     if (kind == SkeletonColumn::Kind::label) {
       out += components_[static_cast<std::size_t>(value)];
     } else if (kind == SkeletonColumn::Kind::index) {
-      if (value != SkeletonTable::kNoRow) append_number(static_cast<std::uint64_t>(value), out);
+      if (value != SkeletonTable::kNoRow) append_csv_number(static_cast<std::uint64_t>(value), out);
     } else if (!std::isnan(value)) {
-      append_number(static_cast<float>(value), out);
+      append_csv_number(static_cast<float>(value), out);
     }
-  }
-
-  template <class Number>
-  static void append_number(Number value, std::string& out) {
-    std::array<char, kNumberBytes> digits;
-    const char* const end = fmt::format_to(digits.data(), FMT_COMPILE("{}"), value);
-    out.append(digits.data(), static_cast<std::size_t>(end - digits.data()));
   }
 
   const SkeletonTable& table_;

@@ -21,4 +21,10 @@ bool AlphaMask::is_hole(Vec2 uv) const {
   return glm::mix(along(upper), along(lower), rows.share) < 127.5F;
 }
 
+const Texture* texture_with_holes(const Material& material, const Mesh& mesh) {
+  const Texture* texture = material.texture.get();
+  const bool has_holes = texture != nullptr && texture->masked && !texture->colour.is_empty();
+  return has_holes && !mesh.uvs.empty() ? texture : nullptr;
+}
+
 }  // namespace meristem

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "meristem/base/image.h"
+#include "meristem/base/mesh.h"
 #include "meristem/base/vec.h"
+#include "meristem/plant/material.h"
 
 namespace meristem {
 
@@ -21,5 +23,8 @@ class AlphaMask {
   int height_;
   std::vector<std::uint8_t> alpha_;
 };
+
+/// The texture whose mask cuts holes into a mesh of this material; null where there are none.
+const Texture* texture_with_holes(const Material& material, const Mesh& mesh);
 
 }  // namespace meristem

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <deque>
 #include <limits>
 #include <map>
@@ -69,13 +70,6 @@ void pass_through_holes(const RTCFilterFunctionNArguments* arguments) {
     const Vec2 uv = uv_at(*masked.mesh, masked.mesh->triangles[index], vertex_weights(barycentric));
     if (masked.mask->is_hole(uv)) arguments->valid[k] = 0;
   }
-}
-
-/// The texture of a part if rays may pass through it, else null.
-const Texture* texture_with_holes(const MeshScene& scene, const MeshInstances& part) {
-  const Texture* texture = scene.materials[part.material].texture.get();
-  const bool has_holes = texture != nullptr && texture->masked && !texture->colour.is_empty();
-  return has_holes && !part.mesh->uvs.empty() ? texture : nullptr;
 }
 
 struct ReleaseGeometry {
@@ -184,7 +178,7 @@ RayScene::RayScene(const MeshScene& scene, Progress& progress, std::uint64_t cop
   for (std::uint32_t p = 0; p < scene.meshes.size(); ++p) {
     const MeshInstances& part = scene.meshes[p];
     if (part.triangle_count() == 0) continue;
-    const Texture* texture = texture_with_holes(scene, part);
+    const Texture* texture = texture_with_holes(scene.materials[part.material], *part.mesh);
     if (copied[p]) {
       trees_->sources.push_back({p, kNoInstance});
       trees_->add_triangles(trees_->top, *part.mesh, part.frames, texture, progress);
@@ -204,6 +198,11 @@ RayScene::RayScene(const MeshScene& scene, Progress& progress, std::uint64_t cop
 }
 
 RayScene::~RayScene() = default;
+
+float RayScene::clearance(Vec3 place) {
+  // Floats know a place 10 m away to a micrometre.
+  return 2e-5F * (0.1F + std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)}));
+}
 
 std::optional<RayHit> RayScene::first_hit(const Ray& ray) const {
   RTCRayHit query;
@@ -234,7 +233,7 @@ std::optional<RayHit> RayScene::first_hit(const Ray& ray) const {
                 barycentric};
 }
 
-bool RayScene::is_blocked(const Ray& ray) const {
+bool RayScene::is_blocked(const Ray& ray, float within) const {
   RTCRay query{ray.origin.x,
                ray.origin.y,
                ray.origin.z,
@@ -243,7 +242,7 @@ bool RayScene::is_blocked(const Ray& ray) const {
                ray.direction.y,
                ray.direction.z,
                0,
-               std::numeric_limits<float>::infinity(),
+               within,
                ~0U,
                0,
                0};

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -56,8 +57,10 @@ class RayScene {
 
   /// The first surface along the ray. May be called from many threads.
   std::optional<RayHit> first_hit(const Ray& ray) const;
-  /// Whether any surface lies on the ray.
-  bool is_blocked(const Ray& ray) const;
+  /// Whether any surface lies on the ray, `within` metres.
+  bool is_blocked(const Ray& ray, float within = std::numeric_limits<float>::infinity()) const;
+  /// How far off a surface at a place a ray has to start not to meet it again, metres.
+  static float clearance(Vec3 place);
   SurfacePoint surface_point(const RayHit& hit) const;
   TexturePlace texture_place(const RayHit& hit) const;
   /// Linear factors on the colour of the instance that was hit.

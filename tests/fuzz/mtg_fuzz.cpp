@@ -35,7 +35,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const MtgSkeleton plant = skeleton_of(tree, "fuzz");
     Progress progress;
     const Skeleton* const skeleton = &plant.skeleton;
-    const StandMeasures measures = measure_skeletons(std::span(&skeleton, 1), {}, progress);
+    const StandMeasures measures = measure_skeletons(std::span(&skeleton, 1), nullptr, {}, progress);
     require(measures.whole.nodes == plant.vertex.size());
   } catch (const InputError& error) {
     require(!error.diagnostics().empty() && error.diagnostics().size() <= limits.diagnostics);

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// In:  a plant with its meshes, and the scene around it. Out: for each organ the share of the scene's light that
+// arrives.
+//
+// From evenly spread places on an organ's surface a ray goes toward every light. It starts just off the surface, on the
+// side that faces the light, and is stopped by whatever a picture would show in its way. What leaves let through or
+// throw back is not followed.
+#include "meristem/measure/organ_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "meristem/base/parallel.h"
+#include "meristem/measure/foliage.h"
+#include "meristem/measure/surface_places.h"
+#include "meristem/shape/alpha_mask.h"
+#include "meristem/shape/ray_scene.h"
+
+namespace meristem {
+namespace {
+
+constexpr double kAreaOfPlace = 0.001;  // square metres
+constexpr int kLeastPlaces = 4;
+constexpr int kMostPlaces = 64;
+constexpr int kTrials = 16;  // for a place that is not in a hole
+constexpr std::size_t kRaysPerBlock = 4096;
+
+using Place = SurfacePlaces::Place;
+
+/// The surface that the organs of a prototype share.
+class OrganSurface {
+ public:
+  OrganSurface(const Mesh& mesh, const AlphaMask* mask) : mesh_(mesh), places_(mesh), mask_(mask) {}
+
+  bool is_empty() const { return !(places_.area() > 0); }
+
+  /// The place at `along` and `across`, or one after it that is not in a hole.
+  Place solid_place(double along, double across) const {
+    Place place = places_.at(along, across);
+    for (int trial = 1; trial < kTrials && is_hole(place); ++trial) {
+      place = places_.at(fraction(along + trial * kSquareSteps[0]), fraction(across + trial * kSquareSteps[1]));
+    }
+    return place;
+  }
+
+  Vec3 position(const Place& place) const { return places_.position(place); }
+
+  /// The normal of a place's triangle under a frame; (0, 0, 0) where it is flattened to a line.
+  Vec3 face_normal(const Place& place, const Frame& frame) const {
+    const auto [a, b, c] = mesh_.triangles[place.triangle];
+    const Vec3 to_b = frame.vector(mesh_.positions[b] - mesh_.positions[a]);
+    const Vec3 to_c = frame.vector(mesh_.positions[c] - mesh_.positions[a]);
+    return normalized_or(glm::cross(to_b, to_c), Vec3(0));
+  }
+
+ private:
+  bool is_hole(const Place& place) const {
+    if (mask_ == nullptr) return false;
+    const auto [a, b, c] = mesh_.triangles[place.triangle];
+    return mask_->is_hole(place.weights.x * mesh_.uvs[a] + place.weights.y * mesh_.uvs[b] +
+                          place.weights.z * mesh_.uvs[c]);
+  }
+
+  const Mesh& mesh_;
+  SurfacePlaces places_;
+  const AlphaMask* mask_;  // null: no holes
+};
+
+/// The surfaces of all prototypes, with the masks of their textures.
+class OrganSurfaces {
+ public:
+  explicit OrganSurfaces(const Plant& plant) {
+    for (const OrganPrototype& prototype : plant.prototypes) {
+      const Texture* texture = texture_with_holes(plant.materials[prototype.material], *prototype.mesh);
+      const AlphaMask* mask = nullptr;
+      if (texture != nullptr) mask = &masks_.try_emplace(texture, texture->colour).first->second;
+      surfaces_.emplace_back(*prototype.mesh, mask);
+    }
+  }
+  const OrganSurface& of(const Organ& organ) const { return surfaces_[organ.prototype]; }
+
+ private:
+  std::map<const Texture*, AlphaMask> masks_;
+  std::vector<OrganSurface> surfaces_;
+};
+
+/// Strengths of the rays that go to some places.
+struct LightSum {
+  double sent = 0;
+  double arrived = 0;
+  double taken_up = 0;
+};
+
+/// Everything that stands between lights and organs.
+class Shade {
+ public:
+  Shade(const MeshScene& meshes, const Scene& scene, Progress& progress) : scene_(scene), plant_(meshes, progress) {}
+
+  void add_place(Vec3 position, Vec3 normal, LightSum& sum) const {
+    const float clearance = RayScene::clearance(position);
+    scene_.light.for_each_ray(position, [&](const LightRay& light) {
+      if (!(light.strength > 0)) return;
+      sum.sent += light.strength;
+      const float cosine = glm::dot(normal, light.toward);
+      const Vec3 start = position + (cosine < 0 ? -clearance : clearance) * normal;
+      if (is_blocked(start, light)) return;
+      sum.arrived += light.strength;
+      sum.taken_up += light.strength * std::abs(double{cosine});
+    });
+  }
+
+ private:
+  bool is_blocked(Vec3 start, const LightRay& light) const {
+    if (plant_.is_blocked({start, light.toward}, static_cast<float>(light.distance))) return true;
+    const Obstacles& obstacles = scene_.obstacles;
+    return !obstacles.empty() && obstacles.first_hit(start, light.toward, light.distance).has_value();
+  }
+
+  const Scene& scene_;
+  RayScene plant_;
+};
+
+int place_count(double area) {
+  const double wanted = std::ceil(area / kAreaOfPlace);
+  return static_cast<int>(std::clamp(wanted, double{kLeastPlaces}, double{kMostPlaces}));
+}
+
+/// The light on organ number `index`. Organs of one prototype are asked at different places.
+LightSum light_on(const Organ& organ, const OrganSurface& surface, int places, std::size_t index, const Shade& shade,
+                  const Progress& progress) {
+  LightSum sum;
+  const double first = fraction(0.5 + static_cast<double>(index) * kSquareSteps[0]);
+  const double start = fraction(static_cast<double>(index) * kSquareSteps[1]);
+  for (int k = 0; k < places; ++k) {
+    progress.check();
+    const Place place = surface.solid_place((k + first) / places, fraction(start + k * kGoldenStep));
+    const Vec3 normal = surface.face_normal(place, organ.frame);
+    if (normal != Vec3(0)) shade.add_place(organ.frame.point(surface.position(place)), normal, sum);
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<LitOrgan> measure_organ_light(const Plant& plant, const MeshScene& meshes, const Scene& scene,
+                                          Progress& progress) {
+  const std::vector<double> areas = organ_areas(plant, progress);
+  std::vector<LitOrgan> lit(areas.size());
+  if (areas.empty()) return lit;
+  const OrganSurfaces surfaces(plant);
+  progress.begin("measuring light", areas.size());
+  const Shade shade(meshes, scene, progress);
+  const Light& light = scene.light;
+  const std::size_t rays = kLeastPlaces * (light.sun.size() + light.sky.size() + light.lamps.size());
+  const std::size_t grain = std::max<std::size_t>(1, kRaysPerBlock / std::max<std::size_t>(rays, 1));
+  parallel_for(areas.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      lit[k].area = areas[k];
+      const OrganSurface& surface = surfaces.of(plant.organs[k]);
+      if (surface.is_empty()) continue;
+      const LightSum sum = light_on(plant.organs[k], surface, place_count(areas[k]), k, shade, progress);
+      if (!(sum.sent > 0)) continue;
+      lit[k].exposure = sum.arrived / sum.sent;
+      lit[k].irradiance = sum.taken_up / sum.sent;
+    }
+    progress.advance(end - begin);
+  });
+  return lit;
+}
+
+LitOrgan mean_leaf_light(const Plant& plant, const std::vector<LitOrgan>& organs) {
+  LitOrgan sum;
+  for (std::size_t k = 0; k < organs.size(); ++k) {
+    if (!is_leaf(plant, plant.prototypes[plant.organs[k].prototype])) continue;
+    sum.area += organs[k].area;
+    sum.exposure += organs[k].area * organs[k].exposure;
+    sum.irradiance += organs[k].area * organs[k].irradiance;
+  }
+  if (!(sum.area > 0)) return {};
+  return {sum.area, sum.exposure / sum.area, sum.irradiance / sum.area};
+}
+
+}  // namespace meristem

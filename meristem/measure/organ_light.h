@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "meristem/base/progress.h"
+#include "meristem/plant/plant.h"
+#include "meristem/scene/scene.h"
+#include "meristem/shape/mesh_scene.h"
+
+namespace meristem {
+
+/// One organ and the share of the scene's light that it gets, sun, sky and lamps by their strengths. Both shares are
+/// means over its surface, in [0, 1], and 0 where the scene has no light.
+struct LitOrgan {
+  double area = 0;        ///< square metres of its triangles, so of a blade one side
+  double exposure = 0;    ///< of the light's rays, those that arrive
+  double irradiance = 0;  ///< the same times |cosine| between ray and face normal: what a matt surface takes up,
+                          ///< against one that faces all light unshaded
+};
+
+/// The light on each organ, in the plant's order. Organs, itself included, stems and obstacles shade it; holes of
+/// masked textures let light through. `meshes` is what make_mesh_scene makes of the plant.
+///
+/// Each organ is asked at one place in 10 cm² of its surface, at least 4 and at most 64; a closed one at places on its
+/// dark side too. About a microsecond a place and light. The same on any number of threads. Begins two stages of
+/// `progress`, which count organs. Throws Cancelled, MachineError (memory).
+std::vector<LitOrgan> measure_organ_light(const Plant& plant, const MeshScene& meshes, const Scene& scene,
+                                          Progress& progress);
+
+/// All leaves (foliage.h) as one organ: their area together, and means by area. 0 without leaves.
+LitOrgan mean_leaf_light(const Plant& plant, const std::vector<LitOrgan>& organs);
+
+}  // namespace meristem

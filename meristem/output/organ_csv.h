@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "meristem/base/progress.h"
+#include "meristem/measure/organ_light.h"
+#include "meristem/plant/plant.h"
+
+namespace meristem {
+
+/// Writes a table in CSV as write_skeleton_csv does, one row an organ in the plant's order: `component` (id),
+/// `instance` (number among the component's organs, from 0), `x`, `y`, `z` (where it is attached, metres), `area`
+/// (square metres), `exposure` and `irradiance` (organ_light.h). `lit` has an entry for each organ, else
+/// std::invalid_argument. Throws MachineError (path, disk), Cancelled.
+void write_organ_csv(const Plant& plant, std::span<const LitOrgan> lit, const std::string& path, Progress& progress);
+
+}  // namespace meristem

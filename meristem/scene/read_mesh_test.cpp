@@ -84,7 +84,7 @@ TEST(ReadMesh, WhatIsNoNumberOrPromisesTooMuchIsRefused) {
   text = kPly;
   text.replace(text.find("element face 2"), 14, "element face 1000000000");
   EXPECT_EQ(fault(text),
-            "body: the header promises 1000000000 rows of 'face', but the file is cut off: 26 bytes hold 6 at most; "
+            "body: the header promises 1000000000 rows of 'face', but the file is cut off: 23 bytes hold 6 at most; "
             "expected the whole file");
   text = kPly;
   text.replace(text.find("4 0 1 2 3"), 9, "1000000000 0");

@@ -47,30 +47,39 @@ void MovingPoints::add_nodes(NodeIndex first, std::span<const NewNode> nodes, co
 }
 
 void MovingPoints::update(MovingPoint& point, const std::optional<NodeTree>& added) const {
-  const float nearest = point.node == kNoNode ? widest_ : std::sqrt(point.distance2);
-  const bool knows_enough = point.others > nearest &&
-                            (point.node == kNoNode || point.distance2 <= nodes_[point.node].within2) &&
-                            !(added && added->has_any(point.position, point.others * point.others));
-  if (!knows_enough) look(point);
+  NearestFew nearest;
+  for (std::uint32_t k = 0; k < point.known_count; ++k) {
+    nearest.offer(point.known[k], squared_distance(point.position, nodes_[point.known[k]].position));
+  }
+  if (added && point.others > 0) {
+    float within2 = std::min(point.others * point.others, nearest.within2());
+    added->visit(point.position, within2, [&](NodeIndex node, float square) {
+      nearest.offer(node, square);
+      within2 = std::min(within2, nearest.within2());
+    });
+  }
+  const bool is_sure = nearest.count() > 0 && std::sqrt(nearest.distance2(0)) < point.others;
+  if (!is_sure) {
+    // What it knows bounds the search.
+    forest_.search(point.position, nearest);
+    point.others = std::numeric_limits<float>::infinity();
+  }
+  static_assert(NearestFew::kMost == MovingPoint::kMostKnown + 1);
+  point.known_count = static_cast<std::uint32_t>(std::min(nearest.count(), MovingPoint::kMostKnown));
+  for (std::uint32_t k = 0; k < point.known_count; ++k) point.known[k] = nearest.node(k);
+  point.others = std::min(point.others, kBelow * std::sqrt(nearest.within2()));
+  find_influence(point, nearest);
 }
 
-void MovingPoints::look(MovingPoint& point) const {
-  // What was nearest still bounds the search.
-  NearestTwo nearest;
-  for (const NodeIndex known : {point.node, point.runner_up}) {
-    if (known != kNoNode) nearest.offer(known, squared_distance(point.position, nodes_[known].position));
-  }
-  forest_.search(point.position, nearest);
-  point.runner_up = nearest.second;
+/// Sets which node influences a point that has these nearest.
+void MovingPoints::find_influence(MovingPoint& point, const NearestFew& nearest) const {
   const auto reaches = [&](NodeIndex node, float square) { return square <= nodes_[node].within2; };
   point.node = kNoNode;
   point.distance2 = std::numeric_limits<float>::infinity();
-  point.others = kBelow * std::sqrt(nearest.first2);
-  if (nearest.first == kNoNode) return;
-  if (reaches(nearest.first, nearest.first2)) {
-    point.node = nearest.first;
-    point.distance2 = nearest.first2;
-    point.others = kBelow * std::sqrt(nearest.second2);
+  if (nearest.count() == 0) return;
+  if (reaches(nearest.node(0), nearest.distance2(0))) {
+    point.node = nearest.node(0);
+    point.distance2 = nearest.distance2(0);
   } else if (!are_alike_) {
     // Of trees that reach farther one may influence it past a nearer node that does not.
     float within2 = widest_ * widest_;
@@ -83,7 +92,6 @@ void MovingPoints::look(MovingPoint& point) const {
         within2 = square;
       });
     }
-    point.others = -1;
   }
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Living attraction points that move, and for each the nearest node that influences it.
 //
-// A point that has looked knows its nearest node and how far all others are at least. As long as it, and what has moved
-// since, cannot have made another one nearest, it only measures its distance anew; else it looks again, in trees of all
-// nodes. New nodes are compared with what every point knows.
+// A point that has looked knows the few nodes around it and how far all others are at least. New nodes that come nearer
+// it gets to know at once. As long as one it knows must be the nearest, however far it has moved, it only measures
+// those anew; else it looks again, in trees of all nodes.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -29,8 +30,10 @@ struct MovingPoint {
 
  private:
   friend class MovingPoints;
-  NodeIndex runner_up = kNoNode;  // the nearest of the others at the last look
-  float others = -1;              // all other nodes are at least so far away; below 0 where nothing is known
+  static constexpr std::size_t kMostKnown = 8;  // with 1 growth takes a third longer
+  std::array<NodeIndex, kMostKnown> known{};
+  std::uint32_t known_count = 0;
+  float others = -1;  // all nodes that it does not know are at least so far away; below 0 where nothing is sure
 };
 
 class MovingPoints {
@@ -68,7 +71,7 @@ class MovingPoints {
   };
 
   void update(MovingPoint& point, const std::optional<NodeTree>& added) const;
-  void look(MovingPoint& point) const;
+  void find_influence(MovingPoint& point, const NearestFew& nearest) const;
 
   std::vector<MovingPoint> points_;
   std::vector<Node> nodes_;

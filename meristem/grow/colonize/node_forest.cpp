@@ -5,22 +5,12 @@
 
 namespace meristem {
 
-void NodeTree::search(Vec3 place, NearestTwo& nearest) const {
-  float within2 = nearest.second2;
+void NodeTree::search(Vec3 place, NearestFew& nearest) const {
+  float within2 = nearest.within2();
   visit(place, within2, [&](NodeIndex node, float square) {
     nearest.offer(node, square);
-    within2 = nearest.second2;
+    within2 = nearest.within2();
   });
-}
-
-bool NodeTree::has_any(Vec3 place, float within2) const {
-  bool has = false;
-  visit(place, within2, [&](NodeIndex, float square) {
-    if (square >= within2) return;
-    has = true;
-    within2 = -1;
-  });
-  return has;
 }
 
 void NodeForest::add(std::span<const NumberedPlace> nodes, const Progress& progress) {

@@ -5,6 +5,8 @@
 // Based on: J. Bentley, J. Saxe: Decomposable searching problems I (1980).
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <span>
 #include <vector>
@@ -15,44 +17,57 @@
 
 namespace meristem {
 
-/// The two nodes nearest to a place; of nodes equally near the ones with the lower numbers. A node may be offered
-/// again.
-struct NearestTwo {
-  NodeIndex first = kNoNode;
-  NodeIndex second = kNoNode;
-  float first2 = std::numeric_limits<float>::infinity();  ///< squared distances
-  float second2 = std::numeric_limits<float>::infinity();
+/// The nodes nearest to a place, up to kMost of them, the nearest first; of nodes equally near the ones with the lower
+/// numbers. A node may be offered again.
+class NearestFew {
+ public:
+  static constexpr std::size_t kMost = 9;
+
+  std::size_t count() const { return count_; }
+  NodeIndex node(std::size_t k) const { return node_[k]; }
+  float distance2(std::size_t k) const { return distance2_[k]; }
+  /// The squared distance beyond which no node counts any more.
+  float within2() const { return count_ < kMost ? std::numeric_limits<float>::infinity() : distance2_[kMost - 1]; }
 
   void offer(NodeIndex node, float distance2) {
-    if (distance2 > second2 || (distance2 == second2 && node >= second) || node == first) return;
-    if (distance2 < first2 || (distance2 == first2 && node < first)) {
-      second = first;
-      second2 = first2;
-      first = node;
-      first2 = distance2;
-    } else {
-      second = node;
-      second2 = distance2;
+    const auto is_before = [&](std::size_t k) {
+      return distance2_[k] < distance2 || (distance2_[k] == distance2 && node_[k] <= node);
+    };
+    if (count_ == kMost && is_before(kMost - 1)) return;
+    std::size_t place = count_;
+    while (place > 0 && !is_before(place - 1)) --place;
+    if (place > 0 && node_[place - 1] == node) return;
+    count_ += count_ < kMost ? 1 : 0;
+    for (std::size_t k = count_ - 1; k > place; --k) {
+      node_[k] = node_[k - 1];
+      distance2_[k] = distance2_[k - 1];
     }
+    node_[place] = node;
+    distance2_[place] = distance2;
   }
+
+ private:
+  std::size_t count_ = 0;
+  std::array<NodeIndex, kMost> node_{};
+  std::array<float, kMost> distance2_{};
 };
 
 /// Some nodes, ordered once.
 class NodeTree {
  public:
   NodeTree(std::vector<NumberedPlace> nodes, const Progress& progress)
-      : nodes_(std::move(nodes)), tree_(nodes_, progress) {}
+      : nodes_(std::move(nodes)), tree_(nodes_, progress, kLeafNodes) {}
 
   const std::vector<NumberedPlace>& nodes() const { return nodes_; }
-  /// Offers all nodes that may be among the two.
-  void search(Vec3 place, NearestTwo& nearest) const;
-  /// Whether a node is nearer to a place than the root of `within2`.
-  bool has_any(Vec3 place, float within2) const;
+  /// Offers all nodes that may be among the nearest.
+  void search(Vec3 place, NearestFew& nearest) const;
   /// Calls `see(node, squared distance)` for all nodes up to the root of `within2` away; it may lower that.
   template <class See>
   void visit(Vec3 place, float& within2, See see) const;
 
  private:
+  static constexpr std::size_t kLeafNodes = 16;
+
   std::vector<NumberedPlace> nodes_;
   PointTree tree_;
 };
@@ -62,7 +77,7 @@ class NodeForest {
  public:
   void add(std::span<const NumberedPlace> nodes, const Progress& progress);
   const std::vector<NodeTree>& trees() const { return trees_; }
-  void search(Vec3 place, NearestTwo& nearest) const {
+  void search(Vec3 place, NearestFew& nearest) const {
     for (const NodeTree& tree : trees_) tree.search(place, nearest);
   }
 

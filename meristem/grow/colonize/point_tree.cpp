@@ -40,14 +40,14 @@ void halve(Point* begin, Point* middle, Point* end) {
 }  // namespace
 
 template <class Point>
-void PointTree::build(std::vector<Point>& points, const Progress& progress) {
+void PointTree::build(std::vector<Point>& points, std::size_t leaf_points, const Progress& progress) {
   for (const Point& point : points) {
     const Vec3 position = position_of(point);
     if (!std::isfinite(position.x + position.y + position.z)) {
       throw std::invalid_argument("attraction points must be finite");
     }
   }
-  while (point_count_ >> leaf_level_ > kLeafPoints - 1) ++leaf_level_;
+  while (point_count_ >> leaf_level_ > leaf_points - 1) ++leaf_level_;
   // Halve level by level; the nodes of one are independent.
   for (int level = 0; level < leaf_level_; ++level) {
     const std::size_t nodes = std::size_t{1} << level;
@@ -72,7 +72,7 @@ void PointTree::build(std::vector<Point>& points, const Progress& progress) {
   }
 }
 
-template void PointTree::build(std::vector<Vec3>&, const Progress&);
-template void PointTree::build(std::vector<NumberedPlace>&, const Progress&);
+template void PointTree::build(std::vector<Vec3>&, std::size_t, const Progress&);
+template void PointTree::build(std::vector<NumberedPlace>&, std::size_t, const Progress&);
 
 }  // namespace meristem

@@ -16,7 +16,7 @@ struct NumberedPlace {
   std::uint32_t number = 0;
 };
 
-/// Points halved again and again at the median of their longest extent, until at most kLeafPoints are left together: a
+/// Points halved again and again at the median of their longest extent, until few are left together: a
 /// complete binary tree whose nodes need no links. It adapts to clouds of any shape, also to several far apart and to
 /// outliers, which a grid of equal cells does not.
 ///
@@ -26,12 +26,15 @@ class PointTree {
   /// Fewer: more boxes to look at; more: more points to compare in vain. 32 are slower for small clouds only.
   static constexpr std::size_t kLeafPoints = 64;
 
-  /// Orders `points` in place. Throws std::invalid_argument for coordinates that are not finite, Cancelled.
-  PointTree(std::vector<Vec3>& points, const Progress& progress) : point_count_(points.size()) {
-    build(points, progress);
+  /// Orders `points` in place; leaves have fewer than `leaf_points`. Throws std::invalid_argument for coordinates that
+  /// are not finite, Cancelled.
+  PointTree(std::vector<Vec3>& points, const Progress& progress, std::size_t leaf_points = kLeafPoints)
+      : point_count_(points.size()) {
+    build(points, leaf_points, progress);
   }
-  PointTree(std::vector<NumberedPlace>& points, const Progress& progress) : point_count_(points.size()) {
-    build(points, progress);
+  PointTree(std::vector<NumberedPlace>& points, const Progress& progress, std::size_t leaf_points = kLeafPoints)
+      : point_count_(points.size()) {
+    build(points, leaf_points, progress);
   }
 
   int leaf_level() const { return leaf_level_; }
@@ -47,7 +50,7 @@ class PointTree {
 
  private:
   template <class Point>
-  void build(std::vector<Point>& points, const Progress& progress);
+  void build(std::vector<Point>& points, std::size_t leaf_points, const Progress& progress);
 
   std::uint64_t point_count_;
   int leaf_level_ = 0;

@@ -11,6 +11,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
 #include "meristem/output/camera.h"
+#include "meristem/output/obstacle_meshes.h"
 #include "meristem/output/path_tracer.h"
 #include "meristem/output/tone_map.h"
 
@@ -94,6 +95,22 @@ class Developer {
 /// An offset in [-1, 1] whose density is a tent, which smooths edges better than the pixel's square.
 float tent(float sample) { return sample < 0.5F ? std::sqrt(2 * sample) - 1 : 1 - std::sqrt(2 - 2 * sample); }
 
+/// The mean illuminance by lamps of what the camera sees of the plants, were nothing in the way of the light.
+float metered(const Lamplight& lamps, const RayScene& rays, const Camera& camera) {
+  constexpr int kRays = 48;  // across the picture and down
+  double sum = 0;
+  int hits = 0;
+  for (int k = 0; k < kRays * kRays; ++k) {
+    const Vec2 film((static_cast<float>(k % kRays) + 0.5F) / kRays, (static_cast<float>(k / kRays) + 0.5F) / kRays);
+    const Ray ray{camera.position(), camera.direction(2.0F * film - 1.0F)};
+    const std::optional<RayHit> hit = rays.first_hit(ray);
+    if (!hit) continue;
+    sum += luminance(lamps.irradiance(ray.origin + hit->distance * ray.direction));
+    ++hits;
+  }
+  return hits > 0 ? static_cast<float>(sum / hits) : 0;
+}
+
 class Photographer {
  public:
   Photographer(const PathTracer& tracer, const Camera& camera, const Developer& developer, const StillOptions& options)
@@ -145,15 +162,20 @@ Image render_still(const MeshScene& meshes, const Scene& scene, const View& view
   image.rgba.resize(std::size_t{4} * options.width * options.height);
   progress.begin("rendering", std::uint64_t{1} * options.width * options.height);
 
-  // Set up light, ground and camera.
-  const RayScene rays(meshes, progress);
+  // Set up light, ground and camera. Obstacles stand in the picture, but it is made for the plants.
+  const bool shows_obstacles = !options.transparent && has_visible(scene.obstacles);
+  const MeshScene meshes_around = shows_obstacles ? with_obstacles(meshes, scene.obstacles) : MeshScene();
+  const MeshScene& shown = shows_obstacles ? meshes_around : meshes;
+  const MeshScene& framed = meshes.meshes.empty() ? shown : meshes;
+  const RayScene rays(shown, progress);
   const Sky sky(scene.sun);
-  const Ground ground = ground_below(meshes, scene);
+  const Ground ground = ground_below(framed, scene);
   const bool shows_ground = options.ground && !options.transparent;
-  const PathTracer tracer(meshes, rays, Daylight(sky, ground.colour),
-                          shows_ground ? std::optional(ground) : std::nullopt);
-  const Camera camera = place_camera(meshes, view, static_cast<double>(options.width) / options.height);
-  const Developer developer(view, options, exposure(sky));
+  const Lamplight lamps(scene.light.lamps);
+  const PathTracer tracer(shown, rays, Daylight(sky, ground.colour),
+                          shows_ground ? std::optional(ground) : std::nullopt, lamps);
+  const Camera camera = place_camera(framed, view, static_cast<double>(options.width) / options.height);
+  const Developer developer(view, options, exposure(sky, lamps.empty() ? 0 : metered(lamps, rays, camera)));
   const Photographer photographer(tracer, camera, developer, options);
 
   // Expose tile by tile.

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+#include <memory>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -16,7 +16,9 @@
 #include "meristem/base/random.h"
 #include "meristem/measure/convex_hull.h"
 #include "meristem/measure/crown_light.h"
+#include "meristem/measure/organ_light.h"
 #include "meristem/measure/surface_places.h"
+#include "meristem/shape/leaf_blade.h"
 #include "meristem/shape/primitives.h"
 
 namespace {
@@ -75,38 +77,44 @@ bool meets(DVec3 origin, DVec3 direction, DVec3 a, DVec3 b, DVec3 c) {
   return along_u >= 0 && along_v >= 0 && along_u + along_v <= 1 && glm::dot(v, q) / determinant >= 0;
 }
 
-/// Seconds a ray of plain counting under the first position of the sun.
-double plain_seconds(const Mesh& hull, const Scene& scene, std::uint64_t rays) {
-  std::vector<std::array<DVec3, 3>> triangles;
-  const auto add = [&](const auto& mesh) {
-    for (const auto& [a, b, c] : mesh.triangles) {
-      triangles.push_back({DVec3(mesh.positions[a]), DVec3(mesh.positions[b]), DVec3(mesh.positions[c])});
-    }
-  };
-  add(hull);
-  for (const meristem::Obstacle& body : scene.obstacles.bodies()) add(body.mesh);
-  const meristem::SurfacePlaces places(hull);
-  const Vec3 toward = scene.light.sun[0].toward;
-  const RandomKey key(1);
-  const auto begin = std::chrono::steady_clock::now();
-  std::uint64_t lit = 0;
-  for (std::uint64_t k = 0; k < rays; ++k) {
-    const DVec3 origin(places.position(places.at(key.uniform(k), key.uniform(k, 1))) + 1e-4F * toward);
-    const auto blocks = [&](const auto& t) { return meets(origin, DVec3(toward), t[0], t[1], t[2]); };
-    if (std::none_of(triangles.begin(), triangles.end(), blocks)) ++lit;
+using Corners = std::array<DVec3, 3>;
+
+template <class AnyMesh>
+void add_triangles(const AnyMesh& mesh, std::vector<Corners>& triangles) {
+  for (const auto& [a, b, c] : mesh.triangles) {
+    triangles.push_back({DVec3(mesh.positions[a]), DVec3(mesh.positions[b]), DVec3(mesh.positions[c])});
   }
-  benchmark::DoNotOptimize(lit);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  return seconds.count() / static_cast<double>(rays);
+}
+
+/// Seconds a ray of plain counting, from a mesh toward one side.
+double plain_seconds(const Mesh& from, Vec3 toward, const std::vector<Corners>& triangles) {
+  constexpr std::uint64_t kRays = 500;
+  const meristem::SurfacePlaces places(from);
+  const RandomKey key(1);
+  double least = 1e9;
+  for (int trial = 0; trial < 3; ++trial) {
+    const auto begin = std::chrono::steady_clock::now();
+    std::uint64_t lit = 0;
+    for (std::uint64_t k = 0; k < kRays; ++k) {
+      const DVec3 origin(places.position(places.at(key.uniform(k), key.uniform(k, 1))) + 1e-4F * toward);
+      const auto blocks = [&](const Corners& t) { return meets(origin, DVec3(toward), t[0], t[1], t[2]); };
+      if (std::none_of(triangles.begin(), triangles.end(), blocks)) ++lit;
+    }
+    benchmark::DoNotOptimize(lit);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    least = std::min(least, seconds.count() / kRays);
+  }
+  return least;
 }
 
 void crown_light(benchmark::State& state) {
-  constexpr std::uint64_t kPlainRays = 1000;
   const Mesh hull = crown_hull();
   const Scene scene = surrounded(static_cast<int>(state.range(0)), state.range(1) != 0);
   const meristem::ThreadLimit limit(static_cast<int>(state.range(2)));
-  double plain = 1e9;
-  for (int i = 0; i < 3; ++i) plain = std::min(plain, plain_seconds(hull, scene, kPlainRays));
+  std::vector<Corners> triangles;
+  add_triangles(hull, triangles);
+  for (const meristem::Obstacle& body : scene.obstacles.bodies()) add_triangles(body.mesh, triangles);
+  const double plain = plain_seconds(hull, scene.light.sun[0].toward, triangles);
   double ours = 1e9;
   meristem::CrownLight light;
   for (auto _ : state) {
@@ -126,6 +134,59 @@ BENCHMARK(crown_light)
     ->Args({10, 0, 1})
     ->Args({10, 1, 1})
     ->Args({10, 1, 2})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+/// Leaves of 30 cm², turned every way, in a ball of 5 m.
+meristem::Plant leafy_crown(std::uint64_t leaves) {
+  meristem::LeafBlade blade;
+  meristem::Plant plant;
+  plant.materials.resize(1);
+  plant.materials[0].two_sided = true;
+  plant.prototypes = {{"leaf", 0, std::make_shared<const Mesh>(meristem::make_leaf_blade(blade))}};
+  const RandomKey key(7);
+  for (std::uint64_t k = 0; k < leaves; ++k) {
+    const auto out = static_cast<float>(2.5 * std::cbrt(key.uniform(k)));
+    plant.organs.push_back({.frame = meristem::frame_along(out * key.child("place").direction(k),
+                                                           key.child("way").direction(k), meristem::kUp)});
+  }
+  return plant;
+}
+
+void organ_light(benchmark::State& state) {
+  const meristem::Plant plant = leafy_crown(static_cast<std::uint64_t>(state.range(0)));
+  const Scene scene = surrounded(static_cast<int>(state.range(1)), state.range(2) != 0);
+  const meristem::ThreadLimit limit(static_cast<int>(state.range(3)));
+  meristem::Progress progress;
+  const meristem::MeshScene meshes = make_mesh_scene(plant, {}, progress);
+  std::vector<Corners> triangles;
+  for (const meristem::Organ& organ : plant.organs) {
+    Mesh placed = *plant.prototypes[0].mesh;
+    for (Vec3& position : placed.positions) position = organ.frame.point(position);
+    add_triangles(placed, triangles);
+  }
+  const double plain = plain_seconds(*plant.prototypes[0].mesh, scene.light.sun[0].toward, triangles);
+  double ours = 1e9;
+  meristem::LitOrgan mean;
+  for (auto _ : state) {
+    const auto begin = std::chrono::steady_clock::now();
+    mean = mean_leaf_light(plant, measure_organ_light(plant, meshes, scene, progress));
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    ours = std::min(ours, seconds.count());
+  }
+  // Leaves as small as these are asked at four places.
+  const auto rays = static_cast<double>(4 * plant.organs.size() * scene.light.sun.size());
+  state.counters["rays/s"] = benchmark::Counter(rays, benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["exposure"] = mean.exposure;
+  state.counters["leaf_area"] = mean.area;
+  state.counters["to_plain"] = plain / (ours / rays);
+}
+BENCHMARK(organ_light)
+    ->ArgNames({"leaves", "obstacles", "day", "threads"})
+    ->Args({20'000, 0, 0, 1})
+    ->Args({20'000, 0, 1, 1})
+    ->Args({20'000, 0, 1, 2})
+    ->Args({20'000, 10, 1, 2})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 

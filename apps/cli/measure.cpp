@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
+#include <filesystem>
 #include <map>
 
 #include <fmt/format.h>
@@ -20,6 +21,8 @@
 namespace meristem::cli {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr double kTallestTree = 150;  // metres: a file that says more has other units
 
@@ -67,7 +70,7 @@ void check_kind(const MeasureCommand& command) {
 }
 
 void check_organs(const MeasureCommand& command, std::span<const std::string> inputs) {
-  if (command.organs == command.output) {
+  if (fs::weakly_canonical(command.organs) == fs::weakly_canonical(command.output)) {
     throw InputError(Diagnostic{.message = "the measures and those of the organs would be written to one place",
                                 .expected = "-o FILE and --organs FILE to be different"});
   }
@@ -198,7 +201,7 @@ void add_measure(CLI::App& app, Run& run) {
   add_mtg_options(*command, *options);
   command->footer(
       "Example: meristem measure models/oak.json --seed 3 --json -o oak-measures.json\n"
-      "         meristem measure oak --set scene.sun.day=172 --organs leaves.csv\n"
+      "         meristem measure oak --set scene.sun.hour=12 --organs leaves.csv\n"
       "         meristem measure walnut.mtg --unit cm --diameter-unit mm");
   command->callback([options, &run] {
     const bool is_listing = options->list || options->markdown;

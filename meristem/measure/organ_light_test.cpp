@@ -11,6 +11,7 @@
 #include "meristem/base/random.h"
 #include "meristem/measure/surface_places.h"
 #include "meristem/shape/primitives.h"
+#include "meristem/shape/ray_scene.h"
 #include "tests/support/sample_scenes.h"
 
 namespace meristem {
@@ -221,6 +222,27 @@ TEST(OrganLight, AgreesWithRaysThatAreTestedOtherwise) {
   EXPECT_NEAR(mean.exposure, arrived / sent, 0.02);
   EXPECT_GT(mean.exposure, 0.1);
   EXPECT_LT(mean.exposure, 0.9);
+}
+
+TEST(OrganLight, WhatLeavesTakeUpIsMissingOnTheGround) {
+  const Plant plant = foliage(300);
+  Scene scene;
+  scene.light.sun = {{.toward = glm::normalize(Vec3(0.4F, 1, 0.2F))}};
+  const LitOrgan leaves = mean_leaf_light(plant, measured(plant, scene));
+  // The plant's shadow on a plane that faces the light, by a grid of rays against it.
+  Progress progress;
+  const MeshScene meshes = make_mesh_scene(plant, {}, progress);
+  const RayScene rays(meshes, progress);
+  const Vec3 light = scene.light.sun[0].toward;
+  const Frame plane = frame_along(-5.0F * light, light, kUp);
+  constexpr int kSide = 300;
+  constexpr float kStep = 5.0F / kSide;
+  int shaded = 0;
+  for (int k = 0; k < kSide * kSide; ++k) {
+    const Vec3 place(kStep * (k % kSide + 0.5F) - 2.5F, 0, kStep * (k / kSide + 0.5F) - 2.5F);
+    shaded += rays.is_blocked({plane.point(place), light}) ? 1 : 0;
+  }
+  EXPECT_NEAR(leaves.area * leaves.irradiance, double{kStep} * kStep * shaded, 0.02 * kStep * kStep * shaded);
 }
 
 TEST(OrganLight, ATurnedPlantUnderATurnedSunGetsTheSame) {

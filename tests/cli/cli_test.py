@@ -563,6 +563,48 @@ class Measuring(Case):
         self.assertNotIn("leaf_count", measures["each"][0])
         self.assertIn(b"\ntree 2\n", self.run_program("measure", "stand.json", "--each").stdout)
 
+    def test_light_on_leaves_only_if_asked(self):
+        self.assertEqual(self.measured("tree.json")["leaf_exposure"], None)
+        self.write("walnut.mtg", MTG)
+        self.assertEqual(self.measured("walnut.mtg", "--unit", "cm")["lit_share"], None)
+        measures = self.measured("tree.json", "--light")
+        self.assertGreater(measures["leaf_exposure"], measures["leaf_irradiance"])
+        self.assertGreater(measures["leaf_irradiance"], 0)
+        self.assertLess(measures["leaf_exposure"], 1)
+        # Under a roof no sun comes to crown and leaves.
+        roofed = json.loads(TREE)
+        roofed["scene"] = {"obstacles": [{"box": [[-9, 5, -9], [9, 6, 9]]}]}
+        self.write("roofed.json", json.dumps(roofed))
+        dark = self.measured("roofed.json", "--light")
+        self.assertEqual([dark[name] for name in ("lit_share", "leaf_exposure", "leaf_irradiance")], [0, 0, 0])
+        self.assertGreater(measures["lit_share"], 0)
+
+    def test_table_of_organs_agrees_with_the_means(self):
+        self.assert_ends(DONE, "measure", "tree.json", "--organs", "leaves.csv", "--json", "-o", "measures.json")
+        measures = json.loads(self.read("measures.json"))
+        rows = list(csv.DictReader(io.StringIO(self.read("leaves.csv").decode())))
+        self.assertEqual([int(row["instance"]) for row in rows], list(range(measures["leaf_count"])))
+        self.assertEqual({row["component"] for row in rows}, {"leaf"})
+        area = sum(float(row["area"]) for row in rows)
+        self.assertAlmostEqual(area, measures["leaf_area"], places=5)
+        for column in ("exposure", "irradiance"):
+            mean = sum(float(row["area"]) * float(row[column]) for row in rows) / area
+            self.assertAlmostEqual(mean, measures["leaf_" + column], places=5)
+        for threads in ("1", "8"):
+            done = self.run_program("measure", "tree.json", "--organs", "-", "-o", "measures.json", "--threads", threads)
+            self.assertEqual(done.stdout, self.read("leaves.csv"))
+
+    def test_wrong_uses_of_the_table_of_organs(self):
+        for arguments, message in ((["tree.json", "--organs", "tree.json"], "would be written over, and it is read"),
+                                   (["tree.json", "--organs", "-"], "would be written to one place"),
+                                   (["tree.json", "--organs", "./a.csv", "-o", "a.csv"], "would be written to one place"),
+                                   (["walnut.mtg", "--organs", "a.csv"], "--organs says nothing about 'walnut.mtg'"),
+                                   (["walnut.mtg", "--light"], "--light says nothing about 'walnut.mtg'")):
+            self.write("walnut.mtg", MTG)
+            self.assertIn(message, self.assert_ends(WRONG_INPUT, "measure", *arguments))
+        self.assertIn("No such file or directory",
+                      self.assert_ends(FAILED, "measure", "tree.json", "--organs", "no/such/a.csv", *LONG_GROWTH))
+
     def test_mtg_files_in_their_units(self):
         self.write("walnut.mtg", MTG)
         measures = self.measured("walnut.mtg", "--unit", "cm", "--diameter-unit", "mm", "--diameter", "Thickness")
@@ -653,7 +695,7 @@ class Signals(Case):
 
     def test_measuring_leaves_nothing(self):
         before = sorted(os.listdir(self.folder))
-        self.stop(signal.SIGINT, "measure", "tree.json", "-o", "a.txt", *LONG_GROWTH)
+        self.stop(signal.SIGINT, "measure", "tree.json", "-o", "a.txt", "--organs", "a.csv", *LONG_GROWTH)
         self.assertEqual(sorted(os.listdir(self.folder)), before)
 
     def test_ignored_signals_stay_ignored(self):

@@ -69,12 +69,16 @@ void check_kind(const MeasureCommand& command) {
   }
 }
 
+bool is_same_place(const std::string& a, const std::string& b) {
+  return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
+}
+
 void check_organs(const MeasureCommand& command, std::span<const std::string> inputs) {
-  if (fs::weakly_canonical(command.organs) == fs::weakly_canonical(command.output)) {
+  check_output(command.organs, inputs);
+  if (is_same_place(command.organs, command.output)) {
     throw InputError(Diagnostic{.message = "the measures and those of the organs would be written to one place",
                                 .expected = "-o FILE and --organs FILE to be different"});
   }
-  check_output(command.organs, inputs);
 }
 
 StandMeasures measure_document(const MeasureCommand& command) {

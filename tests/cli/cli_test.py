@@ -591,13 +591,13 @@ class Measuring(Case):
             mean = sum(float(row["area"]) * float(row[column]) for row in rows) / area
             self.assertAlmostEqual(mean, measures["leaf_" + column], places=5)
         for threads in ("1", "8"):
-            done = self.run_program("measure", "tree.json", "--organs", "-", "-o", "measures.json", "--threads", threads)
+            done = self.run_program("measure", "tree.json", "--organs", "-", "-o", "a.json", "--threads", threads)
             self.assertEqual(done.stdout, self.read("leaves.csv"))
 
     def test_wrong_uses_of_the_table_of_organs(self):
         for arguments, message in ((["tree.json", "--organs", "tree.json"], "would be written over, and it is read"),
                                    (["tree.json", "--organs", "-"], "would be written to one place"),
-                                   (["tree.json", "--organs", "./a.csv", "-o", "a.csv"], "would be written to one place"),
+                                   (["tree.json", "--organs", "./a", "-o", "a"], "would be written to one place"),
                                    (["walnut.mtg", "--organs", "a.csv"], "--organs says nothing about 'walnut.mtg'"),
                                    (["walnut.mtg", "--light"], "--light says nothing about 'walnut.mtg'")):
             self.write("walnut.mtg", MTG)

@@ -28,6 +28,7 @@ ColonizeParameters growth_of(const Colonize& tree) {
   growth.light.sunlit_weight = tree.light.sunlit_weight;
   growth.light.hold_height = tree.light.hold_height;
   growth.light.limit = tree.light.limit;
+  growth.light.shade = tree.light.shade;
   return growth;
 }
 
@@ -84,6 +85,28 @@ const ParameterTable& limit_table() {
   return table;
 }
 
+const ParameterTable& shade_form_table() {
+  static const ParameterTable table =
+      Table<ShadowForm>("a shadow form", "How shade falls.")
+          .number("voxel", &ShadowForm::voxel, {.unit = Unit::metre, .min = 0.001, .max = 1000},
+                  "Across a cell of shade; raised, coarser and farther reaching.")
+          .number("a", &ShadowForm::amount, {.min = 0, .max = 1000},
+                  "Shade that a shoot as long as a cell casts in its own cell; 1 is darkness.")
+          .number("b", &ShadowForm::base, {.min = 1, .max = 1000},
+                  "By which shade is divided from cell to cell; raised, it fades sooner.")
+          .integer("depth", &ShadowForm::depth, {.min = 0, .max = 64}, "How many cells below a shoot are shaded.");
+  return table;
+}
+
+const ParameterTable& shade_table() {
+  static const ParameterTable table =
+      Table<ShadeResponse>("a shade response", "The shade of all plants of the stand as they grow.")
+          .number("bears", &ShadeResponse::bears, {.min = 0, .max = 1},
+                  "Light below which points do not pull, from 1 in the open to 0 in darkness; raised, less tolerant.")
+          .members(&ShadeResponse::form, shade_form_table());
+  return table;
+}
+
 const ParameterTable& light_table() {
   static const ParameterTable table =
       Table<LightForm>("a light response", "How the tree answers to the light of the scene.")
@@ -97,6 +120,8 @@ const ParameterTable& light_table() {
                   "How strongly nodes in the light feel it; those in the shade of obstacles do with strength 1.")
           .boolean("hold_height", &LightForm::hold_height, "Keeps the points' top at its height while they move.")
           .object("limit", &LightForm::limit, limit_table, "Leaves out the points that lie in the deepest shade.")
+          .object("shade", &LightForm::shade, shade_table,
+                  "Lets the plants of the stand shade each other as they grow.")
           .never_with("shift", {"shift_m"});
   return table;
 }

@@ -19,6 +19,7 @@ struct LightForm {
   double sunlit_weight = 1;
   bool hold_height = false;
   LightLimit limit;
+  std::optional<ShadeResponse> shade;
 };
 
 /// A tree that grows into the attraction points of its crown, or several of them.

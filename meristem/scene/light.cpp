@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "meristem/base/frame.h"
 #include "meristem/base/math.h"
 
 namespace meristem {
@@ -14,6 +15,13 @@ namespace {
 constexpr double kNearest = 0.1;  // metres: a lamp is no point, so nearer to it light does not grow for ever
 
 }  // namespace
+
+Vec3 Light::mean_direction() const {
+  DVec3 sum(0);
+  for (const FarLight& far : sun) sum += far.strength * DVec3(far.toward);
+  for (const FarLight& far : sky) sum += far.strength * DVec3(far.toward);
+  return normalized_or(Vec3(sum), kUp);
+}
 
 LightRay Light::ray_to(const Lamp& lamp, Vec3 place) {
   const DVec3 way = DVec3(lamp.position) - DVec3(place);

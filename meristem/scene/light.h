@@ -44,6 +44,8 @@ struct Light {
     for (const Lamp& lamp : lamps) visit(ray_to(lamp, place));
   }
 
+  /// The unit vector toward the middle of the far light; up where there is none, or as much from all sides.
+  Vec3 mean_direction() const;
   /// The light of a lamp at a place; within a hand's breadth of it not stronger than there.
   static LightRay ray_to(const Lamp& lamp, Vec3 place);
 };

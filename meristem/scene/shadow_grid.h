@@ -25,6 +25,8 @@ struct ShadowForm {
   int depth = 3;            ///< layers below the shader's own, 0 to 64; time and memory grow with its cube
   Vec3 toward_light = kUp;  ///< unit vector; the layers lie across its greatest component (of equal ones y, then x)
   int reach = 2;            ///< radius, in voxels, of what brighter_way looks at; 1 to 4
+
+  bool operator==(const ShadowForm&) const = default;
 };
 
 class ShadowGrid {

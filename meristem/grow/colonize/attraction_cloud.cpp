@@ -17,13 +17,14 @@ std::int64_t in_units(double component) { return static_cast<std::int64_t>(compo
 }  // namespace
 
 AttractionCloud::Tree AttractionCloud::join(Vec3 root, const std::vector<Vec3>& points, const Attraction& attraction,
-                                            const Scene& scene) {
+                                            const Scene& scene, const ShadowGrid* shade) {
   scene_ = &scene;
   if (trees_.empty()) origin_ = root;
   const auto tree = static_cast<Tree>(trees_.size());
   Member& member = trees_.emplace_back();
   member.offset = root - origin_;
   member.attraction = attraction;
+  if (attraction.light.shade) member.shade = shade;
   const auto reach = static_cast<float>(attraction.kill);
   member.kill2 = reach * reach;
   member.points = points.size();
@@ -63,22 +64,24 @@ void AttractionCloud::begin_round(Progress& progress) {
   if (still_) {
     still_->sweep([&](Vec3 point, NodeIndex node, float distance2) {
       const bool goes = is_used_up(node, distance2);
-      if (goes || node >= first_new) ++trees_[nodes_[node].tree].advances;
+      Member& member = trees_[nodes_[node].tree];
+      if (!goes && is_too_dark(member, point)) return true;
+      if (goes || node >= first_new) ++member.advances;
       if (!goes) add_pull(node, point);
       return !goes;
     });
   } else {
-    moving_->sweep([&](Vec3, NodeIndex node, float distance2) {
+    moving_->sweep([&](Vec3 point, NodeIndex node, float distance2) {
       const bool goes = is_used_up(node, distance2);
       Member& member = trees_[nodes_[node].tree];
       if (goes) ++member.advances;
-      if (!goes) member.now_closest2 = std::min(member.now_closest2, distance2);
+      if (!goes && !is_too_dark(member, point)) member.now_closest2 = std::min(member.now_closest2, distance2);
       return !goes;
     });
     for (Member& member : trees_) note_closeness(member);
     motion_->move(*moving_, progress);
     moving_->sweep([&](Vec3 point, NodeIndex node, float) {
-      add_pull(node, point);
+      if (!is_too_dark(trees_[nodes_[node].tree], point)) add_pull(node, point);
       return true;
     });
   }
@@ -93,6 +96,10 @@ void AttractionCloud::note_closeness(Member& member) {
   if (gains || member.advances > 0) member.closest2 = member.now_closest2;
   if (gains) ++member.advances;
   member.now_closest2 = std::numeric_limits<float>::infinity();
+}
+
+bool AttractionCloud::is_too_dark(const Member& member, Vec3 point) const {
+  return member.shade != nullptr && 1 - member.shade->shade(origin_ + point) < member.attraction.light.shade->bears;
 }
 
 /// Brings the points into the form in which they live from the first round on.

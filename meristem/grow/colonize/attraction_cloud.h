@@ -38,17 +38,19 @@ class AttractionCloud : public Commons {
  public:
   using Tree = std::uint32_t;
 
-  /// A tree with its root at `root` (world space) that brings `points` (world space); its root is its node 0. `scene`
-  /// is the same for all and outlives the cloud. To be called before the first round.
-  Tree join(Vec3 root, const std::vector<Vec3>& points, const Attraction& attraction, const Scene& scene);
+  /// A tree with its root at `root` (world space) that brings `points` (world space); its root is its node 0. Points do
+  /// not pull it while they are darker in `shade`, where given, than its response says. `scene` is the same for all;
+  /// both outlive the cloud. To be called before the first round.
+  Tree join(Vec3 root, const std::vector<Vec3>& points, const Attraction& attraction, const Scene& scene,
+            const ShadowGrid* shade = nullptr);
   /// A new node of a tree; its points are counted from the next round on.
   void add_node(Tree tree, Vec3 position);
 
   /// Which of a tree's nodes are pulled in this round and where to, by rising index. Sums are of whole numbers (unit
   /// vectors in steps of 2^-38), so they do not depend on the order of the points.
   std::span<const Pull> pulls(Tree tree) const { return trees_[tree].pulls; }
-  /// Whether the tree's nodes used up a point or came nearer to one: its newest nodes or, where points move, the nearest
-  /// of all.
+  /// Whether the tree's nodes used up a point or came nearer to one: its newest nodes or, where points move, the
+  /// nearest of all.
   bool has_advanced(Tree tree) const { return trees_[tree].advances > 0; }
   /// The point to which a tree should grow that none pulls yet: in the first round the nearest of those that it
   /// brought, where it brought none the living one nearest to its root. Costs as much as a search in a tree of points.
@@ -63,6 +65,7 @@ class AttractionCloud : public Commons {
   struct Member {
     Vec3 offset{0};  // its root relative to the cloud's origin
     Attraction attraction;
+    const ShadowGrid* shade = nullptr;
     float kill2 = 0;
     std::size_t points = 0;           // that it brought; those of all trees stand one after another
     std::optional<Vec3> nearest_own;  // of these, relative to its root
@@ -87,6 +90,7 @@ class AttractionCloud : public Commons {
   void plant_points(Progress& progress);
   void leave_out_darkest(const Progress& progress);
   void start_moving();
+  bool is_too_dark(const Member& member, Vec3 point) const;
   void take_new_nodes(Progress& progress);
   static void note_closeness(Member& member);
   void hand_over_pulls();

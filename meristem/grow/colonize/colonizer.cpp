@@ -23,6 +23,7 @@
 #include "meristem/grow/colonize/child_places.h"
 #include "meristem/grow/colonize/colonize.h"
 #include "meristem/grow/colonize/growth_direction.h"
+#include "meristem/grow/stand_shade.h"
 #include "meristem/plant/finish.h"
 
 namespace meristem {
@@ -49,6 +50,7 @@ struct Species {
   const Scene& scene;
   Limits limits;
   std::string component;
+  const ShadowGrid* felt_shade = nullptr;
 
   std::string path(const char* parameter) const { return fmt::format("components.{}.{}", component, parameter); }
   [[noreturn]] void refuse(const char* parameter, std::string message, std::string expected) const {
@@ -67,11 +69,13 @@ struct Species {
 /// One tree, relative to its root.
 class Tree {
  public:
-  Tree(const Species& species, AttractionCloud& cloud, const Seedling& seedling, RandomKey key)
+  Tree(const Species& species, AttractionCloud& cloud, StandShade& shade, const Seedling& seedling, RandomKey key)
       : species_(&species),
         cloud_(&cloud),
+        shade_(&shade),
         key_(key),
-        member_(cloud.join(seedling.root, seedling.points, attraction(species.parameters), species.scene)),
+        member_(cloud.join(seedling.root, seedling.points, attraction(species.parameters), species.scene,
+                           species.felt_shade)),
         root_(seedling.root),
         places_(species.parameters.step) {
     note_node(kNoNode, Vec3(0));
@@ -100,6 +104,7 @@ class Tree {
 
   const Species* species_;
   AttractionCloud* cloud_;
+  StandShade* shade_;
   RandomKey key_;
   AttractionCloud::Tree member_;
   Vec3 root_;
@@ -188,6 +193,7 @@ std::optional<Vec3> Tree::place_child(const Pull& pull) {
 
 void Tree::add_node(NodeIndex parent, Vec3 position) {
   cloud_->add_node(member_, position);
+  if (shade_->is_felt()) shade_->cast(root_ + position, species_->parameters.step);
   species_->require_nodes(cloud_->node_count(), "step");
   note_node(parent, position);
 }
@@ -204,11 +210,14 @@ class Colonizer : public Grower {
             const Scene& scene, const Limits& limits, std::string component)
       : species_{parameters, scene, limits, std::move(component)} {
     leave_out_inner_points(seedlings);
+    // Shade comes first: what points pull depends on it.
+    auto& shade = stand.commons<StandShade>();
     auto& cloud = stand.commons<AttractionCloud>();
+    if (const auto& response = species_.parameters.light.shade) species_.felt_shade = &shade.grid(form_of(*response));
     trees_.reserve(seedlings.size());
     for (std::size_t k = 0; k < seedlings.size(); ++k) {
       check_points(cloud.point_count() + seedlings[k].points.size());
-      trees_.emplace_back(species_, cloud, seedlings[k], key.child("tree").child(k));
+      trees_.emplace_back(species_, cloud, shade, seedlings[k], key.child("tree").child(k));
     }
     grows_.assign(trees_.size(), true);
   }
@@ -218,6 +227,12 @@ class Colonizer : public Grower {
   Skeleton take_skeleton(Progress& progress) override;
 
  private:
+  /// Shade falls the way the scene's light does.
+  ShadowForm form_of(const ShadeResponse& response) const {
+    ShadowForm form = response.form;
+    form.toward_light = species_.scene.light.mean_direction();
+    return form;
+  }
   void check_points(std::uint64_t points) const {
     if (points <= species_.limits.points) return;
     throw_limit("attraction points", static_cast<double>(points), species_.limits.points, "points",

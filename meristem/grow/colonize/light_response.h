@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // How colonizing trees answer to light. Response A moves the whole cloud of attraction points toward brighter places
 // before each step. Response B lets light act on single points: those in the deepest shade are left out, each moves as
-// its own nearest node feels, and the cloud's height is held.
+// its own nearest node feels, and the cloud's height is held; and points in the shade of what has grown do not pull.
 //
 // Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund
 // 2020, section 4.4, with the settled reading of its equations 4.19 to 4.24; response B is our own.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "meristem/base/progress.h"
 #include "meristem/base/vec.h"
 #include "meristem/scene/scene.h"
+#include "meristem/scene/shadow_grid.h"
 
 namespace meristem {
 
@@ -24,12 +26,20 @@ struct LightLimit {
   double k = 0.1;       ///< the light falls by exp(-k) with each of them
 };
 
+/// The shade of the plants that have grown so far, as StandShade keeps it. A tree does not grow to points that are
+/// darker than it bears.
+struct ShadeResponse {
+  double bears = 0.4;  ///< light below which points do not pull, from 1 in the open to 0
+  ShadowForm form{.voxel = 0.25, .amount = 0.1, .base = 1.5, .depth = 8};
+};
+
 struct LightResponse {
   double shift = 0;          ///< metres by which the whole cloud moves in a step
   double drift = 0;          ///< metres by which a point near a node wholly in shade moves in a step
   double sunlit_weight = 1;  ///< strength of light that arrives over that of light in whose shade a node stands
   bool hold_height = false;  ///< scales the heights of the points after each move, so that the cloud's top stays
   LightLimit limit;
+  std::optional<ShadeResponse> shade;
 
   bool moves() const { return shift != 0 || drift != 0; }
 };

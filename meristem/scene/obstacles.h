@@ -23,7 +23,7 @@ struct Obstacle {
   bool is_hidden = false;            ///< left out of pictures
 };
 
-/// The twelve triangles of a box.
+/// The twelve triangles of a box, facing outward; `low` lies below `high` along each axis.
 TriangleMesh box_mesh(DVec3 low, DVec3 high);
 
 /// All obstacles of a scene. Copies share what is in them; queries may come from many threads at once.
@@ -35,7 +35,8 @@ class Obstacles {
   };
 
   Obstacles();
-  /// Throws std::invalid_argument for indices out of range or places that are not finite.
+  /// Throws std::invalid_argument for indices out of range or places that are not finite in 32 bits, and MachineError.
+  /// Takes about 300 bytes and a microsecond a triangle.
   explicit Obstacles(std::vector<Obstacle> bodies);
 
   bool empty() const { return bodies().empty(); }
@@ -44,12 +45,13 @@ class Obstacles {
 
   /// Whether a place is inside one. Of a broken one most of three views decide, along x, y and z.
   bool contain(Vec3 place) const;
-  /// Whether the way from one place to another meets a surface.
+  /// Whether the way from one place to another meets a surface, be it only at an end or an edge. However short, a way
+  /// from outside to inside does; one without length does not.
   bool cross(Vec3 from, Vec3 to) const;
-  /// The first surface on a ray within `within` metres; `direction` is a unit vector. At equal distances the obstacle
-  /// with the lower index.
+  /// The first surface on a ray, at most `within` metres away, which may be infinite; `direction` is a unit vector.
+  /// What only touches an edge is met. At equal distances the obstacle with the lower index.
   std::optional<Hit> first_hit(Vec3 origin, Vec3 direction, double within) const;
-  /// The centroid of an obstacle's volume, put down on the ground (y = 0).
+  /// The centroid of an obstacle's volume, of a broken one's surface, put down on the ground (y = 0).
   Vec3 ground_centroid(std::size_t obstacle) const;
 
  private:

@@ -18,7 +18,7 @@ constexpr float kBounceSpread = 0.25F;  // light from all sides sees textures bl
 constexpr float kKeennessOfPlants = 1.8F;
 constexpr float kKeennessOfGround = 4;
 // Metres: the bright spot about a lamp on what it hangs by would come back by a few paths, as specks.
-constexpr float kNearestByBounce = 0.5F;
+constexpr float kNearestByBounce = 1;
 constexpr auto kPiF = static_cast<float>(kPi);
 
 /// Colours of thin blades by the light that shines through: yellower, as green absorbs twice.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The light that comes back along one ray: sun by a shadow ray at every surface, sky and other surfaces by following
-// the path on in a direction drawn with the cosine, twice. Matt surfaces with a little gloss in the sun; thin blades
-// let a part of the light through to their other side. Paths end after the second bounce: with leaves that reflect a
-// tenth of the light, the third would add less than a hundredth.
+// The light that comes back along one ray: sun and lamps by shadow rays at every surface, sky and other surfaces by
+// following the path on in a direction drawn with the cosine, twice. Matt surfaces with a little gloss in the sun; thin
+// blades let a part of the light through to their other side. Paths end after the second bounce: with leaves that
+// reflect a tenth of the light, the third would add less than a hundredth.
 //
 // Based on: J. Kajiya: The rendering equation (1986); J. Hanika: Hacking the shadow terminator (Ray Tracing Gems II,
 // 2021); E. Heitz: Understanding the masking-shadowing function (2014) for the gloss.
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "meristem/output/daylight.h"
+#include "meristem/output/lamplight.h"
 #include "meristem/output/sampling.h"
 #include "meristem/output/texture_sampler.h"
 #include "meristem/shape/mesh_scene.h"
@@ -37,7 +38,8 @@ struct Seen {
 class PathTracer {
  public:
   /// `meshes` and `rays` must outlive this.
-  PathTracer(const MeshScene& meshes, const RayScene& rays, Daylight light, std::optional<Ground> ground);
+  PathTracer(const MeshScene& meshes, const RayScene& rays, Daylight light, std::optional<Ground> ground,
+             Lamplight lamps = Lamplight());
 
   /// Follows one path. The background is not part of the light.
   Seen trace(Ray ray, SampleStream& samples) const;
@@ -68,10 +70,13 @@ class PathTracer {
   Vertex surface_vertex(const Ray& ray, const RayHit& hit) const;
   Vertex ground_vertex(const Ray& ray, float distance) const;
   Vec3 sunlight(const Vertex& vertex, Vec3 to_viewer, Vec2 sample) const;
+  Vec3 lamplight(const Vertex& vertex, Vec3 to_viewer, bool is_seen, SampleStream& samples) const;
+  Vec3 share_seen(const Vertex& vertex, Vec3 to_viewer, Vec3 to_light, float distance) const;
 
   const RayScene& rays_;
   Daylight light_;
   std::optional<Ground> ground_;
+  Lamplight lamps_;
   std::vector<Look> looks_;  ///< one a part of the scene
   std::map<const Texture*, TextureSampler> textures_;
 };

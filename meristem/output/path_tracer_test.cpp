@@ -38,10 +38,11 @@ Daylight uniform_light(Vec3 radiance) {
 }
 
 /// The mean over paths that start along one ray.
-Seen mean_seen(const MeshScene& scene, const Daylight& light, std::optional<Ground> ground, const Ray& ray) {
+Seen mean_seen(const MeshScene& scene, const Daylight& light, std::optional<Ground> ground, const Ray& ray,
+               const Lamplight& lamps = Lamplight()) {
   Progress progress;
   const RayScene rays(scene, progress);
-  const PathTracer tracer(scene, rays, light, ground);
+  const PathTracer tracer(scene, rays, light, ground, lamps);
   DVec3 sum(0);
   double cover = 0;
   for (std::uint32_t s = 0; s < kSamples; ++s) {
@@ -119,6 +120,45 @@ TEST(PathTracer, TheShadowOfARoofLiesWhereTheSunPutsIt) {
   EXPECT_LT(brightness(-0.1F), 0.5F * sun);
   EXPECT_GT(brightness(-2.1F), sun);
   EXPECT_GT(brightness(0.1F), sun);
+}
+
+TEST(PathTracer, LampsLightWithTheCosineAndTheSquareOfTheDistance) {
+  Material matt = white();
+  matt.colour = Vec3(0.5F);
+  matt.roughness = 1;
+  const Lamplight lamps({{.position = {0, 2, 0}, .strength = 0.5}});
+  const MeshScene square = level_square(matt);
+  const auto light_at = [&](float x) {
+    const Ray ray{{x, 1, 0}, {0, -1, 0}};
+    return mean_seen(square, uniform_light(Vec3(0)), std::nullopt, ray, lamps).light.g;
+  };
+  const float expected = linear_from_srgb(Vec3(0.5F)).g * lamps.irradiance(Vec3(0)).g / static_cast<float>(kPi);
+  EXPECT_NEAR(light_at(0), expected, 0.1 * expected);  // and a little gloss
+  const float squared = 1 + 0.9F * 0.9F / 4;  // of the distance, over that of 2 m; the cosine is its root's inverse
+  EXPECT_NEAR(light_at(0.9F), light_at(0) / (squared * std::sqrt(squared)), 0.05 * expected);
+}
+
+TEST(PathTracer, ARoofShadesItsLampAndNothingBeyond) {
+  MeshScene scene = level_square(white());
+  scene.meshes[0].frames[0].origin.y = 1;
+  Ground ground;
+  ground.colour = Vec3(0.5F);
+  const Ray onto_ground{{0, 0.5F, 0}, {0, -1, 0}};
+  const auto brightness = [&](float height) {
+    return mean_seen(scene, uniform_light(Vec3(0)), ground, onto_ground, Lamplight({{.position = {0, height, 0}}}))
+        .light.g;
+  };
+  EXPECT_LT(brightness(2), 0.002F) << "the roof is between, and the ground around it far";
+  EXPECT_GT(brightness(0.7F), 0.5F) << "the roof is beyond";
+}
+
+TEST(PathTracer, ManyLampsLightAsMuchAsOneInTheirPlace) {
+  const std::vector<Lamp> many(5, Lamp{.position = {0.3F, 2, 0.2F}, .strength = 0.2});
+  const Seen one = mean_seen(level_square(white()), uniform_light(Vec3(0)), std::nullopt, kFromAbove,
+                             Lamplight({{.position = {0.3F, 2, 0.2F}, .strength = 1}}));
+  const Seen five = mean_seen(level_square(white()), uniform_light(Vec3(0)), std::nullopt, kFromAbove, Lamplight(many));
+  EXPECT_GT(one.light.g, 0.1F);
+  EXPECT_NEAR(five.light.g, one.light.g, 0.01 * one.light.g);
 }
 
 TEST(PathTracer, AThinBladeShinesThroughAndWoodDoesNot) {

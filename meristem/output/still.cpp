@@ -95,7 +95,8 @@ class Developer {
 /// An offset in [-1, 1] whose density is a tent, which smooths edges better than the pixel's square.
 float tent(float sample) { return sample < 0.5F ? std::sqrt(2 * sample) - 1 : 1 - std::sqrt(2 - 2 * sample); }
 
-/// The mean illuminance by lamps of what the camera sees of the plants, were nothing in the way of the light.
+/// How brightly lamps light what stands in the picture, half of it turned away or in the shade. The mean is that of the
+/// roots, so that a bright spot beside a lamp leaves the rest to be seen.
 float metered(const Lamplight& lamps, const RayScene& rays, const Camera& camera) {
   constexpr int kRays = 48;  // across the picture and down
   double sum = 0;
@@ -105,10 +106,11 @@ float metered(const Lamplight& lamps, const RayScene& rays, const Camera& camera
     const Ray ray{camera.position(), camera.direction(2.0F * film - 1.0F)};
     const std::optional<RayHit> hit = rays.first_hit(ray);
     if (!hit) continue;
-    sum += luminance(lamps.irradiance(ray.origin + hit->distance * ray.direction));
+    sum += std::sqrt(luminance(lamps.irradiance(ray.origin + hit->distance * ray.direction)));
     ++hits;
   }
-  return hits > 0 ? static_cast<float>(sum / hits) : 0;
+  const double root = hits > 0 ? sum / hits : 0;
+  return static_cast<float>(0.5 * root * root);
 }
 
 class Photographer {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/output/still.h"
 
+#include <algorithm>
 #include <atomic>
 
 #include <gtest/gtest.h>
@@ -65,6 +66,25 @@ TEST(Still, IsTheSamePictureOnAnyNumberOfThreads) {
   };
   const std::vector<std::uint8_t> expected = render(1);
   for (const int threads : {2, 3, 8}) EXPECT_TRUE(render(threads) == expected) << threads << " threads";
+}
+
+TEST(Still, LampsLightTheNightTheSameOnAnyNumberOfThreads) {
+  const MeshScene meshes = block_with_leaves();
+  Scene scene;
+  scene.sun = {0, radians(-40)};
+  scene.light.lamps = {{{1, 2, 1}, 0.3}, {{-1, 2, 1}, 0.1}, {{0, 3, 0}, 0.1}};
+  const auto render = [&](int threads) {
+    const ThreadLimit limit(threads);
+    Progress progress;
+    return render_still(meshes, scene, View(), small(50, 4), progress);
+  };
+  const Image expected = render(1);
+  for (const int threads : {2, 3, 8}) EXPECT_TRUE(render(threads).rgba == expected.rgba) << threads << " threads";
+  // By night what a lamp lights is brighter than the sky.
+  int brightest = 0;
+  for (int x = 0; x < 50; ++x) brightest = std::max(brightest, brightness(expected, x, 25));
+  EXPECT_GT(brightest, 300);
+  EXPECT_LT(brightness(expected, 0, 0), 200);
 }
 
 /// The same with leaves that a texture cuts out and tilts, each in a colour of its own.

@@ -17,10 +17,10 @@ float exposed(float light) { return static_cast<float>(1 - math::exp(-std::max(0
 
 }  // namespace
 
-float exposure(const Sky& sky) {
+float exposure(const Sky& sky, float lamplight) {
   constexpr double kBase = 2.7;
   const double level = luminance(sky.sun_irradiance()) * std::max(0.35, static_cast<double>(sky.sun_direction().y)) +
-                       luminance(sky.dome_irradiance());
+                       luminance(sky.dome_irradiance()) + static_cast<double>(lamplight);
   return static_cast<float>(kBase * math::pow(std::max(level, 1e-4) / 2.45, -0.7));
 }
 

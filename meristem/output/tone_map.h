@@ -6,9 +6,10 @@
 
 namespace meristem {
 
-/// How much a camera would open for the light of `sky`, so that noon and dusk both make a picture: full adaptation
-/// would turn night into day, so only most of the change is made up for.
-float exposure(const Sky& sky);
+/// How much a camera would open for the light of `sky`, and of lamps that give what it sees this illuminance, so that
+/// noon and dusk both make a picture: full adaptation would turn night into day, so only most of the change is made up
+/// for.
+float exposure(const Sky& sky, float lamplight = 0);
 
 /// The sRGB colour, in [0, 1], of exposed linear light: contrast of film, highlights that roll off and lose colour.
 Vec3 tone_mapped(Vec3 light);

@@ -44,5 +44,13 @@ TEST(ToneMap, ExposureMakesUpForMostOfTheDusk) {
   EXPECT_GT(level(dusk), 0.25F * level(noon));
 }
 
+TEST(ToneMap, ExposureClosesForLampsByNightAndHardlyByDay) {
+  const Sky night({0, radians(-40)});
+  const Sky noon({0, radians(60)});
+  EXPECT_LT(exposure(night, 0.1F), 0.1F * exposure(night));
+  EXPECT_GT(exposure(noon, 0.1F), 0.9F * exposure(noon));
+  EXPECT_EQ(exposure(noon, 0), exposure(noon));
+}
+
 }  // namespace
 }  // namespace meristem

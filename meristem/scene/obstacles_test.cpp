@@ -138,7 +138,7 @@ TEST(Obstacles, RaysAgreeWithBruteForce) {
   meshes.push_back(l_shape());
   const Obstacles obstacles = obstacles_of(std::move(meshes));
   int hits = 0;
-  for (std::uint64_t k = 0; k < 3000; ++k) {
+  for (std::uint64_t k = 0; k < 1500; ++k) {
     const Vec3 origin = random_place(100 + k, 6);
     const Vec3 direction = RandomKey(9).direction(k);
     const auto expected = brute_force_hit(obstacles, origin, direction);
@@ -151,7 +151,7 @@ TEST(Obstacles, RaysAgreeWithBruteForce) {
     const Vec3 end = origin + static_cast<float>(expected->distance + 0.01) * direction;
     ASSERT_TRUE(obstacles.cross(origin, end));
   }
-  EXPECT_GT(hits, 200);
+  EXPECT_GT(hits, 100);
 }
 
 TEST(Obstacles, NoRaySlipsThroughEdgesOrVertices) {
@@ -173,6 +173,38 @@ TEST(Obstacles, NoRaySlipsThroughEdgesOrVertices) {
       ASSERT_TRUE(obstacles.first_hit(Vec3(there), toward(Vec3(there), on_edge), kFar).has_value());
     }
   }
+}
+
+TEST(Obstacles, WaysThroughVerticesAndEdgesOfARoughSheetCrossIt) {
+  // Whole x and z, heights in eighths: vertices and middles of edges are exact, and so are ways through them.
+  constexpr std::uint32_t kSide = 12;
+  TriangleMesh sheet;
+  for (std::uint32_t k = 0; k < kSide * kSide; ++k) {
+    sheet.positions.emplace_back(k % kSide, std::floor(RandomKey(7).uniform(k, 0, 8)) / 8, k / kSide);
+  }
+  for (std::uint32_t k = 0; k + kSide < kSide * kSide; ++k) {
+    if (k % kSide + 1 == kSide) continue;
+    sheet.triangles.push_back({k, k + kSide, k + 1});
+    sheet.triangles.push_back({k + 1, k + kSide, k + kSide + 1});
+  }
+  const Obstacles obstacles({{.mesh = sheet, .is_broken = true}});
+  int ways = 0;
+  for (const auto& triangle : sheet.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 vertex(sheet.positions[triangle[k]]);
+      const Vec3 middle = 0.5F * (vertex + Vec3(sheet.positions[triangle[(k + 1) % 3]]));
+      for (const Vec3 place : {vertex, middle}) {
+        // At the rim rounding may lead past the sheet.
+        const float inward = std::min({place.x, place.z, kSide - 1 - place.x, kSide - 1 - place.z});
+        if (inward == 0) continue;
+        for (const Vec3 way : {Vec3(0, 4, 0), Vec3(0.25F, 3, 0.375F), Vec3(-0.125F, 5, 0.5F), Vec3(1, 7, -3)}) {
+          ASSERT_TRUE(obstacles.cross(place + way, place - way));
+          ++ways;
+        }
+      }
+    }
+  }
+  EXPECT_GT(ways, 4000);
 }
 
 TEST(Obstacles, WhatTouchesIsMet) {
@@ -279,6 +311,28 @@ TEST(Obstacles, ABrokenBodyIsWhereMostViewsSeeIt) {
   EXPECT_FALSE(broken.contain({2.1F, 1, 1}));
   EXPECT_TRUE(broken.cross({1, 3, 1}, {1, 1, 1}));  // through the hole
   EXPECT_EQ(broken.ground_centroid(0).y, 0);
+}
+
+TEST(Obstacles, TurnedAndMissingTrianglesHardlyMoveAnInside) {
+  const TriangleMesh whole = sphere_mesh(4);
+  TriangleMesh damaged = whole;
+  damaged.triangles.clear();
+  for (std::size_t t = 0; t < whole.triangles.size(); ++t) {
+    if (t % 25 == 7) continue;  // 4 % are missing
+    damaged.triangles.push_back(whole.triangles[t]);
+    if (t % 10 == 3) std::swap(damaged.triangles.back()[0], damaged.triangles.back()[1]);
+  }
+  const ClosedMesh closed(whole);
+  const Obstacles broken({{.mesh = damaged, .is_broken = true}});
+  int wrong = 0;
+  constexpr int kTrials = 20'000;
+  for (std::uint64_t k = 0; k < kTrials; ++k) {
+    const Vec3 place = random_place(k, 1);
+    wrong += broken.contain(place) != closed.contains(DVec3(place)) ? 1 : 0;
+  }
+  // Each view errs in 4 % of the places inside; two of three do in about 3 * 0.04^2.
+  EXPECT_LT(wrong, 0.01 * kTrials);
+  EXPECT_LT(glm::length(broken.ground_centroid(0)), 0.02F);
 }
 
 TEST(Obstacles, StandOverTheCentroidOfTheirVolume) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/components/cloud.h"
 
+#include "meristem/base/colour.h"
 #include "meristem/shape/primitives.h"
 
 namespace meristem {
@@ -8,6 +9,7 @@ namespace meristem {
 namespace {
 
 constexpr int kDotSegments = 8;
+constexpr Vec3 kDotColour{0.06F, 0.16F, 0.55F};
 
 /// Points that stay as they are: each is a root of its own. Points are placed where plants grow, one component after
 /// another, so that they report and can be cancelled as growth can.
@@ -30,11 +32,37 @@ std::unique_ptr<Grower> grow(const Cloud& cloud, const Site& site, const GrowCon
   return std::make_unique<PlacedPoints>(make_points(cloud.crown, cloud.points, site.key.child("points"), context));
 }
 
-void expand(const Cloud& cloud, const Site&, Emitter& out) {
+/// Which points neither obstacles nor the limit on light remove.
+std::vector<bool> kept_points(const std::vector<Vec3>& places, const Scene& scene, const LightLimit& limit) {
+  std::vector<bool> is_kept(places.size(), true);
+  std::vector<Vec3> outside;
+  std::vector<std::size_t> index;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    is_kept[k] = !scene.obstacles.contain(places[k]);
+    if (!is_kept[k]) continue;
+    outside.push_back(places[k]);
+    index.push_back(k);
+  }
+  if (!(limit.share > 0)) return is_kept;
+  const std::vector<double> light = light_of_points(outside, scene, limit.radius, limit.k, Progress());
+  std::fill(is_kept.begin(), is_kept.end(), false);
+  for (const std::uint32_t k : brightest(light, limit.share)) is_kept[index[k]] = true;
+  return is_kept;
+}
+
+void expand(const Cloud& cloud, const Site& site, Emitter& out) {
+  const std::vector<Vec3> points = out.take_grown().position;
+  std::vector<Vec3> places;
+  for (const Vec3 point : points) places.push_back(site.frame.point(point));
+  const std::vector<bool> is_kept = kept_points(places, out.scene(), cloud.limit);
+  const Vec3 own = linear_from_srgb(cloud.colour.value_or(kDotColour));
+  const Vec3 removed_tint = linear_from_srgb(cloud.removed_colour.value_or(kDotColour)) / glm::max(own, 1e-4F);
   Frame dot{.axes = Mat3(static_cast<float>(cloud.size))};
-  for (const Vec3 point : out.take_grown().position) {
-    dot.origin = point;
-    out.organ(dot, shape_key({}), [] { return make_sphere(0.5, kDotSegments); });
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (!is_kept[k] && !cloud.removed_colour) continue;
+    dot.origin = points[k];
+    out.organ(
+        dot, shape_key({}), [] { return make_sphere(0.5, kDotSegments); }, is_kept[k] ? Vec3(1) : removed_tint);
   }
 }
 
@@ -43,16 +71,22 @@ void expand(const Cloud& cloud, const Site&, Emitter& out) {
 ComponentType cloud_component() {
   return define_component<Cloud>({
       .name = "cloud",
-      .doc = "The attraction points of a crown as dots, to see what a crown or a distribution is.",
-      .parameters = Table<Cloud>("a cloud", "Attraction points as dots.")
-                        .object("crown", &Cloud::crown, crown_table,
-                                "The envelope that the points fill; needed unless they come from a file.")
-                        .object("points", &Cloud::points, points_table, "The attraction points.")
-                        .number("size", &Cloud::size, {.unit = Unit::metre, .min = 1e-5, .max = 1e4}, "Across a dot.")
-                        .check([](const Cloud& cloud, const Place& place, ParameterReader& reader) {
-                          check_cloud(cloud.crown, cloud.points, 1, "a cloud", place, reader);
-                        }),
-      .material = {.colour = {0.06F, 0.16F, 0.55F}, .roughness = 0.9F},
+      .doc =
+          "The attraction points of a crown as dots, to see what a crown, a distribution or the scene makes of them.",
+      .parameters =
+          Table<Cloud>("a cloud", "Attraction points as dots.")
+              .object("crown", &Cloud::crown, crown_table,
+                      "The envelope that the points fill; needed unless they come from a file.")
+              .object("points", &Cloud::points, points_table, "The attraction points.")
+              .object("limit", &Cloud::limit, limit_table,
+                      "Leaves out the points that lie in the deepest shade, as a tree's light response does.")
+              .number("size", &Cloud::size, {.unit = Unit::metre, .min = 1e-5, .max = 1e4}, "Across a dot.")
+              .colour("removed_colour", &Cloud::removed_colour,
+                      "Of the points that obstacles or the limit leave out; if not given, they are not shown.")
+              .check([](const Cloud& cloud, const Place& place, ParameterReader& reader) {
+                check_cloud(cloud.crown, cloud.points, 1, "a cloud", place, reader);
+              }),
+      .material = {.colour = kDotColour, .roughness = 0.9F},
       .expand = expand,
       .grow = grow,
   });

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "meristem/components/limit_table.h"
 #include "meristem/components/surface_table.h"
 #include "meristem/graph/node_condition.h"
 #include "meristem/plant/shed.h"
@@ -72,17 +73,6 @@ void check_colonize(const Colonize& tree, const Place& place, ParameterReader& r
                              growth.step, growth.kill),
                  fmt::format("a number (m) of at most {:.7g}", growth.kill));
   }
-}
-
-const ParameterTable& limit_table() {
-  static const ParameterTable table =
-      Table<LightLimit>("a limit", "Which points are too dark to grow to.")
-          .number("share", &LightLimit::share, {.min = 0, .max = 0.99},
-                  "Of the points, the darkest first, that are left out; 0 leaves out none.")
-          .number("radius", &LightLimit::radius, {.unit = Unit::metre, .min = 0, .max = 1000, .above_min = true},
-                  "Points so near to the way of the light dim it.")
-          .number("k", &LightLimit::k, {.min = 0, .max = 100}, "How much each of them dims it: by exp(-k).");
-  return table;
 }
 
 const ParameterTable& shade_form_table() {

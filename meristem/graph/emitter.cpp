@@ -116,11 +116,11 @@ void Emitter::end_instance() {
   if (uncounted_ >= kCountedTogether / 8) count_sites();
 }
 
-void Emitter::organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make) {
+void Emitter::organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint) {
   if (!visible_) return;
   const auto [found, is_new] = prototype_by_key_.try_emplace(key, static_cast<std::uint32_t>(prototypes.size()));
   if (is_new) prototypes.push_back({key, shared_mesh(key, make)});
-  organs.push_back({geometry_frame_ * local, found->second, tint_, site_.birth});
+  organs.push_back({geometry_frame_ * local, found->second, tint_ * tint, site_.birth});
 }
 
 std::shared_ptr<const Mesh> Emitter::shared_mesh(std::uint64_t key, FunctionRef<Mesh()> make) {

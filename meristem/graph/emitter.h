@@ -81,8 +81,9 @@ class Emitter {
   // For components.
 
   /// Geometry at `local` in the instance's frame (moved by its `place`). Instances of one component with equal `key`
-  /// share what one of them makes, so the key and what all instances have in common must tell the whole mesh.
-  void organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make);
+  /// share what one of them makes, so the key and what all instances have in common must tell the whole mesh. `tint`
+  /// has linear factors on the instance's colour.
+  void organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint = Vec3(1));
   /// A skeleton in world space. The instance's `place` moves it, but not what hangs on it.
   void stem(Skeleton skeleton, const Surface& surface);
   /// A place for children, relative to the instance's frame, as are the length and radius that they see; called n times

@@ -143,9 +143,9 @@ void AttractionCloud::leave_out_darkest(const Progress& progress) {
       known = limit;
     }
     const std::span<const double> own_light = std::span(light).subspan(first - member.points, member.points);
-    const std::vector<Vec3> brighter = without_darkest(own, own_light, limit.share);
-    kept.insert(kept.end(), brighter.begin(), brighter.end());
-    member.points = brighter.size();
+    const std::vector<std::uint32_t> left = brightest(own_light, limit.share);
+    for (const std::uint32_t point : left) kept.push_back(own[point]);
+    member.points = left.size();
   }
   points_ = std::move(kept);
 }

@@ -153,17 +153,15 @@ std::vector<double> light_of_points(const std::vector<Vec3>& points, const Scene
   return light;
 }
 
-std::vector<Vec3> without_darkest(std::span<const Vec3> points, std::span<const double> light, double share) {
-  std::vector<std::uint32_t> order(points.size());
+std::vector<std::uint32_t> brightest(std::span<const double> light, double share) {
+  std::vector<std::uint32_t> order(light.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t a, std::uint32_t b) { return light[a] != light[b] ? light[a] < light[b] : a < b; });
-  const auto removed = static_cast<std::size_t>(std::floor(share * static_cast<double>(points.size())));
-  order.erase(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(std::min(removed, points.size())));
+  const auto removed = static_cast<std::size_t>(std::floor(share * static_cast<double>(light.size())));
+  order.erase(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(std::min(removed, light.size())));
   std::sort(order.begin(), order.end());
-  std::vector<Vec3> left;
-  for (const std::uint32_t k : order) left.push_back(points[k]);
-  return left;
+  return order;
 }
 
 }  // namespace meristem

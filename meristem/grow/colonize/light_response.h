@@ -49,9 +49,9 @@ struct LightResponse {
 /// ground and at right angles to the light; their sum, weighted by strength. 0 where there is no light.
 DVec3 brighter_way(const Scene& scene, Vec3 place, double sunlit_weight);
 
-/// What is left of points when `share` (0 to 1) of them, rounded down, is removed, the darkest first; of equally dark
-/// ones the first. In their order.
-std::vector<Vec3> without_darkest(std::span<const Vec3> points, std::span<const double> light, double share);
+/// Which points are left, by rising index, when `share` (0 to 1) of all, rounded down, is removed, the darkest first; of
+/// equally dark ones the first.
+std::vector<std::uint32_t> brightest(std::span<const double> light, double share);
 
 /// The light of each of `points` (world space), 0 to 1 without lamps: over the scene's lights, weighted by strength,
 /// the mean of exp(-k c), 0 in the shade of obstacles, with c the number of other points between it and the light and

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/colonize/light_response.h"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/math.h"
+#include "meristem/base/parallel.h"
+#include "meristem/base/random.h"
+
+namespace meristem {
+namespace {
+
+constexpr double kNear = 1e-6;
+
+Scene scene_under(SkyDirection sun) {
+  Scene scene;
+  scene.light.sun = {{unit_vector(sun), 1}};
+  return scene;
+}
+
+// A wall south of the origin, from x = -3 to 3 and z = 3 to 6, 8 m high.
+Scene walled_scene(SkyDirection sun) {
+  Scene scene = scene_under(sun);
+  Obstacle wall;
+  wall.mesh = box_mesh({-3, 0, 3}, {3, 8, 6});
+  scene.obstacles = Obstacles({wall});
+  return scene;
+}
+
+const SkyDirection kSouth{kPi, kPi / 4};
+
+void expect_near(DVec3 a, DVec3 b) { EXPECT_LT(glm::length(a - b), kNear) << a.x << ' ' << a.y << ' ' << a.z; }
+
+TEST(BrighterWay, LeadsTowardTheSunInTheOpen) {
+  expect_near(brighter_way(scene_under(kSouth), Vec3(1, 2, 3), 1), DVec3(unit_vector(kSouth)));
+  expect_near(brighter_way(scene_under(kSouth), Vec3(1, 2, 3), 0.25), 0.25 * DVec3(unit_vector(kSouth)));
+}
+
+TEST(BrighterWay, LeadsAwayFromAWallAtRightAnglesToTheLight) {
+  const Scene scene = walled_scene(kSouth);
+  const DVec3 way = brighter_way(scene, Vec3(0, 1, 0), 0.25);
+  EXPECT_NEAR(glm::length(way), 1, kNear);
+  EXPECT_NEAR(glm::dot(way, DVec3(scene.light.sun[0].toward)), 0, kNear);
+  EXPECT_LT(way.z, 0);
+  EXPECT_GT(way.y, 0);
+  EXPECT_NEAR(way.x, 0, kNear);
+}
+
+TEST(BrighterWay, WeighsTheLightsByTheirStrength) {
+  Scene scene;
+  scene.light.sun = {{Vec3(1, 0, 0), 0.75}, {Vec3(-1, 0, 0), 0.25}};
+  expect_near(brighter_way(scene, Vec3(0), 1), DVec3(0.5, 0, 0));
+}
+
+TEST(BrighterWay, LeadsTowardLampsByTheSquareOfTheirDistance) {
+  Scene scene;
+  scene.light.sun.clear();
+  scene.light.lamps = {{Vec3(2, 0, 0), 1}};
+  expect_near(brighter_way(scene, Vec3(0), 1), DVec3(0.25, 0, 0));
+}
+
+TEST(BrighterWay, IsNoneInTheDark) {
+  Scene scene;
+  scene.light.sun.clear();
+  expect_near(brighter_way(scene, Vec3(0), 1), DVec3(0));
+}
+
+TEST(LightOfPoints, FallsWithEachPointOnTheWay) {
+  const std::vector<Vec3> column{{0, 1, 0}, {0, 3, 0}, {0, 2, 0}, {0.25F, 5, 0}, {0.6F, 9, 0}};
+  const std::vector<double> light = light_of_points(column, Scene(), 0.3, 0.1, Progress());
+  const std::vector<double> before{3, 1, 2, 0, 0};
+  for (std::size_t k = 0; k < column.size(); ++k) EXPECT_NEAR(light[k], math::exp(-0.1 * before[k]), kNear) << k;
+}
+
+TEST(LightOfPoints, IsTheMeanOverTheLights) {
+  Scene scene;
+  scene.light.sun = {{Vec3(0, 1, 0), 0.5}, {Vec3(1, 0, 0), 0.25}};
+  scene.light.sky = {{Vec3(-1, 0, 0), 0.25}};
+  const std::vector<Vec3> points{{0, 1, 0}, {0, 2, 0}, {1, 1, 0}};
+  const std::vector<double> light = light_of_points(points, scene, 0.3, 1, Progress());
+  const double dimmed = math::exp(-1);
+  EXPECT_NEAR(light[0], 0.5 * dimmed + 0.25 * dimmed + 0.25, kNear);
+  EXPECT_NEAR(light[1], 1, kNear);
+  EXPECT_NEAR(light[2], 0.5 + 0.25 + 0.25 * dimmed, kNear);
+}
+
+TEST(LightOfPoints, IsNoneInTheShadeOfAWall) {
+  const std::vector<double> light =
+      light_of_points({{0, 1, 0}, {0, 20, 0}}, walled_scene(kSouth), 0.3, 0.1, Progress());
+  EXPECT_EQ(light[0], 0);
+  EXPECT_EQ(light[1], 1);
+}
+
+// All pairs, with the lateral distance itself: cells of a sixth of the radius differ by what lies about its edge.
+TEST(LightOfPoints, AgreesWithAllPairs) {
+  std::vector<Vec3> points;
+  const RandomKey key(7);
+  for (std::uint64_t k = 0; k < 1500; ++k) {
+    points.push_back(3.0F * Vec3(key.uniform(3 * k), key.uniform(3 * k + 1), key.uniform(3 * k + 2)) - Vec3(700, 0, 1));
+  }
+  const Scene scene = scene_under({1, 0.8});
+  const Vec3 toward = scene.light.sun[0].toward;
+  const std::vector<double> light = light_of_points(points, scene, 0.3, 0.1, Progress());
+  double difference = 0;
+  double mean = 0;
+  for (std::size_t a = 0; a < points.size(); ++a) {
+    int count = 0;
+    for (const Vec3 other : points) {
+      const Vec3 way = other - points[a];
+      const float along = glm::dot(way, toward);
+      count += along > 0 && glm::length(way - along * toward) <= 0.3F ? 1 : 0;
+    }
+    const double exact = math::exp(-0.1 * count);
+    difference += std::abs(light[a] - exact);
+    mean += light[a] - exact;
+  }
+  EXPECT_LT(difference / 1500, 0.02);
+  EXPECT_LT(std::abs(mean) / 1500, 0.005);
+}
+
+TEST(LightOfPoints, IsTheSameOnAnyNumberOfThreads) {
+  std::vector<Vec3> points;
+  for (std::uint64_t k = 0; k < 1000; ++k) points.push_back(RandomKey(2).direction(k));
+  Scene scene = walled_scene(kSouth);
+  scene.light.sun = sun_of_day(0.9, 126, 0.5);
+  const auto light_on = [&](int threads) {
+    const ThreadLimit limit(threads);
+    return light_of_points(points, scene, 0.3, 0.1, Progress());
+  };
+  const auto one = light_on(1);
+  for (const int threads : {2, 3, 8}) EXPECT_EQ(light_on(threads), one);
+}
+
+TEST(Brightest, LeavesOutTheDarkestShare) {
+  const std::vector<double> light{0.5, 0.1, 0.9, 0.1, 0.7};
+  EXPECT_EQ(brightest(light, 0), (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(brightest(light, 0.2), (std::vector<std::uint32_t>{0, 2, 3, 4}));
+  EXPECT_EQ(brightest(light, 0.5), (std::vector<std::uint32_t>{0, 2, 4}));
+  EXPECT_EQ(brightest(light, 1), (std::vector<std::uint32_t>{}));
+}
+
+}  // namespace
+}  // namespace meristem

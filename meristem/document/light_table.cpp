@@ -111,6 +111,18 @@ std::string_view consequence_without_sun(const LightSettings& settings) {
   return has_sky ? "sky and lamps give all light" : "the lamps give all light";
 }
 
+/// An hour of the night with lamps is meant, and so are pictures of it.
+void warn_of_night(const LightSettings& settings, const Place& place, ParameterReader& reader, const Scene& scene) {
+  const SunSettings& sun = *settings.sun;
+  const bool has_hours = sun.every_hours || !sun.days.empty();
+  const bool has_lamps = !settings.lamps.empty();
+  if (scene.light.sun.empty() && (has_hours || !has_lamps)) {
+    reader.warn(place, fmt::format("{}, so {}", reason_without_sun(settings), consequence_without_sun(settings)));
+  } else if (!scene.light.sun.empty() && scene.sun.altitude <= 0 && !has_lamps) {
+    reader.warn(place, fmt::format("in pictures, at {:.6g} h, the sun is below the horizon", sun.hour));
+  }
+}
+
 /// Where the sun stands in pictures.
 SkyDirection shown_sun(const LightSettings& settings) {
   const SunSettings& sun = *settings.sun;
@@ -162,12 +174,7 @@ void light_scene(const LightSettings& settings, const Place& place, ParameterRea
   if (settings.sun) {
     scene.sun = shown_sun(settings);
     light.sun = sun_positions(settings, scene.sun);
-    const Place sun_place(place, "sun");
-    if (light.sun.empty()) {
-      reader.warn(sun_place, fmt::format("{}, so {}", reason_without_sun(settings), consequence_without_sun(settings)));
-    } else if (scene.sun.altitude <= 0) {
-      reader.warn(sun_place, fmt::format("in pictures, at {:.6g} h, the sun is below the horizon", settings.sun->hour));
-    }
+    warn_of_night(settings, Place(place, "sun"), reader, scene);
   }
   for (FarLight& position : light.sun) position.strength *= 1 - settings.sky;
   if (settings.sky == 1) light.sun.clear();

@@ -130,10 +130,7 @@ TEST(SceneLight, WarnsOfASunBelowTheHorizon) {
   const std::string at_night = R"({"latitude": 51, "sun": {"day": 100, "hour": 1})";
   const std::string warning = "d.json:2:25: scene.sun: the sun is below the horizon at 1 h on day 100 at latitude 51, ";
   EXPECT_EQ(warnings_of(at_night + "}"), warning + "so there is no light to grow by");
-  EXPECT_EQ(warnings_of(at_night + R"(, "lamps": [{"position": [0, 3, 0]}]})"),
-            warning + "so the lamps give all light");
-  EXPECT_EQ(warnings_of(at_night + R"(, "sky": 0.4, "lamps": [{"position": [0, 3, 0]}]})"),
-            warning + "so sky and lamps give all light");
+  EXPECT_EQ(warnings_of(at_night + R"(, "sky": 0.4})"), warning + "so the sky gives all light");
   EXPECT_EQ(warnings_of(R"({"sun": {"azimuth": 0, "altitude": -3}})"),
             "d.json:2:9: scene.sun: the sun is below the horizon, so there is no light to grow by");
   EXPECT_TRUE(read_in(at_night + "}").scene.light.sun.empty());
@@ -142,6 +139,14 @@ TEST(SceneLight, WarnsOfASunBelowTheHorizon) {
 TEST(SceneLight, WarnsOfPicturesAtNight) {
   EXPECT_EQ(warnings_of(R"({"latitude": 51, "sun": {"day": 100, "every_hours": 1, "hour": 23}})"),
             "d.json:2:25: scene.sun: in pictures, at 23 h, the sun is below the horizon");
+}
+
+TEST(SceneLight, TakesNightsWithLampsAsMeant) {
+  const std::string lamps = R"("lamps": [{"position": [0, 3, 0]}])";
+  EXPECT_EQ(warnings_of(R"({"latitude": 51, "sun": {"day": 100, "hour": 1}, )" + lamps + "}"), "");
+  EXPECT_EQ(warnings_of(R"({"latitude": 51, "sun": {"day": 100, "every_hours": 1, "hour": 23}, )" + lamps + "}"), "");
+  EXPECT_EQ(warnings_of(R"({"latitude": 80, "sky": 0.4, "sun": {"day": 355, "every_hours": 1}, )" + lamps + "}"),
+            "d.json:2:37: scene.sun: the sun does not rise on day 355 at latitude 80, so sky and lamps give all light");
 }
 
 TEST(SceneLight, StaysDarkInThePolarNightButForTheShareOfTheSky) {

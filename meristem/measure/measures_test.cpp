@@ -167,6 +167,54 @@ TEST(Measures, PlantsAddTheirLeavesAndMeshes) {
   EXPECT_EQ(whole.bytes, meshes.meshes[0].mesh->bytes() + blade.bytes() + 41 * sizeof(Frame));
 }
 
+TEST(Measures, TheLitShareOfAStandIsThatOfAllItsHulls) {
+  const Skeleton small = random_tree(1, {0, 0, 0}, 60);
+  const Skeleton large = random_tree(2, {40, 0, 0}, 300);
+  const std::vector<const Skeleton*> both{&small, &large};
+  Scene scene;
+  // A roof over the small one.
+  scene.obstacles = Obstacles({{.mesh = box_mesh({-15, 90, -15}, {15, 91, 15})}});
+  Progress progress;
+  const StandMeasures stand = measure_skeletons(both, &scene, {}, progress);
+  EXPECT_EQ(stand.trees[0].lit_share, 0);
+  const Measures& lit = stand.trees[1];
+  EXPECT_GT(*lit.lit_share, 0.2);
+  const double lit_area = *lit.lit_share * lit.crown_hull_area;
+  EXPECT_NEAR(*stand.whole.lit_share, lit_area / stand.whole.crown_hull_area, 1e-12);
+}
+
+TEST(Measures, LightIsUnknownWithoutASceneAndWithoutACrown) {
+  EXPECT_FALSE(measure({random_tree(1, {0, 0, 0}, 60)}).whole.lit_share);
+  const Skeleton stem = chain({0, 0, 0}, {0, 1, 0}, 3);
+  const Skeleton* const pointer = &stem;
+  const Scene scene;
+  Progress progress;
+  EXPECT_FALSE(measure_skeletons(std::span(&pointer, 1), &scene, {}, progress).whole.lit_share);
+}
+
+TEST(Measures, LightOnOrgansIsMeasuredIfAskedFor) {
+  Plant plant;
+  plant.materials.resize(1);
+  plant.materials[0].two_sided = true;
+  Mesh blade;
+  blade.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}};
+  blade.triangles = {{0, 1, 2}};
+  plant.prototypes = {{"leaf", 0, std::make_shared<const Mesh>(blade)}};
+  plant.organs.resize(2);
+  plant.organs[1].frame.origin.y = 1;
+  Progress progress;
+  const MeshScene meshes = make_mesh_scene(plant, {}, progress);
+  const StandMeasures without = measure_plant(plant, meshes, {}, {}, progress);
+  EXPECT_TRUE(without.organs.empty());
+  EXPECT_FALSE(without.whole.leaf_exposure);
+  const StandMeasures with = measure_plant(plant, meshes, {}, {.organ_light = true}, progress);
+  ASSERT_EQ(with.organs.size(), 2U);
+  EXPECT_EQ(with.organs[1].exposure, 1);
+  // The upper one shades the lower.
+  EXPECT_DOUBLE_EQ(*with.whole.leaf_exposure, 0.5);
+  EXPECT_NEAR(*with.whole.leaf_irradiance, 0.5, 1e-6);
+}
+
 TEST(Measures, AnEmptyPlantHasNothing) {
   Progress progress;
   const StandMeasures stand = measure_plant({}, {}, {}, {}, progress);

@@ -98,6 +98,7 @@ void check_obstacles(const std::vector<ObstacleForm>& forms, const Place& place,
 
 Obstacles build_obstacles(const std::vector<ObstacleForm>& forms) {
   std::vector<Obstacle> bodies;
+  bodies.reserve(forms.size());
   for (const ObstacleForm& form : forms) {
     bodies.push_back({.mesh = placed_mesh(form),
                       .colour = form.colour,

@@ -122,8 +122,8 @@ struct Obstacles::Content {
 TriangleMesh box_mesh(DVec3 low, DVec3 high) {
   TriangleMesh mesh;
   for (int k = 0; k < 8; ++k) {
-    mesh.positions.push_back(
-        {(k & 1) != 0 ? high.x : low.x, (k & 2) != 0 ? high.y : low.y, (k & 4) != 0 ? high.z : low.z});
+    mesh.positions.emplace_back((k & 1) != 0 ? high.x : low.x, (k & 2) != 0 ? high.y : low.y,
+                                (k & 4) != 0 ? high.z : low.z);
   }
   mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                     {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};

@@ -30,7 +30,7 @@ struct LightLimit {
 /// darker than it bears.
 struct ShadeResponse {
   double bears = 0.4;  ///< light below which points do not pull, from 1 in the open to 0
-  ShadowForm form{.voxel = 0.25, .amount = 0.1, .base = 1.5, .depth = 8};
+  ShadowForm form{.voxel = 0.25, .amount = 0.04, .base = 1.3, .depth = 10};
 };
 
 struct LightResponse {

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+// Trees among obstacles, in the light, and in each other's shade.
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/math.h"
+#include "meristem/base/parallel.h"
+#include "meristem/grow/colonize/colonize.h"
+#include "meristem/scene/crown_points.h"
+#include "meristem/scene/solid_crowns.h"
+#include "tests/support/check_skeleton.h"
+
+namespace meristem {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+const ColonizeParameters kSmall{
+    .step = 0.05, .influence = kFar, .kill = 0.12, .finish = {.decimate = 0, .relax = false, .subdivide = 0}};
+
+std::vector<Vec3> ball_points(Vec3 centre, double radius, std::uint64_t count, std::uint64_t seed = 3) {
+  Progress progress;
+  return sample_crown(EllipsoidCrown(centre, Vec3(static_cast<float>(radius))), count, RandomKey(seed), progress);
+}
+
+std::vector<Skeleton> grow(const std::vector<std::pair<Seedling, ColonizeParameters>>& trees, const Scene& scene) {
+  Stand stand;
+  for (const auto& [seedling, parameters] : trees) {
+    stand.add(make_colonizer(stand, {seedling}, parameters, RandomKey(1), scene, Limits(), "tree"));
+  }
+  Progress progress;
+  stand.grow(progress);
+  return stand.take_skeletons(progress);
+}
+
+Skeleton grow(const Scene& scene, const ColonizeParameters& parameters = kSmall, std::uint64_t points = 400) {
+  return std::move(grow({{{Vec3(0), ball_points({0, 2, 0}, 1, points)}, parameters}}, scene)[0]);
+}
+
+testing::AssertionResult are_same(const Skeleton& a, const Skeleton& b) {
+  if (a.parent == b.parent && a.position == b.position && a.radius == b.radius && a.birth == b.birth) {
+    return testing::AssertionSuccess();
+  }
+  return testing::AssertionFailure() << a.node_count() << " and " << b.node_count() << " nodes";
+}
+
+Scene scene_with(TriangleMesh mesh) {
+  Scene scene;
+  Obstacle obstacle;
+  obstacle.mesh = std::move(mesh);
+  scene.obstacles = Obstacles({obstacle});
+  return scene;
+}
+
+// A beam right through the crown.
+Scene beam() { return scene_with(box_mesh({-2, 1.8, 0.2}, {2, 2.3, 0.6})); }
+
+Scene walled_day() {
+  Scene scene = scene_with(box_mesh({-3, 0, 1.4}, {3, 3, 3}));
+  scene.light.sun = sun_of_day(radians(51.5), 126, 2);
+  return scene;
+}
+
+std::string refusal(const Scene& scene) {
+  try {
+    grow(scene);
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.diagnostics().size(), 1U);
+    EXPECT_FALSE(error.diagnostics()[0].expected.empty());
+    return error.diagnostics()[0].path + ": " + error.diagnostics()[0].message;
+  }
+  return "";
+}
+
+TEST(ColonizeAmongObstacles, NothingGrowsIntoThemOrThroughThem) {
+  const Scene scene = beam();
+  const Skeleton tree = grow(scene);
+  ASSERT_TRUE(check_skeleton(tree));
+  ASSERT_GT(tree.node_count(), 300U);
+  float highest = 0;
+  for (NodeIndex node = 0; node < tree.node_count(); ++node) {
+    EXPECT_FALSE(scene.obstacles.contain(tree.position[node]));
+    if (!tree.is_root(node)) {
+      EXPECT_FALSE(scene.obstacles.cross(tree.position[tree.parent[node]], tree.position[node]));
+    }
+    highest = std::max(highest, tree.position[node].y);
+  }
+  EXPECT_GT(highest, 2.7F);  // it has grown around the beam
+}
+
+TEST(ColonizeAmongObstacles, GrowsTheSameWhereNoneIsNear) {
+  const Scene far_away = scene_with(box_mesh({50, 0, 50}, {60, 9, 60}));
+  EXPECT_TRUE(are_same(grow(far_away), grow(Scene())));
+}
+
+TEST(ColonizeAmongObstacles, RootsInsideAreRefused) {
+  EXPECT_EQ(refusal(scene_with(box_mesh({-1, -1, -1}, {1, 0.2, 1}))),
+            "components.tree.roots: a root stands inside an obstacle, at (0, 0, 0)");
+}
+
+TEST(ColonizeAmongObstacles, CrownsWhollyInsideAreRefused) {
+  EXPECT_EQ(refusal(scene_with(box_mesh({-2, 0.5, -2}, {2, 4, 2}))),
+            "components.tree.crown: the crown lies wholly inside obstacles");
+}
+
+TEST(ColonizeAmongObstacles, AWallBetweenRootAndCrownIsRefused) {
+  ColonizeParameters parameters = kSmall;
+  parameters.influence = 0.5;
+  parameters.kill = 0.12;
+  EXPECT_THROW(grow(scene_with(box_mesh({-2, 0.3, -2}, {2, 0.4, 2})), parameters), InputError);
+}
+
+TEST(ColonizeInTheLight, GrowsTheSameWithoutAResponse) {
+  // The sun alone changes nothing, nor do the parts of a response that are off.
+  ColonizeParameters parameters = kSmall;
+  parameters.light.sunlit_weight = 0.25;
+  parameters.light.hold_height = true;
+  parameters.light.limit = {.share = 0, .radius = 0.1, .k = 3};
+  Scene day;
+  day.light.sun = sun_of_day(radians(51.5), 126, 1);
+  EXPECT_TRUE(are_same(grow(day, parameters), grow(Scene())));
+}
+
+TEST(ColonizeInTheLight, GrowsTheSameIntoACloudThatHardlyMoves) {
+  // Moving and still points are found in different ways.
+  ColonizeParameters parameters = kSmall;
+  parameters.light.shift = 1e-30;
+  EXPECT_TRUE(are_same(grow(Scene(), parameters), grow(Scene())));
+  parameters.influence = 0.6;
+  ColonizeParameters still = kSmall;
+  still.influence = 0.6;
+  EXPECT_TRUE(are_same(grow(Scene(), parameters), grow(Scene(), still)));
+}
+
+TEST(ColonizeInTheLight, IsTheSameOnAnyNumberOfThreads) {
+  ColonizeParameters parameters = kSmall;
+  parameters.light = {.shift = 0.01, .drift = 0.01, .sunlit_weight = 0.5, .hold_height = true, .limit = {.share = 0.2}};
+  parameters.light.shade.emplace();
+  const Scene scene = walled_day();
+  const auto grow_on = [&](int threads) {
+    const ThreadLimit limit(threads);
+    return grow(scene, parameters, 1500);
+  };
+  const Skeleton one = grow_on(1);
+  for (const int threads : {2, 3, 8}) EXPECT_TRUE(are_same(grow_on(threads), one));
+}
+
+TEST(ColonizeInTheLight, LeansTowardTheSun) {
+  Scene scene;
+  scene.light.sun = {{unit_vector({radians(90), radians(40)}), 1}};
+  ColonizeParameters parameters = kSmall;
+  parameters.light.shift = 0.015;
+  const Skeleton tree = grow(scene, parameters);
+  Vec3 sum(0);
+  for (const Vec3 position : tree.position) sum += position;
+  EXPECT_GT(sum.x / static_cast<float>(tree.node_count()), 0.2F);
+}
+
+TEST(ColonizeInTheLight, FollowsACloudThatRunsAheadOfItsRoot) {
+  // The cloud moves at half the pace of growth, away from the root: more than 30 steps go by before the first kill.
+  Scene scene;
+  scene.light.sun = {{kUp, 1}};
+  ColonizeParameters parameters = kSmall;
+  parameters.light.shift = 0.025;
+  EXPECT_GT(grow(scene, parameters).node_count(), 300U);
+}
+
+TEST(ColonizeInTheLight, TheSunlitSideOfALimitedCrownStays) {
+  Scene scene;
+  scene.light.sun = {{unit_vector({radians(180), radians(30)}), 1}};
+  ColonizeParameters parameters = kSmall;
+  parameters.light.limit = {.share = 0.5, .radius = 0.4, .k = 0.2};
+  const auto centre = [](const Skeleton& tree) {
+    Vec3 sum(0);
+    for (const Vec3 position : tree.position) sum += position;
+    return sum / static_cast<float>(tree.node_count());
+  };
+  EXPECT_GT(centre(grow(scene, parameters)).z, centre(grow(scene)).z + 0.1F);  // to the south
+}
+
+// The nodes of a low tree that grows slowly, with a tall one to its south, where the sun is, or without.
+std::size_t nodes_of_low_tree(bool feels_shade, bool has_neighbour) {
+  ColonizeParameters tall = kSmall;
+  tall.influence = 0.5;
+  ColonizeParameters low = tall;
+  low.step = 0.02;
+  if (feels_shade)
+    low.light.shade.emplace(ShadeResponse{.bears = 0.5, .form = {.amount = 0.05, .base = 1.3, .depth = 16}});
+  Scene scene;
+  scene.light.sun = {{unit_vector({radians(180), radians(50)}), 1}};
+  std::vector<std::pair<Seedling, ColonizeParameters>> trees;
+  trees.emplace_back(Seedling{Vec3(0), ball_points({0, 1.6F, 0}, 1, 400)}, low);
+  if (has_neighbour) trees.emplace_back(Seedling{Vec3(0, 0, 1.7F), ball_points({0, 3.8F, 1.7F}, 1.2, 900)}, tall);
+  return grow(trees, scene)[0].node_count();
+}
+
+TEST(ColonizeInShade, ATallNeighbourStuntsALowTree) {
+  const auto in_the_open = static_cast<double>(nodes_of_low_tree(true, false));
+  EXPECT_LT(static_cast<double>(nodes_of_low_tree(true, true)), 0.8 * in_the_open);
+  EXPECT_GT(static_cast<double>(nodes_of_low_tree(false, true)), 0.95 * in_the_open);
+}
+
+TEST(ColonizeInShade, PointsOfOtherTreesCountInTheLimit) {
+  ColonizeParameters parameters = kSmall;
+  parameters.light.limit = {.share = 0.4, .radius = 0.4, .k = 0.2};
+  Scene scene;
+  scene.light.sun = {{unit_vector({radians(90), radians(30)}), 1}};
+  const Seedling west{Vec3(0), ball_points({0, 2, 0}, 1, 400)};
+  const Seedling east{Vec3(2, 0, 0), ball_points({2, 2, 0}, 1, 400)};
+  const auto reach = [](const Skeleton& tree) {
+    float most = -9;
+    for (const Vec3 position : tree.position) most = std::max(most, position.x);
+    return most;
+  };
+  // Beside the other crown the east side is the darkest, not the brightest.
+  EXPECT_LT(reach(grow({{west, parameters}, {east, parameters}}, scene)[0]),
+            reach(grow({{west, parameters}}, scene)[0]) - 0.05F);
+}
+
+}  // namespace
+}  // namespace meristem

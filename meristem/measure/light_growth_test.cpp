@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+// The published evaluation of trees that answer to light, and what response B gains over it: trends over ten clouds,
+// with the tolerances that the specification of space colonization lists.
+//
+// Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund
+// 2020, chapter 5.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/math.h"
+#include "meristem/base/parallel.h"
+#include "meristem/grow/colonize/colonize.h"
+#include "meristem/measure/crown_light.h"
+#include "meristem/measure/tree_form.h"
+#include "meristem/scene/crown_points.h"
+#include "meristem/scene/profile_crown.h"
+
+namespace meristem {
+namespace {
+
+constexpr std::size_t kClouds = 10;
+
+/// Means over ten clouds, azimuths in degrees and averaged on the circle.
+struct Evaluation {
+  double azimuth = 0;
+  double spread = 0;  ///< circular standard deviation of the azimuths
+  double altitude = 0;
+  double centroid_azimuth = 0;
+  double centroid_radius = 0;
+  double height = 0;
+  double lit_share = 0;  ///< percent
+};
+
+struct Tree {
+  DVec3 lean;
+  DVec3 centroid;
+  double height;
+  double lit_share;
+};
+
+double level(DVec3 vector) { return std::sqrt(vector.x * vector.x + vector.z * vector.z); }
+
+double azimuth_of(DVec3 sum) {
+  const double azimuth = degrees(math::atan2(sum.x, -sum.z));
+  return azimuth < 0 ? azimuth + 360 : azimuth;
+}
+
+/// How far an azimuth is from another, degrees.
+double apart(double a, double b) { return std::abs(std::remainder(a - b, 360)); }
+
+Tree grow_tree(const Scene& scene, const LightResponse& light, std::uint64_t cloud, double scale) {
+  const ProfileCrown crown({{0, 0.4F}, {0.96F, 1.42F}, {1.6F, 2.61F}, {0, 3.8F}});
+  const ColonizeParameters parameters{.step = 0.02,
+                                      .influence = std::numeric_limits<double>::infinity(),
+                                      .kill = 0.08,
+                                      .light = light,
+                                      .finish = {.decimate = 0, .relax = false, .subdivide = 0}};
+  Progress progress;
+  std::vector<Vec3> points = sample_crown(crown, 900, RandomKey(cloud), progress);
+  for (Vec3& point : points) point *= static_cast<float>(scale);
+  Stand stand;
+  stand.add(make_colonizer(stand, {{Vec3(0), points}}, parameters, RandomKey(1), scene, Limits(), "tree"));
+  stand.grow(progress);
+  const Skeleton skeleton = std::move(stand.take_skeletons(progress)[0]);
+  const TreeForm form = measure_form(skeleton, Children(skeleton));
+  return {.lean = form.segment_sum,
+          .centroid = form.node_sum / static_cast<double>(form.nodes),
+          .height = form.height,
+          .lit_share = 100 * measure_crown_light(form.crown_hull, scene).lit_share};
+}
+
+Evaluation evaluate(const Scene& scene, const LightResponse& light, double scale = 1) {
+  std::vector<Tree> trees(kClouds);
+  parallel_for(kClouds, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) trees[k] = grow_tree(scene, light, k, scale);
+  });
+  Evaluation mean;
+  DVec3 leans(0);
+  DVec3 centroids(0);
+  for (const Tree& tree : trees) {
+    leans += DVec3(tree.lean.x, 0, tree.lean.z) / level(tree.lean);
+    centroids += tree.centroid;
+    mean.altitude += degrees(math::atan2(tree.lean.y, level(tree.lean))) / kClouds;
+    mean.centroid_radius += level(tree.centroid) / kClouds;
+    mean.height += tree.height / kClouds;
+    mean.lit_share += tree.lit_share / kClouds;
+  }
+  mean.azimuth = azimuth_of(leans);
+  mean.spread = degrees(std::sqrt(-2 * math::log(level(leans) / kClouds)));
+  mean.centroid_azimuth = azimuth_of(centroids);
+  return mean;
+}
+
+// The sun in the south, nothing else.
+Scene scene_a() {
+  Scene scene;
+  scene.light.sun = {{unit_vector({radians(180), radians(61)}), 1}};
+  return scene;
+}
+
+// A building in the south, and a day in May.
+Scene scene_b() {
+  Scene scene;
+  Obstacle building;
+  building.mesh = box_mesh({-3, 0, 3}, {3, 8, 6});
+  scene.obstacles = Obstacles({building});
+  scene.light.sun = sun_of_day(radians(51.51494), 126, 1);
+  return scene;
+}
+
+/// Shifts of 0, `step`, ... metres, 11 in all.
+std::vector<Evaluation> shifted(const Scene& scene) {
+  std::vector<Evaluation> means;
+  for (int k = 0; k <= 10; ++k) means.push_back(evaluate(scene, {.shift = 0.001 * k}));
+  return means;
+}
+
+/// Of a straight line through values at equal distances.
+double explained_by_a_line(const std::vector<Evaluation>& means, double Evaluation::*value) {
+  const auto count = static_cast<double>(means.size());
+  double x_mean = (count - 1) / 2;
+  double y_mean = 0;
+  for (const Evaluation& mean : means) y_mean += mean.*value / count;
+  double xx = 0;
+  double xy = 0;
+  double yy = 0;
+  for (std::size_t k = 0; k < means.size(); ++k) {
+    const double x = static_cast<double>(k) - x_mean;
+    const double y = means[k].*value - y_mean;
+    xx += x * x;
+    xy += x * y;
+    yy += y * y;
+  }
+  return xy * xy / (xx * yy);
+}
+
+TEST(LightGrowth, RootsOfTheWalledSceneAreInShadeAroundNoonOnly) {
+  const Scene scene = scene_b();
+  ASSERT_EQ(scene.light.sun.size(), 15U);
+  for (std::size_t k = 0; k < 15; ++k) {
+    const bool is_noon = k >= 6 && k <= 8;  // 11, 12 and 13 h
+    EXPECT_EQ(scene.obstacles.first_hit(Vec3(0), scene.light.sun[k].toward, 1e9).has_value(), is_noon) << k;
+  }
+}
+
+TEST(LightGrowth, ShiftedCloudsLeanTowardAStillSun) {
+  const std::vector<Evaluation> means = shifted(scene_a());
+  EXPECT_GT(means[0].spread, 45);
+  for (std::size_t k = 5; k <= 10; ++k) EXPECT_LT(apart(means[k].azimuth, 180), 6) << k;
+  for (std::size_t k = 2; k <= 10; ++k) EXPECT_LT(means[k].altitude, means[k - 1].altitude) << k;
+  EXPECT_NEAR(means[0].altitude, 88.8, 1.5);
+  EXPECT_NEAR(means[10].altitude, 67.4, 1.5);
+  EXPECT_GE(explained_by_a_line(means, &Evaluation::altitude), 0.95);
+  EXPECT_NEAR(means[0].height, 3.6, 0.2);
+  EXPECT_NEAR(means[10].height, 6.8, 0.2);
+  EXPECT_GT(means[0].lit_share - means[10].lit_share, 3);
+  EXPECT_LT(means[0].lit_share - means[10].lit_share, 8);
+}
+
+TEST(LightGrowth, ShiftedCloudsFleeABuildingUntilTheyRiseAboveItsShade) {
+  const std::vector<Evaluation> means = shifted(scene_b());
+  for (std::size_t k = 2; k <= 6; ++k) EXPECT_LT(apart(means[k].azimuth, 0), 30) << k;
+  for (std::size_t k = 9; k <= 10; ++k) EXPECT_LT(apart(means[k].azimuth, 180), 20) << k;
+  // Lowest among small shifts and highest where north and south are in balance.
+  const auto lower = [](const Evaluation& a, const Evaluation& b) { return a.altitude < b.altitude; };
+  const auto lowest = std::min_element(means.begin() + 1, means.begin() + 7, lower) - means.begin();
+  EXPECT_GE(lowest, 3);
+  EXPECT_LE(lowest, 5);
+  const auto highest = std::max_element(means.begin() + 1, means.end(), lower) - means.begin();
+  EXPECT_GE(highest, 7);
+  EXPECT_LE(highest, 8);
+  const auto scatters = [](const Evaluation& a, const Evaluation& b) { return a.spread < b.spread; };
+  const auto widest = std::max_element(means.begin() + 1, means.end(), scatters) - means.begin();
+  EXPECT_GE(widest, 7);
+  EXPECT_LE(widest, 8);
+  for (std::size_t k = 1; k <= 10; ++k) EXPECT_LT(apart(means[k].centroid_azimuth, 0), 30) << k;
+  const auto nearer = [](const Evaluation& a, const Evaluation& b) { return a.centroid_radius < b.centroid_radius; };
+  const auto farthest = std::max_element(means.begin(), means.end(), nearer) - means.begin();
+  EXPECT_GE(farthest, 6);
+  EXPECT_LE(farthest, 8);
+  EXPECT_GE(means[10].lit_share - means[0].lit_share, 5);
+  EXPECT_LE(means[10].lit_share - means[0].lit_share, 7);
+}
+
+TEST(LightGrowth, ShiftedCloudsOfTheRightSizeGainLightAtTheSameHeight) {
+  // The cloud is scaled before growth so that the tree becomes 3.7 m high.
+  const auto at_height = [](double shift) {
+    double scale = 1;
+    Evaluation mean;
+    for (int k = 0; k < 3; ++k) {
+      mean = evaluate(scene_b(), {.shift = shift}, scale);
+      scale *= 3.7 / mean.height;
+    }
+    EXPECT_NEAR(mean.height, 3.7, 0.05);
+    return mean.lit_share;
+  };
+  const double gain = at_height(0.005) - at_height(0);
+  EXPECT_GE(gain, 0.8);
+  EXPECT_LE(gain, 2.5);
+}
+
+TEST(LightGrowth, LimitedSpaceLightsMoreOfTheCrownAtTheSameHeight) {
+  const Evaluation plain = evaluate(scene_a(), {});
+  const Evaluation third = evaluate(scene_a(), {.limit = {.share = 0.36, .radius = 0.3, .k = 0.1}});
+  const Evaluation most = evaluate(scene_a(), {.limit = {.share = 0.6, .radius = 0.3, .k = 0.1}});
+  EXPECT_GE(third.lit_share - plain.lit_share, 4);
+  EXPECT_GE(most.lit_share - plain.lit_share, 8);
+  EXPECT_NEAR(third.height, plain.height, 0.02 * plain.height);
+  EXPECT_NEAR(most.height, plain.height, 0.02 * plain.height);
+}
+
+TEST(LightGrowth, DriftingPointsOfHeldHeightGainTheDaysLightBesideABuilding) {
+  const Evaluation plain = evaluate(scene_b(), {});
+  const Evaluation drifting = evaluate(scene_b(), {.drift = 0.018, .sunlit_weight = 0.25, .hold_height = true});
+  EXPECT_GE(drifting.lit_share - plain.lit_share, 6);
+  EXPECT_NEAR(drifting.height, plain.height, 0.02 * plain.height);
+}
+
+}  // namespace
+}  // namespace meristem

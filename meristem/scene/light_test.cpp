@@ -112,5 +112,18 @@ TEST(Light, VisitsSunSkyAndLamps) {
   EXPECT_EQ(near, 1);
 }
 
+TEST(Light, HasTheMeanDirectionOfWhatIsFar) {
+  Light light;
+  EXPECT_EQ(light.mean_direction(), kUp);
+  light.sun = {{.toward = {1, 0, 0}, .strength = 0.3}, {.toward = {0, 1, 0}, .strength = 0.4}};
+  EXPECT_LT(glm::distance(light.mean_direction(), Vec3(0.6F, 0.8F, 0)), 1e-6F);
+  light.sky = even_sky(1);
+  EXPECT_GT(light.mean_direction().y, 0.9F) << "the sky's own is the zenith";
+  light.sun.clear();
+  EXPECT_LT(glm::distance(light.mean_direction(), kUp), 1e-6F);
+  light.sky.clear();
+  EXPECT_EQ(light.mean_direction(), kUp) << "in the dark";
+}
+
 }  // namespace
 }  // namespace meristem

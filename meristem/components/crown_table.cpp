@@ -219,7 +219,7 @@ const ParameterTable& crown_table() {
           .object("sphere", &CrownForm::sphere, sphere_table, "A ball.")
           .object("cone", &CrownForm::cone, cone_table, "A cone with its apex up.")
           .box("box", &CrownForm::box, kCoordinate, "The lower and the upper corner of a box.")
-          .file("mesh", &CrownForm::mesh, read_closed_mesh, "A closed mesh in an OBJ or PLY file.")
+          .file("mesh", &CrownForm::mesh, read_closed_mesh, "A closed mesh in an OBJ, PLY or GLB file.")
           .members(&CrownForm::mesh_place, import_table())
           .one_of({"profile", "profiles", "union", "intersection", "difference", "ellipsoid", "sphere", "cone", "box",
                    "mesh"})

@@ -43,7 +43,7 @@ std::vector<bool> kept_points(const std::vector<Vec3>& places, const Scene& scen
     outside.push_back(places[k]);
     index.push_back(k);
   }
-  if (!(limit.share > 0)) return is_kept;
+  if (!(limit.share > 0) || scene.light.is_none()) return is_kept;
   const std::vector<double> light = light_of_points(outside, scene, limit.radius, limit.k, Progress());
   std::fill(is_kept.begin(), is_kept.end(), false);
   for (const std::uint32_t k : brightest(light, limit.share)) is_kept[index[k]] = true;

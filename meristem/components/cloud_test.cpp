@@ -57,5 +57,43 @@ TEST(Cloud, NeedsACrownAndABearableNumberOfPoints) {
   EXPECT_EQ(faults_of([] { cloud({{"crown", kBall}, {"points", 1e12}}); }).at(0).path, "components.dots.points");
 }
 
+// A block over the upper half of the ball.
+Scene half_blocked_scene() {
+  Scene scene;
+  Obstacle block;
+  block.mesh = box_mesh({-2, 2, -2}, {2, 4, 2});
+  scene.obstacles = Obstacles({block});
+  return scene;
+}
+
+TEST(Cloud, LeavesOutWhatObstaclesTake) {
+  const Plant plant = cloud({{"crown", kBall}, {"points", 400}}).grow(0, half_blocked_scene());
+  EXPECT_NEAR(static_cast<double>(plant.organs.size()), 200, 40);
+  for (const Organ& organ : plant.organs) EXPECT_LT(organ.frame.origin.y, 2);
+}
+
+TEST(Cloud, ShowsWhatIsTakenInItsOwnColour) {
+  const Plant plant = cloud({{"crown", kBall}, {"points", 400}, {"colour", "#808080"}, {"removed_colour", "#ff8080"}})
+                          .grow(0, half_blocked_scene());
+  EXPECT_EQ(plant.organs.size(), 400U);
+  for (const Organ& organ : plant.organs) {
+    const bool is_removed = organ.frame.origin.y >= 2;
+    EXPECT_EQ(organ.tint.x > 1.5F, is_removed);
+    EXPECT_NEAR(organ.tint.y, 1, 1e-5);
+  }
+}
+
+TEST(Cloud, LeavesOutTheDarkestShare) {
+  const auto lowest = [](double share) {
+    const Plant plant =
+        cloud({{"crown", kBall}, {"points", 400}, {"limit", Value::Object{{"share", share}, {"k", 1}}}}).grow();
+    EXPECT_NEAR(static_cast<double>(plant.organs.size()), 400 * (1 - share), 1);
+    float mean = 0;
+    for (const Organ& organ : plant.organs) mean += organ.frame.origin.y / static_cast<float>(plant.organs.size());
+    return mean;
+  };
+  EXPECT_GT(lowest(0.5), lowest(0) + 0.1F);
+}
+
 }  // namespace
 }  // namespace meristem

@@ -78,9 +78,9 @@ void check_colonize(const Colonize& tree, const Place& place, ParameterReader& r
 const ParameterTable& shade_form_table() {
   static const ParameterTable table =
       Table<ShadowForm>("a shadow form", "How shade falls.")
-          .number("voxel", &ShadowForm::voxel, {.unit = Unit::metre, .min = 0.001, .max = 1000},
+          .number("voxel", &ShadowForm::voxel, {.unit = Unit::metre, .min = 0.02, .max = 1000},
                   "Across a cell of shade; raised, coarser and farther reaching.")
-          .number("a", &ShadowForm::amount, {.min = 0, .max = 1000},
+          .number("a", &ShadowForm::amount, {.min = 0, .max = 5},
                   "Shade that a shoot as long as a cell casts in its own cell; 1 is darkness.")
           .number("b", &ShadowForm::base, {.min = 1, .max = 1000},
                   "By which shade is divided from cell to cell; raised, it fades sooner.")

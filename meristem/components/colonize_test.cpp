@@ -208,5 +208,42 @@ TEST(ColonizeComponent, RefusesRootsThatAreNone) {
   EXPECT_EQ(fault(with({{"roots", Value::List{Value(Value::List{0, 0})}}})).path, "components.tree.roots[0]");
 }
 
+Scene walled_scene() {
+  Scene scene;
+  Obstacle wall;
+  wall.mesh = box_mesh({-3, 0, 0.3}, {3, 3, 1});
+  scene.obstacles = Obstacles({wall});
+  scene.light.sun = sun_of_day(0.9, 126, 3);
+  return scene;
+}
+
+TEST(ColonizeComponent, EachPartOfItsLightChangesHowItGrows) {
+  const Scene scene = walled_scene();
+  const auto grown = [&](Value::Object light) {
+    return hash_of(tree(with({{"points", 300}, {"light", std::move(light)}})).grow(0, scene));
+  };
+  const auto plain = grown({});
+  EXPECT_EQ(plain, hash_of(tree(with({{"points", 300}})).grow(0, scene)));
+  EXPECT_NE(grown({{"shift", 0.3}}), plain);
+  EXPECT_NE(grown({{"drift", 0.3}}), plain);
+  EXPECT_NE(grown({{"limit", Value::Object{{"share", 0.3}}}}), plain);
+  EXPECT_NE(grown({{"shade", Value::Object{{"bears", 0.95}}}}), plain);
+  EXPECT_NE(grown({{"shift", 0.3}, {"hold_height", true}}), grown({{"shift", 0.3}}));
+  EXPECT_NE(grown({{"drift", 0.3}, {"sunlit_weight", 0.1}}), grown({{"drift", 0.3}}));
+  // The default step is 0.05 m.
+  EXPECT_EQ(grown({{"shift_m", 0.015}}), grown({{"shift", 0.3}}));
+}
+
+TEST(ColonizeComponent, ItsLightIsChecked) {
+  const auto path_of = [](Value::Object light) { return fault(with({{"light", std::move(light)}})).path; };
+  EXPECT_EQ(path_of({{"shift", 1.5}}), "components.tree.light.shift");
+  EXPECT_EQ(path_of({{"shift", 0.1}, {"shift_m", 0.1}}), "components.tree.light.shift_m");
+  EXPECT_EQ(path_of({{"drift", -1}}), "components.tree.light.drift");
+  EXPECT_EQ(path_of({{"limit", Value::Object{{"share", 1}}}}), "components.tree.light.limit.share");
+  EXPECT_EQ(path_of({{"limit", Value::Object{{"radius", 0}}}}), "components.tree.light.limit.radius");
+  EXPECT_EQ(path_of({{"shade", Value::Object{{"b", 0.5}}}}), "components.tree.light.shade.b");
+  EXPECT_EQ(path_of({{"shade", Value::Object{{"depth", 100}}}}), "components.tree.light.shade.depth");
+}
+
 }  // namespace
 }  // namespace meristem

@@ -36,6 +36,7 @@ struct Light {
   std::vector<FarLight> sky;              ///< patches of the dome, above the horizon
   std::vector<Lamp> lamps;
 
+  bool is_none() const { return sun.empty() && sky.empty() && lamps.empty(); }
   /// Calls `visit(LightRay)` for each light that shines on a place, in the order of the members.
   template <class Visit>
   void for_each_ray(Vec3 place, Visit visit) const {

@@ -122,6 +122,7 @@ void AttractionCloud::plant_points(Progress& progress) {
 
 /// Removes the share of each tree's points that lies in the deepest shade, also of other trees' points.
 void AttractionCloud::leave_out_darkest(const Progress& progress) {
+  if (scene_ == nullptr || scene_->light.is_none()) return;
   std::vector<Vec3> kept;
   std::vector<Vec3> world;
   std::optional<LightLimit> known;  // what `light` was counted for

@@ -13,6 +13,7 @@
 #include "meristem/components/camera.h"
 #include "meristem/document/grow.h"
 #include "meristem/output/camera.h"
+#include "meristem/output/hull_wires.h"
 #include "meristem/output/png.h"
 #include "meristem/output/still.h"
 #include "terminal.h"
@@ -30,6 +31,7 @@ struct RenderOptions {
   std::optional<int> samples;
   std::optional<int> turntable;  // pictures all around
   bool transparent = false;
+  bool hull = false;
 };
 
 /// A picture to make.
@@ -110,23 +112,41 @@ View chosen_view(const RenderOptions& options, const Document& document) {
   return view;
 }
 
+/// What has grown at one time. The camera frames the plants, whatever is drawn around them.
+struct Subject {
+  MeshScene plants;
+  std::optional<MeshScene> with_hulls;
+
+  const MeshScene& shown() const { return with_hulls ? *with_hulls : plants; }
+};
+
+Subject grow_subject(const Document& document, double time, bool hull, Progress& progress) {
+  GrownDocument grown = grow_document(document, progress, time);
+  Subject subject;
+  if (hull && !grown.meshes.meshes.empty()) {
+    subject.with_hulls = with_crown_hulls(grown.meshes, grown.plant, progress);
+  }
+  subject.plants = std::move(grown.meshes);
+  return subject;
+}
+
 /// Grows the document for each of the times and takes the pictures. The camera does not follow the plant's
 /// growth: it stands where it shows the last picture's plant as a whole.
 void take_pictures(const Document& document, const std::vector<Picture>& pictures, View view, const StillOptions& still,
-                   Progress& progress) {
+                   bool hull, Progress& progress) {
+  const double aspect = static_cast<double>(still.width) / still.height;
   double grown_time = pictures.back().time;
-  GrownDocument grown = grow_document(document, progress, grown_time);
-  const Vec3 middle = grown.meshes.bounds().centre();
-  if (pictures.front().time != grown_time) {
-    view = placed_view(grown.meshes, view, static_cast<double>(still.width) / still.height);
-  }
+  Subject subject = grow_subject(document, grown_time, hull, progress);
+  const Vec3 middle = subject.plants.bounds().centre();
+  if (pictures.front().time != grown_time) view = placed_view(subject.plants, view, aspect);
   for (const Picture& picture : pictures) {
     if (picture.time != grown_time) {
       grown_time = picture.time;
-      grown = grow_document(document, progress, grown_time);
+      subject = grow_subject(document, grown_time, hull, progress);
     }
-    const View turned_view = turned(view, middle, picture.turn);
-    write_png(render_still(grown.meshes, document.scene, turned_view, still, progress), picture.path);
+    View picture_view = turned(view, middle, picture.turn);
+    if (subject.with_hulls) picture_view = placed_view(subject.plants, picture_view, aspect);
+    write_png(render_still(subject.shown(), document.scene, picture_view, still, progress), picture.path);
   }
 }
 
@@ -143,7 +163,7 @@ void render(const RenderOptions& options) {
   const ThreadLimit threads(options.document.threads);
   {
     TerminalProgress terminal(options.document.quiet);
-    take_pictures(document, pictures, view, still, terminal.progress());
+    take_pictures(document, pictures, view, still, options.hull, terminal.progress());
   }
   if (!options.document.quiet) {
     const std::string written =
@@ -176,6 +196,8 @@ void add_render(CLI::App& app, Run& run) {
                    "Show the document at time T, its t, in seconds; FROM:TO:STEP writes a numbered picture for each")
       ->type_name("T|FROM:TO:STEP");
   command->add_flag("--transparent", options->transparent, "No sky and no ground, with an alpha channel");
+  command->add_flag("--hull", options->hull,
+                    "Draw the convex hull of each tree's crown as wires: what lit_share is measured of");
   command->footer("Example: meristem render models/oak.json -o oak.png --size 800x800 --samples 64");
   command->callback([options, &run] { run = [options] { render(*options); }; });
 }

@@ -288,6 +288,25 @@ class Output(Case):
         self.run_program("render", "rising.json", "-o", "last.png", "--time", "1", *size)
         self.assertEqual(frames[2], self.read("last.png"))
 
+    def test_hulls_surround_crowns_in_pictures(self):
+        size = ("--size", "24x24", "--samples", "1", "--view", "150,10")
+        self.run_program("render", "tree.json", "-o", "plain.png", *size)
+        self.run_program("render", "tree.json", "-o", "hull.png", "--hull", *size)
+        self.assertNotEqual(self.read("hull.png"), self.read("plain.png"))
+        # Where there is no crown, the picture is as it was.
+        for options in ([], ["--hull"]):
+            self.run_program("render", "box.json", "-o", f"box{len(options)}.png", *options, *size)
+        self.assertEqual(self.read("box1.png"), self.read("box0.png"))
+        # Each frame of a turntable has them, and time-lapses while there is a crown.
+        self.run_program("render", "tree.json", "-o", "turn.png", "--hull", "--turntable", "2", *size)
+        self.assertEqual(self.read("turn_000.png"), self.read("hull.png"))
+        self.write("growing.json", TREE.replace('"influence"', '"iterations": "4 + 99*t", "influence"'))
+        done = self.run_program("render", "growing.json", "-o", "grow.png", "--hull", "--time", "0:1:1", *size)
+        self.assertEqual(done.returncode, DONE, done.stderr)
+        self.run_program("render", "growing.json", "-o", "bare.png", "--time", "0:1:1", *size)
+        self.assertEqual(self.read("grow_000.png"), self.read("bare_000.png"))
+        self.assertNotEqual(self.read("grow_001.png"), self.read("bare_001.png"))
+
     def test_standard_input_that_is_a_socket(self):
         import socket
         ours, theirs = socket.socketpair()

@@ -6,18 +6,15 @@
 // 2020, chapter 5.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
-#include "meristem/grow/colonize/colonize.h"
 #include "meristem/measure/crown_light.h"
 #include "meristem/measure/tree_form.h"
-#include "meristem/scene/crown_points.h"
-#include "meristem/scene/profile_crown.h"
+#include "tests/support/evaluation_trees.h"
 
 namespace meristem {
 namespace {
@@ -52,20 +49,10 @@ double azimuth_of(DVec3 sum) {
 /// How far an azimuth is from another, degrees.
 double apart(double a, double b) { return std::abs(std::remainder(a - b, 360)); }
 
-Tree grow_tree(const Scene& scene, const LightResponse& light, std::uint64_t cloud, double scale) {
-  const ProfileCrown crown({{0, 0.4F}, {0.96F, 1.42F}, {1.6F, 2.61F}, {0, 3.8F}});
-  const ColonizeParameters parameters{.step = 0.02,
-                                      .influence = std::numeric_limits<double>::infinity(),
-                                      .kill = 0.08,
-                                      .light = light,
-                                      .finish = {.decimate = 0, .relax = false, .subdivide = 0}};
-  Progress progress;
-  std::vector<Vec3> points = sample_crown(crown, 900, RandomKey(cloud), progress);
-  for (Vec3& point : points) point *= static_cast<float>(scale);
-  Stand stand;
-  stand.add(make_colonizer(stand, {{Vec3(0), points}}, parameters, RandomKey(1), scene, Limits(), "tree"));
-  stand.grow(progress);
-  const Skeleton skeleton = std::move(stand.take_skeletons(progress)[0]);
+Tree grow_tree(const Scene& scene, const LightResponse& light, std::uint64_t number, double scale) {
+  std::vector<Vec3> cloud = evaluation_cloud(number);
+  for (Vec3& point : cloud) point *= static_cast<float>(scale);
+  const Skeleton skeleton = grow_evaluation_tree(cloud, scene, light);
   const TreeForm form = measure_form(skeleton, Children(skeleton));
   return {.lean = form.segment_sum,
           .centroid = form.node_sum / static_cast<double>(form.nodes),
@@ -95,23 +82,6 @@ Evaluation evaluate(const Scene& scene, const LightResponse& light, double scale
   return mean;
 }
 
-// The sun in the south, nothing else.
-Scene scene_a() {
-  Scene scene;
-  scene.light.sun = {{unit_vector({radians(180), radians(61)}), 1}};
-  return scene;
-}
-
-// A building in the south, and a day in May.
-Scene scene_b() {
-  Scene scene;
-  Obstacle building;
-  building.mesh = box_mesh({-3, 0, 3}, {3, 8, 6});
-  scene.obstacles = Obstacles({building});
-  scene.light.sun = sun_of_day(radians(51.51494), 126, 1);
-  return scene;
-}
-
 /// Shifts of 0, `step`, ... metres, 11 in all.
 std::vector<Evaluation> shifted(const Scene& scene) {
   std::vector<Evaluation> means;
@@ -139,7 +109,7 @@ double explained_by_a_line(const std::vector<Evaluation>& means, double Evaluati
 }
 
 TEST(LightGrowth, RootsOfTheWalledSceneAreInShadeAroundNoonOnly) {
-  const Scene scene = scene_b();
+  const Scene scene = evaluation_scene_b();
   ASSERT_EQ(scene.light.sun.size(), 15U);
   for (std::size_t k = 0; k < 15; ++k) {
     const bool is_noon = k >= 6 && k <= 8;  // 11, 12 and 13 h
@@ -148,7 +118,7 @@ TEST(LightGrowth, RootsOfTheWalledSceneAreInShadeAroundNoonOnly) {
 }
 
 TEST(LightGrowth, ShiftedCloudsLeanTowardAStillSun) {
-  const std::vector<Evaluation> means = shifted(scene_a());
+  const std::vector<Evaluation> means = shifted(evaluation_scene_a());
   EXPECT_GT(means[0].spread, 45);
   for (std::size_t k = 5; k <= 10; ++k) EXPECT_LT(apart(means[k].azimuth, 180), 6) << k;
   for (std::size_t k = 2; k <= 10; ++k) EXPECT_LT(means[k].altitude, means[k - 1].altitude) << k;
@@ -162,7 +132,7 @@ TEST(LightGrowth, ShiftedCloudsLeanTowardAStillSun) {
 }
 
 TEST(LightGrowth, ShiftedCloudsFleeABuildingUntilTheyRiseAboveItsShade) {
-  const std::vector<Evaluation> means = shifted(scene_b());
+  const std::vector<Evaluation> means = shifted(evaluation_scene_b());
   for (std::size_t k = 2; k <= 6; ++k) EXPECT_LT(apart(means[k].azimuth, 0), 30) << k;
   for (std::size_t k = 9; k <= 10; ++k) EXPECT_LT(apart(means[k].azimuth, 180), 20) << k;
   // Lowest among small shifts and highest where north and south are in balance.
@@ -192,7 +162,7 @@ TEST(LightGrowth, ShiftedCloudsOfTheRightSizeGainLightAtTheSameHeight) {
     double scale = 1;
     Evaluation mean;
     for (int k = 0; k < 3; ++k) {
-      mean = evaluate(scene_b(), {.shift = shift}, scale);
+      mean = evaluate(evaluation_scene_b(), {.shift = shift}, scale);
       scale *= 3.7 / mean.height;
     }
     EXPECT_NEAR(mean.height, 3.7, 0.05);
@@ -204,9 +174,9 @@ TEST(LightGrowth, ShiftedCloudsOfTheRightSizeGainLightAtTheSameHeight) {
 }
 
 TEST(LightGrowth, LimitedSpaceLightsMoreOfTheCrownAtTheSameHeight) {
-  const Evaluation plain = evaluate(scene_a(), {});
-  const Evaluation third = evaluate(scene_a(), {.limit = {.share = 0.36, .radius = 0.3, .k = 0.1}});
-  const Evaluation most = evaluate(scene_a(), {.limit = {.share = 0.6, .radius = 0.3, .k = 0.1}});
+  const Evaluation plain = evaluate(evaluation_scene_a(), {});
+  const Evaluation third = evaluate(evaluation_scene_a(), {.limit = {.share = 0.36, .radius = 0.3, .k = 0.1}});
+  const Evaluation most = evaluate(evaluation_scene_a(), {.limit = {.share = 0.6, .radius = 0.3, .k = 0.1}});
   EXPECT_GE(third.lit_share - plain.lit_share, 4);
   EXPECT_GE(most.lit_share - plain.lit_share, 8);
   EXPECT_NEAR(third.height, plain.height, 0.02 * plain.height);
@@ -214,8 +184,9 @@ TEST(LightGrowth, LimitedSpaceLightsMoreOfTheCrownAtTheSameHeight) {
 }
 
 TEST(LightGrowth, DriftingPointsOfHeldHeightGainTheDaysLightBesideABuilding) {
-  const Evaluation plain = evaluate(scene_b(), {});
-  const Evaluation drifting = evaluate(scene_b(), {.drift = 0.018, .sunlit_weight = 0.25, .hold_height = true});
+  const Evaluation plain = evaluate(evaluation_scene_b(), {});
+  const Evaluation drifting =
+      evaluate(evaluation_scene_b(), {.drift = 0.018, .sunlit_weight = 0.25, .hold_height = true});
   EXPECT_GE(drifting.lit_share - plain.lit_share, 6);
   EXPECT_NEAR(drifting.height, plain.height, 0.02 * plain.height);
 }

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// Growth in the light, with the trees of the published evaluation: 900 points, step 0.02 m, no influence limit.
+// `growth`: one tree on one thread, without and with response A (5 mm a step), under a still sun or a day's, in the
+// open or among ten balls of about a thousand triangles that stand before the sun. Times are of the processor.
+// Counters: nodes; `shaded`, the share of the cloud's light that the balls keep off; `to_open`, the median ratio of the
+// time among balls to that in the open, taken in turns; `to_open_a_node`, the same for each node. `evaluation`: ten
+// clouds, eleven shifts, two scenes, grown and measured. `cloud_light`: the light of each point of a cloud among the
+// others under 15 positions of the sun; `a_point_and_light` must not grow with the points.
+#include <algorithm>
+#include <cstdint>
+#include <ctime>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "meristem/base/parallel.h"
+#include "meristem/measure/crown_light.h"
+#include "meristem/measure/tree_form.h"
+#include "meristem/shape/primitives.h"
+#include "tests/support/evaluation_trees.h"
+
+namespace {
+
+using meristem::FarLight;
+using meristem::LightResponse;
+using meristem::Scene;
+using meristem::Skeleton;
+using meristem::Vec3;
+
+std::vector<FarLight> day_in_london() { return meristem::sun_of_day(meristem::radians(51.5), 126, 1); }
+
+/// A ball of about a thousand triangles.
+meristem::Obstacle ball(Vec3 centre, double radius) {
+  meristem::Obstacle obstacle;
+  const meristem::Mesh sphere = meristem::make_sphere(radius, 32);
+  for (const Vec3 position : sphere.positions) obstacle.mesh.positions.emplace_back(centre + position);
+  obstacle.mesh.triangles = sphere.triangles;
+  return obstacle;
+}
+
+/// Ten balls between the crown and the sun as it stands from 8 to 17 h; that of noon is before the still sun as well.
+meristem::Obstacles balls_before_the_sun() {
+  const Vec3 crown(0, 2.5F, 0);
+  const std::vector<FarLight> day = day_in_london();
+  std::vector<meristem::Obstacle> bodies;
+  for (std::size_t k = 3; k < 13; ++k) bodies.push_back(ball(crown + 6.0F * day[k].toward, 1.3));
+  return meristem::Obstacles(bodies);
+}
+
+/// The share of the light that comes to `cloud` in the open and that obstacles keep off.
+double shaded_share(const std::vector<Vec3>& cloud, const Scene& scene) {
+  double shaded = 0;
+  for (const Vec3 point : cloud) {
+    for (const FarLight& sun : scene.light.sun) {
+      if (scene.obstacles.first_hit(point, sun.toward, 1e9)) shaded += sun.strength;
+    }
+  }
+  return shaded / static_cast<double>(cloud.size());
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+void growth(benchmark::State& state) {
+  const meristem::ThreadLimit limit(1);
+  const LightResponse light{.shift = 0.001 * static_cast<double>(state.range(0))};
+  Scene open = meristem::evaluation_scene_a();
+  if (state.range(1) != 0) open.light.sun = day_in_london();
+  Scene among_balls = open;
+  if (state.range(2) != 0) among_balls.obstacles = balls_before_the_sun();
+  const std::vector<Vec3> cloud = meristem::evaluation_cloud(0);
+  std::vector<double> seconds;
+  std::vector<double> ratios;
+  std::size_t nodes = 0;
+  std::size_t open_nodes = 0;
+  for (auto _ : state) {
+    const double begin = processor_seconds();
+    nodes = meristem::grow_evaluation_tree(cloud, among_balls, light).node_count();
+    const double end = processor_seconds();
+    state.SetIterationTime(end - begin);
+    seconds.push_back(end - begin);
+    if (among_balls.obstacles.empty()) continue;
+    open_nodes = meristem::grow_evaluation_tree(cloud, open, light).node_count();
+    ratios.push_back((end - begin) / (processor_seconds() - end));
+  }
+  state.counters["nodes"] = static_cast<double>(nodes);
+  state.counters["median_ms"] = 1000 * median(seconds);
+  if (among_balls.obstacles.empty()) return;
+  state.counters["shaded"] = shaded_share(cloud, among_balls);
+  state.counters["to_open"] = median(ratios);
+  state.counters["to_open_a_node"] = median(ratios) * static_cast<double>(open_nodes) / static_cast<double>(nodes);
+}
+BENCHMARK(growth)
+    ->ArgNames({"shift_mm", "day", "balls"})
+    ->Args({0, 0, 0})
+    ->Args({0, 0, 10})
+    ->Args({5, 0, 0})
+    ->Args({5, 0, 10})
+    ->Args({5, 1, 0})
+    ->Args({5, 1, 10})
+    ->Unit(benchmark::kMillisecond)
+    ->MinTime(2)
+    ->UseManualTime();
+
+void evaluation(benchmark::State& state) {
+  constexpr std::size_t kClouds = 10;
+  constexpr std::size_t kShifts = 11;
+  const std::vector<Scene> scenes{meristem::evaluation_scene_a(), meristem::evaluation_scene_b()};
+  std::vector<meristem::TreeForm> forms(kClouds * kShifts * scenes.size());
+  std::vector<double> lit_shares(forms.size());
+  for (auto _ : state) {
+    meristem::parallel_for(forms.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const Scene& scene = scenes[k / (kClouds * kShifts)];
+        const LightResponse light{.shift = 0.001 * static_cast<double>(k / kClouds % kShifts)};
+        const Skeleton tree = meristem::grow_evaluation_tree(meristem::evaluation_cloud(k % kClouds), scene, light);
+        forms[k] = measure_form(tree, meristem::Children(tree));
+        lit_shares[k] = meristem::measure_crown_light(forms[k].crown_hull, scene).lit_share;
+      }
+    });
+  }
+  double nodes = 0;
+  double lit = 0;
+  for (const meristem::TreeForm& form : forms) nodes += static_cast<double>(form.nodes);
+  for (const double share : lit_shares) lit += share;
+  state.counters["trees"] = static_cast<double>(forms.size());
+  state.counters["nodes"] = nodes;
+  state.counters["lit_share"] = lit / static_cast<double>(forms.size());
+}
+BENCHMARK(evaluation)->Unit(benchmark::kSecond)->Iterations(1)->MeasureProcessCPUTime()->UseRealTime();
+
+void cloud_light(benchmark::State& state) {
+  const meristem::ThreadLimit limit(1);
+  const std::vector<Vec3> cloud = meristem::evaluation_cloud(0, static_cast<std::uint64_t>(state.range(0)));
+  Scene scene;
+  scene.light.sun = day_in_london();
+  const LightResponse response;
+  std::vector<double> light;
+  for (auto _ : state) {
+    light = light_of_points(cloud, scene, response.limit.radius, response.limit.k, meristem::Progress());
+  }
+  double sum = 0;
+  for (const double of_point : light) sum += of_point;
+  const auto rays = static_cast<double>(cloud.size() * scene.light.sun.size());
+  state.counters["mean_light"] = sum / static_cast<double>(light.size());
+  state.counters["a_point_and_light"] =
+      benchmark::Counter(rays, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(cloud_light)->ArgName("points")->Arg(2'400)->Arg(24'000)->Arg(240'000)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();

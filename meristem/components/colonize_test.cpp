@@ -227,7 +227,7 @@ TEST(ColonizeComponent, EachPartOfItsLightChangesHowItGrows) {
   EXPECT_NE(grown({{"shift", 0.3}}), plain);
   EXPECT_NE(grown({{"drift", 0.3}}), plain);
   EXPECT_NE(grown({{"limit", Value::Object{{"share", 0.3}}}}), plain);
-  EXPECT_NE(grown({{"shade", Value::Object{{"bears", 0.95}}}}), plain);
+  EXPECT_NE(grown({{"shade", Value::Object{{"bears", 0.95}, {"a", 1}}}}), plain);
   EXPECT_NE(grown({{"shift", 0.3}, {"hold_height", true}}), grown({{"shift", 0.3}}));
   EXPECT_NE(grown({{"drift", 0.3}, {"sunlit_weight", 0.1}}), grown({{"drift", 0.3}}));
   // The default step is 0.05 m.

@@ -3,7 +3,9 @@
 
 #include <vector>
 
+#include "meristem/base/frame.h"
 #include "meristem/base/mesh.h"
+#include "meristem/base/progress.h"
 #include "meristem/plant/plant.h"
 #include "meristem/shape/mesh_scene.h"
 

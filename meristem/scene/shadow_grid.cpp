@@ -43,7 +43,7 @@ void require(bool holds, const char* what) {
 
 void check(const ShadowForm& form) {
   require(form.voxel > 0 && std::isfinite(form.voxel), "ShadowForm::voxel is not above 0");
-  require(form.amount > 0 && form.amount <= kMostShade, "ShadowForm::amount is out of range");
+  require(form.amount >= 0 && form.amount <= kMostShade, "ShadowForm::amount is out of range");
   require(form.base >= 1 && std::isfinite(form.base), "ShadowForm::base is below 1");
   require(form.depth >= 0 && form.depth <= kDeepest, "ShadowForm::depth is out of range");
   require(form.reach >= 1 && form.reach <= kLongestReach, "ShadowForm::reach is out of range");

@@ -228,6 +228,15 @@ TEST(ShadowGrid, TakesMemoryForShadeAlone) {
   EXPECT_LE(one, 8U * 5000) << "at most eight bricks";
 }
 
+TEST(ShadowGrid, CastsNothingWithAnAmountOfZero) {
+  ShadowForm clear = form();
+  clear.amount = 0;
+  ShadowGrid grid(clear);
+  grid.add(voxel(0, 0, 0));
+  EXPECT_EQ(grid.shade(voxel(0, 0, 0)), 0);
+  EXPECT_TRUE(grid.empty());
+}
+
 TEST(ShadowGrid, RefusesWhatIsNoPlaceOrWeight) {
   ShadowGrid grid(form());
   const float nan = std::numeric_limits<float>::quiet_NaN();

@@ -57,35 +57,45 @@ void AttractionCloud::begin_round(Progress& progress) {
     member.pulls.clear();
     member.advances = 0;
   }
-  // Use points up, and sum up the others by node. Points that move do so in between: they pull from where they go to.
-  const auto is_used_up = [&](NodeIndex node, float distance2) {
-    return !is_first && distance2 <= trees_[nodes_[node].tree].kill2;
-  };
   if (still_) {
-    still_->sweep([&](Vec3 point, NodeIndex node, float distance2) {
-      const bool goes = is_used_up(node, distance2);
-      Member& member = trees_[nodes_[node].tree];
-      if (!goes && is_too_dark(member, point)) return true;
-      if (goes || node >= first_new) ++member.advances;
-      if (!goes) add_pull(node, point);
-      return !goes;
-    });
+    gather_still(first_new, !is_first);
   } else {
-    moving_->sweep([&](Vec3 point, NodeIndex node, float distance2) {
-      const bool goes = is_used_up(node, distance2);
-      Member& member = trees_[nodes_[node].tree];
-      if (goes) ++member.advances;
-      if (!goes && !is_too_dark(member, point)) member.now_closest2 = std::min(member.now_closest2, distance2);
-      return !goes;
-    });
-    for (Member& member : trees_) note_closeness(member);
-    motion_->move(*moving_, progress);
-    moving_->sweep([&](Vec3 point, NodeIndex node, float) {
-      if (!is_too_dark(trees_[nodes_[node].tree], point)) add_pull(node, point);
-      return true;
-    });
+    gather_moving(!is_first, progress);
   }
   hand_over_pulls();
+}
+
+bool AttractionCloud::is_used_up(NodeIndex node, float distance2) const {
+  return distance2 <= trees_[nodes_[node].tree].kill2;
+}
+
+/// Uses points up, and sums up the others by node.
+void AttractionCloud::gather_still(NodeIndex first_new, bool kills) {
+  still_->sweep([&](Vec3 point, NodeIndex node, float distance2) {
+    const bool goes = kills && is_used_up(node, distance2);
+    Member& member = trees_[nodes_[node].tree];
+    if (!goes && is_too_dark(member, point)) return true;
+    if (goes || node >= first_new) ++member.advances;
+    if (!goes) add_pull(node, point);
+    return !goes;
+  });
+}
+
+/// The same of points that move in between: they pull from where they go to.
+void AttractionCloud::gather_moving(bool kills, const Progress& progress) {
+  moving_->sweep([&](Vec3 point, NodeIndex node, float distance2) {
+    const bool goes = kills && is_used_up(node, distance2);
+    Member& member = trees_[nodes_[node].tree];
+    if (goes) ++member.advances;
+    if (!goes && !is_too_dark(member, point)) member.now_closest2 = std::min(member.now_closest2, distance2);
+    return !goes;
+  });
+  for (Member& member : trees_) note_closeness(member);
+  motion_->move(*moving_, progress);
+  moving_->sweep([&](Vec3 point, NodeIndex node, float) {
+    if (!is_too_dark(trees_[nodes_[node].tree], point)) add_pull(node, point);
+    return true;
+  });
 }
 
 /// A tree that follows a moving cloud gains on it, or uses points up; two points that ride along on both sides of a tip

@@ -92,6 +92,9 @@ class AttractionCloud : public Commons {
   void start_moving();
   bool is_too_dark(const Member& member, Vec3 point) const;
   void take_new_nodes(Progress& progress);
+  bool is_used_up(NodeIndex node, float distance2) const;
+  void gather_still(NodeIndex first_new, bool kills);
+  void gather_moving(bool kills, const Progress& progress);
   static void note_closeness(Member& member);
   void hand_over_pulls();
   void add_pull(std::uint32_t node, Vec3 point);

@@ -16,7 +16,7 @@ namespace meristem {
 namespace {
 
 constexpr int kCellsPerRadius = 6;
-constexpr int kBrickBits = 4;
+constexpr int kBrickBits = 3;
 constexpr int kBrickSide = 1 << kBrickBits;
 constexpr std::size_t kLightsAtOnce = 16;
 constexpr std::size_t kPointsPerBlock = 64;
@@ -31,7 +31,7 @@ class CellCounts {
 
   /// All within a disc whose rows reach `half_widths[|dy|]` cells to both sides of the middle.
   std::uint64_t in_disc(std::int64_t x, std::int64_t y, const HalfWidths& half_widths) const {
-    // It lies in four bricks at most.
+    // It lies in nine bricks at most.
     std::uint64_t count = 0;
     for (std::int64_t by = (y - kCellsPerRadius) >> kBrickBits; by <= (y + kCellsPerRadius) >> kBrickBits; ++by) {
       for (std::int64_t bx = (x - kCellsPerRadius) >> kBrickBits; bx <= (x + kCellsPerRadius) >> kBrickBits; ++bx) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/mat3x3.hpp>
@@ -22,6 +23,7 @@ namespace {
 constexpr NumberForm kCoordinate{.unit = Unit::metre, .min = -1e5, .max = 1e5};
 constexpr NumberForm kLength{.unit = Unit::metre, .min = 0, .max = 1e5, .above_min = true};
 constexpr std::size_t kMostShares = 100;
+constexpr double kFarthestPoint = 1e7;  // metres along an axis, as far as the coordinates of countries go
 
 /// The azimuth that a key of `profiles` says, in degrees.
 std::optional<double> azimuth_of(const std::string& key) {
@@ -175,15 +177,27 @@ std::vector<Vec3> points_of_file(const CrownPointer& crown, const PointsForm& fo
   const Frame frame = form.file_place.frame();
   const glm::dmat3 axes(frame.axes);
   const DVec3 origin(frame.origin);
+  const auto refuse = [&](std::string message, std::string expected) {
+    throw InputError(Diagnostic{.message = std::move(message),
+                                .expected = std::move(expected),
+                                .path = "components." + context.component + ".points.file"});
+  };
   std::vector<Vec3> points;
   for (const DVec3 position : *form.file) {
-    const Vec3 point(origin + axes * position);
-    if (crown == nullptr || crown->contains(point)) points.push_back(point);
+    const DVec3 placed = origin + axes * position;
+    const Vec3 point(placed);
+    if (crown != nullptr && !crown->contains(point)) continue;
+    const DVec3 away = glm::abs(placed);
+    if (!(std::max({away.x, away.y, away.z}) <= kFarthestPoint)) {
+      refuse(fmt::format("a point of '{}' comes to lie at ({:.4g}, {:.4g}, {:.4g})", form.file.path, placed.x, placed.y,
+                         placed.z),
+             fmt::format("coordinates within {:.0f} m; scale and translate them", kFarthestPoint));
+    }
+    points.push_back(point);
   }
   if (points.empty()) {
-    throw InputError(Diagnostic{.message = fmt::format("none of the points of '{}' lies in the crown", form.file.path),
-                                .expected = "points over the root; scale, turn or translate them",
-                                .path = "components." + context.component + ".points.file"});
+    refuse(fmt::format("none of the points of '{}' lies in the crown", form.file.path),
+           "points over the root; scale, turn or translate them");
   }
   return points;
 }

@@ -217,6 +217,14 @@ TEST_F(CrownFiles, ACrownCutsOffThePointsOutside) {
       "points over the root; scale, turn or translate them");
 }
 
+TEST_F(CrownFiles, PointsOutOfTheWorldAreRefusedUnlessACrownCutsThemOff) {
+  write("scans/far.xyz", "0 1 0\n3e38 3e38 3e38\n");
+  EXPECT_EQ(fault_here(R"("points": {"file": "scans/far.xyz"})"),
+            "d.json:2:20: components.tree.points.file: a point of 'scans/far.xyz' comes to lie at (3e+38, 3e+38, "
+            "3e+38); expected coordinates within 10000000 m; scale and translate them");
+  EXPECT_EQ(points_of(R"("points": {"file": "scans/far.xyz"}, "crown": {"box": [[-1, 0, -1], [1, 2, 1]]})").size(), 1U);
+}
+
 TEST_F(CrownFiles, AMeshIsACrown) {
   const Document document = read_here(R"("crown": {"mesh": "tetra.obj", "up": "z", "translate": [0, 1, 0]})");
   const auto& tree = *static_cast<const Colonize*>(document.graph.components[0].parameters.get());

@@ -106,7 +106,8 @@ const meristem::Scene kOpenScene;
 
 Skeleton grow(const std::vector<Vec3>& points) {
   meristem::Stand stand;
-  stand.add(make_colonizer(stand, {{Vec3(0), points}}, parameters(points.size()), kKey, kOpenScene, {}, "tree"));
+  stand.add(
+      make_colonizer(stand, {{Vec3(0), points}}, parameters(points.size()), kKey, kOpenScene, {}, "tree", Progress()));
   meristem::Progress progress;
   stand.grow(progress);
   return std::move(stand.take_skeletons(progress)[0]);

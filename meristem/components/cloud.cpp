@@ -11,13 +11,19 @@ namespace {
 constexpr int kDotSegments = 8;
 constexpr Vec3 kDotColour{0.06F, 0.16F, 0.55F};
 
+// The births of points, by which they are told apart once they are placed.
+constexpr float kKept = 0;
+constexpr float kRemoved = 1;
+
 /// Points that stay as they are: each is a root of its own. Points are placed where plants grow, one component after
 /// another, so that they report and can be cancelled as growth can.
 class PlacedPoints : public Grower {
  public:
-  explicit PlacedPoints(const std::vector<Vec3>& points) {
+  PlacedPoints(const std::vector<Vec3>& points, const std::vector<bool>& is_kept) {
     skeleton_.reserve(points.size());
-    for (const Vec3 point : points) skeleton_.add_node(kNoNode, point, 0);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      skeleton_.add_node(kNoNode, points[k], is_kept[k] ? kKept : kRemoved);
+    }
   }
 
   int step_limit() const override { return 0; }
@@ -28,41 +34,43 @@ class PlacedPoints : public Grower {
   Skeleton skeleton_;  // in the component's frame
 };
 
-std::unique_ptr<Grower> grow(const Cloud& cloud, const Site& site, const GrowContext& context) {
-  return std::make_unique<PlacedPoints>(make_points(cloud.crown, cloud.points, site.key.child("points"), context));
-}
-
 /// Which points neither obstacles nor the limit on light remove.
-std::vector<bool> kept_points(const std::vector<Vec3>& places, const Scene& scene, const LightLimit& limit) {
-  std::vector<bool> is_kept(places.size(), true);
+std::vector<bool> kept_points(const std::vector<Vec3>& places, const LightLimit& limit, const GrowContext& context) {
+  const std::vector<std::uint8_t> is_inside = inside_of(context.scene.obstacles, places, context.progress);
+  std::vector<bool> is_kept(places.size());
   std::vector<Vec3> outside;
   std::vector<std::size_t> index;
   for (std::size_t k = 0; k < places.size(); ++k) {
-    is_kept[k] = !scene.obstacles.contain(places[k]);
+    is_kept[k] = is_inside[k] == 0;
     if (!is_kept[k]) continue;
     outside.push_back(places[k]);
     index.push_back(k);
   }
-  if (!(limit.share > 0) || scene.light.is_none()) return is_kept;
-  const std::vector<double> light = light_of_points(outside, scene, limit.radius, limit.k, Progress());
+  if (!(limit.share > 0) || context.scene.light.is_none()) return is_kept;
+  const std::vector<double> light = light_of_points(outside, context.scene, limit.radius, limit.k, context.progress);
   std::fill(is_kept.begin(), is_kept.end(), false);
   for (const std::uint32_t k : brightest(light, limit.share)) is_kept[index[k]] = true;
   return is_kept;
 }
 
-void expand(const Cloud& cloud, const Site& site, Emitter& out) {
-  const std::vector<Vec3> points = out.take_grown().position;
+std::unique_ptr<Grower> grow(const Cloud& cloud, const Site& site, const GrowContext& context) {
+  const std::vector<Vec3> points = make_points(cloud.crown, cloud.points, site.key.child("points"), context);
   std::vector<Vec3> places;
   for (const Vec3 point : points) places.push_back(site.frame.point(point));
-  const std::vector<bool> is_kept = kept_points(places, out.scene(), cloud.limit);
+  return std::make_unique<PlacedPoints>(points, kept_points(places, cloud.limit, context));
+}
+
+void expand(const Cloud& cloud, const Site&, Emitter& out) {
+  const Skeleton points = out.take_grown();
   const Vec3 own = linear_from_srgb(cloud.colour.value_or(kDotColour));
   const Vec3 removed_tint = linear_from_srgb(cloud.removed_colour.value_or(kDotColour)) / glm::max(own, 1e-4F);
   Frame dot{.axes = Mat3(static_cast<float>(cloud.size))};
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    if (!is_kept[k] && !cloud.removed_colour) continue;
-    dot.origin = points[k];
+  for (NodeIndex k = 0; k < points.node_count(); ++k) {
+    const bool is_kept = points.birth[k] == kKept;
+    if (!is_kept && !cloud.removed_colour) continue;
+    dot.origin = points.position[k];
     out.organ(
-        dot, shape_key({}), [] { return make_sphere(0.5, kDotSegments); }, is_kept[k] ? Vec3(1) : removed_tint);
+        dot, shape_key({}), [] { return make_sphere(0.5, kDotSegments); }, is_kept ? Vec3(1) : removed_tint);
   }
 }
 

@@ -45,7 +45,7 @@ std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowC
   }
   if (shares) seedlings[0].points = points_at(tree, site.frame.origin, key, context);
   return make_colonizer(context.stand, std::move(seedlings), growth_of(tree), site.key.child("growth"), context.scene,
-                        context.limits, context.component);
+                        context.limits, context.component, context.progress);
 }
 
 void expand(const Colonize& tree, const Site& site, Emitter& out) {

@@ -2,7 +2,9 @@
 #include "meristem/grow/stand_shade.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "meristem/base/limits.h"
 #include "meristem/base/parallel.h"
 
 namespace meristem {
@@ -13,22 +15,31 @@ constexpr std::size_t kShootsPerCheck = 16;  // the deepest pyramids take a mill
 
 }  // namespace
 
-const ShadowGrid& StandShade::grid(const ShadowForm& form) {
+const ShadowGrid& StandShade::grid(const ShadowForm& form, std::uint64_t most_bytes, std::string path) {
   const auto found =
-      std::find_if(grids_.begin(), grids_.end(), [&](const ShadowGrid& grid) { return grid.form() == form; });
-  return found != grids_.end() ? *found : grids_.emplace_back(form);
+      std::find_if(grids_.begin(), grids_.end(), [&](const Felt& felt) { return felt.grid.form() == form; });
+  if (found != grids_.end()) return found->grid;
+  return grids_.emplace_back(Felt{ShadowGrid(form), most_bytes, std::move(path)}).grid;
 }
 
 void StandShade::begin_round(Progress& progress) {
   parallel_for(grids_.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      for (std::size_t s = 0; s < new_shoots_.size(); ++s) {
-        if (s % kShootsPerCheck == 0) progress.check();
-        grids_[k].add(new_shoots_[s].place, new_shoots_[s].length / grids_[k].form().voxel);
-      }
-    }
+    for (std::size_t k = begin; k < end; ++k) cast_new_shoots(grids_[k], progress);
   });
   new_shoots_.clear();
+}
+
+void StandShade::cast_new_shoots(Felt& felt, const Progress& progress) const {
+  for (std::size_t k = 0; k < new_shoots_.size(); ++k) {
+    if (k % kShootsPerCheck == 0) {
+      progress.check();
+      const std::size_t bytes = felt.grid.bytes();
+      if (bytes > felt.most_bytes) {
+        throw_limit("bytes of shade", static_cast<double>(bytes), felt.most_bytes, "mesh_bytes", felt.path);
+      }
+    }
+    felt.grid.add(new_shoots_[k].place, new_shoots_[k].length / felt.grid.form().voxel);
+  }
 }
 
 }  // namespace meristem

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <deque>
+#include <string>
 #include <vector>
 
 #include "meristem/grow/stand.h"
@@ -13,8 +15,9 @@ namespace meristem {
 /// the next one on. Growth models may each feel it in a grid of their own form; all plants cast on all grids.
 class StandShade : public Commons {
  public:
-  /// The grid of a form, the same one for equal forms; it stays where it is. To be called before the first round.
-  const ShadowGrid& grid(const ShadowForm& form);
+  /// The grid of a form, the same one for equal forms; it stays where it is. Growth throws InputError at `path`, a
+  /// document path, where the grid would take more than `most_bytes`. To be called before the first round.
+  const ShadowGrid& grid(const ShadowForm& form, std::uint64_t most_bytes, std::string path);
   /// Whether anything feels shade; if not, casting it is lost work.
   bool is_felt() const { return !grids_.empty(); }
 
@@ -28,7 +31,14 @@ class StandShade : public Commons {
     Vec3 place{0};
     double length = 0;
   };
-  std::deque<ShadowGrid> grids_;
+  struct Felt {
+    ShadowGrid grid;
+    std::uint64_t most_bytes = 0;
+    std::string path;
+  };
+  void cast_new_shoots(Felt& felt, const Progress& progress) const;
+
+  std::deque<Felt> grids_;
   std::vector<Shoot> new_shoots_;
 };
 

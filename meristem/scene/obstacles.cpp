@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "meristem/base/parallel.h"
 #include "meristem/scene/obstacle_tree.h"
 
 namespace meristem {
@@ -175,5 +176,17 @@ std::optional<Obstacles::Hit> Obstacles::first_hit(Vec3 origin, Vec3 direction, 
 }
 
 Vec3 Obstacles::ground_centroid(std::size_t obstacle) const { return content_->centroids[obstacle]; }
+
+std::vector<std::uint8_t> inside_of(const Obstacles& obstacles, std::span<const Vec3> places,
+                                    const Progress& progress) {
+  constexpr std::size_t kPlacesPerBlock = 256;
+  std::vector<std::uint8_t> is_inside(places.size());
+  if (obstacles.empty()) return is_inside;
+  parallel_for(places.size(), kPlacesPerBlock, [&](std::size_t begin, std::size_t end) {
+    progress.check();
+    for (std::size_t k = begin; k < end; ++k) is_inside[k] = obstacles.contain(places[k]) ? 1 : 0;
+  });
+  return is_inside;
+}
 
 }  // namespace meristem

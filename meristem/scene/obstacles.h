@@ -8,8 +8,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "meristem/base/progress.h"
 #include "meristem/base/vec.h"
 #include "meristem/scene/closed_mesh.h"
 
@@ -58,5 +60,8 @@ class Obstacles {
   struct Content;
   std::shared_ptr<const Content> content_;
 };
+
+/// For each of `places` whether it is inside an obstacle: 1 or 0. On all threads; throws Cancelled.
+std::vector<std::uint8_t> inside_of(const Obstacles& obstacles, std::span<const Vec3> places, const Progress& progress);
 
 }  // namespace meristem

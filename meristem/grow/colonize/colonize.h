@@ -55,10 +55,10 @@ struct Seedling {
 /// iterations at least 0.
 ///
 /// No node stands in one of the scene's obstacles and no segment passes through one; points inside them are left out.
-/// make_colonizer throws InputError where a root stands in one, or where they leave no points. `scene` must outlive the
-/// growth; it is the same for all plants of a stand.
+/// make_colonizer throws InputError where a root stands in one, or where they leave no points, and Cancelled. `scene`
+/// must outlive the growth; it is the same for all plants of a stand.
 std::unique_ptr<Grower> make_colonizer(Stand& stand, std::vector<Seedling> seedlings,
                                        const ColonizeParameters& parameters, RandomKey key, const Scene& scene,
-                                       const Limits& limits, std::string component);
+                                       const Limits& limits, std::string component, const Progress& progress);
 
 }  // namespace meristem

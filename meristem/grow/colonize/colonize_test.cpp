@@ -42,7 +42,8 @@ ColonizeParameters ball_parameters(std::uint64_t count) {
 
 Skeleton grow(std::vector<Vec3> points, const ColonizeParameters& parameters, Vec3 root = Vec3(0), Limits limits = {}) {
   Stand stand;
-  stand.add(make_colonizer(stand, {{root, std::move(points)}}, parameters, RandomKey(1), kOpenScene, limits, "tree"));
+  stand.add(make_colonizer(stand, {{root, std::move(points)}}, parameters, RandomKey(1), kOpenScene, limits, "tree",
+                           Progress()));
   Progress progress;
   stand.grow(progress);
   return stand.take_skeletons(progress)[0];
@@ -229,7 +230,7 @@ std::vector<Skeleton> two_neighbours() {
     std::vector<Vec3> points = ball(1000);
     for (Vec3& point : points) point = Vec3(x < 0 ? point.x + x : x - point.x, point.y, point.z);
     stand.add(make_colonizer(stand, {{Vec3(x, 0, 0), std::move(points)}}, ball_parameters(1000), RandomKey(1),
-                             kOpenScene, Limits(), "tree"));
+                             kOpenScene, Limits(), "tree", Progress()));
   }
   Progress progress;
   stand.grow(progress);
@@ -256,11 +257,11 @@ TEST(Colonize, ANeighbourFarAwayChangesNothing) {
   const Skeleton alone = grown_ball(1000);
   Stand stand;
   stand.add(make_colonizer(stand, {{Vec3(0), ball(1000)}}, ball_parameters(1000), RandomKey(1), kOpenScene, Limits(),
-                           "tree"));
+                           "tree", Progress()));
   std::vector<Vec3> points = ball(500);
   for (Vec3& point : points) point.x += 1000;
   stand.add(make_colonizer(stand, {{Vec3(1000, 0, 0), points}}, ball_parameters(500), RandomKey(2), kOpenScene,
-                           Limits(), "other"));
+                           Limits(), "other", Progress()));
   Progress progress;
   stand.grow(progress);
   const std::vector<Skeleton> trees = stand.take_skeletons(progress);
@@ -278,7 +279,7 @@ TEST(Colonize, SeveralRootsOfOneKindMakeOneForest) {
   }
   ColonizeParameters parameters = ball_parameters(300);
   parameters.finish = {.decimate = 2, .relax = true, .subdivide = 1};
-  stand.add(make_colonizer(stand, seedlings, parameters, RandomKey(1), kOpenScene, Limits(), "grove"));
+  stand.add(make_colonizer(stand, seedlings, parameters, RandomKey(1), kOpenScene, Limits(), "grove", Progress()));
   Progress progress;
   stand.grow(progress);
   const Skeleton forest = stand.take_skeletons(progress)[0];
@@ -293,7 +294,7 @@ TEST(Colonize, SeveralRootsOfOneKindMakeOneForest) {
 TEST(Colonize, ARootWithoutPointsOfItsOwnGrowsToTheNeighbours) {
   Stand stand;
   stand.add(make_colonizer(stand, {{Vec3(0), ball(1000)}, {Vec3(1, 0, 0), {}}}, ball_parameters(1000), RandomKey(1),
-                           kOpenScene, Limits(), "grove"));
+                           kOpenScene, Limits(), "grove", Progress()));
   Progress progress;
   stand.grow(progress);
   const Skeleton forest = stand.take_skeletons(progress)[0];
@@ -482,14 +483,14 @@ TEST(Colonize, CancelledByItsObserverStopsGrowing) {
   asked = &progress;
   Stand stand;
   stand.add(make_colonizer(stand, {{Vec3(0), ball(5000)}}, ball_parameters(5000), RandomKey(1), kOpenScene, Limits(),
-                           "tree"));
+                           "tree", Progress()));
   EXPECT_THROW(stand.grow(progress), Cancelled);
 }
 
 TEST(Colonize, RejectsBrokenContracts) {
   const auto make = [](ColonizeParameters parameters) {
     Stand stand;
-    make_colonizer(stand, {{Vec3(0), {}}}, parameters, RandomKey(1), kOpenScene, Limits(), "tree");
+    make_colonizer(stand, {{Vec3(0), {}}}, parameters, RandomKey(1), kOpenScene, Limits(), "tree", Progress());
   };
   EXPECT_THROW(make({.step = 0}), std::invalid_argument);
   EXPECT_THROW(make({.influence = -1}), std::invalid_argument);

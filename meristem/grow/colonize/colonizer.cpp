@@ -94,10 +94,12 @@ class Tree {
   bool grow_toward_cloud();
   bool grow_into_cloud(std::span<const Pull> pulls);
   std::optional<Vec3> place_child(const Pull& pull);
-  /// Whether no obstacle is at `to` or on the way there, both relative to the root.
+  /// Whether no obstacle is at `to` or on the way there, both relative to the root. A root may stand on one's surface.
   bool is_open(Vec3 from, Vec3 to) const {
     const Obstacles& obstacles = species_->scene.obstacles;
-    return obstacles.empty() || !(obstacles.cross(root_ + from, root_ + to) || obstacles.contain(root_ + to));
+    if (obstacles.empty()) return true;
+    const Vec3 begin = from == Vec3(0) ? 0.001F * to : from;
+    return !(obstacles.cross(root_ + begin, root_ + to) || obstacles.contain(root_ + to));
   }
   void add_node(NodeIndex parent, Vec3 position);
   void note_node(NodeIndex parent, Vec3 position);
@@ -207,13 +209,15 @@ void Tree::note_node(NodeIndex parent, Vec3 position) {
 class Colonizer : public Grower {
  public:
   Colonizer(Stand& stand, std::vector<Seedling> seedlings, const ColonizeParameters& parameters, RandomKey key,
-            const Scene& scene, const Limits& limits, std::string component)
+            const Scene& scene, const Limits& limits, std::string component, const Progress& progress)
       : species_{parameters, scene, limits, std::move(component)} {
-    leave_out_inner_points(seedlings);
+    leave_out_inner_points(seedlings, progress);
     // Shade comes first: what points pull depends on it.
     auto& shade = stand.commons<StandShade>();
     auto& cloud = stand.commons<AttractionCloud>();
-    if (const auto& response = species_.parameters.light.shade) species_.felt_shade = &shade.grid(form_of(*response));
+    if (const auto& response = species_.parameters.light.shade) {
+      species_.felt_shade = &shade.grid(form_of(*response), limits.mesh_bytes, species_.path("light.shade.voxel"));
+    }
     trees_.reserve(seedlings.size());
     for (std::size_t k = 0; k < seedlings.size(); ++k) {
       check_points(cloud.point_count() + seedlings[k].points.size());
@@ -238,7 +242,7 @@ class Colonizer : public Grower {
     throw_limit("attraction points", static_cast<double>(points), species_.limits.points, "points",
                 species_.path("points"));
   }
-  void leave_out_inner_points(std::vector<Seedling>& seedlings) const;
+  void leave_out_inner_points(std::vector<Seedling>& seedlings, const Progress& progress) const;
   Skeleton finish(Skeleton skeleton, Progress& progress) const;
 
   Species species_;
@@ -257,7 +261,7 @@ bool Colonizer::step(Progress& progress) {
 }
 
 /// Removes the points that lie in obstacles.
-void Colonizer::leave_out_inner_points(std::vector<Seedling>& seedlings) const {
+void Colonizer::leave_out_inner_points(std::vector<Seedling>& seedlings, const Progress& progress) const {
   const Obstacles& obstacles = species_.scene.obstacles;
   if (obstacles.empty()) return;
   for (Seedling& seedling : seedlings) {
@@ -268,7 +272,9 @@ void Colonizer::leave_out_inner_points(std::vector<Seedling>& seedlings) const {
                       "a place outside all of scene.obstacles");
     }
     if (seedling.points.empty()) continue;
-    std::erase_if(seedling.points, [&](Vec3 point) { return obstacles.contain(point); });
+    const std::vector<std::uint8_t> is_inner = inside_of(obstacles, seedling.points, progress);
+    std::size_t k = 0;
+    std::erase_if(seedling.points, [&](Vec3) { return is_inner[k++] != 0; });
     if (seedling.points.empty()) {
       species_.refuse("crown", "the crown lies wholly inside obstacles", "a crown that reaches out of scene.obstacles");
     }
@@ -318,9 +324,10 @@ Skeleton Colonizer::finish(Skeleton skeleton, Progress& progress) const {
 
 std::unique_ptr<Grower> make_colonizer(Stand& stand, std::vector<Seedling> seedlings,
                                        const ColonizeParameters& parameters, RandomKey key, const Scene& scene,
-                                       const Limits& limits, std::string component) {
+                                       const Limits& limits, std::string component, const Progress& progress) {
   check_parameters(parameters);
-  return std::make_unique<Colonizer>(stand, std::move(seedlings), parameters, key, scene, limits, std::move(component));
+  return std::make_unique<Colonizer>(stand, std::move(seedlings), parameters, key, scene, limits, std::move(component),
+                                     progress);
 }
 
 }  // namespace meristem

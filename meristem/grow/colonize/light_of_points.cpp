@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <tuple>
 #include <unordered_map>
 
 #include "meristem/base/frame.h"
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
+#include "meristem/base/random.h"
 #include "meristem/grow/colonize/light_response.h"
 
 namespace meristem {
@@ -20,6 +21,7 @@ constexpr int kBrickBits = 3;
 constexpr int kBrickSide = 1 << kBrickBits;
 constexpr std::size_t kLightsAtOnce = 16;
 constexpr std::size_t kPointsPerBlock = 64;
+constexpr std::uint32_t kPointsPerCheck = 1024;
 
 /// Of the rows of a disc, from its middle outward.
 using HalfWidths = std::array<int, kCellsPerRadius + 1>;
@@ -79,7 +81,8 @@ HalfWidths disc_half_widths() {
 }
 
 /// For each point how many others lie between it and a light far away toward `toward`, within `radius` to the side.
-std::vector<std::uint32_t> count_before(const std::vector<Vec3>& points, Vec3 toward, double radius) {
+std::vector<std::uint32_t> count_before(const std::vector<Vec3>& points, Vec3 toward, double radius,
+                                        const Progress& progress) {
   const auto half_widths = disc_half_widths();
   const Frame frame = frame_along(Vec3(0), toward, any_perpendicular(toward));
   const DVec3 right(frame.axes[0]);
@@ -100,11 +103,13 @@ std::vector<std::uint32_t> count_before(const std::vector<Vec3>& points, Vec3 to
                     static_cast<std::int64_t>(std::floor(glm::dot(offset, forward) * per_metre)),
                     static_cast<std::uint32_t>(seen.size())});
   }
+  progress.check();
   std::sort(seen.begin(), seen.end(),
             [](const Seen& a, const Seen& b) { return a.depth != b.depth ? a.depth > b.depth : a.point < b.point; });
   std::vector<std::uint32_t> counts(points.size());
   CellCounts cells;
   for (const Seen& one : seen) {
+    if (one.point % kPointsPerCheck == 0) progress.check();
     counts[one.point] = static_cast<std::uint32_t>(cells.in_disc(one.x, one.y, half_widths));
     cells.add(one.x, one.y);
   }
@@ -127,8 +132,7 @@ std::vector<double> light_of_points(const std::vector<Vec3>& points, const Scene
     const std::size_t count = std::min(kLightsAtOnce, far.size() - first);
     parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
-        progress.check();
-        before[f] = count_before(points, far[first + f].toward, radius);
+        before[f] = count_before(points, far[first + f].toward, radius, progress);
       }
     });
     parallel_for(points.size(), kPointsPerBlock, [&](std::size_t begin, std::size_t end) {
@@ -154,14 +158,24 @@ std::vector<double> light_of_points(const std::vector<Vec3>& points, const Scene
 }
 
 std::vector<std::uint32_t> brightest(std::span<const double> light, double share) {
-  std::vector<std::uint32_t> order(light.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return light[a] != light[b] ? light[a] < light[b] : a < b; });
+  struct Ranked {
+    double light;
+    std::uint64_t lot;
+    std::uint32_t point;
+  };
+  std::vector<Ranked> ranked;
+  for (const double one : light) {
+    const auto point = static_cast<std::uint32_t>(ranked.size());
+    ranked.push_back({one, RandomKey().child(point).bits(), point});
+  }
+  std::sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
+    return std::tie(a.light, a.lot, a.point) < std::tie(b.light, b.lot, b.point);
+  });
   const auto removed = static_cast<std::size_t>(std::floor(share * static_cast<double>(light.size())));
-  order.erase(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(std::min(removed, light.size())));
-  std::sort(order.begin(), order.end());
-  return order;
+  std::vector<std::uint32_t> left;
+  for (std::size_t k = removed; k < ranked.size(); ++k) left.push_back(ranked[k].point);
+  std::sort(left.begin(), left.end());
+  return left;
 }
 
 }  // namespace meristem

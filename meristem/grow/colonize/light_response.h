@@ -49,8 +49,8 @@ struct LightResponse {
 /// ground and at right angles to the light; their sum, weighted by strength. 0 where there is no light.
 DVec3 brighter_way(const Scene& scene, Vec3 place, double sunlit_weight);
 
-/// Which points are left, by rising index, when `share` (0 to 1) of all, rounded down, is removed, the darkest first; of
-/// equally dark ones the first.
+/// Which points are left, by rising index, when `share` (0 to 1) of all, rounded down, is removed, the darkest first;
+/// of equally dark ones the lot decides.
 std::vector<std::uint32_t> brightest(std::span<const double> light, double share);
 
 /// The light of each of `points` (world space), 0 to 1 without lamps: over the scene's lights, weighted by strength,

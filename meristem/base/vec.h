@@ -28,6 +28,10 @@ inline constexpr double kGoldenAngleDeg = 137.50776405003785;
 constexpr double radians(double degrees) { return degrees * (kPi / 180); }
 constexpr double degrees(double radians) { return radians * (180 / kPi); }
 
+/// The squared length, the horizontal parts first: so a turn about the vertical by a right angle changes no bit of it.
+inline float squared_length(Vec3 v) { return (v.x * v.x + v.z * v.z) + v.y * v.y; }
+inline double squared_length(DVec3 v) { return (v.x * v.x + v.z * v.z) + v.y * v.y; }
+
 /// Axis-aligned box, metres. Empty (low > high) until a point is added.
 struct Box {
   Vec3 low{std::numeric_limits<float>::infinity()};

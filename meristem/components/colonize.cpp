@@ -24,12 +24,9 @@ std::vector<Vec3> points_at(const Colonize& tree, Vec3 place, RandomKey key, con
 
 ColonizeParameters growth_of(const Colonize& tree) {
   ColonizeParameters growth = tree.growth;
+  growth.light = tree.light.response;
   growth.light.shift = tree.light.shift_m.value_or(tree.light.shift * growth.step);
   growth.light.drift = tree.light.drift * growth.step;
-  growth.light.sunlit_weight = tree.light.sunlit_weight;
-  growth.light.hold_height = tree.light.hold_height;
-  growth.light.limit = tree.light.limit;
-  growth.light.shade = tree.light.shade;
   return growth;
 }
 
@@ -97,6 +94,18 @@ const ParameterTable& shade_table() {
   return table;
 }
 
+const ParameterTable& response_table() {
+  static const ParameterTable table =
+      Table<LightResponse>("a light response", "How the tree answers to the light of the scene.")
+          .number("sunlit_weight", &LightResponse::sunlit_weight, {.min = 0, .max = 100},
+                  "How strongly nodes in the light feel it; those in the shade of obstacles do with strength 1.")
+          .boolean("hold_height", &LightResponse::hold_height, "Keeps the points' top at its height while they move.")
+          .object("limit", &LightResponse::limit, limit_table, "Leaves out the points that lie in the deepest shade.")
+          .object("shade", &LightResponse::shade, shade_table,
+                  "Lets the plants of the stand shade each other as they grow.");
+  return table;
+}
+
 const ParameterTable& light_table() {
   static const ParameterTable table =
       Table<LightForm>("a light response", "How the tree answers to the light of the scene.")
@@ -106,12 +115,7 @@ const ParameterTable& light_table() {
                   "The same in metres, in its stead.")
           .number("drift", &LightForm::drift, {.unit = Unit::step, .min = 0, .max = 1},
                   "By how much each point moves to where it gets brighter for the node that it pulls.")
-          .number("sunlit_weight", &LightForm::sunlit_weight, {.min = 0, .max = 100},
-                  "How strongly nodes in the light feel it; those in the shade of obstacles do with strength 1.")
-          .boolean("hold_height", &LightForm::hold_height, "Keeps the points' top at its height while they move.")
-          .object("limit", &LightForm::limit, limit_table, "Leaves out the points that lie in the deepest shade.")
-          .object("shade", &LightForm::shade, shade_table,
-                  "Lets the plants of the stand shade each other as they grow.")
+          .members(&LightForm::response, response_table())
           .never_with("shift", {"shift_m"});
   return table;
 }

@@ -11,15 +11,12 @@
 
 namespace meristem {
 
-/// How it answers to light; see LightResponse.
+/// How it answers to light, its moves in steps.
 struct LightForm {
-  double shift = 0;  ///< in steps
-  std::optional<double> shift_m;
-  double drift = 0;  ///< in steps
-  double sunlit_weight = 1;
-  bool hold_height = false;
-  LightLimit limit;
-  std::optional<ShadeResponse> shade;
+  double shift = 0;
+  std::optional<double> shift_m;  ///< metres, in its stead
+  double drift = 0;
+  LightResponse response;  ///< without both
 };
 
 /// A tree that grows into the attraction points of its crown, or several of them.

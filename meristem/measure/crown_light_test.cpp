@@ -175,7 +175,7 @@ Skeleton evaluation_tree(std::uint64_t seed) {
   Progress progress;
   Stand stand;
   std::vector<Vec3> points = sample_crown(crown, 900, RandomKey(seed), progress);
-  stand.add(make_colonizer(stand, {{Vec3(0), std::move(points)}}, parameters, RandomKey(1), scene, {}, "tree"));
+  stand.add(make_colonizer(stand, {{Vec3(0), std::move(points)}}, parameters, RandomKey(1), scene, {}, "tree", progress));
   stand.grow(progress);
   return stand.take_skeletons(progress)[0];
 }

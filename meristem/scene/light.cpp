@@ -25,7 +25,7 @@ Vec3 Light::mean_direction() const {
 
 LightRay Light::ray_to(const Lamp& lamp, Vec3 place) {
   const DVec3 way = DVec3(lamp.position) - DVec3(place);
-  const double distance = std::sqrt((way.x * way.x + way.z * way.z) + way.y * way.y);
+  const double distance = std::sqrt(squared_length(way));
   const double near = std::max(distance, kNearest);
   return {.toward = distance > 0 ? Vec3(way / distance) : kUp,
           .distance = distance,

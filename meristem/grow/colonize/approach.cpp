@@ -6,17 +6,11 @@
 #include <limits>
 
 namespace meristem {
-namespace {
-
-double length2(DVec3 vector) { return (vector.x * vector.x + vector.z * vector.z) + vector.y * vector.y; }
-
-}  // namespace
-
 std::optional<Vec3> nearest_of(std::span<const Vec3> points, Vec3 root) {
   std::optional<Vec3> nearest;
   double least2 = std::numeric_limits<double>::infinity();
   for (const Vec3 point : points) {
-    const double distance2 = length2(DVec3(point) - DVec3(root));
+    const double distance2 = squared_length(DVec3(point) - DVec3(root));
     if (distance2 >= least2) continue;
     least2 = distance2;
     nearest = point;
@@ -26,7 +20,7 @@ std::optional<Vec3> nearest_of(std::span<const Vec3> points, Vec3 root) {
 
 Approach plan_approach(Vec3 target, double step, double influence) {
   Approach approach;
-  approach.distance = std::sqrt(length2(target));
+  approach.distance = std::sqrt(squared_length(target));
   if (approach.distance > 0) approach.direction = DVec3(target) / approach.distance;
   if (approach.distance <= influence) return approach;
   const double steps = std::ceil((approach.distance - influence) / step);

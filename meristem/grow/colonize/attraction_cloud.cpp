@@ -213,9 +213,9 @@ void AttractionCloud::add_pull(std::uint32_t index, Vec3 point) {
   }
   // A point exactly on its node pulls nowhere.
   const DVec3 offset = DVec3(point) - DVec3(node.position);
-  const double length2 = (offset.x * offset.x + offset.z * offset.z) + offset.y * offset.y;
-  if (length2 == 0) return;
-  const double scale = 1 / std::sqrt(length2);
+  const double square = squared_length(offset);
+  if (square == 0) return;
+  const double scale = 1 / std::sqrt(square);
   Sum& sum = sums_[node.sum - 1];
   sum.x += in_units(offset.x * scale);
   sum.y += in_units(offset.y * scale);

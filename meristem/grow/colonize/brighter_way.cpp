@@ -6,13 +6,11 @@
 namespace meristem {
 namespace {
 
-double dot(DVec3 a, DVec3 b) { return (a.x * b.x + a.z * b.z) + a.y * b.y; }
-
 /// Away from an obstacle at right angles to the light; straight toward the light where that leaves nothing.
 DVec3 out_of_shade(DVec3 place, DVec3 centroid, DVec3 toward_light) {
   const DVec3 away = place - centroid;
-  const DVec3 across = away - toward_light * dot(away, toward_light);
-  const double length = std::sqrt(dot(across, across));
+  const DVec3 across = away - toward_light * glm::dot(away, toward_light);
+  const double length = std::sqrt(squared_length(across));
   return length > 1e-9 ? across / length : toward_light;
 }
 

@@ -12,8 +12,6 @@ namespace {
 constexpr std::size_t kNodesPerBlock = 16;
 constexpr std::size_t kPointsPerBlock = 1024;
 
-double length(DVec3 vector) { return std::sqrt((vector.x * vector.x + vector.z * vector.z) + vector.y * vector.y); }
-
 }  // namespace
 
 void CloudMotion::move(MovingPoints& points, const Progress& progress) {
@@ -69,7 +67,7 @@ std::vector<DVec3> CloudMotion::shifts(std::span<const Pulled> pulled) const {
   std::vector<DVec3> shifts(clouds_.size(), DVec3(0));
   for (const Pulled& one : pulled) shifts[one.cloud] += nodes_[one.node].brighter;
   for (std::size_t k = 0; k < shifts.size(); ++k) {
-    const double size = length(shifts[k]);
+    const double size = std::sqrt(squared_length(shifts[k]));
     shifts[k] = size > 1e-12 ? shifts[k] * (clouds_[k].response.shift / size) : DVec3(0);
   }
   return shifts;

@@ -9,7 +9,7 @@ namespace {
 constexpr double kVanishing = 1e-5;  // shorter sums are what rounding leaves of balanced points
 
 std::optional<DVec3> unit(DVec3 vector) {
-  const double length = std::sqrt((vector.x * vector.x + vector.z * vector.z) + vector.y * vector.y);
+  const double length = std::sqrt(squared_length(vector));
   if (!(length > kVanishing)) return std::nullopt;
   return vector / length;
 }

@@ -13,10 +13,7 @@ namespace {
 constexpr std::size_t kPointsPerBlock = 256;
 constexpr float kBelow = 0.999998F;  // what rounding may have taken from a distance or from several moves
 
-float squared_distance(Vec3 a, Vec3 b) {
-  const Vec3 offset = a - b;
-  return (offset.x * offset.x + offset.z * offset.z) + offset.y * offset.y;
-}
+float squared_distance(Vec3 a, Vec3 b) { return squared_length(a - b); }
 
 }  // namespace
 

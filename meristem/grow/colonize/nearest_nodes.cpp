@@ -223,8 +223,7 @@ std::optional<Vec3> NearestNodes::nearest_point(Vec3 place) const {
     }
     for (std::uint32_t k = begin_[node.index]; k < end_[node.index]; ++k) {
       const Vec3 point(x_[k], y_[k], z_[k]);
-      const Vec3 offset = point - place;
-      const float square = (offset.x * offset.x + offset.z * offset.z) + offset.y * offset.y;
+      const float square = squared_length(point - place);
       if (square < least2) {
         least2 = square;
         nearest = point;

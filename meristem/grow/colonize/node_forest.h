@@ -113,8 +113,7 @@ void NodeTree::visit(Vec3 place, float& within2, See see) const {
     }
     const std::uint32_t end = tree_.first_point(part.level, part.index + 1);
     for (std::uint32_t k = tree_.first_point(part.level, part.index); k < end; ++k) {
-      const Vec3 offset = place - nodes_[k].position;
-      const float square = (offset.x * offset.x + offset.z * offset.z) + offset.y * offset.y;
+      const float square = squared_length(place - nodes_[k].position);
       if (square <= within2) see(nodes_[k].number, square);
     }
   }

@@ -62,7 +62,7 @@ class PointTree {
 inline float distance2(const Box& box, Vec3 point) {
   // Clamping compiles to minima and maxima; a comparison with 0 would become a branch that nothing predicts.
   const Vec3 offset = point - glm::min(glm::max(point, box.low), box.high);
-  return (offset.x * offset.x + offset.z * offset.z) + offset.y * offset.y;
+  return squared_length(offset);
 }
 
 }  // namespace meristem

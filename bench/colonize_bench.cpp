@@ -105,10 +105,10 @@ void search_new_nodes_tree(const std::vector<Vec3>& nodes, NodeIndex first_new, 
 const meristem::Scene kOpenScene;
 
 Skeleton grow(const std::vector<Vec3>& points) {
+  meristem::Progress progress;
   meristem::Stand stand;
   stand.add(
-      make_colonizer(stand, {{Vec3(0), points}}, parameters(points.size()), kKey, kOpenScene, {}, "tree", Progress()));
-  meristem::Progress progress;
+      make_colonizer(stand, {{Vec3(0), points}}, parameters(points.size()), kKey, kOpenScene, {}, "tree", progress));
   stand.grow(progress);
   return std::move(stand.take_skeletons(progress)[0]);
 }

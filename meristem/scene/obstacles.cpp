@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "meristem/base/parallel.h"
+#include "meristem/scene/box_tree.h"
 #include "meristem/scene/obstacle_tree.h"
 
 namespace meristem {
@@ -27,10 +28,6 @@ Box box_around(const TriangleMesh& mesh) {
     }
   }
   return box;
-}
-
-bool holds(const Box& box, Vec3 place) {
-  return glm::all(glm::lessThanEqual(box.low, place)) && glm::all(glm::lessThanEqual(place, box.high));
 }
 
 bool overlap(const Box& a, const Box& b) {
@@ -93,8 +90,8 @@ class Inside {
 
   const Box& box() const { return box_; }
 
+  /// Of a place in its box.
   bool contains(Vec3 place) const {
-    if (!holds(box_, place)) return false;
     const DVec3 at(place);
     if (views_.size() == 1) return views_[0].contains(at);
     int votes = 0;
@@ -117,6 +114,7 @@ struct Obstacles::Content {
   std::vector<Inside> insides;
   std::vector<Vec3> centroids;
   Box bounds;
+  BoxTree boxes;
   std::unique_ptr<const ObstacleTree> tree;
 };
 
@@ -137,14 +135,17 @@ Obstacles::Obstacles(std::vector<Obstacle> bodies) {
   auto content = std::make_shared<Content>();
   content->bodies = std::move(bodies);
   std::vector<const TriangleMesh*> meshes;
+  std::vector<Box> boxes;
   for (const Obstacle& body : content->bodies) {
     check_mesh(body.mesh);
     meshes.push_back(&body.mesh);
     const Box box = content->insides.emplace_back(body).box();
+    boxes.push_back(box);
     content->bounds.add(box);
     const DVec3 centroid = box.is_empty() ? DVec3(0) : centroid_of(body, DVec3(box.centre()));
     content->centroids.emplace_back(centroid.x, 0, centroid.z);
   }
+  content->boxes = BoxTree(boxes);
   if (!meshes.empty()) content->tree = std::make_unique<const ObstacleTree>(meshes);
   content_ = std::move(content);
 }
@@ -153,9 +154,7 @@ const std::vector<Obstacle>& Obstacles::bodies() const { return content_->bodies
 Box Obstacles::bounds() const { return content_->bounds; }
 
 bool Obstacles::contain(Vec3 place) const {
-  if (!holds(content_->bounds, place)) return false;
-  return std::any_of(content_->insides.begin(), content_->insides.end(),
-                     [place](const Inside& inside) { return inside.contains(place); });
+  return content_->boxes.any_around(place, [&](std::uint32_t k) { return content_->insides[k].contains(place); });
 }
 
 bool Obstacles::cross(Vec3 from, Vec3 to) const {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/expression.h"
+#include "meristem/base/in_quotes.h"
 
 namespace meristem {
 
@@ -83,7 +84,7 @@ constexpr std::string_view kOperations[] = {"||", "&&", "==", "!=", "<=", ">=", 
 [[noreturn]] void throw_malformed_number(std::string_view text, std::size_t digits, std::size_t offset) {
   ExpressionFault fault;
   fault.offset = offset;
-  fault.message = fmt::format("{} is not a number", quoted(text));
+  fault.message = fmt::format("{} is not a number", in_quotes(text));
   fault.expected = "a number such as 1, .5 or 2e-3";
   const std::string_view suffix = text.substr(digits);
   const bool is_hexadecimal = text.starts_with("0x") || text.starts_with("0X");
@@ -94,12 +95,6 @@ constexpr std::string_view kOperations[] = {"||", "&&", "==", "!=", "<=", ">=", 
 }
 
 }  // namespace
-
-std::string quoted(std::string_view text) {
-  constexpr std::size_t kLongest = 40;
-  if (text.size() <= kLongest) return fmt::format("'{}'", text);
-  return fmt::format("'{}...'", text.substr(0, kLongest));
-}
 
 ExpressionToken ExpressionLexer::take(Kind kind, std::size_t bytes) {
   const ExpressionToken token{kind, position_, text_.substr(position_, bytes), 0};
@@ -125,7 +120,8 @@ ExpressionToken ExpressionLexer::number() {
   double value = 0;
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + length, value);
   if (error == std::errc::result_out_of_range) {
-    throw ExpressionError({position_, fmt::format("{} is too large or too near zero", quoted(rest.substr(0, length))),
+    throw ExpressionError({position_,
+                           fmt::format("{} is too large or too near zero", in_quotes(rest.substr(0, length))),
                            "a number below 1.8e308", ""});
   }
   if (glued > 0 || error != std::errc() || end != rest.data() + length) {

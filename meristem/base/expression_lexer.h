@@ -33,7 +33,4 @@ class ExpressionLexer {
   std::size_t position_ = 0;
 };
 
-/// `text` in quotes for a message, shortened where it is long.
-std::string quoted(std::string_view text);
-
 }  // namespace meristem

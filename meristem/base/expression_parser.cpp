@@ -15,6 +15,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/expression_functions.h"
 #include "meristem/base/expression_lexer.h"
+#include "meristem/base/in_quotes.h"
 
 namespace meristem {
 
@@ -128,7 +129,7 @@ void Parser::fail_unknown_name(const ExpressionToken& name) {
   std::string nearest = operator_for_word(name.text);
   if (nearest.empty()) nearest = nearest_name(name.text, values);
   if (nearest.empty()) nearest = nearest_name(name.text, builtin_names());
-  fail(name.offset, fmt::format("{} is not a known name", quoted(name.text)), "a variable or a constant",
+  fail(name.offset, fmt::format("{} is not a known name", in_quotes(name.text)), "a variable or a constant",
        std::move(nearest));
 }
 
@@ -136,8 +137,8 @@ void Parser::fail_unknown_function(const ExpressionToken& name) {
   std::vector<std::string> functions;
   for (const auto& function : expression_functions()) functions.push_back(function.name);
   const bool is_value = find_value(name.text).has_value();
-  fail(name.offset, fmt::format("{} is not a function", quoted(name.text)), is_value ? kOperatorExpected : "a function",
-       is_value ? "" : nearest_name(name.text, functions));
+  fail(name.offset, fmt::format("{} is not a function", in_quotes(name.text)),
+       is_value ? kOperatorExpected : "a function", is_value ? "" : nearest_name(name.text, functions));
 }
 
 void Parser::fail_unclosed(const ExpressionToken& opening, std::string_view expected) {
@@ -149,7 +150,7 @@ void Parser::fail_after_value(std::string_view expected) {
   if (token_.kind == Kind::operation && !token_.is("(") && !token_.is("!")) {
     fail(token_.offset, fmt::format("'{}' does not belong here", token_.text), expected);
   }
-  fail(token_.offset, fmt::format("{} follows a value without an operator", quoted(token_.text)), kOperatorExpected,
+  fail(token_.offset, fmt::format("{} follows a value without an operator", in_quotes(token_.text)), kOperatorExpected,
        operator_for_word(token_.text));
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/base/in_quotes.h"
 
 namespace meristem {
 
@@ -108,7 +109,7 @@ void GlbFile::check_extensions() const {
     if (!extension.is_string()) fail("extensionsRequired", "this is no name", "names of extensions");
     const auto& name = extension.get_ref<const std::string&>();
     if (!is_harmless(name)) {
-      fail("", fmt::format("the file cannot be read without the extension '{}'", name.substr(0, 60)),
+      fail("", fmt::format("the file cannot be read without the extension {}", in_quotes(name)),
            "a file without compression and instancing");
     }
   }

@@ -38,6 +38,7 @@ class SceneReader {
 
   TriangleMesh read() {
     const std::uint64_t index = glb_.whole(glb_.root(), "scene", "").value_or(0);
+    if (glb_.list(glb_.root(), "scenes", "").empty()) glb_.fail("", "the file has no scene", "a scene with the mesh");
     const Json& scene = glb_.element("scenes", index, "");
     add_nodes(scene, "nodes", fmt::format("scenes[{}]", index), glm::dmat4(1));
     while (!waiting_.empty()) {

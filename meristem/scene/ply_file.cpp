@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/base/in_quotes.h"
 #include "meristem/scene/text_scanner.h"
 
 namespace meristem {
@@ -122,7 +123,7 @@ class AsciiValues : public Values {
     if (word.empty()) return std::nullopt;
     const std::optional<double> value = parse_number(word);
     if (!value) {
-      Diagnostic diagnostic{.message = fmt::format("'{}' is not a number", word.substr(0, 40)), .expected = "a number"};
+      Diagnostic diagnostic{.message = fmt::format("{} is not a number", in_quotes(word)), .expected = "a number"};
       throw InputError(std::move(diagnostic));
     }
     return value;
@@ -213,7 +214,7 @@ void PlyFile::read_header() {
       if (elements_.empty()) header.fail("a property before any element", "an element first");
       elements_.back().properties.push_back(parse_property(header));
     } else if (!word.empty() && word != "comment" && word != "obj_info") {
-      header.fail(fmt::format("'{}' means nothing in a header", word.substr(0, 40)),
+      header.fail(fmt::format("{} means nothing in a header", in_quotes(word)),
                   fmt::format("one of {}", fmt::join(words, ", ")), nearest_name(word, words));
     }
   }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/base/in_quotes.h"
 #include "meristem/base/read_file.h"
 #include "meristem/scene/glb_mesh.h"
 #include "meristem/scene/ply_file.h"
@@ -61,7 +62,7 @@ class ObjReader {
       const std::optional<double> number = parse_number(word);
       if (word.empty()) text_.fail("the vertex has fewer than three coordinates", "v x y z");
       if (!number || !std::isfinite(*number)) {
-        text_.fail(fmt::format("'{}' is not a finite number", word.substr(0, 40)), "a coordinate");
+        text_.fail(fmt::format("{} is not a finite number", in_quotes(word)), "a coordinate");
       }
       position[k] = *number;
     }
@@ -83,7 +84,7 @@ class ObjReader {
     const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     if (parsed.ec != std::errc() || parsed.ptr != digits.data() + digits.size() || number == 0 ||
         number > static_cast<std::int64_t>(kMostVertices)) {
-      text_.fail(fmt::format("'{}' is no vertex", word.substr(0, 40)), "a number from 1, or from -1 down");
+      text_.fail(fmt::format("{} is no vertex", in_quotes(word)), "a number from 1, or from -1 down");
     }
     const auto count = static_cast<std::int64_t>(mesh_.positions.size());
     if (number < -count) text_.fail(fmt::format("there is no vertex {}", number), fmt::format("at least {}", -count));

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/base/in_quotes.h"
 #include "meristem/base/read_file.h"
 #include "meristem/scene/ply_file.h"
 #include "meristem/scene/text_scanner.h"
@@ -69,7 +70,7 @@ PointCloud parse_text(std::string_view bytes, const std::string& file, const Lim
       if (k > 0) word = text.word();
       if (word.empty() || is_comment(word)) text.fail(fmt::format("the line has no {}", axis), "three numbers x, y, z");
       const std::optional<double> number = parse_number(word);
-      if (!number) text.fail(fmt::format("'{}' is not a number", word.substr(0, 40)), fmt::format("{} (m)", axis));
+      if (!number) text.fail(fmt::format("{} is not a number", in_quotes(word)), fmt::format("{} (m)", axis));
       if (!std::isfinite(*number)) text.fail(fmt::format("{} is not a finite number", axis), "a number (m)");
       point[k] = *number;
     }

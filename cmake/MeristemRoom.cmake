@@ -50,7 +50,25 @@ function(meristem_room name)
   target_include_directories(${target} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${target} ${scope} ${ROOM_PUBLIC})
-  target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${ROOM_HEADERS})
+  # A source includes the header of its own name first (tests/architecture checks it), so that one compiles alone; the
+  # others are to be compiled by themselves where that is verified.
+  set(with_source ${ROOM_HEADERS})
+  set(without_source "")
+  foreach(header IN LISTS ROOM_HEADERS)
+    string(REGEX REPLACE "\\.h$" ".cpp" source ${header})
+    if(NOT source IN_LIST ROOM_SOURCES)
+      list(REMOVE_ITEM with_source ${header})
+      list(APPEND without_source ${header})
+    endif()
+  endforeach()
+  target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${with_source})
+  if(without_source)
+    target_sources(${target} ${scope} FILE_SET without_source TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}
+                   FILES ${without_source})
+    set_target_properties(${target} PROPERTIES INTERFACE_HEADER_SETS_TO_VERIFY without_source)
+  else()
+    set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS OFF)
+  endif()
   set_property(GLOBAL APPEND PROPERTY MERISTEM_ROOM_LIST meristem::${name})
   set_property(GLOBAL APPEND PROPERTY MERISTEM_EXPORTED_TARGETS ${target})
 

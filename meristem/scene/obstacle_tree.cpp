@@ -15,6 +15,7 @@
 #include <embree3/rtcore.h>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/scene/embree_device.h"
 #include "meristem/scene/watertight_ray.h"
 
 namespace meristem {
@@ -176,7 +177,7 @@ struct ObstacleTree::Tree {
   EmbreeOwner<RTCSceneTy> scene;
 
   explicit Tree(const std::vector<const TriangleMesh*>& bodies) : facets(bodies) {
-    device.reset(rtcNewDevice(nullptr));
+    device.reset(rtcNewDevice(kEmbreeDevice));
     if (device == nullptr) throw MachineError("obstacles: Embree could not be started");
     const auto keep_failure = [](void* self, RTCError, const char* reason) {
       static_cast<Tree*>(self)->failure = reason;

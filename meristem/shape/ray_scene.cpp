@@ -14,6 +14,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
+#include "meristem/scene/embree_device.h"
 #include "meristem/shape/alpha_mask.h"
 
 namespace meristem {
@@ -91,7 +92,7 @@ struct RayScene::Trees {
   std::string failure;
 
   explicit Trees(Progress& progress) {
-    device = rtcNewDevice(nullptr);
+    device = rtcNewDevice(kEmbreeDevice);
     if (device == nullptr) throw MachineError("tracing rays: Embree could not be started");
     const auto keep_failure = [](void* self, RTCError code, const char* reason) {
       if (code != RTC_ERROR_CANCELLED) static_cast<Trees*>(self)->failure = reason;

@@ -6,8 +6,9 @@ In:  the root of a source tree (by default this one).
 Out: one line a fault, `file:line: what is wrong`, and exit code 1; silence and 0 where there is none.
 
 A room includes and links only itself and the rooms before it. Nothing in the library includes the programs. A public
-header includes public headers only, and none of the heavy libraries, so that whoever includes it compiles fast. Every
-file of a room stands in one list of its CMakeLists.txt, so that no test is silently left out.
+header includes public headers only, and none of the heavy libraries, so that whoever includes it compiles fast. A
+source includes the header of its own name first, which shows that it compiles alone; the build checks the headers
+without a source. Every file of a room stands in one list of its CMakeLists.txt, so that no test is silently left out.
 """
 
 import re
@@ -91,6 +92,17 @@ def check_room_includes(root: Path, room: str, public: set[Path]) -> Iterator[Fa
                 yield Fault(path, include.line, wrong)
 
 
+def check_own_headers(root: Path, room: str) -> Iterator[Fault]:
+    for path in sources_below(root / "meristem" / room):
+        header = path.with_suffix(".h")
+        if path.suffix != ".cpp" or not header.exists():
+            continue
+        own = header.relative_to(root).as_posix()
+        first = next(includes_of(path), None)
+        if first is None or first.name != own:
+            yield Fault(path, first.line if first else 1, f'the first include is not "{own}"')
+
+
 def public_header_fault(root: Path, public: set[Path], include: Include) -> str | None:
     if include.name.startswith(HEAVY):
         return f"<{include.name}> is heavy and stays out of public headers"
@@ -137,6 +149,7 @@ def check(root: Path) -> list[Fault]:
     for room in ROOMS:
         faults += check_room_lists(root, room, lists[room])
         faults += check_room_includes(root, room, public)
+        faults += check_own_headers(root, room)
     return faults
 
 

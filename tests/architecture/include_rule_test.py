@@ -56,6 +56,11 @@ class IncludeRule(unittest.TestCase):
         self.write("meristem/plant/a.h", '#include "tests/support/check_mesh.h"\n')
         self.assert_only_fault("only tests include")
 
+    def test_a_source_includes_its_own_header_first(self) -> None:
+        self.write("meristem/plant/CMakeLists.txt", "meristem_room(plant HEADERS a.h SOURCES a.cpp)")
+        self.write("meristem/plant/a.cpp", '#include <vector>\n#include "meristem/plant/a.h"\n')
+        self.assert_only_fault("meristem/plant/a.cpp:1:", 'the first include is not "meristem/plant/a.h"')
+
     def test_includes_start_at_the_root(self) -> None:
         self.write("meristem/plant/a.h", '#include "skeleton.h"\n')
         self.assert_only_fault("from the root")

@@ -10,6 +10,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace meristem {
 
@@ -46,6 +47,10 @@ struct Box {
     high = glm::max(high, other.high);
   }
   bool is_empty() const { return !(low.x <= high.x); }
+  /// Whether a point is in it, its faces included.
+  bool holds(Vec3 point) const {
+    return glm::all(glm::lessThanEqual(low, point)) && glm::all(glm::lessThanEqual(point, high));
+  }
   Vec3 centre() const { return 0.5F * (low + high); }
   Vec3 size() const { return is_empty() ? Vec3(0) : high - low; }
 };

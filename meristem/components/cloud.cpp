@@ -2,6 +2,7 @@
 #include "meristem/components/cloud.h"
 
 #include "meristem/base/colour.h"
+#include "meristem/scene/light_of_points.h"
 #include "meristem/shape/primitives.h"
 
 namespace meristem {

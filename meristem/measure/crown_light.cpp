@@ -35,8 +35,8 @@ double unshaded_share(const SurfacePlaces& places, Vec3 toward, const Obstacles&
       const double along = (static_cast<double>(k) + first) / static_cast<double>(rays);
       const double across = fraction(start + static_cast<double>(k) * kGoldenStep);
       const Vec3 place = places.position(places.at(along, across));
-      const auto hit = obstacles.first_hit(place, toward, std::numeric_limits<double>::infinity());
-      if (!hit) ++unshaded[begin / kRaysPerBlock];
+      const bool is_shaded = obstacles.block(place, toward, std::numeric_limits<double>::infinity());
+      if (!is_shaded) ++unshaded[begin / kRaysPerBlock];
     }
   });
   const std::uint64_t sum = std::accumulate(unshaded.begin(), unshaded.end(), std::uint64_t{0});

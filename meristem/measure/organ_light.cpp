@@ -112,9 +112,8 @@ class Shade {
 
  private:
   bool is_blocked(Vec3 start, const LightRay& light) const {
-    if (plant_.is_blocked({start, light.toward}, static_cast<float>(light.distance))) return true;
-    const Obstacles& obstacles = scene_.obstacles;
-    return !obstacles.empty() && obstacles.first_hit(start, light.toward, light.distance).has_value();
+    return plant_.is_blocked({start, light.toward}, static_cast<float>(light.distance)) ||
+           scene_.obstacles.block(start, light.toward, light.distance);
   }
 
   const Scene& scene_;

@@ -16,8 +16,6 @@ Box common(const Box& a, const Box& b) {
   return meets ? shared : Box{};
 }
 
-bool holds(const Box& box, Vec3 point) { return glm::clamp(point, box.low, box.high) == point; }
-
 }  // namespace
 
 CombinedCrown::CombinedCrown(CombineKind kind, std::vector<CrownPointer> crowns)
@@ -35,7 +33,7 @@ CombinedCrown::CombinedCrown(CombineKind kind, std::vector<CrownPointer> crowns)
 }
 
 bool CombinedCrown::contains(Vec3 point) const {
-  const auto is_in = [&](std::size_t k) { return holds(boxes_[k], point) && crowns_[k]->contains(point); };
+  const auto is_in = [&](std::size_t k) { return boxes_[k].holds(point) && crowns_[k]->contains(point); };
   const bool in_first = is_in(0);
   if (in_first == (kind_ == CombineKind::unite)) return in_first;
   for (std::size_t k = 1; k < crowns_.size(); ++k) {

@@ -174,6 +174,10 @@ std::optional<Obstacles::Hit> Obstacles::first_hit(Vec3 origin, Vec3 direction, 
   return hit ? std::optional(Hit{hit->distance, hit->body}) : std::nullopt;
 }
 
+bool Obstacles::block(Vec3 origin, Vec3 direction, double within) const {
+  return !empty() && content_->tree->is_met(DVec3(origin), DVec3(direction), within);
+}
+
 Vec3 Obstacles::ground_centroid(std::size_t obstacle) const { return content_->centroids[obstacle]; }
 
 std::vector<std::uint8_t> inside_of(const Obstacles& obstacles, std::span<const Vec3> places,

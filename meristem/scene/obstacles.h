@@ -53,6 +53,8 @@ class Obstacles {
   /// The first surface on a ray, at most `within` metres away, which may be infinite; `direction` is a unit vector.
   /// What only touches an edge is met. At equal distances the obstacle with the lower index.
   std::optional<Hit> first_hit(Vec3 origin, Vec3 direction, double within) const;
+  /// Whether there is any, which costs less.
+  bool block(Vec3 origin, Vec3 direction, double within) const;
   /// The centroid of an obstacle's volume, of a broken one's surface, put down on the ground (y = 0).
   Vec3 ground_centroid(std::size_t obstacle) const;
 

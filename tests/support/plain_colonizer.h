@@ -21,11 +21,7 @@ struct PlainPoints {
   std::vector<float> distance2;    ///< squared, to it
 };
 
-/// The squared distance as growth computes it, to the bit.
-inline float plain_distance2(Vec3 a, Vec3 b) {
-  const Vec3 offset = a - b;
-  return (offset.x * offset.x + offset.z * offset.z) + offset.y * offset.y;
-}
+inline float plain_distance2(Vec3 a, Vec3 b) { return squared_length(a - b); }
 
 /// Space colonization in its plainest form: one tree from the origin, all points looked at in every step, no finishing.
 /// `find_nearest(nodes, first_new, points)` brings the points' nearest nodes up to date in any way it likes; nodes
@@ -69,7 +65,7 @@ Skeleton grow_plainly(const std::vector<Vec3>& cloud, const ColonizeParameters& 
       if (node == kNoNode || points.distance2[k] > influence * influence) continue;
       sums[node].any = true;
       const DVec3 offset = DVec3(points.position[k]) - DVec3(tree.position[node]);
-      const double length2 = (offset.x * offset.x + offset.z * offset.z) + offset.y * offset.y;
+      const double length2 = squared_length(offset);
       if (length2 == 0) continue;
       const double scale = 1 / std::sqrt(length2);
       sums[node].x += static_cast<std::int64_t>(offset.x * scale * kUnit);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "meristem/grow/colonize/approach.h"
+#include "meristem/scene/light_of_points.h"
 
 namespace meristem {
 namespace {

@@ -12,6 +12,7 @@
 #include "meristem/grow/colonize/moving_points.h"
 #include "meristem/grow/colonize/nearest_nodes.h"
 #include "meristem/grow/stand.h"
+#include "meristem/scene/scene.h"
 
 namespace meristem {
 

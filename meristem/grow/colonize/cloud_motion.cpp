@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "meristem/base/parallel.h"
+#include "meristem/scene/brighter_way.h"
 
 namespace meristem {
 namespace {

@@ -9,6 +9,7 @@
 #include "meristem/base/progress.h"
 #include "meristem/grow/colonize/light_response.h"
 #include "meristem/grow/colonize/moving_points.h"
+#include "meristem/scene/scene.h"
 
 namespace meristem {
 

@@ -17,6 +17,7 @@
 #include "meristem/grow/colonize/light_response.h"
 #include "meristem/grow/stand.h"
 #include "meristem/plant/pipe_radii.h"
+#include "meristem/scene/scene.h"
 
 namespace meristem {
 

@@ -12,9 +12,8 @@
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
 #include "meristem/plant/finish.h"
-#include "meristem/scene/crown_points.h"
-#include "meristem/scene/profile_crown.h"
 #include "tests/support/check_skeleton.h"
+#include "tests/support/evaluation_trees.h"
 
 namespace meristem {
 namespace {
@@ -55,14 +54,7 @@ Skeleton grown_ball(std::uint64_t count, Finish finish = kUnfinished) {
   return grow(ball(count), parameters);
 }
 
-// The evaluation tree of J. Jansen 2020, chapter 5, without light and without finishing.
-Skeleton evaluation_tree(std::uint64_t seed) {
-  const ProfileCrown crown({{0, 0.4F}, {0.96F, 1.42F}, {1.6F, 2.61F}, {0, 3.8F}});
-  const ColonizeParameters parameters{
-      .step = 0.02, .influence = std::numeric_limits<double>::infinity(), .kill = 0.08, .finish = kUnfinished};
-  Progress progress;
-  return grow(sample_crown(crown, 900, RandomKey(seed), progress), parameters);
-}
+Skeleton evaluation_tree(std::uint64_t seed) { return grow_evaluation_tree(evaluation_cloud(seed), kOpenScene, {}); }
 
 std::size_t count_inner(const Skeleton& skeleton) {
   const Children children(skeleton);

@@ -7,14 +7,8 @@
 // 2020, section 4.4, with the settled reading of its equations 4.19 to 4.24; response B is our own.
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <span>
-#include <vector>
 
-#include "meristem/base/progress.h"
-#include "meristem/base/vec.h"
-#include "meristem/scene/scene.h"
 #include "meristem/scene/shadow_grid.h"
 
 namespace meristem {
@@ -43,21 +37,5 @@ struct LightResponse {
 
   bool moves() const { return shift != 0 || drift != 0; }
 };
-
-/// Where it gets brighter from a place: for each of the scene's lights the unit vector toward it, times
-/// `sunlit_weight`, or, where an obstacle is in the way, the unit vector away from the obstacle's centroid on the
-/// ground and at right angles to the light; their sum, weighted by strength. 0 where there is no light.
-DVec3 brighter_way(const Scene& scene, Vec3 place, double sunlit_weight);
-
-/// Which points are left, by rising index, when `share` (0 to 1) of all, rounded down, is removed, the darkest first;
-/// of equally dark ones the lot decides.
-std::vector<std::uint32_t> brightest(std::span<const double> light, double share);
-
-/// The light of each of `points` (world space), 0 to 1 without lamps: over the scene's lights, weighted by strength,
-/// the mean of exp(-k c), 0 in the shade of obstacles, with c the number of other points between it and the light and
-/// within `radius` of that way. Points do not dim lamps. c is counted in cells of a sixth of the radius. Costs in
-/// proportion to points and lights; the same on any number of threads. Throws Cancelled.
-std::vector<double> light_of_points(const std::vector<Vec3>& points, const Scene& scene, double radius, double k,
-                                    const Progress& progress);
 
 }  // namespace meristem

@@ -26,16 +26,11 @@ MovingPoints random_points(std::size_t count) {
   return MovingPoints(std::move(points));
 }
 
-float squared_distance(Vec3 a, Vec3 b) {
-  const Vec3 offset = a - b;
-  return (offset.x * offset.x + offset.z * offset.z) + offset.y * offset.y;
-}
-
 NodeIndex nearest_by_force(Vec3 place, const std::vector<NewNode>& nodes) {
   NodeIndex nearest = kNoNode;
   float least = std::numeric_limits<float>::infinity();
   for (NodeIndex k = 0; k < nodes.size(); ++k) {
-    const float square = squared_distance(place, nodes[k].position);
+    const float square = squared_length(place - nodes[k].position);
     if (square >= least || square > nodes[k].influence * nodes[k].influence) continue;
     nearest = k;
     least = square;

@@ -14,8 +14,8 @@
 #include <span>
 #include <vector>
 
+#include "meristem/base/point_tree.h"
 #include "meristem/base/progress.h"
-#include "meristem/grow/colonize/point_tree.h"
 #include "meristem/plant/skeleton.h"
 
 namespace meristem {

@@ -43,8 +43,7 @@ std::vector<Assignment> brute_force(const std::vector<Vec3>& points, const std::
     float least = std::numeric_limits<float>::infinity();
     NodeIndex nearest = kNoNode;
     for (NodeIndex node = 0; node < nodes.size(); ++node) {
-      const Vec3 offset = p - nodes[node];
-      const float square = (offset.x * offset.x + offset.z * offset.z) + offset.y * offset.y;
+      const float square = squared_length(p - nodes[node]);
       if (square < least && square <= influence * influence) std::tie(least, nearest) = std::tie(square, node);
     }
     if (nearest != kNoNode) all.emplace_back(p.x, p.y, p.z, nearest);

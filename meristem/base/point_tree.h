@@ -10,7 +10,7 @@
 
 namespace meristem {
 
-/// A node with its number, as trees of nodes keep it.
+/// A place that keeps its number where places are ordered.
 struct NumberedPlace {
   Vec3 position{0};
   std::uint32_t number = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "meristem/grow/colonize/point_tree.h"
+#include "meristem/base/point_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +44,7 @@ void PointTree::build(std::vector<Point>& points, std::size_t leaf_points, const
   for (const Point& point : points) {
     const Vec3 position = position_of(point);
     if (!std::isfinite(position.x + position.y + position.z)) {
-      throw std::invalid_argument("attraction points must be finite");
+      throw std::invalid_argument("points must be finite");
     }
   }
   while (point_count_ >> leaf_level_ > leaf_points - 1) ++leaf_level_;

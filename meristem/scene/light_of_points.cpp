@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Points are seen along each light's direction: laid out in a plane at right angles to it, nearest to the light first,
 // each counts those that came before it and lie near, in a grid of counters.
+#include "meristem/scene/light_of_points.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +13,6 @@
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
-#include "meristem/grow/colonize/light_response.h"
 
 namespace meristem {
 namespace {
@@ -123,7 +124,7 @@ std::vector<double> light_of_points(const std::vector<Vec3>& points, const Scene
   std::vector<double> light(points.size());
   if (points.empty()) return light;
   const auto is_shaded = [&](Vec3 point, const LightRay& ray) {
-    return scene.obstacles.first_hit(point, ray.toward, ray.distance).has_value();
+    return scene.obstacles.block(point, ray.toward, ray.distance);
   };
   std::vector<FarLight> far = scene.light.sun;
   far.insert(far.end(), scene.light.sky.begin(), scene.light.sky.end());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cmath>
+#include "meristem/scene/brighter_way.h"
 
-#include "meristem/grow/colonize/light_response.h"
+#include <cmath>
 
 namespace meristem {
 namespace {

@@ -4,8 +4,11 @@
 // open or among ten balls of about a thousand triangles that stand before the sun. Times are of the processor.
 // Counters: nodes; `shaded`, the share of the cloud's light that the balls keep off; `to_open`, the median ratio of the
 // time among balls to that in the open, taken in turns; `to_open_a_node`, the same for each node. `evaluation`: ten
-// clouds, eleven shifts, two scenes, grown and measured. `cloud_light`: the light of each point of a cloud among the
-// others under 15 positions of the sun; `a_point_and_light` must not grow with the points.
+// clouds, eleven shifts, two scenes, grown and measured. `response_...`: means over ten clouds of what the evaluation
+// measures (degrees, metres, percent), in scene A or B: `shifted` by so many millimetres a step, `scaled` so that the
+// trees are 3.7 m high, with the darkest share left out (`limited`, percent), and `drifted` at a held height.
+// `cloud_light`: the light of each point of a cloud among the others under 15 positions of the sun; `a_point_and_light`
+// must not grow with the points.
 #include <algorithm>
 #include <cstdint>
 #include <ctime>
@@ -16,8 +19,9 @@
 #include "meristem/base/parallel.h"
 #include "meristem/measure/crown_light.h"
 #include "meristem/measure/tree_form.h"
+#include "meristem/scene/light_of_points.h"
 #include "meristem/shape/primitives.h"
-#include "tests/support/evaluation_trees.h"
+#include "tests/support/evaluation.h"
 
 namespace {
 
@@ -52,7 +56,7 @@ double shaded_share(const std::vector<Vec3>& cloud, const Scene& scene) {
   double shaded = 0;
   for (const Vec3 point : cloud) {
     for (const FarLight& sun : scene.light.sun) {
-      if (scene.obstacles.first_hit(point, sun.toward, 1e9)) shaded += sun.strength;
+      if (scene.obstacles.block(point, sun.toward, 1e9)) shaded += sun.strength;
     }
   }
   return shaded / static_cast<double>(cloud.size());
@@ -132,6 +136,73 @@ void evaluation(benchmark::State& state) {
   state.counters["lit_share"] = lit / static_cast<double>(forms.size());
 }
 BENCHMARK(evaluation)->Unit(benchmark::kSecond)->Iterations(1)->MeasureProcessCPUTime()->UseRealTime();
+
+Scene scene_of(const benchmark::State& state) {
+  return state.range(0) == 0 ? meristem::evaluation_scene_a() : meristem::evaluation_scene_b();
+}
+
+void show(benchmark::State& state, const meristem::Evaluation& mean) {
+  state.counters["azimuth"] = mean.azimuth;
+  state.counters["spread"] = mean.spread;
+  state.counters["altitude"] = mean.altitude;
+  state.counters["centroid_azimuth"] = mean.centroid_azimuth;
+  state.counters["centroid_radius"] = mean.centroid_radius;
+  state.counters["height"] = mean.height;
+  state.counters["lit_share"] = mean.lit_share;
+}
+
+void response_shifted(benchmark::State& state) {
+  meristem::Evaluation mean;
+  for (auto _ : state) mean = evaluate(scene_of(state), {.shift = 0.001 * static_cast<double>(state.range(1))});
+  show(state, mean);
+}
+BENCHMARK(response_shifted)
+    ->ArgNames({"scene", "mm"})
+    ->ArgsProduct({{0, 1}, benchmark::CreateDenseRange(0, 10, 1)})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1)
+    ->UseRealTime();
+
+void response_scaled(benchmark::State& state) {
+  meristem::Evaluation mean;
+  for (auto _ : state) {
+    mean = evaluate_at_height(scene_of(state), {.shift = 0.001 * static_cast<double>(state.range(1))}, 3.7);
+  }
+  show(state, mean);
+}
+BENCHMARK(response_scaled)
+    ->ArgNames({"scene", "mm"})
+    ->ArgsProduct({{1}, {0, 5, 10}})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1)
+    ->UseRealTime();
+
+void response_limited(benchmark::State& state) {
+  meristem::Evaluation mean;
+  const LightResponse light{.limit = {.share = 0.01 * static_cast<double>(state.range(1)), .radius = 0.3, .k = 0.1}};
+  for (auto _ : state) mean = evaluate(scene_of(state), light);
+  show(state, mean);
+}
+BENCHMARK(response_limited)
+    ->ArgNames({"scene", "percent"})
+    ->ArgsProduct({{0, 1}, {0, 24, 36, 60}})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1)
+    ->UseRealTime();
+
+void response_drifted(benchmark::State& state) {
+  meristem::Evaluation mean;
+  const LightResponse light{
+      .drift = 0.001 * static_cast<double>(state.range(1)), .sunlit_weight = 0.25, .hold_height = true};
+  for (auto _ : state) mean = evaluate(scene_of(state), light);
+  show(state, mean);
+}
+BENCHMARK(response_drifted)
+    ->ArgNames({"scene", "mm"})
+    ->ArgsProduct({{0, 1}, {0, 10, 18}})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1)
+    ->UseRealTime();
 
 void cloud_light(benchmark::State& state) {
   const meristem::ThreadLimit limit(1);

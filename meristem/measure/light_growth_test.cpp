@@ -10,77 +10,13 @@
 
 #include <gtest/gtest.h>
 
-#include "meristem/base/math.h"
-#include "meristem/base/parallel.h"
-#include "meristem/measure/crown_light.h"
-#include "meristem/measure/tree_form.h"
-#include "tests/support/evaluation_trees.h"
+#include "tests/support/evaluation.h"
 
 namespace meristem {
 namespace {
 
-constexpr std::size_t kClouds = 10;
-
-/// Means over ten clouds, azimuths in degrees and averaged on the circle.
-struct Evaluation {
-  double azimuth = 0;
-  double spread = 0;  ///< circular standard deviation of the azimuths
-  double altitude = 0;
-  double centroid_azimuth = 0;
-  double centroid_radius = 0;
-  double height = 0;
-  double lit_share = 0;  ///< percent
-};
-
-struct Tree {
-  DVec3 lean;
-  DVec3 centroid;
-  double height;
-  double lit_share;
-};
-
-double level(DVec3 vector) { return std::sqrt(vector.x * vector.x + vector.z * vector.z); }
-
-double azimuth_of(DVec3 sum) {
-  const double azimuth = degrees(math::atan2(sum.x, -sum.z));
-  return azimuth < 0 ? azimuth + 360 : azimuth;
-}
-
 /// How far an azimuth is from another, degrees.
 double apart(double a, double b) { return std::abs(std::remainder(a - b, 360)); }
-
-Tree grow_tree(const Scene& scene, const LightResponse& light, std::uint64_t number, double scale) {
-  std::vector<Vec3> cloud = evaluation_cloud(number);
-  for (Vec3& point : cloud) point *= static_cast<float>(scale);
-  const Skeleton skeleton = grow_evaluation_tree(cloud, scene, light);
-  const TreeForm form = measure_form(skeleton, Children(skeleton));
-  return {.lean = form.segment_sum,
-          .centroid = form.node_sum / static_cast<double>(form.nodes),
-          .height = form.height,
-          .lit_share = 100 * measure_crown_light(form.crown_hull, scene).lit_share};
-}
-
-Evaluation evaluate(const Scene& scene, const LightResponse& light, double scale = 1) {
-  std::vector<Tree> trees(kClouds);
-  parallel_for(kClouds, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) trees[k] = grow_tree(scene, light, k, scale);
-  });
-  Evaluation mean;
-  DVec3 leans(0);
-  DVec3 centroids(0);
-  for (const Tree& tree : trees) {
-    leans += DVec3(tree.lean.x, 0, tree.lean.z) / level(tree.lean);
-    centroids += tree.centroid;
-    mean.altitude += degrees(math::atan2(tree.lean.y, level(tree.lean))) / kClouds;
-    mean.centroid_radius += level(tree.centroid) / kClouds;
-    mean.height += tree.height / kClouds;
-    mean.lit_share += tree.lit_share / kClouds;
-  }
-  mean.azimuth = azimuth_of(leans);
-  mean.spread = degrees(std::sqrt(-2 * math::log(level(leans) / kClouds)));
-  mean.centroid_azimuth = azimuth_of(centroids);
-  return mean;
-}
 
 /// Shifts of 0, `step`, ... metres, 11 in all.
 std::vector<Evaluation> shifted(const Scene& scene) {
@@ -157,20 +93,12 @@ TEST(LightGrowth, ShiftedCloudsFleeABuildingUntilTheyRiseAboveItsShade) {
 }
 
 TEST(LightGrowth, ShiftedCloudsOfTheRightSizeGainLightAtTheSameHeight) {
-  // The cloud is scaled before growth so that the tree becomes 3.7 m high.
-  const auto at_height = [](double shift) {
-    double scale = 1;
-    Evaluation mean;
-    for (int k = 0; k < 3; ++k) {
-      mean = evaluate(evaluation_scene_b(), {.shift = shift}, scale);
-      scale *= 3.7 / mean.height;
-    }
-    EXPECT_NEAR(mean.height, 3.7, 0.05);
-    return mean.lit_share;
-  };
-  const double gain = at_height(0.005) - at_height(0);
-  EXPECT_GE(gain, 0.8);
-  EXPECT_LE(gain, 2.5);
+  const Evaluation still = evaluate_at_height(evaluation_scene_b(), {}, 3.7);
+  const Evaluation shifted = evaluate_at_height(evaluation_scene_b(), {.shift = 0.005}, 3.7);
+  EXPECT_NEAR(still.height, 3.7, 0.05);
+  EXPECT_NEAR(shifted.height, 3.7, 0.05);
+  EXPECT_GE(shifted.lit_share - still.lit_share, 0.8);
+  EXPECT_LE(shifted.lit_share - still.lit_share, 2.5);
 }
 
 TEST(LightGrowth, LimitedSpaceLightsMoreOfTheCrownAtTheSameHeight) {

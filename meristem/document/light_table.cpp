@@ -76,7 +76,7 @@ const ParameterTable& sun_table() {
                   "True solar time; the sun is highest at 12. Of a whole day or season, the hour of pictures.")
           .never_with("day", {"days"})
           .only_with("days", {"every_days"})
-          .never_with("azimuth", {"every_hours"})
+          .never_with("azimuth", {"every_hours", "hour"})
           .check(check_sun);
   return table;
 }

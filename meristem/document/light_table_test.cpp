@@ -201,6 +201,8 @@ const Rejection kRejections[] = {
      "'every_days'"},
     {"HoursOfAPlace", R"({"sun": {"azimuth": 0, "altitude": 9, "every_hours": 1}})",
      "39: scene.sun.every_hours: 'every_hours' has no meaning beside 'azimuth'; expected only one of them"},
+    {"HourOfAPlace", R"({"sun": {"azimuth": 0, "altitude": 9, "hour": 8}})",
+     "39: scene.sun.hour: 'hour' has no meaning beside 'azimuth'; expected only one of them"},
     {"SunAsNumber", R"({"sun": 3})",
      "9: scene.sun: a sun cannot be the number 3; expected an object with azimuth, altitude, day, days, every_days, "
      "every_hours, hour"},

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -195,6 +196,41 @@ TEST(ThreadLimit, EndsWithItsScope) {
     }
     EXPECT_EQ(thread_count(), 3);
   }
+  EXPECT_EQ(thread_count(), before);
+}
+
+TEST(ThreadLimit, BoundsLoopsWithinLoops) {
+  const ThreadLimit limit(2);
+  std::atomic<int> others = 0;
+  parallel_for(16, 1, [&](std::size_t, std::size_t) {
+    parallel_for(16, 1, [&](std::size_t, std::size_t) { others += thread_count() == 2 ? 0 : 1; });
+  });
+  EXPECT_EQ(others, 0);
+}
+
+TEST(ThreadLimit, IsOfOneThreadOnly) {
+  const int before = thread_count();
+  std::atomic<int> step = 0;
+  int within = 0;
+  int after = 0;
+  std::thread other([&] {
+    std::optional<ThreadLimit> limit(std::in_place, 3);
+    step = 1;
+    while (step != 2) std::this_thread::yield();
+    within = thread_count();
+    limit.reset();
+    after = thread_count();
+  });
+  while (step != 1) std::this_thread::yield();
+  {
+    // Made later and gone earlier than the other thread's.
+    const ThreadLimit limit(5);
+    EXPECT_EQ(thread_count(), 5);
+  }
+  step = 2;
+  other.join();
+  EXPECT_EQ(within, 3);
+  EXPECT_EQ(after, before);
   EXPECT_EQ(thread_count(), before);
 }
 

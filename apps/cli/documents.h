@@ -4,7 +4,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -29,17 +28,7 @@ struct DocumentOptions {
 /// warnings unless quiet.
 Document open_document(const DocumentOptions& options);
 
-/// Throws MachineError if a file cannot be written at `path`, so that this is known before the work and not after it,
-/// and InputError if it would take the place of one of the files that are read.
-void check_output(const std::string& path, std::span<const std::string> inputs);
-
-/// The document's file and those that it names.
-std::vector<std::string> input_files(const Document& document);
-
 /// The folder of shipped models: beside the program where it is installed, else the source tree's.
 std::string models_folder();
-/// The names of the shipped models (files without their ending), in alphabetical order.
-std::vector<std::string> model_names();
-std::string model_path(const std::string& name);
 
 }  // namespace meristem::cli

@@ -9,6 +9,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/measure/counts.h"
 #include "meristem/output/formats.h"
+#include "meristem/output/output_files.h"
 #include "terminal.h"
 
 namespace meristem::cli {
@@ -37,14 +38,7 @@ void grow(const GrowOptions& options) {
   const double time = checked_time(options.time);
   check_options(options, formats);
   const Document document = open_document(options.document);
-  const std::vector<std::string> inputs = input_files(document);
-  for (std::size_t k = 0; k < formats.size(); ++k) {
-    check_output(options.outputs[k], inputs);
-    if (formats[k]->companions == nullptr) continue;
-    for (const std::string& companion : formats[k]->companions(document, options.outputs[k])) {
-      check_output(companion, inputs);
-    }
-  }
+  for (const std::string& output : options.outputs) check_grown_output(document, output);
 
   const ThreadLimit threads(options.document.threads);
   std::string summary;

@@ -16,6 +16,7 @@
 #include "meristem/output/measure_report.h"
 #include "meristem/output/mtg_skeleton.h"
 #include "meristem/output/organ_csv.h"
+#include "meristem/output/output_files.h"
 #include "terminal.h"
 
 namespace meristem::cli {

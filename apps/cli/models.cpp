@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "documents.h"
 #include "meristem/document/json.h"
+#include "meristem/document/models.h"
 
 namespace meristem::cli {
 
@@ -15,11 +16,12 @@ std::string text_member(const Value& document, const char* name) {
 }
 
 void list_models(bool paths) {
-  for (const std::string& name : model_names()) {
+  const std::string folder = models_folder();
+  for (const std::string& name : model_names(folder)) {
     if (paths) {
-      fmt::print("{}\n", model_path(name));
+      fmt::print("{}\n", model_path(folder, name));
     } else {
-      const Value document = parse_json(read_text_file(model_path(name)));
+      const Value document = parse_json(read_text_file(model_path(folder, name)));
       fmt::print("{:<16} {}\n", name, text_member(document, "description"));
     }
   }

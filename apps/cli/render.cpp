@@ -14,6 +14,7 @@
 #include "meristem/document/grow.h"
 #include "meristem/output/camera.h"
 #include "meristem/output/hull_wires.h"
+#include "meristem/output/output_files.h"
 #include "meristem/output/png.h"
 #include "meristem/output/still.h"
 #include "terminal.h"

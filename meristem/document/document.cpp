@@ -364,7 +364,8 @@ Document read_document(std::string text, const std::string& file, const Registry
   std::vector<Diagnostic> diagnostics;
   const std::string folder = std::filesystem::path(file).parent_path().string();
   try {
-    Value root = parse_json(document.source.text);
+    Value& root = document.source.tree;
+    root = parse_json(document.source.text);
     if (root.object() != nullptr) apply_overrides(root, overrides, document.source, diagnostics);
     if (diagnostics.empty()) diagnostics = DocumentReader(root, registry, folder).run(document, seed);
   } catch (const InputError& error) {

@@ -43,6 +43,7 @@ struct Override {
 struct Source {
   std::string file;  ///< its name in messages
   std::string text;
+  Value tree;                               ///< what the text says, with the values that overrides have set
   std::vector<std::string> named_files;     ///< paths of the files that were read with it
   std::vector<std::string> overridden;      ///< document paths that an override has set
   std::vector<std::string> override_paths;  ///< the same, as the user wrote them

@@ -168,7 +168,7 @@ class Documents(Case):
             self.assertIn("Permission denied", self.assert_ends(FAILED, "check", "secret.json"))
 
     def test_unknown_model_names_the_nearest(self):
-        self.assertIn("no shipped model 'oka'; expected a document, or a name that 'meristem models' lists; did you mean "
+        self.assertIn("no shipped model 'oka'; expected a document, or the name of a shipped model; did you mean "
                       "'oak'?", self.assert_ends(WRONG_INPUT, "check", "oka"))
 
     def test_model_goes_before_a_folder_of_its_name(self):

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/document/models.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "meristem/base/diagnostic.h"
+
+namespace meristem {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> model_names(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string model_path(const std::string& folder, const std::string& name) {
+  return (fs::path(folder) / (name + ".json")).string();
+}
+
+std::string find_document(const std::string& path, const std::string& folder) {
+  std::error_code ignored;
+  const bool is_plain_name = path.find_first_of("./") == std::string::npos;
+  if (!is_plain_name || (fs::exists(path, ignored) && !fs::is_directory(path, ignored))) return path;
+  const std::vector<std::string> names = model_names(folder);
+  if (std::find(names.begin(), names.end(), path) != names.end()) return model_path(folder, path);
+  throw InputError(Diagnostic{.message = fmt::format("there is no file and no shipped model '{}'", path),
+                              .expected = "a document, or the name of a shipped model",
+                              .nearest = nearest_name(path, names)});
+}
+
+}  // namespace meristem

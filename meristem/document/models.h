@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// The documents that are shipped, which users name without path and ending. Each door knows their folder.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace meristem {
+
+/// The names of a folder's documents (files without `.json`), in alphabetical order; none if it cannot be read.
+std::vector<std::string> model_names(const std::string& folder);
+std::string model_path(const std::string& folder, const std::string& name);
+
+/// The file that a user means by `path`: that file, or the model of this name, after which a file of the same name goes
+/// first. Throws InputError with the nearest model where a plain name is neither; other paths come back as they are.
+std::string find_document(const std::string& path, const std::string& folder);
+
+}  // namespace meristem

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "call.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <thread>
+
+#include "meristem/base/parallel.h"
+
+namespace meristem::python {
+
+namespace {
+
+constexpr auto kSignalPause = std::chrono::milliseconds(20);
+
+/// A body on its own thread, and whether it has ended.
+class Worker {
+ public:
+  explicit Worker(std::function<void()> body) : thread_([this, body = std::move(body)] { run(body); }) {}
+
+  /// Waits a while; true once the body has ended.
+  bool has_ended_within(std::chrono::milliseconds pause) {
+    std::unique_lock lock(mutex_);
+    return ended_.wait_for(lock, pause, [this] { return has_ended_; });
+  }
+  std::exception_ptr join() {
+    thread_.join();
+    return error_;
+  }
+
+ private:
+  void run(const std::function<void()>& body) {
+    try {
+      body();
+    } catch (...) {
+      error_ = std::current_exception();
+    }
+    const std::lock_guard lock(mutex_);
+    has_ended_ = true;
+    ended_.notify_one();
+  }
+
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool has_ended_ = false;
+  std::exception_ptr error_;
+  std::thread thread_;  // last: it uses the others
+};
+
+}  // namespace
+
+Watch::Watch(py::object callback) : callback_(std::move(callback)) {}
+Watch::~Watch() = default;
+
+void Watch::cancel() noexcept {
+  const std::lock_guard lock(mutex_);
+  cancelled_ = true;
+  if (running_ != nullptr) running_->cancel();
+}
+
+std::string Watch::stage() const {
+  const std::lock_guard lock(mutex_);
+  return stage_;
+}
+
+double Watch::fraction() const {
+  const std::lock_guard lock(mutex_);
+  return fraction_;
+}
+
+void Watch::tell(std::string_view stage, double fraction) {
+  {
+    const std::lock_guard lock(mutex_);
+    stage_ = stage;
+    fraction_ = fraction;
+    if (callback_error_) return;
+  }
+  if (callback_.is_none()) return;
+  const py::gil_scoped_acquire gil;
+  try {
+    callback_(py::str(stage.data(), stage.size()), fraction);
+  } catch (py::error_already_set& error) {
+    const std::lock_guard lock(mutex_);
+    callback_error_ = std::make_unique<py::error_already_set>(std::move(error));
+    if (running_ != nullptr) running_->cancel();
+  }
+}
+
+void Watch::run(int threads, const std::function<void(Progress&)>& body) {
+  if (threads < 0 || threads > 1024) throw py::value_error("threads must be 0 (all cores) to 1024");
+  Progress progress([this](std::string_view stage, double fraction) { tell(stage, fraction); });
+  {
+    const std::lock_guard lock(mutex_);
+    if (running_ != nullptr) throw py::value_error("this Progress watches another call; make one for each call");
+    running_ = &progress;
+    if (cancelled_) progress.cancel();
+  }
+  std::unique_ptr<py::error_already_set> signal_error;
+  std::exception_ptr body_error;
+  {
+    const py::gil_scoped_release no_gil;
+    Worker worker([&] {
+      const ThreadLimit limit(threads);
+      progress.check();
+      body(progress);
+    });
+    while (!worker.has_ended_within(kSignalPause)) {
+      const py::gil_scoped_acquire gil;
+      if (signal_error || PyErr_CheckSignals() == 0) continue;
+      signal_error = std::make_unique<py::error_already_set>();
+      progress.cancel();
+    }
+    body_error = worker.join();
+    const std::lock_guard lock(mutex_);
+    running_ = nullptr;
+  }
+  const std::unique_ptr<py::error_already_set> callback_error = std::move(callback_error_);
+  if (signal_error) throw std::move(*signal_error);
+  if (callback_error) throw std::move(*callback_error);
+  if (body_error) std::rethrow_exception(body_error);
+}
+
+std::shared_ptr<Watch> watch_of(const py::object& progress) {
+  if (py::isinstance<Watch>(progress)) return progress.cast<std::shared_ptr<Watch>>();
+  if (!progress.is_none() && PyCallable_Check(progress.ptr()) == 0) {
+    throw py::type_error("progress must be a Progress, something to call with stage and fraction, or None");
+  }
+  return std::make_shared<Watch>(progress);
+}
+
+void bind_progress(py::module_& module) {
+  py::class_<Watch, std::shared_ptr<Watch>>(module, "Progress", R"(Watches a long call and cancels it.
+
+Give it to one call at a time. `callback`, if given, is called with the stage (a str) and its done share in [0, 1],
+whenever that has grown by a hundredth, from other threads than the caller's; what it raises cancels the call and is
+raised from it.)")
+      .def(py::init<py::object>(), py::arg("callback") = py::none())
+      .def("cancel", &Watch::cancel,
+           "Has the call raise Cancelled within 50 ms; further calls with this Progress as well. From any thread.")
+      .def_property_readonly("cancelled", &Watch::is_cancelled, "Whether cancel() was called.")
+      .def_property_readonly("stage", &Watch::stage, "What the call is doing, such as 'growing'.")
+      .def_property_readonly("fraction", &Watch::fraction, "The stage's done share, 0 to 1.");
+}
+
+}  // namespace meristem::python

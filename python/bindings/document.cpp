@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "document.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "call.h"
+#include "errors.h"
+#include "meristem/base/atomic_file.h"
+#include "meristem/components/registry.h"
+#include "meristem/document/json.h"
+#include "meristem/document/models.h"
+#include "meristem/document/schema.h"
+#include "values.h"
+
+namespace meristem::python {
+
+namespace {
+
+namespace fs = std::filesystem;
+using DocumentPointer = std::shared_ptr<DocumentInPython>;
+
+constexpr const char* kFromPython = "<python>";
+
+std::uint64_t checked_seed(const py::handle& seed) {
+  if (PyIndex_Check(seed.ptr()) == 0) throw py::type_error("seed must be a whole number");
+  const std::uint64_t value = PyLong_AsUnsignedLongLong(py::int_(py::reinterpret_borrow<py::object>(seed)).ptr());
+  if (PyErr_Occurred() != nullptr) {
+    PyErr_Clear();
+    throw py::value_error("seed must be from 0 to 2^64 - 1");
+  }
+  return value;
+}
+
+std::optional<std::uint64_t> optional_seed(const py::object& seed) {
+  if (seed.is_none()) return {};
+  return checked_seed(seed);
+}
+
+DocumentPointer document_of(const py::object& content, const std::string& file, const py::object& set,
+                            const py::object& seed) {
+  std::string text = py::isinstance<py::str>(content) ? content.cast<std::string>() : write_json(to_value(content));
+  return std::make_shared<DocumentInPython>(std::move(text), file.empty() ? kFromPython : file, to_overrides(set),
+                                            optional_seed(seed));
+}
+
+/// The folder of shipped models, which stands beside the package.
+std::string models_folder() { return py::module_::import("meristem._models").attr("folder")().cast<std::string>(); }
+
+DocumentPointer read(const py::object& path, const py::object& set, const py::object& seed) {
+  const auto given = py::module_::import("os").attr("fspath")(path).cast<std::string>();
+  const std::string file = find_document(given, models_folder());
+  return std::make_shared<DocumentInPython>(read_text_file(file), file, to_overrides(set), optional_seed(seed));
+}
+
+DocumentPointer with_values(const DocumentInPython& document, const py::object& values, const py::object& seed) {
+  std::vector<Override> overrides = document.overrides;
+  for (Override& more : to_overrides(values)) {
+    std::erase_if(overrides, [&](const Override& old) { return old.path == more.path; });
+    overrides.push_back(std::move(more));
+  }
+  const std::optional<std::uint64_t> other = optional_seed(seed);
+  return std::make_shared<DocumentInPython>(document.text, document.file, std::move(overrides),
+                                            other ? other : document.seed);
+}
+
+/// Files that the document names must be found from where it is written.
+void check_named_files(const DocumentInPython& document, const fs::path& target) {
+  const fs::path from = fs::absolute(fs::path(document.file).parent_path());
+  const fs::path to = fs::absolute(target.parent_path());
+  std::error_code ignored;
+  for (const std::string& named : document.document.source.named_files) {
+    if (fs::path(named).is_absolute() && document.file == kFromPython) continue;
+    const fs::path relative = fs::absolute(named).lexically_normal().lexically_relative(from.lexically_normal());
+    if (fs::equivalent(to / relative, named, ignored)) continue;
+    throw InputError(
+        Diagnostic{.message = fmt::format("'{}' would not find '{}' from there", target.string(), relative.string()),
+                   .expected = fmt::format("a file in {}, or that file copied along", from.string())});
+  }
+}
+
+void save(const DocumentInPython& document, const py::object& path) {
+  const auto target = py::module_::import("os").attr("fspath")(path).cast<std::string>();
+  check_named_files(document, target);
+  const std::string text = write_json(document.tree());
+  AtomicFile file(target);
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
+py::list variables_of(const DocumentInPython& document) {
+  const py::object make = py::module_::import("meristem._variable").attr("Variable");
+  py::list list;
+  for (const Variable& v : document.document.variables) {
+    list.append(make(v.name, v.value, v.min, v.max, v.unit, v.doc));
+  }
+  return list;
+}
+
+py::dict components_of(const DocumentInPython& document) {
+  py::dict components;
+  for (const Prototype& prototype : document.document.graph.components) {
+    components[py::str(prototype.id)] = prototype.type->name;
+  }
+  return components;
+}
+
+std::shared_ptr<PlantInPython> grow(const DocumentPointer& document, double time, int threads,
+                                    const py::object& progress) {
+  return run_call(progress, threads, [&](Progress& inner) {
+    return std::make_shared<PlantInPython>(
+        PlantInPython{.origin = document, .grown = grow_document(document->document, inner, time)});
+  });
+}
+
+std::string repr(const DocumentInPython& document) {
+  return fmt::format("<meristem.Document '{}' of {} components, seed {}>", document.document.name,
+                     document.document.graph.components.size(), document.document.graph.seed);
+}
+
+py::tuple state_of(const DocumentInPython& document) {
+  py::dict overrides;
+  for (const Override& override : document.overrides) overrides[py::str(override.path)] = to_python(override.value);
+  return py::make_tuple(document.text, document.file, overrides, document.seed);
+}
+
+DocumentPointer from_state(const py::tuple& state) {
+  return std::make_shared<DocumentInPython>(state[0].cast<std::string>(), state[1].cast<std::string>(),
+                                            to_overrides(state[2]), optional_seed(state[3]));
+}
+
+}  // namespace
+
+DocumentInPython::DocumentInPython(std::string given_text, std::string given_file, std::vector<Override> values,
+                                   std::optional<std::uint64_t> other_seed)
+    : text(std::move(given_text)),
+      file(std::move(given_file)),
+      overrides(std::move(values)),
+      seed(other_seed),
+      document(read_document(text, file, builtin_components(), overrides, seed)) {}
+
+Value DocumentInPython::tree() const {
+  Value tree = document.source.tree;
+  if (!seed) return tree;
+  const auto number = static_cast<double>(*seed);
+  if (static_cast<std::uint64_t>(number) != *seed || *seed > (std::uint64_t{1} << 53)) {
+    throw InputError(Diagnostic{.message = fmt::format("the seed {} cannot be written in a document", *seed),
+                                .expected = "at most 2^53"});
+  }
+  if (Value* member = tree.find("seed")) {
+    *member = number;
+  } else {
+    tree.object()->emplace_back("seed", number);
+  }
+  return tree;
+}
+
+void bind_document(py::module_& module) {
+  py::class_<DocumentInPython, DocumentPointer>(module, "Document",
+                                                R"(A plant document. It never changes: set() gives another one.
+
+`content` is a dict such as a document's JSON would be read into, or the JSON text itself. Numbers may be numpy's, lists
+tuples or arrays. Files that it names are sought from the folder of `file`, or the current one. `set` sets values by
+their paths, as in set(); `seed` (0 to 2^64 - 1) replaces the document's. Raises InputError with all that is wrong.)")
+      .def(py::init(&document_of), py::arg("content"), py::kw_only(), py::arg("file") = "", py::arg("set") = py::none(),
+           py::arg("seed") = py::none())
+      .def("set", &with_values, py::arg("values") = py::none(), py::kw_only(), py::arg("seed") = py::none(),
+           R"(The document with other values, by their paths, and another seed.
+
+{"age": 20} sets a variable, {"leaf.length": 0.1} a component's parameter, {"links[1].density": 90} or
+{"scene.latitude": 50} a key. Files are read anew. Raises InputError.)")
+      .def("grow", &grow, py::arg("time") = 0.0, py::kw_only(), py::arg("threads") = 0,
+           py::arg("progress") = py::none(),
+           R"(Grows the document as it stands at `time` (seconds) and gives a Plant, the same on any number of threads.
+
+`threads` bounds the threads (0: all cores). `progress` is a Progress, or something to call with stage and fraction.
+Other Python threads go on meanwhile, and Ctrl-C stops it. Raises InputError (limits), Cancelled.)")
+      .def("save", &save, py::arg("path"),
+           "Writes the document as JSON, all values set. Raises InputError where it would not find a file that it "
+           "names, "
+           "MachineError where it cannot be written.")
+      .def(
+          "to_dict", [](const DocumentInPython& d) { return to_python(d.tree()); },
+          "A new dict of all it says; Document(dict) reads it again. Changing it changes no document.")
+      .def_property_readonly(
+          "text", [](const DocumentInPython& d) { return write_json(d.tree()); },
+          "The document as JSON, all values set.")
+      .def_property_readonly(
+          "name", [](const DocumentInPython& d) { return d.document.name; }, "Its name.")
+      .def_property_readonly(
+          "description", [](const DocumentInPython& d) { return d.document.description; }, "What it says of itself.")
+      .def_property_readonly(
+          "author", [](const DocumentInPython& d) { return d.document.author; }, "Who made it.")
+      .def_property_readonly(
+          "licence", [](const DocumentInPython& d) { return d.document.licence; }, "Under what it may be used.")
+      .def_property_readonly(
+          "file", [](const DocumentInPython& d) { return d.file; }, "The file it was read from, or '<python>'.")
+      .def_property_readonly(
+          "seed", [](const DocumentInPython& d) { return d.document.graph.seed; }, "What all randomness comes from.")
+      .def_property_readonly("variables", &variables_of, "The variables that it offers to users: a list of Variable.")
+      .def_property_readonly("components", &components_of, "The type of each component, by its id.")
+      .def_property_readonly(
+          "warnings", [](const DocumentInPython& d) { return to_python(d.document.warnings); },
+          "What is odd but not wrong: a tuple of Diagnostic.")
+      .def_property_readonly(
+          "scene", [](const DocumentPointer& d) { return std::shared_ptr<Scene>(d, &d->document.scene); },
+          "What surrounds the plants: a Scene.")
+      .def("__repr__", &repr)
+      .def(py::pickle(&state_of, &from_state));
+
+  module.def("read", &read, py::arg("path"), py::kw_only(), py::arg("set") = py::none(), py::arg("seed") = py::none(),
+             R"(Reads the document in a file (str or path), or a shipped model by its name, such as 'oak'.
+
+`set` and `seed` as in Document. Raises InputError with all that is wrong, each with line and column, and MachineError
+where the file cannot be read.)");
+  module.def(
+      "schema", [] { return to_python(document_schema(builtin_components())); },
+      "The JSON Schema (draft 7) of documents, a dict.");
+}
+
+}  // namespace meristem::python

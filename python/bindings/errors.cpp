@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "errors.h"
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/progress.h"
+
+namespace meristem::python {
+
+namespace {
+
+py::module_ errors_module() { return py::module_::import("meristem._errors"); }
+
+void translate(std::exception_ptr pointer) {
+  try {
+    if (pointer) std::rethrow_exception(pointer);
+  } catch (const InputError& error) {
+    const py::object raised = errors_module().attr("InputError")(to_python(error.diagnostics()));
+    PyErr_SetObject(py::type::of(raised).ptr(), raised.ptr());
+  } catch (const MachineError& error) {
+    const py::object raised = errors_module().attr("MachineError")(error.what());
+    PyErr_SetObject(py::type::of(raised).ptr(), raised.ptr());
+  } catch (const Cancelled& cancelled) {
+    const py::object raised = errors_module().attr("Cancelled")(cancelled.what());
+    PyErr_SetObject(py::type::of(raised).ptr(), raised.ptr());
+  }
+}
+
+}  // namespace
+
+py::tuple to_python(const std::vector<Diagnostic>& diagnostics) {
+  const py::object make = errors_module().attr("Diagnostic");
+  py::list list;
+  for (const Diagnostic& d : diagnostics) {
+    list.append(make(d.severity == Severity::error ? "error" : "warning", d.message, d.expected, d.nearest, d.path,
+                     d.file, d.line, d.column, d.text()));
+  }
+  return py::tuple(list);
+}
+
+void bind_errors() { py::register_exception_translator(&translate); }
+
+}  // namespace meristem::python

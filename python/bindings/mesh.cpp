@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/base/mesh.h"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "document.h"
+#include "meristem/measure/convex_hull.h"
+#include "meristem/shape/mesh_scene.h"
+
+namespace meristem::python {
+
+namespace {
+
+using MeshPointer = std::shared_ptr<Mesh>;
+
+/// An array of the rows, or None where there are none.
+template <class T, class Row>
+py::object optional_rows(const MeshPointer& mesh, const std::vector<Row>& rows) {
+  if (rows.empty()) return py::none();
+  return rows_view<T>(mesh, rows);
+}
+
+MeshPointer make_mesh(const py::object& positions, const py::object& triangles) {
+  auto mesh = std::make_shared<Mesh>();
+  mesh->positions = points_of(positions, "positions");
+  const py::array given = py::array::ensure(triangles);
+  if (!given || given.ndim() != 2 || given.shape(1) != 3) {
+    PyErr_Clear();
+    throw py::value_error(
+        fmt::format("triangles must have shape (m, 3){}", given ? ", not " + shape_text(given) : std::string()));
+  }
+  const auto count = static_cast<std::size_t>(given.shape(0));
+  const std::vector<std::int64_t> corners = whole_numbers_of(given.attr("reshape")(-1), "triangles", 3 * count, 0,
+                                                             static_cast<std::int64_t>(mesh->positions.size()) - 1);
+  for (std::size_t k = 0; k < count; ++k) {
+    mesh->triangles.push_back({static_cast<std::uint32_t>(corners[3 * k]),
+                               static_cast<std::uint32_t>(corners[3 * k + 1]),
+                               static_cast<std::uint32_t>(corners[3 * k + 2])});
+  }
+  return mesh;
+}
+
+py::object picture(const std::shared_ptr<const void>& owner, const Image& image) {
+  if (image.is_empty()) return py::none();
+  return view(owner, image.rgba.data(), {image.height, image.width, 4}, {4 * image.width, 4, 1});
+}
+
+py::tuple colour_of(Vec3 colour) { return py::make_tuple(colour.x, colour.y, colour.z); }
+
+}  // namespace
+
+void bind_mesh(py::module_& module) {
+  py::class_<Mesh, MeshPointer>(module, "Mesh", R"(Triangles with shared vertices, counter-clockwise seen from outside.
+
+Arrays are read-only, over the mesh's own memory, and stay valid however long they are kept. The constructor copies
+`positions` (n, 3) metres and `triangles` (m, 3) indices. Raises TypeError for wrong types, ValueError for wrong shapes
+and indices.)")
+      .def(py::init(&make_mesh), py::arg("positions"), py::arg("triangles"))
+      .def_property_readonly(
+          "positions", [](const MeshPointer& m) { return rows_view<float>(m, m->positions); },
+          "(n, 3) float32: metres.")
+      .def_property_readonly(
+          "normals", [](const MeshPointer& m) { return optional_rows<float>(m, m->normals); },
+          "(n, 3) float32: unit; None if there are none.")
+      .def_property_readonly(
+          "uvs", [](const MeshPointer& m) { return optional_rows<float>(m, m->uvs); },
+          "(n, 2) float32: places on textures, v from base to tip; None if there are none.")
+      .def_property_readonly(
+          "tangents", [](const MeshPointer& m) { return optional_rows<float>(m, m->tangents); },
+          "(n, 4) float32: where u rises, and the side; None if there are none.")
+      .def_property_readonly(
+          "triangles", [](const MeshPointer& m) { return rows_view<std::uint32_t>(m, m->triangles); },
+          "(m, 3) uint32: indices of vertices.")
+      .def_property_readonly(
+          "area", [](const Mesh& m) { return surface_area_of(m); }, "Square metres of all triangles, one side.")
+      .def_property_readonly(
+          "volume", [](const Mesh& m) { return volume_of(m); }, "Cubic metres within; of closed meshes only.")
+      .def("__repr__", [](const Mesh& m) {
+        return fmt::format("<meristem.Mesh of {} vertices and {} triangles>", m.vertex_count(), m.triangle_count());
+      });
+
+  py::class_<Material, std::shared_ptr<Material>>(module, "Material", "How a surface looks.")
+      .def_property_readonly(
+          "name", [](const Material& m) { return m.name; }, "The component's id.")
+      .def_property_readonly(
+          "colour", [](const Material& m) { return colour_of(m.colour); },
+          "The mean colour, three floats, sRGB in 0 to 1.")
+      .def_property_readonly(
+          "roughness", [](const Material& m) { return m.roughness; }, "0 mirror-like, 1 matt.")
+      .def_property_readonly(
+          "translucency", [](const Material& m) { return m.translucency; },
+          "The share of light that passes through a blade.")
+      .def_property_readonly(
+          "two_sided", [](const Material& m) { return m.two_sided; },
+          "Whether it is seen from both sides, as blades are.")
+      .def_property_readonly(
+          "picture",
+          [](const std::shared_ptr<Material>& m) -> py::object {
+            return m->texture ? picture(m->texture, m->texture->colour) : py::none();
+          },
+          "(height, width, 4) uint8: the texture's colours, sRGB and alpha; None without one.")
+      .def_property_readonly(
+          "normal_picture",
+          [](const std::shared_ptr<Material>& m) -> py::object {
+            return m->texture ? picture(m->texture, m->texture->normals) : py::none();
+          },
+          "(height, width, 4) uint8: the texture's normals in tangent space; None without one.")
+      .def("__repr__", [](const Material& m) { return fmt::format("<meristem.Material '{}'>", m.name); });
+
+  py::class_<MeshInstances, std::shared_ptr<MeshInstances>>(module, "MeshInstances",
+                                                            "One mesh, placed any number of times.")
+      .def_property_readonly(
+          "component", [](const MeshInstances& m) { return m.component; }, "The id of the component that made it.")
+      .def_property_readonly(
+          "mesh", [](const MeshInstances& m) { return std::const_pointer_cast<Mesh>(m.mesh); },
+          "The Mesh, in its own frame.")
+      .def_property_readonly(
+          "material", [](const MeshInstances& m) { return m.material; }, "Its index in Plant.materials.")
+      .def_property_readonly(
+          "frames",
+          [](const std::shared_ptr<MeshInstances>& m) {
+            return frames_view(m, m->frames.data(), m->frames.size(), sizeof(Frame));
+          },
+          "(k, 4, 3) float32: of each instance where x, y and z of the mesh point, and its origin. A "
+          "place p of the mesh is at p @ frame[:3] + frame[3].")
+      .def_property_readonly(
+          "tints",
+          [](const std::shared_ptr<MeshInstances>& m) -> py::object {
+            if (m->tints.empty()) return py::none();
+            return rows_view<float>(m, m->tints);
+          },
+          "(k, 3) float32: linear factors on the material's colour; None where all are 1.")
+      .def("__len__", [](const MeshInstances& m) { return m.frames.size(); })
+      .def("__repr__", [](const MeshInstances& m) {
+        return fmt::format("<meristem.MeshInstances of '{}': {} x {} triangles>", m.component, m.frames.size(),
+                           m.mesh->triangle_count());
+      });
+
+  module.def(
+      "convex_hull",
+      [](const py::object& points) { return std::make_shared<Mesh>(convex_hull(points_of(points, "points"))); },
+      py::arg("points"),
+      "The convex hull of `points` (n, 3), metres, as a closed Mesh; empty for points in one plane.");
+}
+
+}  // namespace meristem::python

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The compiled half of the Python module: meristem._core.
+#include <pybind11/pybind11.h>
+
+#include "call.h"
+#include "document.h"
+#include "errors.h"
+#include "meristem/base/version.h"
+#include "scene.h"
+
+PYBIND11_MODULE(_core, module) {
+  using namespace meristem::python;
+  bind_errors();
+  bind_progress(module);
+  bind_scene(module);
+  bind_mesh(module);
+  bind_skeleton(module);
+  bind_plant(module);
+  bind_document(module);
+  module.attr("__version__") = std::string(meristem::version());
+}

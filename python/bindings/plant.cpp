@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "call.h"
+#include "document.h"
+#include "meristem/components/camera.h"
+#include "meristem/measure/counts.h"
+#include "meristem/measure/measures.h"
+#include "meristem/output/camera.h"
+#include "meristem/output/formats.h"
+#include "meristem/output/hull_wires.h"
+#include "meristem/output/measure_report.h"
+#include "meristem/output/output_files.h"
+#include "meristem/output/png.h"
+#include "meristem/output/skeleton_table.h"
+#include "meristem/output/still.h"
+#include "values.h"
+
+namespace meristem::python {
+
+namespace {
+
+using PlantPointer = std::shared_ptr<PlantInPython>;
+
+/// A part of a plant, which keeps the whole.
+template <class Part>
+std::shared_ptr<Part> part_of(const PlantPointer& plant, const Part& part) {
+  return std::shared_ptr<Part>(plant, const_cast<Part*>(&part));
+}
+
+template <class Part>
+py::list parts_of(const PlantPointer& plant, const std::vector<Part>& parts) {
+  py::list list;
+  for (const Part& part : parts) list.append(part_of(plant, part));
+  return list;
+}
+
+/// The organs as columns.
+struct Organs {
+  PlantPointer plant;
+
+  const std::vector<Organ>& rows() const { return plant->grown.plant.organs; }
+
+  template <class T, class Member>
+  py::object column(Member Organ::*member, std::vector<py::ssize_t> inner) const {
+    std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(rows().size())};
+    std::vector<py::ssize_t> strides{sizeof(Organ)};
+    for (const py::ssize_t count : inner) {
+      shape.push_back(count);
+      strides.push_back(sizeof(T));
+    }
+    static const Organ kNone;
+    const Organ* const first = rows().empty() ? &kNone : rows().data();
+    return view(plant, reinterpret_cast<const T*>(&(first->*member)), std::move(shape), std::move(strides));
+  }
+};
+
+py::dict organ_light(const PlantPointer& plant, int threads, const py::object& progress) {
+  std::vector<LitOrgan> organs = run_call(progress, threads, [&](Progress& inner) {
+    return measure_organ_light(plant->grown.plant, plant->grown.meshes, plant->origin->document.scene, inner);
+  });
+  const auto owner = std::make_shared<const std::vector<LitOrgan>>(std::move(organs));
+  const auto column = [&](double LitOrgan::*member) -> py::object {
+    static const LitOrgan kNone;
+    const LitOrgan* const first = owner->empty() ? &kNone : owner->data();
+    return view(owner, &(first->*member), {static_cast<py::ssize_t>(owner->size())}, {sizeof(LitOrgan)});
+  };
+  py::dict columns;
+  columns["area"] = column(&LitOrgan::area);
+  columns["exposure"] = column(&LitOrgan::exposure);
+  columns["irradiance"] = column(&LitOrgan::irradiance);
+  return columns;
+}
+
+py::object measures_of(const PlantPointer& plant, bool light, bool each, double fork_diameter, std::uint64_t crown_rays,
+                       int threads, const py::object& progress) {
+  if (!(fork_diameter >= 0)) throw py::value_error("fork_diameter must be at least 0 metres");
+  const MeasureOptions options{.fork_diameter = fork_diameter, .crown_rays = crown_rays, .organ_light = light};
+  const StandMeasures measures = run_call(progress, threads, [&](Progress& inner) {
+    return measure_plant(plant->grown.plant, plant->grown.meshes, plant->origin->document.scene, options, inner);
+  });
+  return to_python(measures_value(measures, each));
+}
+
+py::object measures_of_skeleton(const std::shared_ptr<Skeleton>& skeleton, const std::shared_ptr<Scene>& scene,
+                                bool each, double fork_diameter, std::uint64_t crown_rays, int threads,
+                                const py::object& progress) {
+  if (!(fork_diameter >= 0)) throw py::value_error("fork_diameter must be at least 0 metres");
+  const MeasureOptions options{.fork_diameter = fork_diameter, .crown_rays = crown_rays};
+  const StandMeasures measures = run_call(progress, threads, [&](Progress& inner) {
+    const Skeleton* const one = skeleton.get();
+    return measure_skeletons(std::span(&one, 1), scene.get(), options, inner);
+  });
+  return to_python(measures_value(measures, each));
+}
+
+py::dict table_of(const PlantInPython& plant) {
+  const SkeletonTable table(plant.grown.plant);
+  py::dict columns;
+  for (std::size_t c = 0; c < table.columns().size(); ++c) {
+    const SkeletonColumn& column = table.columns()[c];
+    std::vector<double> values;
+    values.reserve(table.row_count());
+    table.for_each_row(0, table.row_count(), [&](const SkeletonRow& row) { values.push_back(table.value(row, c)); });
+    py::object array = array_of(std::move(values));
+    if (column.kind == SkeletonColumn::Kind::label) {
+      // As fixed-width texts, so that comparing them needs no table.
+      const py::object names = py::module_::import("numpy").attr("array")(table.components());
+      array = names.attr("take")(array.attr("astype")("int64"));
+    } else if (column.kind == SkeletonColumn::Kind::index) {
+      array = array.attr("astype")("int64");
+    }
+    columns[py::str(column.name)] = array;
+  }
+  return columns;
+}
+
+void save(const PlantPointer& plant, const py::object& path, bool instanced, int threads, const py::object& progress) {
+  const auto target = py::module_::import("os").attr("fspath")(path).cast<std::string>();
+  const Format& format = format_of(target);
+  if (target == "-") throw py::value_error("a path is needed");
+  if (instanced && !format.can_instance) throw py::value_error("only .glb can be instanced");
+  check_grown_output(plant->origin->document, target);
+  watch_of(progress)->run(threads, [&](Progress& inner) {
+    format.write(plant->origin->document, plant->grown, target, {.instanced = instanced}, inner);
+  });
+}
+
+struct Picture {
+  StillOptions still;
+  View view;
+  bool hull;
+};
+
+Picture planned_picture(const PlantPointer& plant, const std::optional<std::pair<int, int>>& size,
+                        const std::optional<int>& samples, const std::optional<std::pair<double, double>>& view,
+                        bool transparent, bool hull) {
+  const Document& document = plant->origin->document;
+  Picture picture{.still = {.width = document.output.size[0], .height = document.output.size[1]},
+                  .view = camera_view(document.graph, document.structure),
+                  .hull = hull};
+  if (size) std::tie(picture.still.width, picture.still.height) = *size;
+  picture.still.samples = samples.value_or(document.output.samples);
+  picture.still.transparent = transparent;
+  check_still_options(picture.still);
+  if (view) {
+    if (!(std::abs(view->first) <= 360 && std::abs(view->second) <= 89)) {
+      throw py::value_error("view must be an azimuth from -360 to 360 and an altitude from -89 to 89 degrees");
+    }
+    picture.view.position.reset();
+    picture.view.azimuth = radians(view->first);
+    picture.view.altitude = radians(view->second);
+  }
+  return picture;
+}
+
+Image take_picture(const PlantPointer& plant, const Picture& picture, int threads, const py::object& progress) {
+  return run_call(progress, threads, [&](Progress& inner) {
+    const Scene& scene = plant->origin->document.scene;
+    const MeshScene& meshes = plant->grown.meshes;
+    if (!picture.hull || meshes.meshes.empty()) {
+      return render_still(meshes, scene, picture.view, picture.still, inner);
+    }
+    const double aspect = static_cast<double>(picture.still.width) / picture.still.height;
+    return render_still(with_crown_hulls(meshes, plant->grown.plant, inner), scene,
+                        placed_view(meshes, picture.view, aspect), picture.still, inner);
+  });
+}
+
+py::object render(const PlantPointer& plant, const std::optional<std::pair<int, int>>& size,
+                  const std::optional<int>& samples, const std::optional<std::pair<double, double>>& view,
+                  bool transparent, bool hull, int threads, const py::object& progress) {
+  const auto image = std::make_shared<const Image>(
+      take_picture(plant, planned_picture(plant, size, samples, view, transparent, hull), threads, progress));
+  return array_over(image, image->rgba.data(), {image->height, image->width, 4}, {4 * image->width, 4, 1});
+}
+
+py::bytes png(const PlantPointer& plant, const std::optional<std::pair<int, int>>& size,
+              const std::optional<int>& samples, const std::optional<std::pair<double, double>>& view, bool transparent,
+              bool hull, int threads, const py::object& progress) {
+  return encode_png(
+      take_picture(plant, planned_picture(plant, size, samples, view, transparent, hull), threads, progress));
+}
+
+void bind_parts(py::module_& module) {
+  py::class_<Organs>(module, "Organs", R"(The organs of a plant: leaves, fruits, petals.
+
+Columns are read-only arrays over the plant's own memory, one entry an organ.)")
+      .def("__len__", [](const Organs& o) { return o.rows().size(); })
+      .def_property_readonly(
+          "frame",
+          [](const Organs& o) {
+            static const Organ kNone;
+            const Organ* const first = o.rows().empty() ? &kNone : o.rows().data();
+            return frames_view(o.plant, &first->frame, o.rows().size(), sizeof(Organ));
+          },
+          "(n, 4, 3) float32: where x, y (the heading) and z (the upper face) point, and the origin. "
+          "A place p of the prototype is at p @ frame[:3] + frame[3].")
+      .def_property_readonly(
+          "prototype", [](const Organs& o) { return o.column<std::uint32_t>(&Organ::prototype, {}); },
+          "(n,) uint32: index in Plant.prototypes.")
+      .def_property_readonly(
+          "tint", [](const Organs& o) { return o.column<float>(&Organ::tint, {3}); },
+          "(n, 3) float32: linear factors on the material's colour.")
+      .def_property_readonly(
+          "birth", [](const Organs& o) { return o.column<float>(&Organ::birth, {}); },
+          "(n,) float32: the growth step at which it appeared.")
+      .def("__repr__", [](const Organs& o) { return fmt::format("<meristem.Organs: {}>", o.rows().size()); });
+
+  py::class_<OrganPrototype, std::shared_ptr<OrganPrototype>>(module, "OrganPrototype",
+                                                              "Geometry that many organs share.")
+      .def_property_readonly(
+          "component", [](const OrganPrototype& p) { return p.component; }, "The id of the component that made it.")
+      .def_property_readonly(
+          "material", [](const OrganPrototype& p) { return p.material; }, "Its index in Plant.materials.")
+      .def_property_readonly(
+          "mesh", [](const OrganPrototype& p) { return std::const_pointer_cast<Mesh>(p.mesh); },
+          "The Mesh, in the organ's own frame.");
+
+  py::class_<Stem, std::shared_ptr<Stem>>(module, "Stem", "One grown skeleton and what made it.")
+      .def_property_readonly(
+          "skeleton", [](const std::shared_ptr<Stem>& s) { return std::shared_ptr<Skeleton>(s, &s->skeleton); },
+          "The Skeleton, in world space.")
+      .def_property_readonly(
+          "component", [](const Stem& s) { return s.parts[0].component; },
+          "The id of the component that made it; of a skeleton of several, that of the root.")
+      .def_property_readonly(
+          "parts",
+          [](const Stem& s) {
+            std::vector<std::pair<std::string, std::uint32_t>> parts;
+            for (const StemPart& part : s.parts) parts.emplace_back(part.component, part.instance);
+            return parts;
+          },
+          "The component and instance of each part: a list of (str, int).")
+      .def_property_readonly(
+          "part_of_axis",
+          [](const Stem& s) {
+            if (!s.part_of_axis.empty()) return array_of(s.part_of_axis);
+            return array_of(std::vector<std::uint32_t>(Axes(s.skeleton).count()));
+          },
+          "(axes,) uint32: the index in `parts` of each axis.")
+      .def("__repr__", [](const Stem& s) {
+        return fmt::format("<meristem.Stem of '{}', {} nodes>", s.parts[0].component, s.skeleton.node_count());
+      });
+}
+
+std::string repr(const PlantInPython& plant) {
+  const Counts counts = count(plant.grown.plant, plant.grown.meshes);
+  return fmt::format("<meristem.Plant '{}': {} nodes, {} organs, {} triangles, {:.2f} m high>",
+                     plant.origin->document.name, counts.nodes, counts.organs, counts.triangles, counts.height);
+}
+
+}  // namespace
+
+void bind_plant(py::module_& module) {
+  bind_parts(module);
+  py::class_<PlantInPython, PlantPointer>(
+      module, "Plant", R"(A document that has grown: skeletons, organs and the meshes that clothe them.
+
+Document.grow() makes it. It never changes; arrays over its memory keep it for as long as they live.)",
+      py::dynamic_attr())
+      .def_property_readonly(
+          "document", [](const PlantInPython& p) { return std::const_pointer_cast<DocumentInPython>(p.origin); },
+          "The Document that has grown.")
+      .def_property_readonly(
+          "stems", [](const PlantPointer& p) { return parts_of(p, p->grown.plant.stems); },
+          "A list of Stem, one for each grown skeleton.")
+      .def_property_readonly(
+          "organs", [](const PlantPointer& p) { return Organs{p}; }, "All organs as Organs.")
+      .def_property_readonly(
+          "prototypes", [](const PlantPointer& p) { return parts_of(p, p->grown.plant.prototypes); },
+          "A list of OrganPrototype, which organs are instances of.")
+      .def_property_readonly(
+          "meshes", [](const PlantPointer& p) { return parts_of(p, p->grown.meshes.meshes); },
+          "All surfaces, of stems and organs: a list of MeshInstances.")
+      .def_property_readonly(
+          "materials", [](const PlantPointer& p) { return parts_of(p, p->grown.meshes.materials); },
+          "A list of Material.")
+      .def_property_readonly(
+          "node_count", [](const PlantInPython& p) { return p.grown.plant.node_count(); }, "Nodes of all skeletons.")
+      .def_property_readonly(
+          "triangle_count", [](const PlantInPython& p) { return p.grown.meshes.triangle_count(); },
+          "Triangles of all instances.")
+      .def_property_readonly(
+          "bounds",
+          [](const PlantInPython& p) -> py::object {
+            const Box box = p.grown.meshes.bounds();
+            if (box.is_empty()) return py::none();
+            const auto corners = std::make_shared<const std::vector<Vec3>>(std::vector{box.low, box.high});
+            return rows_view<float>(corners, *corners);
+          },
+          "(2, 3) float32: low and high corner of all meshes, metres; None if there are none.")
+      .def("skeleton_table", &table_of,
+           "All nodes of all stems as columns by name, the same as in .csv files: a dict of arrays of one length, as "
+           "pandas.DataFrame takes it.")
+      .def("measure", &measures_of, py::kw_only(), py::arg("light") = false, py::arg("each") = false,
+           py::arg("fork_diameter") = 0.02, py::arg("crown_rays") = kCrownRays, py::arg("threads") = 0,
+           py::arg("progress") = py::none(),
+           R"(Measures the plant: a dict of numbers, lists and None by the names that the manual lists; metres, degrees.
+
+`light` measures the light on leaves too, which may take seconds. `each` adds a list "each" with the measures of each
+tree. Area ratios count from forks of `fork_diameter` metres; the lit share takes `crown_rays` rays.)")
+      .def("organ_light", &organ_light, py::kw_only(), py::arg("threads") = 0, py::arg("progress") = py::none(),
+           R"(The light on each organ, in their order: a dict of float64 arrays (n,).
+
+"area" (m², of a blade one side), "exposure" (the share of the light's rays that arrive) and "irradiance" (the same times
+the cosine to the surface), both 0 to 1.)")
+      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("instanced") = false, py::arg("threads") = 0,
+           py::arg("progress") = py::none(),
+           R"(Writes the plant to a file, its format by its ending: .glb, .obj, .ply, .skeleton.ply, .csv.
+
+`instanced` writes leaves to .glb as places of one mesh: small files, that not every program reads. The file is there
+whole or not at all. Raises InputError for endings that are not known and files that were read, MachineError.)")
+      .def("render", &render, py::kw_only(), py::arg("size") = py::none(), py::arg("samples") = py::none(),
+           py::arg("view") = py::none(), py::arg("transparent") = false, py::arg("hull") = false,
+           py::arg("threads") = 0, py::arg("progress") = py::none(),
+           R"(A picture: (height, width, 4) uint8, sRGB and alpha, rows from top to bottom.
+
+`size` is (width, height) and `samples` the paths a pixel, both the document's if not given; `view` is (azimuth,
+altitude) of the camera in degrees. `transparent` leaves sky and ground out, `hull` draws the crowns' hulls. Raises
+InputError for sizes and samples out of range.)")
+      .def("png", &png, py::kw_only(), py::arg("size") = py::none(), py::arg("samples") = py::none(),
+           py::arg("view") = py::none(), py::arg("transparent") = false, py::arg("hull") = false,
+           py::arg("threads") = 0, py::arg("progress") = py::none(), "The same picture as the bytes of a PNG file.")
+      .def("__repr__", &repr);
+
+  auto skeleton = module.attr("Skeleton").cast<py::class_<Skeleton, std::shared_ptr<Skeleton>>>();
+  skeleton.def("measure", &measures_of_skeleton, py::kw_only(), py::arg("scene") = py::none(), py::arg("each") = false,
+               py::arg("fork_diameter") = 0.02, py::arg("crown_rays") = kCrownRays, py::arg("threads") = 0,
+               py::arg("progress") = py::none(),
+               "As Plant.measure(), without leaves and meshes; `lit_share` only with a `scene`.");
+}
+
+}  // namespace meristem::python

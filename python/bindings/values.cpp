@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "values.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "meristem/base/limits.h"
+
+namespace meristem::python {
+
+namespace {
+
+constexpr double kLargestWhole = 9007199254740992.0;  // 2^53: up to here a double holds every whole number
+
+std::string type_name(const py::handle& object) { return py::str(py::type::handle_of(object).attr("__name__")); }
+
+[[noreturn]] void refuse(const Place& place, std::string message, std::string expected) {
+  throw InputError(Diagnostic{.message = std::move(message), .expected = std::move(expected), .path = place.text()});
+}
+
+class ValueReader {
+ public:
+  // Nesting is bounded, so recursion over it is safe, also for a list that holds itself.
+  Value read(const py::handle& object, const Place& place, std::uint64_t depth) {
+    if (depth > Limits().nesting) {
+      refuse(place, "lists and objects are nested too deeply", fmt::format("at most {} levels", Limits().nesting));
+    }
+    if (object.is_none()) return {};
+    if (py::isinstance<py::bool_>(object)) return object.cast<bool>();
+    if (py::isinstance<py::str>(object)) return object.cast<std::string>();
+    if (PyMapping_Check(object.ptr()) != 0 && py::hasattr(object, "items")) return read_members(object, place, depth);
+    if (py::isinstance<py::list>(object) || py::isinstance<py::tuple>(object)) return read_items(object, place, depth);
+    // numpy's arrays become lists of Python's own numbers, its scalars one of them.
+    if (py::hasattr(object, "tolist")) return read(object.attr("tolist")(), place, depth + 1);
+    return read_number(object, place);
+  }
+
+ private:
+  Value read_members(const py::handle& object, const Place& place, std::uint64_t depth) {
+    Value::Object members;
+    for (const py::handle item : py::list(object.attr("items")())) {
+      const auto pair = py::reinterpret_borrow<py::tuple>(item);
+      if (!py::isinstance<py::str>(pair[0])) {
+        refuse(place, fmt::format("a key is of type {}", type_name(pair[0])), "texts as keys");
+      }
+      const auto name = pair[0].cast<std::string>();
+      members.emplace_back(name, read(pair[1], Place(place, name), depth + 1));
+    }
+    return members;
+  }
+
+  Value read_items(const py::handle& object, const Place& place, std::uint64_t depth) {
+    Value::List list;
+    std::size_t index = 0;
+    for (const py::handle item : object) list.push_back(read(item, Place(place, index++), depth + 1));
+    return list;
+  }
+
+  static Value read_number(const py::handle& object, const Place& place) {
+    const bool is_whole = PyIndex_Check(object.ptr()) != 0;
+    if (!is_whole && !py::isinstance<py::float_>(object) && !py::hasattr(object, "__float__")) {
+      refuse(place, fmt::format("a value is of type {}", type_name(object)),
+             "a dict, list, tuple, array, text, number, bool or None");
+    }
+    const double number = PyFloat_AsDouble(object.ptr());
+    if (PyErr_Occurred() != nullptr) {
+      PyErr_Clear();
+      refuse(place, "a number is too large", "one that a double holds");
+    }
+    if (!std::isfinite(number)) refuse(place, fmt::format("a number is {}", number), "a finite number");
+    if (is_whole && std::abs(number) > kLargestWhole) {
+      refuse(place, fmt::format("the whole number {} is too large", std::string(py::str(object))),
+             "one from -2^53 to 2^53");
+    }
+    return number;
+  }
+};
+
+}  // namespace
+
+py::object to_python(const Value& value) {
+  if (const bool* boolean = value.boolean()) return py::bool_(*boolean);
+  if (const double* number = value.number()) {
+    if (std::floor(*number) == *number && std::abs(*number) <= kLargestWhole)
+      return py::int_(static_cast<long long>(*number));
+    return py::float_(*number);
+  }
+  if (const std::string* text = value.text()) return py::str(*text);
+  if (const Value::List* list = value.list()) {
+    py::list items;
+    for (const Value& item : *list) items.append(to_python(item));
+    return items;
+  }
+  if (const Value::Object* object = value.object()) {
+    py::dict members;
+    for (const auto& [name, member] : *object) members[py::str(name)] = to_python(member);
+    return members;
+  }
+  return py::none();
+}
+
+Value to_value(const py::handle& object) { return ValueReader().read(object, Place(), 0); }
+
+std::vector<Override> to_overrides(const py::object& mapping) {
+  std::vector<Override> overrides;
+  if (mapping.is_none()) return overrides;
+  const Value values = to_value(mapping);
+  if (values.object() == nullptr) throw py::type_error("set must be a dict such as {'leaf.length': 0.1}");
+  for (const auto& [path, value] : *values.object()) overrides.push_back({path, value});
+  return overrides;
+}
+
+}  // namespace meristem::python

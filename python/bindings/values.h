@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// The values of documents to and from Python's dicts, lists, numbers and texts.
+#pragma once
+
+#include <vector>
+
+#include <pybind11/pybind11.h>
+
+#include "meristem/document/document.h"
+#include "meristem/graph/value.h"
+
+namespace meristem::python {
+
+namespace py = pybind11;
+
+/// Whole numbers become int, others float.
+py::object to_python(const Value& value);
+
+/// Takes mappings, lists, tuples, numpy's arrays and scalars, numbers, texts and None. Throws InputError with the place
+/// for other types, keys that are no text, numbers that are not finite, whole ones that a double cannot hold, and
+/// nesting beyond what documents may have.
+Value to_value(const py::handle& object);
+
+/// What a mapping from names to values sets, in its order.
+std::vector<Override> to_overrides(const py::object& mapping);
+
+}  // namespace meristem::python

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Grows plants from documents.
+
+    import meristem
+
+    plant = meristem.read("oak", set={"age": 40}, seed=3).grow()
+    plant.save("oak.glb")
+    print(plant.measure()["height"])
+
+Metres, y up, x east, z south; angles in degrees. Arrays over the memory of plants are read-only and stay valid for as
+long as they are kept.
+"""
+
+from ._core import (
+    Document,
+    Material,
+    Mesh,
+    MeshInstances,
+    OrganPrototype,
+    Organs,
+    Plant,
+    Progress,
+    Scene,
+    Skeleton,
+    Stem,
+    __version__,
+    convex_hull,
+    read,
+    read_mtg,
+    schema,
+)
+from ._errors import Cancelled, Diagnostic, Error, InputError, MachineError
+from ._models import models
+from ._variable import Variable
+
+__all__ = [
+    "Cancelled",
+    "Diagnostic",
+    "Document",
+    "Error",
+    "InputError",
+    "MachineError",
+    "Material",
+    "Mesh",
+    "MeshInstances",
+    "OrganPrototype",
+    "Organs",
+    "Plant",
+    "Progress",
+    "Scene",
+    "Skeleton",
+    "Stem",
+    "Variable",
+    "__version__",
+    "convex_hull",
+    "models",
+    "read",
+    "read_mtg",
+    "schema",
+]

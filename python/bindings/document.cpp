@@ -12,7 +12,6 @@
 #include "meristem/components/registry.h"
 #include "meristem/document/json.h"
 #include "meristem/document/models.h"
-#include "meristem/document/schema.h"
 #include "values.h"
 
 namespace meristem::python {
@@ -68,8 +67,8 @@ DocumentPointer with_values(const DocumentInPython& document, const py::object& 
 
 /// Files that the document names must be found from where it is written.
 void check_named_files(const DocumentInPython& document, const fs::path& target) {
-  const fs::path from = fs::absolute(fs::path(document.file).parent_path());
-  const fs::path to = fs::absolute(target.parent_path());
+  const fs::path from = fs::absolute(fs::path(document.file).parent_path() / ".");
+  const fs::path to = fs::absolute(target.parent_path() / ".");
   std::error_code ignored;
   for (const std::string& named : document.document.source.named_files) {
     if (fs::path(named).is_absolute() && document.file == kFromPython) continue;
@@ -215,9 +214,6 @@ Other Python threads go on meanwhile, and Ctrl-C stops it. Raises InputError (li
 
 `set` and `seed` as in Document. Raises InputError with all that is wrong, each with line and column, and MachineError
 where the file cannot be read.)");
-  module.def(
-      "schema", [] { return to_python(document_schema(builtin_components())); },
-      "The JSON Schema (draft 7) of documents, a dict.");
 }
 
 }  // namespace meristem::python

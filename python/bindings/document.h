@@ -38,6 +38,7 @@ struct PlantInPython {
   GrownDocument grown;
 };
 
+void bind_component_types(py::module_& module);
 void bind_document(py::module_& module);
 void bind_skeleton(py::module_& module);
 void bind_mesh(py::module_& module);

@@ -5,9 +5,11 @@
 #include <pybind11/stl.h>
 
 #include "arrays.h"
+#include "call.h"
 #include "document.h"
 #include "meristem/measure/convex_hull.h"
 #include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/tubes.h"
 
 namespace meristem::python {
 
@@ -40,6 +42,38 @@ MeshPointer make_mesh(const py::object& positions, const py::object& triangles) 
                                static_cast<std::uint32_t>(corners[3 * k + 2])});
   }
   return mesh;
+}
+
+Surface::Cap cap_of(const std::string& name) {
+  if (name == "pointed") return Surface::Cap::pointed;
+  if (name == "round") return Surface::Cap::round;
+  if (name == "flat") return Surface::Cap::flat;
+  throw py::value_error(fmt::format("cap cannot be '{}'; expected pointed, round or flat", name));
+}
+
+void check_at_least(double value, double least, const char* name) {
+  if (!(value >= least)) throw py::value_error(fmt::format("{} is {}; expected at least {}", name, value, least));
+}
+
+MeshPointer tubes(const std::shared_ptr<Skeleton>& skeleton, int sides, double error, double uv_scale, double smooth,
+                  double collar, double flare, const std::string& cap, int threads, const py::object& progress) {
+  check_at_least(sides, 3, "sides");
+  check_at_least(error, 0, "error");
+  check_at_least(uv_scale, 1e-6, "uv_scale");
+  check_at_least(smooth, 0, "smooth");
+  check_at_least(collar, 0, "collar");
+  check_at_least(flare, 0, "flare");
+  const Surface surface{.sides = sides,
+                        .error = static_cast<float>(error),
+                        .uv_scale = static_cast<float>(uv_scale),
+                        .smooth = static_cast<float>(smooth),
+                        .collar = static_cast<float>(collar),
+                        .flare = static_cast<float>(flare),
+                        .cap = cap_of(cap)};
+  return run_call(progress, threads, [&](Progress& inner) {
+    inner.begin("meshing", skeleton->node_count());
+    return std::make_shared<Mesh>(make_tubes(*skeleton, surface, inner));
+  });
 }
 
 py::object picture(const std::shared_ptr<const void>& owner, const Image& image) {
@@ -138,6 +172,16 @@ and indices.)")
                            m.mesh->triangle_count());
       });
 
+  const Surface plain;
+  module.def("tubes", &tubes, py::arg("skeleton"), py::kw_only(), py::arg("sides") = plain.sides,
+             py::arg("error") = plain.error, py::arg("uv_scale") = plain.uv_scale, py::arg("smooth") = plain.smooth,
+             py::arg("collar") = plain.collar, py::arg("flare") = plain.flare, py::arg("cap") = "pointed",
+             py::arg("threads") = 0, py::arg("progress") = py::none(),
+             R"(The tubes of a Skeleton as a Mesh with normals and uvs: a closed body for each axis.
+
+The thickest tube has `sides` sides (at least 3); a tube strays up to `error` radii from the skeleton; a texture's tile
+covers `uv_scale` metres; radii are levelled over `smooth` radii along an axis; branches grow out of their mother over
+`collar` radii; roots are `flare` wider at the ground; `cap` is pointed, round or flat.)");
   module.def(
       "convex_hull",
       [](const py::object& points) { return std::make_shared<Mesh>(convex_hull(points_of(points, "points"))); },

@@ -69,7 +69,7 @@ class ValueReader {
       refuse(place, "a number is too large", "one that a double holds");
     }
     if (!std::isfinite(number)) refuse(place, fmt::format("a number is {}", number), "a finite number");
-    if (is_whole && std::abs(number) > kLargestWhole) {
+    if (is_whole && (std::abs(number) > kLargestWhole || !py::float_(number).equal(object))) {
       refuse(place, fmt::format("the whole number {} is too large", std::string(py::str(object))),
              "one from -2^53 to 2^53");
     }

@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The types of components, their parameters, and a plant of each that grows by itself."""
+
+from __future__ import annotations
+
+import meristem
+
+types = meristem.components()
+for name, facts in types.items():
+    print(f"{name:10} {len(facts['parameters']):3} parameters: {facts['doc']}")
+
+step = types["colonize"]["parameters"]["step"]
+print(f"\ncolonize.step: {step['doc']} {step['expected']}, default {step['default']}")
+
+needed = {"colonize": {"crown": {"profile": [[0, 0.5], [0.5, 1.5], [0, 3]]}, "points": 200}}
+for name in ("colonize", "leaf", "tree"):
+    document = meristem.Document({"meristem": 1, "name": name, "components": {name: {"type": name, **needed.get(name, {})}}})
+    print(document.grow())

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Documents in and out: read, set, write, and what is wrong with them."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+import meristem
+
+print("shipped:", ", ".join(meristem.models()))
+
+oak = meristem.read("oak")
+print(oak, "-", oak.description)
+for variable in oak.variables:
+    print(f"  {variable.name} = {variable.value:g} {variable.unit} ({variable.min:g} to {variable.max:g}): {variable.doc}")
+
+# A document never changes; set() gives another one.
+old = oak.set({"age": 120, "leaf.length": 0.12}, seed=3)
+with tempfile.TemporaryDirectory() as folder:
+    path = Path(folder) / "old_oak.json"
+    old.save(path)
+    assert meristem.read(path).to_dict() == old.to_dict()
+    print(f"{path.name}: {path.stat().st_size} bytes")
+
+# All that is wrong comes at once, with its place.
+content = old.to_dict()
+content["components"]["tree"]["pionts"] = 12
+content["links"][0]["to"] = "laef"
+try:
+    meristem.Document(content)
+except meristem.InputError as error:
+    print(error)

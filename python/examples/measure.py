@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is measured on plants, and the light on their leaves."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import meristem
+
+apple = meristem.read("apple").grow()
+measures = apple.measure(light=True)
+for name in ("height", "crown_width", "leaf_area_index", "lit_share", "leaf_exposure"):
+    print(f"{name:16} {measures[name]:.3f}")
+
+# The light on every organ, in their order: where in the crown are the leaves that see little of it?
+light = apple.organ_light()
+heights = apple.organs.frame[:, 3, 1]
+low, high = np.percentile(heights, [25, 75])
+for name, which in (("lowest quarter", heights < low), ("highest quarter", heights > high)):
+    share = np.average(light["exposure"][which], weights=light["area"][which])
+    print(f"{name}: {100 * share:.0f} % of the sun's rays arrive")
+
+# Skeletons alone are measured too, under any scene.
+noon = meristem.Document({"meristem": 1, "scene": {"sun": {"azimuth": 180, "altitude": 60}}, "components": {"c": {"type": "camera"}}})
+print(f"lit share at noon: {apple.stems[0].skeleton.measure(scene=noon.scene)['lit_share']:.3f}")

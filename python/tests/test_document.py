@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: Apache-2.0
+from __future__ import annotations
+
+import copy
+import pickle
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import meristem
+from plants import small_tree
+
+
+def test_dicts_go_in_and_come_out_the_same() -> None:
+    content = small_tree()
+    assert meristem.Document(content).to_dict() == content
+
+
+def test_text_reads_as_the_same_document() -> None:
+    document = meristem.Document(small_tree())
+    assert meristem.Document(document.text).to_dict() == document.to_dict()
+
+
+def test_documents_do_not_change_with_what_they_were_made_of() -> None:
+    content = small_tree()
+    document = meristem.Document(content)
+    before = document.grow().stems[0].skeleton.hash
+    content["components"]["tree"]["points"] = 7
+    document.to_dict()["components"]["tree"]["points"] = 8
+    assert document.to_dict()["components"]["tree"]["points"] == 300
+    assert document.grow().stems[0].skeleton.hash == before
+
+
+def test_a_dict_changed_while_growing_changes_nothing() -> None:
+    content = small_tree()
+    document = meristem.Document(content)
+    expected = document.grow().stems[0].skeleton.hash
+
+    def change(stage: str, fraction: float) -> None:
+        content["components"]["tree"]["points"] = 3
+        content["components"].pop("leaf", None)
+
+    plant = document.grow(progress=change)
+    assert plant.stems[0].skeleton.hash == expected
+    assert "leaf" not in content["components"]
+    assert len(plant.organs) > 0
+
+
+def test_numpy_numbers_and_arrays_are_values() -> None:
+    content = small_tree()
+    content["components"]["tree"]["points"] = np.int64(200)
+    content["components"]["tree"]["step"] = np.float32(0.25)
+    content["components"]["tree"]["crown"]["profile"] = np.array([[0, 0.5], [0.5, 1.5], [0, 3]])
+    read = meristem.Document(content).to_dict()["components"]["tree"]
+    assert read["points"] == 200
+    assert read["step"] == 0.25
+    assert read["crown"]["profile"] == [[0, 0.5], [0.5, 1.5], [0, 3]]
+
+
+def test_set_gives_another_document() -> None:
+    document = meristem.Document(small_tree())
+    other = document.set({"size": 0.1, "tree.points": 100, "links[0].density": 20, "scene.latitude": 40}, seed=9)
+    assert document.seed == 5 and other.seed == 9
+    changed = other.to_dict()
+    assert changed["variables"]["size"]["value"] == 0.1
+    assert changed["components"]["tree"]["points"] == 100
+    assert changed["links"][0]["density"] == 20
+    assert changed["scene"]["latitude"] == 40
+    assert changed["seed"] == 9
+    assert document.to_dict() == small_tree()
+
+
+def test_set_again_replaces_and_keeps_the_rest() -> None:
+    document = meristem.Document(small_tree()).set({"tree.points": 100, "size": 0.1}).set({"tree.points": 50})
+    assert document.to_dict()["components"]["tree"]["points"] == 50
+    assert document.to_dict()["variables"]["size"]["value"] == 0.1
+
+
+def test_the_same_seed_gives_the_same_plant() -> None:
+    document = meristem.Document(small_tree())
+    hashes = {seed: document.set(seed=seed).grow().stems[0].skeleton.hash for seed in (1, 2)}
+    assert hashes[1] != hashes[2]
+    assert meristem.Document(small_tree(), seed=1).grow(threads=1).stems[0].skeleton.hash == hashes[1]
+
+
+def test_models_can_be_read_by_name() -> None:
+    assert "oak" in meristem.models()
+    oak = meristem.read("oak", set={"age": 20}, seed=3)
+    assert oak.name == "Oak" and oak.seed == 3
+    assert oak.components["tree"] == "colonize"
+    age = next(variable for variable in oak.variables if variable.name == "age")
+    assert age.value == 20 and age.min < 20 < age.max and age.unit == "years"
+
+
+def test_saved_documents_can_be_read(tmp_path: Path) -> None:
+    document = meristem.Document(small_tree()).set({"tree.points": 120}, seed=4)
+    document.save(tmp_path / "tree.json")
+    assert meristem.read(tmp_path / "tree.json").to_dict() == document.to_dict()
+
+
+def test_saving_where_named_files_would_not_be_found_is_refused(tmp_path: Path) -> None:
+    avenue = meristem.read("avenue")
+    with pytest.raises(meristem.InputError, match="would not find 'house.obj' from there"):
+        avenue.save(tmp_path / "avenue.json")
+    assert list(tmp_path.iterdir()) == []
+    (tmp_path / "house.obj").write_bytes((Path(avenue.file).parent / "house.obj").read_bytes())
+    with pytest.raises(meristem.InputError):
+        avenue.save(tmp_path / "elsewhere.json")
+
+
+def test_pickled_documents_grow_the_same() -> None:
+    document = meristem.Document(small_tree()).set({"tree.points": 90}, seed=2**63)
+    copied = pickle.loads(pickle.dumps(document))
+    assert copied.seed == 2**63
+    assert copied.grow().stems[0].skeleton.hash == document.grow().stems[0].skeleton.hash
+
+
+def test_errors_carry_their_diagnostics() -> None:
+    content = small_tree(stp=0.1)
+    content["components"]["leaf"]["length"] = "siz * 2"
+    with pytest.raises(meristem.InputError) as caught:
+        meristem.Document(content)
+    first, second = caught.value.diagnostics
+    assert (first.path, first.nearest, first.severity) == ("components.tree.stp", "step", "error")
+    assert (second.path, second.nearest) == ("components.leaf.length", "size")
+    assert first.line > 0 and first.column > 0
+    assert str(caught.value) == f"{first.text}\n{second.text}"
+    assert isinstance(caught.value, ValueError) and isinstance(caught.value, meristem.Error)
+
+
+def test_errors_survive_pickling() -> None:
+    with pytest.raises(meristem.InputError) as caught:
+        meristem.read("oka")
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert again.diagnostics == caught.value.diagnostics
+    assert again.diagnostics[0].nearest == "oak"
+    assert str(copy.copy(again)) == str(caught.value)
+
+
+def test_files_that_cannot_be_read_are_the_machines_fault(tmp_path: Path) -> None:
+    with pytest.raises(meristem.MachineError, match="nowhere.json") as caught:
+        meristem.read(tmp_path / "nowhere.json")
+    assert isinstance(caught.value, OSError)
+
+
+@pytest.mark.parametrize(
+    ("value", "message"),
+    [
+        (float("nan"), "a number is nan; expected a finite number"),
+        (np.float64("inf"), "a number is inf; expected a finite number"),
+        (2**53 + 1, "the whole number 9007199254740993 is too large"),
+        (10**400, "a number is too large"),
+        (1j, "a value is of type complex"),
+        (b"bytes", "a value is of type bytes"),
+        ({1: 2}, "a key is of type int; expected texts as keys"),
+        (object(), "a value is of type object"),
+    ],
+)
+def test_values_that_no_document_can_hold_are_refused(value: Any, message: str) -> None:
+    with pytest.raises(meristem.InputError) as caught:
+        meristem.Document(small_tree(step=value))
+    assert message in str(caught.value)
+    assert caught.value.diagnostics[0].path.startswith("components.tree.step")
+
+
+def test_a_list_that_holds_itself_is_refused() -> None:
+    endless: list[Any] = []
+    endless.append(endless)
+    with pytest.raises(meristem.InputError, match="nested too deeply"):
+        meristem.Document(small_tree(step=endless))
+
+
+@pytest.mark.parametrize("seed", [-1, 2**64])
+def test_seeds_out_of_range_are_refused(seed: int) -> None:
+    with pytest.raises(ValueError, match="seed must be from 0 to"):
+        meristem.Document(small_tree(), seed=seed)
+
+
+def test_seeds_of_other_types_are_refused() -> None:
+    with pytest.raises(TypeError, match="seed must be a whole number"):
+        meristem.Document(small_tree(), seed=1.5)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="set must be a dict"):
+        meristem.Document(small_tree(), set=[1])  # type: ignore[arg-type]
+
+
+def test_components_tell_their_parameters() -> None:
+    types = meristem.components()
+    assert set(types) >= {"colonize", "leaf", "tree", "camera"}
+    step = types["colonize"]["parameters"]["step"]
+    assert step["default"] == 0.05 and "(m)" in step["expected"] and step["doc"]
+    assert "colonize" in str(meristem.schema())

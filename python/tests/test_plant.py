@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: Apache-2.0
+from __future__ import annotations
+
+import gc
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import meristem
+from plants import grown_small_tree, small_tree
+
+
+def test_views_outlive_their_plant() -> None:
+    plant = grown_small_tree()
+    skeleton = plant.stems[0].skeleton
+    views = [skeleton.position, plant.organs.frame, plant.organs.tint, plant.meshes[0].mesh.positions]
+    views += [plant.meshes[1].frames, plant.materials[0].picture, plant.prototypes[0].mesh.triangles]
+    copies = [np.array(array) for array in views]
+    del plant, skeleton
+    gc.collect()
+    meristem.read("bush").grow()  # memory that was given back is used anew
+    for array, copied in zip(views, copies):
+        np.testing.assert_array_equal(array, copied)
+
+
+def test_views_are_read_only_and_copy_nothing() -> None:
+    plant = grown_small_tree()
+    for array in (plant.stems[0].skeleton.radius, plant.organs.birth, plant.meshes[0].mesh.triangles):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 0
+        with pytest.raises(ValueError):
+            array.flags.writeable = True
+    skeleton = plant.stems[0].skeleton
+    assert np.shares_memory(skeleton.position, plant.stems[0].skeleton.position)
+    assert np.shares_memory(plant.organs.frame, plant.organs.frame)
+
+
+def test_meshes_cover_what_was_counted() -> None:
+    plant = grown_small_tree()
+    triangles = sum(len(meshes) * len(meshes.mesh.triangles) for meshes in plant.meshes)
+    assert triangles == plant.triangle_count == plant.measure()["triangles"]
+    corners = []
+    for meshes in plant.meshes:
+        frames = np.asarray(meshes.frames, dtype=np.float64)
+        places = meshes.mesh.positions @ frames[:, :3] + frames[:, 3:]
+        corners += [places.min(axis=(0, 1)), places.max(axis=(0, 1))]
+        assert meshes.mesh.triangles.max() < len(meshes.mesh.positions)
+        assert 0 <= meshes.material < len(plant.materials)
+    np.testing.assert_allclose(plant.bounds, [np.min(corners, axis=0), np.max(corners, axis=0)], atol=1e-5)
+
+
+def test_organs_stand_on_their_stems() -> None:
+    plant = grown_small_tree()
+    organs, skeleton = plant.organs, plant.stems[0].skeleton
+    assert len(organs) == len(organs.frame) == len(organs.prototype) == len(organs.tint) == len(organs.birth) > 100
+    assert organs.prototype.max() < len(plant.prototypes)
+    gaps = [np.linalg.norm(skeleton.position - origin, axis=1).min() for origin in organs.frame[:50, 3]]
+    assert max(gaps) < 0.1
+    assert {prototype.component for prototype in plant.prototypes} == {"leaf"}
+
+
+def test_measures_are_those_of_the_columns() -> None:
+    plant = grown_small_tree()
+    measures = plant.measure()
+    skeleton = plant.stems[0].skeleton
+    child = skeleton.parent >= 0
+    lengths = np.linalg.norm(skeleton.position[child] - skeleton.position[skeleton.parent[child]], axis=1)
+    assert measures["nodes"] == len(skeleton) == plant.node_count
+    assert measures["length"] == pytest.approx(lengths.sum(), rel=1e-5)
+    assert measures["height"] == pytest.approx(np.ptp(skeleton.position[:, 1]), rel=1e-5)
+    assert measures["leaf_count"] == len(plant.organs)
+    assert measures["leaf_exposure"] is None
+    assert len(plant.measure(each=True)["each"]) == 1
+
+
+def test_light_on_organs_is_what_measures_average() -> None:
+    plant = grown_small_tree()
+    light = plant.organ_light()
+    measures = plant.measure(light=True)
+    for name in ("exposure", "irradiance"):
+        assert len(light[name]) == len(plant.organs)
+        mean = np.average(light[name], weights=light["area"])
+        assert measures[f"leaf_{name}"] == pytest.approx(mean, rel=1e-9)
+    assert light["area"].sum() == pytest.approx(measures["leaf_area"], rel=1e-9)
+
+
+def test_skeleton_table_has_the_rows_of_the_file(tmp_path: Path) -> None:
+    plant = grown_small_tree()
+    table = plant.skeleton_table()
+    plant.save(tmp_path / "tree.csv")
+    lines = (tmp_path / "tree.csv").read_text().splitlines()
+    assert lines[0].split(",") == list(table)
+    assert len(lines) == 1 + plant.node_count
+    assert all(len(column) == plant.node_count for column in table.values())
+    assert set(table["component"]) == {"tree"}
+    assert table["parent"][0] == -1
+    np.testing.assert_array_equal(table["radius"].astype(np.float32), plant.stems[0].skeleton.radius)
+
+
+@pytest.mark.parametrize("name", ["tree.glb", "tree.obj", "tree.ply", "tree.skeleton.ply", "tree.csv"])
+def test_files_have_the_same_bytes_on_any_number_of_threads(tmp_path: Path, name: str) -> None:
+    contents = []
+    for threads in (1, 2):
+        plant = meristem.Document(small_tree()).grow(threads=threads)
+        plant.save(tmp_path / name, threads=threads)
+        contents.append((tmp_path / name).read_bytes())
+    assert contents[0] == contents[1]
+
+
+def test_instanced_files_are_smaller(tmp_path: Path) -> None:
+    plant = grown_small_tree()
+    plant.save(tmp_path / "flat.glb")
+    plant.save(tmp_path / "instanced.glb", instanced=True)
+    assert (tmp_path / "instanced.glb").stat().st_size < (tmp_path / "flat.glb").stat().st_size
+    with pytest.raises(ValueError, match="only .glb can be instanced"):
+        plant.save(tmp_path / "tree.obj", instanced=True)
+
+
+def test_saving_refuses_what_cannot_be_written(tmp_path: Path) -> None:
+    document = meristem.Document(small_tree())
+    document.save(tmp_path / "tree.json")
+    plant = meristem.read(tmp_path / "tree.json").grow()
+    with pytest.raises(meristem.InputError, match="'.glp' is not a format that can be written.*did you mean '.glb'"):
+        plant.save(tmp_path / "tree.glp")
+    with pytest.raises(meristem.MachineError):
+        plant.save(tmp_path / "no" / "such" / "folder.glb")
+    assert [path.name for path in tmp_path.iterdir()] == ["tree.json"]
+
+
+def test_files_that_were_read_are_not_written_over(tmp_path: Path) -> None:
+    house = Path(meristem.read("avenue").file).parent / "house.obj"
+    (tmp_path / "house.obj").write_bytes(house.read_bytes())
+    content = small_tree()
+    content["scene"]["obstacles"] = [{"mesh": "house.obj", "translate": [30, 0, 0]}]
+    plant = meristem.Document(content, file=str(tmp_path / "tree.json")).grow()
+    with pytest.raises(meristem.InputError, match="would be written over, and it is read"):
+        plant.save(tmp_path / "house.obj")
+    assert (tmp_path / "house.obj").read_bytes() == house.read_bytes()
+
+
+def test_pictures_are_arrays_and_files_alike() -> None:
+    plant = grown_small_tree()
+    picture = plant.render(size=(60, 40), samples=2)
+    assert picture.shape == (40, 60, 4) and picture.dtype == np.uint8
+    assert (picture[..., 3] == 255).all()
+    np.testing.assert_array_equal(picture, plant.render(size=(60, 40), samples=2, threads=1))
+    clear = plant.render(size=(60, 40), samples=2, transparent=True)
+    assert (clear[..., 3] == 0).any() and (clear[..., 3] > 0).any()
+    assert not np.array_equal(picture, plant.render(size=(60, 40), samples=2, view=(90, 10)))
+    assert not np.array_equal(picture, plant.render(size=(60, 40), samples=2, hull=True))
+    assert plant.png(size=(60, 40), samples=2).startswith(b"\x89PNG")
+
+
+def test_pictures_refuse_impossible_options() -> None:
+    plant = grown_small_tree()
+    with pytest.raises(meristem.InputError):
+        plant.render(size=(0, 10))
+    with pytest.raises(meristem.InputError):
+        plant.render(samples=0)
+    with pytest.raises(ValueError, match="view must be an azimuth"):
+        plant.render(view=(0, 95))
+
+
+def test_growth_follows_time() -> None:
+    document = meristem.Document(small_tree()).set({"leaf.length": "0.05 + 0.05*t"})
+    areas = [document.grow(time).measure()["leaf_area"] for time in (0, 1)]
+    assert areas[1] == pytest.approx(2 * areas[0], rel=0.05)  # the width stays
+    with pytest.raises(ValueError):
+        document.grow(float("nan"))
+
+
+def test_exploding_documents_are_stopped_by_their_limits() -> None:
+    content = small_tree()
+    content["limits"] = {"triangles": 1000}
+    with pytest.raises(meristem.InputError, match="triangles"):
+        meristem.Document(content).grow()

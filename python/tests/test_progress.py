@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+from __future__ import annotations
+
+import os
+import signal
+import threading
+from typing import Any
+
+import pytest
+
+import meristem
+from plants import grown_small_tree, long_growth, small_tree
+
+
+def test_progress_tells_stages_and_rising_fractions() -> None:
+    told: list[tuple[str, float]] = []
+    meristem.Document(small_tree()).grow(progress=lambda stage, fraction: told.append((stage, fraction)))
+    assert "meshing" in {stage for stage, _ in told}
+    # A stage begins at 0 and rises to 1, also where two of the same name follow each other.
+    begins = [k for k, (_, fraction) in enumerate(told) if fraction == 0] + [len(told)]
+    assert begins[0] == 0
+    for begin, end in zip(begins, begins[1:]):
+        fractions = [fraction for _, fraction in told[begin:end]]
+        assert fractions == sorted(fractions) and fractions[-1] == 1
+        assert len({stage for stage, _ in told[begin:end]}) == 1
+
+
+def test_a_progress_can_be_watched_from_another_thread() -> None:
+    progress = meristem.Progress()
+    seen: list[str] = []
+    done = threading.Event()
+
+    def watch() -> None:
+        while not done.wait(0.001):
+            seen.append(progress.stage)
+
+    watcher = threading.Thread(target=watch)
+    watcher.start()
+    meristem.read("oak").grow(progress=progress)
+    done.set()
+    watcher.join()
+    assert len(set(seen) - {""}) > 0  # other threads ran while the oak grew
+    assert progress.fraction == 1 and not progress.cancelled
+
+
+def test_cancelling_from_another_thread_stops_growth() -> None:
+    progress = meristem.Progress()
+    timer = threading.Timer(0.05, progress.cancel)
+    timer.start()
+    with pytest.raises(meristem.Cancelled):
+        long_growth().grow(progress=progress)
+    timer.join()
+    assert progress.cancelled
+
+
+def test_a_cancelled_progress_begins_nothing() -> None:
+    progress = meristem.Progress()
+    progress.cancel()
+    with pytest.raises(meristem.Cancelled):
+        meristem.Document(small_tree()).grow(progress=progress)
+
+
+def test_what_a_callback_raises_stops_the_call_and_comes_out() -> None:
+    def fail(stage: str, fraction: float) -> None:
+        raise KeyError(stage)
+
+    with pytest.raises(KeyError):
+        long_growth().grow(progress=fail)
+
+
+def test_keyboard_interrupts_stop_growth() -> None:
+    document = long_growth()
+    timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        document.grow()
+    timer.join()
+    assert grown_small_tree().node_count > 0  # and growth works after it
+
+
+def test_interrupted_files_are_not_half_written(tmp_path: Any) -> None:
+    plant = meristem.read("oak", set={"age": 160}).grow()
+
+    def interrupt(stage: str, fraction: float) -> None:
+        if fraction > 0.3:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        plant.save(tmp_path / "oak.glb", progress=interrupt)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_plants_grow_side_by_side_on_threads() -> None:
+    documents = [meristem.Document(small_tree(), seed=seed) for seed in range(4)]
+    expected = [document.grow().stems[0].skeleton.hash for document in documents]
+    found = [""] * len(documents)
+
+    def grow(k: int) -> None:
+        found[k] = documents[k].grow(threads=1 + k % 2).stems[0].skeleton.hash
+
+    threads = [threading.Thread(target=grow, args=(k,)) for k in range(len(documents))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert found == expected
+
+
+def test_one_progress_watches_one_call_at_a_time() -> None:
+    progress = meristem.Progress(lambda stage, fraction: nested.append(stage))
+    nested: list[str] = []
+    errors: list[str] = []
+
+    def grow_within(stage: str, fraction: float) -> None:
+        try:
+            meristem.Document(small_tree()).grow(progress=within)
+        except ValueError as error:
+            errors.append(str(error))
+
+    within = meristem.Progress(grow_within)
+    meristem.Document(small_tree()).grow(progress=within)
+    assert errors and set(errors) == {"this Progress watches another call; make one for each call"}
+    meristem.Document(small_tree()).grow(progress=progress)
+    assert nested
+
+
+@pytest.mark.parametrize("threads", [-1, 1025])
+def test_impossible_numbers_of_threads_are_refused(threads: int) -> None:
+    with pytest.raises(ValueError, match="threads must be 0"):
+        meristem.Document(small_tree()).grow(threads=threads)
+
+
+def test_a_progress_must_be_callable() -> None:
+    with pytest.raises(TypeError, match="progress must be a Progress"):
+        meristem.Document(small_tree()).grow(progress=3)  # type: ignore[arg-type]

@@ -5,8 +5,9 @@
 In:  the root of a source tree (by default this one).
 Out: one line a fault, `file:line: what is wrong`, and exit code 1; silence and 0 where there is none.
 
-A room includes and links only itself and the rooms before it. Nothing in the library includes the programs. A public
-header includes public headers only, and none of the heavy libraries, so that whoever includes it compiles fast. A
+A room includes and links only itself and the rooms before it. The doors, which are the programs and the Python module,
+include what every program may, the public headers of all rooms, and not each other; nothing in the library includes
+them. A public header includes public headers only, and none of the heavy libraries, so that whoever includes it compiles fast. A
 source includes the header of its own name first, which shows that it compiles alone; the build checks the headers
 without a source. Every file of a room stands in one list of its CMakeLists.txt, so that no test is silently left out.
 """
@@ -17,6 +18,7 @@ from pathlib import Path
 from typing import Iterator, NamedTuple
 
 ROOMS = ["base", "plant", "scene", "grow", "shape", "measure", "graph", "components", "document", "output"]
+DOORS = ["apps", "python"]
 HEAVY = ("nlohmann/", "embree", "CLI/", "tbb/", "oneapi/", "png.h", "boost/", "tiny_gltf", "tiny_obj_loader",
          "valijson/", "Eigen/")
 LISTS = ("SOURCES", "HEADERS", "TESTS", "PUBLIC", "PRIVATE")
@@ -69,8 +71,8 @@ def room_lists(cmake: Path) -> dict[str, list[str]]:
 def include_fault(room: str, is_test: bool, include: Include) -> str | None:
     """Why a file of `room` may not have `include`, or None."""
     parts = include.name.split("/")
-    if parts[0] == "apps":
-        return f'the library does not include programs, but this includes "{include.name}"'
+    if parts[0] in DOORS:
+        return f'the library does not include its doors, but this includes "{include.name}"'
     if parts[0] == "tests":
         return None if is_test else f'only tests include "{include.name}"'
     if parts[0] == "meristem":
@@ -88,6 +90,24 @@ def check_room_includes(root: Path, room: str, public: set[Path]) -> Iterator[Fa
             wrong = include_fault(room, path.stem.endswith("_test"), include)
             if wrong is None and path in public:
                 wrong = public_header_fault(root, public, include)
+            if wrong:
+                yield Fault(path, include.line, wrong)
+
+
+def door_fault(root: Path, door: str, public: set[Path], include: Include) -> str | None:
+    """Why a file of `door` may not have `include`, or None."""
+    first = include.name.split("/")[0]
+    if first in DOORS and first != door:
+        return f'a door includes the library and not another door, but this includes "{include.name}"'
+    if first == "meristem" and root / include.name not in public:
+        return f'a door includes public headers only, and "{include.name}" is none'
+    return None
+
+
+def check_door_includes(root: Path, door: str, public: set[Path]) -> Iterator[Fault]:
+    for path in sources_below(root / door):
+        for include in includes_of(path):
+            wrong = door_fault(root, door, public, include)
             if wrong:
                 yield Fault(path, include.line, wrong)
 
@@ -150,6 +170,8 @@ def check(root: Path) -> list[Fault]:
         faults += check_room_lists(root, room, lists[room])
         faults += check_room_includes(root, room, public)
         faults += check_own_headers(root, room)
+    for door in DOORS:
+        faults += check_door_includes(root, door, public)
     return faults
 
 

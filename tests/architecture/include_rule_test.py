@@ -48,9 +48,26 @@ class IncludeRule(unittest.TestCase):
         self.write("meristem/base/a.h", "#include <meristem/output/a.h>\n")
         self.assert_only_fault("meristem/base/a.h:1:", "base stands before output")
 
-    def test_the_library_may_not_include_programs(self) -> None:
+    def test_the_library_may_not_include_its_doors(self) -> None:
         self.write("meristem/output/a.h", '#include "apps/cli/main.h"\n')
-        self.assert_only_fault("does not include programs")
+        self.assert_only_fault("does not include its doors")
+        self.write("meristem/output/a.h", "#include <python/bindings/values.h>\n")
+        self.assert_only_fault("does not include its doors")
+
+    def test_a_door_includes_public_headers_of_all_rooms_and_its_own(self) -> None:
+        everything = "".join(f'#include "meristem/{room}/a.h"\n' for room in include_rule.ROOMS)
+        self.write("python/bindings/a.cpp", everything + '#include "values.h"\n#include <pybind11/pybind11.h>\n')
+        self.write("apps/cli/a.cpp", everything + '#include "apps/cli/main.h"\n')
+        self.assertEqual(self.faults(), [])
+
+    def test_a_door_may_not_include_what_is_not_public(self) -> None:
+        self.write("meristem/document/parse.h", "#pragma once\n")
+        self.write("python/bindings/a.cpp", '#include "values.h"\n#include "meristem/document/parse.h"\n')
+        self.assert_only_fault("python/bindings/a.cpp:2:", "public headers only")
+
+    def test_a_door_may_not_include_another(self) -> None:
+        self.write("python/bindings/a.cpp", '#include "apps/cli/frames.h"\n')
+        self.assert_only_fault("python/bindings/a.cpp:1:", "not another door")
 
     def test_only_tests_include_test_support(self) -> None:
         self.write("meristem/plant/a.h", '#include "tests/support/check_mesh.h"\n')

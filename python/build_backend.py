@@ -245,14 +245,13 @@ def zipped(members: Members) -> bytes:
 
 def tar_gz(top: str, members: Members) -> bytes:
     stream = io.BytesIO()
-    with gzip.GzipFile(filename="", mode="wb", fileobj=stream, mtime=0) as packed:
-        with tarfile.open(fileobj=packed, mode="w", format=tarfile.PAX_FORMAT) as archive:
-            for path, content in sorted(members.items()):
-                entry = tarfile.TarInfo(f"{top}/{path}")
-                entry.size = len(content)
-                entry.mode = 0o644
-                archive.addfile(entry, io.BytesIO(content))
-    return stream.getvalue()
+    with tarfile.open(fileobj=stream, mode="w", format=tarfile.PAX_FORMAT) as archive:
+        for path, content in sorted(members.items()):
+            # The defaults, which fix date, rights and owner.
+            entry = tarfile.TarInfo(f"{top}/{path}")
+            entry.size = len(content)
+            archive.addfile(entry, io.BytesIO(content))
+    return gzip.compress(stream.getvalue(), mtime=0)
 
 
 def write_whole(path: Path, content: bytes) -> None:

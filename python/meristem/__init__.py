@@ -11,6 +11,8 @@ Metres, y up, x east, z south; angles in degrees. Arrays over the memory of plan
 long as they are kept.
 """
 
+from ._batch import BatchResult, batch
+from ._collect import collect
 from ._core import (
     Document,
     Material,
@@ -31,9 +33,16 @@ from ._core import (
 )
 from ._errors import Cancelled, Diagnostic, Error, InputError, MachineError
 from ._models import models
+from ._show import describe, make_preview, show
 from ._variable import Variable
 
+# Methods of compiled classes that are written here
+setattr(Plant, "show", show)
+setattr(Plant, "_repr_png_", make_preview)
+setattr(Document, "_repr_markdown_", describe)
+
 __all__ = [
+    "BatchResult",
     "Cancelled",
     "Diagnostic",
     "Document",
@@ -52,6 +61,8 @@ __all__ = [
     "Stem",
     "Variable",
     "__version__",
+    "batch",
+    "collect",
     "convex_hull",
     "models",
     "read",

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The types of the compiled half. What things do stands in their docstrings; tests/test_stubs.py holds both together.
 import os
+from pathlib import Path
 from typing import Any, Literal, Mapping, Protocol, Sequence
 
 import numpy as np
@@ -209,6 +210,16 @@ class Plant:
         threads: int = 0,
         progress: Progress | _ProgressCallback | None = None,
     ) -> bytes: ...
+    # Written in _show.py
+    def show(
+        self,
+        path: str | os.PathLike[str] | None = None,
+        *,
+        size: tuple[int, int] | None = None,
+        samples: int | None = None,
+        view: tuple[float, float] | None = None,
+    ) -> Path | None: ...
+    def _repr_png_(self) -> bytes: ...
 
 class Document:
     def __init__(
@@ -251,6 +262,7 @@ class Document:
     def warnings(self) -> tuple[Diagnostic, ...]: ...
     @property
     def scene(self) -> Scene: ...
+    def _repr_markdown_(self) -> str: ...  # written in _show.py
 
 def read(
     path: str | os.PathLike[str], *, set: Mapping[str, Any] | None = None, seed: int | None = None

@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Many plants of one document: over seeds and parameters, on all cores."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import multiprocessing
+import operator
+import os
+import pickle
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Sized
+from dataclasses import dataclass
+from typing import Any
+
+from ._core import Document, Plant, Skeleton
+from ._job import Job, Measure, Task
+from ._pool import Pool, refuse_unguarded_program
+
+Values = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class BatchResult:
+    """One plant of a batch."""
+
+    seed: int
+    values: dict[str, Any]  #: by their paths, as `grid` or `samples` has them; without those in `set`
+    result: Any  #: a dict of measures, or what the function gave
+
+
+def batch(
+    document: Document,
+    *,
+    seeds: Iterable[int] = range(10),
+    set: Values | None = None,
+    grid: Mapping[str, Sequence[Any]] | None = None,
+    samples: Iterable[Values] | None = None,
+    measure: str | Iterable[str] | Callable[[Plant], Any] | None = None,
+    processes: int | None = None,
+    progress: Callable[[int, int | None], object] | None = None,
+) -> Iterator[BatchResult]:
+    """Grows a plant for every seed of every set of values, and gives a BatchResult for each, in that order.
+
+    `set` fixes values for all, as in Document.set(). `grid` has sequences of values by their paths, of which all
+    combinations are grown, the last path's changing fastest; `samples` are dicts of values. Either may be endless,
+    and so may `seeds`: what is grown ahead is bounded, and memory stays flat.
+
+    `measure`: names of measures (one or several), all of them if None, or a function of the plant that returns
+    numbers, arrays, or a dict of them. Results are copies. Workers import the function: it stands at the top of a
+    module. Each plant grows on one thread, on `processes` at once: all cores if None; 1 grows in this process. The
+    results are the same. `progress` is called with the number of plants done and that of all, None if it is unknown.
+
+    The processes end with the loop, by `break` or an error as well. Raises InputError at once where the first values
+    do not suit the document, ValueError and TypeError for wrong arguments; from the iterator what growing and the
+    function raise, with a note of seed and values, and MachineError where a process was killed.
+    """
+    refuse_unguarded_program()
+    if not isinstance(document, Document):
+        raise TypeError(f"document must be a Document, not {type(document).__name__}")
+    if set is not None:
+        document = document.set(set)
+    count = _count_processes(processes)
+    sets = _sets_of_values(grid, samples)
+    total = _total(seeds, sets)
+    if (grid is not None or samples is not None) and iter(seeds) is seeds:
+        raise ValueError("beside grid or samples, seeds must be a list or range: they are gone through for every set")
+    job = Job(document, _checked_measure(measure))
+    tasks = _checked_tasks(document, (Task(seed, dict(values)) for values in sets for seed in seeds))
+    if count > 1:
+        return _grow_on_pool(_pickle_job(job), count if total is None else min(count, total), tasks, total, progress)
+    return _grow_here(job, tasks, total, progress)
+
+
+def _grow_here(job: Job, tasks: Iterable[Task], total: int | None, progress: Any) -> Iterator[BatchResult]:
+    for done, task in enumerate(tasks, 1):
+        result = job.run(task)
+        if progress is not None:
+            progress(done, total)
+        yield BatchResult(task.seed, dict(task.values), pickle.loads(result))
+
+
+def _grow_on_pool(
+    job: bytes, count: int, tasks: Iterable[Task], total: int | None, progress: Any
+) -> Iterator[BatchResult]:
+    done = itertools.count(1)
+    pool = Pool(job, count)
+    try:
+        for task, result in pool.run(tasks, lambda: progress and progress(next(done), total)):
+            yield BatchResult(task.seed, dict(task.values), pickle.loads(result))
+    finally:
+        pool.stop()
+
+
+def _count_processes(processes: int | None) -> int:
+    if processes is not None:
+        count = operator.index(processes)
+        if count < 1:
+            raise ValueError(f"processes must be at least 1, not {count}")
+        return count
+    if multiprocessing.current_process().daemon:
+        return 1  # a worker of some pool may not have processes of its own
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def _sets_of_values(grid: Mapping[str, Sequence[Any]] | None, samples: Iterable[Values] | None) -> Iterable[Values]:
+    if grid is not None and samples is not None:
+        raise ValueError("give grid or samples, not both")
+    if samples is not None:
+        if isinstance(samples, Mapping):
+            raise TypeError("samples must be several dicts, such as [{'age': 20}, {'age': 40}]")
+        return samples
+    columns = {}
+    for path, values in (grid or {}).items():
+        if isinstance(values, str) or not hasattr(values, "__iter__"):
+            raise TypeError(f"grid['{path}'] must be a sequence of values, such as [20, 40]")
+        columns[path] = list(values)
+    return _Combinations(columns)
+
+
+class _Combinations(Sized):
+    """All combinations of a grid, as often as they are asked for."""
+
+    def __init__(self, columns: dict[str, list[Any]]) -> None:
+        self._columns = columns
+
+    def __len__(self) -> int:
+        return math.prod(len(values) for values in self._columns.values())
+
+    def __iter__(self) -> Iterator[Values]:
+        for combination in itertools.product(*self._columns.values()):
+            yield dict(zip(self._columns, combination))
+
+
+def _total(seeds: Iterable[int], sets: Iterable[Values]) -> int | None:
+    if isinstance(seeds, Sized) and isinstance(sets, Sized):
+        return len(seeds) * len(sets)
+    return None
+
+
+def _checked_tasks(document: Document, tasks: Iterator[Task]) -> Iterator[Task]:
+    """The tasks, of which the first suits the document. Raises InputError where it does not."""
+    for first in tasks:
+        document.set(first.values, seed=first.seed)
+        return itertools.chain([first], tasks)
+    return tasks
+
+
+def _checked_measure(measure: str | Iterable[str] | Callable[[Plant], Any] | None) -> Measure:
+    if measure is None or callable(measure):
+        return measure
+    names = (measure,) if isinstance(measure, str) else tuple(measure)
+    known = Skeleton([-1], [[0, 0, 0]]).measure()
+    for name in names:
+        if name not in known:
+            raise ValueError(f"there is no measure {name!r}; expected one of {', '.join(known)}")
+    return names
+
+
+def _pickle_job(job: Job) -> bytes:
+    """The job for the workers. Raises RuntimeError and TypeError for programs and functions they cannot import."""
+    program = getattr(sys.modules["__main__"], "__file__", None)
+    if program == "<stdin>":
+        raise RuntimeError("workers cannot read a program from standard input: put it into a file, or grow with "
+                           "processes=1")
+    if callable(job.measure):
+        module = getattr(job.measure, "__module__", None)
+        name = getattr(job.measure, "__qualname__", repr(job.measure))
+        how = "define it at the top of a module, or grow with processes=1"
+        if module == "__main__" and program is None:  # a notebook or a prompt
+            raise TypeError(f"a worker cannot import {name}, as this session is no file; {how}")
+        try:
+            pickle.dumps(job.measure)
+        except Exception as error:
+            raise TypeError(f"a worker cannot import {name} ({error}); {how}") from error
+    return pickle.dumps(job)

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The results of a batch as one table."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._batch import BatchResult
+
+
+def collect(batch: Iterable[BatchResult], *, lists: str | Iterable[str] = ()) -> NDArray[np.void]:
+    """Grows a batch to its end and gives a structured array (n,), one row a plant, in the batch's order.
+
+    Its columns are `seed`, then the paths of values, then the measures or the function's dict by name; `result` for
+    a function that gives no dict. A result whose name is a path's or `seed` is called `result.NAME`. Numbers of
+    results are float64, NaN for None and for what a plant lacks. Arrays, of one shape for all plants, make columns of
+    shape (n, ...).
+
+    Lists differ in length from plant to plant, such as `length_by_order`; only those named in `lists` become columns,
+    as long as the longest, shorter ones filled up with NaN. Raises ValueError for arrays that differ in shape and for
+    names in `lists` that no plant has.
+    """
+    rows = list(batch)
+    wanted = (lists,) if isinstance(lists, str) else tuple(lists)
+    columns: dict[str, NDArray[Any]] = {"seed": _seeds(rows)}
+    for path, values in _by_name([row.values for row in rows]).items():
+        columns[path] = _value_column(values)
+    results = _by_name([row.result if isinstance(row.result, Mapping) else {"result": row.result} for row in rows])
+    for name in wanted:
+        if rows and name not in results:
+            raise ValueError(f"no plant has a result {name!r}; expected one of {', '.join(results)}")
+    for name, items in results.items():
+        column = _list_column(name, items) if name in wanted else _result_column(name, items)
+        if column is not None:
+            columns[f"result.{name}" if name in columns else name] = column
+    return _table(len(rows), columns)
+
+
+def _by_name(dicts: Sequence[Mapping[str, Any]]) -> dict[str, list[Any]]:
+    """For each name its values in all dicts, None where one has none."""
+    names = dict.fromkeys(name for one in dicts for name in one)
+    return {name: [one.get(name) for one in dicts] for name in names}
+
+
+def _seeds(rows: Sequence[BatchResult]) -> NDArray[Any]:
+    seeds = [int(row.seed) for row in rows]
+    is_large = any(seed >= 2**63 for seed in seeds)
+    return np.array(seeds, dtype=np.uint64 if is_large else np.int64)
+
+
+def _value_column(values: list[Any]) -> NDArray[Any]:
+    """As numpy has them, if they are numbers, texts, or lists of one shape; objects otherwise."""
+    try:
+        column = np.array(_with_nan(values))
+    except ValueError:
+        column = np.empty(0, dtype=object)
+    if column.dtype.kind in "biuf" or (column.dtype.kind == "U" and all(isinstance(value, str) for value in values)):
+        return column
+    column = np.empty(len(values), dtype=object)
+    column[:] = values
+    return column
+
+
+def _result_column(name: str, items: list[Any]) -> NDArray[Any] | None:
+    present = [item for item in items if item is not None]
+    if any(isinstance(item, (list, tuple)) for item in present):
+        return None
+    if any(isinstance(item, np.ndarray) and item.ndim > 0 for item in present):
+        return _array_column(name, items, present)
+    if any(isinstance(item, (str, bytes, Mapping)) for item in present):
+        return _value_column(items)
+    return np.array(_with_nan(items), dtype=np.float64)
+
+
+def _array_column(name: str, items: list[Any], present: list[Any]) -> NDArray[Any]:
+    shapes = {np.shape(item) for item in present}
+    if len(shapes) > 1:
+        told = ", ".join(str(shape) for shape in sorted(shapes)[:3])
+        raise ValueError(f"the arrays {name!r} differ in shape ({told}); name it in `lists`, or bring them to one")
+    if len(present) == len(items):
+        return np.array(items)
+    missing = np.full(shapes.pop(), math.nan)
+    return np.array([missing if item is None else item for item in items])
+
+
+def _list_column(name: str, items: list[Any]) -> NDArray[Any]:
+    lists = [[] if item is None else _with_nan(item) for item in items]
+    column = np.full((len(lists), max(map(len, lists))), math.nan)
+    for row, numbers in zip(column, lists):
+        row[: len(numbers)] = numbers
+    return column
+
+
+def _with_nan(values: Iterable[Any]) -> list[Any]:
+    return [math.nan if value is None else value for value in values]
+
+
+def _table(length: int, columns: Mapping[str, NDArray[Any]]) -> NDArray[np.void]:
+    table = np.empty(length, dtype=[(name, column.dtype, column.shape[1:]) for name, column in columns.items()])
+    for name, column in columns.items():
+        table[name] = column
+    return table

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One plant of a batch: grown on one thread, and what is wanted of it."""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, Union
+
+from ._core import Document, Plant, Progress
+
+#: Names of measures; None for all that need no light on leaves; or a function of the plant.
+Measure = Union[None, "tuple[str, ...]", Callable[[Plant], Any]]
+
+_NEED_LIGHT = frozenset({"leaf_exposure", "leaf_irradiance"})
+
+
+@dataclass(frozen=True)
+class Task:
+    """Which plant of a batch."""
+
+    seed: int
+    values: Mapping[str, Any]
+
+    def __str__(self) -> str:
+        return f"seed {self.seed} with {dict(self.values)}" if self.values else f"seed {self.seed}"
+
+
+@dataclass(frozen=True)
+class Job:
+    """What is done for every plant of a batch."""
+
+    document: Document
+    measure: Measure
+
+    def run(self, task: Task, progress: Progress | None = None) -> bytes:
+        """Grows a plant and gives the pickled result: a copy, so that no view into the plant keeps it in memory.
+
+        Raises what growing and the function raise, with a note of the seed and the values.
+        """
+        try:
+            plant = self.document.set(task.values, seed=task.seed).grow(threads=1, progress=progress)
+            return _pickle_result(_measure(plant, self.measure, progress))
+        except Exception as error:
+            add_note(error, f"in the batch's plant of {task}")
+            raise
+
+
+def _measure(plant: Plant, measure: Measure, progress: Progress | None) -> Any:
+    if callable(measure):
+        return measure(plant)
+    light = measure is not None and not _NEED_LIGHT.isdisjoint(measure)
+    measures: dict[str, Any] = plant.measure(light=light, threads=1, progress=progress)
+    return measures if measure is None else {name: measures[name] for name in measure}
+
+
+def _pickle_result(result: Any) -> bytes:
+    try:
+        return pickle.dumps(result, 4)  # under protocol 5, arrays that were read-only stay so
+    except Exception as error:
+        raise TypeError(
+            f"the function returned what cannot be sent between processes ({error}); "
+            "return numbers, texts, arrays, or dicts and lists of them"
+        ) from error
+
+
+def add_note(error: BaseException, note: str) -> None:
+    """Has tracebacks end with `note`: from Python 3.11 on, and wherever the error's `__notes__` are shown."""
+    notes = getattr(error, "__notes__", [])
+    error.__notes__ = [*notes, note]  # type: ignore[attr-defined]  # add_note() came with Python 3.11

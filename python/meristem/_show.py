@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How a plant shows itself: in notebooks, on desktops, and where there are neither."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from ._core import Document, Plant
+from ._errors import MachineError
+
+_QUICK: dict[str, Any] = {"size": (400, 400), "samples": 4}  # under a second for the shipped trees
+_FAIR: dict[str, Any] = {"size": (480, 480), "samples": 8}  # for who asks for a picture and waits a second or two
+_OPENING_SECONDS = 2.0  #: a program for opening files that still runs then has found one for the file
+
+
+def show(
+    self: Plant,
+    path: str | os.PathLike[str] | None = None,
+    *,
+    size: tuple[int, int] | None = None,
+    samples: int | None = None,
+    view: tuple[float, float] | None = None,
+) -> Path | None:
+    """Shows the plant in the way that the surroundings offer, and gives the path of the file that was written, if any.
+
+    With a `path`, writes a picture (.png) or what save() writes (.glb and others) there. Without one, shows a picture
+    in a notebook; on a desktop opens a .glb in the system's program for it; elsewhere, or if there is no such program,
+    writes a picture NAME.png into the current folder, never over another file, and prints where.
+
+    `size` is (width, height), `samples` the paths a pixel and `view` (azimuth, altitude) of the camera in degrees, as
+    in png(); if not given, size and samples are the document's with a `path` and small without. Raises InputError for
+    endings that are not known and sizes out of range, MachineError where it cannot be written.
+    """
+    given = {name: value for name, value in (("size", size), ("samples", samples), ("view", view)) if value is not None}
+    if path is not None:
+        return _write(self, Path(path), given)
+    if _is_notebook():
+        _display(self.png(**{**_FAIR, **given}))
+        return None
+    if not given and _has_desktop() and (opened := _open_in_program(self)):
+        return opened
+    written = _write_beside_others(self.png(**{**_FAIR, **given}), _file_name(self))
+    print(f"The picture is in {written}")
+    return written
+
+
+def make_preview(self: Plant) -> bytes:
+    """A small picture as the bytes of a PNG file, which notebooks show for a plant."""
+    return self.png(**_QUICK)
+
+
+def describe(self: Document) -> str:
+    """The document's name, what it says of itself, and its variables as a table, which notebooks show for it."""
+    lines = [f"**{_cell(self.name or 'Document')}**, seed {self.seed}", ""]
+    if self.description:
+        lines += [_cell(self.description), ""]
+    if self.variables:
+        lines += ["| variable | value | from | to | unit | |", "| --- | ---: | ---: | ---: | --- | --- |"]
+    for v in self.variables:
+        lines.append(f"| `{v.name}` | {v.value:g} | {v.min:g} | {v.max:g} | {_cell(v.unit)} | {_cell(v.doc)} |")
+    return "\n".join(lines)
+
+
+def _cell(text: str) -> str:
+    """As plain text within Markdown, on one line."""
+    return re.sub(r"([\\`*_|<>\[\]])", r"\\\1", " ".join(text.split()))
+
+
+def _write(plant: Plant, path: Path, given: Mapping[str, Any]) -> Path:
+    if path.suffix.lower() == ".png":
+        picture = plant.png(**given)
+        try:
+            path.write_bytes(picture)
+        except OSError as error:
+            raise MachineError(f"cannot write '{path}': {error.strerror}") from error
+        return path
+    if given:
+        raise ValueError(f"{', '.join(given)} are for pictures (.png), not for '{path.name}'")
+    plant.save(path)
+    return path
+
+
+def _is_notebook() -> bool:
+    """Whether this is an IPython kernel; IPython at a terminal shows no pictures."""
+    ipython = sys.modules.get("IPython")
+    shell = ipython.get_ipython() if ipython is not None else None
+    return shell is not None and getattr(shell, "kernel", None) is not None
+
+
+def _display(png: bytes) -> None:
+    from IPython.display import Image, display  # type: ignore[import]  # is there, as the kernel is
+
+    display(Image(data=png, format="png"))
+
+
+def _has_desktop() -> bool:
+    return sys.platform in ("darwin", "win32") or any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY"))
+
+
+def _open_in_program(plant: Plant) -> Path | None:
+    """The file that was opened; None if there is no program for it."""
+    folder = Path(tempfile.mkdtemp(prefix="meristem-"))
+    path = folder / f"{_file_name(plant)}.glb"
+    plant.save(path)
+    if _open(path):
+        return path  # it stays, as the program may read it again
+    shutil.rmtree(folder, ignore_errors=True)
+    return None
+
+
+def _open(path: Path) -> bool:
+    if sys.platform == "win32":
+        try:
+            os.startfile(path)
+        except OSError:
+            return False
+        return True
+    opener = shutil.which("open" if sys.platform == "darwin" else "xdg-open")
+    if opener is None:
+        return False
+    process = subprocess.Popen(
+        [opener, str(path)], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+    )
+    try:
+        return process.wait(_OPENING_SECONDS) == 0
+    except subprocess.TimeoutExpired:
+        return True
+
+
+def _file_name(plant: Plant) -> str:
+    return re.sub(r"[^\w-]+", "-", plant.document.name).strip("-").lower() or "plant"
+
+
+def _write_beside_others(png: bytes, name: str) -> Path:
+    """Writes NAME.png into the current folder, or NAME-2.png and so on if it is there already."""
+    number = 1
+    while True:
+        path = Path(f"{name}.png" if number == 1 else f"{name}-{number}.png")
+        try:
+            with path.open("xb") as file:
+                file.write(png)
+            return path
+        except FileExistsError:
+            number += 1
+        except OSError as error:
+            raise MachineError(f"cannot write '{path}' in the current folder: {error.strerror}") from error

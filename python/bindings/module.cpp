@@ -15,7 +15,9 @@ PYBIND11_MODULE(_core, module) {
   bind_scene(module);
   bind_mesh(module);
   bind_skeleton(module);
+  bind_colonize(module);
   bind_plant(module);
   bind_document(module);
+  bind_component_types(module);
   module.attr("__version__") = std::string(meristem::version());
 }

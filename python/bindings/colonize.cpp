@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// Space colonization into a caller's own points. It grows a document with one component whose points are these, so that
+// the parameters mean, and are checked, as everywhere.
+#include "meristem/components/colonize.h"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "call.h"
+#include "meristem/components/registry.h"
+#include "meristem/document/document.h"
+#include "meristem/document/json.h"
+#include "meristem/graph/expand.h"
+#include "scene.h"
+#include "values.h"
+
+namespace meristem::python {
+
+namespace {
+
+const std::string kComponent = "components.tree";
+
+Value places_value(const std::vector<Vec3>& places) {
+  Value::List list;
+  for (const Vec3 place : places) list.emplace_back(Value::List{double{place.x}, double{place.y}, double{place.z}});
+  return list;
+}
+
+/// The document's place as the argument that a caller knows it by.
+std::string argument_of(const std::string& path) {
+  if (!path.starts_with(kComponent)) return path;
+  const std::string name = path.substr(std::min(kComponent.size() + 1, path.size()));
+  return name == "crown" || name == "points.file" ? "points" : name;
+}
+
+/// Calls `call()`, and names arguments in its faults.
+template <class Call>
+auto naming_arguments(Call call) {
+  try {
+    return read_written_here(call);
+  } catch (const InputError& error) {
+    std::vector<Diagnostic> diagnostics = error.diagnostics();
+    for (Diagnostic& diagnostic : diagnostics) diagnostic.path = argument_of(diagnostic.path);
+    throw InputError(std::move(diagnostics));
+  }
+}
+
+/// A document with one colonize component.
+Document read_parameters(const py::dict& parameters, const std::vector<Vec3>& roots, const py::object& seed) {
+  Value tree = naming_arguments([&] { return to_value(parameters); });
+  Value::Object& members = *tree.object();
+  members.emplace_back("type", "colonize");
+  members.emplace_back("roots", places_value(roots));
+  // Any crown will do until the points take its place.
+  members.emplace_back("crown", Value(Value::Object{{"box", places_value({Vec3(0), Vec3(1)})}}));
+  Value::Object document{{"meristem", kDocumentFormat}, {"components", Value(Value::Object{{"tree", tree}})}};
+  if (!seed.is_none()) document.emplace_back("seed", to_value(seed));
+  return naming_arguments([&] { return read_document(write_json(Value(document)), "", builtin_components()); });
+}
+
+void set_points(Document& document, const std::vector<Vec3>& points) {
+  for (Prototype& prototype : document.graph.components) {
+    if (prototype.id != "tree") continue;
+    auto& tree = *static_cast<Colonize*>(prototype.parameters.get());
+    tree.crown.reset();
+    tree.points.file = {.path = "points", .content = std::make_shared<PointCloud>(points.begin(), points.end())};
+  }
+}
+
+std::shared_ptr<Skeleton> colonize(const py::object& points, const py::object& roots, const py::object& step,
+                                   const py::object& influence, const py::object& kill, const py::object& iterations,
+                                   const py::object& bias, const py::object& tip_radius,
+                                   const py::object& pipe_exponent, const py::object& finish, const py::object& light,
+                                   const py::object& shed, const std::shared_ptr<Scene>& scene, const py::object& seed,
+                                   int threads, const py::object& progress) {
+  const std::vector<Vec3> places = points_of(points, "points");
+  if (places.empty()) throw py::value_error("points has no rows");
+  const std::vector<Vec3> trees = one_or_more_points(roots, "roots");
+  if (trees.empty()) throw py::value_error("roots has no rows");
+  py::dict parameters;
+  const auto set = [&](const char* name, const py::object& value) {
+    if (!value.is_none()) parameters[name] = value;
+  };
+  set("step", step);
+  set("influence", influence);
+  set("kill", kill);
+  set("iterations", iterations);
+  set("bias", bias);
+  set("tip_radius", tip_radius);
+  set("pipe_exponent", pipe_exponent);
+  set("finish", finish);
+  set("light", light);
+  set("shed", shed);
+  Document document = read_parameters(parameters, trees, seed);
+  set_points(document, places);
+  const Scene surroundings = scene ? *scene : Scene();
+  return naming_arguments([&] {
+    return run_call(progress, threads, [&](Progress& inner) {
+      auto all = std::make_shared<Skeleton>();
+      Plant plant = expand(document.graph, document.structure, surroundings, 0, inner);
+      for (Stem& stem : plant.stems) all->append(std::move(stem.skeleton));
+      return all;
+    });
+  });
+}
+
+}  // namespace
+
+void bind_colonize(py::module_& module) {
+  const ColonizeParameters plain;
+  module.def("colonize", &colonize, py::arg("points"), py::kw_only(), py::arg("roots") = py::make_tuple(0, 0, 0),
+             py::arg("step") = plain.step, py::arg("influence") = plain.influence, py::arg("kill") = plain.kill,
+             py::arg("iterations") = plain.iterations, py::arg("bias") = py::make_tuple(0, 0, 0),
+             py::arg("tip_radius") = plain.radii.tip_radius, py::arg("pipe_exponent") = plain.radii.exponent,
+             py::arg("finish") = py::none(), py::arg("light") = py::none(), py::arg("shed") = py::none(),
+             py::arg("scene") = py::none(), py::arg("seed") = 1, py::arg("threads") = 0,
+             py::arg("progress") = py::none(),
+             R"(Grows into your own attraction points by space colonization, and gives a Skeleton.
+
+`points` (n, 3) and `roots` (3,) or (k, 3) are places in the world, metres. Trees of several roots compete for the
+points and are one skeleton; a root that no point pulls grows straight toward the nearest one first. `step` (m) is the
+length of a segment, points pull within `influence` (m) and are used up within `kill` (m), and growth ends after
+`iterations` steps at the latest; `bias` is added to each direction. `tip_radius` (m) and `pipe_exponent` give radii.
+`finish`, `light` and `shed` are what a document's colonize component says of them: {"relax": False}, {"shift": 0.1},
+"height < 2".
+
+In a `scene` no segment enters an obstacle, and points inside are left out. `seed` (0 to 2^53) breaks ties. The same on
+any number of `threads`. Raises TypeError and ValueError for wrong arrays, InputError for parameters out of range and
+points out of reach, Cancelled.)");
+}
+
+}  // namespace meristem::python

@@ -10,15 +10,16 @@ import operator
 import os
 import pickle
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Sized
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sized
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Optional
 
 from ._core import Document, Plant, Skeleton
 from ._job import Job, Measure, Task
 from ._pool import Pool, refuse_unguarded_program
 
 Values = Mapping[str, Any]
+_ProgressCallback = Callable[[int, Optional[int]], object]
 
 
 @dataclass(frozen=True)
@@ -35,11 +36,11 @@ def batch(
     *,
     seeds: Iterable[int] = range(10),
     set: Values | None = None,
-    grid: Mapping[str, Sequence[Any]] | None = None,
+    grid: Mapping[str, Iterable[Any]] | None = None,
     samples: Iterable[Values] | None = None,
     measure: str | Iterable[str] | Callable[[Plant], Any] | None = None,
     processes: int | None = None,
-    progress: Callable[[int, int | None], object] | None = None,
+    progress: _ProgressCallback | None = None,
 ) -> Iterator[BatchResult]:
     """Grows a plant for every seed of every set of values, and gives a BatchResult for each, in that order.
 
@@ -73,7 +74,9 @@ def batch(
     return _grow_here(job, tasks, total, progress)
 
 
-def _grow_here(job: Job, tasks: Iterable[Task], total: int | None, progress: Any) -> Iterator[BatchResult]:
+def _grow_here(
+    job: Job, tasks: Iterable[Task], total: int | None, progress: _ProgressCallback | None
+) -> Iterator[BatchResult]:
     for done, task in enumerate(tasks, 1):
         result = job.run(task)
         if progress is not None:
@@ -82,12 +85,17 @@ def _grow_here(job: Job, tasks: Iterable[Task], total: int | None, progress: Any
 
 
 def _grow_on_pool(
-    job: bytes, count: int, tasks: Iterable[Task], total: int | None, progress: Any
+    job: bytes, count: int, tasks: Iterable[Task], total: int | None, progress: _ProgressCallback | None
 ) -> Iterator[BatchResult]:
     done = itertools.count(1)
+
+    def tell() -> None:
+        if progress is not None:
+            progress(next(done), total)
+
     pool = Pool(job, count)
     try:
-        for task, result in pool.run(tasks, lambda: progress and progress(next(done), total)):
+        for task, result in pool.run(tasks, tell):
             yield BatchResult(task.seed, dict(task.values), pickle.loads(result))
     finally:
         pool.stop()
@@ -106,7 +114,7 @@ def _count_processes(processes: int | None) -> int:
     return os.cpu_count() or 1
 
 
-def _sets_of_values(grid: Mapping[str, Sequence[Any]] | None, samples: Iterable[Values] | None) -> Iterable[Values]:
+def _sets_of_values(grid: Mapping[str, Iterable[Any]] | None, samples: Iterable[Values] | None) -> Iterable[Values]:
     if grid is not None and samples is not None:
         raise ValueError("give grid or samples, not both")
     if samples is not None:
@@ -164,8 +172,9 @@ def _pickle_job(job: Job) -> bytes:
     """The job for the workers. Raises RuntimeError and TypeError for programs and functions they cannot import."""
     program = getattr(sys.modules["__main__"], "__file__", None)
     if program == "<stdin>":
-        raise RuntimeError("workers cannot read a program from standard input: put it into a file, or grow with "
-                           "processes=1")
+        raise RuntimeError(
+            "workers cannot read a program from standard input: put it into a file, or grow with processes=1"
+        )
     if callable(job.measure):
         module = getattr(job.measure, "__module__", None)
         name = getattr(job.measure, "__qualname__", repr(job.measure))

@@ -2,7 +2,7 @@
 # The types of the compiled half. What things do stands in their docstrings; tests/test_stubs.py holds both together.
 import os
 from pathlib import Path
-from typing import Any, Literal, Mapping, Protocol, Sequence
+from typing import Any, Literal, Mapping, Protocol, Sequence, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -25,7 +25,67 @@ class Progress:
     @property
     def fraction(self) -> float: ...
 
-class Scene: ...
+class Scene:
+    def __init__(self, values: Mapping[str, Any] | None = None, *, file: str = "") -> None: ...
+    @property
+    def sun(self) -> tuple[NDArray[np.float32], NDArray[np.float64]]: ...
+    @property
+    def sky(self) -> tuple[NDArray[np.float32], NDArray[np.float64]]: ...
+    @property
+    def lamps(self) -> tuple[NDArray[np.float32], NDArray[np.float64]]: ...
+    @property
+    def mean_direction(self) -> NDArray[np.float32]: ...
+    @property
+    def obstacles(self) -> list[Mesh]: ...
+    def light_at(
+        self, points: ArrayLike, *, threads: int = 0, progress: Progress | _ProgressCallback | None = None
+    ) -> NDArray[np.float64]: ...
+    def light_of_points(
+        self,
+        points: ArrayLike,
+        *,
+        radius: float = 0.3,
+        k: float = 0.1,
+        threads: int = 0,
+        progress: Progress | _ProgressCallback | None = None,
+    ) -> NDArray[np.float64]: ...
+    def crown_light(
+        self,
+        crown: ArrayLike | Mesh,
+        *,
+        rays: int = 100000,
+        threads: int = 0,
+        progress: Progress | _ProgressCallback | None = None,
+    ) -> tuple[float, NDArray[np.float64]]: ...
+    def inside(
+        self, points: ArrayLike, *, threads: int = 0, progress: Progress | _ProgressCallback | None = None
+    ) -> NDArray[np.bool_]: ...
+    def crosses(
+        self,
+        starts: ArrayLike,
+        ends: ArrayLike,
+        *,
+        threads: int = 0,
+        progress: Progress | _ProgressCallback | None = None,
+    ) -> NDArray[np.bool_]: ...
+    def first_hit(
+        self,
+        origins: ArrayLike,
+        directions: ArrayLike,
+        within: float | None = None,
+        *,
+        threads: int = 0,
+        progress: Progress | _ProgressCallback | None = None,
+    ) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
+    def blocked(
+        self,
+        origins: ArrayLike,
+        directions: ArrayLike,
+        within: float | None = None,
+        *,
+        threads: int = 0,
+        progress: Progress | _ProgressCallback | None = None,
+    ) -> NDArray[np.bool_]: ...
 
 class Mesh:
     def __init__(self, positions: ArrayLike, triangles: ArrayLike) -> None: ...
@@ -289,5 +349,41 @@ def tubes(
     threads: int = 0,
     progress: Progress | _ProgressCallback | None = None,
 ) -> Mesh: ...
+def colonize(
+    points: ArrayLike,
+    *,
+    roots: ArrayLike = (0, 0, 0),
+    step: float = 0.05,
+    influence: float = 0.6,
+    kill: float = 0.3,
+    iterations: int = 1000,
+    bias: ArrayLike = (0, 0, 0),
+    tip_radius: float = 0.004,
+    pipe_exponent: float = 2.4,
+    finish: Mapping[str, Any] | None = None,
+    light: Mapping[str, Any] | None = None,
+    shed: str | None = None,
+    scene: Scene | None = None,
+    seed: int = 1,
+    threads: int = 0,
+    progress: Progress | _ProgressCallback | None = None,
+) -> Skeleton: ...
+
+# Numbers give numbers and arrays arrays; mypy warns because a number is an ArrayLike too.
+@overload
+def sun_position(latitude: float, day: float, hour: float) -> tuple[float, float]: ...  # type: ignore[misc]
+@overload
+def sun_position(
+    latitude: ArrayLike, day: ArrayLike, hour: ArrayLike
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+@overload
+def daylight(latitude: float, day: float) -> tuple[float, float] | None: ...  # type: ignore[misc]
+@overload
+def daylight(latitude: ArrayLike, day: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+@overload
+def declination(day: float) -> float: ...  # type: ignore[misc]
+@overload
+def declination(day: ArrayLike) -> NDArray[np.float64]: ...
+def unit_vector(azimuth: ArrayLike, altitude: ArrayLike) -> NDArray[np.float32]: ...
 def components() -> dict[str, Any]: ...
 def schema() -> dict[str, Any]: ...

@@ -68,4 +68,4 @@ def _pickle_result(result: Any) -> bytes:
 def add_note(error: BaseException, note: str) -> None:
     """Has tracebacks end with `note`: from Python 3.11 on, and wherever the error's `__notes__` are shown."""
     notes = getattr(error, "__notes__", [])
-    error.__notes__ = [*notes, note]  # type: ignore[attr-defined]  # add_note() came with Python 3.11
+    setattr(error, "__notes__", [*notes, note])  # add_note() came with Python 3.11

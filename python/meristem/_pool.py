@@ -24,11 +24,14 @@ from collections import deque
 from collections.abc import Iterable, Iterator
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
-from typing import Callable, Optional, Tuple
+from typing import TYPE_CHECKING, Callable, Optional, Tuple
 
 from ._core import Progress
 from ._errors import MachineError
 from ._job import Job, Task, add_note
+
+if TYPE_CHECKING:
+    from multiprocessing.context import ForkServerContext, SpawnContext
 
 _NAME = "meristem batch worker"
 _UNGUARDED = 97  #: a worker's exit code, where the program would start a batch in each worker in turn
@@ -47,10 +50,12 @@ class Pool:
         """Starts `count` processes. `job` is a pickled Job."""
         self._workers: list[_Worker] = []
         # Not "fork": a forked child has the locks of the library's threads as they were, but not the threads.
-        methods = multiprocessing.get_all_start_methods()
-        context = multiprocessing.get_context("forkserver" if "forkserver" in methods else "spawn")
-        if context.get_start_method() == "forkserver":
+        context: ForkServerContext | SpawnContext
+        if "forkserver" in multiprocessing.get_all_start_methods():
+            context = multiprocessing.get_context("forkserver")
             context.set_forkserver_preload(["meristem"])  # halves the time in which workers start
+        else:
+            context = multiprocessing.get_context("spawn")
         try:
             for _ in range(count):
                 ours, theirs = context.Pipe()

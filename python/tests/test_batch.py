@@ -10,7 +10,7 @@ import pickle
 import random
 import signal
 import time
-from typing import Any, Iterator
+from typing import Any, Iterable, Iterator
 
 import meristem
 import numpy as np
@@ -67,7 +67,7 @@ def never_end_from_seed_1(plant: meristem.Plant) -> int:
 
 def test_any_number_of_processes_gives_the_same_results_in_the_same_order() -> None:
     def grow(processes: int) -> list[meristem.BatchResult]:
-        grid = {"tree.points": [100, 400], "size": [0.05, 0.1]}
+        grid: dict[str, Iterable[float]] = {"tree.points": [100, 400], "size": [0.05, 0.1]}
         return list(meristem.batch(tree(), seeds=range(3), grid=grid, processes=processes))
 
     here = grow(1)
@@ -77,7 +77,7 @@ def test_any_number_of_processes_gives_the_same_results_in_the_same_order() -> N
 
 
 def test_seeds_change_fastest_then_the_last_path() -> None:
-    grid = {"tree.points": np.array([50, 60]), "size": (0.05, 0.1)}
+    grid: dict[str, Iterable[float]] = {"tree.points": np.array([50, 60]), "size": (0.05, 0.1)}
     results = meristem.batch(tree(), seeds=(4, 9), grid=grid, measure="nodes", processes=1)
     plan = [(result.seed, result.values["tree.points"], result.values["size"]) for result in results]
     assert plan == [(s, p, z) for p in (50, 60) for z in (0.05, 0.1) for s in (4, 9)]
@@ -127,13 +127,13 @@ def test_only_a_bounded_number_of_seeds_is_taken_ahead(processes: int) -> None:
 @BOTH
 def test_progress_is_told_of_every_plant_and_the_total(processes: int) -> None:
     told: list[tuple[int, int | None]] = []
-    list(meristem.batch(tree(), seeds=range(4), processes=processes, progress=lambda *share: told.append(share)))
+    list(meristem.batch(tree(), seeds=range(4), processes=processes, progress=lambda done, total: told.append((done, total))))
     assert told == [(1, 4), (2, 4), (3, 4), (4, 4)]
 
 
 def test_the_total_of_a_generator_is_unknown() -> None:
     told: list[tuple[int, int | None]] = []
-    list(meristem.batch(tree(), seeds=iter([1]), processes=1, progress=lambda *share: told.append(share)))
+    list(meristem.batch(tree(), seeds=iter([1]), processes=1, progress=lambda done, total: told.append((done, total))))
     assert told == [(1, None)]
 
 
@@ -213,7 +213,7 @@ def test_a_result_that_cannot_be_sent_is_refused(processes: int) -> None:
 
 
 def test_leaving_the_loop_ends_workers_in_the_midst_of_plants() -> None:
-    values = [{"tree.points": 50}, *({"tree.points": 10**6, "tree.step": 0.001} for _ in range(4))]
+    values: list[dict[str, float]] = [{"tree.points": 50}, *[{"tree.points": 10**6, "tree.step": 0.001}] * 4]
     for result in meristem.batch(tree(), seeds=[1], samples=values, processes=2):
         assert result.values == values[0]
         assert len(multiprocessing.active_children()) == 2

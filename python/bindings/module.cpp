@@ -13,8 +13,8 @@ PYBIND11_MODULE(_core, module) {
   bind_errors();
   bind_progress(module);
   bind_scene(module);
-  bind_mesh(module);
   bind_skeleton(module);
+  bind_mesh(module);
   bind_colonize(module);
   bind_plant(module);
   bind_document(module);

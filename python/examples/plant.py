@@ -26,5 +26,6 @@ volume = (np.pi / 3 * length * (near**2 + near * far + far**2)).sum()
 print(f"{1000 * volume:.0f} litres of wood")
 
 # A skeleton of one's own: a stem with two laterals.
-own = meristem.Skeleton([-1, 0, 1, 1], [[0, 0, 0], [0, 1, 0], [0.3, 1.4, 0], [0, 2, 0]], radius=[0.05, 0.04, 0.02, 0.03])
+places = np.array([[0, 0, 0], [0, 1, 0], [0.3, 1.4, 0], [0, 2, 0]])
+own = meristem.Skeleton([-1, 0, 1, 1], places, radius=[0.05, 0.04, 0.02, 0.03])
 print(f"one of our own: {own.measure()['axes']} axes, orders {own.order.tolist()}")

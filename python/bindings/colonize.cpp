@@ -109,7 +109,7 @@ std::shared_ptr<Skeleton> colonize(const py::object& points, const py::object& r
 
 void bind_colonize(py::module_& module) {
   const ColonizeParameters plain;
-  module.def("colonize", &colonize, py::arg("points"), py::kw_only(), py::arg("roots") = py::make_tuple(0, 0, 0),
+  module.def("colonize", &colonize, py::arg("points"), py::arg("roots") = py::make_tuple(0, 0, 0), py::kw_only(),
              py::arg("step") = plain.step, py::arg("influence") = plain.influence, py::arg("kill") = plain.kill,
              py::arg("iterations") = plain.iterations, py::arg("bias") = py::make_tuple(0, 0, 0),
              py::arg("tip_radius") = plain.radii.tip_radius, py::arg("pipe_exponent") = plain.radii.exponent,

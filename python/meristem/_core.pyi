@@ -351,8 +351,8 @@ def tubes(
 ) -> Mesh: ...
 def colonize(
     points: ArrayLike,
-    *,
     roots: ArrayLike = (0, 0, 0),
+    *,
     step: float = 0.05,
     influence: float = 0.6,
     kill: float = 0.3,

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import gc
 import pickle
-from typing import Any
+from typing import Any, Callable
 
 import numpy as np
 import pytest
@@ -30,7 +30,8 @@ def random_points(count: int, seed: int = 7) -> NDArray[np.float64]:
 def ball(count: int = 400) -> NDArray[np.float64]:
     """The points of a ball around (0, 2, 0) with the radius 1."""
     points = np.random.default_rng(3).uniform(-1, 1, (3 * count, 3))
-    return points[np.linalg.norm(points, axis=1) < 1][:count] + [0, 2, 0]
+    within: NDArray[np.float64] = points[np.linalg.norm(points, axis=1) < 1][:count]
+    return within + np.array([0.0, 2.0, 0.0])
 
 
 def box_entry(origins: NDArray[np.float64], directions: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -39,10 +40,8 @@ def box_entry(origins: NDArray[np.float64], directions: NDArray[np.float64]) -> 
         one, other = (LOW - origins) / directions, (HIGH - origins) / directions
     enter, leave = np.minimum(one, other).max(axis=1), np.maximum(one, other).min(axis=1)
     hit = np.where(enter >= 0, enter, leave)
-    return np.where((enter <= leave) & (leave >= 0), hit, np.inf)
-
-
-# --- light ------------------------------------------------------------------------------------------------------------
+    distance: NDArray[np.float64] = np.where((enter <= leave) & (leave >= 0), hit, np.inf)
+    return distance
 
 
 def test_without_values_the_light_comes_from_the_zenith() -> None:
@@ -96,7 +95,7 @@ def test_the_light_of_single_points_is_the_light_at_them() -> None:
 
 
 def test_points_dim_those_below_them() -> None:
-    light = meristem.Scene().light_of_points([[0, 3, 0], [0, 1.5, 0], [0, 0, 0]], radius=0.2, k=0.5)
+    light = meristem.Scene().light_of_points([[0.0, 3.0, 0.0], [0.0, 1.5, 0.0], [0.0, 0.0, 0.0]], radius=0.2, k=0.5)
     assert light == pytest.approx(np.exp([0, -0.5, -1]))
 
 
@@ -118,9 +117,6 @@ def test_a_crown_is_lit_as_its_hull_and_as_a_skeleton_measures() -> None:
     star = meristem.Skeleton([-1] + [0] * (len(points) - 1), points)
     assert star.measure(scene=scene)["lit_share"] == pytest.approx(share)
     assert 0 < share < meristem.Scene(SEASON).crown_light(points)[0]
-
-
-# --- obstacles --------------------------------------------------------------------------------------------------------
 
 
 def test_inside_is_between_the_walls() -> None:
@@ -161,7 +157,7 @@ def test_the_length_of_directions_means_nothing_and_within_is_in_metres() -> Non
 def test_the_nearest_obstacle_is_named() -> None:
     boxes = [{"box": [[-1, -1, z], [1, 1, z + 1]]} for z in (6, 2, 4)]
     scene = meristem.Scene({"obstacles": boxes})
-    distances, obstacles = scene.first_hit([[0, 0, 0], [0, 0, 3.5], [0, 0, 10]], [0, 0, 1])
+    distances, obstacles = scene.first_hit([[0, 0, z] for z in (0.0, 3.5, 10.0)], [0, 0, 1])
     assert distances.tolist() == [2, 0.5, np.inf] and obstacles.tolist() == [1, 2, -1]
 
 
@@ -189,12 +185,13 @@ def test_no_places_get_no_answers() -> None:
 
 def test_answers_are_the_same_on_any_number_of_threads() -> None:
     scene, points = walled(**SEASON), random_points(3000)
-    for ask in (scene.inside, scene.light_at, scene.light_of_points):
+    asked: list[Callable[..., NDArray[Any]]] = [scene.inside, scene.light_at, scene.light_of_points]
+    for ask in asked:
         assert np.array_equal(ask(points, threads=1), ask(points, threads=2))
     one, two = (scene.first_hit(points, [0.3, 0.1, 1], threads=threads) for threads in (1, 2))
     assert np.array_equal(one[0], two[0]) and np.array_equal(one[1], two[1])
-    crowns = [scene.crown_light(ball(), threads=threads)[1] for threads in (1, 2)]
-    assert np.array_equal(*crowns)
+    crown_one, crown_two = (scene.crown_light(ball(), threads=threads)[1] for threads in (1, 2))
+    assert np.array_equal(crown_one, crown_two)
 
 
 def test_progress_is_told_and_cancels() -> None:
@@ -205,9 +202,6 @@ def test_progress_is_told_and_cancels() -> None:
     progress.cancel()
     with pytest.raises(meristem.Cancelled):
         walled().inside(random_points(10), progress=progress)
-
-
-# --- whole scenes -----------------------------------------------------------------------------------------------------
 
 
 def test_a_document_has_the_same_scene() -> None:
@@ -234,9 +228,6 @@ def test_pickled_scenes_answer_the_same() -> None:
     assert repr(scene).endswith("of the sun, 40 patches of sky, 1 lamp, 1 obstacle>")
 
 
-# --- what is refused --------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(("values", "path", "message"), [
     ({"sun": {"day": 400}}, "scene.sun.day", "out of range"),
     ({"sun": {"dya": 4}}, "scene.sun.dya", "not a parameter of a sun"),
@@ -261,7 +252,9 @@ def test_faults_come_with_their_places_in_the_scene(values: Any, path: str, mess
     ([[0, 0, 0], [0, np.nan, 0]], ValueError, "points[1, 1] is nan"),
 ])
 def test_wrong_points_are_refused(points: Any, error: type[Exception], message: str) -> None:
-    for ask in (walled().inside, walled().light_at, walled().light_of_points):
+    scene = walled()
+    asked: list[Callable[..., NDArray[Any]]] = [scene.inside, scene.light_at, scene.light_of_points]
+    for ask in asked:
         with pytest.raises(error) as caught:
             ask(points)
         assert str(caught.value) == message
@@ -285,7 +278,7 @@ def test_wrong_rays_are_refused() -> None:
 
 def test_other_wrong_arguments_are_refused() -> None:
     scene = walled()
-    refused = [
+    refused: list[tuple[Callable[[], object], str]] = [
         (lambda: scene.light_of_points([[0, 0, 0]], radius=0), "radius must be above 0 metres"),
         (lambda: scene.light_of_points([[0, 0, 0]], k=-1), "k must be at least 0"),
         (lambda: scene.crown_light(np.eye(3)), "crown lies in one plane, so it has no hull"),

@@ -30,8 +30,8 @@ def random_points(count: int, seed: int = 7) -> NDArray[np.float64]:
 def ball(count: int = 400) -> NDArray[np.float64]:
     """The points of a ball around (0, 2, 0) with the radius 1."""
     points = np.random.default_rng(3).uniform(-1, 1, (3 * count, 3))
-    within: NDArray[np.float64] = points[np.linalg.norm(points, axis=1) < 1][:count]
-    return within + np.array([0.0, 2.0, 0.0])
+    points = points[np.linalg.norm(points, axis=1) < 1][:count]
+    return np.asarray(points + [0, 2, 0])
 
 
 def box_entry(origins: NDArray[np.float64], directions: NDArray[np.float64]) -> NDArray[np.float64]:

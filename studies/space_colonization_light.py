@@ -45,13 +45,15 @@ from light_study.trees import (
 CLOUDS = 10
 STRENGTHS: dict[str, Sequence[float]] = {
     "shift": SHIFTS,
-    "shift_held": SHIFTS,
+    "shift_scaled": SHIFTS,
+    "shift_held": SHIFTS[::2],
     "limit": (0, 0.12, 0.24, 0.36, 0.48, 0.6),
     "drift": tuple(round(0.1 * k, 1) for k in range(11)),
 }
 QUICK_CLOUDS = 2
 QUICK_STRENGTHS: dict[str, Sequence[float]] = {
     "shift": (0, 0.005, 0.010),
+    "shift_scaled": (0, 0.005, 0.010),
     "shift_held": (0, 0.005, 0.010),
     "limit": (0, 0.36, 0.6),
     "drift": (0, 0.5, 0.9),
@@ -129,19 +131,20 @@ def write_findings(path: Path, findings: Iterable[Finding]) -> None:
 
 def print_means(means: Iterable[Mean]) -> None:
     """A line a treatment, for eyes."""
-    print("response   scene strength  height  azimuth spread altitude  centroid at   sun %  day %")
+    print("response     scene strength  height  azimuth spread altitude  centroid at   sun %  day %")
     for mean in means:
         response, scene, strength = mean.treatment
         m = mean.measures
         print(
-            f"{response:<10} {scene:<5} {strength:8.3f} {m['height']:6.2f} m {m['inclination_azimuth']:7.1f} "
-            f"{mean.spreads['inclination_azimuth']:6.1f} {m['inclination_altitude']:8.1f} {m['centroid_radius']:6.2f} m "
-            f"{m['centroid_azimuth']:5.0f} {100 * m['lit_share_still']:6.1f} {100 * m['lit_share_day']:6.1f}"
+            f"{response:<12} {scene:<5} {strength:8.3f} {m['height']:6.2f} m {m['inclination_azimuth']:7.1f} "
+            f"{mean.spreads['inclination_azimuth']:6.1f} {m['inclination_altitude']:8.1f} "
+            f"{m['centroid_radius']:6.2f} m {m['centroid_azimuth']:5.0f} "
+            f"{100 * m['lit_share_still']:6.1f} {100 * m['lit_share_day']:6.1f}"
         )
 
 
-def print_findings(findings: Iterable[Finding]) -> None:
-    print("\nexpected:")
+def print_findings(findings: Iterable[Finding], clouds: int) -> None:
+    print(f"\nexpected of means over {CLOUDS} clouds; these are over {clouds}:")
     for finding in findings:
         print(f"{'yes' if finding.holds else 'NO ':<4}{finding.what}: {finding.expected}; found {finding.found}")
 
@@ -160,7 +163,7 @@ def run_study(folder: Path, quick: bool, threads: int) -> None:
     write_findings(folder / "expectations.csv", findings)
     draw_figures(folder, trees, means)
     print_means(means.values())
-    print_findings(findings)
+    print_findings(findings, clouds)
 
 
 def positive_number(text: str) -> int:
@@ -172,7 +175,7 @@ def positive_number(text: str) -> int:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description="Grows trees in the light, measures them and draws the results.")
-    parser.add_argument("-o", "--output", type=Path, default=Path("out/light-study"), metavar="DIR", help="for the files")
+    parser.add_argument("-o", "--output", type=Path, default=Path("out/light-study"), metavar="DIR", help="for files")
     parser.add_argument("--quick", action="store_true", help="2 clouds and 3 strengths: to try it")
     parser.add_argument(
         "--threads", type=positive_number, default=os.cpu_count() or 1, metavar="N", help="that grow trees (all cores)"

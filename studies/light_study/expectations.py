@@ -60,7 +60,7 @@ BANDS = (
     Band("shift", "B", "inclination_azimuth", SHIFTS[9:], 160, 200),
     Band("shift", "B", "centroid_azimuth", SHIFTS[1:], -30, 30),
     Band("shift", "B", "lit_share_day", [0.010], 0.05, 0.07, change=True),
-    Band("shift_held", "B", "lit_share_day", [0.005], 0.008, 0.025, change=True),
+    Band("shift_scaled", "B", "lit_share_day", [0.005], 0.008, 0.025, change=True),
     Band("limit", "A", "lit_share_still", [0.36], 0.04, ANY, change=True),
     Band("limit", "A", "lit_share_still", [0.6], 0.08, ANY, change=True),
     Band("limit", "A", "height", [0.36, 0.6], -0.02, 0.02, change=True, relative=True),
@@ -148,7 +148,8 @@ def check_extreme(extreme: Extreme, means: Means) -> Finding | None:
 
 def check_line(means: Means) -> list[Finding]:
     """Altitudes in scene A fall strictly and nearly on a line."""
-    studied = [means[treatment] for treatment in (Treatment("shift", "A", shift) for shift in SHIFTS) if treatment in means]
+    treatments = [Treatment("shift", "A", shift) for shift in SHIFTS]
+    studied = [means[treatment] for treatment in treatments if treatment in means]
     shifts = [mean.treatment.strength for mean in studied]
     altitudes = [mean.measures["inclination_altitude"] for mean in studied]
     explained = float(np.corrcoef(shifts, altitudes)[0, 1] ** 2)

@@ -17,15 +17,17 @@ import meristem
 import numpy as np
 from numpy.typing import ArrayLike
 
-STILL_SUN = {"sun": {"azimuth": 180, "altitude": 61}}
-DAY = {"latitude": 51.51494, "sun": {"day": 126, "every_hours": 1}}
-OBSTACLES: Mapping[str, dict[str, Any]] = {"A": {}, "B": {"obstacles": [{"box": [[-3, 0, 3], [3, 8, 6]]}]}}
-GROWTH_LIGHT = {"A": STILL_SUN, "B": DAY}
+Light = Mapping[str, Any]  #: keys of a document's `scene`
+
+STILL_SUN: Light = {"sun": {"azimuth": 180, "altitude": 61}}
+DAY: Light = {"latitude": 51.51494, "sun": {"day": 126, "every_hours": 1}}
+OBSTACLES: Mapping[str, Light] = {"A": {}, "B": {"obstacles": [{"box": [[-3, 0, 3], [3, 8, 6]]}]}}
+GROWTH_LIGHT: Mapping[str, Light] = {"A": STILL_SUN, "B": DAY}
 
 PROFILE = ((0, 0.4), (0.96, 1.42), (1.6, 2.61), (0, 3.8))  #: radius and height of the crown, metres
 STEP = 0.02  #: metres
 WITHOUT_LIMIT = 1e6  #: metres; the greatest influence that a document can say
-HELD_HEIGHT = 3.7  #: metres; of the trees of "shift_held"
+HELD_HEIGHT = 3.7  #: metres; of the trees of "shift_scaled"
 SCALE_ROUNDS = 2  #: how often these trees are grown, each time with better scales
 
 AZIMUTHS = ("inclination_azimuth", "centroid_azimuth")
@@ -44,7 +46,7 @@ MEASURES = (
 class Treatment(NamedTuple):
     """What is done to ten trees that differ by their clouds alone."""
 
-    response: str  #: "shift", "shift_held" (the same in a scaled cloud), "limit" or "drift"
+    response: str  #: "shift", "shift_scaled" (in a scaled cloud), "shift_held" (hold_height), "limit" or "drift"
     scene: str  #: "A" or "B"
     strength: float  #: of the response: metres a step, the share of points left out, or steps a step; 0 is none
 
@@ -82,10 +84,10 @@ def light_response(treatment: Treatment) -> dict[str, Any]:
         return {"limit": {"share": treatment.strength, "radius": 0.3, "k": 0.1}}
     if treatment.response == "drift":
         return {"drift": treatment.strength, "sunlit_weight": 0.25, "hold_height": True}
-    return {"shift_m": treatment.strength}
+    return {"shift_m": treatment.strength, "hold_height": treatment.response == "shift_held"}
 
 
-def make_document(scene: str, light: Mapping[str, Any]) -> meristem.Document:
+def make_document(scene: str, light: Light) -> meristem.Document:
     """The tree of the study under a light, in scene "A" or "B", without a response to it."""
     tree = {
         "type": "colonize",
@@ -168,21 +170,20 @@ def correct_scales(trees: Sequence[Tree]) -> dict[Treatment, float]:
 def grow_treatments(
     treatments: Sequence[Treatment], clouds: int, pool: Executor, count: Callable[[], None]
 ) -> list[Tree]:
-    """The trees of all treatments, one for each cloud. Those of "shift_held" begin with the scales that "shift" asks."""
-    plain = [treatment for treatment in treatments if treatment.response != "shift_held"]
+    """The trees of all treatments, one for each cloud. "shift_scaled" must have the scenes and strengths of "shift"."""
+    plain = [treatment for treatment in treatments if treatment.response != "shift_scaled"]
     trees = grow_trees([Plan(treatment, seed, 1.0) for treatment in plain for seed in range(clouds)], pool, count)
-    held = [tree for tree in trees if tree.plan.treatment.response == "shift"]
+    scaled = [tree for tree in trees if tree.plan.treatment.response == "shift"]
     for _ in range(SCALE_ROUNDS):
-        scales = correct_scales(held)
         plans = [
-            Plan(treatment._replace(response="shift_held"), seed, scale)
-            for treatment, scale in scales.items()
+            Plan(treatment._replace(response="shift_scaled"), seed, scale)
+            for treatment, scale in correct_scales(scaled).items()
             for seed in range(clouds)
         ]
-        held = grow_trees(plans, pool, count)
-    return trees + [tree for tree in held if tree.plan.treatment in treatments]
+        scaled = grow_trees(plans, pool, count)
+    return trees + scaled
 
 
 def count_growths(treatments: Sequence[Treatment], clouds: int) -> int:
     """How often grow_treatments() grows a tree."""
-    return clouds * sum(SCALE_ROUNDS if treatment.response == "shift_held" else 1 for treatment in treatments)
+    return clouds * sum(SCALE_ROUNDS if treatment.response == "shift_scaled" else 1 for treatment in treatments)

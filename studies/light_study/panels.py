@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Figures of panels: trees as dots over the strength of a response, their mean as a line, its spread as a band."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Mapping, Sequence
+
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from .trees import AZIMUTHS, LIT_SHARES, Mean, Tree, Treatment
+
+Floats = NDArray[np.float64]
+Means = Mapping[Treatment, Mean]
+
+# Colours that stay apart for all kinds of sight (Okabe and Ito).
+BLUE = "#0072B2"
+RED = "#D55E00"
+GREEN = "#009E73"
+ORANGE = "#E69F00"
+PURPLE = "#CC79A7"
+DOTS_PER_INCH = 110
+STYLE = {
+    "font.family": "DejaVu Sans",
+    "font.size": 10,
+    "axes.titlesize": 11,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "grid.color": "#e4e4e4",
+    "grid.linewidth": 0.8,
+    "axes.axisbelow": True,
+    "legend.frameon": False,
+    "legend.fontsize": 9.5,
+}
+FIRST_AZIMUTH = -45.0  #: axes of azimuths begin here, as the published ones, so that north is not torn apart
+WIDEST_SPREAD = 90.0  #: degrees; azimuths that scatter more have no mean worth drawing
+
+STRENGTH_NAMES = {
+    "shift": "shift of the cloud, m a step",
+    "shift_scaled": "shift of the cloud, m a step",
+    "shift_held": "shift of the cloud, m a step",
+    "limit": "share of points left out",
+    "drift": "drift of the points, steps a step",
+}
+
+
+@dataclass(frozen=True)
+class Panel:
+    """One response in one scene, and what is drawn of it."""
+
+    title: str
+    response: str
+    scene: str
+    measure: str
+
+    @property
+    def factor(self) -> float:
+        """From the measure's unit to the one drawn: shares are drawn as percent."""
+        return 100.0 if self.measure in LIT_SHARES else 1.0
+
+
+AXIS_NAMES = {
+    "inclination_azimuth": "azimuth of the lean",
+    "inclination_altitude": "altitude of the lean, °",
+    "centroid_azimuth": "azimuth of the centroid",
+    "centroid_radius": "centroid to the axis, m",
+    "height": "height, m",
+    "lit_share_still": "hull lit by the still sun, %",
+    "lit_share_day": "hull lit over the day, %",
+}
+
+
+def wrap_azimuths(azimuths: Floats) -> Floats:
+    """From FIRST_AZIMUTH on, within a turn."""
+    return (azimuths - FIRST_AZIMUTH) % 360 + FIRST_AZIMUTH
+
+
+def series_of(panel: Panel, means: Means) -> tuple[Floats, Floats, Floats]:
+    """Strengths in rising order, means and spreads, each (n,)."""
+    chosen = [mean for mean in means.values() if mean.treatment[:2] == (panel.response, panel.scene)]
+    chosen.sort(key=lambda mean: mean.treatment.strength)
+    strengths = np.array([mean.treatment.strength for mean in chosen])
+    values = panel.factor * np.array([mean.measures[panel.measure] for mean in chosen])
+    spreads = panel.factor * np.array([mean.spreads[panel.measure] for mean in chosen])
+    return strengths, values, spreads
+
+
+def points_of(panel: Panel, trees: Sequence[Tree]) -> tuple[Floats, Floats]:
+    """Strength and value of each tree, each (n,)."""
+    chosen = [tree for tree in trees if tree.plan.treatment[:2] == (panel.response, panel.scene)]
+    strengths = np.array([tree.plan.treatment.strength for tree in chosen])
+    return strengths, panel.factor * np.array([tree.measures[panel.measure] for tree in chosen])
+
+
+def label_azimuths(axes: Axes) -> None:
+    axes.set_ylim(FIRST_AZIMUTH, FIRST_AZIMUTH + 360)
+    axes.set_yticks([0, 90, 180, 270], ["0° N", "90° E", "180° S", "270° W"])
+
+
+def draw_panel(axes: Axes, panel: Panel, trees: Sequence[Tree], means: Means, colour: str) -> None:
+    """Trees as dots, their mean as a line, its spread as a band."""
+    band: dict[str, Any] = {"color": colour, "alpha": 0.16, "lw": 0}
+    strengths, values, spreads = series_of(panel, means)
+    places, dots = points_of(panel, trees)
+    if panel.measure in AZIMUTHS:
+        values = np.where(spreads < WIDEST_SPREAD, wrap_azimuths(values), np.nan)
+        dots = wrap_azimuths(dots)
+        label_azimuths(axes)
+        for turn in (-360, 360):
+            axes.fill_between(strengths, values + turn - spreads, values + turn + spreads, **band)
+    axes.fill_between(strengths, values - spreads, values + spreads, label="spread", **band)
+    axes.plot(places, dots, ".", color=colour, ms=6, alpha=0.5, mew=0, label="a tree")
+    axes.plot(strengths, values, "-", color=colour, lw=2, label="mean")
+    axes.set_title(panel.title, loc="left")
+    axes.set_xlabel(STRENGTH_NAMES[panel.response])
+    axes.set_ylabel(AXIS_NAMES[panel.measure])
+    axes.margins(x=0.05)
+
+
+def share_scales(grid: Sequence[Sequence[Axes]], panels: Sequence[Sequence[Panel]]) -> None:
+    """One scale for all panels of a measure."""
+    flat = [(axes, panel) for row, of_row in zip(grid, panels) for axes, panel in zip(row, of_row)]
+    for measure in {panel.measure for _, panel in flat}:
+        same = [axes for axes, panel in flat if panel.measure == measure]
+        low = min(axes.get_ylim()[0] for axes in same)
+        high = max(axes.get_ylim()[1] for axes in same)
+        for axes in same:
+            axes.set_ylim(low, high)
+
+
+def new_figure(rows: int, columns: int, height: float) -> tuple[Figure, list[list[Axes]]]:
+    figure = Figure(figsize=(9, height), layout="constrained")
+    return figure, [list(row) for row in figure.subplots(rows, columns, squeeze=False)]
+
+
+def save_figure(figure: Figure, handles: Sequence[Artist], columns: int, path: Path) -> None:
+    """Writes a PNG, with a legend below all of its axes."""
+    inches = 0.1 + 0.23 * math.ceil(len(handles) / columns)
+    bottom = inches / figure.get_figheight()
+    figure.get_layout_engine().set(rect=(0, bottom, 1, 1 - bottom))
+    figure.legend(handles=handles, loc="lower center", ncol=columns)
+    figure.savefig(path, dpi=DOTS_PER_INCH)
+
+
+def draw_grid(
+    path: Path, panels: Sequence[Sequence[Panel]], trees: Sequence[Tree], means: Means, colours: Sequence[str]
+) -> None:
+    """A figure of panels, a colour a row."""
+    figure, grid = new_figure(len(panels), len(panels[0]), 3.1 * len(panels) + 0.3)
+    for row, of_row, colour in zip(grid, panels, colours):
+        for axes, panel in zip(row, of_row):
+            draw_panel(axes, panel, trees, means, colour)
+    share_scales(grid, panels)
+    save_figure(figure, grid[0][0].get_legend_handles_labels()[0], 3, path)
+
+
+def name_columns(columns: Sequence[tuple[str, str, str]], measures: Sequence[str]) -> list[list[Panel]]:
+    """A row a measure and a column a response in a scene."""
+    return [[Panel(title, response, scene, measure) for title, response, scene in columns] for measure in measures]

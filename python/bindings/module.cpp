@@ -12,9 +12,9 @@ PYBIND11_MODULE(_core, module) {
   using namespace meristem::python;
   bind_errors();
   bind_progress(module);
-  bind_scene(module);
   bind_skeleton(module);
   bind_mesh(module);
+  bind_scene(module);
   bind_colonize(module);
   bind_plant(module);
   bind_document(module);

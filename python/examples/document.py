@@ -26,7 +26,7 @@ with tempfile.TemporaryDirectory() as folder:
 # All that is wrong comes at once, with its place.
 content = old.to_dict()
 content["components"]["tree"]["pionts"] = 12
-content["links"][0]["to"] = "laef"
+content["links"][1]["to"] = "laef"
 try:
     meristem.Document(content)
 except meristem.InputError as error:

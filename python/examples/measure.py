@@ -21,5 +21,5 @@ for name, which in (("lowest quarter", heights < low), ("highest quarter", heigh
     print(f"{name}: {100 * share:.0f} % of the sun's rays arrive")
 
 # Skeletons alone are measured too, under any scene.
-noon = meristem.Document({"meristem": 1, "scene": {"sun": {"azimuth": 180, "altitude": 60}}, "components": {"c": {"type": "camera"}}})
-print(f"lit share at noon: {apple.stems[0].skeleton.measure(scene=noon.scene)['lit_share']:.3f}")
+low_sun = meristem.Scene({"sun": {"azimuth": 250, "altitude": 15}})
+print(f"lit share in the evening: {apple.stems[0].skeleton.measure(scene=low_sun)['lit_share']:.3f}")

@@ -6,7 +6,8 @@
 
 The ways take turns, ROUNDS times, as other programs disturb them; the best of each counts, and every round's ratio is
 printed. `cores` is the processor time of the growing processes over the wall's: two workers that are not disturbed have
-nearly 2. The results of all ways are compared.
+nearly 2. What a plant costs in processor time says how much two of them slow each other down, and so the most that the
+ratio could be if nobody else used the cores. The results of all ways are compared.
 """
 
 from __future__ import annotations
@@ -73,7 +74,8 @@ def main():
 
     for name, times in walls.items():
         rounds = ", ".join(f"{wall:.2f} s on {used / wall:.2f} cores" for wall, used in zip(times, processors[name]))
-        print(f"{name:<10}{arguments.plants / min(times):6.2f} plants/s of {rounds}")
+        cost = 1000 * min(processors[name]) / arguments.plants
+        print(f"{name:<10}{arguments.plants / min(times):6.2f} plants/s of {rounds}; at least {cost:.0f} ms a plant")
     for name in ("1 worker", "here"):
         ratio = min(walls[name]) / min(walls["2 workers"])
         rounds = ", ".join(f"{one / two:.2f}" for one, two in zip(walls[name], walls["2 workers"]))

@@ -10,7 +10,7 @@ import operator
 import os
 import pickle
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sized
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sized
 from dataclasses import dataclass
 from typing import Any, Optional
 
@@ -41,19 +41,19 @@ def batch(
     measure: str | Iterable[str] | Callable[[Plant], Any] | None = None,
     processes: int | None = None,
     progress: _ProgressCallback | None = None,
-) -> Iterator[BatchResult]:
+) -> Generator[BatchResult, None, None]:
     """Grows a plant for every seed of every set of values, and gives a BatchResult for each, in that order.
 
     `set` fixes values for all, as in Document.set(). `grid` has sequences of values by their paths, of which all
-    combinations are grown, the last path's changing fastest; `samples` are dicts of values. Either may be endless,
-    and so may `seeds`: what is grown ahead is bounded, and memory stays flat.
+    combinations are grown, the last path's changing fastest; `samples`, in its place, are dicts of values. Samples and
+    seeds may be endless: what is grown ahead is bounded, and memory stays flat.
 
     `measure`: names of measures (one or several), all of them if None, or a function of the plant that returns
     numbers, arrays, or a dict of them. Results are copies. Workers import the function: it stands at the top of a
     module. Each plant grows on one thread, on `processes` at once: all cores if None; 1 grows in this process. The
     results are the same. `progress` is called with the number of plants done and that of all, None if it is unknown.
 
-    The processes end with the loop, by `break` or an error as well. Raises InputError at once where the first values
+    The processes end with the loop, by `break` or an error as well, or by close(). Raises InputError at once where the first values
     do not suit the document, ValueError and TypeError for wrong arguments; from the iterator what growing and the
     function raise, with a note of seed and values, and MachineError where a process was killed.
     """
@@ -76,7 +76,7 @@ def batch(
 
 def _grow_here(
     job: Job, tasks: Iterable[Task], total: int | None, progress: _ProgressCallback | None
-) -> Iterator[BatchResult]:
+) -> Generator[BatchResult, None, None]:
     for done, task in enumerate(tasks, 1):
         result = job.run(task)
         if progress is not None:
@@ -86,7 +86,7 @@ def _grow_here(
 
 def _grow_on_pool(
     job: bytes, count: int, tasks: Iterable[Task], total: int | None, progress: _ProgressCallback | None
-) -> Iterator[BatchResult]:
+) -> Generator[BatchResult, None, None]:
     done = itertools.count(1)
 
     def tell() -> None:

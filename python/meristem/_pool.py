@@ -165,7 +165,8 @@ class _Worker:
             )
         how = f"was killed by signal {-code}" if code is not None and code < 0 else f"ended with exit code {code}"
         hint = "; memory may have run out: fewer processes need less" if code == -9 else ""
-        return MachineError(f"a worker process of the batch {how} at {self.tasks[0]}{hint}")
+        where = f" at {self.tasks[0]}" if self.tasks else ""
+        return MachineError(f"a worker process of the batch {how}{where}{hint}")
 
 
 def _result(_: int, result: bytes | None, failure: bytes | None) -> bytes:

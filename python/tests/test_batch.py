@@ -121,7 +121,7 @@ def test_only_a_bounded_number_of_seeds_is_taken_ahead(processes: int) -> None:
     results = meristem.batch(tree(), seeds=seeds(), measure="nodes", processes=processes)
     assert [next(results).seed for _ in range(10)] == list(range(10))
     assert len(taken) <= 10 + 4 * processes
-    results.close()  # type: ignore[attr-defined]
+    results.close()
 
 
 @BOTH
@@ -196,6 +196,16 @@ def test_a_killed_worker_is_told_with_its_plant() -> None:
     assert multiprocessing.active_children() == []
 
 
+def test_workers_that_are_killed_between_results_are_told() -> None:
+    results = meristem.batch(tree(), seeds=range(50), measure="nodes", processes=2)
+    assert next(results).seed == 0
+    for worker in multiprocessing.active_children():
+        worker.kill()
+        worker.join()
+    with pytest.raises(meristem.MachineError, match="killed by signal 9"):
+        list(results)
+
+
 def test_a_function_that_workers_cannot_import_is_refused_at_once() -> None:
     def local(plant: meristem.Plant) -> int:
         return plant.node_count
@@ -224,7 +234,7 @@ def test_leaving_the_loop_ends_workers_in_the_midst_of_plants() -> None:
 def test_leaving_the_loop_ends_functions_that_do_not() -> None:
     results = meristem.batch(tree(), measure=never_end_from_seed_1, processes=2)
     assert next(results).seed == 0
-    results.close()  # type: ignore[attr-defined]
+    results.close()
     assert multiprocessing.active_children() == []
 
 

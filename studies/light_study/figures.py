@@ -11,13 +11,12 @@ import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
-from .expectations import ANY, BANDS, Band
+from .expectations import ANY, BANDS, Band, change_of
 from .panels import (
-    AXIS_NAMES,
     BLUE,
+    DOTS_PER_INCH,
     GREEN,
     ORANGE,
-    PURPLE,
     RED,
     STRENGTH_NAMES,
     STYLE,
@@ -32,7 +31,7 @@ from .panels import (
     series_of,
     wrap_azimuths,
 )
-from .trees import AZIMUTHS, HELD_HEIGHT, LIT_SHARES, Tree
+from .trees import AZIMUTHS, HELD_HEIGHT, LIT_SHARES, Tree, Treatment
 
 
 @dataclass(frozen=True)
@@ -123,28 +122,33 @@ def draw_expected(path: Path, means: Means) -> None:
 
 
 def draw_gain(path: Path, means: Means) -> None:
-    """Lit share over height: what each response gains in each scene, and what it costs in height."""
-    figure, grid = new_figure(1, 2, 4.1)
-    looks = (
-        ("shift", RED, "o", "response A: shift"),
-        ("shift_scaled", ORANGE, "s", f"response A, cloud scaled for {HELD_HEIGHT} m"),
-        ("shift_held", PURPLE, "v", "response A, height held"),
-        ("limit", GREEN, "^", "response B: limited space"),
-        ("drift", BLUE, "D", "response B: drift, height held"),
+    """Bars: by how much each response changes the lit share in each scene, with the height of the trees."""
+    bars = (
+        ("Response A, 0.010 m", "shift", 0.010, RED),
+        ("Response A, 0.005 m, cloud scaled", "shift_scaled", 0.005, RED),
+        ("Response A, 0.010 m, cloud scaled", "shift_scaled", 0.010, RED),
+        ("Response A, 0.010 m, top held", "shift_held", 0.010, RED),
+        ("Response B, 0.36 left out", "limit", 0.36, BLUE),
+        ("Response B, 0.6 left out", "limit", 0.6, BLUE),
+        ("Response B, drift 0.9, top held", "drift", 0.9, BLUE),
     )
-    titles = {"A": "Scene A: still sun", "B": "Scene B: building, a day's sun"}
-    for axes, scene, measure in zip(grid[0], ("A", "B"), LIT_SHARES):
-        for response, colour, marker, name in looks:
-            _, heights, _ = series_of(Panel("", response, scene, "height"), means)
-            _, shares, _ = series_of(Panel("", response, scene, measure), means)
-            axes.plot(heights, shares, "-", marker=marker, color=colour, ms=4.5, lw=1.4, alpha=0.9, label=name)
-        _, heights, _ = series_of(Panel("", "limit", scene, "height"), means)
-        _, shares, _ = series_of(Panel("", "limit", scene, measure), means)
-        axes.plot(heights[0], shares[0], "o", mfc="none", mec="black", ms=11, mew=1.4, label="no response")
-        axes.set_title(titles[scene], loc="left")
-        axes.set_xlabel(AXIS_NAMES["height"])
-        axes.set_ylabel(AXIS_NAMES[measure])
-    save_figure(figure, grid[0][0].get_legend_handles_labels()[0], 3, path)
+    figure, grid = new_figure(1, 2, 3.5)
+    titles = ("Scene A, still sun", "Scene B, a day's sun")
+    for axes, scene, measure, title in zip(grid[0], ("A", "B"), LIT_SHARES, titles):
+        for place, (_, response, strength, colour) in enumerate(bars):
+            mean = means[Treatment(response, scene, strength)]
+            points = 100 * change_of(means, mean, measure)
+            axes.barh(place, points, color=colour, height=0.62)
+            says = f"{points:+.1f} at {mean.measures['height']:.1f} m".replace("-", "\N{MINUS SIGN}")
+            axes.annotate(says, (max(points, 0), place), (4, 0), textcoords="offset points", va="center", fontsize=9)
+        axes.axvline(0, color="black", lw=0.8)
+        axes.set_xlim(-8, 15)
+        axes.set_yticks(range(len(bars)), [name for name, *_ in bars] if scene == "A" else [""] * len(bars))
+        axes.grid(axis="y", visible=False)
+        axes.invert_yaxis()
+        axes.set_title(title, loc="left")
+        axes.set_xlabel("change of lit share, points")
+    figure.savefig(path, dpi=DOTS_PER_INCH)
 
 
 def draw_figures(folder: Path, trees: Sequence[Tree], means: Means) -> None:

@@ -24,7 +24,6 @@ BLUE = "#0072B2"
 RED = "#D55E00"
 GREEN = "#009E73"
 ORANGE = "#E69F00"
-PURPLE = "#CC79A7"
 DOTS_PER_INCH = 110
 STYLE = {
     "font.family": "DejaVu Sans",

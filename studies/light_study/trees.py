@@ -35,6 +35,8 @@ LIT_SHARES = ("lit_share_still", "lit_share_day")
 MEASURES = (
     "height",
     "nodes",
+    "length",
+    "crown_hull_area",
     "inclination_azimuth",
     "inclination_altitude",
     "centroid_azimuth",

@@ -70,7 +70,6 @@ AXIS_NAMES = {
     "inclination_altitude": "altitude of the lean, °",
     "centroid_azimuth": "azimuth of the centroid",
     "centroid_radius": "centroid to the axis, m",
-    "height": "height, m",
     "lit_share_still": "hull lit by the still sun, %",
     "lit_share_day": "hull lit over the day, %",
 }

@@ -351,7 +351,7 @@ void Source::place(std::vector<Diagnostic>& diagnostics) const {
       const std::string_view rest =
           std::string_view(diagnostic.path).substr(std::min(diagnostic.path.size(), overridden[k].size()));
       if (!diagnostic.path.starts_with(overridden[k]) || !(rest.empty() || rest[0] == '.' || rest[0] == '[')) continue;
-      diagnostic.file = "--set " + override_paths[k];
+      diagnostic.file = override_names[k];
       diagnostic.line = diagnostic.column = 0;
     }
   }

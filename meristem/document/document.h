@@ -33,10 +33,11 @@ struct OutputSettings {
 };
 
 /// One `--set PATH=VALUE`: a variable's name ("age"), a component's parameter ("stem.length"), or a key
-/// ("links[1].density", "scene.latitude").
+/// ("links[1].density", "scene.latitude", "seed"). A variable goes before a key of its name.
 struct Override {
   std::string path;
   Value value;
+  std::string name;  ///< what messages call it, in place of a file; empty: "set PATH"
 };
 
 /// Where a document came from, for messages and for editors that patch the text.
@@ -46,7 +47,7 @@ struct Source {
   Value tree;                               ///< what the text says, with the values that overrides have set
   std::vector<std::string> named_files;     ///< paths of the files that were read with it
   std::vector<std::string> overridden;      ///< document paths that an override has set
-  std::vector<std::string> override_paths;  ///< the same, as the user wrote them
+  std::vector<std::string> override_names;  ///< of each, what messages call it
 
   /// Gives diagnostics with a path their file, line and column: in the text, or the override that brought the value.
   void place(std::vector<Diagnostic>& diagnostics) const;

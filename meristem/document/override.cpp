@@ -43,15 +43,15 @@ std::vector<std::string> member_names(const Value& value) {
 std::string full_path(const Value& root, const std::string& path) {
   const std::vector<std::string> elements = path_elements(path);
   if (elements.empty()) return path;
+  const std::vector<std::string> top = {"scene", "components", "links", "variables", "output", "limits", "seed"};
+  const bool is_key = std::find(top.begin(), top.end(), elements[0]) != top.end();
   if (elements.size() == 1) {
     const Value* variables = root.find("variables");
     const Value* variable = variables == nullptr ? nullptr : variables->find(path);
-    if (variable == nullptr) return "variables." + path;
+    if (variable == nullptr) return is_key ? path : "variables." + path;
     return variable->object() == nullptr ? "variables." + path : "variables." + path + ".value";
   }
-  const std::vector<std::string> top = {"scene", "components", "links", "variables", "output", "limits"};
-  if (std::find(top.begin(), top.end(), elements[0]) != top.end()) return path;
-  return "components." + path;
+  return is_key ? path : "components." + path;
 }
 
 Diagnostic unknown(const std::string& path, std::string message, const std::string& name,
@@ -127,9 +127,9 @@ Override parse_override(std::string_view text) {
   }
   const std::string written(text.substr(equals + 1));
   try {
-    return {path, parse_json(written)};
+    return {path, parse_json(written), "--set " + path};
   } catch (const InputError&) {
-    return {path, Value(written)};
+    return {path, Value(written), "--set " + path};
   }
 }
 
@@ -138,7 +138,7 @@ void apply_overrides(Value& root, const std::vector<Override>& overrides, Source
   for (const Override& override : overrides) {
     const std::string path = full_path(root, override.path);
     source.overridden.push_back(path);
-    source.override_paths.push_back(override.path);
+    source.override_names.push_back(override.name.empty() ? "set " + override.path : override.name);
     if (Value* target = find_or_add(root, path, diagnostics)) *target = override.value;
   }
 }

@@ -94,7 +94,7 @@ TEST(Override, RejectsTextsThatSetNothing) {
 
 TEST(Override, NamesTheNearestVariableAndComponent) {
   EXPECT_EQ(fault_of("agee=3"), "--set agee: variables.agee: there is no variable 'agee'; did you mean 'age'?");
-  EXPECT_EQ(fault_of("seed=3"), "--set seed: variables.seed: there is no variable 'seed'; expected one of age, size");
+  EXPECT_EQ(fault_of("name=3"), "--set name: variables.name: there is no variable 'name'; expected one of age, size");
   EXPECT_EQ(fault_of("laef.width=3"),
             "--set laef.width: components.laef.width: there is no component 'laef'; did you mean 'leaf'?");
 }

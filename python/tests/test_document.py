@@ -72,6 +72,18 @@ def test_set_gives_another_document() -> None:
     assert document.to_dict() == small_tree()
 
 
+def test_whole_keys_can_be_set() -> None:
+    document = meristem.Document(small_tree()).set({"scene": {"latitude": -30}, "seed": 12})
+    assert document.to_dict()["scene"] == {"latitude": -30}
+    assert document.seed == 12
+
+
+def test_faults_in_set_values_say_so() -> None:
+    with pytest.raises(meristem.InputError) as caught:
+        meristem.Document(small_tree()).set({"leaf.lenght": 1})
+    assert str(caught.value).startswith("set leaf.lenght: components.leaf.lenght: 'lenght' is not a parameter")
+
+
 def test_set_again_replaces_and_keeps_the_rest() -> None:
     document = meristem.Document(small_tree()).set({"tree.points": 100, "size": 0.1}).set({"tree.points": 50})
     assert document.to_dict()["components"]["tree"]["points"] == 50

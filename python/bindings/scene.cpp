@@ -39,8 +39,12 @@ ScenePointer make_scene(const py::object& values, const std::string& file) {
   Value tree = to_value(content);
   const Value camera(Value::Object{{"type", "camera"}});
   tree.object()->emplace_back("components", Value(Value::Object{{"camera", camera}}));
-  return read_written_here(
-      [&] { return std::make_shared<Scene>(read_document(write_json(tree), file, builtin_components()).scene); });
+  const Document document =
+      read_written_here([&] { return read_document(write_json(tree), file, builtin_components()); });
+  for (const Diagnostic& warning : document.warnings) {
+    if (PyErr_WarnEx(PyExc_UserWarning, warning.message.c_str(), 1) != 0) throw py::error_already_set();
+  }
+  return std::make_shared<Scene>(document.scene);
 }
 
 // Light.

@@ -8,8 +8,8 @@ import numpy as np
 import meristem
 
 apple = meristem.read("apple").grow()
-measures = apple.measure(light=True)
-for name in ("height", "crown_width", "leaf_area_index", "lit_share", "leaf_exposure"):
+measures = apple.measure()
+for name in ("height", "crown_width", "leaf_area", "leaf_area_index", "lit_share"):
     print(f"{name:16} {measures[name]:.3f}")
 
 # The light on every organ, in their order: where in the crown are the leaves that see little of it?

@@ -73,7 +73,8 @@ def test_lamps_are_as_given() -> None:
 
 
 def test_by_night_there_is_no_sun() -> None:
-    scene = meristem.Scene({"latitude": 80, "sun": {"day": 355, "every_hours": 1}})
+    with pytest.warns(UserWarning, match="the sun does not rise on day 355 at latitude 80"):
+        scene = meristem.Scene({"latitude": 80, "sun": {"day": 355, "every_hours": 1}})
     assert scene.sun[0].shape == (0, 3) and scene.sun[1].shape == (0,)
     assert scene.light_at([[0, 0, 0]]).tolist() == [0]
 

@@ -25,6 +25,7 @@ STUB = ROOT / "python" / "meristem" / "_core.pyi"
 
 # What every class has, and what pickling needs.
 UNLISTED = {"__doc__", "__module__", "__dict__", "__repr__", "__getstate__", "__setstate__", "__hash__"}
+UNLISTED |= {"__slotnames__"}  # left on a class by copyreg once one was pickled
 
 Stub = dict[str, list[ast.FunctionDef]]  # functions and properties by name; several where overloaded
 

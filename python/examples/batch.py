@@ -28,7 +28,8 @@ def main() -> None:
     for branches, height in np.unique(table[["branches", "crown_height"]]):
         rows = table[(table["branches"] == branches) & (table["crown_height"] == height)]
         wood = rows["length"] / rows["crown_hull_volume"]
-        print(f"{branches:3} branches, {height} m high: {wood.mean():.1f} m of wood in a cubic metre (+- {wood.std():.1f})")
+        density = f"{wood.mean():.1f} m of wood in a cubic metre (+- {wood.std():.1f})"
+        print(f"{branches:3} branches, {height} m high: {density}")
 
     # Random samples without end and a function of the plant; the loop says when it is enough.
     generator = random.Random(1)

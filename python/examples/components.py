@@ -14,5 +14,5 @@ print(f"\ncolonize.step: {step['doc']} {step['expected']}, default {step['defaul
 
 needed = {"colonize": {"crown": {"profile": [[0, 0.5], [0.5, 1.5], [0, 3]]}, "points": 200}}
 for name in ("colonize", "leaf", "tree"):
-    document = meristem.Document({"meristem": 1, "name": name, "components": {name: {"type": name, **needed.get(name, {})}}})
-    print(document.grow())
+    component = {"type": name, **needed.get(name, {})}
+    print(meristem.Document({"meristem": 1, "name": name, "components": {name: component}}).grow())

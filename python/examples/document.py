@@ -13,7 +13,8 @@ print("shipped:", ", ".join(meristem.models()))
 oak = meristem.read("oak")
 print(oak, "-", oak.description)
 for variable in oak.variables:
-    print(f"  {variable.name} = {variable.value:g} {variable.unit} ({variable.min:g} to {variable.max:g}): {variable.doc}")
+    values = f"{variable.value:g} {variable.unit} ({variable.min:g} to {variable.max:g})"
+    print(f"  {variable.name} = {values}: {variable.doc}")
 
 # A document never changes; set() gives another one.
 old = oak.set({"age": 120, "leaf.length": 0.12}, seed=3)

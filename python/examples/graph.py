@@ -20,7 +20,8 @@ document = meristem.Document(plant)
 for vigour in (0.5, 1, 2):
     grown = document.set({"vigour": vigour}).grow()
     measures = grown.measure()
-    print(f"vigour {vigour}: {measures['height']:.2f} m high, {measures['leaf_count']} leaves, {1e4 * measures['leaf_area']:.0f} cm2")
+    leaves = f"{measures['leaf_count']} leaves, {1e4 * measures['leaf_area']:.0f} cm2"
+    print(f"vigour {vigour}: {measures['height']:.2f} m high, {leaves}")
 
 # The same plant with other links: dicts are copied, changed and read again.
 content = document.to_dict()

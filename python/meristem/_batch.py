@@ -53,9 +53,9 @@ def batch(
     module. Each plant grows on one thread, on `processes` at once: all cores if None; 1 grows in this process. The
     results are the same. `progress` is called with the number of plants done and that of all, None if it is unknown.
 
-    The processes end with the loop, by `break` or an error as well, or by close(). Raises InputError at once where the first values
-    do not suit the document, ValueError and TypeError for wrong arguments; from the iterator what growing and the
-    function raise, with a note of seed and values, and MachineError where a process was killed.
+    The processes end with the loop, by `break` or an error as well, or by close(). Raises InputError at once where the
+    first values do not suit the document, ValueError and TypeError for wrong arguments; from the iterator what growing
+    and the function raise, with a note of seed and values, and MachineError where a process was killed.
     """
     refuse_unguarded_program()
     if not isinstance(document, Document):

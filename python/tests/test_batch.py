@@ -127,7 +127,10 @@ def test_only_a_bounded_number_of_seeds_is_taken_ahead(processes: int) -> None:
 @BOTH
 def test_progress_is_told_of_every_plant_and_the_total(processes: int) -> None:
     told: list[tuple[int, int | None]] = []
-    list(meristem.batch(tree(), seeds=range(4), processes=processes, progress=lambda done, total: told.append((done, total))))
+    results = meristem.batch(
+        tree(), seeds=range(4), processes=processes, progress=lambda done, total: told.append((done, total))
+    )
+    assert len(list(results)) == 4
     assert told == [(1, 4), (2, 4), (3, 4), (4, 4)]
 
 

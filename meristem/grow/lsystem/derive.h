@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "meristem/base/limits.h"
+#include "meristem/base/progress.h"
+#include "meristem/base/random.h"
+#include "meristem/grow/lsystem/grammar.h"
+#include "meristem/grow/lsystem/word.h"
+
+namespace meristem {
+
+/// The grammar's word after `steps` steps; fewer where it can change no more. All modules of a word are rewritten at
+/// once. Draws depend on key, step and position alone, so the word is the same on any number of threads.
+///
+/// Throws InputError, with the rule's line, for parameters that are not finite, decompositions without an end, and
+/// words beyond the limits: before the memory is spent, naming the rule that adds most. Throws Cancelled.
+Word derive(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress);
+
+/// The word as it is drawn: with the grammar's interpretation rules applied. The same errors.
+Word interpreted(const Grammar& grammar, const Word& word, RandomKey key, const Limits& limits, Progress& progress);
+
+}  // namespace meristem

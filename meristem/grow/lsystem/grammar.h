@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parametric, context-sensitive, stochastic, bracketed L-systems: what a grammar's text means, compiled.
+//
+// Based on: P. Prusinkiewicz, A. Lindenmayer: The Algorithmic Beauty of Plants (1990), chapters 1 to 4.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "meristem/base/expression.h"
+#include "meristem/grow/lsystem/word.h"
+
+namespace meristem {
+
+/// Of one rule, in both contexts and the predecessor together, and so of one letter.
+inline constexpr std::size_t kMostVariables = 64;
+
+/// A module of a successor or an axiom: an expression for each parameter.
+struct ModuleForm {
+  LetterIndex letter = kNoLetter;
+  std::vector<Expression> parameters;
+};
+
+/// A module of a context: it matches this letter, and its parameters become variables of the rule.
+struct ContextModule {
+  LetterIndex letter = kNoLetter;
+  std::uint32_t first_variable = 0;  ///< the rule's variables from here on are this module's parameters
+};
+
+/// `[id :] [left <] predecessor [> right] [: condition] [: weight] -> successor`.
+struct Rule {
+  std::string text;  ///< as written, for messages
+  int line = 0;      ///< in the grammar's text, from 1
+  LetterIndex predecessor = kNoLetter;
+  std::uint32_t first_variable = 0;  ///< of the predecessor's parameters
+  std::uint32_t variable_count = 0;  ///< of left context, predecessor and right context together
+  std::vector<ContextModule> left;   ///< from the root toward the predecessor; no brackets
+  std::vector<ContextModule> right;  ///< away from it; may hold brackets, whose modules have the letters of [ and ]
+  std::optional<Expression> condition;
+  std::optional<Expression> weight;  ///< of stochastic rules: one of those that match is drawn in proportion
+  std::vector<ModuleForm> successor;
+};
+
+/// Rules by predecessor, in the order of the text.
+struct RuleSet {
+  std::vector<Rule> rules;
+  std::vector<std::vector<std::uint32_t>> of_letter;  ///< indices into `rules`, one list a letter of the alphabet
+};
+
+struct Grammar {
+  Alphabet alphabet;
+  LetterIndex open = kNoLetter;          ///< [
+  LetterIndex close = kNoLetter;         ///< ]
+  LetterIndex cut = kNoLetter;           ///< %
+  std::vector<ModuleForm> axiom;         ///< its expressions are constants
+  RuleSet production;                    ///< one step
+  RuleSet decomposition;                 ///< after each step, until none applies
+  RuleSet interpretation;                ///< before drawing, until none applies; never changes the word that is derived
+  std::vector<std::uint8_t> is_ignored;  ///< by contexts; one a letter
+  std::optional<int> steps;              ///< #steps
+  std::optional<double> angle;           ///< #angle, degrees
+};
+
+}  // namespace meristem

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace meristem {
+
+/// Index into an Alphabet.
+using LetterIndex = std::uint16_t;
+inline constexpr LetterIndex kNoLetter = std::numeric_limits<LetterIndex>::max();
+
+/// A symbol with a number of parameters. F, F(l) and F(l, w) are three letters: the number is part of a match.
+struct Letter {
+  std::string symbol;
+  std::uint16_t arity = 0;
+
+  bool operator==(const Letter&) const = default;
+};
+
+/// The letters of a grammar: [ ] and % first, then in the order in which its text first has them.
+class Alphabet {
+ public:
+  /// The letter's index; it is added if it is new. Throws std::length_error beyond 65,534 letters.
+  LetterIndex add(std::string_view symbol, std::uint16_t arity);
+  /// kNoLetter where there is none.
+  LetterIndex find(std::string_view symbol, std::uint16_t arity) const;
+
+  std::size_t size() const { return letters_.size(); }
+  const Letter& operator[](LetterIndex letter) const { return letters_[letter]; }
+
+ private:
+  std::vector<Letter> letters_;
+  std::unordered_map<std::string, LetterIndex> index_;  ///< by symbol, a zero byte, and the arity in decimals
+};
+
+/// A bracketed string of modules: their letters, and all their parameters one after another. A module's parameters
+/// follow those of the module before it, as many as its letter has.
+struct Word {
+  std::vector<LetterIndex> letters;
+  std::vector<double> parameters;
+
+  std::size_t module_count() const { return letters.size(); }
+  bool operator==(const Word&) const = default;
+};
+
+/// "A(1,2)[+B]": numbers with the fewest digits that read back as the same. Where the alphabet has names of several
+/// characters, blanks keep neighbours apart that would read as one.
+std::string word_text(const Word& word, const Alphabet& alphabet);
+
+}  // namespace meristem

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "meristem/document/models.h"
+
 #include <fmt/format.h>
 
 #include "commands.h"
 #include "documents.h"
 #include "meristem/document/json.h"
-#include "meristem/document/models.h"
 
 namespace meristem::cli {
 

@@ -166,9 +166,7 @@ void parallel_for(std::size_t count, std::size_t grain, FunctionRef<void(std::si
   blocks.rethrow();
 }
 
-int thread_count() {
-  return thread_limit > 0 ? thread_limit : core_count();
-}
+int thread_count() { return thread_limit > 0 ? thread_limit : core_count(); }
 
 ThreadLimit::ThreadLimit(int threads) : previous_(thread_limit) {
   if (threads < 0) throw std::invalid_argument("a thread limit is at least 1, or 0 for all cores");

@@ -18,8 +18,9 @@ void parallel_for(std::size_t count, std::size_t grain, FunctionRef<void(std::si
 /// How many threads parallel_for may use: the machine's cores unless a ThreadLimit says otherwise.
 int thread_count();
 
-/// While it lives, bounds the threads of the loops that this thread begins and of those within them; other threads' loops
-/// are not touched. More threads than cores are allowed. Limits of one thread end in the reverse order of their making.
+/// While it lives, bounds the threads of the loops that this thread begins and of those within them; other threads'
+/// loops are not touched. More threads than cores are allowed. Limits of one thread end in the reverse order of their
+/// making.
 class ThreadLimit {
  public:
   /// `threads` is at least 1; 0 means the machine's cores.

@@ -40,9 +40,10 @@ TEST_F(ModelsTest, SuggestTheNearestName) {
     find_document("oka", folder_.string());
     FAIL() << "found";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "there is no file and no shipped model 'oka'; expected a document, or the name of a shipped model; did "
-                 "you mean 'oak'?");
+    EXPECT_STREQ(
+        error.what(),
+        "there is no file and no shipped model 'oka'; expected a document, or the name of a shipped model; did "
+        "you mean 'oak'?");
   }
 }
 

@@ -17,6 +17,7 @@ struct Limits {
   std::uint64_t expression_bytes = 16'384;     ///< length of one expression
   std::uint64_t points = 10'000'000;           ///< attraction points
   std::uint64_t nodes = 20'000'000;            ///< skeleton nodes
+  std::uint64_t modules = 200'000'000;         ///< of an L-system's word, and as many parameters
   std::uint64_t instances = 20'000'000;        ///< organs and sites in all
   std::uint64_t triangles = 50'000'000;        ///< after instancing
   std::uint64_t mesh_bytes = 2'000'000'000;    ///< distinct geometry

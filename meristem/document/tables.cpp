@@ -75,6 +75,8 @@ const ParameterTable& limits_table() {
           .integer("expression_bytes", &Limits::expression_bytes, {.min = 1, .max = 1e6}, "Length of one expression.")
           .integer("points", &Limits::points, {.min = 1, .max = 4e9}, "Attraction points of a tree.")
           .integer("nodes", &Limits::nodes, {.min = 1, .max = 4e9}, "Skeleton nodes.")
+          .integer("modules", &Limits::modules, {.min = 1, .max = 4e9},
+                   "Modules of an L-system's word, and parameters.")
           .integer("instances", &Limits::instances, {.min = 1, .max = 4e9}, "Instances of components in all.")
           .integer("triangles", &Limits::triangles, {.min = 1, .max = kLargestWhole}, "Triangles after instancing.")
           .integer("mesh_bytes", &Limits::mesh_bytes, {.min = 1, .max = kLargestWhole}, "Bytes of distinct geometry.")

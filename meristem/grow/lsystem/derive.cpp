@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/lsystem/derive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "meristem/base/in_quotes.h"
+#include "meristem/grow/lsystem/rewrite.h"
+#include "meristem/grow/lsystem/rule_faults.h"
+
+namespace meristem {
+
+namespace {
+
+/// Rounds after which rules that go on applying are taken to have no end.
+constexpr std::uint64_t kMostRounds = 1'000;
+
+Word axiom_word(const Grammar& grammar, const Limits& limits) {
+  Word word;
+  if (grammar.axiom.size() > limits.modules) {
+    throw_limit("modules of an axiom", static_cast<double>(grammar.axiom.size()), limits.modules, "modules", "");
+  }
+  for (const ModuleForm& form : grammar.axiom) {
+    word.letters.push_back(form.letter);
+    for (const Expression& expression : form.parameters) {
+      word.parameters.push_back(expression.evaluate());
+      if (std::isfinite(word.parameters.back())) continue;
+      Diagnostic diagnostic;
+      diagnostic.message = fmt::format("{} in the axiom is not a finite number", in_quotes(expression.text()));
+      diagnostic.expected = "no division by zero";
+      throw InputError(diagnostic);
+    }
+  }
+  return word;
+}
+
+/// Removes each % with all behind it up to the ] of the branch it is in. Returns whether there was any.
+bool cut_branches(const Grammar& grammar, Word& word, const Progress& progress) {
+  const auto first = std::find(word.letters.begin(), word.letters.end(), grammar.cut);
+  if (first == word.letters.end()) return false;
+  std::size_t kept = 0;
+  std::size_t kept_parameters = 0;
+  std::size_t in = 0;
+  bool is_cutting = false;
+  std::size_t depth = 0;  // of branches within what is cut
+  for (std::size_t k = 0; k < word.letters.size(); ++k) {
+    if (k % 65'536 == 0) progress.check();
+    const LetterIndex letter = word.letters[k];
+    const std::size_t arity = grammar.alphabet[letter].arity;
+    if (!is_cutting && letter == grammar.cut) {
+      is_cutting = true;
+      depth = 0;
+    } else if (is_cutting && letter == grammar.open) {
+      ++depth;
+    } else if (is_cutting && letter == grammar.close) {
+      if (depth == 0) is_cutting = false;
+      if (depth > 0) --depth;
+    }
+    if (!is_cutting) {
+      word.letters[kept++] = letter;
+      for (std::size_t p = 0; p < arity; ++p) word.parameters[kept_parameters++] = word.parameters[in + p];
+    }
+    in += arity;
+  }
+  word.letters.resize(kept);
+  word.parameters.resize(kept_parameters);
+  return true;
+}
+
+/// Rewrites `word`, by way of `next`, until no rule applies. Returns whether any did.
+bool rewrite_to_end(Rewriter& rewriter, const RewritePlan& plan, RandomKey key, std::string_view stage, Word& word,
+                    Word& next) {
+  if (plan.rules.empty()) return false;
+  for (std::uint64_t round = 0;; ++round) {
+    const RewriteOutcome outcome = rewriter.rewrite(plan, word, key.child(round), stage, next);
+    if (outcome.rule == nullptr) return round > 0;
+    if (round == kMostRounds) {
+      throw_rule_fault(*outcome.rule,
+                       fmt::format("after {} rounds {} still applies", kMostRounds, in_quotes(outcome.rule->text)),
+                       "decompositions and interpretations that come to an end");
+    }
+    std::swap(word, next);
+  }
+}
+
+}  // namespace
+
+Word derive(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress) {
+  const RewritePlan production(grammar, grammar.production);
+  const RewritePlan decomposition(grammar, grammar.decomposition);
+  Rewriter rewriter(grammar, limits, progress);
+  Word word = axiom_word(grammar, limits);
+  Word next;
+  for (int step = 0; step < steps; ++step) {
+    const RandomKey step_key = key.child(static_cast<std::uint64_t>(step));
+    bool may_go_on = cut_branches(grammar, word, progress);
+    const RewriteOutcome outcome = rewriter.rewrite(production, word, step_key, "deriving", next);
+    if (outcome.rule != nullptr) std::swap(word, next);
+    may_go_on = may_go_on || outcome.rule != nullptr || outcome.may_change;
+    const RandomKey round_key = step_key.child("decomposition");
+    if (rewrite_to_end(rewriter, decomposition, round_key, "decomposing", word, next)) may_go_on = true;
+    if (!may_go_on) break;
+  }
+  return word;
+}
+
+Word interpreted(const Grammar& grammar, const Word& word, RandomKey key, const Limits& limits, Progress& progress) {
+  const RewritePlan interpretation(grammar, grammar.interpretation);
+  if (interpretation.rules.empty()) return word;
+  const RandomKey interpretation_key = key.child("interpretation");
+  Rewriter rewriter(grammar, limits, progress);
+  // The first round reads the word where it is.
+  Word first;
+  const RewriteOutcome outcome =
+      rewriter.rewrite(interpretation, word, interpretation_key.child("first"), "interpreting", first);
+  if (outcome.rule == nullptr) return word;
+  Word next;
+  rewrite_to_end(rewriter, interpretation, interpretation_key, "interpreting", first, next);
+  return first;
+}
+
+}  // namespace meristem

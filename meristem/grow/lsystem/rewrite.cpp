@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/lsystem/rewrite.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/in_quotes.h"
+#include "meristem/base/parallel.h"
+#include "meristem/grow/lsystem/rule_chooser.h"
+#include "meristem/grow/lsystem/rule_faults.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr std::size_t kModulesBetweenChecks = 65'536;
+
+/// Memory for `count` items whose values do not matter; what is too small goes first.
+template <typename Item>
+void make_room(std::vector<Item>& items, std::size_t count) {
+  if (items.capacity() < count) items = {};
+  items.resize(count);
+}
+
+/// A few items at a time, for which a call of memcpy would cost more than the copying.
+template <typename Item>
+void copy_items(const Item* from, std::size_t count, Item* to) {
+  if (count > 16) {
+    std::copy_n(from, count, to);
+  } else {
+    for (std::size_t k = 0; k < count; ++k) to[k] = from[k];
+  }
+}
+
+}  // namespace
+
+struct Rewriter::Scratch {
+  RuleChooser chooser;
+  RuleBatch batch;
+  std::vector<std::vector<Lane>> lanes;  // by rule
+  std::vector<RuleChoice> rules;         // those that have any
+};
+
+/// Scratch memory for as long as a chunk takes.
+class Rewriter::Lease {
+ public:
+  explicit Lease(Rewriter& owner) : owner_(owner) {
+    const std::lock_guard lock(owner.mutex_);
+    if (owner.scratch_.empty()) {
+      scratch_ = std::make_unique<Scratch>();
+    } else {
+      scratch_ = std::move(owner.scratch_.back());
+      owner.scratch_.pop_back();
+    }
+  }
+  ~Lease() {
+    const std::lock_guard lock(owner_.mutex_);
+    owner_.scratch_.push_back(std::move(scratch_));
+  }
+  Lease(const Lease&) = delete;
+  Lease& operator=(const Lease&) = delete;
+
+  Scratch& operator*() { return *scratch_; }
+  Scratch* operator->() { return scratch_.get(); }
+
+ private:
+  Rewriter& owner_;
+  std::unique_ptr<Scratch> scratch_;
+};
+
+Rewriter::Rewriter(const Grammar& grammar, const Limits& limits, Progress& progress)
+    : grammar_(grammar), limits_(limits), progress_(progress) {
+  for (std::size_t k = 0; k < grammar.alphabet.size(); ++k) {
+    arities_.push_back(grammar.alphabet[static_cast<LetterIndex>(k)].arity);
+  }
+}
+
+Rewriter::~Rewriter() = default;
+
+RewriteOutcome Rewriter::rewrite(const RewritePlan& plan, const Word& word, RandomKey key, std::string_view stage,
+                                 Word& next) {
+  progress_.begin(stage, word.module_count());
+  progress_.check();
+
+  // Choose each module's rule.
+  places_.find(word, arities_);
+  if (plan.needs.any()) context_.find(grammar_, word.letters, plan.needs, progress_);
+  const OldWord old{word, context_, places_, key};
+  make_room(choices_, word.module_count());
+  chunks_.assign((word.module_count() + kChunk - 1) / kChunk, {});
+  parallel_for(word.module_count(), kChunk, [&](std::size_t begin, std::size_t end) {
+    progress_.check();
+    Lease scratch(*this);
+    const bool had_candidates = scratch->chooser.choose(plan, old, arities_, begin, end, choices_, progress_);
+    chunks_[begin / kChunk].may_change = plan.is_random && had_candidates;
+    count(plan, word, begin, end);
+  });
+
+  // See how long the word becomes, and where each chunk goes.
+  RewriteOutcome outcome;
+  std::size_t modules = 0;
+  std::size_t parameters = 0;
+  for (Chunk& chunk : chunks_) {
+    if (outcome.rule == nullptr) outcome.rule = chunk.rule;
+    outcome.may_change = outcome.may_change || chunk.may_change;
+    modules += std::exchange(chunk.modules, modules);
+    parameters += std::exchange(chunk.parameters, parameters);
+  }
+  if (outcome.rule == nullptr) return outcome;
+  require_room(plan, modules, parameters);
+
+  // Write it.
+  next.letters.clear();
+  next.parameters.clear();
+  make_room(next.letters, modules);
+  make_room(next.parameters, parameters);
+  parallel_for(word.module_count(), kChunk, [&](std::size_t begin, std::size_t end) {
+    Lease scratch(*this);
+    write_letters(plan, old, begin, end, *scratch, next);
+    for (const RuleChoice choice : scratch->rules) {
+      std::vector<Lane>& lanes = scratch->lanes[choice];
+      write_parameters(plan.rules[choice - 1], old, lanes, scratch->batch, next.parameters.data());
+      lanes.clear();
+    }
+    scratch->rules.clear();
+    progress_.advance(end - begin);
+  });
+  return outcome;
+}
+
+void Rewriter::count(const RewritePlan& plan, const Word& word, std::size_t begin, std::size_t end) {
+  Chunk& chunk = chunks_[begin / kChunk];
+  std::int64_t modules = 0;
+  std::int64_t parameters = 0;
+  RuleChoice rule = kCopied;
+  for (std::size_t k = begin; k < end; ++k) {
+    const RuleChoice choice = choices_[k];
+    if (choice == kCopied) continue;
+    if (rule == kCopied) rule = choice;
+    modules += plan.added_modules[choice];
+    parameters += plan.added_parameters[choice];
+  }
+  if (rule != kCopied) chunk.rule = plan.rules[rule - 1].rule;
+  const std::size_t old_parameters = places_.of_chunk(begin / kChunk + 1) - places_.of_chunk(begin / kChunk);
+  chunk.modules =
+      static_cast<std::size_t>(static_cast<std::int64_t>(std::min(end, word.module_count()) - begin) + modules);
+  chunk.parameters = static_cast<std::size_t>(static_cast<std::int64_t>(old_parameters) + parameters);
+}
+
+void Rewriter::require_room(const RewritePlan& plan, std::size_t modules, std::size_t parameters) const {
+  const std::uint64_t limit = std::min<std::uint64_t>(limits_.modules, kNoModule - 1);
+  if (modules <= limit && parameters <= limit) return;
+  const bool too_many_modules = modules > limit;
+  // Find the rule that adds most.
+  const std::vector<std::int64_t>& added = too_many_modules ? plan.added_modules : plan.added_parameters;
+  std::vector<std::int64_t> added_by(added.size());
+  for (const RuleChoice choice : choices_) added_by[choice] += added[choice];
+  const auto most = std::max_element(added_by.begin() + 1, added_by.end());
+  const Rule& rule = *plan.rules[static_cast<std::size_t>(most - added_by.begin() - 1)].rule;
+
+  Diagnostic diagnostic =
+      limit_diagnostic(too_many_modules ? "modules of a word" : "parameters of a word",
+                       static_cast<double>(too_many_modules ? modules : parameters), limit, "modules", "");
+  diagnostic.message += fmt::format("; {} adds most", in_quotes(rule.text));
+  diagnostic.line = rule.line;
+  throw InputError(diagnostic);
+}
+
+void Rewriter::write_letters(const RewritePlan& plan, const OldWord& old, std::size_t begin, std::size_t end,
+                             Scratch& scratch, Word& next) const {
+  const Chunk& chunk = chunks_[begin / kChunk];
+  const LetterIndex* const letters = old.word.letters.data();
+  const double* const parameters = old.word.parameters.data();
+  LetterIndex* letters_out = next.letters.data() + chunk.modules;
+  std::size_t out = chunk.parameters;
+  std::size_t in = old.places.of_chunk(begin / kChunk);
+  scratch.lanes.resize(plan.rules.size() + 1);
+  std::size_t written = 0;
+  for (std::size_t k = begin; k < end;) {
+    // Copy the modules up to the next one that is replaced.
+    const std::size_t first = k;
+    const std::size_t first_in = in;
+    for (; k < end && choices_[k] == kCopied; ++k) in += arities_[letters[k]];
+    copy_items(letters + first, k - first, letters_out);
+    copy_items(parameters + first_in, in - first_in, next.parameters.data() + out);
+    letters_out += k - first;
+    out += in - first_in;
+    if (k == end) break;
+
+    // Replace it; its expressions are left for later, to be evaluated together.
+    const RuleChoice choice = choices_[k];
+    const RulePlan& rule = plan.rules[choice - 1];
+    copy_items(rule.letters.data(), rule.letters.size(), letters_out);
+    copy_items(rule.parameters.data(), rule.parameters.size(), next.parameters.data() + out);
+    if (!rule.is_constant()) {
+      std::vector<Lane>& lanes = scratch.lanes[choice];
+      if (lanes.empty()) scratch.rules.push_back(choice);
+      lanes.push_back({static_cast<std::uint32_t>(k), in, out});
+    }
+    letters_out += rule.letters.size();
+    out += rule.parameters.size();
+    in += arities_[letters[k]];
+    ++k;
+    written += rule.letters.size();
+    if (written >= kModulesBetweenChecks) {
+      progress_.check();
+      written = 0;
+    }
+  }
+}
+
+void Rewriter::write_parameters(const RulePlan& plan, const OldWord& old, std::vector<Lane>& lanes, RuleBatch& batch,
+                                double* parameters) const {
+  for (std::size_t begin = 0; begin < lanes.size(); begin += RuleBatch::kLanes) {
+    const auto some = std::span<const Lane>(lanes).subspan(begin, std::min(RuleBatch::kLanes, lanes.size() - begin));
+    const auto scatter = [&](std::span<const double> values, std::uint32_t place) {
+      double* const at = parameters + place;
+      for (std::size_t k = 0; k < some.size(); ++k) at[some[k].out] = values[k];
+    };
+    progress_.check();
+    batch.begin(old, plan, some);
+    for (const RulePlan::Copy& copy : plan.copies) scatter(batch.values(copy.source), copy.place);
+    for (const RuleFormula& formula : plan.formulas) {
+      progress_.check();
+      const std::span<const double> values = batch.values(formula);
+      require_finite(values, *plan.rule, formula);
+      for (const std::uint32_t place : formula.places) scatter(values, place);
+    }
+  }
+}
+
+}  // namespace meristem

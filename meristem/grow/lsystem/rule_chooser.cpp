@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/lsystem/rule_chooser.h"
+
+#include <algorithm>
+
+#include "meristem/grow/lsystem/rule_faults.h"
+
+namespace meristem {
+
+namespace {
+
+/// Calls `body` for consecutive parts of `all` that fit into a batch.
+template <typename Body>
+void for_each_batch(std::span<const std::uint32_t> all, Body body) {
+  for (std::size_t begin = 0; begin < all.size(); begin += RuleBatch::kLanes) {
+    body(all.subspan(begin, std::min(RuleBatch::kLanes, all.size() - begin)));
+  }
+}
+
+}  // namespace
+
+bool RuleChooser::choose(const RewritePlan& plan, const OldWord& old, std::span<const std::uint16_t> arities,
+                         std::size_t begin, std::size_t end, std::span<RuleChoice> choices, const Progress& progress) {
+  for (const LetterIndex letter : letters_) candidates_[letter].clear();
+  letters_.clear();
+  candidates_.resize(plan.by_letter.size());
+  std::size_t in = old.places.of_chunk(begin / kChunk);
+  for (std::size_t k = begin; k < end; ++k) {
+    const LetterIndex letter = old.word.letters[k];
+    choices[k] = plan.by_letter[letter];
+    if (choices[k] == kUndecided) {
+      choices[k] = kCopied;
+      std::vector<Candidate>& candidates = candidates_[letter];
+      if (candidates.empty()) letters_.push_back(letter);
+      candidates.push_back({{static_cast<std::uint32_t>(k), in, 0}, 0, false});
+    }
+    in += arities[letter];
+  }
+  for (const LetterIndex letter : letters_) decide(plan, old, letter, choices, progress);
+  return !letters_.empty();
+}
+
+void RuleChooser::decide(const RewritePlan& plan, const OldWord& old, LetterIndex letter, std::span<RuleChoice> choices,
+                         const Progress& progress) {
+  std::vector<Candidate>& candidates = candidates_[letter];
+  for (const std::uint32_t index : plan.set->of_letter[letter]) {
+    if (candidates.empty()) return;
+    progress.check();
+    const RulePlan& rule = plan.rules[index];
+    // Once one is to be drawn, rules without a weight come too late.
+    matching_.clear();
+    for (std::uint32_t k = 0; k < candidates.size(); ++k) {
+      if (rule.weight || candidates[k].weight == 0) matching_.push_back(k);
+    }
+    if (rule.has_context) keep_in_context(old, rule, candidates);
+    if (rule.condition) keep_where_true(old, rule, candidates);
+    const RuleChoice choice = rule.is_identity ? kCopied : static_cast<RuleChoice>(index + 1);
+    if (rule.weight) {
+      draw(old, rule, choice, candidates, choices);
+      continue;
+    }
+    for (const std::uint32_t k : matching_) {
+      choices[candidates[k].lane.module] = choice;
+      candidates[k].is_decided = true;
+    }
+    std::erase_if(candidates, [](const Candidate& candidate) { return candidate.is_decided; });
+  }
+}
+
+void RuleChooser::keep_in_context(const OldWord& old, const RulePlan& plan, const std::vector<Candidate>& candidates) {
+  std::erase_if(matching_,
+                [&](std::uint32_t k) { return !old.context.matches(*plan.rule, candidates[k].lane.module, matched_); });
+}
+
+void RuleChooser::keep_where_true(const OldWord& old, const RulePlan& plan, const std::vector<Candidate>& candidates) {
+  std::size_t kept = 0;
+  for_each_batch(matching_, [&](std::span<const std::uint32_t> batch) {
+    begin_batch(old, plan, candidates, batch);
+    const std::span<const double> values = batch_.values(*plan.condition);
+    // What is kept never overtakes what is read.
+    for (std::size_t lane = 0; lane < batch.size(); ++lane) {
+      if (values[lane] != 0) matching_[kept++] = batch[lane];
+    }
+  });
+  matching_.resize(kept);
+}
+
+void RuleChooser::draw(const OldWord& old, const RulePlan& plan, RuleChoice choice, std::vector<Candidate>& candidates,
+                       std::span<RuleChoice> choices) {
+  for_each_batch(matching_, [&](std::span<const std::uint32_t> batch) {
+    begin_batch(old, plan, candidates, batch);
+    const std::span<const double> weights = batch_.values(*plan.weight);
+    require_weights(weights, *plan.rule, *plan.weight);
+    for (std::size_t lane = 0; lane < batch.size(); ++lane) {
+      if (weights[lane] == 0) continue;
+      Candidate& candidate = candidates[batch[lane]];
+      candidate.weight += weights[lane];
+      // Each rule in turn takes the place of the ones before it with its share of the weights so far: in the end all
+      // have it in proportion to their weights.
+      const bool is_first = candidate.weight == weights[lane];
+      const RandomKey key = old.key.child(candidate.lane.module).child(std::uint64_t{0});
+      if (is_first || key.uniform(plan.index) * candidate.weight < weights[lane])
+        choices[candidate.lane.module] = choice;
+    }
+  });
+}
+
+void RuleChooser::begin_batch(const OldWord& old, const RulePlan& plan, const std::vector<Candidate>& candidates,
+                              std::span<const std::uint32_t> batch) {
+  lanes_.clear();
+  for (const std::uint32_t k : batch) lanes_.push_back(candidates[k].lane);
+  batch_.begin(old, plan, lanes_);
+}
+
+}  // namespace meristem

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "meristem/grow/lsystem/rule_plan.h"
+
+namespace meristem {
+
+/// An InputError at the rule's line.
+[[noreturn]] void throw_rule_fault(const Rule& rule, std::string message, std::string expected);
+/// Throws it for values of the formula that are infinite or no number.
+void require_finite(std::span<const double> values, const Rule& rule, const RuleFormula& formula);
+/// Throws it for such values and for negative ones.
+void require_weights(std::span<const double> values, const Rule& rule, const RuleFormula& formula);
+
+}  // namespace meristem

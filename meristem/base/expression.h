@@ -9,11 +9,11 @@
 //
 // Functions, angles in degrees: sin cos tan asin acos atan atan2(y, x) sqrt cbrt exp log log2 log10 pow(x, y) abs sign
 // floor ceil round trunc frac mod(x, y) min(...) max(...) clamp(x, low, high) lerp(a, b, t) smoothstep(a, b, x)
-// step(edge, x) noise(x [, y [, z]]) rand() rand(low, high) gauss(mean, deviation). Constants: pi, e, golden
-// (137.508°).
+// step(edge, x) noise(x [, y [, z]]) rand() rand(low, high) gauss(mean, deviation), and their names in grammars
+// ran(x), which is rand(0, x), and nran(mean, deviation). Constants: pi, e, golden (137.508°).
 //
-// Both branches of `?:` are evaluated. rand and gauss draw from the lane's key by the call's place in the expression:
-// the k-th of their names in the text, from 0 and left to right, draws the key's k-th number. The manual has it all:
+// Both branches of `?:` are evaluated. Random calls draw from the lane's key by their place in the
+// expression: the k-th in the text, from 0 and left to right, draws the key's k-th number. The manual has it all:
 // docs/manual/expressions.md.
 #pragma once
 
@@ -84,7 +84,7 @@ class Expression {
   double evaluate(std::span<const double> variables = {}, RandomKey key = RandomKey()) const;
 
   bool uses(std::size_t variable) const;  ///< whether the k-th variable occurs
-  bool is_random() const;                 ///< whether rand or gauss occurs
+  bool is_random() const;                 ///< whether rand, gauss, ran or nran occurs
   bool is_constant() const;               ///< no variable, nothing random
   const std::string& text() const;
 

@@ -13,7 +13,8 @@ std::size_t operand_count(ExpressionOp op) {
 }
 
 bool is_random(ExpressionOp op) {
-  return op == ExpressionOp::uniform || op == ExpressionOp::uniform_between || op == ExpressionOp::gauss;
+  return op == ExpressionOp::uniform || op == ExpressionOp::uniform_below || op == ExpressionOp::uniform_between ||
+         op == ExpressionOp::gauss;
 }
 
 ExpressionEmitter::ExpressionEmitter(std::size_t variable_count) {

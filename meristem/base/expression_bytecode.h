@@ -42,6 +42,7 @@ enum class ExpressionOp : std::uint8_t {
   truncate,
   fraction,
   noise_1,
+  uniform_below,
   // Two.
   add,
   subtract,

@@ -78,6 +78,8 @@ std::span<const ExpressionFunction> expression_functions() {
       {"noise", "noise(x [, y [, z]])", kOne | kTwo | kThree, false, Op::noise_1},
       {"rand", "rand() or rand(low, high)", kNone | kTwo, false, Op::uniform},
       {"gauss", "gauss(mean, deviation)", kTwo, false, Op::gauss},
+      {"ran", "ran(x)", kOne, false, Op::uniform_below},
+      {"nran", "nran(mean, deviation)", kTwo, false, Op::gauss},
   };
   return kFunctions;
 }

@@ -129,6 +129,8 @@ void run_drawing(const ExpressionInstruction& i, const Block<lanes>& block, cons
     const RandomKey key = keys[block.start + lane];
     if (i.op == Op::uniform) {
       out[lane] = key.uniform(i.place);
+    } else if (i.op == Op::uniform_below) {
+      out[lane] = key.uniform(i.place, 0, block.in(i.in[0])[lane]);
     } else if (i.op == Op::uniform_between) {
       out[lane] = key.uniform(i.place, block.in(i.in[0])[lane], block.in(i.in[1])[lane]);
     } else {

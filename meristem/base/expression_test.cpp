@@ -166,6 +166,8 @@ TEST(Expression, DrawsByThePlaceOfTheCallInTheText) {
   // The outer call stands before the ones in its arguments.
   EXPECT_EQ(drawn("rand(rand(), 2)"), key.uniform(0, key.uniform(1), 2));
   EXPECT_EQ(drawn("gauss(rand(), 0)"), key.uniform(1));
+  EXPECT_EQ(drawn("ran(3) + ran(-2)"), 3 * key.uniform(0) - 2 * key.uniform(1));
+  EXPECT_EQ(drawn("nran(10, 2)"), drawn("gauss(10, 2)"));
   // Folding of what stands around a call does not move it.
   EXPECT_EQ(drawn("(1 + 2)*0 + (2 > 1 ? rand() : rand())"), key.uniform(0));
 }
@@ -218,7 +220,7 @@ TEST(Expression, ResultMayOverwriteAVariable) {
 }
 
 TEST(Expression, BuiltinNamesAreIdentifiersAndFound) {
-  EXPECT_EQ(builtin_names().size(), 34U);
+  EXPECT_EQ(builtin_names().size(), 36U);
   for (const std::string& name : builtin_names()) {
     EXPECT_TRUE(is_identifier(name)) << name;
     EXPECT_TRUE(is_builtin_name(name)) << name;

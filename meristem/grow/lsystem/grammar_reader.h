@@ -1,4 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
+// The text form of grammars.
+//
+//   #define r = 0.6            a constant, for all expressions behind it; "=" may be left out
+//   #symbols Leaf Bud          symbols of several characters; all others have one. The longest name counts
+//   #axiom                     a word, here or on the next lines; "ω :" may stand before it
+//   #rules                     one a line:
+//       [id :] [left <] predecessor [> right] [: condition] [: weight] -> successor
+//   #decompose  #interpret     rules likewise
+//   #ignore +-                 symbols that contexts do not see; after "#ignore:" too
+//   #steps 5   #angle 22.5     a constant expression each
+//   #include fir.txt as T for 6 steps
+//                              T is drawn as the word of that grammar after so many steps; without them as its #steps
+//
+// Directives stand at the beginning of a line. Before the first of #axiom and #rules lines are the axiom, and a line
+// with an arrow begins the rules, there and behind #axiom. Arrows are -> and →, and --> behind a symbol. Blanks
+// between modules mean nothing. Comments are /* ... */, lines that begin with // or with ;, and // between blanks
+// (S/////F turns five times). A \ after a blank at a line's end joins the next line to it.
+//
+// A symbol is any printable character but ( ) < > : and →. An id has two characters or more. A single section behind
+// the predecessor is a weight if it has no comparison and no logic operator; * is always true, as a context too. In
+// conditions = & | mean == && ||, as in the book. A successor that is empty or ε deletes. An identity rule that is the
+// only one of its letter is dropped.
 #pragma once
 
 #include <functional>

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/lsystem/grammar_check.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "meristem/base/in_quotes.h"
+
+namespace meristem {
+
+namespace {
+
+/// Which letters can come about: a flag each. Conditions and contexts are taken to hold.
+class ReachedLetters {
+ public:
+  explicit ReachedLetters(const Grammar& grammar) : is_reached_(grammar.alphabet.size()) {}
+
+  void reach(const std::vector<ModuleForm>& modules) {
+    for (const ModuleForm& module : modules) {
+      if (is_reached_[module.letter]) continue;
+      is_reached_[module.letter] = true;
+      found_.push_back(module.letter);
+    }
+  }
+  /// Applies the rules of the sets to all letters until no new one comes about.
+  void follow(const std::vector<const RuleSet*>& sets) {
+    for (std::size_t k = 0; k < found_.size(); ++k) {
+      for (const RuleSet* set : sets) {
+        for (const std::uint32_t rule : set->of_letter[found_[k]]) reach(set->rules[rule].successor);
+      }
+    }
+  }
+  bool operator[](LetterIndex letter) const { return is_reached_[letter]; }
+  const std::vector<LetterIndex>& all() const { return found_; }
+
+ private:
+  std::vector<bool> is_reached_;
+  std::vector<LetterIndex> found_;
+};
+
+/// Whether the rule is taken wherever its letter stands.
+bool always_applies(const Rule& rule) {
+  const bool may_fail = rule.condition && !(rule.condition->is_constant() && rule.condition->evaluate() != 0);
+  return !may_fail && !rule.weight && rule.left.empty() && rule.right.empty();
+}
+
+void warn_of_hidden_rules(const RuleSet& set, const std::vector<std::string_view>& places, GrammarFaults& faults) {
+  for (const auto& rules : set.of_letter) {
+    const auto first = std::find_if(rules.begin(), rules.end(), [&](auto k) { return always_applies(set.rules[k]); });
+    if (first == rules.end()) continue;
+    for (auto hidden = first + 1; hidden != rules.end(); ++hidden) {
+      faults.warn(places[*hidden], fmt::format("this rule can never match: the one of line {} is always taken first",
+                                               set.rules[*first].line));
+    }
+  }
+}
+
+void warn_of_unreached_rules(const Grammar& grammar, const RuleSet& set, const std::vector<std::string_view>& places,
+                             const ReachedLetters& reached, GrammarFaults& faults) {
+  std::map<std::string_view, std::uint16_t> arities;  // one of each symbol that words can have
+  for (const LetterIndex letter : reached.all()) {
+    arities.emplace(grammar.alphabet[letter].symbol, grammar.alphabet[letter].arity);
+  }
+  for (std::size_t k = 0; k < set.rules.size(); ++k) {
+    const LetterIndex predecessor = set.rules[k].predecessor;
+    if (reached[predecessor]) continue;
+    const Letter& letter = grammar.alphabet[predecessor];
+    const auto other = arities.find(letter.symbol);
+    if (other == arities.end()) {
+      faults.warn(places[k], fmt::format("this rule can never match: no word has {}", in_quotes(letter.symbol)));
+    } else {
+      faults.warn(places[k],
+                  fmt::format("this rule can never match: words have {} with another number of parameters than {}",
+                              in_quotes(letter.symbol), letter.arity),
+                  fmt::format("as many as {}", other->second));
+    }
+  }
+}
+
+}  // namespace
+
+void warn_of_idle_rules(const Grammar& grammar, const RulePlaces& places, GrammarFaults& faults) {
+  ReachedLetters reached(grammar);
+  reached.reach(grammar.axiom);
+  reached.follow({&grammar.production, &grammar.decomposition});
+  warn_of_unreached_rules(grammar, grammar.production, places.production, reached, faults);
+  warn_of_unreached_rules(grammar, grammar.decomposition, places.decomposition, reached, faults);
+  reached.follow({&grammar.interpretation});
+  warn_of_unreached_rules(grammar, grammar.interpretation, places.interpretation, reached, faults);
+
+  warn_of_hidden_rules(grammar.production, places.production, faults);
+  warn_of_hidden_rules(grammar.decomposition, places.decomposition, faults);
+  warn_of_hidden_rules(grammar.interpretation, places.interpretation, faults);
+}
+
+}  // namespace meristem

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/lsystem/grammar_include.h"
+
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "meristem/base/progress.h"
+#include "meristem/grow/lsystem/derive.h"
+
+namespace meristem {
+
+namespace {
+
+/// Compiles every number once.
+class NumberExpressions {
+ public:
+  const Expression& operator[](double number) {
+    const std::string text = fmt::format("{}", number);
+    const auto known = expressions_.find(text);
+    if (known != expressions_.end()) return known->second;
+    return expressions_.emplace(text, Expression::compile(text, {})).first->second;
+  }
+
+ private:
+  std::unordered_map<std::string, Expression> expressions_;
+};
+
+}  // namespace
+
+std::vector<ModuleForm> included_word(const Grammar& included, int steps, const Limits& limits, Alphabet& alphabet) {
+  // The same on every reading: an included word is a part of the grammar and not of the plant.
+  const RandomKey key = RandomKey().child("include");
+  Progress progress;
+  const Word derived = derive(included, steps, key.child("derive"), limits, progress);
+  const Word word = interpreted(included, derived, key.child("draw"), limits, progress);
+  if (word.module_count() > kLongestIncludedWord) {
+    Diagnostic fault;
+    fault.message = fmt::format("the included word has {} modules", word.module_count());
+    fault.expected = fmt::format("at most {}; fewer steps", kLongestIncludedWord);
+    throw InputError(fault);
+  }
+
+  std::vector<LetterIndex> ours(included.alphabet.size(), kNoLetter);
+  std::vector<ModuleForm> forms;
+  forms.reserve(word.module_count());
+  NumberExpressions numbers;
+  std::size_t parameter = 0;
+  for (const LetterIndex letter : word.letters) {
+    const Letter& theirs = included.alphabet[letter];
+    if (ours[letter] == kNoLetter) ours[letter] = alphabet.add(theirs.symbol, theirs.arity);
+    ModuleForm& form = forms.emplace_back();
+    form.letter = ours[letter];
+    for (std::size_t k = 0; k < theirs.arity; ++k) form.parameters.push_back(numbers[word.parameters[parameter++]]);
+  }
+  return forms;
+}
+
+}  // namespace meristem

@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/lsystem/grammar_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "meristem/base/in_quotes.h"
+#include "meristem/grow/lsystem/grammar_check.h"
+#include "meristem/grow/lsystem/grammar_include.h"
+#include "meristem/grow/lsystem/grammar_text.h"
+#include "meristem/grow/lsystem/rule_reader.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr int kMostSteps = 1'000'000;
+constexpr std::size_t kDeepestInclusion = 16;
+constexpr int kMostInclusions = 100;
+constexpr std::size_t kLongestName = 64;
+
+/// What the readers of a grammar and of those it includes have in common.
+struct Inclusions {
+  std::vector<std::string> files;  ///< from the first to the one being read
+  int count = 0;
+};
+
+struct Directive {
+  std::string_view all;
+  std::string_view name;
+  std::string_view rest;  ///< trimmed
+};
+
+const std::vector<std::string>& directive_names() {
+  static const std::vector<std::string> kNames = {"#axiom",  "#rules", "#decompose", "#interpret", "#define",
+                                                  "#ignore", "#steps", "#angle",     "#symbols",   "#include"};
+  return kNames;
+}
+
+bool is_ascii_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// A # that a letter follows; a # before anything else is a symbol.
+std::optional<Directive> as_directive(std::string_view line) {
+  if (line.size() < 2 || line[0] != '#' || !is_ascii_letter(line[1])) return std::nullopt;
+  std::size_t end = 1;
+  while (end < line.size() && is_ascii_letter(line[end])) ++end;
+  return Directive{line, line.substr(0, end), trimmed(line.substr(end))};
+}
+
+/// Takes the next word off `rest`; one in quotes may hold blanks.
+std::string_view take_word(std::string_view& rest) {
+  rest = trimmed(rest);
+  const bool is_quoted = rest.starts_with('"') && rest.find('"', 1) != std::string_view::npos;
+  if (is_quoted) {
+    const std::size_t end = rest.find('"', 1);
+    const std::string_view word = rest.substr(1, end - 1);
+    rest.remove_prefix(end + 1);
+    return word;
+  }
+  const auto end = static_cast<std::size_t>(std::find_if(rest.begin(), rest.end(), is_blank) - rest.begin());
+  const std::string_view word = rest.substr(0, end);
+  rest.remove_prefix(end);
+  return word;
+}
+
+class GrammarReader {
+ public:
+  GrammarReader(std::string_view text, const GrammarOptions& options, Inclusions& inclusions)
+      : options_(options),
+        inclusions_(inclusions),
+        text_(text, options.file, options.limits),
+        faults_(text_, std::max<std::size_t>(1, options.limits.diagnostics)),
+        rules_(text_, faults_, options.limits, grammar_, options.constants) {}
+
+  Grammar read();
+
+ private:
+  enum class Section { preamble, axiom, production, decomposition, interpretation };
+
+  void read_names(const std::vector<std::string_view>& lines);
+  void read_define(const Directive& directive);
+  void read_symbols(const Directive& directive);
+
+  void read_directive(const Directive& directive);
+  void read_line(std::string_view line);
+  void read_ignore(const Directive& directive);
+  void read_steps(const Directive& directive);
+  void read_angle(const Directive& directive);
+  void read_include(const Directive& directive);
+  bool include(const Directive& directive, std::string_view file, LetterIndex letter, std::string_view steps);
+  std::optional<int> step_count(std::string_view text);
+  void add_rule(Rule rule, std::string_view place, RuleSet& set, std::vector<std::string_view>& places);
+
+  void finish();
+  void drop_identities(RuleSet& set, std::vector<std::string_view>& places) const;
+  bool is_identity(const Rule& rule) const;
+
+  const GrammarOptions& options_;
+  Inclusions& inclusions_;
+  GrammarText text_;
+  GrammarFaults faults_;
+  Grammar grammar_;
+  RuleReader rules_;
+  RulePlaces places_;
+  Section section_ = Section::preamble;
+  std::vector<std::string_view> open_brackets_;  ///< of the axiom
+  std::vector<std::string_view> ignored_;
+  std::string_view axiom_place_;
+};
+
+Grammar GrammarReader::read() {
+  grammar_.open = grammar_.alphabet.add("[", 0);
+  grammar_.close = grammar_.alphabet.add("]", 0);
+  grammar_.cut = grammar_.alphabet.add("%", 0);
+  const std::vector<std::string_view> lines = text_.lines();
+  read_names(lines);
+  for (const std::string_view line : lines) {
+    if (faults_.is_full()) break;
+    if (const auto directive = as_directive(line)) {
+      read_directive(*directive);
+    } else {
+      read_line(line);
+    }
+  }
+  finish();
+  return std::move(grammar_);
+}
+
+// Names come first, so that a symbol may be declared behind its use.
+
+void GrammarReader::read_names(const std::vector<std::string_view>& lines) {
+  for (const std::string_view line : lines) {
+    if (faults_.is_full()) return;
+    const auto directive = as_directive(line);
+    if (!directive) continue;
+    if (directive->name == "#define") read_define(*directive);
+    if (directive->name == "#symbols") read_symbols(*directive);
+  }
+}
+
+void GrammarReader::read_define(const Directive& directive) {
+  std::string_view value = directive.rest;
+  std::size_t end = 0;
+  while (end < value.size() && !is_blank(value[end]) && value[end] != '=') ++end;
+  const std::string_view name = value.substr(0, end);
+  value = trimmed(value.substr(end));
+  if (value.starts_with('=')) value = trimmed(value.substr(1));
+  if (name.empty() || value.empty()) {
+    faults_.add(directive.all, "'#define' lacks a name or a value", "#define name = expression");
+  } else if (!is_identifier(name)) {
+    faults_.add(name, fmt::format("{} is not a name", in_quotes(name)), "letters, digits and _, no digit first");
+  } else if (is_builtin_name(name)) {
+    faults_.add(name, fmt::format("'{}' is a function or constant of every expression", name), "another name");
+  } else if (const auto number = rules_.read_constant(value)) {
+    rules_.constants().set(std::string(name), *number);
+  }
+}
+
+void GrammarReader::read_symbols(const Directive& directive) {
+  std::string_view rest = directive.rest;
+  if (rest.empty()) faults_.add(directive.all, "'#symbols' declares none", "names of two characters or more");
+  while (!rest.empty() && !faults_.is_full()) {
+    const std::string_view name = take_word(rest);
+    rest = trimmed(rest);
+    if (!is_identifier(name) || name.size() < 2 || name.size() > kLongestName) {
+      faults_.add(name, fmt::format("{} cannot be declared", in_quotes(name)),
+                  fmt::format("a name of 2 to {} letters, digits and _, no digit first", kLongestName));
+    } else {
+      rules_.declare_symbol(name);
+    }
+  }
+}
+
+// Lines in their order.
+
+void GrammarReader::read_directive(const Directive& directive) {
+  const auto begin = [&](Section section) {
+    section_ = section;
+    if (!directive.rest.empty()) read_line(directive.rest);
+  };
+  const std::string_view name = directive.name;
+  if (name == "#axiom") {
+    if (!axiom_place_.empty()) {
+      faults_.add(directive.all, fmt::format("a second axiom; the first is in line {}", text_.line(axiom_place_)),
+                  "one axiom");
+      return;
+    }
+    axiom_place_ = directive.all;
+    begin(Section::axiom);
+  } else if (name == "#rules") {
+    begin(Section::production);
+  } else if (name == "#decompose") {
+    begin(Section::decomposition);
+  } else if (name == "#interpret") {
+    begin(Section::interpretation);
+  } else if (name == "#ignore") {
+    read_ignore(directive);
+  } else if (name == "#steps") {
+    read_steps(directive);
+  } else if (name == "#angle") {
+    read_angle(directive);
+  } else if (name == "#include") {
+    read_include(directive);
+  } else if (name != "#define" && name != "#symbols") {
+    faults_.add(directive.all, fmt::format("{} is not a directive", in_quotes(name)), "a directive such as #rules",
+                nearest_name(name, directive_names()));
+  }
+}
+
+void GrammarReader::read_line(std::string_view line) {
+  const bool is_before_rules = section_ == Section::preamble || section_ == Section::axiom;
+  if (is_before_rules && find_arrow(line)) section_ = Section::production;
+  switch (section_) {
+    case Section::preamble:
+    case Section::axiom:
+      if (axiom_place_.empty()) axiom_place_ = line;
+      rules_.read_axiom(line, open_brackets_, grammar_.axiom);
+      return;
+    case Section::production:
+      if (auto rule = rules_.read_rule(line)) {
+        add_rule(std::move(*rule), line, grammar_.production, places_.production);
+      }
+      return;
+    case Section::decomposition:
+      if (auto rule = rules_.read_rule(line)) {
+        add_rule(std::move(*rule), line, grammar_.decomposition, places_.decomposition);
+      }
+      return;
+    case Section::interpretation:
+      if (auto rule = rules_.read_rule(line)) {
+        add_rule(std::move(*rule), line, grammar_.interpretation, places_.interpretation);
+      }
+      return;
+  }
+}
+
+void GrammarReader::add_rule(Rule rule, std::string_view place, RuleSet& set, std::vector<std::string_view>& places) {
+  set.rules.push_back(std::move(rule));
+  places.push_back(place);
+}
+
+void GrammarReader::read_ignore(const Directive& directive) {
+  std::string_view rest = directive.rest;
+  if (rest.starts_with(':')) rest.remove_prefix(1);
+  while (const auto module = rules_.next_module(rest)) {
+    if (faults_.is_full()) return;
+    if (module->symbol == "[" || module->symbol == "]") {
+      faults_.add(module->all, "contexts cannot ignore brackets", "other symbols");
+    } else if (!module->arguments.empty()) {
+      faults_.add(module->all, fmt::format("{} has parameters", in_quotes(module->all)),
+                  "a symbol alone; it is ignored with any number of parameters");
+    } else {
+      ignored_.push_back(module->symbol);
+    }
+  }
+}
+
+std::optional<int> GrammarReader::step_count(std::string_view text) {
+  const auto steps = rules_.read_constant(text);
+  if (!steps) return std::nullopt;
+  if (*steps >= 0 && *steps <= kMostSteps && std::floor(*steps) == *steps) return static_cast<int>(*steps);
+  faults_.add(text, fmt::format("{} is not a number of steps", in_quotes(text)),
+              fmt::format("a whole number from 0 to {}", kMostSteps));
+  return std::nullopt;
+}
+
+void GrammarReader::read_steps(const Directive& directive) {
+  if (const auto steps = step_count(directive.rest)) grammar_.steps = steps;
+}
+
+void GrammarReader::read_angle(const Directive& directive) {
+  if (const auto angle = rules_.read_constant(directive.rest)) grammar_.angle = angle;
+}
+
+void GrammarReader::read_include(const Directive& directive) {
+  std::string_view rest = directive.rest;
+  const std::string_view file = take_word(rest);
+  const std::string_view as = take_word(rest);
+  std::string_view symbol = take_word(rest);
+  std::string_view steps;
+  bool is_good = !file.empty() && as == "as" && !symbol.empty();
+  const std::string_view duration = trimmed(rest);
+  if (is_good && !duration.empty()) {
+    const bool is_for = take_word(rest) == "for";
+    steps = take_word(rest);
+    const std::string_view unit = take_word(rest);
+    is_good = is_for && (unit == "steps" || unit == "step") && trimmed(rest).empty();
+  }
+  if (!is_good) {
+    faults_.add(directive.all, fmt::format("{} cannot be read", in_quotes(directive.all)),
+                "#include file as X for n steps");
+    return;
+  }
+  const auto module = rules_.next_module(symbol);
+  if (!module) return;
+  if (!trimmed(symbol).empty() || !module->arguments.empty() || module->symbol == "[" || module->symbol == "]") {
+    faults_.add(module->all, fmt::format("{} cannot stand for a grammar", in_quotes(directive.all)),
+                "a symbol without parameters");
+    return;
+  }
+  const LetterIndex letter = rules_.letter_of(*module);
+  if (letter != kNoLetter) include(directive, file, letter, steps);
+}
+
+bool GrammarReader::include(const Directive& directive, std::string_view file, LetterIndex letter,
+                            std::string_view steps) {
+  const auto fail = [&](std::string message, std::string expected) {
+    faults_.add(directive.all, std::move(message), std::move(expected));
+    return false;
+  };
+  const std::string name(file);
+  auto& files = inclusions_.files;
+  if (!options_.read) return fail("this grammar cannot include others", "a grammar that is read from a file");
+  if (std::find(files.begin(), files.end(), name) != files.end()) {
+    return fail(fmt::format("{} includes itself", in_quotes(name)), "inclusions without a circle");
+  }
+  if (files.size() > kDeepestInclusion || ++inclusions_.count > kMostInclusions) {
+    return fail("too many grammars are included",
+                fmt::format("at most {}, and {} inside each other", kMostInclusions, kDeepestInclusion));
+  }
+
+  GrammarOptions options = options_;
+  options.file = name;
+  files.push_back(name);
+  try {
+    const Grammar included = GrammarReader(options_.read(name), options, inclusions_).read();
+    const std::optional<int> count = steps.empty() ? included.steps : step_count(steps);
+    files.pop_back();
+    if (!count) {
+      if (!steps.empty()) return false;
+      return fail(fmt::format("{} has no #steps", in_quotes(name)), "#include file as X for n steps");
+    }
+    Rule rule;
+    rule.text = directive.all;
+    rule.line = text_.line(directive.all);
+    rule.predecessor = letter;
+    rule.successor = included_word(included, *count, options_.limits, grammar_.alphabet);
+    const bool holds_itself = std::any_of(rule.successor.begin(), rule.successor.end(),
+                                          [&](const ModuleForm& module) { return module.letter == letter; });
+    if (holds_itself) {
+      return fail(fmt::format("the word of {} has the letter that stands for it", in_quotes(name)), "another letter");
+    }
+    add_rule(std::move(rule), directive.all, grammar_.interpretation, places_.interpretation);
+    return true;
+  } catch (const InputError& error) {
+    if (files.back() == name) files.pop_back();
+    faults_.add_all(directive.all, error.diagnostics());
+    return false;
+  } catch (const std::length_error&) {
+    return fail("the grammar has more than 65534 letters", "fewer");
+  }
+}
+
+// All together.
+
+bool GrammarReader::is_identity(const Rule& rule) const {
+  if (rule.condition || rule.weight || !rule.left.empty() || !rule.right.empty()) return false;
+  if (rule.successor.size() != 1 || rule.successor.front().letter != rule.predecessor) return false;
+  const auto& parameters = rule.successor.front().parameters;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    // An expression of a name alone uses its variable and is as long as it.
+    if (!parameters[k].uses(rule.first_variable + k) || !is_identifier(parameters[k].text())) return false;
+  }
+  return true;
+}
+
+void GrammarReader::drop_identities(RuleSet& set, std::vector<std::string_view>& places) const {
+  std::vector<std::uint32_t> count(grammar_.alphabet.size());
+  for (const Rule& rule : set.rules) ++count[rule.predecessor];
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < set.rules.size(); ++k) {
+    if (count[set.rules[k].predecessor] == 1 && is_identity(set.rules[k])) continue;
+    if (kept != k) set.rules[kept] = std::move(set.rules[k]);
+    places[kept++] = places[k];
+  }
+  set.rules.resize(kept);
+  places.resize(kept);
+  set.of_letter.resize(grammar_.alphabet.size());
+  for (std::size_t k = 0; k < kept; ++k) {
+    set.of_letter[set.rules[k].predecessor].push_back(static_cast<std::uint32_t>(k));
+  }
+}
+
+void GrammarReader::finish() {
+  rules_.report_unclosed(open_brackets_);
+  if (faults_.is_empty() && grammar_.axiom.empty()) {
+    throw InputError(text_.fault(axiom_place_.empty() ? 0 : text_.offset(axiom_place_), "the grammar has no axiom",
+                                 "'#axiom' and a word"));
+  }
+  if (!faults_.is_empty()) throw InputError(faults_.take_faults());
+
+  drop_identities(grammar_.production, places_.production);
+  drop_identities(grammar_.decomposition, places_.decomposition);
+  drop_identities(grammar_.interpretation, places_.interpretation);
+  grammar_.is_ignored.resize(grammar_.alphabet.size());
+  const std::unordered_set<std::string_view> ignored(ignored_.begin(), ignored_.end());
+  for (std::size_t k = 0; k < grammar_.alphabet.size(); ++k) {
+    grammar_.is_ignored[k] = ignored.count(grammar_.alphabet[static_cast<LetterIndex>(k)].symbol) > 0 ? 1 : 0;
+  }
+  if (options_.warnings == nullptr) return;
+  warn_of_idle_rules(grammar_, places_, faults_);
+  for (Diagnostic& warning : faults_.take_warnings()) options_.warnings->push_back(std::move(warning));
+}
+
+}  // namespace
+
+Grammar read_grammar(std::string_view text, const GrammarOptions& options) {
+  Inclusions inclusions;
+  inclusions.files.push_back(options.file);
+  return GrammarReader(text, options, inclusions).read();
+}
+
+}  // namespace meristem

@@ -1,0 +1,522 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/lsystem/rule_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "meristem/base/in_quotes.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr std::string_view kArrow = "\u2192";
+constexpr std::string_view kAlways = "*";
+
+bool is_structural(std::string_view symbol) {
+  return symbol == "(" || symbol == ")" || symbol == "<" || symbol == ">" || symbol == ":" || symbol == kArrow;
+}
+
+/// Offsets of `character` outside parentheses.
+std::vector<std::size_t> find_outside_parentheses(std::string_view text, char character) {
+  std::vector<std::size_t> found;
+  int depth = 0;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (text[k] == '(') ++depth;
+    if (text[k] == ')') --depth;
+    if (text[k] == character && depth <= 0) found.push_back(k);
+  }
+  return found;
+}
+
+/// A condition as the book writes it (= & |) in the spelling of expressions (== && ||).
+struct Condition {
+  std::string text;
+  std::vector<std::size_t> doubled;  ///< where in `text` a character was added
+
+  std::size_t original_offset(std::size_t offset) const {
+    const auto before = std::lower_bound(doubled.begin(), doubled.end(), offset);
+    return offset - static_cast<std::size_t>(before - doubled.begin());
+  }
+};
+
+Condition in_expression_spelling(std::string_view text) {
+  Condition result;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    result.text += c;
+    const auto is_neighbour = [&](std::size_t at, std::string_view any) {
+      return at < text.size() && any.find(text[at]) != std::string_view::npos;
+    };
+    const bool is_single_equal = c == '=' && !is_neighbour(k + 1, "=") && !is_neighbour(k - 1, "=<>!");
+    const bool is_single_and = c == '&' && !is_neighbour(k + 1, "&") && !is_neighbour(k - 1, "&");
+    const bool is_single_or = c == '|' && !is_neighbour(k + 1, "|") && !is_neighbour(k - 1, "|");
+    if (!is_single_equal && !is_single_and && !is_single_or) continue;
+    result.doubled.push_back(result.text.size());
+    result.text += c;
+  }
+  return result;
+}
+
+std::string plural(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::optional<Arrow> find_arrow(std::string_view line) {
+  const std::size_t plain = line.find("->");
+  const std::size_t pretty = line.substr(0, plain).find(kArrow);
+  if (pretty != std::string_view::npos) return Arrow{pretty, kArrow.size()};
+  if (plain == std::string_view::npos) return std::nullopt;
+  // In F-->G the arrow is -->, for a predecessor stands before it; in - -> G, and in A < --> G, it is ->.
+  if (plain > 0 && line[plain - 1] == '-') {
+    const std::string_view before = trimmed(line.substr(0, plain - 1));
+    const bool is_symbol = before.empty() || before.back() == '<' || before.back() == '>' || before.back() == ':';
+    if (!is_symbol) return Arrow{plain - 1, 3};
+  }
+  return Arrow{plain, 2};
+}
+
+GrammarConstants::GrammarConstants(std::vector<ExpressionNames::Constant> constants) {
+  for (const auto& constant : constants) set(constant.name, constant.value);
+}
+
+void GrammarConstants::set(const std::string& name, double value) {
+  const auto [entry, is_new] = index_.emplace(name, constants_.size());
+  if (is_new) {
+    constants_.push_back({name, value});
+  } else {
+    constants_[entry->second].value = value;
+  }
+}
+
+std::vector<ExpressionNames::Constant> GrammarConstants::used_in(std::string_view text) const {
+  std::vector<ExpressionNames::Constant> used;
+  if (constants_.empty()) return used;
+  std::unordered_set<std::size_t> seen;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    std::size_t length = 0;
+    while (k + length < text.size() && is_identifier(std::string("_") + text[k + length])) ++length;
+    if (length == 0) continue;
+    const auto found = index_.find(std::string(text.substr(k, length)));
+    if (found != index_.end() && seen.insert(found->second).second) used.push_back(constants_[found->second]);
+    k += length - 1;
+  }
+  return used;
+}
+
+/// The pieces of a rule's line, trimmed; those that are not there are empty and have no place.
+struct RuleReader::Parts {
+  std::string_view left;
+  std::string_view predecessor;
+  std::string_view right;
+  std::string_view condition;
+  std::string_view weight;
+  std::string_view successor;
+};
+
+RuleReader::RuleReader(const GrammarText& text, GrammarFaults& faults, const Limits& limits, Grammar& grammar,
+                       std::vector<ExpressionNames::Constant> constants)
+    : text_(text), faults_(faults), limits_(limits), grammar_(grammar), constants_(std::move(constants)) {}
+
+void RuleReader::declare_symbol(std::string_view name) {
+  if (!symbols_.insert(name).second) return;
+  const auto place = std::lower_bound(symbol_sizes_.begin(), symbol_sizes_.end(), name.size(), std::greater<>());
+  if (place == symbol_sizes_.end() || *place != name.size()) symbol_sizes_.insert(place, name.size());
+}
+
+void RuleReader::begin_rule() {
+  variables_.clear();
+  expressions_.clear();
+}
+
+// Modules.
+
+std::string_view RuleReader::symbol_of(std::string_view text) const {
+  for (const std::size_t size : symbol_sizes_) {
+    if (size <= text.size() && symbols_.count(text.substr(0, size)) > 0) return text.substr(0, size);
+  }
+  return text.substr(0, character_bytes(text));
+}
+
+std::optional<ModuleText> RuleReader::next_module(std::string_view& rest) {
+  const auto fail = [&](std::string_view at, std::string message, std::string expected) {
+    faults_.add(at, std::move(message), std::move(expected));
+    rest = {};
+    return std::nullopt;
+  };
+  while (!rest.empty() && is_blank(rest.front())) rest.remove_prefix(1);
+  if (rest.empty()) return std::nullopt;
+
+  ModuleText module;
+  module.all = rest;
+  module.symbol = symbol_of(rest);
+  const auto first_byte = static_cast<unsigned char>(rest.front());
+  if (first_byte < 0x20 || first_byte == 0x7F) {
+    return fail(rest, fmt::format("control character 0x{:02x} is no symbol", first_byte), "a printable character");
+  }
+  if (module.symbol == "(") return fail(rest, "'(' follows no symbol", "a symbol before its parameters");
+  if (module.symbol == ")") return fail(rest, "')' closes no '('", "a symbol");
+  if (is_structural(module.symbol)) return fail(rest, fmt::format("'{}' is no symbol", module.symbol), "a symbol");
+  rest.remove_prefix(module.symbol.size());
+
+  // Parameters, cut at the commas that no inner parentheses hold.
+  std::size_t at = 0;
+  while (at < rest.size() && is_blank(rest[at])) ++at;
+  if (at == rest.size() || rest[at] != '(') {
+    module.all = module.all.substr(0, module.symbol.size());
+    return module;
+  }
+  const std::string_view opening = rest.substr(at);
+  std::size_t begin = at + 1;
+  int depth = 0;
+  for (; at < rest.size(); ++at) {
+    if (rest[at] == '(') ++depth;
+    const bool ends = rest[at] == ')' && --depth == 0;
+    if (!ends && !(rest[at] == ',' && depth == 1)) continue;
+    module.arguments.push_back(trimmed(rest.substr(begin, at - begin)));
+    begin = at + 1;
+    if (ends) break;
+  }
+  if (at == rest.size()) return fail(opening, "'(' is not closed", "')' after the parameters");
+  if (module.arguments.size() == 1 && module.arguments.front().empty()) module.arguments.clear();
+  rest.remove_prefix(at + 1);
+  module.all = module.all.substr(0, static_cast<std::size_t>(rest.data() - module.all.data()));
+  return module;
+}
+
+LetterIndex RuleReader::letter_of(const ModuleText& module) {
+  const std::size_t arity = module.arguments.size();
+  const bool is_fixed = module.symbol == "[" || module.symbol == "]" || module.symbol == "%";
+  if (is_fixed && arity > 0) {
+    faults_.add(module.all, fmt::format("'{}' has {}", module.symbol, plural(arity, "parameter")), "no parameters");
+    return kNoLetter;
+  }
+  if (arity > kMostVariables) {
+    faults_.add(module.all, fmt::format("'{}' has {} parameters", module.symbol, arity),
+                fmt::format("at most {}", kMostVariables));
+    return kNoLetter;
+  }
+  try {
+    return grammar_.alphabet.add(module.symbol, static_cast<std::uint16_t>(arity));
+  } catch (const std::length_error&) {
+    faults_.add(module.all, "the grammar has more than 65534 letters", "fewer");
+    return kNoLetter;
+  }
+}
+
+bool RuleReader::match_bracket(const ModuleText& module, std::vector<std::string_view>& open) {
+  if (module.symbol == "[") open.push_back(module.all);
+  if (module.symbol != "]") return true;
+  if (open.empty()) {
+    faults_.add(module.all, "']' closes no '['", "'[' before it");
+    return false;
+  }
+  open.pop_back();
+  return true;
+}
+
+void RuleReader::report_unclosed(const std::vector<std::string_view>& open) {
+  for (const std::string_view bracket : open) faults_.add(bracket, "'[' is not closed", "']'");
+}
+
+bool RuleReader::read_modules(std::string_view text, std::vector<std::string_view>& open,
+                              std::vector<ModuleForm>& modules) {
+  bool is_good = true;
+  std::string_view rest = text;
+  while (!faults_.is_full()) {
+    const std::string_view before = rest;
+    const auto module = next_module(rest);
+    // A module that has a fault leaves nothing of the rest either.
+    if (!module) return is_good && trimmed(before).empty();
+    is_good = match_bracket(*module, open) && is_good;
+    ModuleForm form;
+    form.letter = letter_of(*module);
+    if (form.letter == kNoLetter) is_good = false;
+    for (const std::string_view argument : module->arguments) {
+      if (auto expression = read_expression(argument)) {
+        form.parameters.push_back(std::move(*expression));
+      } else {
+        is_good = false;
+      }
+    }
+    modules.push_back(std::move(form));
+  }
+  return false;
+}
+
+void RuleReader::read_axiom(std::string_view text, std::vector<std::string_view>& open,
+                            std::vector<ModuleForm>& axiom) {
+  begin_rule();
+  // The book's "ω :" may stand before it.
+  if (const std::size_t colon = text.find(':'); colon != std::string_view::npos) {
+    const std::string_view name = trimmed(text.substr(0, colon));
+    if (name == "\u03C9" || (name.size() > 1 && is_identifier(name))) text.remove_prefix(colon + 1);
+  }
+  const std::size_t first = axiom.size();
+  if (!read_modules(text, open, axiom)) return;
+  for (std::size_t k = first; k < axiom.size(); ++k) {
+    for (const Expression& parameter : axiom[k].parameters) {
+      if (parameter.is_random()) {
+        faults_.add(text, fmt::format("{} in the axiom is drawn at random", in_quotes(parameter.text())), "a constant");
+        return;
+      }
+    }
+  }
+}
+
+// Expressions.
+
+std::optional<Expression> RuleReader::read_expression(std::string_view text, bool is_condition) {
+  Condition spelled;
+  if (is_condition) {
+    spelled = in_expression_spelling(text);
+  } else {
+    spelled.text = text;
+  }
+  if (const auto known = expressions_.find(spelled.text); known != expressions_.end()) return known->second;
+  const auto compile = [&](std::vector<ExpressionNames::Constant> constants) {
+    const ExpressionNames names{variables_, std::move(constants)};
+    return Expression::compile(spelled.text, names, limits_.expression_bytes);
+  };
+  std::optional<Expression> expression;
+  try {
+    expression = compile(constants_.used_in(spelled.text));
+  } catch (const ExpressionError&) {
+    // Once more with all names: the nearest may be any of them.
+    try {
+      compile(constants_.all());
+    } catch (const ExpressionError& error) {
+      const std::size_t offset = std::min(spelled.original_offset(error.fault().offset), text.size());
+      faults_.add(text.substr(offset), error.fault().message, error.fault().expected, error.fault().nearest);
+    }
+    return std::nullopt;
+  }
+  if (expression->is_constant() && !std::isfinite(expression->evaluate())) {
+    faults_.add(text, fmt::format("{} has no finite value", in_quotes(text)), "a number");
+    return std::nullopt;
+  }
+  return expressions_.emplace(spelled.text, std::move(*expression)).first->second;
+}
+
+std::optional<double> RuleReader::read_constant(std::string_view text) {
+  begin_rule();
+  const auto expression = read_expression(text);
+  if (!expression) return std::nullopt;
+  if (!expression->is_constant()) {
+    faults_.add(text, fmt::format("{} is drawn at random", in_quotes(text)), "a constant");
+    return std::nullopt;
+  }
+  return expression->evaluate();
+}
+
+// Rules.
+
+std::optional<Rule> RuleReader::read_rule(std::string_view line) {
+  begin_rule();
+  Parts parts;
+  if (!split_rule(line, parts)) return std::nullopt;
+  Rule rule;
+  rule.text = line;
+  rule.line = text_.line(line);
+
+  if (parts.predecessor == "[" || parts.predecessor == "]") {
+    const bool is_kept = parts.successor == parts.predecessor;
+    if (!is_kept) faults_.add(parts.predecessor, "brackets cannot be rewritten", "another predecessor");
+    return std::nullopt;
+  }
+  bool is_good = read_context(parts.left, false, rule.left);
+  is_good = read_predecessor(parts, rule) && is_good;
+  is_good = read_context(parts.right, true, rule.right) && is_good;
+  rule.variable_count = static_cast<std::uint32_t>(variables_.size());
+  if (!is_good) return std::nullopt;  // its names would be unknown
+  is_good = read_conditions(parts, rule);
+  if (parts.successor == kEmptyWord) return is_good ? std::optional(std::move(rule)) : std::nullopt;
+  std::vector<std::string_view> open;
+  is_good = read_modules(parts.successor, open, rule.successor) && is_good;
+  report_unclosed(open);
+  if (!is_good || !open.empty()) return std::nullopt;
+  return rule;
+}
+
+bool RuleReader::split_rule(std::string_view line, Parts& parts) {
+  const auto arrow = find_arrow(line);
+  if (!arrow) {
+    const bool has_other = line.find("=>") != std::string_view::npos || line.find("\u21D2") != std::string_view::npos ||
+                           line.find("\u27F6") != std::string_view::npos;
+    faults_.add(line, fmt::format("{} has no arrow", in_quotes(line)), "predecessor -> successor",
+                has_other ? "->" : "");
+    return false;
+  }
+  const std::string_view left_side = trimmed(line.substr(0, arrow->begin));
+  parts.successor = trimmed(line.substr(arrow->begin + arrow->size));
+  if (!left_side.empty()) return split_left_side(left_side, parts);
+  faults_.add(line, "no predecessor stands before the arrow", "predecessor -> successor");
+  return false;
+}
+
+bool RuleReader::split_left_side(std::string_view left_side, Parts& parts) {
+  std::string_view rest = left_side;
+  auto colons = find_outside_parentheses(rest, ':');
+  if (!colons.empty()) {
+    // A name before the first colon is the rule's, if it is no symbol.
+    const std::string_view id = trimmed(rest.substr(0, colons.front()));
+    if (id.size() > 1 && is_identifier(id) && symbols_.count(id) == 0) {
+      rest.remove_prefix(colons.front() + 1);
+      colons = find_outside_parentheses(rest, ':');
+    }
+  }
+  if (colons.empty()) return split_contexts(rest, parts);
+  return split_contexts(rest.substr(0, colons.front()), parts) &&
+         split_conditions(rest.substr(colons.front() + 1), parts);
+}
+
+bool RuleReader::split_conditions(std::string_view text, Parts& parts) {
+  // A colon that belongs to a question mark divides nothing.
+  std::vector<std::size_t> colons;
+  int depth = 0;
+  int questions = 0;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (text[k] == '(') ++depth;
+    if (text[k] == ')') --depth;
+    if (depth > 0) continue;
+    if (text[k] == '?') ++questions;
+    if (text[k] == ':' && questions-- <= 0) colons.push_back(k);
+    questions = std::max(questions, 0);
+  }
+  if (colons.size() > 1) {
+    faults_.add(text.substr(colons[1]), "one ':' too many", "predecessor : condition : weight -> successor");
+    return false;
+  }
+  const std::string_view first = trimmed(text.substr(0, colons.empty() ? text.size() : colons.front()));
+  const std::string_view second = colons.empty() ? std::string_view() : trimmed(text.substr(colons.front() + 1));
+  if (first.empty() || (!colons.empty() && second.empty())) {
+    faults_.add(first.empty() ? text : text.substr(colons.front()), "nothing follows ':'", "a condition, or a weight");
+    return false;
+  }
+  const bool is_weight = colons.empty() && first != kAlways && first.find_first_of("<>=!&|") == std::string_view::npos;
+  if (is_weight) {
+    parts.weight = first;
+  } else {
+    if (first != kAlways) parts.condition = first;
+    parts.weight = second;
+  }
+  return true;
+}
+
+bool RuleReader::split_contexts(std::string_view text, Parts& parts) {
+  const auto left = find_outside_parentheses(text, '<');
+  const auto right = find_outside_parentheses(text, '>');
+  const auto fail = [&](std::size_t offset, std::string message) {
+    faults_.add(text.substr(offset), std::move(message), "left < predecessor > right");
+    return false;
+  };
+  if (left.size() > 1) return fail(left[1], "a second '<'");
+  if (right.size() > 1) return fail(right[1], "a second '>'");
+  if (!left.empty() && !right.empty() && left[0] > right[0]) return fail(left[0], "'<' stands behind '>'");
+
+  const std::size_t end = right.empty() ? text.size() : right[0];
+  const std::size_t begin = left.empty() ? 0 : left[0] + 1;
+  parts.predecessor = trimmed(text.substr(begin, end - begin));
+  if (parts.predecessor.empty()) return fail(0, "the rule has no predecessor");
+  if (!left.empty()) {
+    parts.left = trimmed(text.substr(0, left[0]));
+    if (parts.left.empty()) return fail(left[0], "nothing stands before '<'");
+    if (parts.left == kAlways) parts.left = {};
+  }
+  if (!right.empty()) {
+    parts.right = trimmed(text.substr(end + 1));
+    if (parts.right.empty()) return fail(end, "nothing follows '>'");
+    if (parts.right == kAlways) parts.right = {};
+  }
+  return true;
+}
+
+bool RuleReader::read_predecessor(const Parts& parts, Rule& rule) {
+  std::string_view rest = parts.predecessor;
+  const auto module = next_module(rest);
+  if (!module) return false;
+  if (!trimmed(rest).empty()) {
+    faults_.add(parts.predecessor, fmt::format("the predecessor {} has several modules", in_quotes(parts.predecessor)),
+                "one module; '#symbols' declares longer names");
+    return false;
+  }
+  rule.first_variable = static_cast<std::uint32_t>(variables_.size());
+  if (!name_parameters(*module)) return false;
+  rule.predecessor = letter_of(*module);
+  return rule.predecessor != kNoLetter;
+}
+
+bool RuleReader::read_context(std::string_view text, bool may_branch, std::vector<ContextModule>& context) {
+  bool is_good = true;
+  std::vector<std::string_view> open;
+  std::string_view rest = text;
+  while (!trimmed(rest).empty() && !faults_.is_full()) {
+    const auto module = next_module(rest);
+    if (!module) return false;
+    if (!may_branch && (module->symbol == "[" || module->symbol == "]")) {
+      faults_.add(module->all, "a bracket in the left context",
+                  "modules on the way to the root; side branches are skipped");
+      return false;
+    }
+    is_good = match_bracket(*module, open) && is_good;
+    ContextModule one;
+    one.first_variable = static_cast<std::uint32_t>(variables_.size());
+    is_good = name_parameters(*module) && is_good;
+    one.letter = letter_of(*module);
+    is_good = one.letter != kNoLetter && is_good;
+    context.push_back(one);
+  }
+  report_unclosed(open);
+  return is_good && open.empty() && !faults_.is_full();
+}
+
+bool RuleReader::name_parameters(const ModuleText& module) {
+  bool is_good = true;
+  for (const std::string_view name : module.arguments) {
+    const auto fail = [&](std::string message, std::string expected) {
+      faults_.add(name.empty() ? module.all : name, std::move(message), std::move(expected));
+      is_good = false;
+    };
+    if (!is_identifier(name)) {
+      fail(fmt::format("{} is not a name", in_quotes(name)), "a name for each parameter, such as x");
+    } else if (is_builtin_name(name)) {
+      fail(fmt::format("'{}' is a function or constant of every expression", name), "another name");
+    } else if (std::find(variables_.begin(), variables_.end(), name) != variables_.end()) {
+      fail(fmt::format("'{}' names two parameters", name), "another name");
+    } else if (variables_.size() == kMostVariables) {
+      fail(fmt::format("the rule has more than {} parameters", kMostVariables), "fewer");
+      return false;
+    } else {
+      variables_.emplace_back(name);
+    }
+  }
+  return is_good;
+}
+
+bool RuleReader::read_conditions(const Parts& parts, Rule& rule) {
+  bool is_good = true;
+  if (!parts.condition.empty()) {
+    rule.condition = read_expression(parts.condition, true);
+    is_good = rule.condition.has_value();
+    if (is_good && rule.condition->is_constant() && rule.condition->evaluate() == 0) {
+      faults_.warn(parts.condition, fmt::format("the condition {} is never true", in_quotes(parts.condition)));
+    }
+  }
+  if (!parts.weight.empty()) {
+    rule.weight = read_expression(parts.weight);
+    is_good = rule.weight.has_value() && is_good;
+    if (rule.weight && rule.weight->is_constant() && rule.weight->evaluate() <= 0) {
+      faults_.add(parts.weight, fmt::format("the weight {} is not above 0", in_quotes(parts.weight)),
+                  "a number above 0");
+      return false;
+    }
+  }
+  return is_good;
+}
+
+}  // namespace meristem

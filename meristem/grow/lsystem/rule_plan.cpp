@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -13,6 +14,13 @@
 namespace meristem {
 
 namespace {
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t";
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
+}
 
 class RulePlanner {
  public:
@@ -70,7 +78,7 @@ class RulePlanner {
         }
         return;
       }
-      if (is_identifier(expression.text())) {
+      if (is_identifier(trimmed(expression.text()))) {
         same->second = kIsCopy;
         add_copy(expression, place);
         return;

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// Derivations against those of an independent program, by length, counts and digest, and against published ones.
+#include <fstream>
+#include <map>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "meristem/grow/lsystem/derive.h"
+#include "tests/support/build_grammar.h"
+#include "tests/support/sha256.h"
+#include "tests/support/shared_data.h"
+
+namespace meristem {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Rules as the reference data has them: "F": "FF", or with one neighbour a side "001": "1[+F1F1]".
+GrammarText grammar_text(const Json& entry) {
+  GrammarText text;
+  text.axiom = entry["axiom"];
+  text.ignored = entry.value("ignore", "");
+  for (const auto& [key, successor] : entry["rules"].items()) {
+    const std::string to = successor;
+    if (key.size() == 3) {
+      text.rules.push_back(key.substr(0, 1) + "<" + key[1] + ">" + key[2] + "->" + to);
+    } else {
+      text.rules.push_back(key + "->" + to);
+    }
+  }
+  // ABOP, figure 1.31a, exchanges the signs in each step; the data leaves these two rules to its program.
+  if (!text.ignored.empty()) {
+    text.rules.push_back("+ -> -");
+    text.rules.push_back("- -> +");
+  }
+  return text;
+}
+
+std::map<std::string, int> counts_of(const Word& word, const Alphabet& alphabet) {
+  std::map<std::string, int> counts;
+  for (const LetterIndex letter : word.letters) ++counts[alphabet[letter].symbol];
+  return counts;
+}
+
+TEST(DeriveConformance, AgreesWithAnotherProgramByLengthsCountsAndDigests) {
+  const auto path = find_shared_data("reference/lsystems.json");
+  if (!path) GTEST_SKIP() << kNoSharedData;
+  std::ifstream file(*path);
+  const Json entries = Json::parse(file);
+  int compared = 0;
+  for (const auto& [name, entry] : entries.items()) {
+    if (!entry.contains("rules")) continue;
+    SCOPED_TRACE(name);
+    const Grammar grammar = build_grammar(grammar_text(entry));
+    Progress progress;
+    const std::vector<std::size_t> lengths = entry["lengths"];
+    for (std::size_t step = 0; step < lengths.size(); ++step) {
+      const Word word = derive(grammar, static_cast<int>(step), RandomKey(), Limits(), progress);
+      EXPECT_EQ(word.module_count(), lengths[step]) << "after " << step << " steps";
+    }
+    const Word last = derive(grammar, entry["n"], RandomKey(), Limits(), progress);
+    EXPECT_EQ(counts_of(last, grammar.alphabet), (entry["counts"].get<std::map<std::string, int>>()));
+    EXPECT_EQ(sha256(word_text(last, grammar.alphabet)), entry["sha256"]);
+    ++compared;
+  }
+  EXPECT_EQ(compared, 11);
+}
+
+// ABOP, page 42.
+TEST(DeriveConformance, AbopsParametricSequence) {
+  const GrammarText text{"B(2)A(4,4)",
+                         {"A(x,y) : y <= 3 -> A(x*2,x+y)", "A(x,y) : y > 3 -> B(x)A(x/y,0)", "B(x) : x < 1 -> C",
+                          "B(x) : x >= 1 -> B(x-1)"}};
+  const char* const words[] = {"B(2)A(4,4)", "B(1)B(4)A(1,0)", "B(0)B(3)A(2,1)", "CB(2)A(4,3)", "CB(1)A(8,7)"};
+  const Grammar grammar = build_grammar(text);
+  Progress progress;
+  for (int step = 0; step < 5; ++step) {
+    EXPECT_EQ(word_text(derive(grammar, step, RandomKey(), Limits(), progress), grammar.alphabet), words[step]);
+  }
+  const Word fifth = derive(grammar, 5, RandomKey(), Limits(), progress);
+  ASSERT_EQ(fifth.parameters.size(), 4u);
+  EXPECT_EQ(fifth.parameters[2], 8.0 / 7);
+}
+
+// ABOP, figure 1.30: a signal that rises through a branched plant.
+TEST(DeriveConformance, AbopsAcropetalSignal) {
+  const GrammarText text{"B[+A]A[-A]A[+A]A", {"B < A -> B"}, "+-"};
+  const char* const words[] = {"B[+A]A[-A]A[+A]A", "B[+B]B[-A]A[+A]A", "B[+B]B[-B]B[+A]A", "B[+B]B[-B]B[+B]B"};
+  const Grammar grammar = build_grammar(text);
+  Progress progress;
+  for (int step = 0; step < 4; ++step) {
+    EXPECT_EQ(word_text(derive(grammar, step, RandomKey(), Limits(), progress), grammar.alphabet), words[step]);
+  }
+}
+
+/// ABOP, figure 2.6: Honda's trees with one axis.
+GrammarText monopodial_tree() {
+  return {"A(1,10)",
+          {"A(l,w) -> !(w)F(l)[&(45)B(l*0.6,w*0.707)]/(137.5)A(l*0.9,w*0.707)",
+           "B(l,w) -> !(w)F(l)[-(45)$C(l*0.6,w*0.707)]C(l*0.9,w*0.707)",
+           "C(l,w) -> !(w)F(l)[+(45)$B(l*0.6,w*0.707)]B(l*0.9,w*0.707)"}};
+}
+
+TEST(DeriveConformance, AbopsMonopodialTree) {
+  const Grammar grammar = build_grammar(monopodial_tree());
+  Progress progress;
+  const auto counts = counts_of(derive(grammar, 10, RandomKey(), Limits(), progress), grammar.alphabet);
+  const std::map<std::string, int> expected = {{"!", 1023}, {"F", 1023}, {"C", 682},  {"[", 1023},
+                                               {"-", 565},  {"$", 1013}, {"]", 1023}, {"+", 448},
+                                               {"B", 341},  {"A", 1},    {"&", 10},   {"/", 10}};
+  EXPECT_EQ(counts, expected);
+}
+
+// ABOP, figure 2.8: 3^n apices, and segments that are lengthened and not replaced.
+TEST(DeriveConformance, AbopsTernaryTree) {
+  const GrammarText text{"!(1)F(200)/(45)A",
+                         {"A -> !(1.732)F(50)[&(18.95)F(50)A]/(94.74)[&(18.95)F(50)A]/(132.63)[&(18.95)F(50)A]",
+                          "F(l) -> F(l*1.109)", "!(w) -> !(w*1.732)"}};
+  const Grammar grammar = build_grammar(text);
+  Progress progress;
+  const Word word = derive(grammar, 6, RandomKey(), Limits(), progress);
+  const std::map<std::string, int> expected = {{"!", 365},  {"F", 1457}, {"/", 729}, {"[", 1092},
+                                               {"&", 1092}, {"]", 1092}, {"A", 729}};
+  EXPECT_EQ(counts_of(word, grammar.alphabet), expected);
+}
+
+// The source's worked example.
+TEST(DeriveConformance, WordLengthsOfTheSpruceExample) {
+  const Grammar grammar = build_grammar({"A", {"A -> ^^FB", "B -> C+++C---", "C -> [^F&B]"}});
+  Progress progress;
+  const std::size_t lengths[] = {1, 4, 11, 21, 35, 55, 83};
+  for (int step = 0; step < 7; ++step) {
+    EXPECT_EQ(derive(grammar, step, RandomKey(), Limits(), progress).module_count(), lengths[step]);
+  }
+}
+
+TEST(DeriveConformance, TheDigestIsSha256) {
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+}  // namespace
+}  // namespace meristem

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import Any, Optional
 
 from ._core import Document, Plant, Skeleton
-from ._job import Job, Measure, Task
+from ._job import Job, Measure, Task, refuse_seed
 from ._pool import Pool, refuse_unguarded_program
 
 Values = Mapping[str, Any]
@@ -60,15 +60,20 @@ def batch(
     refuse_unguarded_program()
     if not isinstance(document, Document):
         raise TypeError(f"document must be a Document, not {type(document).__name__}")
+    if not isinstance(seeds, Iterable):
+        raise TypeError(f"seeds must be several numbers, such as [3] or range(10), not {type(seeds).__name__}")
+    if progress is not None and not callable(progress):
+        raise TypeError(f"progress must be a function of two numbers, not {type(progress).__name__}")
     if set is not None:
         document = document.set(set)
+        refuse_seed(set)
     count = _count_processes(processes)
     sets = _sets_of_values(grid, samples)
     total = _total(seeds, sets)
     if (grid is not None or samples is not None) and iter(seeds) is seeds:
         raise ValueError("beside grid or samples, seeds must be a list or range: they are gone through for every set")
     job = Job(document, _checked_measure(measure))
-    tasks = _checked_tasks(document, (Task(seed, dict(values)) for values in sets for seed in seeds))
+    tasks = _checked_tasks(job, (Task(seed, values) for values in map(_values_of, sets) for seed in seeds))
     if count > 1:
         return _grow_on_pool(_pickle_job(job), count if total is None else min(count, total), tasks, total, progress)
     return _grow_here(job, tasks, total, progress)
@@ -118,9 +123,11 @@ def _sets_of_values(grid: Mapping[str, Iterable[Any]] | None, samples: Iterable[
     if grid is not None and samples is not None:
         raise ValueError("give grid or samples, not both")
     if samples is not None:
-        if isinstance(samples, Mapping):
+        if isinstance(samples, Mapping) or not isinstance(samples, Iterable):
             raise TypeError("samples must be several dicts, such as [{'age': 20}, {'age': 40}]")
         return samples
+    if grid is not None and not isinstance(grid, Mapping):
+        raise TypeError(f"grid must be a dict of sequences, such as {{'age': [20, 40]}}, not {type(grid).__name__}")
     columns = {}
     for path, values in (grid or {}).items():
         if isinstance(values, str) or not hasattr(values, "__iter__"):
@@ -149,10 +156,17 @@ def _total(seeds: Iterable[int], sets: Iterable[Values]) -> int | None:
     return None
 
 
-def _checked_tasks(document: Document, tasks: Iterator[Task]) -> Iterator[Task]:
+def _values_of(sample: Values) -> dict[str, Any]:
+    try:
+        return dict(sample)
+    except (TypeError, ValueError):
+        raise TypeError(f"samples must be dicts, such as {{'age': 20}}, not {type(sample).__name__}") from None
+
+
+def _checked_tasks(job: Job, tasks: Iterator[Task]) -> Iterator[Task]:
     """The tasks, of which the first suits the document. Raises InputError where it does not."""
     for first in tasks:
-        document.set(first.values, seed=first.seed)
+        job.document_of(first)
         return itertools.chain([first], tasks)
     return tasks
 
@@ -160,6 +174,8 @@ def _checked_tasks(document: Document, tasks: Iterator[Task]) -> Iterator[Task]:
 def _checked_measure(measure: str | Iterable[str] | Callable[[Plant], Any] | None) -> Measure:
     if measure is None or callable(measure):
         return measure
+    if not isinstance(measure, Iterable):
+        raise TypeError(f"measure must be names of measures or a function of the plant, not {type(measure).__name__}")
     names = (measure,) if isinstance(measure, str) else tuple(measure)
     known = Skeleton([-1], [[0, 0, 0]]).measure()
     for name in names:

@@ -22,29 +22,42 @@ def collect(batch: Iterable[BatchResult], *, lists: str | Iterable[str] = ()) ->
     shape (n, ...).
 
     Lists differ in length from plant to plant, such as `length_by_order`; only those named in `lists` become columns,
-    as long as the longest, shorter ones filled up with NaN. Raises ValueError for arrays that differ in shape and for
-    names in `lists` that no plant has.
+    as long as the longest, shorter ones filled up with NaN. Raises ValueError for arrays that differ in shape, results
+    that are neither numbers nor texts nor dicts, names in `lists` that no plant has or that are no lists of numbers,
+    names that are no texts, and two columns of one name.
     """
+    if not isinstance(lists, Iterable):
+        raise TypeError(f"lists must be names of results, not {type(lists).__name__}")
     rows = list(batch)
     wanted = (lists,) if isinstance(lists, str) else tuple(lists)
     columns: dict[str, NDArray[Any]] = {"seed": _seeds(rows)}
     for path, values in _by_name([row.values for row in rows]).items():
-        columns[path] = _value_column(values)
+        _add(columns, path, _value_column(values))
     results = _by_name([row.result if isinstance(row.result, Mapping) else {"result": row.result} for row in rows])
     for name in wanted:
         if rows and name not in results:
             raise ValueError(f"no plant has a result {name!r}; expected one of {', '.join(results)}")
+    taken = set(columns)
     for name, items in results.items():
         column = _list_column(name, items) if name in wanted else _result_column(name, items)
         if column is not None:
-            columns[f"result.{name}" if name in columns else name] = column
+            _add(columns, f"result.{name}" if name in taken else name, column)
     return _table(len(rows), columns)
 
 
 def _by_name(dicts: Sequence[Mapping[str, Any]]) -> dict[str, list[Any]]:
     """For each name its values in all dicts, None where one has none."""
     names = dict.fromkeys(name for one in dicts for name in one)
+    for name in names:
+        if not isinstance(name, str) or not name:
+            raise ValueError(f"the name of a column must be a text, not {name!r}")
     return {name: [one.get(name) for one in dicts] for name in names}
+
+
+def _add(columns: dict[str, NDArray[Any]], name: str, column: NDArray[Any]) -> None:
+    if name in columns:
+        raise ValueError(f"two columns would have the name {name!r}; give the result another")
+    columns[name] = column
 
 
 def _seeds(rows: Sequence[BatchResult]) -> NDArray[Any]:
@@ -62,19 +75,23 @@ def _value_column(values: list[Any]) -> NDArray[Any]:
     if column.dtype.kind in "biuf" or (column.dtype.kind == "U" and all(isinstance(value, str) for value in values)):
         return column
     column = np.empty(len(values), dtype=object)
-    column[:] = values
+    for index, value in enumerate(values):  # one by one, as an assignment of all would take lists apart
+        column[index] = value
     return column
 
 
 def _result_column(name: str, items: list[Any]) -> NDArray[Any] | None:
     present = [item for item in items if item is not None]
-    if any(isinstance(item, (list, tuple)) for item in present):
+    if any(isinstance(item, Sequence) and not isinstance(item, (str, bytes)) for item in present):
         return None
     if any(isinstance(item, np.ndarray) and item.ndim > 0 for item in present):
         return _array_column(name, items, present)
     if any(isinstance(item, (str, bytes, Mapping)) for item in present):
         return _value_column(items)
-    return np.array(_with_nan(items), dtype=np.float64)
+    column = _numbers(items)
+    if column is None:
+        raise ValueError(f"the results {name!r} must be numbers or arrays of numbers, texts or dicts")
+    return column
 
 
 def _array_column(name: str, items: list[Any], present: list[Any]) -> NDArray[Any]:
@@ -89,11 +106,25 @@ def _array_column(name: str, items: list[Any], present: list[Any]) -> NDArray[An
 
 
 def _list_column(name: str, items: list[Any]) -> NDArray[Any]:
-    lists = [[] if item is None else _with_nan(item) for item in items]
+    rows = [_numbers([] if item is None else item) for item in items]
+    lists = [row for row in rows if row is not None]
+    if len(lists) < len(rows):
+        raise ValueError(f"the results {name!r} must be lists of numbers, as `lists` names them")
     column = np.full((len(lists), max(map(len, lists))), math.nan)
     for row, numbers in zip(column, lists):
         row[: len(numbers)] = numbers
     return column
+
+
+def _numbers(items: Any) -> NDArray[np.float64] | None:
+    """The items (n,), NaN for None; None in place of it if they are no series of numbers."""
+    try:
+        numbers = np.array(_with_nan(items))
+        if numbers.ndim != 1 or numbers.dtype.kind not in "biufO" or isinstance(items, Mapping):
+            return None
+        return numbers.astype(np.float64)
+    except (TypeError, ValueError, OverflowError):
+        return None
 
 
 def _with_nan(values: Iterable[Any]) -> list[Any]:

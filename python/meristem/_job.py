@@ -34,17 +34,27 @@ class Job:
     document: Document
     measure: Measure
 
+    def document_of(self, task: Task) -> Document:
+        refuse_seed(task.values)
+        return self.document.set(task.values, seed=task.seed)
+
     def run(self, task: Task, progress: Progress | None = None) -> bytes:
         """Grows a plant and gives the pickled result: a copy, so that no view into the plant keeps it in memory.
 
         Raises what growing and the function raise, with a note of the seed and the values.
         """
         try:
-            plant = self.document.set(task.values, seed=task.seed).grow(threads=1, progress=progress)
+            plant = self.document_of(task).grow(threads=1, progress=progress)
             return _pickle_result(_measure(plant, self.measure, progress))
         except Exception as error:
             add_note(error, f"in the batch's plant of {task}")
             raise
+
+
+def refuse_seed(values: Mapping[str, Any]) -> None:
+    """Raises ValueError for a value that the seeds of the batch would replace."""
+    if "seed" in values:
+        raise ValueError("seeds are given by `seeds`, not by a value 'seed'")
 
 
 def _measure(plant: Plant, measure: Measure, progress: Progress | None) -> Any:

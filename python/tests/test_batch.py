@@ -177,6 +177,14 @@ def test_an_error_comes_at_its_plants_turn_and_names_it(processes: int) -> None:
 
 
 @BOTH
+def test_a_later_sample_with_a_seed_is_refused_at_its_turn(processes: int) -> None:
+    results = meristem.batch(tree(), seeds=[8], samples=[{"size": 0.1}, {"seed": 4}], processes=processes)
+    assert next(results).values == {"size": 0.1}
+    with pytest.raises(ValueError, match="seeds are given by `seeds`"):
+        next(results)
+
+
+@BOTH
 def test_what_the_function_raises_is_passed_on(processes: int) -> None:
     results = meristem.batch(tree(), measure=fail_at_seed_3, processes=processes)
     assert [next(results).seed for _ in range(3)] == [0, 1, 2]
@@ -252,11 +260,20 @@ def test_results_can_be_pickled() -> None:
         ({"grid": {"size": [1]}, "samples": [{}]}, ValueError, "grid or samples, not both"),
         ({"grid": {"size": 0.1}}, TypeError, r"grid\['size'\] must be a sequence"),
         ({"grid": {"size": "0.1"}}, TypeError, r"grid\['size'\] must be a sequence"),
+        ({"grid": [1]}, TypeError, "grid must be a dict of sequences.*not list"),
+        ({"grid": {"seed": [4, 5]}}, ValueError, "seeds are given by `seeds`"),
+        ({"set": {"seed": 4}}, ValueError, "seeds are given by `seeds`"),
+        ({"samples": [{"size": 1, "seed": 4}]}, ValueError, "seeds are given by `seeds`"),
         ({"samples": {"size": 1}}, TypeError, "samples must be several dicts"),
+        ({"samples": 3}, TypeError, "samples must be several dicts"),
+        ({"samples": [3]}, TypeError, "samples must be dicts.*not int"),
         ({"samples": [{}], "seeds": itertools.count()}, ValueError, "seeds must be a list or range"),
+        ({"measure": 3}, TypeError, "measure must be names of measures or a function of the plant, not int"),
         ({"measure": ["hight"]}, ValueError, "there is no measure 'hight'; expected one of trees, nodes"),
         ({"processes": 0}, ValueError, "processes must be at least 1, not 0"),
         ({"processes": 1.5}, TypeError, "integer"),
+        ({"progress": 3}, TypeError, "progress must be a function of two numbers, not int"),
+        ({"seeds": 3}, TypeError, "seeds must be several numbers, such as .* not int"),
         ({"seeds": ["one"]}, TypeError, "seed must be a whole number"),
         ({"seeds": [-1]}, ValueError, "seed must be from 0"),
     ],

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 from typing import Any
 
 import meristem
@@ -80,6 +81,47 @@ def test_a_list_that_no_plant_has_is_refused() -> None:
         table_of({"height": 1}, lists=["ratio"])
 
 
+@pytest.mark.parametrize("result", [1 + 2j, np.complex128(1j), {1, 2}, [1j], object()])
+def test_results_that_are_no_numbers_are_refused_by_name(result: Any) -> None:
+    lists = ["odd"] if isinstance(result, list) else []
+    with pytest.raises(ValueError, match="the results 'odd' must be (numbers|lists of numbers)"):
+        table_of({"height": 1, "odd": 1}, {"height": 2, "odd": result}, lists=lists)
+
+
+@pytest.mark.parametrize("result", [3, "abc", ["a"], {"a": 1}, [[1, 2], [3, 4]], [[1, 2], [3]], np.eye(2)])
+def test_what_is_named_in_lists_must_be_a_list_of_numbers(result: Any) -> None:
+    with pytest.raises(ValueError, match="the results 'x' must be lists of numbers"):
+        table_of({"x": [1, 2]}, {"x": result}, lists="x")
+
+
+def test_names_of_lists_are_texts() -> None:
+    with pytest.raises(TypeError, match="lists must be names of results, not int"):
+        table_of({"x": [1, 2]}, lists=3)
+
+
+@pytest.mark.parametrize("name", [3, ("a", "b"), None, ""])
+def test_names_of_columns_must_be_texts(name: Any) -> None:
+    with pytest.raises(ValueError, match="the name of a column must be a text, not "):
+        table_of({"height": 1, name: 2})
+
+
+def test_numbers_of_any_kind_become_floats() -> None:
+    numbers = [True, 2**70, np.float32(0.5), np.array(3), Fraction(1, 4)]
+    assert table_of(*numbers)["result"].tolist() == [1, 2.0**70, 0.5, 3, 0.25]
+
+
+def test_two_columns_of_one_name_are_refused() -> None:
+    for values, result in (
+        ({"x": 1, "result.x": 2}, {"x": 3}),
+        ({"x": 1}, {"x": 3, "result.x": 4}),
+        ({"x": 1}, {"result.x": 4, "x": 3}),
+    ):
+        with pytest.raises(ValueError, match="two columns would have the name 'result.x'"):
+            table_of(result, values=[values])
+    with pytest.raises(ValueError, match="two columns would have the name 'seed'"):
+        table_of(1, values=[{"seed": 4}])
+
+
 def test_a_result_of_a_values_name_keeps_both() -> None:
     table = table_of({"height": 2}, {"height": 3}, values=[{"height": 20}, {"height": 30}])
     assert table["height"].tolist() == [20, 30]
@@ -100,6 +142,11 @@ def test_values_that_are_no_numbers_stay_what_they_are() -> None:
 def test_lists_as_values_may_differ_in_length() -> None:
     table = table_of(1, 2, values=[{"size": [1.0]}, {"size": [1.0, 2.0]}])
     assert table["size"].tolist() == [[1], [1, 2]]
+
+
+def test_lists_of_texts_as_values_stay_lists() -> None:
+    table = table_of(1, 2, values=[{"parts": ["stem", "leaf"]}, {"parts": ["stem", "bud"]}])
+    assert table["parts"].tolist() == [["stem", "leaf"], ["stem", "bud"]]
 
 
 def test_the_largest_seed_is_kept() -> None:

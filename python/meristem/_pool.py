@@ -22,8 +22,10 @@ import time
 import traceback
 from collections import deque
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
+from multiprocessing.resource_tracker import ensure_running
 from typing import TYPE_CHECKING, Callable, Optional, Tuple
 
 from ._core import Progress
@@ -53,16 +55,17 @@ class Pool:
         context: ForkServerContext | SpawnContext
         if "forkserver" in multiprocessing.get_all_start_methods():
             context = multiprocessing.get_context("forkserver")
-            context.set_forkserver_preload(["meristem"])  # halves the time in which workers start
+            context.set_forkserver_preload(["meristem._server"])  # halves the time in which workers start
         else:
             context = multiprocessing.get_context("spawn")
         try:
-            for _ in range(count):
-                ours, theirs = context.Pipe()
-                process = context.Process(target=_work, args=(theirs, job), name=_NAME, daemon=True)
-                self._workers.append(_Worker(ours, process))
-                process.start()
-                theirs.close()  # so that our end tells when the worker has died
+            with _interrupts_deferred():
+                for _ in range(count):
+                    ours, theirs = context.Pipe()
+                    process = context.Process(target=_work, args=(theirs, job), name=_NAME, daemon=True)
+                    self._workers.append(_Worker(ours, process))
+                    process.start()
+                    theirs.close()  # so that our end tells when the worker has died
         except BaseException:
             self.stop()
             raise
@@ -117,6 +120,20 @@ class Pool:
             yield connections[connection].take()  # type: ignore[index]
 
 
+@contextmanager
+def _interrupts_deferred() -> Iterator[None]:
+    """Has Ctrl-C wait meanwhile, here and in a server of workers that is started; see _server.py."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    ensure_running()  # a server starts with it, and it lets interrupts through when it starts
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
 class _Worker:
     """A worker process as the asking process sees it."""
 
@@ -130,7 +147,7 @@ class _Worker:
         try:
             self.connection.send((number, task))
         except OSError:
-            raise self._death() from None
+            pass  # it has died; take() tells that, after the answers that it has still given
 
     def take(self) -> _Answer:
         try:

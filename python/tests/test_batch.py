@@ -10,11 +10,15 @@ import pickle
 import random
 import signal
 import time
-from typing import Any, Iterable, Iterator
+from multiprocessing.process import BaseProcess
+from types import SimpleNamespace
+from typing import Any, Iterable, Iterator, cast
 
 import meristem
 import numpy as np
 import pytest
+from meristem._job import Task
+from meristem._pool import _Worker
 from plants import long_growth, small_tree
 
 BOTH = pytest.mark.parametrize("processes", [1, 2])
@@ -215,6 +219,20 @@ def test_workers_that_are_killed_between_results_are_told() -> None:
         worker.join()
     with pytest.raises(meristem.MachineError, match="killed by signal 9"):
         list(results)
+
+
+def test_a_worker_that_dies_is_told_with_the_plant_in_hand_after_its_answers() -> None:
+    ours, theirs = multiprocessing.Pipe()
+    worker = _Worker(ours, cast(BaseProcess, SimpleNamespace(join=lambda timeout: None, exitcode=-9)))
+    worker.give(0, Task(6, {}))
+    worker.give(1, Task(7, {}))
+    theirs.send((0, b"", None))
+    theirs.recv(), theirs.recv()
+    theirs.close()
+    worker.give(2, Task(8, {}))
+    assert worker.take() == (0, b"", None)
+    with pytest.raises(meristem.MachineError, match="killed by signal 9 at seed 7;"):
+        worker.take()
 
 
 def test_a_function_that_workers_cannot_import_is_refused_at_once() -> None:

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import os
 import signal
 import subprocess
 import sys
 import time
+from collections.abc import Sequence
 from pathlib import Path
 
 import meristem
@@ -88,6 +90,25 @@ def test_ctrl_c_ends_the_program_and_its_workers_with_one_traceback(tmp_path: Pa
     wait_until_ended(workers)
 
 
+# Interrupts a server of workers at its start, as Ctrl-C of a terminal would: Python runs it before anything else.
+INTERRUPTED = """
+import os, signal, sys
+if any("multiprocessing.forkserver" in word for word in sys.orig_argv):
+    open("interrupted", "w").close()
+    os.kill(os.getpid(), signal.SIGINT)
+"""
+
+
+@pytest.mark.skipif("forkserver" not in multiprocessing.get_all_start_methods(), reason="needs a server of workers")
+@pytest.mark.skipif(sys.version_info < (3, 10), reason="needs sys.orig_argv")
+def test_ctrl_c_while_workers_start_is_left_to_the_program(tmp_path: Path) -> None:
+    (tmp_path / "sitecustomize.py").write_text(INTERRUPTED)
+    (tmp_path / "program.py").write_text(GUARDED)
+    ended = run(["program.py"], tmp_path, path=[tmp_path])
+    assert (ended.stdout, ended.stderr) == ("True 10\n", "")
+    assert (tmp_path / "interrupted").exists()
+
+
 @pytest.mark.parametrize("wait", [False, True])
 def test_workers_do_not_outlive_a_killed_program(tmp_path: Path, wait: bool) -> None:
     process, workers = start(write_program(tmp_path, "next(results)", wait))
@@ -103,8 +124,10 @@ def test_an_error_beside_a_batch_that_is_kept_ends_its_workers(tmp_path: Path) -
     wait_until_ended(workers)
 
 
-def run(arguments: list[str], folder: Path, text: str = "") -> subprocess.CompletedProcess[str]:
-    """Runs Python; `text` is on standard input."""
+def run(
+    arguments: list[str], folder: Path, text: str = "", path: Sequence[Path] = ()
+) -> subprocess.CompletedProcess[str]:
+    """Runs Python; `text` is on standard input, modules are in `path` as well."""
     return subprocess.run(
         [sys.executable, "-B", *arguments],
         cwd=folder,
@@ -112,13 +135,29 @@ def run(arguments: list[str], folder: Path, text: str = "") -> subprocess.Comple
         capture_output=True,
         text=True,
         timeout=60,
-        env={**os.environ, "PYTHONPATH": str(Path(meristem.__file__).parents[1])},
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(map(str, [*path, Path(meristem.__file__).parents[1]]))},
     )
 
 
 UNGUARDED = """
 import meristem
 print(len(meristem.collect(meristem.batch(meristem.read("oak", set={"age": 8}), measure="nodes", processes=2))))
+"""
+
+
+# Says whether functions of workers can be interrupted as ever, and how many plants there are.
+GUARDED = """
+import multiprocessing, signal
+import meristem
+
+def is_interruptible(_):
+    return signal.SIGINT not in signal.pthread_sigmask(signal.SIG_BLOCK, [])
+
+if __name__ == "__main__":
+    bush = meristem.read("bush")
+    count = len(meristem.collect(meristem.batch(bush, measure="nodes", processes=2)))
+    with multiprocessing.get_context("forkserver").Pool(1) as pool:
+        print(pool.map(is_interruptible, [0])[0], count)
 """
 
 

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the blocks of the manual's pages on Python as printed: all of a page as one program, in a folder of its own."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import meristem
+import pytest
+
+MANUAL = Path(__file__).resolve().parents[2] / "docs" / "manual"
+NEEDS_A_FILE = "# a file of yours"
+
+
+def program_of(page: Path) -> str:
+    """The page's blocks, on the lines where they stand in it; without those that need a file of the user's."""
+    program: list[str] = []
+    block: list[str] | None = None
+    for line in page.read_text().splitlines():
+        if block is None:
+            block = [] if line == "```python" else None
+            program.append("")
+        elif line == "```":
+            program += [""] * len(block) if NEEDS_A_FILE in block else block
+            program.append("")
+            block = None
+        else:
+            block.append(line)
+    assert block is None, f"a block of {page.name} does not end"
+    return "\n".join(program) + "\n"
+
+
+@pytest.mark.parametrize("name", ["python", "python-batches"])
+def test_the_examples_of_the_page_run(name: str, tmp_path: Path) -> None:
+    program = program_of(MANUAL / f"{name}.md")
+    assert "meristem." in program
+    (tmp_path / f"{name}.py").write_text(program)
+    hidden = {"DISPLAY", "WAYLAND_DISPLAY"}  # no program shall open
+    environment = {name: value for name, value in os.environ.items() if name not in hidden}
+    environment["PYTHONPATH"] = str(Path(meristem.__file__).parents[1])
+    run = subprocess.run(
+        [sys.executable, "-B", f"{name}.py"], cwd=tmp_path, env=environment, capture_output=True, text=True
+    )
+    assert (run.returncode, run.stderr) == (0, "")
+    assert run.stdout.strip()
+
+
+def test_only_blocks_that_need_a_file_are_left_out(tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    blocks = "```python\na = 1\n```\n```python\n# a file of yours\nb = 2\n```\n```sh\nc\n```\n```python\nd\n```\n"
+    page.write_text("Text\n" + blocks)
+    assert program_of(page).split("\n") == ["", "", "a = 1", "", "", "", "", "", "", "", "", "", "d", "", ""]

@@ -297,7 +297,7 @@ void GrammarReader::read_include(const Directive& directive) {
   const auto module = rules_.next_module(symbol);
   if (!module) return;
   if (!trimmed(symbol).empty() || !module->arguments.empty() || module->symbol == "[" || module->symbol == "]") {
-    faults_.add(module->all, fmt::format("{} cannot stand for a grammar", in_quotes(directive.all)),
+    faults_.add(module->all, fmt::format("{} cannot stand for a grammar", in_quotes(module->all)),
                 "a symbol without parameters");
     return;
   }

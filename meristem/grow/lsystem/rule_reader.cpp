@@ -482,6 +482,10 @@ bool RuleReader::name_parameters(const ModuleText& module) {
       faults_.add(name.empty() ? module.all : name, std::move(message), std::move(expected));
       is_good = false;
     };
+    if (name.empty()) {
+      fail(fmt::format("a parameter of {} has no name", in_quotes(module.all)), "a name for each, such as x");
+      return false;
+    }
     if (!is_identifier(name)) {
       fail(fmt::format("{} is not a name", in_quotes(name)), "a name for each parameter, such as x");
     } else if (is_builtin_name(name)) {

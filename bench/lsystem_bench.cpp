@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <initializer_list>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,47 +33,75 @@ Grammar honda_tree() {
                          "C(l,w) -> !(w)F(l)[+(45)$B(l*0.6,w*0.707)]B(l*0.9,w*0.707)"}});
 }
 
-/// A module with room for the parameters of all.
-struct Module {
-  char symbol;
-  double first, second;
+/// Letters, and the parameters of all modules one after another: half the memory of modules with room for two each, and
+/// a third of the time.
+struct HardCodedWord {
+  std::vector<char> letters;
+  std::vector<double> parameters;
 };
 
-void append_fork(const Module& apex, char turn, char next, std::vector<Module>& word) {
-  const double l = apex.first;
-  const double w = apex.second;
-  word.push_back({'!', w, 0});
-  word.push_back({'F', l, 0});
-  word.push_back({'[', 0, 0});
-  word.push_back({turn, 45, 0});
-  if (turn != '&') word.push_back({'$', 0, 0});
-  word.push_back({turn == '&' ? 'B' : next, l * 0.6, w * 0.707});
-  word.push_back({']', 0, 0});
-  if (turn == '&') word.push_back({'/', 137.5, 0});
-  word.push_back({next, l * 0.9, w * 0.707});
+std::size_t parameter_count(char letter) {
+  switch (letter) {
+    case 'A':
+    case 'B':
+    case 'C':
+      return 2;
+    case '[':
+    case ']':
+    case '$':
+      return 0;
+    default:
+      return 1;
+  }
 }
 
-std::vector<Module> derive_hard_coded() {
-  std::vector<Module> word = {{'A', 1, 10}};
-  std::vector<Module> next;
-  for (int step = 0; step < kSteps; ++step) {
-    next.clear();
-    next.reserve(2 * word.size() + 16);
-    for (const Module& module : word) {
-      switch (module.symbol) {
-        case 'A':
-          append_fork(module, '&', 'A', next);
-          break;
-        case 'B':
-          append_fork(module, '-', 'C', next);
-          break;
-        case 'C':
-          append_fork(module, '+', 'B', next);
-          break;
-        default:
-          next.push_back(module);
-      }
+struct Pen {
+  char* letter;
+  double* parameter;
+
+  void write(std::string_view letters, std::initializer_list<double> parameters) {
+    letter = std::copy(letters.begin(), letters.end(), letter);
+    parameter = std::copy(parameters.begin(), parameters.end(), parameter);
+  }
+};
+
+void rewrite_hard_coded(const HardCodedWord& word, HardCodedWord& next) {
+  const auto apices = static_cast<std::size_t>(std::count_if(
+      word.letters.begin(), word.letters.end(), [](char letter) { return letter >= 'A' && letter <= 'C'; }));
+  next.letters.clear();
+  next.parameters.clear();
+  next.letters.resize(word.letters.size() + 7 * apices);
+  next.parameters.resize(word.parameters.size() + 6 * apices);
+  Pen pen{next.letters.data(), next.parameters.data()};
+  const double* in = word.parameters.data();
+  for (const char letter : word.letters) {
+    const double l = in[0];
+    const double w = in[1];
+    switch (letter) {
+      case 'A':
+        pen.write("!F[&B]/A", {w, l, 45, l * 0.6, w * 0.707, 137.5, l * 0.9, w * 0.707});
+        break;
+      case 'B':
+        pen.write("!F[-$C]C", {w, l, 45, l * 0.6, w * 0.707, l * 0.9, w * 0.707});
+        break;
+      case 'C':
+        pen.write("!F[+$B]B", {w, l, 45, l * 0.6, w * 0.707, l * 0.9, w * 0.707});
+        break;
+      default:
+        *pen.letter++ = letter;
+        if (parameter_count(letter) == 1) *pen.parameter++ = l;
     }
+    in += parameter_count(letter);
+  }
+  next.letters.resize(static_cast<std::size_t>(pen.letter - next.letters.data()));
+  next.parameters.resize(static_cast<std::size_t>(pen.parameter - next.parameters.data()));
+}
+
+HardCodedWord derive_hard_coded() {
+  HardCodedWord word{{'A'}, {1, 10}};
+  HardCodedWord next;
+  for (int step = 0; step < kSteps; ++step) {
+    rewrite_hard_coded(word, next);
     std::swap(word, next);
   }
   return word;
@@ -87,15 +117,11 @@ Word derive_tree(const Grammar& grammar, int threads) {
 void require_same() {
   const Grammar grammar = honda_tree();
   const Word word = derive_tree(grammar, 1);
-  const std::vector<Module> expected = derive_hard_coded();
-  bool is_same = word.module_count() == kModules && expected.size() == kModules;
-  std::size_t parameter = 0;
+  const HardCodedWord expected = derive_hard_coded();
+  bool is_same = word.module_count() == kModules && expected.letters.size() == kModules &&
+                 std::ranges::equal(word.parameters, expected.parameters);
   for (std::size_t k = 0; is_same && k < kModules; ++k) {
-    const Letter& letter = grammar.alphabet[word.letters[k]];
-    is_same = letter.symbol[0] == expected[k].symbol &&
-              (letter.arity < 1 || word.parameters[parameter] == expected[k].first) &&
-              (letter.arity < 2 || word.parameters[parameter + 1] == expected[k].second);
-    parameter += letter.arity;
+    is_same = grammar.alphabet[word.letters[k]].symbol[0] == expected.letters[k];
   }
   if (is_same) return;
   std::fprintf(stderr, "the derivations differ\n");

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "meristem/grow/lsystem/derive.h"
+#include "meristem/grow/lsystem/grammar_reader.h"
 #include "tests/support/build_grammar.h"
 #include "tests/support/sha256.h"
 #include "tests/support/shared_data.h"
@@ -37,6 +38,13 @@ GrammarText grammar_text(const Json& entry) {
   return text;
 }
 
+Grammar read(const GrammarText& text) {
+  std::string lines = text.ignored.empty() ? "" : "#ignore " + text.ignored + "\n";
+  lines += "#axiom\n" + text.axiom + "\n#rules\n";
+  for (const std::string& rule : text.rules) lines += rule + "\n";
+  return read_grammar(lines);
+}
+
 std::map<std::string, int> counts_of(const Word& word, const Alphabet& alphabet) {
   std::map<std::string, int> counts;
   for (const LetterIndex letter : word.letters) ++counts[alphabet[letter].symbol];
@@ -52,7 +60,7 @@ TEST(DeriveConformance, AgreesWithAnotherProgramByLengthsCountsAndDigests) {
   for (const auto& [name, entry] : entries.items()) {
     if (!entry.contains("rules")) continue;
     SCOPED_TRACE(name);
-    const Grammar grammar = build_grammar(grammar_text(entry));
+    const Grammar grammar = read(grammar_text(entry));
     Progress progress;
     const std::vector<std::size_t> lengths = entry["lengths"];
     for (std::size_t step = 0; step < lengths.size(); ++step) {
@@ -73,7 +81,7 @@ TEST(DeriveConformance, AbopsParametricSequence) {
                          {"A(x,y) : y <= 3 -> A(x*2,x+y)", "A(x,y) : y > 3 -> B(x)A(x/y,0)", "B(x) : x < 1 -> C",
                           "B(x) : x >= 1 -> B(x-1)"}};
   const char* const words[] = {"B(2)A(4,4)", "B(1)B(4)A(1,0)", "B(0)B(3)A(2,1)", "CB(2)A(4,3)", "CB(1)A(8,7)"};
-  const Grammar grammar = build_grammar(text);
+  const Grammar grammar = read(text);
   Progress progress;
   for (int step = 0; step < 5; ++step) {
     EXPECT_EQ(word_text(derive(grammar, step, RandomKey(), Limits(), progress), grammar.alphabet), words[step]);
@@ -87,7 +95,7 @@ TEST(DeriveConformance, AbopsParametricSequence) {
 TEST(DeriveConformance, AbopsAcropetalSignal) {
   const GrammarText text{"B[+A]A[-A]A[+A]A", {"B < A -> B"}, "+-"};
   const char* const words[] = {"B[+A]A[-A]A[+A]A", "B[+B]B[-A]A[+A]A", "B[+B]B[-B]B[+A]A", "B[+B]B[-B]B[+B]B"};
-  const Grammar grammar = build_grammar(text);
+  const Grammar grammar = read(text);
   Progress progress;
   for (int step = 0; step < 4; ++step) {
     EXPECT_EQ(word_text(derive(grammar, step, RandomKey(), Limits(), progress), grammar.alphabet), words[step]);
@@ -103,7 +111,7 @@ GrammarText monopodial_tree() {
 }
 
 TEST(DeriveConformance, AbopsMonopodialTree) {
-  const Grammar grammar = build_grammar(monopodial_tree());
+  const Grammar grammar = read(monopodial_tree());
   Progress progress;
   const auto counts = counts_of(derive(grammar, 10, RandomKey(), Limits(), progress), grammar.alphabet);
   const std::map<std::string, int> expected = {{"!", 1023}, {"F", 1023}, {"C", 682},  {"[", 1023},
@@ -117,7 +125,7 @@ TEST(DeriveConformance, AbopsTernaryTree) {
   const GrammarText text{"!(1)F(200)/(45)A",
                          {"A -> !(1.732)F(50)[&(18.95)F(50)A]/(94.74)[&(18.95)F(50)A]/(132.63)[&(18.95)F(50)A]",
                           "F(l) -> F(l*1.109)", "!(w) -> !(w*1.732)"}};
-  const Grammar grammar = build_grammar(text);
+  const Grammar grammar = read(text);
   Progress progress;
   const Word word = derive(grammar, 6, RandomKey(), Limits(), progress);
   const std::map<std::string, int> expected = {{"!", 365},  {"F", 1457}, {"/", 729}, {"[", 1092},
@@ -127,7 +135,7 @@ TEST(DeriveConformance, AbopsTernaryTree) {
 
 // The source's worked example.
 TEST(DeriveConformance, WordLengthsOfTheSpruceExample) {
-  const Grammar grammar = build_grammar({"A", {"A -> ^^FB", "B -> C+++C---", "C -> [^F&B]"}});
+  const Grammar grammar = read({"A", {"A -> ^^FB", "B -> C+++C---", "C -> [^F&B]"}});
   Progress progress;
   const std::size_t lengths[] = {1, 4, 11, 21, 35, 55, 83};
   for (int step = 0; step < 7; ++step) {

@@ -20,7 +20,7 @@ constexpr std::size_t kModulesBetweenChecks = 65'536;
 
 /// Memory for `count` items whose values do not matter; what is too small goes first.
 template <typename Item>
-void make_room(std::vector<Item>& items, std::size_t count) {
+void make_room(WordColumn<Item>& items, std::size_t count) {
   if (items.capacity() < count) items = {};
   items.resize(count);
 }
@@ -86,7 +86,7 @@ RewriteOutcome Rewriter::rewrite(const RewritePlan& plan, const Word& word, Rand
   progress_.check();
 
   // Choose each module's rule.
-  places_.find(word, arities_);
+  places_.find(word, arities_, progress_);
   if (plan.needs.any()) context_.find(grammar_, word.letters, plan.needs, progress_);
   const OldWord old{word, context_, places_, key};
   make_room(choices_, word.module_count());

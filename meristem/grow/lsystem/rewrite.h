@@ -59,7 +59,7 @@ class Rewriter {
   const Limits& limits_;
   Progress& progress_;
   std::vector<std::uint16_t> arities_;
-  std::vector<RuleChoice> choices_;
+  WordColumn<RuleChoice> choices_;
   std::vector<Chunk> chunks_;
   ParameterPlaces places_;
   WordContext context_;

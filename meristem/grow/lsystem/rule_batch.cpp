@@ -7,13 +7,14 @@
 
 namespace meristem {
 
-void ParameterPlaces::find(const Word& word, std::span<const std::uint16_t> arities) {
+void ParameterPlaces::find(const Word& word, std::span<const std::uint16_t> arities, const Progress& progress) {
   word_ = &word;
   arities_ = arities;
   const std::size_t count = word.letters.size();
   chunks_.assign((count + kChunk - 1) / kChunk + 1, 0);
   blocks_.resize((count + kBlock - 1) / kBlock);
   parallel_for(count, kChunk, [&](std::size_t begin, std::size_t end) {
+    progress.check();
     std::uint32_t parameters = 0;
     for (std::size_t k = begin; k < end; k += kBlock) {
       blocks_[k / kBlock] = parameters;

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "meristem/base/progress.h"
 #include "meristem/base/random.h"
 #include "meristem/grow/lsystem/rule_plan.h"
 #include "meristem/grow/lsystem/word.h"
@@ -21,7 +22,7 @@ inline constexpr std::size_t kChunk = 8'192;
 /// Where the modules' parameters begin.
 class ParameterPlaces {
  public:
-  void find(const Word& word, std::span<const std::uint16_t> arities);
+  void find(const Word& word, std::span<const std::uint16_t> arities, const Progress& progress);
   std::size_t of_chunk(std::size_t chunk) const { return chunks_[chunk]; }
   std::size_t of_module(std::size_t position) const;
 

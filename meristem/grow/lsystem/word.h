@@ -4,9 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <new>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace meristem {
@@ -39,11 +42,33 @@ class Alphabet {
   std::unordered_map<std::string, LetterIndex> index_;  ///< by symbol, a zero byte, and the arity in decimals
 };
 
+/// Leaves new items of a vector as the memory is, where standard ones would set them to zero: long words are written by
+/// many threads, and each is to be the first to touch its part.
+template <typename Item>
+struct UnsetAllocator : std::allocator<Item> {
+  template <typename Other>
+  struct rebind {
+    using other = UnsetAllocator<Other>;
+  };
+  template <typename Other>
+  void construct(Other* item) noexcept {
+    ::new (static_cast<void*>(item)) Other;
+  }
+  template <typename Other, typename... Arguments>
+  void construct(Other* item, Arguments&&... arguments) {
+    ::new (static_cast<void*>(item)) Other(std::forward<Arguments>(arguments)...);
+  }
+};
+
+/// A column of a word; after `resize` new items have any value.
+template <typename Item>
+using WordColumn = std::vector<Item, UnsetAllocator<Item>>;
+
 /// A bracketed string of modules: their letters, and all their parameters one after another. A module's parameters
 /// follow those of the module before it, as many as its letter has.
 struct Word {
-  std::vector<LetterIndex> letters;
-  std::vector<double> parameters;
+  WordColumn<LetterIndex> letters;
+  WordColumn<double> parameters;
 
   std::size_t module_count() const { return letters.size(); }
   bool operator==(const Word&) const = default;

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes as a grammar: either faults inside the text, or a grammar whose parts fit together.
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meristem/grow/lsystem/grammar_reader.h"
+#include "tests/fuzz/require.h"
+
+namespace {
+
+using namespace meristem;
+
+void require_letters_of(const Grammar& grammar, const std::vector<ModuleForm>& modules) {
+  for (const ModuleForm& module : modules) {
+    require(module.letter < grammar.alphabet.size());
+    require(module.parameters.size() == grammar.alphabet[module.letter].arity);
+  }
+}
+
+void require_sound_rules(const Grammar& grammar, const RuleSet& set) {
+  require(set.of_letter.size() == grammar.alphabet.size());
+  for (const Rule& rule : set.rules) {
+    require(rule.line > 0 && rule.predecessor < grammar.alphabet.size());
+    require(rule.variable_count <= kMostVariables);
+    for (const auto* context : {&rule.left, &rule.right}) {
+      for (const ContextModule& module : *context) {
+        require(module.letter < grammar.alphabet.size());
+        require(module.first_variable + grammar.alphabet[module.letter].arity <= rule.variable_count);
+      }
+    }
+    require_letters_of(grammar, rule.successor);
+  }
+}
+
+Word axiom_of(const Grammar& grammar) {
+  Word word;
+  for (const ModuleForm& module : grammar.axiom) {
+    word.letters.push_back(module.letter);
+    for (const Expression& parameter : module.parameters) word.parameters.push_back(parameter.evaluate());
+  }
+  return word;
+}
+
+}  // namespace
+
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer looks for this name.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  std::vector<Diagnostic> warnings;
+  GrammarOptions options;
+  options.file = "fuzz";
+  options.constants = {{"age", 12}};
+  options.warnings = &warnings;
+  options.read = [](const std::string&) -> std::string { return "#steps 2\nA(1)\nA(x) -> A(x+1)B\n"; };
+  try {
+    const Grammar grammar = read_grammar(text, options);
+    require(!grammar.axiom.empty() && grammar.is_ignored.size() == grammar.alphabet.size());
+    require_letters_of(grammar, grammar.axiom);
+    for (const auto* set : {&grammar.production, &grammar.decomposition, &grammar.interpretation}) {
+      require_sound_rules(grammar, *set);
+    }
+    word_text(axiom_of(grammar), grammar.alphabet);
+  } catch (const InputError& error) {
+    require_faults_of(error, "fuzz");
+    for (const Diagnostic& fault : error.diagnostics()) {
+      require(fault.line > 0 && fault.column > 0 && static_cast<std::size_t>(fault.text_offset) <= size);
+    }
+  }
+  return 0;
+}

@@ -9,7 +9,6 @@
 #include <limits>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
@@ -91,26 +90,32 @@ void run_alone(Blocks& blocks) {
 
 #ifdef MERISTEM_THREADS_TBB
 
-/// An arena for a limited number of threads. More of them than cores are to be had only if TBB is told.
+/// Has TBB give more threads than there are cores to those who ask; once, for it takes the least of what it is told.
+void allow_more_than_cores() {
+  static const tbb::global_control most(tbb::global_control::max_allowed_parallelism, 1024);
+}
+
+/// An arena for a limited number of threads.
 struct Crew {
   explicit Crew(int size) : threads(size), arena(size) {
-    if (size > core_count()) more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(size));
+    if (size > core_count()) allow_more_than_cores();
   }
 
   int threads;
-  std::optional<tbb::global_control> more;
   tbb::task_arena arena;
 };
 
 // Kept from loop to loop: a new one for each loop took 0.3 ms instead of 3 us for 64 empty blocks on 3 threads.
-thread_local std::unique_ptr<Crew> kept_crew;
+thread_local std::shared_ptr<Crew> kept_crew;
 
 Crew& crew_of(int threads) {
-  if (!kept_crew || kept_crew->threads != threads) kept_crew = std::make_unique<Crew>(threads);
+  if (!kept_crew || kept_crew->threads != threads) kept_crew = std::make_shared<Crew>(threads);
   return *kept_crew;
 }
 
-void dismiss_crew() { kept_crew.reset(); }
+std::shared_ptr<void> exchange_crew(const std::shared_ptr<void>& crew) {
+  return std::exchange(kept_crew, std::static_pointer_cast<Crew>(crew));
+}
 
 void run_together(Blocks& blocks, int threads) {
   const auto run_range = [&](const tbb::blocked_range<std::size_t>& range) {
@@ -128,7 +133,7 @@ void run_together(Blocks& blocks, int threads) {
 
 #else
 
-void dismiss_crew() {}
+std::shared_ptr<void> exchange_crew(const std::shared_ptr<void>&) { return nullptr; }
 
 // Loops within a block run alone: their outer loop has the threads already.
 thread_local bool is_in_block = false;
@@ -171,11 +176,13 @@ int thread_count() { return thread_limit > 0 ? thread_limit : core_count(); }
 ThreadLimit::ThreadLimit(int threads) : previous_(thread_limit) {
   if (threads < 0) throw std::invalid_argument("a thread limit is at least 1, or 0 for all cores");
   thread_limit = threads;
+  // Set aside and not dismissed: this thread may be at work for it.
+  previous_crew_ = exchange_crew(nullptr);
 }
 
 ThreadLimit::~ThreadLimit() {
   thread_limit = previous_;
-  dismiss_crew();
+  exchange_crew(previous_crew_);
 }
 
 }  // namespace meristem

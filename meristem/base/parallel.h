@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 
 #include "meristem/base/function_ref.h"
 
@@ -31,6 +32,7 @@ class ThreadLimit {
 
  private:
   int previous_;
+  std::shared_ptr<void> previous_crew_;
 };
 
 }  // namespace meristem

@@ -208,6 +208,18 @@ TEST(ThreadLimit, BoundsLoopsWithinLoops) {
   EXPECT_EQ(others, 0);
 }
 
+TEST(ThreadLimit, MayBeMadeWithinALoop) {
+  const ThreadLimit outer(3);
+  std::atomic<int> blocks = 0;
+  for (int round = 0; round < 50; ++round) {
+    parallel_for(16, 1, [&](std::size_t, std::size_t) {
+      const ThreadLimit inner(2);
+      parallel_for(8, 1, [&](std::size_t, std::size_t) { ++blocks; });
+    });
+  }
+  EXPECT_EQ(blocks, 50 * 16 * 8);
+}
+
 TEST(ThreadLimit, IsOfOneThreadOnly) {
   const int before = thread_count();
   std::atomic<int> step = 0;

@@ -107,6 +107,12 @@ bool is_known(const Value& root, const std::vector<std::string>& elements, const
 /// The place in the tree, made where it is a member that may be added; null with a fault otherwise.
 Value* find_or_add(Value& root, const std::string& path, std::vector<Diagnostic>& diagnostics) {
   const std::vector<std::string> elements = path_elements(path);
+  if (elements.empty()) {
+    diagnostics.push_back({.message = fmt::format("'{}' is not a path", path),
+                           .expected = "one such as age, stem.length or links[1].density",
+                           .path = path});
+    return nullptr;
+  }
   if (!is_known(root, elements, path, diagnostics)) return nullptr;
   Value* at = &root;
   for (std::size_t k = 0; k < elements.size() && at != nullptr; ++k) {

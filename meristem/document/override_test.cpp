@@ -92,6 +92,18 @@ TEST(Override, RejectsTextsThatSetNothing) {
   }
 }
 
+TEST(Override, RefusesPathsThatAreNone) {
+  for (const char* path : {"", "a..b", ".x", "[0]", "x["}) {
+    try {
+      read_document(R"({"meristem": 1, "components": {"c": {"type": "camera"}}})", "d.json", builtin_components(),
+                    {{path, Value(1)}});
+      ADD_FAILURE() << path;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.diagnostics()[0].message, "'" + std::string(path) + "' is not a path");
+    }
+  }
+}
+
 TEST(Override, NamesTheNearestVariableAndComponent) {
   EXPECT_EQ(fault_of("agee=3"), "--set agee: variables.agee: there is no variable 'agee'; did you mean 'age'?");
   EXPECT_EQ(fault_of("name=3"), "--set name: variables.name: there is no variable 'name'; expected one of age, size");

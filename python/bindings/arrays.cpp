@@ -12,6 +12,9 @@ namespace {
 
 /// As numpy sees it; text, objects, complex numbers and times are refused, for whole numbers fractions too.
 py::array real_array(const py::object& object, const char* name, bool whole) {
+  if (py::hasattr(object, "mask") && py::module_::import("numpy").attr("ma").attr("is_masked")(object).cast<bool>()) {
+    throw py::value_error(fmt::format("{} has masked numbers; fill or leave out what is masked", name));
+  }
   const py::array array = py::array::ensure(object);
   if (!array) {
     PyErr_Clear();

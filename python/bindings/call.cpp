@@ -4,6 +4,8 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <set>
+#include <stdexcept>
 #include <thread>
 
 #include "meristem/base/parallel.h"
@@ -48,6 +50,52 @@ class Worker {
   std::thread thread_;  // last: it uses the others
 };
 
+/// The calls that run, so that none outlives the interpreter: threads of Python's that wait for a call would be ended
+/// there in the middle of it.
+class RunningCalls {
+ public:
+  void enter(Watch* watch) {
+    const std::lock_guard lock(mutex_);
+    if (is_closed_) throw std::runtime_error("Python is ending");
+    watches_.insert(watch);
+  }
+  void leave(Watch* watch) {
+    const std::lock_guard lock(mutex_);
+    watches_.erase(watches_.find(watch));
+    changed_.notify_all();
+  }
+  /// Cancels all, refuses more, and returns once they are gone. Without the GIL.
+  void close() {
+    std::unique_lock lock(mutex_);
+    is_closed_ = true;
+    for (Watch* const watch : watches_) watch->cancel();
+    changed_.wait(lock, [this] { return watches_.empty(); });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::multiset<Watch*> watches_;
+  bool is_closed_ = false;
+};
+
+RunningCalls& running_calls() {
+  static RunningCalls calls;
+  return calls;
+}
+
+/// Among the running calls for as long as it lives.
+class RunningCall {
+ public:
+  explicit RunningCall(Watch* watch) : watch_(watch) { running_calls().enter(watch); }
+  ~RunningCall() { running_calls().leave(watch_); }
+  RunningCall(const RunningCall&) = delete;
+  RunningCall& operator=(const RunningCall&) = delete;
+
+ private:
+  Watch* watch_;
+};
+
 }  // namespace
 
 Watch::Watch(py::object callback) : callback_(std::move(callback)) {}
@@ -90,6 +138,7 @@ void Watch::tell(std::string_view stage, double fraction) {
 void Watch::run(int threads, const std::function<void(Progress&)>& body) {
   if (threads < 0 || threads > 1024) throw py::value_error("threads must be 0 (all cores) to 1024");
   Progress progress([this](std::string_view stage, double fraction) { tell(stage, fraction); });
+  const RunningCall running(this);
   {
     const std::lock_guard lock(mutex_);
     if (running_ != nullptr) throw py::value_error("this Progress watches another call; make one for each call");
@@ -130,17 +179,26 @@ std::shared_ptr<Watch> watch_of(const py::object& progress) {
 }
 
 void bind_progress(py::module_& module) {
-  py::class_<Watch, std::shared_ptr<Watch>>(module, "Progress", R"(Watches a long call and cancels it.
+  py::module_::import("atexit").attr("register")(py::cpp_function([] {
+    const py::gil_scoped_release no_gil;
+    running_calls().close();
+  }));
+  using WatchPointer = std::shared_ptr<Watch>;
+  py::class_<Watch, WatchPointer>(module, "Progress", R"(Watches a long call and cancels it.
 
 Give it to one call at a time. `callback`, if given, is called with the stage (a str) and its done share in [0, 1],
 whenever that has grown by a hundredth, from other threads than the caller's; what it raises cancels the call and is
 raised from it.)")
       .def(py::init<py::object>(), py::arg("callback") = py::none())
-      .def("cancel", &Watch::cancel,
-           "Has the call raise Cancelled within 50 ms; further calls with this Progress as well. From any thread.")
-      .def_property_readonly("cancelled", &Watch::is_cancelled, "Whether cancel() was called.")
-      .def_property_readonly("stage", &Watch::stage, "What the call is doing, such as 'growing'.")
-      .def_property_readonly("fraction", &Watch::fraction, "The stage's done share, 0 to 1.");
+      .def(
+          "cancel", [](const WatchPointer& w) { w->cancel(); },
+          "Has the call raise Cancelled within 50 ms; further calls with this Progress as well. From any thread.")
+      .def_property_readonly(
+          "cancelled", [](const WatchPointer& w) { return w->is_cancelled(); }, "Whether cancel() was called.")
+      .def_property_readonly(
+          "stage", [](const WatchPointer& w) { return w->stage(); }, "What the call is doing, such as 'growing'.")
+      .def_property_readonly(
+          "fraction", [](const WatchPointer& w) { return w->fraction(); }, "The stage's done share, 0 to 1.");
 }
 
 }  // namespace meristem::python

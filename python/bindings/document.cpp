@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "document.h"
 
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -38,10 +39,13 @@ std::optional<std::uint64_t> optional_seed(const py::object& seed) {
   return checked_seed(seed);
 }
 
-DocumentPointer document_of(const py::object& content, const std::string& file, const py::object& set,
+DocumentPointer document_of(const py::object& content, const py::object& file, const py::object& set,
                             const py::object& seed) {
-  std::string text = py::isinstance<py::str>(content) ? content.cast<std::string>() : write_json(to_value(content));
-  return std::make_shared<DocumentInPython>(std::move(text), file.empty() ? kFromPython : file, to_overrides(set),
+  const Value value = to_value(content);
+  const std::string* const text = value.text();
+  const std::string named = path_of(file);
+  return std::make_shared<DocumentInPython>(text != nullptr ? *text : write_json(value),
+                                            named.empty() ? kFromPython : named, to_overrides(set),
                                             optional_seed(seed));
 }
 
@@ -49,20 +53,21 @@ DocumentPointer document_of(const py::object& content, const std::string& file, 
 std::string models_folder() { return py::module_::import("meristem._models").attr("folder")().cast<std::string>(); }
 
 DocumentPointer read(const py::object& path, const py::object& set, const py::object& seed) {
-  const auto given = py::module_::import("os").attr("fspath")(path).cast<std::string>();
-  const std::string file = find_document(given, models_folder());
+  const std::string file = find_document(path_of(path), models_folder());
   return std::make_shared<DocumentInPython>(read_text_file(file), file, to_overrides(set), optional_seed(seed));
 }
 
-DocumentPointer with_values(const DocumentInPython& document, const py::object& values, const py::object& seed) {
-  std::vector<Override> overrides = document.overrides;
+DocumentPointer with_values(const DocumentPointer& document, const py::object& values, const py::object& seed) {
+  std::vector<Override> overrides = document->overrides;
+  std::optional<std::uint64_t> kept_seed = document->seed;
   for (Override& more : to_overrides(values)) {
+    if (more.path == "seed") kept_seed.reset();
     std::erase_if(overrides, [&](const Override& old) { return old.path == more.path; });
     overrides.push_back(std::move(more));
   }
   const std::optional<std::uint64_t> other = optional_seed(seed);
-  return std::make_shared<DocumentInPython>(document.text, document.file, std::move(overrides),
-                                            other ? other : document.seed);
+  return std::make_shared<DocumentInPython>(document->text, document->file, std::move(overrides),
+                                            other ? other : kept_seed);
 }
 
 /// Files that the document names must be found from where it is written.
@@ -80,27 +85,27 @@ void check_named_files(const DocumentInPython& document, const fs::path& target)
   }
 }
 
-void save(const DocumentInPython& document, const py::object& path) {
-  const auto target = py::module_::import("os").attr("fspath")(path).cast<std::string>();
-  check_named_files(document, target);
-  const std::string text = write_json(document.tree());
+void save(const DocumentPointer& document, const py::object& path) {
+  const std::string target = file_of(path);
+  check_named_files(*document, target);
+  const std::string text = write_json(document->tree());
   AtomicFile file(target);
   file.write(text.data(), text.size());
   file.commit();
 }
 
-py::list variables_of(const DocumentInPython& document) {
+py::list variables_of(const DocumentPointer& document) {
   const py::object make = py::module_::import("meristem._variable").attr("Variable");
   py::list list;
-  for (const Variable& v : document.document.variables) {
+  for (const Variable& v : document->document.variables) {
     list.append(make(v.name, v.value, v.min, v.max, v.unit, v.doc));
   }
   return list;
 }
 
-py::dict components_of(const DocumentInPython& document) {
+py::dict components_of(const DocumentPointer& document) {
   py::dict components;
-  for (const Prototype& prototype : document.document.graph.components) {
+  for (const Prototype& prototype : document->document.graph.components) {
     components[py::str(prototype.id)] = prototype.type->name;
   }
   return components;
@@ -108,24 +113,34 @@ py::dict components_of(const DocumentInPython& document) {
 
 std::shared_ptr<PlantInPython> grow(const DocumentPointer& document, double time, int threads,
                                     const py::object& progress) {
+  if (!std::isfinite(time)) throw py::value_error("time must be a finite number of seconds");
   return run_call(progress, threads, [&](Progress& inner) {
     return std::make_shared<PlantInPython>(
         PlantInPython{.origin = document, .grown = grow_document(document->document, inner, time)});
   });
 }
 
-std::string repr(const DocumentInPython& document) {
-  return fmt::format("<meristem.Document '{}' of {} components, seed {}>", document.document.name,
-                     document.document.graph.components.size(), document.document.graph.seed);
+std::string repr(const DocumentPointer& document) {
+  return fmt::format("<meristem.Document '{}' of {} components, seed {}>", document->document.name,
+                     document->document.graph.components.size(), document->document.graph.seed);
 }
 
-py::tuple state_of(const DocumentInPython& document) {
+bool are_equal(const DocumentPointer& document, const py::object& other) {
+  if (!py::isinstance<DocumentInPython>(other)) return false;
+  const auto second = other.cast<DocumentPointer>();
+  const auto folder = [](const DocumentInPython& d) { return fs::path(d.file).parent_path(); };
+  return document->document.graph.seed == second->document.graph.seed && folder(*document) == folder(*second) &&
+         document->document.source.tree == second->document.source.tree;
+}
+
+py::tuple state_of(const DocumentPointer& document) {
   py::dict overrides;
-  for (const Override& override : document.overrides) overrides[py::str(override.path)] = to_python(override.value);
-  return py::make_tuple(document.text, document.file, overrides, document.seed);
+  for (const Override& override : document->overrides) overrides[py::str(override.path)] = to_python(override.value);
+  return py::make_tuple(document->text, document->file, overrides, document->seed);
 }
 
 DocumentPointer from_state(const py::tuple& state) {
+  if (state.size() != 4) throw py::value_error("the state of a Document has four parts");
   return std::make_shared<DocumentInPython>(state[0].cast<std::string>(), state[1].cast<std::string>(),
                                             to_overrides(state[2]), optional_seed(state[3]));
 }
@@ -181,32 +196,35 @@ Other Python threads go on meanwhile, and Ctrl-C stops it. Raises InputError (li
            "names, "
            "MachineError where it cannot be written.")
       .def(
-          "to_dict", [](const DocumentInPython& d) { return to_python(d.tree()); },
+          "to_dict", [](const DocumentPointer& d) { return to_python(d->tree()); },
           "A new dict of all it says; Document(dict) reads it again. Changing it changes no document.")
       .def_property_readonly(
-          "text", [](const DocumentInPython& d) { return write_json(d.tree()); },
+          "text", [](const DocumentPointer& d) { return write_json(d->tree()); },
           "The document as JSON, all values set.")
       .def_property_readonly(
-          "name", [](const DocumentInPython& d) { return d.document.name; }, "Its name.")
+          "name", [](const DocumentPointer& d) { return d->document.name; }, "Its name.")
       .def_property_readonly(
-          "description", [](const DocumentInPython& d) { return d.document.description; }, "What it says of itself.")
+          "description", [](const DocumentPointer& d) { return d->document.description; }, "What it says of itself.")
       .def_property_readonly(
-          "author", [](const DocumentInPython& d) { return d.document.author; }, "Who made it.")
+          "author", [](const DocumentPointer& d) { return d->document.author; }, "Who made it.")
       .def_property_readonly(
-          "licence", [](const DocumentInPython& d) { return d.document.licence; }, "Under what it may be used.")
+          "licence", [](const DocumentPointer& d) { return d->document.licence; }, "Under what it may be used.")
       .def_property_readonly(
-          "file", [](const DocumentInPython& d) { return d.file; }, "The file it was read from, or '<python>'.")
+          "file", [](const DocumentPointer& d) { return d->file; }, "The file it was read from, or '<python>'.")
       .def_property_readonly(
-          "seed", [](const DocumentInPython& d) { return d.document.graph.seed; }, "What all randomness comes from.")
+          "seed", [](const DocumentPointer& d) { return d->document.graph.seed; }, "What all randomness comes from.")
       .def_property_readonly("variables", &variables_of, "The variables that it offers to users: a list of Variable.")
       .def_property_readonly("components", &components_of, "The type of each component, by its id.")
       .def_property_readonly(
-          "warnings", [](const DocumentInPython& d) { return to_python(d.document.warnings); },
+          "warnings", [](const DocumentPointer& d) { return to_python(d->document.warnings); },
           "What is odd but not wrong: a tuple of Diagnostic.")
       .def_property_readonly(
           "scene", [](const DocumentPointer& d) { return std::shared_ptr<Scene>(d, &d->document.scene); },
           "What surrounds the plants: a Scene.")
       .def("__repr__", &repr)
+      .def("__eq__", &are_equal, py::arg("other"), "Whether both say the same and seek files from the same folder.")
+      .def("__hash__",
+           [](const DocumentPointer& d) { return std::hash<std::string>()(write_json(d->document.source.tree)); })
       .def(py::pickle(&state_of, &from_state));
 
   module.def("read", &read, py::arg("path"), py::kw_only(), py::arg("set") = py::none(), py::arg("seed") = py::none(),

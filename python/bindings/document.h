@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <pybind11/pybind11.h>
 
 #include "meristem/document/document.h"
@@ -37,6 +38,18 @@ struct PlantInPython {
   std::shared_ptr<const DocumentInPython> origin;
   GrownDocument grown;
 };
+
+/// Has T.__new__ raise TypeError, where only the library makes objects: one without content would be read all the same.
+template <class T>
+void refuse_new(const char* where) {
+  static const std::string message =
+      fmt::format("{} cannot be made: {}", std::string(py::str(py::type::of<T>().attr("__name__"))), where);
+  auto* const type = reinterpret_cast<PyTypeObject*>(py::type::of<T>().ptr());
+  type->tp_new = [](PyTypeObject*, PyObject*, PyObject*) -> PyObject* {
+    PyErr_SetString(PyExc_TypeError, message.c_str());
+    return nullptr;
+  };
+}
 
 void bind_component_types(py::module_& module);
 void bind_document(py::module_& module);

@@ -7,9 +7,12 @@
 #include "arrays.h"
 #include "call.h"
 #include "document.h"
+#include "meristem/components/surface_table.h"
+#include "meristem/graph/reader.h"
 #include "meristem/measure/convex_hull.h"
 #include "meristem/shape/mesh_scene.h"
 #include "meristem/shape/tubes.h"
+#include "values.h"
 
 namespace meristem::python {
 
@@ -28,6 +31,7 @@ MeshPointer make_mesh(const py::object& positions, const py::object& triangles) 
   auto mesh = std::make_shared<Mesh>();
   mesh->positions = points_of(positions, "positions");
   const py::array given = py::array::ensure(triangles);
+  if (given && given.size() == 0) return mesh;
   if (!given || given.ndim() != 2 || given.shape(1) != 3) {
     PyErr_Clear();
     throw py::value_error(
@@ -44,36 +48,31 @@ MeshPointer make_mesh(const py::object& positions, const py::object& triangles) 
   return mesh;
 }
 
-Surface::Cap cap_of(const std::string& name) {
-  if (name == "pointed") return Surface::Cap::pointed;
-  if (name == "round") return Surface::Cap::round;
-  if (name == "flat") return Surface::Cap::flat;
-  throw py::value_error(fmt::format("cap cannot be '{}'; expected pointed, round or flat", name));
+/// The arguments as a document's `surface` says them, which has their bounds.
+Surface surface_of(const py::dict& values) {
+  Surface surface;
+  ParameterReader reader({}, Limits());
+  reader.read(surface_table(), &surface, to_value(values), Place());
+  if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
+  return surface;
 }
 
-void check_at_least(double value, double least, const char* name) {
-  if (!(value >= least)) throw py::value_error(fmt::format("{} is {}; expected at least {}", name, value, least));
-}
-
-MeshPointer tubes(const std::shared_ptr<Skeleton>& skeleton, int sides, double error, double uv_scale, double smooth,
-                  double collar, double flare, const std::string& cap, int threads, const py::object& progress) {
-  check_at_least(sides, 3, "sides");
-  check_at_least(error, 0, "error");
-  check_at_least(uv_scale, 1e-6, "uv_scale");
-  check_at_least(smooth, 0, "smooth");
-  check_at_least(collar, 0, "collar");
-  check_at_least(flare, 0, "flare");
-  const Surface surface{.sides = sides,
-                        .error = static_cast<float>(error),
-                        .uv_scale = static_cast<float>(uv_scale),
-                        .smooth = static_cast<float>(smooth),
-                        .collar = static_cast<float>(collar),
-                        .flare = static_cast<float>(flare),
-                        .cap = cap_of(cap)};
+MeshPointer tubes(const std::shared_ptr<Skeleton>& skeleton, const py::object& sides, const py::object& error,
+                  const py::object& uv_scale, const py::object& smooth, const py::object& collar,
+                  const py::object& flare, const std::string& cap, int threads, const py::object& progress) {
+  const Surface surface = surface_of(
+      py::dict(py::arg("sides") = sides, py::arg("error") = error, py::arg("uv_scale") = uv_scale,
+               py::arg("smooth") = smooth, py::arg("collar") = collar, py::arg("flare") = flare, py::arg("cap") = cap));
   return run_call(progress, threads, [&](Progress& inner) {
     inner.begin("meshing", skeleton->node_count());
     return std::make_shared<Mesh>(make_tubes(*skeleton, surface, inner));
   });
+}
+
+MeshPointer hull_of(const py::object& points, int threads, const py::object& progress) {
+  const std::vector<Vec3> places = points_of(points, "points");
+  return run_call(progress, threads,
+                  [&](Progress& inner) { return std::make_shared<Mesh>(convex_hull(places, &inner)); });
 }
 
 py::object picture(const std::shared_ptr<const void>& owner, const Image& image) {
@@ -108,11 +107,11 @@ and indices.)")
           "triangles", [](const MeshPointer& m) { return rows_view<std::uint32_t>(m, m->triangles); },
           "(m, 3) uint32: indices of vertices.")
       .def_property_readonly(
-          "area", [](const Mesh& m) { return surface_area_of(m); }, "Square metres of all triangles, one side.")
+          "area", [](const MeshPointer& m) { return surface_area_of(*m); }, "Square metres of all triangles, one side.")
       .def_property_readonly(
-          "volume", [](const Mesh& m) { return volume_of(m); }, "Cubic metres within; of closed meshes only.")
-      .def("__repr__", [](const Mesh& m) {
-        return fmt::format("<meristem.Mesh of {} vertices and {} triangles>", m.vertex_count(), m.triangle_count());
+          "volume", [](const MeshPointer& m) { return volume_of(*m); }, "Cubic metres within; of closed meshes only.")
+      .def("__repr__", [](const MeshPointer& m) {
+        return fmt::format("<meristem.Mesh of {} vertices and {} triangles>", m->vertex_count(), m->triangle_count());
       });
 
   py::class_<Material, std::shared_ptr<Material>>(module, "Material", "How a surface looks.")
@@ -172,6 +171,9 @@ and indices.)")
                            m.mesh->triangle_count());
       });
 
+  refuse_new<Material>("plants have them");
+  refuse_new<MeshInstances>("plants have them");
+
   const Surface plain;
   module.def("tubes", &tubes, py::arg("skeleton"), py::kw_only(), py::arg("sides") = plain.sides,
              py::arg("error") = plain.error, py::arg("uv_scale") = plain.uv_scale, py::arg("smooth") = plain.smooth,
@@ -179,14 +181,12 @@ and indices.)")
              py::arg("threads") = 0, py::arg("progress") = py::none(),
              R"(The tubes of a Skeleton as a Mesh with normals and uvs: a closed body for each axis.
 
-The thickest tube has `sides` sides (at least 3); a tube strays up to `error` radii from the skeleton; a texture's tile
+The thickest tube has `sides` sides (3 to 64); a tube strays up to `error` radii from the skeleton; a texture's tile
 covers `uv_scale` metres; radii are levelled over `smooth` radii along an axis; branches grow out of their mother over
 `collar` radii; roots are `flare` wider at the ground; `cap` is pointed, round or flat.)");
-  module.def(
-      "convex_hull",
-      [](const py::object& points) { return std::make_shared<Mesh>(convex_hull(points_of(points, "points"))); },
-      py::arg("points"),
-      "The convex hull of `points` (n, 3), metres, as a closed Mesh; empty for points in one plane.");
+  module.def("convex_hull", &hull_of, py::arg("points"), py::kw_only(), py::arg("threads") = 0,
+             py::arg("progress") = py::none(),
+             "The convex hull of `points` (n, 3), metres, as a closed Mesh; empty for points in one plane.");
 }
 
 }  // namespace meristem::python

@@ -12,6 +12,7 @@
 #include "meristem/output/formats.h"
 #include "meristem/output/hull_wires.h"
 #include "meristem/output/measure_report.h"
+#include "meristem/output/names.h"
 #include "meristem/output/output_files.h"
 #include "meristem/output/png.h"
 #include "meristem/output/skeleton_table.h"
@@ -23,6 +24,8 @@ namespace meristem::python {
 namespace {
 
 using PlantPointer = std::shared_ptr<PlantInPython>;
+
+constexpr std::uint64_t kMostRays = 1'000'000'000;  // for a crown: some minutes
 
 /// A part of a plant, which keeps the whole.
 template <class Part>
@@ -74,26 +77,58 @@ py::dict organ_light(const PlantPointer& plant, int threads, const py::object& p
   return columns;
 }
 
+void check_options(double fork_diameter, std::uint64_t crown_rays) {
+  if (!(fork_diameter >= 0)) throw py::value_error("fork_diameter must be at least 0 metres");
+  if (crown_rays < 1 || crown_rays > kMostRays) {
+    throw py::value_error(fmt::format("crown_rays is {}; expected 1 to {}", crown_rays, kMostRays));
+  }
+}
+
+/// Whole metres and degrees are floats all the same; only numbers without a unit may be int.
+py::object measures_in_python(const StandMeasures& measures, bool each) {
+  py::dict values = to_python(measures_value(measures, each));
+  const auto with_units = [](const py::dict& some) {
+    const py::object make_float = py::module_::import("builtins").attr("float");
+    for (const MeasureRow& row : measure_rows()) {
+      const py::str name(row.name.data(), row.name.size());
+      if (row.unit.empty() || !some.contains(name)) continue;
+      const py::object value = some[name];
+      if (py::isinstance<py::list>(value)) {
+        py::list floats;
+        for (const py::handle number : value) floats.append(make_float(number));
+        some[name] = floats;
+      } else if (!value.is_none()) {
+        some[name] = make_float(value);
+      }
+    }
+  };
+  with_units(values);
+  if (each) {
+    for (const py::handle tree : values["each"]) with_units(tree.cast<py::dict>());
+  }
+  return values;
+}
+
 py::object measures_of(const PlantPointer& plant, bool light, bool each, double fork_diameter, std::uint64_t crown_rays,
                        int threads, const py::object& progress) {
-  if (!(fork_diameter >= 0)) throw py::value_error("fork_diameter must be at least 0 metres");
+  check_options(fork_diameter, crown_rays);
   const MeasureOptions options{.fork_diameter = fork_diameter, .crown_rays = crown_rays, .organ_light = light};
   const StandMeasures measures = run_call(progress, threads, [&](Progress& inner) {
     return measure_plant(plant->grown.plant, plant->grown.meshes, plant->origin->document.scene, options, inner);
   });
-  return to_python(measures_value(measures, each));
+  return measures_in_python(measures, each);
 }
 
 py::object measures_of_skeleton(const std::shared_ptr<Skeleton>& skeleton, const std::shared_ptr<Scene>& scene,
                                 bool each, double fork_diameter, std::uint64_t crown_rays, int threads,
                                 const py::object& progress) {
-  if (!(fork_diameter >= 0)) throw py::value_error("fork_diameter must be at least 0 metres");
+  check_options(fork_diameter, crown_rays);
   const MeasureOptions options{.fork_diameter = fork_diameter, .crown_rays = crown_rays};
   const StandMeasures measures = run_call(progress, threads, [&](Progress& inner) {
     const Skeleton* const one = skeleton.get();
     return measure_skeletons(std::span(&one, 1), scene.get(), options, inner);
   });
-  return to_python(measures_value(measures, each));
+  return measures_in_python(measures, each);
 }
 
 py::dict table_of(const PlantInPython& plant) {
@@ -118,9 +153,8 @@ py::dict table_of(const PlantInPython& plant) {
 }
 
 void save(const PlantPointer& plant, const py::object& path, bool instanced, int threads, const py::object& progress) {
-  const auto target = py::module_::import("os").attr("fspath")(path).cast<std::string>();
+  const std::string target = file_of(path);
   const Format& format = format_of(target);
-  if (target == "-") throw py::value_error("a path is needed");
   if (instanced && !format.can_instance) throw py::value_error("only .glb can be instanced");
   check_grown_output(plant->origin->document, target);
   watch_of(progress)->run(threads, [&](Progress& inner) {
@@ -184,6 +218,19 @@ py::bytes png(const PlantPointer& plant, const std::optional<std::pair<int, int>
       take_picture(plant, planned_picture(plant, size, samples, view, transparent, hull), threads, progress));
 }
 
+void save_picture(const PlantPointer& plant, const py::object& path, const std::optional<std::pair<int, int>>& size,
+                  const std::optional<int>& samples, const std::optional<std::pair<double, double>>& view,
+                  bool transparent, bool hull, int threads, const py::object& progress) {
+  const std::string target = file_of(path);
+  if (!lower_case(target).ends_with(".png")) {
+    throw InputError(Diagnostic{.message = fmt::format("pictures cannot be written to '{}'", target),
+                                .expected = "a file that ends in .png"});
+  }
+  const Picture picture = planned_picture(plant, size, samples, view, transparent, hull);
+  check_output(target, input_files(plant->origin->document));
+  write_png(take_picture(plant, picture, threads, progress), target);
+}
+
 void bind_parts(py::module_& module) {
   py::class_<Organs>(module, "Organs", R"(The organs of a plant: leaves, fruits, petals.
 
@@ -244,6 +291,9 @@ Columns are read-only arrays over the plant's own memory, one entry an organ.)")
       .def("__repr__", [](const Stem& s) {
         return fmt::format("<meristem.Stem of '{}', {} nodes>", s.parts[0].component, s.skeleton.node_count());
       });
+  refuse_new<Organs>("plants have them");
+  refuse_new<OrganPrototype>("plants have them");
+  refuse_new<Stem>("plants have them");
 }
 
 std::string repr(const PlantInPython& plant) {
@@ -259,8 +309,7 @@ void bind_plant(py::module_& module) {
   py::class_<PlantInPython, PlantPointer>(
       module, "Plant", R"(A document that has grown: skeletons, organs and the meshes that clothe them.
 
-Document.grow() makes it. It never changes; arrays over its memory keep it for as long as they live.)",
-      py::dynamic_attr())
+Document.grow() makes it. It never changes; arrays over its memory keep it for as long as they live.)")
       .def_property_readonly(
           "document", [](const PlantInPython& p) { return std::const_pointer_cast<DocumentInPython>(p.origin); },
           "The Document that has grown.")
@@ -324,7 +373,14 @@ InputError for sizes and samples out of range.)")
       .def("png", &png, py::kw_only(), py::arg("size") = py::none(), py::arg("samples") = py::none(),
            py::arg("view") = py::none(), py::arg("transparent") = false, py::arg("hull") = false,
            py::arg("threads") = 0, py::arg("progress") = py::none(), "The same picture as the bytes of a PNG file.")
+      .def("save_picture", &save_picture, py::arg("path"), py::kw_only(), py::arg("size") = py::none(),
+           py::arg("samples") = py::none(), py::arg("view") = py::none(), py::arg("transparent") = false,
+           py::arg("hull") = false, py::arg("threads") = 0, py::arg("progress") = py::none(),
+           "Writes the same picture to a .png file, which is there whole or not at all. Raises InputError for files "
+           "that "
+           "were read, MachineError.")
       .def("__repr__", &repr);
+  refuse_new<PlantInPython>("Document.grow() makes plants");
 
   auto skeleton = module.attr("Skeleton").cast<py::class_<Skeleton, std::shared_ptr<Skeleton>>>();
   skeleton.def("measure", &measures_of_skeleton, py::kw_only(), py::arg("scene") = py::none(), py::arg("each") = false,

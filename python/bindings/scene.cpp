@@ -30,8 +30,9 @@ using Within = std::optional<double>;  // metres; no bound if unset
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kAskedPerBlock = 256;
 
-ScenePointer make_scene(const py::object& values, const std::string& file) {
+ScenePointer make_scene(const py::object& values, const py::object& path) {
   if (values.is_none()) return std::make_shared<Scene>();
+  const std::string file = path_of(path);
   // Wrapped, so that faults have the places that they would have in a document.
   py::dict content;
   content["meristem"] = kDocumentFormat;
@@ -66,14 +67,14 @@ py::tuple lamps_of(const ScenePointer& scene) {
                         view(scene, &first->strength, {count}, {sizeof(Lamp)}));
 }
 
-py::object mean_direction(const Scene& scene) {
-  const Vec3 mean = scene.light.mean_direction();
+py::object mean_direction(const ScenePointer& scene) {
+  const Vec3 mean = scene->light.mean_direction();
   return array_of(std::vector<float>{mean.x, mean.y, mean.z});
 }
 
-py::list meshes_of(const Scene& scene) {
+py::list meshes_of(const ScenePointer& scene) {
   py::list meshes;
-  for (const Obstacle& body : scene.obstacles.bodies()) {
+  for (const Obstacle& body : scene->obstacles.bodies()) {
     auto mesh = std::make_shared<Mesh>();
     for (const DVec3 position : body.mesh.positions) mesh->positions.emplace_back(position);
     mesh->triangles.assign(body.mesh.triangles.begin(), body.mesh.triangles.end());
@@ -217,14 +218,14 @@ py::tuple crown_light(const ScenePointer& scene, const py::object& crown, std::u
   return py::make_tuple(light.lit_share, array_of(std::move(light.lit_shares)));
 }
 
-std::string repr(const Scene& scene) {
+std::string repr(const ScenePointer& scene) {
   const auto counted = [](std::size_t count, const char* one, const char* more) {
     return fmt::format("{} {}", count, count == 1 ? one : more);
   };
   return fmt::format(
-      "<meristem.Scene: {} of the sun, {} of sky, {}, {}>", counted(scene.light.sun.size(), "position", "positions"),
-      counted(scene.light.sky.size(), "patch", "patches"), counted(scene.light.lamps.size(), "lamp", "lamps"),
-      counted(scene.obstacles.bodies().size(), "obstacle", "obstacles"));
+      "<meristem.Scene: {} of the sun, {} of sky, {}, {}>", counted(scene->light.sun.size(), "position", "positions"),
+      counted(scene->light.sky.size(), "patch", "patches"), counted(scene->light.lamps.size(), "lamp", "lamps"),
+      counted(scene->obstacles.bodies().size(), "obstacle", "obstacles"));
 }
 
 using SceneClass = py::class_<Scene, ScenePointer>;

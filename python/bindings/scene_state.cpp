@@ -40,7 +40,7 @@ py::list state_of(const std::vector<FarLight>& lights) {
 std::vector<FarLight> far_lights_from(const py::handle& states) {
   std::vector<FarLight> lights;
   for (const py::handle state : states) {
-    const auto pair = py::reinterpret_borrow<py::tuple>(state);
+    const auto pair = state.cast<py::tuple>();
     lights.push_back({vector_of(pair[0]), pair[1].cast<double>()});
   }
   return lights;
@@ -71,14 +71,15 @@ py::tuple state_of(const Scene& scene) {
 }
 
 Scene scene_from(const py::tuple& state) {
+  if (state.size() != 7) throw py::value_error("the state of a Scene has seven parts");
   Scene scene;
   scene.light = {.sun = far_lights_from(state[0]), .sky = far_lights_from(state[1])};
   for (const py::handle each : state[2]) {
-    const auto lamp = py::reinterpret_borrow<py::tuple>(each);
+    const auto lamp = each.cast<py::tuple>();
     scene.light.lamps.push_back({vector_of(lamp[0]), lamp[1].cast<double>()});
   }
   std::vector<Obstacle> bodies;
-  for (const py::handle body : state[3]) bodies.push_back(obstacle_from(py::reinterpret_borrow<py::tuple>(body)));
+  for (const py::handle body : state[3]) bodies.push_back(obstacle_from(body.cast<py::tuple>()));
   if (!bodies.empty()) scene.obstacles = Obstacles(std::move(bodies));
   scene.sun = {state[4].cast<double>(), state[5].cast<double>()};
   scene.ground_colour = vector_of(state[6]);

@@ -30,9 +30,9 @@ py::object parent_of(const SkeletonPointer& skeleton) {
               {static_cast<py::ssize_t>(skeleton->node_count())}, {sizeof(NodeIndex)});
 }
 
-std::vector<std::string> names_of(const Skeleton& skeleton) {
+std::vector<std::string> names_of(const SkeletonPointer& skeleton) {
   std::vector<std::string> names(std::begin(kColumns), std::end(kColumns));
-  for (const auto& [name, column] : skeleton.extra) names.push_back(name);
+  for (const auto& [name, column] : skeleton->extra) names.push_back(name);
   return names;
 }
 
@@ -45,7 +45,7 @@ py::object column_of(const SkeletonPointer& skeleton, const std::string& name) {
   if (name == "birth") return column_view(skeleton, skeleton->birth);
   const auto found = skeleton->extra.find(name);
   if (found != skeleton->extra.end()) return column_view(skeleton, found->second);
-  const std::vector<std::string> names = names_of(*skeleton);
+  const std::vector<std::string> names = names_of(skeleton);
   const std::string nearest = nearest_name(name, names);
   throw py::key_error(fmt::format("the skeleton has no column '{}'; {}", name,
                                   nearest.empty() ? fmt::format("expected one of {}", fmt::join(names, ", "))
@@ -124,22 +124,23 @@ SkeletonPointer make_skeleton(const py::object& parent, const py::object& positi
   return skeleton;
 }
 
-py::object bounds_of(const Skeleton& skeleton) {
-  if (skeleton.node_count() == 0) return py::none();
-  const Box box = bounds(skeleton);
+py::object bounds_of(const SkeletonPointer& skeleton) {
+  if (skeleton->node_count() == 0) return py::none();
+  const Box box = bounds(*skeleton);
   const auto corners = std::make_shared<const std::vector<Vec3>>(std::vector{box.low, box.high});
   return rows_view<float>(corners, *corners);
 }
 
-std::vector<SkeletonPointer> trees_of(const Skeleton& skeleton) {
+std::vector<SkeletonPointer> trees_of(const SkeletonPointer& skeleton) {
   std::vector<SkeletonPointer> trees;
-  for (Skeleton& tree : split_trees(skeleton)) trees.push_back(std::make_shared<Skeleton>(std::move(tree)));
+  for (Skeleton& tree : split_trees(*skeleton)) trees.push_back(std::make_shared<Skeleton>(std::move(tree)));
   return trees;
 }
 
-SkeletonPointer read_mtg_file(const std::string& path, const std::array<std::string, 3>& coordinates,
+SkeletonPointer read_mtg_file(const py::object& file, const std::array<std::string, 3>& coordinates,
                               const std::string& diameter, double unit, const std::optional<double>& diameter_unit) {
   if (!(unit > 0) || !(diameter_unit.value_or(unit) > 0)) throw py::value_error("units must be above 0 metres");
+  const std::string path = path_of(file);
   const Limits limits;
   MtgSkeleton read = skeleton_of(read_mtg(read_file(path, limits.file_bytes), path, limits), path,
                                  {.position = coordinates,
@@ -182,20 +183,23 @@ wrong shapes and values.)")
       .def("__getitem__", &column_of, py::arg("name"), "A column by its name. Raises KeyError.")
       .def(
           "__contains__",
-          [](const Skeleton& s, const std::string& name) {
+          [](const SkeletonPointer& s, const std::string& name) {
             const std::vector<std::string> names = names_of(s);
             return std::find(names.begin(), names.end(), name) != names.end();
           },
           py::arg("name"))
-      .def("__len__", &Skeleton::node_count)
-      .def("__repr__", [](const Skeleton& s) { return fmt::format("<meristem.Skeleton of {} nodes>", s.node_count()); })
+      .def("__len__", [](const SkeletonPointer& s) { return s->node_count(); })
+      .def("__repr__",
+           [](const SkeletonPointer& s) { return fmt::format("<meristem.Skeleton of {} nodes>", s->node_count()); })
       .def("trees", &trees_of, "One Skeleton for each root, in their order.")
       .def(
-          "tip_distance", [](const Skeleton& s) { return array_of(tip_distance(s)); },
+          "tip_distance", [](const SkeletonPointer& s) { return array_of(tip_distance(*s)); },
           "(n,) float32: metres along the skeleton from each node to the farthest tip beyond it.")
       .def_property_readonly("bounds", &bounds_of,
                              "(2, 3) float32: low and high corner, radii included; None if empty.")
-      .def_property_readonly("hash", &skeleton_hash, "32 hexadecimal digits, equal for skeletons of equal bytes.");
+      .def_property_readonly(
+          "hash", [](const SkeletonPointer& s) { return skeleton_hash(*s); },
+          "32 hexadecimal digits, equal for skeletons of equal bytes.");
 
   module.def("read_mtg", &read_mtg_file, py::arg("path"), py::kw_only(),
              py::arg("coordinates") = std::array<std::string, 3>{"XX", "YY", "ZZ"}, py::arg("diameter") = "",

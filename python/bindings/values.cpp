@@ -2,6 +2,7 @@
 #include "values.h"
 
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -13,10 +14,25 @@ namespace {
 
 constexpr double kLargestWhole = 9007199254740992.0;  // 2^53: up to here a double holds every whole number
 
+/// Texts that are not UTF-8 have half a character in them.
+std::optional<std::string> text_of(const py::handle& text) {
+  Py_ssize_t size = 0;
+  const char* const bytes = PyUnicode_AsUTF8AndSize(text.ptr(), &size);
+  if (bytes != nullptr) return std::string(bytes, static_cast<std::size_t>(size));
+  PyErr_Clear();
+  return {};
+}
+
 std::string type_name(const py::handle& object) { return py::str(py::type::handle_of(object).attr("__name__")); }
 
 [[noreturn]] void refuse(const Place& place, std::string message, std::string expected) {
   throw InputError(Diagnostic{.message = std::move(message), .expected = std::move(expected), .path = place.text()});
+}
+
+std::string text_at(const py::handle& object, const Place& place) {
+  std::optional<std::string> text = text_of(object);
+  if (!text) refuse(place, "a text has half a character (a lone surrogate)", "text that is UTF-8");
+  return *std::move(text);
 }
 
 class ValueReader {
@@ -28,11 +44,14 @@ class ValueReader {
     }
     if (object.is_none()) return {};
     if (py::isinstance<py::bool_>(object)) return object.cast<bool>();
-    if (py::isinstance<py::str>(object)) return object.cast<std::string>();
+    if (py::isinstance<py::str>(object)) return text_at(object, place);
     if (PyMapping_Check(object.ptr()) != 0 && py::hasattr(object, "items")) return read_members(object, place, depth);
     if (py::isinstance<py::list>(object) || py::isinstance<py::tuple>(object)) return read_items(object, place, depth);
     // numpy's arrays become lists of Python's own numbers, its scalars one of them.
-    if (py::hasattr(object, "tolist")) return read(object.attr("tolist")(), place, depth + 1);
+    if (py::hasattr(object, "tolist")) {
+      const py::object list = object.attr("tolist")();
+      if (!py::type::handle_of(list).is(py::type::handle_of(object))) return read(list, place, depth + 1);
+    }
     return read_number(object, place);
   }
 
@@ -40,11 +59,12 @@ class ValueReader {
   Value read_members(const py::handle& object, const Place& place, std::uint64_t depth) {
     Value::Object members;
     for (const py::handle item : py::list(object.attr("items")())) {
-      const auto pair = py::reinterpret_borrow<py::tuple>(item);
+      const auto pair = item.cast<py::tuple>();
+      if (pair.size() != 2) refuse(place, "an item of a mapping is no pair", "a key and a value");
       if (!py::isinstance<py::str>(pair[0])) {
         refuse(place, fmt::format("a key is of type {}", type_name(pair[0])), "texts as keys");
       }
-      const auto name = pair[0].cast<std::string>();
+      const std::string name = text_at(pair[0], place);
       members.emplace_back(name, read(pair[1], Place(place, name), depth + 1));
     }
     return members;
@@ -65,6 +85,7 @@ class ValueReader {
     }
     const double number = PyFloat_AsDouble(object.ptr());
     if (PyErr_Occurred() != nullptr) {
+      if (PyErr_ExceptionMatches(PyExc_OverflowError) == 0) throw py::error_already_set();
       PyErr_Clear();
       refuse(place, "a number is too large", "one that a double holds");
     }
@@ -101,6 +122,18 @@ py::object to_python(const Value& value) {
 }
 
 Value to_value(const py::handle& object) { return ValueReader().read(object, Place(), 0); }
+
+std::string path_of(const py::object& path) {
+  const auto bytes = py::module_::import("os").attr("fsencode")(path).cast<std::string>();
+  if (bytes.find('\0') != std::string::npos) throw py::value_error("a path holds the character NUL");
+  return bytes;
+}
+
+std::string file_of(const py::object& path) {
+  std::string file = path_of(path);
+  if (file == "-") throw py::value_error("the path of a file is needed, not '-'");
+  return file;
+}
 
 std::vector<Override> to_overrides(const py::object& mapping) {
   std::vector<Override> overrides;

@@ -21,6 +21,13 @@ py::object to_python(const Value& value);
 /// nesting beyond what documents may have.
 Value to_value(const py::handle& object);
 
+/// A path from text, bytes or an os.PathLike, as the system spells it. Throws TypeError, and ValueError for a NUL in
+/// it.
+std::string path_of(const py::object& path);
+
+/// The same for a file that is written: standard output is refused.
+std::string file_of(const py::object& path);
+
 /// What a mapping from names to values sets, in its order.
 std::vector<Override> to_overrides(const py::object& mapping);
 

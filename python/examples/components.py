@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import meristem
 
 types = meristem.components()
@@ -12,7 +14,7 @@ for name, facts in types.items():
 step = types["colonize"]["parameters"]["step"]
 print(f"\ncolonize.step: {step['doc']} {step['expected']}, default {step['default']}")
 
-needed = {"colonize": {"crown": {"profile": [[0, 0.5], [0.5, 1.5], [0, 3]]}, "points": 200}}
+needed: dict[str, dict[str, Any]] = {"colonize": {"crown": {"profile": [[0, 0.5], [0.5, 1.5], [0, 3]]}, "points": 200}}
 for name in ("colonize", "leaf", "tree"):
-    component = {"type": name, **needed.get(name, {})}
+    component: dict[str, Any] = {"type": name, **needed.get(name, {})}
     print(meristem.Document({"meristem": 1, "name": name, "components": {name: component}}).grow())

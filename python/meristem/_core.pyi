@@ -26,7 +26,7 @@ class Progress:
     def fraction(self) -> float: ...
 
 class Scene:
-    def __init__(self, values: Mapping[str, Any] | None = None, *, file: str = "") -> None: ...
+    def __init__(self, values: Mapping[str, Any] | None = None, *, file: str | os.PathLike[str] = "") -> None: ...
     @property
     def sun(self) -> tuple[NDArray[np.float32], NDArray[np.float64]]: ...
     @property
@@ -270,6 +270,18 @@ class Plant:
         threads: int = 0,
         progress: Progress | _ProgressCallback | None = None,
     ) -> bytes: ...
+    def save_picture(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        size: tuple[int, int] | None = None,
+        samples: int | None = None,
+        view: tuple[float, float] | None = None,
+        transparent: bool = False,
+        hull: bool = False,
+        threads: int = 0,
+        progress: Progress | _ProgressCallback | None = None,
+    ) -> None: ...
     # Written in _show.py
     def show(
         self,
@@ -286,7 +298,7 @@ class Document:
         self,
         content: str | Mapping[str, Any],
         *,
-        file: str = "",
+        file: str | os.PathLike[str] = "",
         set: Mapping[str, Any] | None = None,
         seed: int | None = None,
     ) -> None: ...
@@ -300,6 +312,7 @@ class Document:
     ) -> Plant: ...
     def save(self, path: str | os.PathLike[str]) -> None: ...
     def to_dict(self) -> dict[str, Any]: ...
+    def __eq__(self, other: object) -> bool: ...
     @property
     def text(self) -> str: ...
     @property
@@ -328,14 +341,16 @@ def read(
     path: str | os.PathLike[str], *, set: Mapping[str, Any] | None = None, seed: int | None = None
 ) -> Document: ...
 def read_mtg(
-    path: str,
+    path: str | os.PathLike[str],
     *,
     coordinates: Sequence[str] = ["XX", "YY", "ZZ"],
     diameter: str = "",
     unit: float = 1.0,
     diameter_unit: float | None = None,
 ) -> Skeleton: ...
-def convex_hull(points: ArrayLike) -> Mesh: ...
+def convex_hull(
+    points: ArrayLike, *, threads: int = 0, progress: Progress | _ProgressCallback | None = None
+) -> Mesh: ...
 def tubes(
     skeleton: Skeleton,
     *,

@@ -37,7 +37,7 @@ def show(
 
     `size` is (width, height), `samples` the paths a pixel and `view` (azimuth, altitude) of the camera in degrees, as
     in png(); if not given, size and samples are the document's with a `path` and small without. Raises InputError for
-    endings that are not known and sizes out of range, MachineError where it cannot be written.
+    endings that are not known, sizes out of range and files that the document reads, MachineError where it cannot be written.
     """
     given = {name: value for name, value in (("size", size), ("samples", samples), ("view", view)) if value is not None}
     if path is not None:
@@ -76,11 +76,7 @@ def _cell(text: str) -> str:
 
 def _write(plant: Plant, path: Path, given: Mapping[str, Any]) -> Path:
     if path.suffix.lower() == ".png":
-        picture = plant.png(**given)
-        try:
-            path.write_bytes(picture)
-        except OSError as error:
-            raise MachineError(f"cannot write '{path}': {error.strerror}") from error
+        plant.save_picture(path, **given)
         return path
     if given:
         raise ValueError(f"{', '.join(given)} are for pictures (.png), not for '{path.name}'")

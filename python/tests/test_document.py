@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import copy
+import os
 import pickle
 from pathlib import Path
 from typing import Any
@@ -82,6 +83,27 @@ def test_faults_in_set_values_say_so() -> None:
     with pytest.raises(meristem.InputError) as caught:
         meristem.Document(small_tree()).set({"leaf.lenght": 1})
     assert str(caught.value).startswith("set leaf.lenght: components.leaf.lenght: 'lenght' is not a parameter")
+
+
+def test_a_seed_that_is_set_goes_before_an_earlier_one() -> None:
+    document = meristem.Document(small_tree(), seed=3)
+    assert document.set({"seed": 9}).seed == 9
+    assert document.set({"tree.points": 9}).seed == 3
+    assert document.set({"seed": 9}, seed=4).seed == 4
+
+
+@pytest.mark.parametrize("path", ["", "a..b", ".x", "[0]", "x["])
+def test_paths_that_are_none_are_refused(path: str) -> None:
+    with pytest.raises(meristem.InputError, match="is not a path; expected one such as"):
+        meristem.Document(small_tree()).set({path: {"meristem": 1}})
+
+
+def test_documents_that_say_the_same_are_equal() -> None:
+    document = meristem.Document(small_tree())
+    assert document == meristem.Document(document.text) == pickle.loads(pickle.dumps(document))
+    assert len({document, copy.copy(document), meristem.Document(small_tree())}) == 1
+    assert document != document.set(seed=8) and document != document.set({"tree.points": 8})
+    assert document != small_tree()
 
 
 def test_set_again_replaces_and_keeps_the_rest() -> None:
@@ -175,6 +197,36 @@ def test_values_that_no_document_can_hold_are_refused(value: Any, message: str) 
         meristem.Document(small_tree(step=value))
     assert message in str(caught.value)
     assert caught.value.diagnostics[0].path.startswith("components.tree.step")
+
+
+def test_what_a_number_raises_comes_out() -> None:
+    class Broken:
+        def __float__(self) -> float:
+            raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        meristem.Document(small_tree(step=Broken()))
+
+
+def test_half_characters_are_refused() -> None:
+    with pytest.raises(meristem.InputError, match="half a character"):
+        meristem.Document({**small_tree(), "name": "a\ud800"})
+    with pytest.raises(meristem.InputError, match="half a character"):
+        meristem.Document({**small_tree(), "a\ud800": 1})
+
+
+def test_paths_may_be_bytes_and_any_name_of_the_system(tmp_path: Path) -> None:
+    document = meristem.Document(small_tree())
+    name = os.fsencode(tmp_path) + b"/caf\xe9.json"  # no UTF-8
+    document.save(os.fsdecode(name))
+    assert os.path.exists(name)
+    assert meristem.read(os.fsdecode(name)).to_dict() == document.to_dict()
+
+
+@pytest.mark.parametrize("path", ["o\0x.json", "-"])
+def test_paths_that_name_no_file_are_refused(path: str) -> None:
+    with pytest.raises(ValueError):
+        meristem.Document(small_tree()).save(path)
 
 
 def test_a_list_that_holds_itself_is_refused() -> None:

@@ -152,6 +152,44 @@ def test_pictures_are_arrays_and_files_alike() -> None:
     assert plant.png(size=(60, 40), samples=2).startswith(b"\x89PNG")
 
 
+def test_pictures_are_written_whole_and_over_nothing_that_was_read(tmp_path: Path) -> None:
+    plant = grown_small_tree()
+    plant.save_picture(tmp_path / "leaf.png", size=(60, 40), samples=2)
+    assert (tmp_path / "leaf.png").read_bytes() == plant.png(size=(60, 40), samples=2)
+    content = small_tree()
+    content["components"]["leaf"]["texture"] = {"picture": {"colour": "leaf.png"}}
+    textured = meristem.Document(content, file=tmp_path / "tree.json").grow()
+    with pytest.raises(meristem.InputError, match="would be written over, and it is read"):
+        textured.save_picture(tmp_path / "leaf.png", size=(60, 40), samples=1)
+    with pytest.raises(meristem.InputError, match="expected a file that ends in .png"):
+        plant.save_picture(tmp_path / "leaf.jpg")
+    assert [path.name for path in tmp_path.iterdir()] == ["leaf.png"]
+
+
+@pytest.mark.parametrize(
+    "made_by_plants",
+    [
+        meristem.Plant,
+        meristem.Stem,
+        meristem.Organs,
+        meristem.OrganPrototype,
+        meristem.Material,
+        meristem.MeshInstances,
+    ],
+)
+def test_what_only_the_library_makes_cannot_be_made(made_by_plants: type) -> None:
+    with pytest.raises(TypeError, match=f"{made_by_plants.__name__} cannot be made"):
+        made_by_plants()
+    with pytest.raises(TypeError):
+        made_by_plants.__new__(made_by_plants)
+
+
+@pytest.mark.parametrize("made_of_nothing", [meristem.Document, meristem.Skeleton, meristem.Mesh, meristem.Scene])
+def test_objects_without_content_are_no_crash(made_of_nothing: type) -> None:
+    with pytest.raises(Exception):
+        repr(made_of_nothing.__new__(made_of_nothing))
+
+
 def test_pictures_refuse_impossible_options() -> None:
     plant = grown_small_tree()
     with pytest.raises(meristem.InputError):
@@ -166,8 +204,9 @@ def test_growth_follows_time() -> None:
     document = meristem.Document(small_tree()).set({"leaf.length": "0.05 + 0.05*t"})
     areas = [document.grow(time).measure()["leaf_area"] for time in (0, 1)]
     assert areas[1] == pytest.approx(2 * areas[0], rel=0.05)  # the width stays
-    with pytest.raises(ValueError):
-        document.grow(float("nan"))
+    for time in (float("nan"), float("inf")):
+        with pytest.raises(ValueError, match="time must be a finite number of seconds"):
+            meristem.Document(small_tree()).grow(time)
 
 
 def test_exploding_documents_are_stopped_by_their_limits() -> None:

@@ -3,10 +3,14 @@ from __future__ import annotations
 
 import os
 import signal
+import subprocess
+import sys
 import threading
-from typing import Any
+from typing import Any, Callable
 
+import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 import meristem
 from plants import grown_small_tree, long_growth, small_tree
@@ -76,6 +80,63 @@ def test_keyboard_interrupts_stop_growth() -> None:
         document.grow()
     timer.join()
     assert grown_small_tree().node_count > 0  # and growth works after it
+
+
+def hull_points() -> NDArray[np.float64]:
+    points = np.random.default_rng(1).normal(size=(1_000_000, 3))
+    return np.asarray(points / np.linalg.norm(points, axis=1, keepdims=True))
+
+
+def long_calls() -> dict[str, Callable[[], Callable[[], object]]]:
+    """By name what prepares each call that takes seconds."""
+
+    def tubes() -> Callable[[], object]:
+        count = 400_000
+        line = np.column_stack([np.zeros(count), np.arange(count), np.sin(np.arange(count))])
+        skeleton = meristem.Skeleton(np.arange(count) - 1, line, radius=np.full(count, 0.1))
+        return lambda: meristem.tubes(skeleton, sides=64, error=0)
+
+    def render() -> Callable[[], object]:
+        plant = grown_small_tree()
+        return lambda: plant.render(size=(1500, 1500), samples=500)
+
+    def organ_light() -> Callable[[], object]:
+        day = {"scene.latitude": 50, "scene.sun": {"day": 170, "every_hours": 0.5}}
+        return meristem.read("spruce", set=day).grow().organ_light
+
+    def hull() -> Callable[[], object]:
+        points = hull_points()
+        return lambda: meristem.convex_hull(points)
+
+    def colonize() -> Callable[[], object]:
+        points = np.random.default_rng(1).random((300_000, 3)) * 8 + [-4, 2, -4]
+        return lambda: meristem.colonize(points, step=0.02, influence=0.3, kill=0.05)
+
+    return {"tubes": tubes, "render": render, "organ_light": organ_light, "hull": hull, "colonize": colonize}
+
+
+@pytest.mark.parametrize("name", long_calls())
+def test_ctrl_c_stops_every_long_call(name: str) -> None:
+    call = long_calls()[name]()
+    timer = threading.Timer(0.05, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        call()
+    timer.join()
+
+
+@pytest.mark.parametrize("callback", ["None", "print_nothing"])
+def test_calls_on_daemon_threads_end_with_the_program(callback: str) -> None:
+    program = f"""
+import threading, time, meristem
+def print_nothing(stage, fraction): pass
+grow = meristem.read("oak", set={{"age": 160, "tree.points": 40000, "tree.step": 0.02}}).grow
+threading.Thread(target=grow, kwargs={{"progress": {callback}}}, daemon=True).start()
+time.sleep(0.1)
+"""
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+    assert (run.returncode, run.stdout) == (0, "")
+    assert "terminate" not in run.stderr
 
 
 def test_interrupted_files_are_not_half_written(tmp_path: Any) -> None:

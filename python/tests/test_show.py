@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import stat
 import sys
@@ -65,6 +66,17 @@ def test_unknown_endings_and_options_of_pictures_elsewhere_are_refused() -> None
     with pytest.raises(meristem.MachineError, match="cannot write 'nowhere/tree.png': No such file"):
         plant.show("nowhere/tree.png", **TINY)
     assert os.listdir() == []
+
+
+def test_a_texture_that_the_document_reads_is_not_written_over() -> None:
+    grown_small_tree().show("bark.png", **TINY)
+    before = Path("bark.png").read_bytes()
+    content = small_tree()
+    content["components"]["tree"]["texture"] = {"picture": "bark.png"}
+    Path("tree.json").write_text(json.dumps(content))
+    with pytest.raises(meristem.InputError, match="bark.png' would be written over, and it is read"):
+        meristem.read("tree.json").grow().show("bark.png", **TINY)
+    assert Path("bark.png").read_bytes() == before
 
 
 def test_without_a_desktop_stills_are_written_beside_others(capsys: pytest.CaptureFixture[str]) -> None:

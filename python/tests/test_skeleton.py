@@ -138,10 +138,11 @@ def test_tubes_enclose_the_wood() -> None:
     mesh = meristem.tubes(straight, sides=64, flare=0, cap="flat")
     assert mesh.volume == pytest.approx(np.pi * 0.1**2 * 2, rel=0.01)
     np.testing.assert_allclose(np.linalg.norm(mesh.normals, axis=1), 1, atol=1e-5)
-    with pytest.raises(ValueError, match="cap cannot be 'square'"):
-        meristem.tubes(straight, cap="square")
-    with pytest.raises(ValueError, match="sides is 2; expected at least 3"):
-        meristem.tubes(straight, sides=2)
+    with pytest.raises(meristem.InputError, match="cap: .*'square'.*pointed, round, flat"):
+        meristem.tubes(straight, cap="square")  # type: ignore[arg-type]
+    for wrong in ({"sides": 2}, {"sides": 65}, {"error": 2}, {"flare": 1e300}, {"uv_scale": float("inf")}):
+        with pytest.raises(meristem.InputError):
+            meristem.tubes(straight, **wrong)
 
 
 def test_odd_skeletons_of_users_become_tubes() -> None:
@@ -158,15 +159,37 @@ def test_digitised_trees_can_be_read() -> None:
     file = TREES / "noylum2.mtg"
     if not file.is_file():
         pytest.skip(f"{file} is not there")
-    walnut = meristem.read_mtg(str(file), unit=0.01, diameter_unit=0.001)
+    walnut = meristem.read_mtg(file, unit=0.01, diameter_unit=0.001)
     assert len(walnut) > 1000
     assert 5 < walnut.measure()["height"] < 12
+
+
+def test_masked_numbers_are_refused() -> None:
+    masked = np.ma.array([[0.0, 0, 0], [0, 999, 0]], mask=[[False] * 3, [False, True, False]])
+    with pytest.raises(ValueError, match="position has masked numbers"):
+        meristem.Skeleton([-1, 0], masked)
+    whole = np.ma.array([[0.0, 0, 0], [0, 1, 0]])
+    assert len(meristem.Skeleton([-1, 0], whole)) == 2
+
+
+def test_rays_for_the_lit_share_are_bounded() -> None:
+    for rays in (0, 2**40):
+        with pytest.raises(ValueError, match=f"crown_rays is {rays}; expected 1 to 1000000000"):
+            forked().measure(crown_rays=rays)
+
+
+def test_sizes_are_floats_and_counts_whole() -> None:
+    measures = meristem.Skeleton([-1, 0], [[0, 0, 0], [0, 2, 0]]).measure(each=True)
+    for values in (measures, measures["each"][0]):
+        assert values["height"] == 2 and isinstance(values["height"], float)
+        assert all(isinstance(length, float) for length in values["length_by_order"])
+        assert values["nodes"] == 2 and isinstance(values["nodes"], int)
 
 
 def test_mtg_files_that_cannot_be_read_say_where(tmp_path: Path) -> None:
     (tmp_path / "bad.mtg").write_text("CODE: FORM-A\n")
     with pytest.raises(meristem.InputError) as caught:
-        meristem.read_mtg(str(tmp_path / "bad.mtg"))
+        meristem.read_mtg(tmp_path / "bad.mtg")
     assert caught.value.diagnostics[0].file.endswith("bad.mtg")
     with pytest.raises(ValueError, match="units must be above 0"):
         meristem.read_mtg("any.mtg", unit=-1)

@@ -3,27 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/walled_scene.h"
+
 namespace meristem {
 namespace {
 
 constexpr double kNear = 1e-6;
-
-Scene scene_under(SkyDirection sun) {
-  Scene scene;
-  scene.light.sun = {{unit_vector(sun), 1}};
-  return scene;
-}
-
-// A wall south of the origin, from x = -3 to 3 and z = 3 to 6, 8 m high.
-Scene walled_scene(SkyDirection sun) {
-  Scene scene = scene_under(sun);
-  Obstacle wall;
-  wall.mesh = box_mesh({-3, 0, 3}, {3, 8, 6});
-  scene.obstacles = Obstacles({wall});
-  return scene;
-}
-
-const SkyDirection kSouth{kPi, kPi / 4};
 
 void expect_near(DVec3 a, DVec3 b) { EXPECT_LT(glm::length(a - b), kNear) << a.x << ' ' << a.y << ' ' << a.z; }
 

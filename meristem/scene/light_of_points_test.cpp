@@ -10,28 +10,12 @@
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
+#include "tests/support/walled_scene.h"
 
 namespace meristem {
 namespace {
 
 constexpr double kNear = 1e-6;
-
-Scene scene_under(SkyDirection sun) {
-  Scene scene;
-  scene.light.sun = {{unit_vector(sun), 1}};
-  return scene;
-}
-
-// A wall south of the origin, from x = -3 to 3 and z = 3 to 6, 8 m high.
-Scene walled_scene(SkyDirection sun) {
-  Scene scene = scene_under(sun);
-  Obstacle wall;
-  wall.mesh = box_mesh({-3, 0, 3}, {3, 8, 6});
-  scene.obstacles = Obstacles({wall});
-  return scene;
-}
-
-const SkyDirection kSouth{kPi, kPi / 4};
 
 TEST(LightOfPoints, FallsWithEachPointOnTheWay) {
   const std::vector<Vec3> column{{0, 1, 0}, {0, 3, 0}, {0, 2, 0}, {0.25F, 5, 0}, {0.6F, 9, 0}};

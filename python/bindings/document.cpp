@@ -227,6 +227,9 @@ Other Python threads go on meanwhile, and Ctrl-C stops it. Raises InputError (li
            [](const DocumentPointer& d) { return std::hash<std::string>()(write_json(d->document.source.tree)); })
       .def(py::pickle(&state_of, &from_state));
 
+  module.def(
+      "models", [] { return model_names(models_folder()); },
+      "The names of the shipped models, which read() takes, in alphabetical order.");
   module.def("read", &read, py::arg("path"), py::kw_only(), py::arg("set") = py::none(), py::arg("seed") = py::none(),
              R"(Reads the document in a file (str or path), or a shipped model by its name, such as 'oak'.
 

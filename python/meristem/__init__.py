@@ -31,6 +31,7 @@ from ._core import (
     convex_hull,
     daylight,
     declination,
+    models,
     read,
     read_mtg,
     schema,
@@ -39,7 +40,6 @@ from ._core import (
     unit_vector,
 )
 from ._errors import Cancelled, Diagnostic, Error, InputError, MachineError
-from ._models import models
 from ._show import describe, make_preview, show
 from ._variable import Variable
 

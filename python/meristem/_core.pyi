@@ -340,6 +340,7 @@ class Document:
 def read(
     path: str | os.PathLike[str], *, set: Mapping[str, Any] | None = None, seed: int | None = None
 ) -> Document: ...
+def models() -> list[str]: ...
 def read_mtg(
     path: str | os.PathLike[str],
     *,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The plants that are shipped."""
+"""Where the plants that are shipped stand."""
 
 from __future__ import annotations
 
@@ -11,8 +11,3 @@ def folder() -> str:
     here = Path(__file__).resolve().parent
     installed = here / "models"
     return str(installed if installed.is_dir() else here.parents[1] / "models")
-
-
-def models() -> list[str]:
-    """The names of the shipped models, which read() takes, in alphabetical order."""
-    return sorted(path.stem for path in Path(folder()).glob("*.json"))

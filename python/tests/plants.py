@@ -26,6 +26,9 @@ def grown_small_tree() -> meristem.Plant:
     return meristem.Document(small_tree()).grow()
 
 
+# Of the oak, which then has 700,000 nodes and takes seconds.
+LONG_GROWTH = {"age": 160, "tree.points": 400000, "tree.step": 0.01, "tree.kill": 0.1}
+
+
 def long_growth() -> meristem.Document:
-    """One that takes seconds."""
-    return meristem.read("oak", set={"age": 160, "tree.points": 40000, "tree.step": 0.02})
+    return meristem.read("oak", set=LONG_GROWTH)

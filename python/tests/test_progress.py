@@ -13,7 +13,7 @@ import pytest
 from numpy.typing import NDArray
 
 import meristem
-from plants import grown_small_tree, long_growth, small_tree
+from plants import LONG_GROWTH, grown_small_tree, long_growth, small_tree
 
 
 def test_progress_tells_stages_and_rising_fractions() -> None:
@@ -130,7 +130,7 @@ def test_calls_on_daemon_threads_end_with_the_program(callback: str) -> None:
     program = f"""
 import threading, time, meristem
 def print_nothing(stage, fraction): pass
-grow = meristem.read("oak", set={{"age": 160, "tree.points": 40000, "tree.step": 0.02}}).grow
+grow = meristem.read("oak", set={LONG_GROWTH}).grow
 threading.Thread(target=grow, kwargs={{"progress": {callback}}}, daemon=True).start()
 time.sleep(0.1)
 """

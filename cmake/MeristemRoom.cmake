@@ -7,8 +7,8 @@ else()
   set(MERISTEM_PCH_OPTIONS "SHELL:-Xclang -fno-pch-timestamp")
 endif()
 
-# What most sources of the library include. Parsing it is a third of a small source's compile time, and the sanitizers'
-# builds are made from nothing in every test run; the others stay without, so that each source includes what it uses.
+# What most sources of the library include: parsing it is a third of a small source's compile time. Builds that users
+# make stay without it, so that each source includes what it uses.
 set(MERISTEM_LIBRARY_PCH <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <span>
     <string> <string_view> <unordered_map> <variant> <vector> <fmt/format.h> <glm/common.hpp> <glm/geometric.hpp>
     <glm/mat3x3.hpp>)
@@ -45,7 +45,7 @@ function(meristem_room name)
     if(MERISTEM_FUZZ)
       target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
     endif()
-    if(MERISTEM_SANITIZE)
+    if(MERISTEM_PRECOMPILE)
       target_compile_options(${target} PRIVATE ${MERISTEM_PCH_OPTIONS})
       target_precompile_headers(${target} PRIVATE ${MERISTEM_LIBRARY_PCH})
     endif()

@@ -11,6 +11,7 @@
 #include "meristem/grow/lsystem/grammar_check.h"
 #include "meristem/grow/lsystem/grammar_include.h"
 #include "meristem/grow/lsystem/grammar_text.h"
+#include "meristem/grow/lsystem/module_reader.h"
 #include "meristem/grow/lsystem/rule_reader.h"
 
 namespace meristem {
@@ -73,7 +74,8 @@ class GrammarReader {
         inclusions_(inclusions),
         text_(text, options.file, options.limits),
         faults_(text_, std::max<std::size_t>(1, options.limits.diagnostics)),
-        rules_(text_, faults_, options.limits, grammar_, options.constants) {}
+        modules_(faults_, grammar_.alphabet),
+        rules_(text_, faults_, options.limits, modules_, options.constants) {}
 
   Grammar read();
 
@@ -103,6 +105,7 @@ class GrammarReader {
   GrammarText text_;
   GrammarFaults faults_;
   Grammar grammar_;
+  ModuleReader modules_;
   RuleReader rules_;
   RulePlaces places_;
   Section section_ = Section::preamble;
@@ -169,7 +172,7 @@ void GrammarReader::read_symbols(const Directive& directive) {
       faults_.add(name, fmt::format("{} cannot be declared", in_quotes(name)),
                   fmt::format("a name of 2 to {} letters, digits and _, no digit first", kLongestName));
     } else {
-      rules_.declare_symbol(name);
+      modules_.declare(name);
     }
   }
 }
@@ -245,7 +248,7 @@ void GrammarReader::add_rule(Rule rule, std::string_view place, RuleSet& set, st
 void GrammarReader::read_ignore(const Directive& directive) {
   std::string_view rest = directive.rest;
   if (rest.starts_with(':')) rest.remove_prefix(1);
-  while (const auto module = rules_.next_module(rest)) {
+  while (const auto module = modules_.next(rest)) {
     if (faults_.is_full()) return;
     if (module->symbol == "[" || module->symbol == "]") {
       faults_.add(module->all, "contexts cannot ignore brackets", "other symbols");
@@ -294,14 +297,14 @@ void GrammarReader::read_include(const Directive& directive) {
                 "#include file as X for n steps");
     return;
   }
-  const auto module = rules_.next_module(symbol);
+  const auto module = modules_.next(symbol);
   if (!module) return;
   if (!trimmed(symbol).empty() || !module->arguments.empty() || module->symbol == "[" || module->symbol == "]") {
     faults_.add(module->all, fmt::format("{} cannot stand for a grammar", in_quotes(module->all)),
                 "a symbol without parameters");
     return;
   }
-  const LetterIndex letter = rules_.letter_of(*module);
+  const LetterIndex letter = modules_.letter_of(*module);
   if (letter != kNoLetter) include(directive, file, letter, steps);
 }
 
@@ -385,7 +388,7 @@ void GrammarReader::drop_identities(RuleSet& set, std::vector<std::string_view>&
 }
 
 void GrammarReader::finish() {
-  rules_.report_unclosed(open_brackets_);
+  modules_.report_unclosed(open_brackets_);
   if (faults_.is_empty() && grammar_.axiom.empty()) {
     throw InputError(text_.fault(axiom_place_.empty() ? 0 : text_.offset(axiom_place_), "the grammar has no axiom",
                                  "'#axiom' and a word"));

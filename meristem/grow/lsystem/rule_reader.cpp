@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -13,12 +13,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::string_view kArrow = "\u2192";
 constexpr std::string_view kAlways = "*";
-
-bool is_structural(std::string_view symbol) {
-  return symbol == "(" || symbol == ")" || symbol == "<" || symbol == ">" || symbol == ":" || symbol == kArrow;
-}
 
 /// Offsets of `character` outside parentheses.
 std::vector<std::size_t> find_outside_parentheses(std::string_view text, char character) {
@@ -59,10 +54,6 @@ Condition in_expression_spelling(std::string_view text) {
     result.text += c;
   }
   return result;
-}
-
-std::string plural(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -119,110 +110,16 @@ struct RuleReader::Parts {
   std::string_view successor;
 };
 
-RuleReader::RuleReader(const GrammarText& text, GrammarFaults& faults, const Limits& limits, Grammar& grammar,
+RuleReader::RuleReader(const GrammarText& text, GrammarFaults& faults, const Limits& limits, ModuleReader& modules,
                        std::vector<ExpressionNames::Constant> constants)
-    : text_(text), faults_(faults), limits_(limits), grammar_(grammar), constants_(std::move(constants)) {}
-
-void RuleReader::declare_symbol(std::string_view name) {
-  if (!symbols_.insert(name).second) return;
-  const auto place = std::lower_bound(symbol_sizes_.begin(), symbol_sizes_.end(), name.size(), std::greater<>());
-  if (place == symbol_sizes_.end() || *place != name.size()) symbol_sizes_.insert(place, name.size());
-}
+    : text_(text), faults_(faults), limits_(limits), modules_(modules), constants_(std::move(constants)) {}
 
 void RuleReader::begin_rule() {
   variables_.clear();
   expressions_.clear();
 }
 
-// Modules.
-
-std::string_view RuleReader::symbol_of(std::string_view text) const {
-  for (const std::size_t size : symbol_sizes_) {
-    if (size <= text.size() && symbols_.count(text.substr(0, size)) > 0) return text.substr(0, size);
-  }
-  return text.substr(0, character_bytes(text));
-}
-
-std::optional<ModuleText> RuleReader::next_module(std::string_view& rest) {
-  const auto fail = [&](std::string_view at, std::string message, std::string expected) {
-    faults_.add(at, std::move(message), std::move(expected));
-    rest = {};
-    return std::nullopt;
-  };
-  while (!rest.empty() && is_blank(rest.front())) rest.remove_prefix(1);
-  if (rest.empty()) return std::nullopt;
-
-  ModuleText module;
-  module.all = rest;
-  module.symbol = symbol_of(rest);
-  const auto first_byte = static_cast<unsigned char>(rest.front());
-  if (first_byte < 0x20 || first_byte == 0x7F) {
-    return fail(rest, fmt::format("control character 0x{:02x} is no symbol", first_byte), "a printable character");
-  }
-  if (module.symbol == "(") return fail(rest, "'(' follows no symbol", "a symbol before its parameters");
-  if (module.symbol == ")") return fail(rest, "')' closes no '('", "a symbol");
-  if (is_structural(module.symbol)) return fail(rest, fmt::format("'{}' is no symbol", module.symbol), "a symbol");
-  rest.remove_prefix(module.symbol.size());
-
-  // Parameters, cut at the commas that no inner parentheses hold.
-  std::size_t at = 0;
-  while (at < rest.size() && is_blank(rest[at])) ++at;
-  if (at == rest.size() || rest[at] != '(') {
-    module.all = module.all.substr(0, module.symbol.size());
-    return module;
-  }
-  const std::string_view opening = rest.substr(at);
-  std::size_t begin = at + 1;
-  int depth = 0;
-  for (; at < rest.size(); ++at) {
-    if (rest[at] == '(') ++depth;
-    const bool ends = rest[at] == ')' && --depth == 0;
-    if (!ends && !(rest[at] == ',' && depth == 1)) continue;
-    module.arguments.push_back(trimmed(rest.substr(begin, at - begin)));
-    begin = at + 1;
-    if (ends) break;
-  }
-  if (at == rest.size()) return fail(opening, "'(' is not closed", "')' after the parameters");
-  if (module.arguments.size() == 1 && module.arguments.front().empty()) module.arguments.clear();
-  rest.remove_prefix(at + 1);
-  module.all = module.all.substr(0, static_cast<std::size_t>(rest.data() - module.all.data()));
-  return module;
-}
-
-LetterIndex RuleReader::letter_of(const ModuleText& module) {
-  const std::size_t arity = module.arguments.size();
-  const bool is_fixed = module.symbol == "[" || module.symbol == "]" || module.symbol == "%";
-  if (is_fixed && arity > 0) {
-    faults_.add(module.all, fmt::format("'{}' has {}", module.symbol, plural(arity, "parameter")), "no parameters");
-    return kNoLetter;
-  }
-  if (arity > kMostVariables) {
-    faults_.add(module.all, fmt::format("'{}' has {} parameters", module.symbol, arity),
-                fmt::format("at most {}", kMostVariables));
-    return kNoLetter;
-  }
-  try {
-    return grammar_.alphabet.add(module.symbol, static_cast<std::uint16_t>(arity));
-  } catch (const std::length_error&) {
-    faults_.add(module.all, "the grammar has more than 65534 letters", "fewer");
-    return kNoLetter;
-  }
-}
-
-bool RuleReader::match_bracket(const ModuleText& module, std::vector<std::string_view>& open) {
-  if (module.symbol == "[") open.push_back(module.all);
-  if (module.symbol != "]") return true;
-  if (open.empty()) {
-    faults_.add(module.all, "']' closes no '['", "'[' before it");
-    return false;
-  }
-  open.pop_back();
-  return true;
-}
-
-void RuleReader::report_unclosed(const std::vector<std::string_view>& open) {
-  for (const std::string_view bracket : open) faults_.add(bracket, "'[' is not closed", "']'");
-}
+// Words.
 
 bool RuleReader::read_modules(std::string_view text, std::vector<std::string_view>& open,
                               std::vector<ModuleForm>& modules) {
@@ -230,12 +127,12 @@ bool RuleReader::read_modules(std::string_view text, std::vector<std::string_vie
   std::string_view rest = text;
   while (!faults_.is_full()) {
     const std::string_view before = rest;
-    const auto module = next_module(rest);
+    const auto module = modules_.next(rest);
     // A module that has a fault leaves nothing of the rest either.
     if (!module) return is_good && trimmed(before).empty();
-    is_good = match_bracket(*module, open) && is_good;
+    is_good = modules_.match_bracket(*module, open) && is_good;
     ModuleForm form;
-    form.letter = letter_of(*module);
+    form.letter = modules_.letter_of(*module);
     if (form.letter == kNoLetter) is_good = false;
     for (const std::string_view argument : module->arguments) {
       if (auto expression = read_expression(argument)) {
@@ -338,7 +235,7 @@ std::optional<Rule> RuleReader::read_rule(std::string_view line) {
   if (parts.successor == kEmptyWord) return is_good ? std::optional(std::move(rule)) : std::nullopt;
   std::vector<std::string_view> open;
   is_good = read_modules(parts.successor, open, rule.successor) && is_good;
-  report_unclosed(open);
+  modules_.report_unclosed(open);
   if (!is_good || !open.empty()) return std::nullopt;
   return rule;
 }
@@ -365,7 +262,7 @@ bool RuleReader::split_left_side(std::string_view left_side, Parts& parts) {
   if (!colons.empty()) {
     // A name before the first colon is the rule's, if it is no symbol.
     const std::string_view id = trimmed(rest.substr(0, colons.front()));
-    if (id.size() > 1 && is_identifier(id) && symbols_.count(id) == 0) {
+    if (id.size() > 1 && is_identifier(id) && !modules_.is_declared(id)) {
       rest.remove_prefix(colons.front() + 1);
       colons = find_outside_parentheses(rest, ':');
     }
@@ -438,7 +335,7 @@ bool RuleReader::split_contexts(std::string_view text, Parts& parts) {
 
 bool RuleReader::read_predecessor(const Parts& parts, Rule& rule) {
   std::string_view rest = parts.predecessor;
-  const auto module = next_module(rest);
+  const auto module = modules_.next(rest);
   if (!module) return false;
   if (!trimmed(rest).empty()) {
     faults_.add(parts.predecessor, fmt::format("the predecessor {} has several modules", in_quotes(parts.predecessor)),
@@ -447,7 +344,7 @@ bool RuleReader::read_predecessor(const Parts& parts, Rule& rule) {
   }
   rule.first_variable = static_cast<std::uint32_t>(variables_.size());
   if (!name_parameters(*module)) return false;
-  rule.predecessor = letter_of(*module);
+  rule.predecessor = modules_.letter_of(*module);
   return rule.predecessor != kNoLetter;
 }
 
@@ -456,22 +353,22 @@ bool RuleReader::read_context(std::string_view text, bool may_branch, std::vecto
   std::vector<std::string_view> open;
   std::string_view rest = text;
   while (!trimmed(rest).empty() && !faults_.is_full()) {
-    const auto module = next_module(rest);
+    const auto module = modules_.next(rest);
     if (!module) return false;
     if (!may_branch && (module->symbol == "[" || module->symbol == "]")) {
       faults_.add(module->all, "a bracket in the left context",
                   "modules on the way to the root; side branches are skipped");
       return false;
     }
-    is_good = match_bracket(*module, open) && is_good;
+    is_good = modules_.match_bracket(*module, open) && is_good;
     ContextModule one;
     one.first_variable = static_cast<std::uint32_t>(variables_.size());
     is_good = name_parameters(*module) && is_good;
-    one.letter = letter_of(*module);
+    one.letter = modules_.letter_of(*module);
     is_good = one.letter != kNoLetter && is_good;
     context.push_back(one);
   }
-  report_unclosed(open);
+  modules_.report_unclosed(open);
   return is_good && open.empty() && !faults_.is_full();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads words and single rules of a grammar's text. Private to the reader of grammars.
+// Reads axioms and single rules of a grammar's text. Private to the reader of grammars.
 #pragma once
 
 #include <cstddef>
@@ -7,23 +7,16 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "meristem/base/expression.h"
 #include "meristem/grow/lsystem/grammar.h"
 #include "meristem/grow/lsystem/grammar_text.h"
+#include "meristem/grow/lsystem/module_reader.h"
 
 namespace meristem {
 
 inline constexpr std::string_view kEmptyWord = "\u03B5";
-
-/// A module as it stands in the text.
-struct ModuleText {
-  std::string_view all;
-  std::string_view symbol;
-  std::vector<std::string_view> arguments;  ///< trimmed
-};
 
 /// The arrow of a line: where it begins, and how long it is.
 struct Arrow {
@@ -52,27 +45,17 @@ class GrammarConstants {
 
 class RuleReader {
  public:
-  RuleReader(const GrammarText& text, GrammarFaults& faults, const Limits& limits, Grammar& grammar,
+  RuleReader(const GrammarText& text, GrammarFaults& faults, const Limits& limits, ModuleReader& modules,
              std::vector<ExpressionNames::Constant> constants);
 
-  /// Makes `name` a symbol of its own.
-  void declare_symbol(std::string_view name);
   GrammarConstants& constants() { return constants_; }
 
   /// A rule with no fault, or nothing after adding its faults. Rules that rewrite a bracket to itself are nothing too.
   std::optional<Rule> read_rule(std::string_view line);
   /// Appends the axiom's modules. `open` has the brackets that are not closed yet.
   void read_axiom(std::string_view text, std::vector<std::string_view>& open, std::vector<ModuleForm>& axiom);
-  /// Adds a fault for each of the brackets.
-  void report_unclosed(const std::vector<std::string_view>& open);
-
   /// A constant with a finite value.
   std::optional<double> read_constant(std::string_view text);
-  /// The next module of `rest`, which is shortened by it; nothing at its end or after adding a fault (`rest` is empty
-  /// then).
-  std::optional<ModuleText> next_module(std::string_view& rest);
-  /// kNoLetter after adding a fault.
-  LetterIndex letter_of(const ModuleText& module);
 
  private:
   struct Parts;
@@ -88,17 +71,13 @@ class RuleReader {
   bool read_conditions(const Parts& parts, Rule& rule);
   bool read_modules(std::string_view text, std::vector<std::string_view>& open, std::vector<ModuleForm>& modules);
   std::optional<Expression> read_expression(std::string_view text, bool is_condition = false);
-  bool match_bracket(const ModuleText& module, std::vector<std::string_view>& open);
-  std::string_view symbol_of(std::string_view text) const;
   void begin_rule();
 
   const GrammarText& text_;
   GrammarFaults& faults_;
   const Limits& limits_;
-  Grammar& grammar_;
+  ModuleReader& modules_;
   GrammarConstants constants_;
-  std::unordered_set<std::string_view> symbols_;
-  std::vector<std::size_t> symbol_sizes_;  ///< of the declared ones, largest first
 
   std::vector<std::string> variables_;                       ///< of the rule
   std::unordered_map<std::string, Expression> expressions_;  ///< of the rule, by their text

@@ -67,7 +67,8 @@ struct Document {
   std::vector<Diagnostic> warnings;  ///< what is odd but not wrong
 };
 
-/// Splits "PATH=VALUE"; the value is JSON where it reads as such, else text. Throws InputError for other texts.
+/// Splits "PATH=VALUE"; the value is JSON where it reads as such, else text. Throws InputError for texts without
+/// '=' or a path before it; whether that is well formed, read_document checks.
 Override parse_override(std::string_view text);
 
 /// Reads a document's text. `file` is its name in messages, and the files that it names are

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "meristem/document/json.h"
+#include "meristem/document/tables.h"
 
 namespace meristem {
 
@@ -39,12 +40,11 @@ std::vector<std::string> member_names(const Value& value) {
   return names;
 }
 
-/// The full path of what an override's path means in this document.
+/// The full path of what an override's path, which is well formed, means in this document.
 std::string full_path(const Value& root, const std::string& path) {
   const std::vector<std::string> elements = path_elements(path);
-  if (elements.empty()) return path;
-  const std::vector<std::string> top = {"scene", "components", "links", "variables", "output", "limits", "seed"};
-  const bool is_key = std::find(top.begin(), top.end(), elements[0]) != top.end();
+  const std::vector<std::string> keys = head_table().names();
+  const bool is_key = std::find(keys.begin(), keys.end(), elements[0]) != keys.end();
   if (elements.size() == 1) {
     const Value* variables = root.find("variables");
     const Value* variable = variables == nullptr ? nullptr : variables->find(path);
@@ -107,12 +107,6 @@ bool is_known(const Value& root, const std::vector<std::string>& elements, const
 /// The place in the tree, made where it is a member that may be added; null with a fault otherwise.
 Value* find_or_add(Value& root, const std::string& path, std::vector<Diagnostic>& diagnostics) {
   const std::vector<std::string> elements = path_elements(path);
-  if (elements.empty()) {
-    diagnostics.push_back({.message = fmt::format("'{}' is not a path", path),
-                           .expected = "one such as age, stem.length or links[1].density",
-                           .path = path});
-    return nullptr;
-  }
   if (!is_known(root, elements, path, diagnostics)) return nullptr;
   Value* at = &root;
   for (std::size_t k = 0; k < elements.size() && at != nullptr; ++k) {
@@ -127,7 +121,7 @@ Value* find_or_add(Value& root, const std::string& path, std::vector<Diagnostic>
 Override parse_override(std::string_view text) {
   const std::size_t equals = text.find('=');
   const std::string path(text.substr(0, equals));
-  if (equals == std::string_view::npos || path_elements(path).empty()) {
+  if (equals == std::string_view::npos || equals == 0) {
     throw InputError(Diagnostic{.message = fmt::format("'{}' sets nothing", text),
                                 .expected = "NAME=VALUE, such as age=20, stem.length=2 or links[1].density=90"});
   }
@@ -142,9 +136,16 @@ Override parse_override(std::string_view text) {
 void apply_overrides(Value& root, const std::vector<Override>& overrides, Source& source,
                      std::vector<Diagnostic>& diagnostics) {
   for (const Override& override : overrides) {
-    const std::string path = full_path(root, override.path);
+    const bool is_path = !path_elements(override.path).empty();
+    const std::string path = is_path ? full_path(root, override.path) : override.path;
     source.overridden.push_back(path);
     source.override_names.push_back(override.name.empty() ? "set " + override.path : override.name);
+    if (!is_path) {
+      diagnostics.push_back({.message = fmt::format("'{}' is not a path", path),
+                             .expected = "one such as age, stem.length or links[1].density",
+                             .path = path});
+      continue;
+    }
     if (Value* target = find_or_add(root, path, diagnostics)) *target = override.value;
   }
 }

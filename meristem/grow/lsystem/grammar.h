@@ -17,6 +17,8 @@ namespace meristem {
 
 /// Of one rule, in both contexts and the predecessor together, and so of one letter.
 inline constexpr std::size_t kMostVariables = 64;
+/// More steps than this are refused where they are asked for.
+inline constexpr int kMostSteps = 1'000'000;
 
 /// A module of a successor or an axiom: an expression for each parameter.
 struct ModuleForm {

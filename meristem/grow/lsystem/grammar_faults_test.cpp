@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the reader of grammars says about each kind of fault, and where.
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -7,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "meristem/grow/lsystem/grammar_reader.h"
+#include "tests/support/temporary_folder.h"
 
 namespace meristem {
 namespace {
@@ -158,6 +161,48 @@ TEST(GrammarFaults, FindsFaultsInInclusions) {
             "2:1: this grammar cannot include others; expected a grammar that is read from a file");
   EXPECT_EQ(fault_of("#include a as X for 3 steps"),
             "2:1: this grammar cannot include others; expected a grammar that is read from a file");
+}
+
+TEST(GrammarFaults, PlacesFilesThatAreNotThereAtTheirInclusion) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "fir.txt") << "#steps 1\nF\nF -> FF\n";
+  std::filesystem::create_directory(folder / "more");
+  std::ofstream(folder / "more/elm.txt") << "E(1)\nE(x) -> E(1/(x-1))\n";
+  std::vector<std::string> paths;
+  GrammarOptions options;
+  options.file = folder / "plant.txt";
+  options.read = read_beside(options.file, &paths);
+  EXPECT_EQ(faults_of("X\n#include fir.txt as X\n", options), Texts{});
+  EXPECT_EQ(paths, Texts{folder / "fir.txt"});
+  const std::string at = options.file + ":2:1: ";
+  EXPECT_EQ(faults_of("X\n#include firr.txt as X\n", options),
+            Texts{at + "'firr.txt': there is no such file; did you mean 'fir.txt'?"});
+  EXPECT_EQ(faults_of("X\n#include more/elf.txt as X\n", options),
+            Texts{at + "'more/elf.txt': there is no such file; did you mean 'more/elm.txt'?"});
+  EXPECT_EQ(faults_of("X\n#include more as X\n", options), Texts{at + "'more': this is a folder; expected a file"});
+  EXPECT_EQ(faults_of("X\n#include more/elm.txt as X for 1 step\n", options),
+            Texts{"more/elm.txt:2: '1/(x-1)' is not a finite number where 'E(x) -> E(1/(x-1))' is applied; expected a "
+                  "condition "
+                  "that leaves this case out (most likely a division by zero)"});
+}
+
+TEST(GrammarFaults, FindsOverridesOfWhatIsNotDefined) {
+  GrammarOptions options;
+  options.file = "plant.txt";
+  options.overrides = {{"lenght", 1}};
+  EXPECT_EQ(faults_of("A(length)\nB(y)\n#define length 2\n", options),
+            (Texts{"plant.txt: the grammar does not define 'lenght'; expected one that it defines: length; did you "
+                   "mean 'length'?",
+                   "plant.txt:2:3: 'y' is not a known name; expected a variable or a constant"}));
+  EXPECT_EQ(faults_of("A", options),
+            Texts{"plant.txt: the grammar does not define 'lenght'; expected a grammar with #define lines"});
+  options.overrides = {{"d2", 1}};
+  EXPECT_EQ(faults_of("A\n#define d2 = 1/\n", options).size(), 1U) << "the name is known though its value is wrong";
+  std::string many = "A\n";
+  for (int k = 10; k < 30; ++k) many += fmt::format("#define c{} = {}\n", k, k);
+  EXPECT_EQ(faults_of(many, options),
+            Texts{"plant.txt: the grammar does not define 'd2'; expected one that it defines: c10, c11, c12, c13, c14, "
+                  "c15, c16, c17, c18, c19, c20, c21, ..."});
 }
 
 TEST(GrammarFaults, MissesTheArrowOfARule) {

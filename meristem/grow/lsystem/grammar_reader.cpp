@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "meristem/base/in_quotes.h"
+#include "meristem/base/read_file.h"
 #include "meristem/grow/lsystem/grammar_check.h"
 #include "meristem/grow/lsystem/grammar_include.h"
 #include "meristem/grow/lsystem/grammar_text.h"
@@ -18,7 +20,6 @@ namespace meristem {
 
 namespace {
 
-constexpr int kMostSteps = 1'000'000;
 constexpr std::size_t kDeepestInclusion = 16;
 constexpr int kMostInclusions = 100;
 constexpr std::size_t kLongestName = 64;
@@ -84,6 +85,8 @@ class GrammarReader {
 
   void read_names(const std::vector<std::string_view>& lines);
   void read_define(const Directive& directive);
+  double overridden(const std::string& name, double value) const;
+  void check_overrides(std::string_view place);
   void read_symbols(const Directive& directive);
 
   void read_directive(const Directive& directive);
@@ -92,6 +95,7 @@ class GrammarReader {
   void read_steps(const Directive& directive);
   void read_angle(const Directive& directive);
   void read_include(const Directive& directive);
+  std::optional<std::string> included_text(const Directive& directive, const std::string& name);
   bool include(const Directive& directive, std::string_view file, LetterIndex letter, std::string_view steps);
   std::optional<int> step_count(std::string_view text);
   void add_rule(Rule rule, std::string_view place, RuleSet& set, std::vector<std::string_view>& places);
@@ -111,6 +115,7 @@ class GrammarReader {
   Section section_ = Section::preamble;
   std::vector<std::string_view> open_brackets_;  ///< of the axiom
   std::vector<std::string_view> ignored_;
+  std::vector<std::string> defined_;  ///< names of constants
   std::string_view axiom_place_;
 };
 
@@ -142,6 +147,7 @@ void GrammarReader::read_names(const std::vector<std::string_view>& lines) {
     if (directive->name == "#define") read_define(*directive);
     if (directive->name == "#symbols") read_symbols(*directive);
   }
+  if (!lines.empty()) check_overrides(lines.front());
 }
 
 void GrammarReader::read_define(const Directive& directive) {
@@ -151,6 +157,7 @@ void GrammarReader::read_define(const Directive& directive) {
   const std::string_view name = value.substr(0, end);
   value = trimmed(value.substr(end));
   if (value.starts_with('=')) value = trimmed(value.substr(1));
+  defined_.emplace_back(name);
   if (name.empty() || value.empty()) {
     faults_.add(directive.all, "'#define' lacks a name or a value", "#define name = expression");
   } else if (!is_identifier(name)) {
@@ -158,7 +165,31 @@ void GrammarReader::read_define(const Directive& directive) {
   } else if (is_builtin_name(name)) {
     faults_.add(name, fmt::format("'{}' is a function or constant of every expression", name), "another name");
   } else if (const auto number = rules_.read_constant(value)) {
-    rules_.constants().set(std::string(name), *number);
+    rules_.constants().set(defined_.back(), overridden(defined_.back(), *number));
+  }
+}
+
+double GrammarReader::overridden(const std::string& name, double value) const {
+  for (const auto& constant : options_.overrides) {
+    if (constant.name == name) value = constant.value;
+  }
+  return value;
+}
+
+void GrammarReader::check_overrides(std::string_view place) {
+  constexpr std::size_t kMostNames = 12;  // in a message
+  const std::vector<std::string> names(
+      defined_.begin(), defined_.begin() + static_cast<std::ptrdiff_t>(std::min(defined_.size(), kMostNames)));
+  for (const auto& constant : options_.overrides) {
+    if (std::find(defined_.begin(), defined_.end(), constant.name) != defined_.end()) continue;
+    Diagnostic fault;
+    fault.message = fmt::format("the grammar does not define {}", in_quotes(constant.name));
+    fault.expected = names.empty() ? "a grammar with #define lines"
+                                   : fmt::format("one that it defines: {}{}", fmt::join(names, ", "),
+                                                 names.size() < defined_.size() ? ", ..." : "");
+    fault.nearest = nearest_name(constant.name, defined_);
+    fault.file = options_.file;
+    faults_.add_all(place, {fault});
   }
 }
 
@@ -308,6 +339,20 @@ void GrammarReader::read_include(const Directive& directive) {
   if (letter != kNoLetter) include(directive, file, letter, steps);
 }
 
+std::optional<std::string> GrammarReader::included_text(const Directive& directive, const std::string& name) {
+  try {
+    return options_.read(name);
+  } catch (const InputError& error) {
+    for (const Diagnostic& fault : error.diagnostics()) {
+      // As it would be written here.
+      const std::filesystem::path nearest = std::filesystem::path(fault.nearest).filename();
+      faults_.add(directive.all, fmt::format("{}: {}", in_quotes(name), fault.message), fault.expected,
+                  nearest.empty() ? "" : (std::filesystem::path(name).parent_path() / nearest).string());
+    }
+    return std::nullopt;
+  }
+}
+
 bool GrammarReader::include(const Directive& directive, std::string_view file, LetterIndex letter,
                             std::string_view steps) {
   const auto fail = [&](std::string message, std::string expected) {
@@ -325,11 +370,14 @@ bool GrammarReader::include(const Directive& directive, std::string_view file, L
                 fmt::format("at most {}, and {} inside each other", kMostInclusions, kDeepestInclusion));
   }
 
+  const std::optional<std::string> text = included_text(directive, name);
+  if (!text) return false;
   GrammarOptions options = options_;
   options.file = name;
+  options.overrides.clear();
   files.push_back(name);
   try {
-    const Grammar included = GrammarReader(options_.read(name), options, inclusions_).read();
+    const Grammar included = GrammarReader(*text, options, inclusions_).read();
     const std::optional<int> count = steps.empty() ? included.steps : step_count(steps);
     files.pop_back();
     if (!count) {
@@ -350,7 +398,11 @@ bool GrammarReader::include(const Directive& directive, std::string_view file, L
     return true;
   } catch (const InputError& error) {
     if (files.back() == name) files.pop_back();
-    faults_.add_all(directive.all, error.diagnostics());
+    std::vector<Diagnostic> faults = error.diagnostics();
+    for (Diagnostic& fault : faults) {
+      if (fault.file.empty()) fault.file = name;  // a fault of deriving
+    }
+    faults_.add_all(directive.all, faults);
     return false;
   } catch (const std::length_error&) {
     return fail("the grammar has more than 65534 letters", "fewer");
@@ -414,6 +466,14 @@ Grammar read_grammar(std::string_view text, const GrammarOptions& options) {
   Inclusions inclusions;
   inclusions.files.push_back(options.file);
   return GrammarReader(text, options, inclusions).read();
+}
+
+std::function<std::string(const std::string&)> read_beside(const std::string& file, std::vector<std::string>* paths) {
+  return [paths, folder = std::filesystem::path(file).parent_path()](const std::string& name) {
+    const std::string path = (folder / name).string();
+    if (paths != nullptr) paths->push_back(path);
+    return read_file(path, Limits().document_bytes);
+  };
 }
 
 }  // namespace meristem

@@ -36,8 +36,11 @@
 namespace meristem {
 
 struct GrammarOptions {
-  std::string file;                                     ///< its name in messages
-  std::vector<ExpressionNames::Constant> constants;     ///< names that its expressions may use; `#define` hides them
+  std::string file;                                  ///< its name in messages
+  std::vector<ExpressionNames::Constant> constants;  ///< names that its expressions may use; `#define` hides them
+  /// Values in the place of those that the `#define`s of these names have; it is a fault if there is none. Included
+  /// grammars keep theirs.
+  std::vector<ExpressionNames::Constant> overrides;
   std::function<std::string(const std::string&)> read;  ///< the text of an included grammar; unset: none can be
   std::vector<Diagnostic>* warnings = nullptr;          ///< takes what is odd but not wrong; may be null
   Limits limits;                                        ///< of faults, of the text's and an expression's bytes
@@ -46,5 +49,10 @@ struct GrammarOptions {
 /// Reads a grammar's text. Throws one InputError with all faults (up to the limit), each with line, column, the
 /// offending text and what was expected.
 Grammar read_grammar(std::string_view text, const GrammarOptions& options = {});
+
+/// For GrammarOptions::read: reads files, sought from the folder of `file`, which holds the grammar. `paths` takes
+/// those that are read; it may be null.
+std::function<std::string(const std::string&)> read_beside(const std::string& file,
+                                                           std::vector<std::string>* paths = nullptr);
 
 }  // namespace meristem

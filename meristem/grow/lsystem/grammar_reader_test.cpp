@@ -257,6 +257,25 @@ TEST(GrammarReader, LetsADefinitionUseAndHideEarlierConstants) {
   EXPECT_EQ(grammar.steps, 2);
 }
 
+TEST(GrammarReader, OverridesTheValuesOfDefinitions) {
+  GrammarOptions options;
+  options.constants = {{"age", 7}};
+  options.overrides = {{"r", 5}, {"n", 1}, {"n", 3}};
+  const Grammar grammar = read_grammar("#define r = 2\n#define q = r*age\nA(q)\n#define n 8\n#steps n\n", options);
+  EXPECT_EQ(word_text(axiom_of(grammar), grammar.alphabet), "A(35)");
+  EXPECT_EQ(grammar.steps, 3) << "the last of two";
+}
+
+TEST(GrammarReader, LeavesIncludedGrammarsTheirDefinitions) {
+  GrammarOptions options;
+  options.file = "outer.txt";
+  options.overrides = {{"r", 5}};
+  options.read = [](const std::string&) -> std::string { return "#define r = 3\n#steps 0\nF(r)\n"; };
+  const Grammar grammar = read_grammar("#define r = 2\nX(r)\n#include fir.txt as X\n", options);
+  EXPECT_EQ(word_text(axiom_of(grammar), grammar.alphabet), "X(5)");
+  EXPECT_EQ(rule_text(grammar, grammar.interpretation.rules.at(0)), "X -> F(3)");
+}
+
 TEST(GrammarReader, DrawsALetterAsAnIncludedGrammar) {
   GrammarOptions options;
   options.file = "outer.txt";

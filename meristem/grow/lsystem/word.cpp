@@ -52,20 +52,50 @@ LetterIndex Alphabet::find(std::string_view symbol, std::uint16_t arity) const {
 }
 
 std::string word_text(const Word& word, const Alphabet& alphabet) {
-  const bool keeps_apart = has_longer_names(alphabet);
   std::string text;
-  std::size_t parameter = 0;
-  for (const LetterIndex index : word.letters) {
-    const Letter& letter = alphabet[index];
-    if (keeps_apart && !text.empty() && is_name_part(text) && is_name_part(letter.symbol)) text += ' ';
-    text += letter.symbol;
-    for (std::size_t k = 0; k < letter.arity; ++k) {
-      text += k == 0 ? '(' : ',';
-      append_number(text, word.parameters.at(parameter++));
-    }
-    if (letter.arity > 0) text += ')';
-  }
+  write_word_text(word, alphabet, [&](std::string_view piece, std::size_t) { text += piece; });
   return text;
+}
+
+void write_word_text(const Word& word, const Alphabet& alphabet,
+                     FunctionRef<void(std::string_view piece, std::size_t modules)> write) {
+  constexpr std::size_t kPiece = 1U << 16U;
+  const bool keeps_apart = has_longer_names(alphabet);
+  std::string piece;
+  std::size_t begin = 0;        // the first module of the piece
+  bool follows_a_name = false;  // without parameters, which would part it from the next
+  std::size_t parameter = 0;
+  for (std::size_t module = 0; module < word.letters.size(); ++module) {
+    const Letter& letter = alphabet[word.letters[module]];
+    const bool is_name = is_name_part(letter.symbol);
+    if (keeps_apart && follows_a_name && is_name) piece += ' ';
+    piece += letter.symbol;
+    for (std::size_t k = 0; k < letter.arity; ++k) {
+      piece += k == 0 ? '(' : ',';
+      append_number(piece, word.parameters.at(parameter++));
+    }
+    if (letter.arity > 0) piece += ')';
+    follows_a_name = is_name && letter.arity == 0;
+    if (piece.size() < kPiece && module + 1 < word.letters.size()) continue;
+    write(piece, module + 1 - begin);
+    piece.clear();
+    begin = module + 1;
+  }
+}
+
+std::vector<SymbolCount> symbol_counts(const Word& word, const Alphabet& alphabet) {
+  std::vector<std::uint64_t> of_letter(alphabet.size());
+  for (const LetterIndex letter : word.letters) ++of_letter[letter];
+  std::vector<SymbolCount> counts;
+  std::unordered_map<std::string_view, std::size_t> places;
+  for (std::size_t k = 0; k < of_letter.size(); ++k) {
+    if (of_letter[k] == 0) continue;
+    const std::string& symbol = alphabet[static_cast<LetterIndex>(k)].symbol;
+    const auto [place, is_new] = places.emplace(symbol, counts.size());
+    if (is_new) counts.emplace_back(symbol, 0);
+    counts[place->second].second += of_letter[k];
+  }
+  return counts;
 }
 
 }  // namespace meristem

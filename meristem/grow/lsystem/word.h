@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "meristem/base/function_ref.h"
+
 namespace meristem {
 
 /// Index into an Alphabet.
@@ -77,5 +79,17 @@ struct Word {
 /// "A(1,2)[+B]": numbers with the fewest digits that read back as the same. Where the alphabet has names of several
 /// characters, blanks keep neighbours apart that would read as one.
 std::string word_text(const Word& word, const Alphabet& alphabet);
+
+/// Hands out the same text piece by piece, each the text of the next `modules` modules, so that a long word's text need
+/// not be in memory as a whole: pieces have some 64 kB. None for a word without modules.
+void write_word_text(const Word& word, const Alphabet& alphabet,
+                     FunctionRef<void(std::string_view piece, std::size_t modules)> write);
+
+/// A symbol and how many modules have it.
+using SymbolCount = std::pair<std::string, std::uint64_t>;
+
+/// Counts a word's modules by symbol, with any number of parameters together. Symbols that it has not are left out; the
+/// others are in the order of the alphabet.
+std::vector<SymbolCount> symbol_counts(const Word& word, const Alphabet& alphabet);
 
 }  // namespace meristem

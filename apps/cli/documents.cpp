@@ -12,6 +12,13 @@ namespace meristem::cli {
 
 namespace fs = std::filesystem;
 
+void add_run_options(CLI::App& command, int& threads, bool& quiet) {
+  command.add_option("--threads", threads, "Use so many threads; all cores if not given")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command.add_flag("-q,--quiet", quiet, "Print errors only");
+}
+
 void DocumentOptions::add_to(CLI::App& command) {
   command.add_option("document", path, "A plant document, the name of a shipped model, or - for standard input")
       ->required()
@@ -24,10 +31,7 @@ void DocumentOptions::add_to(CLI::App& command) {
   command.add_option("--seed", seed, "Use this seed instead of the document's")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
-  command.add_option("--threads", threads, "Use so many threads; all cores if not given")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
-  command.add_flag("-q,--quiet", quiet, "Print errors only");
+  add_run_options(command, threads, quiet);
 }
 
 Document open_document(const DocumentOptions& options) {

@@ -13,6 +13,9 @@
 
 namespace meristem::cli {
 
+/// The options of every command that works: how many threads, and whether it is to be quiet.
+void add_run_options(CLI::App& command, int& threads, bool& quiet);
+
 /// Options of commands that read a document.
 struct DocumentOptions {
   std::string path;

@@ -84,6 +84,18 @@ class Case(unittest.TestCase):
             self.assertNotEqual(errors, "")
         return errors
 
+    def stop(self, signal_number, *arguments):
+        """Sends the signal once the program tells of its work, and returns its standard error."""
+        process = self.start(*arguments)
+        first = process.stderr.readline()
+        self.assertRegex(first.decode(), r"^[a-z ]+ \d+ %\n$", "a plain line of progress")
+        process.send_signal(signal_number)
+        errors = process.stderr.read().decode()
+        self.assertEqual(process.wait(60), -signal_number, errors)
+        process.stdout.close()
+        process.stderr.close()
+        return errors
+
     def assert_rejects(self, document, message):
         self.write("bad.json", document)
         for command in (["check"], ["grow", "-o", "out.glb"]):
@@ -96,7 +108,7 @@ class CommandLine(Case):
         self.assertIn(b"grow", self.run_program().stdout)
 
     def test_every_command_has_help_with_an_example(self):
-        for command in ([], ["grow"], ["render"], ["measure"], ["check"], ["components"], ["models"]):
+        for command in ([], ["grow"], ["render"], ["measure"], ["derive"], ["check"], ["components"], ["models"]):
             done = self.run_program(*command, "--help")
             self.assertEqual(done.returncode, DONE)
             self.assertIn(b"Example: meristem", done.stdout, command)
@@ -687,18 +699,6 @@ class Listing(Case):
 
 
 class Signals(Case):
-    def stop(self, signal_number, *arguments):
-        """Sends the signal once the program tells of its work, and returns its standard error."""
-        process = self.start(*arguments)
-        first = process.stderr.readline()
-        self.assertRegex(first.decode(), r"^[a-z ]+ \d+ %\n$", "a plain line of progress")
-        process.send_signal(signal_number)
-        errors = process.stderr.read().decode()
-        self.assertEqual(process.wait(60), -signal_number, errors)
-        process.stdout.close()
-        process.stderr.close()
-        return errors
-
     def test_render_leaves_nothing(self):
         before = sorted(os.listdir(self.folder))
         errors = self.stop(signal.SIGINT, "render", "tree.json", "-o", "a.png", *LONG_RENDER)

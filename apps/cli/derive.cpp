@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/lsystem/derive.h"
+
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "documents.h"
+#include "meristem/base/atomic_file.h"
+#include "meristem/base/in_quotes.h"
+#include "meristem/base/parallel.h"
+#include "meristem/document/document.h"
+#include "meristem/document/json.h"
+#include "meristem/grow/lsystem/grammar_reader.h"
+#include "meristem/output/output_files.h"
+#include "terminal.h"
+
+namespace meristem::cli {
+
+namespace {
+
+struct DeriveOptions {
+  std::string path;
+  std::optional<int> steps;
+  std::uint64_t seed = 1;
+  std::vector<std::string> defines;
+  bool drawn = false;
+  bool stats = false;
+  std::string output = "-";
+  int threads = 0;
+  bool quiet = false;
+
+  std::string file() const { return path == "-" ? "<standard input>" : path; }
+};
+
+/// "NAME=VALUE", of which the value is an expression without names.
+ExpressionNames::Constant parse_define(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const auto fail = [&](const std::string& message) {
+    throw InputError(Diagnostic{.message = message, .expected = "NAME=VALUE, such as angle=22.5"});
+  };
+  if (equals == std::string::npos || equals == 0) fail(fmt::format("--define {} defines nothing", in_quotes(text)));
+  const std::string value = text.substr(equals + 1);
+  try {
+    const Expression expression = Expression::compile(value, {});
+    if (expression.is_constant() && std::isfinite(expression.evaluate())) {
+      return {text.substr(0, equals), expression.evaluate()};
+    }
+  } catch (const ExpressionError&) {  // the message is the same
+  }
+  fail(fmt::format("--define {}: {} is not a number", in_quotes(text.substr(0, equals)), in_quotes(value)));
+  return {};
+}
+
+/// Documents say "meristem": 1.
+bool is_document(std::string_view text) {
+  constexpr std::string_view kKey = "\"meristem\"";
+  const std::size_t key = text.find(kKey);
+  if (key == std::string_view::npos) return false;
+  const std::size_t next = text.find_first_not_of(" \t\r\n", key + kKey.size());
+  return next != std::string_view::npos && text[next] == ':';
+}
+
+/// Names the grammar's file in faults of derivation, which know their line alone.
+template <class Call>
+auto naming_file(const std::string& file, Call call) {
+  try {
+    return call();
+  } catch (const InputError& error) {
+    std::vector<Diagnostic> diagnostics = error.diagnostics();
+    for (Diagnostic& diagnostic : diagnostics) diagnostic.file = file;
+    throw InputError(std::move(diagnostics));
+  }
+}
+
+/// Reads the grammar, and adds the files that it was read from to `inputs`.
+Grammar read(const DeriveOptions& command, std::vector<std::string>& inputs) {
+  GrammarOptions options;
+  options.file = command.file();
+  for (const std::string& define : command.defines) options.overrides.push_back(parse_define(define));
+  inputs.push_back(command.path);
+  options.read = read_beside(command.path, &inputs);
+  std::vector<Diagnostic> warnings;
+  options.warnings = &warnings;
+  const std::string text = read_text_file(command.path);
+  if (is_document(text)) {
+    throw InputError(Diagnostic{.message = "this is a plant document",
+                                .expected = "the text of a grammar; 'meristem grow' takes documents",
+                                .file = options.file});
+  }
+  Grammar grammar = read_grammar(text, options);
+  if (!command.quiet) print_diagnostics(warnings);
+  return grammar;
+}
+
+int steps_of(const DeriveOptions& command, const Grammar& grammar) {
+  if (command.steps) return *command.steps;
+  if (grammar.steps) return *grammar.steps;
+  throw InputError(Diagnostic{.message = "the grammar does not say how many steps to derive",
+                              .expected = "'#steps N' in it, or --steps N",
+                              .file = command.file()});
+}
+
+std::string stats_text(const Word& word, const Alphabet& alphabet, int steps) {
+  Value::Object counts;
+  for (const auto& [symbol, count] : symbol_counts(word, alphabet)) {
+    counts.emplace_back(symbol, static_cast<double>(count));
+  }
+  return write_json(Value(Value::Object{
+      {"steps", steps}, {"length", static_cast<double>(word.module_count())}, {"counts", Value(std::move(counts))}}));
+}
+
+void derive(const DeriveOptions& command) {
+  std::vector<std::string> inputs;
+  const Grammar grammar = read(command, inputs);
+  const int steps = steps_of(command, grammar);
+  check_output(command.output, inputs);
+
+  const ThreadLimit threads(command.threads);
+  TerminalProgress terminal(command.quiet);
+  Progress& progress = terminal.progress();
+  const Limits limits;
+  const RandomKey key(command.seed);
+  const Word word = naming_file(command.file(), [&] {
+    Word derived = meristem::derive(grammar, steps, key, limits, progress);
+    const bool is_redrawn = command.drawn && !grammar.interpretation.rules.empty();
+    return is_redrawn ? interpreted(grammar, derived, key, limits, progress) : std::move(derived);
+  });
+
+  AtomicFile file(command.output);
+  if (command.stats) {
+    file.write(stats_text(word, grammar.alphabet, steps));
+  } else {
+    progress.begin("writing", word.module_count());
+    write_word_text(word, grammar.alphabet, [&](std::string_view piece, std::size_t modules) {
+      file.write(piece);
+      progress.advance(modules);
+    });
+    file.write("\n");
+  }
+  file.commit();
+}
+
+}  // namespace
+
+void add_derive(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("derive", "Derive the word of a grammar (an L-system)");
+  auto options = std::make_shared<DeriveOptions>();
+  command->add_option("grammar", options->path, "A grammar's text, or - for standard input")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("--steps", options->steps, "Derive so many steps; the grammar's #steps if not given")
+      ->type_name("N")
+      ->check(CLI::Range(0, kMostSteps));
+  command->add_option("--seed", options->seed, "Draw with this seed; 1 if not given")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber);
+  command
+      ->add_option("--define", options->defines,
+                   "Give a name of the grammar's #define lines another value (angle=22.5, r=1/3); may be repeated")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  command->add_flag("--drawn", options->drawn, "Apply the interpretation rules, as drawing does");
+  command->add_flag("--stats", options->stats, "Write the word's length and counts of symbols as JSON instead");
+  command->add_option("-o,--output", options->output, "File to write; standard output if not given")->type_name("FILE");
+  add_run_options(*command, options->threads, options->quiet);
+  command->footer("Example: meristem derive bush.txt --steps 4 --define angle=22.5 -o bush-word.txt");
+  command->callback([options, &run] { run = [options] { derive(*options); }; });
+}
+
+}  // namespace meristem::cli

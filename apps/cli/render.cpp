@@ -13,10 +13,9 @@
 #include "meristem/components/camera.h"
 #include "meristem/document/grow.h"
 #include "meristem/output/camera.h"
-#include "meristem/output/hull_wires.h"
 #include "meristem/output/output_files.h"
+#include "meristem/output/picture.h"
 #include "meristem/output/png.h"
-#include "meristem/output/still.h"
 #include "terminal.h"
 
 namespace meristem::cli {
@@ -85,7 +84,6 @@ void check_ending(const std::string& path) {
                               .expected = "a file that ends in .png"});
 }
 
-/// What the document and the options say of the pictures.
 StillOptions chosen_still(const RenderOptions& options, const OutputSettings& output) {
   StillOptions still{.width = output.size[0], .height = output.size[1]};
   still.samples = options.samples.value_or(output.samples);
@@ -103,51 +101,37 @@ View chosen_view(const RenderOptions& options, const Document& document) {
   if (options.view.empty()) return view;
   const auto [azimuth, altitude] =
       number_pair<double>(options.view, ',', "--view", "AZIMUTH,ALTITUDE in degrees, such as 150,6");
-  if (!(std::abs(azimuth) <= 360 && std::abs(altitude) <= 89)) {
-    throw InputError(Diagnostic{.message = fmt::format("--view cannot be '{}'", options.view),
-                                .expected = "an azimuth from -360 to 360 and an altitude from -89 to 89 degrees"});
-  }
-  view.position.reset();
-  view.azimuth = radians(azimuth);
-  view.altitude = radians(altitude);
-  return view;
+  if (const auto seen = seen_from(view, azimuth, altitude)) return *seen;
+  throw InputError(
+      Diagnostic{.message = fmt::format("--view cannot be '{}'", options.view), .expected = std::string(kKnownSides)});
 }
 
-/// What has grown at one time. The camera frames the plants, whatever is drawn around them.
-struct Subject {
-  MeshScene plants;
-  std::optional<MeshScene> with_hulls;
-
-  const MeshScene& shown() const { return with_hulls ? *with_hulls : plants; }
-};
-
-Subject grow_subject(const Document& document, double time, bool hull, Progress& progress) {
-  GrownDocument grown = grow_document(document, progress, time);
-  Subject subject;
-  if (hull && !grown.meshes.meshes.empty()) {
-    subject.with_hulls = with_crown_hulls(grown.meshes, grown.plant, progress);
-  }
-  subject.plants = std::move(grown.meshes);
-  return subject;
+/// What the document and the options say of the pictures.
+PictureOptions chosen_picture(const RenderOptions& options, const Document& document) {
+  return {.still = chosen_still(options, document.output),
+          .view = chosen_view(options, document),
+          .crown_hulls = options.hull};
 }
 
 /// Grows the document for each of the times and takes the pictures. The camera does not follow the plant's
 /// growth: it stands where it shows the last picture's plant as a whole.
-void take_pictures(const Document& document, const std::vector<Picture>& pictures, View view, const StillOptions& still,
-                   bool hull, Progress& progress) {
-  const double aspect = static_cast<double>(still.width) / still.height;
+void take_pictures(const Document& document, const std::vector<Picture>& pictures, PictureOptions options,
+                   Progress& progress) {
   double grown_time = pictures.back().time;
-  Subject subject = grow_subject(document, grown_time, hull, progress);
-  const Vec3 middle = subject.plants.bounds().centre();
-  if (pictures.front().time != grown_time) view = placed_view(subject.plants, view, aspect);
+  GrownDocument grown = grow_document(document, progress, grown_time);
+  const Vec3 middle = grown.meshes.bounds().centre();
+  if (pictures.front().time != grown_time) {
+    const double aspect = static_cast<double>(options.still.width) / options.still.height;
+    options.view = placed_view(grown.meshes, options.view, aspect);
+  }
+  const View view = options.view;
   for (const Picture& picture : pictures) {
     if (picture.time != grown_time) {
       grown_time = picture.time;
-      subject = grow_subject(document, grown_time, hull, progress);
+      grown = grow_document(document, progress, grown_time);
     }
-    View picture_view = turned(view, middle, picture.turn);
-    if (subject.with_hulls) picture_view = placed_view(subject.plants, picture_view, aspect);
-    write_png(render_still(subject.shown(), document.scene, picture_view, still, progress), picture.path);
+    options.view = turned(view, middle, picture.turn);
+    write_png(take_picture(grown, document.scene, options, progress), picture.path);
   }
 }
 
@@ -156,19 +140,19 @@ void render(const RenderOptions& options) {
   check_ending(options.output);
   const std::vector<Picture> pictures = planned_pictures(options);
   const Document document = open_document(options.document);
-  const StillOptions still = chosen_still(options, document.output);
-  const View view = chosen_view(options, document);
+  const PictureOptions picture_options = chosen_picture(options, document);
   const std::vector<std::string> inputs = input_files(document);
   for (const Picture& picture : pictures) check_output(picture.path, inputs);
 
   const ThreadLimit threads(options.document.threads);
   {
     TerminalProgress terminal(options.document.quiet);
-    take_pictures(document, pictures, view, still, options.hull, terminal.progress());
+    take_pictures(document, pictures, picture_options, terminal.progress());
   }
   if (!options.document.quiet) {
     const std::string written =
         pictures.size() == 1 ? pictures[0].path : fmt::format("{} to {}", pictures.front().path, pictures.back().path);
+    const StillOptions& still = picture_options.still;
     print_status(fmt::format("{}: {} x {} pixels, {} samples", written, still.width, still.height, still.samples));
   }
 }

@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/scene/view.h"
 
+#include <cmath>
+
 #include "meristem/base/frame.h"
 
 namespace meristem {
+
+std::optional<View> seen_from(View view, double azimuth_deg, double altitude_deg) {
+  const bool is_known = std::abs(azimuth_deg) <= 360 && std::abs(altitude_deg) <= 89;  // NaN is not
+  if (!is_known) return std::nullopt;
+  view.position.reset();
+  view.azimuth = radians(azimuth_deg);
+  view.altitude = radians(altitude_deg);
+  return view;
+}
 
 View turned(View view, Vec3 middle, double angle) {
   view.azimuth += angle;

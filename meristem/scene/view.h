@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "meristem/base/vec.h"
 
@@ -16,6 +17,14 @@ struct View {
   double field_of_view = 0.6;      ///< vertical, radians; larger: wider and more perspective
   std::optional<Vec3> background;  ///< sRGB; the sky if unset
 };
+
+/// The sides that seen_from knows, in words for messages.
+inline constexpr std::string_view kKnownSides = "an azimuth from -360 to 360 and an altitude from -89 to 89 degrees";
+
+/// The view from another side: from an azimuth (-360 to 360 degrees, from north over east) and an altitude over the
+/// horizon (-89 to 89 degrees), both as seen from the target, and as far away as shows the whole plant. Nothing for
+/// other angles.
+std::optional<View> seen_from(View view, double azimuth_deg, double altitude_deg);
 
 /// The view with the camera moved on around the vertical through its target (`middle` where it has none), by an angle
 /// in radians from north over east. Turning it all around in equal steps shows the plant from every side.

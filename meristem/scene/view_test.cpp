@@ -1,12 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/scene/view.h"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "meristem/base/math.h"
 
 namespace meristem {
 namespace {
+
+TEST(ViewSeenFrom, ReplacesThePlaceOfTheCameraAlone) {
+  View view;
+  view.position = Vec3(1, 2, 3);
+  view.target = Vec3(4, 5, 6);
+  view.field_of_view = 1;
+  const auto east = seen_from(view, 90, -89);
+  ASSERT_TRUE(east);
+  EXPECT_FALSE(east->position);
+  EXPECT_EQ(east->azimuth, radians(90));
+  EXPECT_EQ(east->altitude, radians(-89));
+  EXPECT_EQ(east->target, view.target);
+  EXPECT_EQ(east->field_of_view, 1);
+}
+
+TEST(ViewSeenFrom, KnowsNoOtherAngles) {
+  EXPECT_TRUE(seen_from(View(), -360, 89));
+  EXPECT_FALSE(seen_from(View(), 360.001, 0));
+  EXPECT_FALSE(seen_from(View(), 0, -89.001));
+  EXPECT_FALSE(seen_from(View(), std::numeric_limits<double>::quiet_NaN(), 0));
+  EXPECT_FALSE(seen_from(View(), 0, std::numeric_limits<double>::infinity()));
+}
 
 TEST(TurnedView, MovesTheCameraFromNorthOverEast) {
   View view;

@@ -8,15 +8,13 @@
 #include "meristem/components/camera.h"
 #include "meristem/measure/counts.h"
 #include "meristem/measure/measures.h"
-#include "meristem/output/camera.h"
 #include "meristem/output/formats.h"
-#include "meristem/output/hull_wires.h"
 #include "meristem/output/measure_report.h"
 #include "meristem/output/names.h"
 #include "meristem/output/output_files.h"
+#include "meristem/output/picture.h"
 #include "meristem/output/png.h"
 #include "meristem/output/skeleton_table.h"
-#include "meristem/output/still.h"
 #include "values.h"
 
 namespace meristem::python {
@@ -162,44 +160,28 @@ void save(const PlantPointer& plant, const py::object& path, bool instanced, int
   });
 }
 
-struct Picture {
-  StillOptions still;
-  View view;
-  bool hull;
-};
-
-Picture planned_picture(const PlantPointer& plant, const std::optional<std::pair<int, int>>& size,
-                        const std::optional<int>& samples, const std::optional<std::pair<double, double>>& view,
-                        bool transparent, bool hull) {
+PictureOptions planned_picture(const PlantPointer& plant, const std::optional<std::pair<int, int>>& size,
+                               const std::optional<int>& samples, const std::optional<std::pair<double, double>>& view,
+                               bool transparent, bool hull) {
   const Document& document = plant->origin->document;
-  Picture picture{.still = {.width = document.output.size[0], .height = document.output.size[1]},
-                  .view = camera_view(document.graph, document.structure),
-                  .hull = hull};
+  PictureOptions picture{.still = {.width = document.output.size[0], .height = document.output.size[1]},
+                         .view = camera_view(document.graph, document.structure),
+                         .crown_hulls = hull};
   if (size) std::tie(picture.still.width, picture.still.height) = *size;
   picture.still.samples = samples.value_or(document.output.samples);
   picture.still.transparent = transparent;
   check_still_options(picture.still);
   if (view) {
-    if (!(std::abs(view->first) <= 360 && std::abs(view->second) <= 89)) {
-      throw py::value_error("view must be an azimuth from -360 to 360 and an altitude from -89 to 89 degrees");
-    }
-    picture.view.position.reset();
-    picture.view.azimuth = radians(view->first);
-    picture.view.altitude = radians(view->second);
+    const std::optional<View> seen = seen_from(picture.view, view->first, view->second);
+    if (!seen) throw py::value_error(fmt::format("view must be {}", kKnownSides));
+    picture.view = *seen;
   }
   return picture;
 }
 
-Image take_picture(const PlantPointer& plant, const Picture& picture, int threads, const py::object& progress) {
+Image picture_of(const PlantPointer& plant, const PictureOptions& options, int threads, const py::object& progress) {
   return run_call(progress, threads, [&](Progress& inner) {
-    const Scene& scene = plant->origin->document.scene;
-    const MeshScene& meshes = plant->grown.meshes;
-    if (!picture.hull || meshes.meshes.empty()) {
-      return render_still(meshes, scene, picture.view, picture.still, inner);
-    }
-    const double aspect = static_cast<double>(picture.still.width) / picture.still.height;
-    return render_still(with_crown_hulls(meshes, plant->grown.plant, inner), scene,
-                        placed_view(meshes, picture.view, aspect), picture.still, inner);
+    return take_picture(plant->grown, plant->origin->document.scene, options, inner);
   });
 }
 
@@ -207,7 +189,7 @@ py::object render(const PlantPointer& plant, const std::optional<std::pair<int, 
                   const std::optional<int>& samples, const std::optional<std::pair<double, double>>& view,
                   bool transparent, bool hull, int threads, const py::object& progress) {
   const auto image = std::make_shared<const Image>(
-      take_picture(plant, planned_picture(plant, size, samples, view, transparent, hull), threads, progress));
+      picture_of(plant, planned_picture(plant, size, samples, view, transparent, hull), threads, progress));
   return array_over(image, image->rgba.data(), {image->height, image->width, 4}, {4 * image->width, 4, 1});
 }
 
@@ -215,7 +197,7 @@ py::bytes png(const PlantPointer& plant, const std::optional<std::pair<int, int>
               const std::optional<int>& samples, const std::optional<std::pair<double, double>>& view, bool transparent,
               bool hull, int threads, const py::object& progress) {
   return encode_png(
-      take_picture(plant, planned_picture(plant, size, samples, view, transparent, hull), threads, progress));
+      picture_of(plant, planned_picture(plant, size, samples, view, transparent, hull), threads, progress));
 }
 
 void save_picture(const PlantPointer& plant, const py::object& path, const std::optional<std::pair<int, int>>& size,
@@ -226,9 +208,9 @@ void save_picture(const PlantPointer& plant, const py::object& path, const std::
     throw InputError(Diagnostic{.message = fmt::format("pictures cannot be written to '{}'", target),
                                 .expected = "a file that ends in .png"});
   }
-  const Picture picture = planned_picture(plant, size, samples, view, transparent, hull);
+  const PictureOptions picture = planned_picture(plant, size, samples, view, transparent, hull);
   check_output(target, input_files(plant->origin->document));
-  write_png(take_picture(plant, picture, threads, progress), target);
+  write_png(picture_of(plant, picture, threads, progress), target);
 }
 
 void bind_parts(py::module_& module) {

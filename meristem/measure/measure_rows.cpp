@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 
 #include "meristem/measure/measures.h"
@@ -8,15 +9,15 @@ namespace {
 
 template <class T>
 MeasureValue shown(const std::optional<T>& value) {
-  return value ? MeasureValue(static_cast<double>(*value)) : MeasureValue();
+  return value ? MeasureValue(*value) : MeasureValue();
 }
 
 template <class T>
 MeasureValue shown(const std::vector<T>& values) {
-  return std::vector<double>(values.begin(), values.end());
+  return values;
 }
 
-MeasureValue shown(std::uint64_t value) { return static_cast<double>(value); }
+MeasureValue shown(std::uint64_t value) { return value; }
 MeasureValue shown(double value) { return value; }
 
 /// A member as it stands.
@@ -147,8 +148,16 @@ constexpr std::array kRows = {
                member<&Measures::bytes>, true},
 };
 
+constexpr bool is_of_trees(const MeasureRow& row) { return !row.only_whole; }
+
 }  // namespace
 
 std::span<const MeasureRow> measure_rows() { return kRows; }
+
+std::span<const MeasureRow> tree_measure_rows() {
+  static_assert(std::is_partitioned(kRows.begin(), kRows.end(), is_of_trees));
+  static constexpr std::size_t kCount = std::count_if(kRows.begin(), kRows.end(), is_of_trees);
+  return std::span(kRows).first(kCount);
+}
 
 }  // namespace meristem

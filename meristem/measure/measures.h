@@ -86,8 +86,9 @@ StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, cons
 StandMeasures measure_plant(const Plant& plant, const MeshScene& meshes, const Scene& scene,
                             const MeasureOptions& options, Progress& progress);
 
-/// Nothing, a number, or a list of numbers, in the unit of its row.
-using MeasureValue = std::variant<std::monostate, double, std::vector<double>>;
+/// Nothing, a count, a number in the unit of its row, or a list of one of these.
+using MeasureValue =
+    std::variant<std::monostate, std::uint64_t, double, std::vector<std::uint64_t>, std::vector<double>>;
 
 /// One measure as users see it.
 struct MeasureRow {
@@ -98,7 +99,10 @@ struct MeasureRow {
   bool only_whole = false;  ///< not known of each tree
 };
 
-/// All measures in the order in which they are shown: the one table behind text, JSON and manual.
+/// All measures in the order in which they are shown: the one table behind text, JSON, Python and manual.
 std::span<const MeasureRow> measure_rows();
+
+/// Those that are known of each tree: the first of them all.
+std::span<const MeasureRow> tree_measure_rows();
 
 }  // namespace meristem

@@ -2,6 +2,7 @@
 #include "meristem/measure/measures.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -231,6 +232,42 @@ TEST(MeasureRows, NamesAreDistinctAndSnakeCase) {
     EXPECT_EQ(row.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz_"), std::string_view::npos) << row.name;
     EXPECT_TRUE(row.doc.ends_with('.')) << row.name;
   }
+}
+
+TEST(MeasureRows, CountsAreWholeAndRatiosAreNotWhateverTheirValue) {
+  Measures measures;
+  measures.trees = 2;
+  measures.axes_by_order = {1, 4};
+  measures.bifurcation_ratios = {3, 4};
+  measures.slenderness = 50;
+  measures.leaf_count = 7;
+  measures.pipe_exponent = {.count = 5, .mean = 2, .median = 2};
+  const std::map<std::string_view, MeasureValue> expected = {
+      {"trees", std::uint64_t{2}},
+      {"order_histogram", std::vector<std::uint64_t>{1, 4}},
+      {"bifurcation_ratios", std::vector<double>{3, 4}},
+      {"slenderness", 50.0},
+      {"leaf_count", std::uint64_t{7}},
+      {"pipe_exponent", 2.0},
+      {"pipe_exponent_count", std::uint64_t{5}},
+      {"height", 0.0},
+  };
+  std::size_t seen = 0;
+  for (const MeasureRow& row : measure_rows()) {
+    const auto found = expected.find(row.name);
+    if (found == expected.end()) continue;
+    EXPECT_EQ(row.value(measures), found->second) << row.name;
+    ++seen;
+  }
+  EXPECT_EQ(seen, expected.size());
+}
+
+TEST(MeasureRows, TreesHaveThoseThatAreNotOfTheWholeOnly) {
+  const auto rows = measure_rows();
+  const auto of_trees = tree_measure_rows();
+  EXPECT_EQ(of_trees.data(), rows.data());
+  ASSERT_LT(of_trees.size(), rows.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) EXPECT_EQ(rows[k].only_whole, k >= of_trees.size()) << rows[k].name;
 }
 
 TEST(MeasureRows, AnglesAreDegreesAndUnknownsAreNothing) {

@@ -11,45 +11,43 @@ namespace {
 
 constexpr int kNameWidth = 24;  // of the text's first column
 
-enum class Subject { whole, tree };
+Value as_value(std::monostate) { return {}; }
+Value as_value(double number) { return number; }
+Value as_value(std::uint64_t count) { return static_cast<double>(count); }
 
-bool is_shown(const MeasureRow& row, Subject subject) { return subject == Subject::whole || !row.only_whole; }
-
-Value as_value(const MeasureValue& measured) {
-  if (const double* number = std::get_if<double>(&measured)) return *number;
-  if (const auto* numbers = std::get_if<std::vector<double>>(&measured)) {
-    return Value::List(numbers->begin(), numbers->end());
-  }
-  return {};
+template <class Number>
+Value as_value(const std::vector<Number>& numbers) {
+  Value::List list;
+  for (const Number number : numbers) list.push_back(as_value(number));
+  return list;
 }
 
-Value::Object as_object(const Measures& measures, Subject subject) {
+Value::Object as_object(const Measures& measures, std::span<const MeasureRow> rows) {
   Value::Object object;
-  for (const MeasureRow& row : measure_rows()) {
-    if (is_shown(row, subject)) object.emplace_back(row.name, as_value(row.value(measures)));
+  for (const MeasureRow& row : rows) {
+    object.emplace_back(row.name, std::visit([](const auto& some) { return as_value(some); }, row.value(measures)));
   }
   return object;
 }
 
+std::string as_text(std::monostate) { return {}; }
+std::string as_text(std::uint64_t count) { return std::to_string(count); }
 std::string as_text(double number) {
   const bool is_long = std::abs(number) >= 1000 || number == std::floor(number);
   return is_long ? fmt::format("{:.0f}", number) : fmt::format("{:.4g}", number);
 }
 
-std::string as_text(const MeasureValue& measured) {
-  if (const double* number = std::get_if<double>(&measured)) return as_text(*number);
+template <class Number>
+std::string as_text(const std::vector<Number>& numbers) {
   std::string text;
-  if (const auto* numbers = std::get_if<std::vector<double>>(&measured)) {
-    for (const double number : *numbers) text += (text.empty() ? "" : ", ") + as_text(number);
-  }
+  for (const Number number : numbers) text += (text.empty() ? "" : ", ") + as_text(number);
   return text;
 }
 
-std::string as_lines(const Measures& measures, Subject subject) {
+std::string as_lines(const Measures& measures, std::span<const MeasureRow> rows) {
   std::string lines;
-  for (const MeasureRow& row : measure_rows()) {
-    if (!is_shown(row, subject)) continue;
-    const std::string value = as_text(row.value(measures));
+  for (const MeasureRow& row : rows) {
+    const std::string value = std::visit([](const auto& some) { return as_text(some); }, row.value(measures));
     const bool has_unit = !value.empty() && !row.unit.empty();
     fmt::format_to(std::back_inserter(lines), "{:<{}} {}{}{}\n", row.name, kNameWidth, value.empty() ? "-" : value,
                    has_unit ? " " : "", has_unit ? row.unit : "");
@@ -60,20 +58,20 @@ std::string as_lines(const Measures& measures, Subject subject) {
 }  // namespace
 
 Value measures_value(const StandMeasures& measures, bool each) {
-  Value::Object object = as_object(measures.whole, Subject::whole);
+  Value::Object object = as_object(measures.whole, measure_rows());
   if (each) {
     Value::List trees;
-    for (const Measures& tree : measures.trees) trees.emplace_back(as_object(tree, Subject::tree));
+    for (const Measures& tree : measures.trees) trees.emplace_back(as_object(tree, tree_measure_rows()));
     object.emplace_back("each", std::move(trees));
   }
   return object;
 }
 
 std::string measures_text(const StandMeasures& measures, bool each) {
-  std::string text = as_lines(measures.whole, Subject::whole);
+  std::string text = as_lines(measures.whole, measure_rows());
   if (!each) return text;
   for (std::size_t k = 0; k < measures.trees.size(); ++k) {
-    fmt::format_to(std::back_inserter(text), "\ntree {}\n{}", k + 1, as_lines(measures.trees[k], Subject::tree));
+    fmt::format_to(std::back_inserter(text), "\ntree {}\n{}", k + 1, as_lines(measures.trees[k], tree_measure_rows()));
   }
   return text;
 }

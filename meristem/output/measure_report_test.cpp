@@ -42,6 +42,7 @@ TEST(MeasureReport, EachTreeFollowsWithoutWhatOnlyTheWholeHas) {
 
 TEST(MeasureReport, TextHasALineForEachRow) {
   const std::string text = measures_text(two_trees(), false);
+  EXPECT_TRUE(text.starts_with("trees                    2\n")) << text;
   EXPECT_NE(text.find("\nheight                   12.35 m\n"), std::string::npos) << text;
   EXPECT_NE(text.find("\nlength_by_order          1, 2.5 m\n"), std::string::npos) << text;
   EXPECT_NE(text.find("\nstem_diameter            -\n"), std::string::npos) << text;

@@ -9,7 +9,6 @@
 #include "meristem/measure/counts.h"
 #include "meristem/measure/measures.h"
 #include "meristem/output/formats.h"
-#include "meristem/output/measure_report.h"
 #include "meristem/output/names.h"
 #include "meristem/output/output_files.h"
 #include "meristem/output/picture.h"
@@ -82,27 +81,18 @@ void check_options(double fork_diameter, std::uint64_t crown_rays) {
   }
 }
 
-/// Whole metres and degrees are floats all the same; only numbers without a unit may be int.
-py::object measures_in_python(const StandMeasures& measures, bool each) {
-  py::dict values = to_python(measures_value(measures, each));
-  const auto with_units = [](const py::dict& some) {
-    const py::object make_float = py::module_::import("builtins").attr("float");
-    for (const MeasureRow& row : measure_rows()) {
-      const py::str name(row.name.data(), row.name.size());
-      if (row.unit.empty() || !some.contains(name)) continue;
-      const py::object value = some[name];
-      if (py::isinstance<py::list>(value)) {
-        py::list floats;
-        for (const py::handle number : value) floats.append(make_float(number));
-        some[name] = floats;
-      } else if (!value.is_none()) {
-        some[name] = make_float(value);
-      }
-    }
-  };
-  with_units(values);
+py::dict measures_in_python(const Measures& measures, std::span<const MeasureRow> rows) {
+  py::dict values;
+  for (const MeasureRow& row : rows) values[py::str(row.name.data(), row.name.size())] = row.value(measures);
+  return values;
+}
+
+py::dict measures_in_python(const StandMeasures& measures, bool each) {
+  py::dict values = measures_in_python(measures.whole, measure_rows());
   if (each) {
-    for (const py::handle tree : values["each"]) with_units(tree.cast<py::dict>());
+    py::list trees;
+    for (const Measures& tree : measures.trees) trees.append(measures_in_python(tree, tree_measure_rows()));
+    values["each"] = trees;
   }
   return values;
 }

@@ -178,12 +178,14 @@ def test_rays_for_the_lit_share_are_bounded() -> None:
             forked().measure(crown_rays=rays)
 
 
-def test_sizes_are_floats_and_counts_whole() -> None:
-    measures = meristem.Skeleton([-1, 0], [[0, 0, 0], [0, 2, 0]]).measure(each=True)
+def test_sizes_and_ratios_are_floats_and_counts_whole() -> None:
+    measures = meristem.Skeleton([-1, 0], [[0, 0, 0], [0, 2, 0]], radius=[0.5, 0.5]).measure(each=True)
     for values in (measures, measures["each"][0]):
         assert values["height"] == 2 and isinstance(values["height"], float)
         assert all(isinstance(length, float) for length in values["length_by_order"])
+        assert values["slenderness"] == 2 and isinstance(values["slenderness"], float)
         assert values["nodes"] == 2 and isinstance(values["nodes"], int)
+        assert values["order_histogram"] == [1] and isinstance(values["order_histogram"][0], int)
 
 
 def test_mtg_files_that_cannot_be_read_say_where(tmp_path: Path) -> None:

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/lsystem/turtle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/matrix.hpp>
+
+#include "meristem/base/degrees.h"
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/math.h"
+#include "meristem/grow/lsystem/apical_axes.h"
+#include "meristem/grow/lsystem/turtle_letters.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr std::size_t kBlock = 65'536;     // modules between two looks at the progress
+constexpr double kParallel = 1e-9;         // sine of an angle below which directions count as parallel
+constexpr double kStraightUp = 1e-6;       // the same for headings that `$` finds no level for
+constexpr double kShortest = 1e-9;         // metres; shorter segments make no node
+constexpr std::size_t kFewestCorners = 3;  // of a polygon
+
+/// Rotates a and b in their plane, a toward b.
+void turn(DVec3& a, DVec3& b, double cosine, double sine) {
+  const DVec3 turned = cosine * a + sine * b;
+  b = cosine * b - sine * a;
+  a = turned;
+}
+
+struct State {
+  DVec3 place{0};
+  DVec3 heading{0}, left{0}, up{0};  // unit, right-handed
+  double elevation = 0, azimuth = 0;
+  double width = 0;
+  NodeIndex node = kNoNode;
+  std::uint32_t gap = 0;  // how many moves without a segment came before
+  std::uint32_t colour = 0;
+  bool begins_branch = false;  // the next segment is the first after a [
+};
+
+class Turtle {
+ public:
+  Turtle(const Word& word, const Alphabet& alphabet, const TurtleParameters& parameters, const Frame& start,
+         const std::string& path)
+      : word_(word),
+        parameters_(parameters),
+        path_(path),
+        is_polar_(parameters.reading == TurtleParameters::Reading::polar) {
+    for (std::size_t k = 0; k < alphabet.size(); ++k)
+      meanings_.push_back(meaning_of(alphabet[static_cast<LetterIndex>(k)]));
+    const DVec3 heading(start.heading());
+    scale_ = glm::length(heading);
+    state_.place = DVec3(start.origin);
+    state_.heading = heading / scale_;
+    const DVec3 right(normalized_or(start.right(), any_perpendicular(Vec3(state_.heading))));
+    state_.left = -glm::normalize(right - glm::dot(right, state_.heading) * state_.heading);
+    state_.up = glm::cross(state_.heading, state_.left);
+    base_ = glm::dmat3(-state_.left, state_.heading, state_.up);
+    state_.width = parameters.width;
+    for (const LetterIndex letter : word.letters) {
+      const LetterMeaning& meaning = meanings_[letter];
+      if (meaning.action == TurtleAction::draw) ++segments_;
+      if (meaning.action == TurtleAction::width) decays_ = false;
+    }
+    if (is_polar_) aim();
+  }
+
+  std::uint64_t segments() const { return segments_; }
+
+  Drawing run(Progress& progress) {
+    drawing_.skeleton.reserve(segments_ + 1);
+    begins_branch_.reserve(segments_ + 1);
+    const std::size_t count = word_.module_count();
+    progress.begin("drawing", count);
+    const double* parameter = word_.parameters.data();
+    for (std::size_t begin = 0; begin < count; begin += kBlock) {
+      const std::size_t end = std::min(begin + kBlock, count);
+      for (at_ = begin; at_ < end; ++at_) {
+        LetterMeaning& meaning = meanings_[word_.letters[at_]];
+        act(meaning, parameter);
+        parameter += meaning.arity;
+      }
+      progress.advance(end - begin);
+    }
+    while (!open_.empty()) end_polygon();
+    assign_apical_axes(drawing_.skeleton, begins_branch_);
+    return std::move(drawing_);
+  }
+
+ private:
+  void act(LetterMeaning& meaning, const double* parameter) {
+    const auto value = [&](double otherwise) { return meaning.arity > 0 ? parameter[0] : otherwise; };
+    switch (meaning.action) {
+      case TurtleAction::none:
+        break;
+      case TurtleAction::draw:
+        segment(value(parameters_.length));
+        if (meaning.records) corner();
+        break;
+      case TurtleAction::move:
+        go(value(parameters_.length));
+        state_.node = kNoNode;
+        state_.gap = static_cast<std::uint32_t>(root_after_gap_.size());
+        root_after_gap_.push_back(kNoNode);
+        if (meaning.records) corner();
+        break;
+      case TurtleAction::yaw:
+        yaw(meaning, value(is_polar_ ? parameters_.azimuth : parameters_.angle));
+        break;
+      case TurtleAction::pitch:
+        pitch(meaning, value(parameters_.angle));
+        break;
+      case TurtleAction::roll:
+        if (is_polar_) break;
+        look_up(meaning, value(parameters_.angle));
+        turn(state_.left, state_.up, meaning.cosine, meaning.sine);
+        break;
+      case TurtleAction::about:
+        turn_about(value(180));
+        break;
+      case TurtleAction::level:
+        if (!is_polar_) level();
+        break;
+      case TurtleAction::width:
+        if (meaning.arity > 0) {
+          state_.width = std::abs(parameter[0]);
+        } else {
+          state_.width *= meaning.sign > 0 ? parameters_.thinner : 1 / parameters_.thinner;
+        }
+        break;
+      case TurtleAction::colour:
+        state_.colour =
+            meaning.arity > 0 ? static_cast<std::uint32_t>(std::clamp(parameter[0], 0.0, 1e9)) : state_.colour + 1;
+        break;
+      case TurtleAction::push:
+        stack_.push_back(state_);
+        state_.begins_branch = true;
+        break;
+      case TurtleAction::pop:
+        pop();
+        break;
+      case TurtleAction::begin_polygon:
+        begin_polygon();
+        break;
+      case TurtleAction::end_polygon:
+        if (open_.empty()) fail("closes a polygon where none is open", "a { before each }");
+        end_polygon();
+        break;
+      case TurtleAction::corner:
+        corner();
+        break;
+      case TurtleAction::place:
+        place(parameter);
+        break;
+    }
+  }
+
+  [[noreturn]] void fail(std::string_view what, std::string expected) const {
+    throw InputError(Diagnostic{.message = fmt::format("module {} of the word {}", at_ + 1, what),
+                                .expected = std::move(expected),
+                                .path = path_});
+  }
+
+  // --- Turning
+
+  /// Makes the letter's sine and cosine those of its sign times `degrees`.
+  static void look_up(LetterMeaning& meaning, double degrees) {
+    if (degrees == meaning.angle) return;
+    meaning.angle = degrees;
+    meaning.sine = math::sin_deg(meaning.sign * degrees);
+    meaning.cosine = math::cos_deg(degrees);
+  }
+
+  void yaw(LetterMeaning& meaning, double degrees) {
+    if (is_polar_) {
+      state_.azimuth += meaning.sign * degrees;
+      return aim();
+    }
+    look_up(meaning, degrees);
+    turn(state_.heading, state_.left, meaning.cosine, meaning.sine);
+  }
+
+  void pitch(LetterMeaning& meaning, double degrees) {
+    if (is_polar_) {
+      state_.elevation -= meaning.sign * degrees;
+      return aim();
+    }
+    look_up(meaning, degrees);
+    turn(state_.up, state_.heading, meaning.cosine, meaning.sine);
+  }
+
+  void turn_about(double degrees) {
+    if (is_polar_) {
+      state_.azimuth += degrees;
+      return aim();
+    }
+    turn(state_.heading, state_.left, math::cos_deg(degrees), math::sin_deg(degrees));
+  }
+
+  /// The frame of elevation and azimuth.
+  void aim() {
+    const double sine = math::sin_deg(state_.elevation);
+    const double cosine = math::cos_deg(state_.elevation);
+    const double east = math::cos_deg(state_.azimuth);
+    const double north = math::sin_deg(state_.azimuth);
+    state_.heading = base_ * DVec3(cosine * east, sine, -cosine * north);
+    state_.left = base_ * DVec3(-north, 0, -east);
+    state_.up = glm::cross(state_.heading, state_.left);
+  }
+
+  /// Rolls until the left is level. A heading straight up or down has no level left more than another: it stays.
+  void level() {
+    const DVec3 left = glm::cross(DVec3(kUp), state_.heading);
+    const double length = glm::length(left);
+    if (length < kStraightUp) return;
+    state_.left = left / length;
+    state_.up = glm::cross(state_.heading, state_.left);
+  }
+
+  void bend() {
+    const DVec3 torque = glm::cross(state_.heading, DVec3(parameters_.tropism));
+    const double length = glm::length(torque);
+    if (length < kParallel) return;
+    const double angle = parameters_.elasticity * length;
+    const double sine = math::sin(angle);
+    const double cosine = math::cos(angle);
+    const DVec3 axis = torque / length;
+    const auto rotated = [&](DVec3 v) {
+      return cosine * v + sine * glm::cross(axis, v) + (1 - cosine) * glm::dot(axis, v) * axis;
+    };
+    state_.heading = glm::normalize(rotated(state_.heading));
+    const DVec3 left = rotated(state_.left);
+    state_.left = glm::normalize(left - glm::dot(left, state_.heading) * state_.heading);
+    state_.up = glm::cross(state_.heading, state_.left);
+  }
+
+  // --- Going
+
+  void go(double length) {
+    state_.place += scale_ * length * state_.heading;
+    if (std::isfinite(state_.place.x + state_.place.y + state_.place.z)) return;
+    fail("leads to a place that is not finite", "shorter segments");
+  }
+
+  void segment(double length) {
+    const double begin_width = state_.width;
+    if (decays_) state_.width *= stack_.empty() ? parameters_.trunk_decay : parameters_.branch_decay;
+    if (std::abs(length) * scale_ < kShortest) return;
+    if (state_.node == kNoNode) state_.node = root(begin_width);
+    go(length);
+    state_.node = add_node(state_.node, state_.width);
+    begins_branch_.back() = state_.begins_branch ? 1 : 0;
+    state_.begins_branch = false;
+    if (parameters_.elasticity != 0) bend();
+  }
+
+  /// All branches from a place where nothing was drawn before share its node.
+  NodeIndex root(double width) {
+    NodeIndex& root = root_after_gap_[state_.gap];
+    if (root == kNoNode) root = add_node(kNoNode, width);
+    return root;
+  }
+
+  NodeIndex add_node(NodeIndex parent, double width) {
+    const NodeIndex node = drawing_.skeleton.add_node(parent, Vec3(state_.place), 0);
+    drawing_.skeleton.radius[node] = static_cast<float>(scale_ * width);
+    begins_branch_.push_back(0);
+    return node;
+  }
+
+  /// Grammars are read only with balanced brackets, and % cuts to the branch's end: no ] is without its [.
+  void pop() {
+    if (stack_.empty()) return;
+    const State before = state_;
+    state_ = stack_.back();
+    stack_.pop_back();
+    if (is_polar_ && !parameters_.stack_angles) {
+      state_.elevation = before.elevation;
+      state_.azimuth = before.azimuth;
+      aim();
+    }
+  }
+
+  // --- Polygons and places
+
+  Frame frame() const { return {Mat3(glm::dmat3(-state_.left, state_.heading, state_.up)), Vec3(state_.place)}; }
+
+  void begin_polygon() { open_.push_back({.frame = frame(), .colour = state_.colour}); }
+
+  void corner() {
+    if (!open_.empty()) open_.back().corners.emplace_back(state_.place);
+  }
+
+  void end_polygon() {
+    const OpenPolygon& open = open_.back();
+    if (open.corners.size() >= kFewestCorners) {
+      drawing_.polygons.push_back({.first = static_cast<std::uint32_t>(drawing_.corners.size()),
+                                   .count = static_cast<std::uint32_t>(open.corners.size()),
+                                   .frame = open.frame,
+                                   .colour = open.colour});
+      drawing_.corners.insert(drawing_.corners.end(), open.corners.begin(), open.corners.end());
+    }
+    open_.pop_back();
+  }
+
+  void place(const double* parameter) {
+    // The name's own parameters follow those of ~.
+    const std::size_t next = at_ + 1;
+    if (next == word_.module_count()) fail("is a ~ without a name", "the name of a component behind it");
+    const LetterIndex letter = word_.letters[next];
+    const double size = meanings_[letter].arity > 0 ? parameter[meanings_[word_.letters[at_]].arity] : 1;
+    TurtlePlace& place = drawing_.places.emplace_back();
+    place.letter = letter;
+    place.frame = frame();
+    place.frame.axes *= static_cast<float>(scale_ * size);
+    place.radius = static_cast<float>(scale_ * state_.width);
+    place.node = state_.node == kNoNode ? root_after_gap_[state_.gap] : state_.node;
+  }
+
+  struct OpenPolygon {
+    Frame frame;
+    std::uint32_t colour = 0;
+    std::vector<Vec3> corners{};
+  };
+
+  const Word& word_;
+  const TurtleParameters& parameters_;
+  const std::string& path_;
+  bool is_polar_;
+  bool decays_ = true;  // the word sets no widths
+  std::uint64_t segments_ = 0;
+  double scale_ = 1;
+  glm::dmat3 base_{1};  // of the polar reading: right, heading and upper at the start
+  std::vector<LetterMeaning> meanings_;
+  State state_;
+  std::vector<State> stack_;
+  std::vector<OpenPolygon> open_;
+  std::vector<NodeIndex> root_after_gap_{kNoNode};  // by gap; the first is the start
+  std::vector<std::uint8_t> begins_branch_;         // by node
+  std::size_t at_ = 0;                              // module
+  Drawing drawing_;
+};
+
+}  // namespace
+
+Drawing draw(const Word& word, const Alphabet& alphabet, const TurtleParameters& parameters, const Frame& start,
+             const Limits& limits, const std::string& path, Progress& progress) {
+  Turtle turtle(word, alphabet, parameters, start, path);
+  if (turtle.segments() > limits.nodes) {
+    throw_limit("nodes", static_cast<double>(turtle.segments()), limits.nodes, "nodes", path);
+  }
+  return turtle.run(progress);
+}
+
+}  // namespace meristem

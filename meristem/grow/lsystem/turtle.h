@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Walks along a word and draws it: stems, polygons, and places for other components.
+//
+//   F G  a segment             f g  the same way without one       [ ]  a side branch
+//   + -  left, right           & ^  down, up                       \ /  roll
+//   |    about                 $    rolls until the left is level  ! #  thinner, thicker, or of this width
+//   '    the next colour       { }  a polygon                      .    a corner of it, as at the end of F and f
+//   ~    places the component that the next symbol names
+//
+// Each of the first eleven, ! # and ' may have a parameter: metres, degrees, a radius in metres, a colour's number.
+// `\` turns the left to where up was, `/` the other way. All other symbols mean nothing here.
+//
+// Based on: P. Prusinkiewicz, A. Lindenmayer: The Algorithmic Beauty of Plants (1990), chapters 1, 2 and 5, and its
+// appendix on turtles.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "meristem/base/frame.h"
+#include "meristem/base/limits.h"
+#include "meristem/base/progress.h"
+#include "meristem/base/vec.h"
+#include "meristem/grow/lsystem/grammar.h"
+#include "meristem/grow/lsystem/word.h"
+#include "meristem/plant/skeleton.h"
+
+namespace meristem {
+
+/// How symbols are drawn. Lengths in metres, angles in degrees, as words write them.
+struct TurtleParameters {
+  enum class Reading {
+    frame,  ///< each turn is about the turtle's own axes
+    polar,  ///< & and ^ change an elevation, + and - an azimuth; rolls mean nothing. Begins level, along x
+  };
+  Reading reading = Reading::frame;
+  double angle = 22.5;     ///< turns without a parameter; in polar reading of the elevation
+  double azimuth = 22.5;   ///< the same of the azimuth in polar reading
+  double length = 0.1;     ///< of F, G, f and g without a parameter
+  double width = 0.01;     ///< radius at the root
+  double thinner = 0.7;    ///< by which `!` without a parameter multiplies the radius, and `#` divides it
+  double trunk_decay = 1;  ///< from a segment's beginning to its end, outside all brackets; where words have no ! and #
+  double branch_decay = 1;   ///< the same within brackets
+  Vec3 tropism{0, -1, 0};    ///< what segments bend toward
+  double elasticity = 0;     ///< after each segment it turns by this times |heading x tropism|, radians
+  bool stack_angles = true;  ///< a ] of the polar reading brings the angles back, and not the position alone
+};
+
+/// The corners of a filled shape, which need not lie in a plane.
+struct TurtlePolygon {
+  std::uint32_t first = 0;  ///< of Drawing::corners
+  std::uint32_t count = 0;  ///< at least 3
+  Frame frame;              ///< of the turtle where it began
+  std::uint32_t colour = 0;
+};
+
+/// Where a `~` places a component.
+struct TurtlePlace {
+  LetterIndex letter = kNoLetter;  ///< that names it
+  Frame frame;                     ///< heading along y, up along z; scaled by the letter's first parameter
+  float radius = 0;                ///< of the stem there
+  NodeIndex node = kNoNode;        ///< on which it stands, kNoNode where nothing has been drawn there
+};
+
+struct Drawing {
+  Skeleton skeleton;  ///< a root where segments begin without another before them; births are 0
+  std::vector<Vec3> corners;
+  std::vector<TurtlePolygon> polygons;  ///< by their ends; a polygon that is never closed ends with the word
+  std::vector<TurtlePlace> places;
+};
+
+/// Draws a word of `alphabet`'s letters in the world, beginning at `start` along its heading, its z up; lengths and
+/// widths grow with its scale. Cost linear in modules.
+///
+/// On a segment's axis goes the next one that no bracket parts from it; where there is none, the widest, and of those
+/// the straightest. Segments without a length make no node.
+///
+/// Throws InputError at `path` for a } without a {, a ~ without a name, a place that is not finite, and beyond the
+/// limit of nodes, before they are made; Cancelled.
+Drawing draw(const Word& word, const Alphabet& alphabet, const TurtleParameters& parameters, const Frame& start,
+             const Limits& limits, const std::string& path, Progress& progress);
+
+}  // namespace meristem

@@ -28,6 +28,9 @@ class Progress {
 
   Progress() = default;
   explicit Progress(Observer observer) : observer_(std::move(observer)) {}
+  /// A part of `whole`, which outlives it: it tells nobody and stops when the whole does. For calls that each have their
+  /// stages, made on many threads within one stage of the whole.
+  explicit Progress(const Progress* whole) : whole_(whole) {}
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
@@ -41,7 +44,9 @@ class Progress {
   }
 
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
-  bool is_cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
+  bool is_cancelled() const noexcept {
+    return cancelled_.load(std::memory_order_relaxed) || (whole_ != nullptr && whole_->is_cancelled());
+  }
 
  private:
   void report();
@@ -53,6 +58,7 @@ class Progress {
   std::uint64_t total_ = 0;
   std::string_view stage_;
   Observer observer_;
+  const Progress* whole_ = nullptr;
 };
 
 }  // namespace meristem

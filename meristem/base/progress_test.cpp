@@ -113,5 +113,25 @@ TEST(Progress, GoesOnAfterAnObserverThatThrows) {
   EXPECT_EQ(calls, 3);
 }
 
+TEST(ProgressPart, StopsWithTheWholeAndTellsNobody) {
+  int told = 0;
+  Progress whole([&](std::string_view, double) { ++told; });
+  Progress part(&whole);
+  part.begin("a part", 10);
+  part.advance(10);
+  EXPECT_EQ(told, 0);
+  whole.cancel();
+  EXPECT_THROW(part.advance(), Cancelled);
+  EXPECT_THROW(part.check(), Cancelled);
+}
+
+TEST(ProgressPart, StopsAlone) {
+  Progress whole;
+  Progress part(&whole);
+  part.cancel();
+  EXPECT_TRUE(part.is_cancelled());
+  EXPECT_FALSE(whole.is_cancelled());
+}
+
 }  // namespace
 }  // namespace meristem

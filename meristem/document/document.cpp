@@ -50,6 +50,7 @@ class DocumentReader {
     read_head(reader, document);
     read_components(reader, document.graph);
     read_links(reader, document.graph);
+    link_placed(reader, document.graph);
     document.source.named_files = reader.files();
     take_from(reader);
     if (seed) document.graph.seed = *seed;
@@ -268,6 +269,27 @@ class DocumentReader {
     reader.fault(place, fmt::format("there is no component '{}'", *value.text()),
                  nearest.empty() ? "the id of a component" : "", nearest);
     return kNoIndex;
+  }
+
+  /// Links to what components place themselves by its id.
+  void link_placed(ParameterReader& reader, Graph& graph) const {
+    for (ComponentIndex from = 0; from < graph.components.size(); ++from) {
+      const Prototype& prototype = graph.components[from];
+      if (prototype.type == nullptr || !prototype.type->placed) continue;
+      const std::vector<std::string> ids = prototype.type->placed(prototype.parameters.get());
+      for (std::uint32_t k = 0; k < ids.size(); ++k) {
+        const auto found = component_by_id_.find(ids[k]);
+        if (found != component_by_id_.end()) {
+          graph.links.push_back({.from = from, .to = found->second, .name = k});
+          continue;
+        }
+        const Place components(top_, "components");
+        const std::string nearest = reader.nearest(ids[k], ids_);
+        reader.fault(Place(components, prototype.id),
+                     fmt::format("'{}' places '{}', and there is no such component", prototype.id, ids[k]),
+                     nearest.empty() ? fmt::format("a component '{}'", ids[k]) : "", nearest);
+      }
+    }
   }
 
   /// Placement keys need a branch link from something that has stems.

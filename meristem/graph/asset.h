@@ -6,7 +6,8 @@
 
 namespace meristem {
 
-/// What a document names by a file: the path as written, and what was read from it. Copies share the content.
+/// What a document names by a file, or has as a text: the path or the text as written, and what was read from it.
+/// Copies share the content.
 template <class T>
 struct Asset {
   std::string path;

@@ -93,14 +93,18 @@ struct ComponentType {
   ParameterTable parameters;  ///< own rows, then those of ComponentBase
   Material material;
   double variety = 0;        ///< of colours, where the document does not say
+  Material blades;           ///< of the geometry that it emits as blades
   bool is_camera = false;    ///< the root of every graph
   bool makes_stems = false;  ///< branch links place children along stems
+  bool has_twigs = false;    ///< by default along twigs alone
   std::size_t size = 0;      ///< of the parameter struct
 
   std::function<std::shared_ptr<void>()> make_parameters;  ///< a struct with the defaults
   std::function<const ComponentBase&(const void* parameters)> base;
   /// What the uvs of its geometry show; empty where that is nothing in particular.
   std::function<TextureShape(const void* parameters)> texture_shape;
+  /// The ids of the components that it places itself, without a link of the document; empty where that is none.
+  std::function<std::vector<std::string>(const void* parameters)> placed;
   /// Expands a block of instances.
   std::function<void(const Prototype&, std::span<const Site>, Emitter&)> expand;
   /// Whether each instance grows in a stand of its own; empty for components that compete with none.
@@ -131,8 +135,10 @@ struct ComponentDefinition {
   Table<P> parameters;
   Material material{};
   double variety = 0;
+  Material blades{};
   bool is_camera = false;
   bool makes_stems = false;
+  bool has_twigs = false;  ///< of stems; components that grow have twigs anyway
   /// Makes one instance's geometry and says where children stand, through `out`, relative to the instance's own frame.
   void (*expand)(const P& parameters, const Site& site, Emitter& out) = nullptr;
   /// For components that grow: plants one instance at its site. After growing, `expand` finds the skeleton in
@@ -140,6 +146,8 @@ struct ComponentDefinition {
   std::unique_ptr<Grower> (*grow)(const P& parameters, const Site& site, const GrowContext& context) = nullptr;
   /// What the uvs of its geometry show, for textures that follow a shape.
   TextureShape (*texture_shape)(const P& parameters) = nullptr;
+  /// The ids of the components that `expand` places by `out.named_site`, by their numbers there.
+  std::vector<std::string> (*placed)(const P& parameters) = nullptr;
 };
 
 template <class P>
@@ -156,8 +164,10 @@ ComponentType define_component(ComponentDefinition<P> definition) {
       std::move(definition.parameters).template include<ComponentBase>(component_base_table()).elsewhere({"type"});
   type.material = definition.material;
   type.variety = definition.variety;
+  type.blades = definition.blades;
   type.is_camera = definition.is_camera;
   type.makes_stems = definition.makes_stems;
+  type.has_twigs = definition.has_twigs || definition.grow != nullptr;
   type.size = sizeof(P);
   type.make_parameters = [] { return std::static_pointer_cast<void>(std::make_shared<P>()); };
   type.base = [](const void* parameters) -> const ComponentBase& { return *static_cast<const P*>(parameters); };
@@ -178,6 +188,11 @@ ComponentType define_component(ComponentDefinition<P> definition) {
       Site own = site;
       own.frame = site.frame * instance.frame.frame();
       return grow(instance, own, context);
+    };
+  }
+  if (definition.placed != nullptr) {
+    type.placed = [placed = definition.placed](const void* parameters) {
+      return placed(*static_cast<const P*>(parameters));
     };
   }
   if (definition.texture_shape != nullptr) {

@@ -94,6 +94,7 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   stems_of_instance_ = 0;
   first_child_ = child_sites.size();
   first_branch_ = branch_sites.size();
+  first_named_ = named_sites.size();
 }
 
 /// Completes the places for children, drops those that no link wants, and numbers the rest.
@@ -113,14 +114,34 @@ void Emitter::end_instance() {
   };
   number(child_sites, first_child_);
   number(branch_sites, first_branch_);
+  number_named_sites();
   if (uncounted_ >= kCountedTogether / 8) count_sites();
 }
 
+/// Each name's places count by themselves.
+void Emitter::number_named_sites() {
+  std::unordered_map<std::uint32_t, std::uint32_t> count;
+  for (std::size_t k = first_named_; k < named_sites.size(); ++k) {
+    named_sites[k].second.i = count[named_sites[k].first]++;
+  }
+  for (std::size_t k = first_named_; k < named_sites.size(); ++k) {
+    named_sites[k].second.n = count[named_sites[k].first];
+  }
+}
+
 void Emitter::organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint) {
+  add_organ(local, key, false, make, tint_ * tint);
+}
+
+void Emitter::blade(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint) {
+  add_organ(local, key, true, make, tint);
+}
+
+void Emitter::add_organ(const Frame& local, std::uint64_t key, bool is_blade, FunctionRef<Mesh()> make, Vec3 tint) {
   if (!visible_) return;
   const auto [found, is_new] = prototype_by_key_.try_emplace(key, static_cast<std::uint32_t>(prototypes.size()));
-  if (is_new) prototypes.push_back({key, shared_mesh(key, make)});
-  organs.push_back({geometry_frame_ * local, found->second, tint_ * tint, site_.birth});
+  if (is_new) prototypes.push_back({key, shared_mesh(key, make), is_blade});
+  organs.push_back({geometry_frame_ * local, found->second, tint, site_.birth});
 }
 
 std::shared_ptr<const Mesh> Emitter::shared_mesh(std::uint64_t key, FunctionRef<Mesh()> make) {
@@ -144,11 +165,12 @@ void Emitter::stem(Skeleton skeleton, const Surface& surface) {
 
 void Emitter::number_stems(std::uint32_t first) {
   first_stem = first;
-  for (std::vector<Site>* sites : {&child_sites, &branch_sites}) {
-    for (Site& site : *sites) {
-      if (site.stem != kNoStem && (site.stem & kOfThisBlock) != 0) site.stem = first + (site.stem & ~kOfThisBlock);
-    }
-  }
+  const auto number = [&](Site& site) {
+    if (site.stem != kNoStem && (site.stem & kOfThisBlock) != 0) site.stem = first + (site.stem & ~kOfThisBlock);
+  };
+  for (Site& site : child_sites) number(site);
+  for (Site& site : branch_sites) number(site);
+  for (auto& [name, site] : named_sites) number(site);
 }
 
 void Emitter::child_site(const Frame& local, float length, float radius) {
@@ -165,6 +187,20 @@ void Emitter::child_site_in_world(const Frame& frame, float length, float radius
 void Emitter::branch_site(const Frame& local, float u, float length, float radius) {
   const float scale = glm::length(site_.frame.heading());
   if (context_->wants_branch_sites) add_site(branch_sites, site_.frame * local, u, scale * length, scale * radius);
+}
+
+void Emitter::named_site(std::uint32_t name, const Frame& frame, float length, float radius, NodeIndex node) {
+  if (++uncounted_ == kCountedTogether) count_sites();
+  Site& site = named_sites.emplace_back(name, site_).second;
+  site.frame = frame;
+  site.u = 1;
+  site.length = length;
+  site.radius = radius;
+  if (node == kNoNode) return;
+  site.order = stems.back().skeleton.order[node];
+  site.stem = kOfThisBlock | static_cast<std::uint32_t>(stems.size() - 1);
+  site.node = node;
+  site.along = 1;
 }
 
 void Emitter::add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius) {

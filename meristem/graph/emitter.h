@@ -9,11 +9,13 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "meristem/base/function_ref.h"
 #include "meristem/base/limits.h"
 #include "meristem/base/mesh.h"
+#include "meristem/base/progress.h"
 #include "meristem/graph/site.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
@@ -59,6 +61,7 @@ struct EmitterContext {
   std::string multiplier;        ///< document path of what multiplies the children, for errors
   double time = 0;               ///< seconds
   const Tinting& tinting;        ///< of the instances
+  Progress* progress = nullptr;  ///< for what takes long in one instance
   bool makes_stems = false;      ///< children of branch links stand along stems only
   bool wants_child_sites = true;
   bool wants_branch_sites = true;
@@ -84,6 +87,8 @@ class Emitter {
   /// share what one of them makes, so the key and what all instances have in common must tell the whole mesh. `tint`
   /// has linear factors on the instance's colour.
   void organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint = Vec3(1));
+  /// The same for flat shapes that look otherwise than the rest: in the component type's material of blades.
+  void blade(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint = Vec3(1));
   /// A skeleton in world space. The instance's `place` moves it, but not what hangs on it.
   void stem(Skeleton skeleton, const Surface& surface);
   /// A place for children, relative to the instance's frame, as are the length and radius that they see; called n times
@@ -97,7 +102,14 @@ class Emitter {
   /// components that make no stems, these stand where the children of child links do.
   void branch_site(const Frame& local, float u, float length, float radius);
 
+  /// A place in world space for the component that the instance itself places, by its number in the type's `placed`;
+  /// on `node` of the stem emitted last, or kNoNode.
+  void named_site(std::uint32_t name, const Frame& frame, float length, float radius, NodeIndex node);
+
   const Scene& scene() const { return context_->scene; }
+  const Limits& limits() const { return context_->limits; }
+  const std::string& component() const { return context_->component; }  ///< id, for errors
+  Progress& progress() const { return *context_->progress; }
   double time() const { return context_->time; }
   /// The skeleton that this instance has grown; only for components that grow, and once an instance.
   Skeleton take_grown();
@@ -111,6 +123,7 @@ class Emitter {
   struct EmittedPrototype {
     std::uint64_t key = 0;
     std::shared_ptr<const Mesh> mesh;
+    bool is_blade = false;
   };
   std::vector<EmittedPrototype> prototypes;
   std::vector<Organ> organs;  ///< their prototypes count within this emitter
@@ -120,10 +133,13 @@ class Emitter {
   void number_stems(std::uint32_t first);
   std::vector<Site> child_sites;  ///< with the key and depth of the instance that offers them
   std::vector<Site> branch_sites;
+  std::vector<std::pair<std::uint32_t, Site>> named_sites;  ///< with the number of the name
 
  private:
   void begin_instance(const ComponentBase& base, const Site& site);
   void end_instance();
+  void add_organ(const Frame& local, std::uint64_t key, bool is_blade, FunctionRef<Mesh()> make, Vec3 tint);
+  void number_named_sites();
   void add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius);
   void count_sites();
   void count_nodes(std::uint64_t more);
@@ -139,6 +155,7 @@ class Emitter {
   bool has_child_sites_ = false;
   std::size_t first_child_ = 0;
   std::size_t first_branch_ = 0;
+  std::size_t first_named_ = 0;
   std::uint32_t stems_of_instance_ = 0;
   std::uint64_t uncounted_ = 0;  // sites not yet in the context's count
   std::unordered_map<std::uint64_t, std::uint32_t> prototype_by_key_;

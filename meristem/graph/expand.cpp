@@ -28,7 +28,7 @@ struct Batch {
 /// What all instances of one component have made.
 struct ComponentOutput {
   std::unordered_map<std::uint64_t, std::uint32_t> prototype_by_key;
-  std::vector<std::shared_ptr<const Mesh>> meshes;
+  std::vector<Emitter::EmittedPrototype> prototypes;
   std::vector<Organ> organs;
   std::uint32_t stems = 0;
 };
@@ -151,6 +151,9 @@ class Expansion {
                            .instances = instances_,
                            .nodes = nodes_,
                            .mesh_bytes = mesh_bytes_};
+    // One instance may tell its stages; many tell together how many of them are done.
+    Progress part(&progress_);
+    context.progress = batch.sites.size() == 1 ? &progress_ : &part;
     const std::size_t block = grown.empty() ? kBlock : 1;
     std::vector<Emitter> emitters((batch.sites.size() + block - 1) / block, Emitter(context));
     for (std::size_t k = 0; k < grown.size(); ++k) {
@@ -202,6 +205,10 @@ class Expansion {
       if (link.kind == LinkKind::branch) {
         for (const EmittedStem& stem : emitter.stems) add_places_along(index, stem, number++, batch.sites);
         for (const Site& site : emitter.branch_sites) add_site(index, site, batch.sites);
+      } else if (link.name != kNoIndex) {
+        for (const auto& [name, site] : emitter.named_sites) {
+          if (name == link.name) add_site(index, site, batch.sites);
+        }
       } else if (link.kind == LinkKind::leaf && has_stems) {
         for (const EmittedStem& stem : emitter.stems) add_tips(index, stem, number++, batch.sites);
       } else {
@@ -214,11 +221,11 @@ class Expansion {
   void add_places_along(LinkIndex index, const EmittedStem& stem, std::uint32_t number, std::vector<Site>& out) {
     PlacementContext context{.light = unit_vector(scene_.sun),
                              .on_axis = graph_.components[graph_.links[index].to].type->makes_stems,
-                             .has_grown = static_cast<bool>(graph_.components[graph_.links[index].from].type->grow),
+                             .has_twigs = graph_.components[graph_.links[index].from].type->has_twigs,
                              .stem = number,
                              .parent = stem.site,
                              .limits = &graph_.limits,
-                             .path = fmt::format("links[{}]", index)};
+                             .path = link_path(graph_, index)};
     context.parent.key = child_key(index, stem.site.key);
     for (const Site& site : place_along(stem.skeleton, graph_.links[index].placement, context)) {
       add_keyed(index, site, out);
@@ -268,10 +275,10 @@ class Expansion {
     std::vector<std::uint32_t> prototype(emitter.prototypes.size());
     for (std::size_t k = 0; k < prototype.size(); ++k) {
       const auto [found, is_new] = output.prototype_by_key.try_emplace(
-          emitter.prototypes[k].key, static_cast<std::uint32_t>(output.meshes.size()));
+          emitter.prototypes[k].key, static_cast<std::uint32_t>(output.prototypes.size()));
       if (is_new) {
         mesh_bytes_ += emitter.prototypes[k].mesh->bytes();
-        output.meshes.push_back(std::move(emitter.prototypes[k].mesh));
+        output.prototypes.push_back(std::move(emitter.prototypes[k]));
       }
       prototype[k] = found->second;
     }
@@ -311,13 +318,23 @@ class Expansion {
     std::vector<std::uint32_t> material_of_component(outputs_.size(), 0);
     for (ComponentIndex c = 0; c < outputs_.size(); ++c) {
       ComponentOutput& output = outputs_[c];
-      if (output.meshes.empty() && output.stems == 0) continue;
-      const auto material = static_cast<std::uint32_t>(plant.materials.size());
+      if (output.prototypes.empty() && output.stems == 0) continue;
+      const auto has = [&](bool blades) {
+        return std::ranges::any_of(output.prototypes, [&](const auto& made) { return made.is_blade == blades; });
+      };
       progress_.check();
-      plant.materials.push_back(material_of(graph_.components[c]));
-      count_pixels(plant.materials.back());
+      const auto material = static_cast<std::uint32_t>(plant.materials.size());
+      const bool has_own = output.stems > 0 || has(false);
+      if (has_own) {
+        plant.materials.push_back(material_of(graph_.components[c]));
+        count_pixels(plant.materials.back());
+      }
+      const auto blades = static_cast<std::uint32_t>(plant.materials.size());
+      if (has(true)) plant.materials.push_back(blades_of(graph_.components[c]));
       const auto first = static_cast<std::uint32_t>(plant.prototypes.size());
-      for (auto& mesh : output.meshes) plant.prototypes.push_back({graph_.components[c].id, material, std::move(mesh)});
+      for (Emitter::EmittedPrototype& made : output.prototypes) {
+        plant.prototypes.push_back({graph_.components[c].id, made.is_blade ? blades : material, std::move(made.mesh)});
+      }
       for (Organ& organ : output.organs) {
         organ.prototype += first;
         plant.organs.push_back(organ);

@@ -30,7 +30,8 @@ struct Link {
   ComponentIndex from = 0;
   ComponentIndex to = 0;
   LinkKind kind = LinkKind::child;
-  Placement placement;  ///< of branch links
+  Placement placement;            ///< of branch links
+  std::uint32_t name = kNoIndex;  ///< of child links that the parent makes itself: which of the ids it places
 };
 
 struct Graph {
@@ -39,6 +40,9 @@ struct Graph {
   std::uint64_t seed = 0;
   Limits limits;
 };
+
+/// What messages call a link: "links[2]", or the component that made it where the document has no such link.
+std::string link_path(const Graph& graph, LinkIndex link);
 
 /// What a graph's links mean together; made by analyse_structure.
 struct Structure {
@@ -58,7 +62,7 @@ struct Structure {
 /// nothing, links to the camera, cycles without a recursion, crossing recursions (both named). Two recursions cross
 /// where one begins inside the other and ends outside, having part of the way in common; one that begins inside and
 /// goes its own way lies within the other. Reports at most `graph.limits.diagnostics` faults.
-/// `link_path(k)` in messages is "links[k]". The result is meaningful only if no error was added.
+/// The result is meaningful only if no error was added.
 Structure analyse_structure(const Graph& graph, std::vector<Diagnostic>& diagnostics);
 
 }  // namespace meristem

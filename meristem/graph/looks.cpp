@@ -45,6 +45,12 @@ Material material_of(const Prototype& prototype) {
   return material;
 }
 
+Material blades_of(const Prototype& prototype) {
+  Material material = prototype.type->blades;
+  material.name = prototype.id + "_blades";
+  return material;
+}
+
 Tinting::Tinting(const Prototype& prototype) : variety_(prototype.base().variety.value_or(prototype.type->variety)) {
   const std::vector<Vec3>& colours = prototype.base().colours;
   if (colours.empty()) return;

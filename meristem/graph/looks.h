@@ -10,6 +10,9 @@ namespace meristem {
 /// The material of a component, with its texture.
 Material material_of(const Prototype& prototype);
 
+/// That of what it emits as blades.
+Material blades_of(const Prototype& prototype);
+
 /// What tells a component's instances apart in colour.
 class Tinting {
  public:

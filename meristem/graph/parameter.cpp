@@ -61,6 +61,8 @@ std::string Parameter::expectation() const {
       return "true or false";
     case ParameterKind::text:
       return "a text";
+    case ParameterKind::lines:
+      return "a text or a list of its lines";
     case ParameterKind::choice:
       return fmt::format("one of {}", fmt::join(choices, ", "));
     case ParameterKind::integers:

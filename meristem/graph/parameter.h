@@ -26,6 +26,7 @@ enum class ParameterKind {
   integer,  ///< int, uint64_t or optional<int>
   boolean,
   text,
+  lines,      ///< a text, plain or as a list of its lines
   choice,     ///< an enum by its enumerators' names
   integers,   ///< a list of so many whole numbers
   vector,     ///< three numbers

@@ -91,7 +91,7 @@ struct AxisPlaces {
 std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const Axes& axes, const Placement& placement,
                                          const PlacementContext& context) {
   if (placement.where) return nodes_where(skeleton, axes, *placement.where, context.parent.key.child("where"));
-  if (!context.has_grown) return std::vector<std::uint8_t>(skeleton.node_count(), 1);
+  if (!context.has_twigs) return std::vector<std::uint8_t>(skeleton.node_count(), 1);
   std::vector<std::uint8_t> eligible;
   for (const float distance : tip_distance(skeleton)) eligible.push_back(distance < kDefaultTwig ? 1 : 0);
   return eligible;

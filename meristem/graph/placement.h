@@ -40,7 +40,7 @@ const ParameterTable& placement_table();
 struct PlacementContext {
   Vec3 light{0, 1, 0};    ///< unit vector toward it
   bool on_axis = false;   ///< places lie on the stem's axis and not on its bark, for children that are stems themselves
-  bool has_grown = true;  ///< the stem is a growth model's, so that by default its twigs carry the children
+  bool has_twigs = true;  ///< by default they carry the children
   std::uint32_t stem = kNoStem;  ///< number of the stem, for the places
   Site parent;                   ///< of the instance that made the stem; the places' keys and depths come from it
   const Limits* limits = nullptr;

@@ -9,10 +9,27 @@
 #include <fmt/format.h>
 
 #include "meristem/base/hash.h"
+#include "meristem/base/read_file.h"
 
 namespace meristem {
 
 namespace {
+
+/// The byte at which a character of a line begins, both counted from 0; the text's end where there is none.
+std::size_t byte_offset(std::string_view text, std::size_t line, std::size_t column) {
+  std::size_t at = 0;
+  for (; line > 0; --line) {
+    const std::size_t end = text.find('\n', at);
+    if (end == std::string_view::npos) return text.size();
+    at = end + 1;
+  }
+  const auto continues = [&](std::size_t byte) { return (static_cast<unsigned char>(text[byte]) & 0xc0U) == 0x80U; };
+  for (; column > 0 && at < text.size() && text[at] != '\n'; --column) {
+    ++at;
+    while (at < text.size() && continues(at)) ++at;
+  }
+  return at;
+}
 
 double document_scale(Unit unit) { return unit == Unit::degree ? kPi / 180 : 1; }
 
@@ -279,20 +296,77 @@ void ParameterReader::file(const Parameter& parameter, const Value& value, const
   try {
     load(path);
   } catch (const InputError& error) {
-    // One fault says both places: this one, and the one in the file.
-    for (const Diagnostic& found : error.diagnostics()) {
-      std::string at = found.line > 0 ? fmt::format("{}:{}", *given, found.line) : *given;
-      if (found.column > 0) at += fmt::format(":{}", found.column);
-      std::string similar = found.nearest;
-      // The nearest file is named as the document would name it.
-      if (!folder_.empty() && similar.starts_with((folder / "").string())) {
-        similar.erase(0, (folder / "").string().size());
-      }
-      fault(place, fmt::format("'{}': {}", at, found.message), found.expected, std::move(similar));
-    }
+    for (const Diagnostic& found : error.diagnostics()) report_in_file(found, *given, place);
   } catch (const MachineError& error) {
     fault(place, error.what());
   }
+}
+
+/// One fault says both places: this one, and the one in the file.
+void ParameterReader::report_in_file(const Diagnostic& found, const std::string& file, const Place& place) {
+  const std::filesystem::path folder(folder_);
+  std::string at = found.line > 0 ? fmt::format("{}:{}", file, found.line) : file;
+  if (found.column > 0) at += fmt::format(":{}", found.column);
+  Diagnostic told = found;
+  told.message = fmt::format("'{}': {}", at, found.message);
+  // The nearest file is named as the document would name it.
+  if (!folder_.empty() && told.nearest.starts_with((folder / "").string())) {
+    told.nearest.erase(0, (folder / "").string().size());
+  }
+  report(place, told, -1);
+}
+
+void ParameterReader::report(const Place& place, const Diagnostic& found, int text_offset) {
+  if (found.severity == Severity::warning) {
+    warn(place, found.message);
+  } else {
+    fault(place, found.message, found.expected, found.nearest, text_offset);
+  }
+}
+
+void ParameterReader::report_in_text(const Diagnostic& found, const Value& value, const Place& place) {
+  Diagnostic told = found;
+  if (!found.file.empty()) {
+    told.message = fmt::format("'{}:{}': {}", found.file, found.line, found.message);
+    return report(place, told, -1);
+  }
+  const auto line = static_cast<std::size_t>(std::max(found.line, 1) - 1);
+  const auto column = static_cast<std::size_t>(std::max(found.column, 1) - 1);
+  if (const Value::List* lines = value.list()) {
+    if (found.line < 1 || line >= lines->size()) return report(place, told, -1);
+    const std::string& text = *(*lines)[line].text();
+    return report(Place(place, line), told, static_cast<int>(byte_offset(text, 0, column)));
+  }
+  const std::string& text = *value.text();
+  report(place, told, found.line < 1 ? -1 : static_cast<int>(byte_offset(text, line, column)));
+}
+
+void ParameterReader::lines(const Parameter& parameter, const Value& value, const Place& place, ReadText read) {
+  std::string text;
+  if (const Value::List* lines = value.list()) {
+    for (const Value& line : *lines) {
+      if (line.text() == nullptr) return wrong_kind(parameter, value, place);
+      text += *line.text() + '\n';
+    }
+  } else if (value.text() != nullptr) {
+    text = *value.text();
+  } else {
+    return wrong_kind(parameter, value, place);
+  }
+  std::vector<Diagnostic> warnings;
+  try {
+    read(text, (std::filesystem::path(folder_) / "").string(), warnings);
+  } catch (const InputError& error) {
+    for (const Diagnostic& found : error.diagnostics()) report_in_text(found, value, place);
+  }
+  for (const Diagnostic& found : warnings) report_in_text(found, value, place);
+}
+
+void ParameterReader::text_file(const Parameter& parameter, const Value& value, const Place& place, ReadText read) {
+  std::vector<Diagnostic> warnings;
+  file(parameter, value, place,
+       [&](const std::string& path) { read(read_file(path, limits_.file_bytes), path, warnings); });
+  for (const Diagnostic& found : warnings) report_in_file(found, *value.text(), place);
 }
 
 std::optional<std::size_t> ParameterReader::choice(const Parameter& parameter, const Value& value, const Place& place) {

@@ -28,6 +28,9 @@ struct NumberSlot {
 /// differ from instance to instance.
 class ParameterReader {
  public:
+  using ReadText =
+      FunctionRef<void(const std::string& text, const std::string& path, std::vector<Diagnostic>& warnings)>;
+
   /// `constants` are the document's variables; paths of files start in `folder`, or where it is empty in the present
   /// one.
   ParameterReader(std::vector<ExpressionNames::Constant> constants, const Limits& limits, std::string folder = {})
@@ -68,6 +71,15 @@ class ParameterReader {
   /// Calls `load` with the full path of the file that `value` names; what it throws becomes faults at `place`.
   void file(const Parameter& parameter, const Value& value, const Place& place,
             FunctionRef<void(const std::string& path)> load);
+  /// Calls `read` with a text that may stand as a list of its lines, and with a path in the document's folder. The
+  /// faults that it throws and the warnings that it gives, by line and column, come to stand at their places in the
+  /// document.
+  void lines(const Parameter& parameter, const Value& value, const Place& place, ReadText read);
+  /// The same for the text of a file.
+  void text_file(const Parameter& parameter, const Value& value, const Place& place, ReadText read);
+  /// The document's variables.
+  const std::vector<ExpressionNames::Constant>& constants() const { return constants_; }
+  void add_file(std::string path) { files_.push_back(std::move(path)); }
   /// The paths of all files that were named so far.
   const std::vector<std::string>& files() const { return files_; }
   /// The table's members from an object, or its shorthand from a bare value.
@@ -75,6 +87,9 @@ class ParameterReader {
   void wrong_kind(const Parameter& parameter, const Value& value, const Place& place);
 
  private:
+  void report_in_file(const Diagnostic& found, const std::string& file, const Place& place);
+  void report_in_text(const Diagnostic& found, const Value& value, const Place& place);
+  void report(const Place& place, const Diagnostic& found, int text_offset);
   void check_company(const ParameterTable& table, const Value::Object& given, const Place& place);
   bool may_vary(const Parameter& parameter, const void* member) const;
   bool check_range(const Parameter& parameter, double value, const Place& place, std::string_view what);

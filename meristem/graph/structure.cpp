@@ -13,8 +13,6 @@ namespace {
 constexpr std::size_t kMaxRecursions = 64;
 constexpr std::size_t kShownMembers = 8;  // of a cycle in messages
 
-std::string link_path(LinkIndex link) { return fmt::format("links[{}]", link); }
-
 class Analysis {
  public:
   Analysis(const Graph& graph, std::vector<Diagnostic>& diagnostics) : graph_(graph), diagnostics_(diagnostics) {
@@ -65,7 +63,7 @@ class Analysis {
     for (LinkIndex k = 0; k < graph_.links.size(); ++k) {
       const Link& link = graph_.links[k];
       if (graph_.components[link.to].type->is_camera) {
-        error(link_path(k), fmt::format("the link leads to the camera '{}'", id(link.to)),
+        error(link_path(graph_, k), fmt::format("the link leads to the camera '{}'", id(link.to)),
               "the camera is the root of all links");
       }
     }
@@ -123,7 +121,7 @@ class Analysis {
     Structure::Recursion recursion{.head = head};
     for (auto visit = head_at; visit != path_end; ++visit) recursion.members.push_back(visit->component);
     if (graph_.components[head].base().recursion < 2) {
-      error(link_path(link), fmt::format("the links {} go round without end", cycle_text(recursion)),
+      error(link_path(graph_, link), fmt::format("the links {} go round without end", cycle_text(recursion)),
             fmt::format("a \"recursion\" of at least 2 in '{}', or no link back", id(head)));
     }
     structure_.recursion_of_link[link] = static_cast<std::uint32_t>(structure_.recursions.size());
@@ -218,6 +216,11 @@ class Analysis {
 };
 
 }  // namespace
+
+std::string link_path(const Graph& graph, LinkIndex link) {
+  const bool is_made = graph.links[link].name != kNoIndex;
+  return is_made ? "components." + graph.components[graph.links[link].from].id : fmt::format("links[{}]", link);
+}
 
 Structure analyse_structure(const Graph& graph, std::vector<Diagnostic>& diagnostics) {
   return Analysis(graph, diagnostics).run();

@@ -26,6 +26,11 @@
 
 namespace meristem {
 
+/// Makes something of a text.
+template <class T>
+using TextAsset = T (*)(const std::string& text, const std::string& path, ParameterReader& reader,
+                        std::vector<Diagnostic>& warnings);
+
 // The parts of Table that do not depend on the struct's type.
 namespace table_detail {
 
@@ -268,6 +273,35 @@ class Table {
                        ParameterReader& reader) {
           reader.file(self, value, place, [&](const std::string& path) {
             object.*member = {*value.text(), std::make_shared<const T>(load(path, reader.limits()))};
+          });
+        },
+        [member](const P& object) { return object.*member ? Value((object.*member).path) : Value(); });
+    return std::move(*this);
+  }
+  /// A text, plain or as a list of its lines. `read` makes something of it and of a path in the document's folder,
+  /// throws InputError for faults by line and column, and may give warnings.
+  template <class T>
+  Table&& lines(std::string name, Asset<T> P::*member, TextAsset<T> read, std::string doc) && {
+    row(
+        ParameterKind::lines, std::move(name), std::move(doc),
+        [member, read](const Parameter& self, P& object, const Value& value, const Place& place,
+                       ParameterReader& reader) {
+          reader.lines(self, value, place, [&](const std::string& text, const std::string& path, auto& warnings) {
+            object.*member = {text, std::make_shared<const T>(read(text, path, reader, warnings))};
+          });
+        },
+        [member](const P& object) { return object.*member ? Value((object.*member).path) : Value(); });
+    return std::move(*this);
+  }
+  /// The same for the text of a file.
+  template <class T>
+  Table&& text_file(std::string name, Asset<T> P::*member, TextAsset<T> read, std::string doc) && {
+    row(
+        ParameterKind::file, std::move(name), std::move(doc),
+        [member, read](const Parameter& self, P& object, const Value& value, const Place& place,
+                       ParameterReader& reader) {
+          reader.text_file(self, value, place, [&](const std::string& text, const std::string& path, auto& warnings) {
+            object.*member = {*value.text(), std::make_shared<const T>(read(text, path, reader, warnings))};
           });
         },
         [member](const P& object) { return object.*member ? Value((object.*member).path) : Value(); });

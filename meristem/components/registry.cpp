@@ -6,6 +6,7 @@
 #include "meristem/components/colonize.h"
 #include "meristem/components/hydra.h"
 #include "meristem/components/leaf.h"
+#include "meristem/components/lsystem.h"
 #include "meristem/components/needles.h"
 #include "meristem/components/simple.h"
 #include "meristem/components/tree.h"
@@ -22,6 +23,7 @@ const Registry& builtin_components() {
       hydra_component(),
       colonize_component(),
       cloud_component(),
+      lsystem_component(),
   });
   return registry;
 }

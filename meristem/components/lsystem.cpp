@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/lsystem.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/matrix.hpp>
+
+#include "meristem/base/colour.h"
+#include "meristem/base/hash.h"
+#include "meristem/components/surface_table.h"
+#include "meristem/graph/graph.h"
+#include "meristem/grow/lsystem/derive.h"
+#include "meristem/grow/lsystem/grammar_reader.h"
+#include "meristem/shape/polygon_mesh.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr double kDefaultAngle = 22.5;  // degrees
+constexpr float kShapeSteps = 8192;     // of a polygon's extent, to which its corners are rounded to be shared
+constexpr Vec3 kLeafGreen{0.31F, 0.47F, 0.19F};
+
+/// The letters that may stand behind a ~, in the order in which the text has them.
+void note_placed(const std::vector<ModuleForm>& word, PlantGrammar& plant) {
+  const Alphabet& alphabet = plant.grammar.alphabet;
+  for (std::size_t k = 0; k + 1 < word.size(); ++k) {
+    if (alphabet[word[k].letter].symbol != "~") continue;
+    const LetterIndex letter = word[k + 1].letter;
+    const std::string& id = alphabet[letter].symbol;
+    const auto found = std::ranges::find(plant.placed, id);
+    plant.placed_of_letter[letter] = static_cast<std::uint32_t>(found - plant.placed.begin());
+    if (found == plant.placed.end()) plant.placed.push_back(id);
+  }
+}
+
+PlantGrammar read_plant_grammar(const std::string& text, const std::string& path, ParameterReader& reader,
+                                std::vector<Diagnostic>& warnings) {
+  std::vector<std::string> included;
+  PlantGrammar plant;
+  plant.grammar = read_grammar(text, {.constants = reader.constants(),
+                                      .read = read_beside(path, &included),
+                                      .warnings = &warnings,
+                                      .limits = reader.limits()});
+  for (std::string& file : included) reader.add_file(std::move(file));
+  plant.placed_of_letter.assign(plant.grammar.alphabet.size(), kNoIndex);
+  note_placed(plant.grammar.axiom, plant);
+  for (const RuleSet* rules :
+       {&plant.grammar.production, &plant.grammar.decomposition, &plant.grammar.interpretation}) {
+    for (const Rule& rule : rules->rules) note_placed(rule.successor, plant);
+  }
+  return plant;
+}
+
+/// Faults of the grammar while it derives, at the place in the document where the grammar stands.
+[[noreturn]] void throw_placed(const InputError& error, const Lsystem& plant, const std::string& component) {
+  std::vector<Diagnostic> placed = error.diagnostics();
+  for (Diagnostic& found : placed) {
+    if (!found.path.empty()) continue;
+    found.path = fmt::format("components.{}.{}", component, plant.grammar ? "grammar" : "file");
+    if (found.line > 0) {
+      const std::string& file = plant.file.path;
+      found.message = plant.grammar ? fmt::format("line {} of the grammar: {}", found.line, found.message)
+                                    : fmt::format("'{}:{}': {}", file, found.line, found.message);
+    }
+    found.line = 0;
+    found.column = 0;
+  }
+  throw InputError(std::move(placed));
+}
+
+/// The word as it is drawn.
+Word derive_plant(const Lsystem& plant, const Site& site, Emitter& out) {
+  const Grammar& grammar = plant.source().grammar;
+  const int steps = plant.steps.value_or(grammar.steps.value_or(0));
+  const RandomKey key = site.key.child("word");
+  const Word word = derive(grammar, steps, key, out.limits(), out.progress());
+  return interpreted(grammar, word, key, out.limits(), out.progress());
+}
+
+TurtleParameters turtle_of(const Lsystem& plant) {
+  TurtleParameters turtle = plant.turtle;
+  turtle.angle = plant.angle.value_or(plant.source().grammar.angle.value_or(kDefaultAngle));
+  turtle.azimuth = turtle.angle;
+  if (plant.angles) {
+    turtle.angle = plant.angles->elevation;
+    turtle.azimuth = plant.angles->azimuth;
+  }
+  turtle.trunk_decay = plant.width_decay.trunk;
+  turtle.branch_decay = plant.width_decay.branch;
+  return turtle;
+}
+
+/// A polygon's corners in its own frame, as shares of its extent and rounded, so that polygons of one shape are one.
+struct PolygonShape {
+  std::vector<Vec3> corners;
+  float extent = 0;
+  std::uint64_t key = 0;
+};
+
+PolygonShape shape_of(const Drawing& drawing, const TurtlePolygon& polygon) {
+  PolygonShape shape;
+  const Mat3 to_local = glm::transpose(polygon.frame.axes);
+  for (std::uint32_t k = 0; k < polygon.count; ++k) {
+    const Vec3 local = to_local * (drawing.corners[polygon.first + k] - polygon.frame.origin);
+    shape.corners.push_back(local);
+    const Vec3 size = glm::abs(local);
+    shape.extent = std::max({shape.extent, size.x, size.y, size.z});
+  }
+  if (shape.extent == 0) return shape;
+  for (Vec3& corner : shape.corners) {
+    // Adding zero makes negative zeros positive.
+    corner = glm::floor(corner * (kShapeSteps / shape.extent) + 0.5F) / kShapeSteps + 0.0F;
+  }
+  shape.key = hash64(
+      std::string_view(reinterpret_cast<const char*>(shape.corners.data()), shape.corners.size() * sizeof(Vec3)));
+  return shape;
+}
+
+/// Linear factors on the blades' green.
+Vec3 tint_of(const Lsystem& plant, std::uint32_t colour) {
+  if (plant.palette.empty()) return Vec3(1);
+  const std::size_t last = plant.palette.size() - 1;
+  return linear_from_srgb(plant.palette[std::min<std::size_t>(colour, last)]) / linear_from_srgb(kLeafGreen);
+}
+
+void emit_polygons(const Lsystem& plant, const Site& site, const Drawing& drawing, Emitter& out) {
+  const Mat3 to_instance = glm::inverse(site.frame.axes);
+  for (const TurtlePolygon& polygon : drawing.polygons) {
+    const PolygonShape shape = shape_of(drawing, polygon);
+    if (shape.extent == 0) continue;
+    Frame local;
+    local.axes = to_instance * (shape.extent * polygon.frame.axes);
+    local.origin = to_instance * (polygon.frame.origin - site.frame.origin);
+    out.blade(
+        local, shape.key, [&] { return make_polygon(shape.corners); }, tint_of(plant, polygon.colour));
+  }
+}
+
+void expand(const Lsystem& plant, const Site& site, Emitter& out) {
+  Drawing drawing;
+  try {
+    const PlantGrammar& source = plant.source();
+    drawing = draw(derive_plant(plant, site, out), source.grammar.alphabet, turtle_of(plant), site.frame, out.limits(),
+                   "components." + out.component(), out.progress());
+  } catch (const InputError& error) {
+    throw_placed(error, plant, out.component());
+  }
+  emit_polygons(plant, site, drawing, out);
+  const float length = glm::length(site.frame.heading()) * static_cast<float>(plant.turtle.length);
+  const std::vector<TurtlePlace> places = std::move(drawing.places);
+  out.stem(std::move(drawing.skeleton), plant.surface);
+  for (const TurtlePlace& place : places) {
+    const std::uint32_t name = plant.source().placed_of_letter[place.letter];
+    if (name != kNoIndex) out.named_site(name, place.frame, length, place.radius, place.node);
+  }
+}
+
+std::vector<std::string> placed(const Lsystem& plant) {
+  return plant.grammar || plant.file ? plant.source().placed : std::vector<std::string>();
+}
+
+void check_lsystem(const Lsystem& plant, const Place& place, ParameterReader& reader) {
+  if (!plant.grammar && !plant.file) return;  // told by the table
+  if (!plant.steps && !plant.source().grammar.steps) {
+    reader.fault(place, "nothing says how many steps the grammar takes", "'steps', or #steps in the grammar");
+  }
+  const bool is_polar = plant.turtle.reading == TurtleParameters::Reading::polar;
+  const auto require = [&](bool holds, const char* name, const char* reading) {
+    if (holds) return;
+    reader.fault_name(Place(place, name), fmt::format("'{}' means nothing to this turtle", name),
+                      fmt::format("\"turtle\": \"{}\", or no such key", reading), "");
+  };
+  require(is_polar || !plant.angles, "angles", "polar");
+  require(is_polar || plant.turtle.stack_angles, "stack_angles", "polar");
+  require(!is_polar || plant.turtle.elasticity == 0, "elasticity", "frame");
+}
+
+const ParameterTable& angles_table() {
+  static const ParameterTable table =
+      Table<PolarAngles>("angles", "The turns of a polar turtle, in degrees.")
+          .number("elevation", &PolarAngles::elevation, {.min = -360, .max = 360}, "Of ^ and &.")
+          .number("azimuth", &PolarAngles::azimuth, {.min = -360, .max = 360}, "Of + and -.");
+  return table;
+}
+
+const ParameterTable& decay_table() {
+  static const ParameterTable table =
+      Table<WidthDecay>("a decay", "By which each segment's radius is multiplied from its beginning to its end.")
+          .number("trunk", &WidthDecay::trunk, {.min = 0, .max = 2}, "Outside all brackets; raised, fuller stems.")
+          .number("branch", &WidthDecay::branch, {.min = 0, .max = 2}, "Within brackets; raised, fuller branches.");
+  return table;
+}
+
+const ParameterTable& turtle_table() {
+  static const ParameterTable table =
+      Table<TurtleParameters>("a turtle", "How the word is drawn.")
+          .choice("turtle", &TurtleParameters::reading, {"frame", "polar"},
+                  "frame: turns are about the turtle's own axes; polar: they change its elevation and azimuth.")
+          .boolean("stack_angles", &TurtleParameters::stack_angles,
+                   "Whether ] brings a polar turtle's angles back, and not its place alone.")
+          .number("length", &TurtleParameters::length, {.unit = Unit::metre, .min = -1000, .max = 1000},
+                  "Of F, G, f and g without a parameter.")
+          .number("width", &TurtleParameters::width, {.unit = Unit::metre, .min = 0, .max = 100},
+                  "Radius at the root; ! and # set radii, too.")
+          .number("thinner", &TurtleParameters::thinner, {.min = 0, .max = 1, .above_min = true},
+                  "By which ! without a parameter multiplies the radius, and # divides it.")
+          .vector("tropism", &TurtleParameters::tropism, {.min = -100, .max = 100},
+                  "What branches bend toward; its length counts, too.")
+          .number("elasticity", &TurtleParameters::elasticity, {.min = -10, .max = 10},
+                  "How far they bend at each segment: radians where the pull is at right angles; negative: away.");
+  return table;
+}
+
+}  // namespace
+
+ComponentType lsystem_component() {
+  return define_component<Lsystem>({
+      .name = "lsystem",
+      .doc = "A plant by the rules of a grammar (L-system), drawn by a turtle; ~ in its words places components.",
+      .parameters =
+          Table<Lsystem>("an lsystem", "A plant by the rules of a grammar, drawn by a turtle.")
+              .lines("grammar", &Lsystem::grammar, read_plant_grammar, "The grammar's text, or a list of its lines.")
+              .text_file("file", &Lsystem::file, read_plant_grammar, "A file with it instead.")
+              .one_of({"grammar", "file"})
+              .integer("steps", &Lsystem::steps, {.min = 0, .max = 100000},
+                       "How often the rules are applied; unset, as the grammar says.")
+              .number("angle", &Lsystem::angle, {.min = -360, .max = 360},
+                      "Degrees of turns without a parameter; unset, as the grammar says, else 22.5.")
+              .object("angles", &Lsystem::angles, angles_table, "The same for a polar turtle, by kind of turn.")
+              .members(&Lsystem::turtle, turtle_table())
+              .object("width_decay", &Lsystem::width_decay, decay_table,
+                      "How stems get thinner in words without ! and #.")
+              .colours("palette", &Lsystem::palette,
+                       "Colours of polygons by the number that ' counts, the last for all beyond.")
+              .object("surface", &Lsystem::surface, surface_table, "How the stems are clothed.")
+              .never_with("angle", {"angles"})
+              .check(check_lsystem),
+      .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
+      .blades = {.colour = kLeafGreen, .roughness = 0.6F, .translucency = 0.3F, .two_sided = true},
+      .makes_stems = true,
+      .has_twigs = true,
+      .expand = expand,
+      .placed = placed,
+  });
+}
+
+}  // namespace meristem

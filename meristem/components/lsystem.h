@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "meristem/graph/asset.h"
+#include "meristem/graph/component.h"
+#include "meristem/grow/lsystem/grammar.h"
+#include "meristem/grow/lsystem/turtle.h"
+
+namespace meristem {
+
+/// What turns by steps of its own in the polar reading.
+struct PolarAngles {
+  double elevation = 22.5;  ///< degrees
+  double azimuth = 22.5;
+};
+
+/// How a stem gets thinner from segment to segment where words set no widths.
+struct WidthDecay {
+  double trunk = 0.95;    ///< outside all brackets
+  double branch = 0.825;  ///< within them
+};
+
+/// A grammar with the components that it places.
+struct PlantGrammar {
+  Grammar grammar;
+  std::vector<std::string> placed;                ///< their ids
+  std::vector<std::uint32_t> placed_of_letter{};  ///< by letter: index into them, kNoIndex for most
+};
+
+/// A plant by the rules of a grammar, drawn by a turtle.
+struct Lsystem : ComponentBase {
+  Asset<PlantGrammar> grammar;  ///< from a text in the document,
+  Asset<PlantGrammar> file;     ///< or from a file
+  std::optional<int> steps;     ///< unset: the grammar's
+  std::optional<double> angle;  ///< degrees; unset: the grammar's
+  std::optional<PolarAngles> angles;
+  WidthDecay width_decay;
+  TurtleParameters turtle;    ///< without angles and decays
+  std::vector<Vec3> palette;  ///< of polygons, by the number of their colour; empty: the green of leaves
+  Surface surface;
+
+  const PlantGrammar& source() const { return grammar ? *grammar : *file; }
+};
+
+ComponentType lsystem_component();
+
+}  // namespace meristem

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Honda's tree with one axis as an L-system (P. Prusinkiewicz, A. Lindenmayer: The Algorithmic Beauty of Plants, 1990,
-// figure 2.6), with two parameters and 18 steps: 1,835,002 modules. `hard_coded` is the same derivation written in C++
-// for this tree alone. Counters: modules of the last word a second, and `to_hard_coded`, the time as a multiple of the
-// hard-coded derivation's, both the least of some runs taken in turn.
+// figure 2.6), with two parameters and 18 steps: 1,835,002 modules and 262,143 segments. `derived_hard_coded` and
+// `drawn_hard_coded` are the same derivation and the same drawing written in C++ for this tree alone; both give the
+// same numbers to the last bit. Counters: modules of the last word a second, and `to_hard_coded`, the time as a
+// multiple of the hard-coded one's, both the least of some runs taken in turn.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -14,9 +15,12 @@
 #include <vector>
 
 #include <benchmark/benchmark.h>
+#include <sys/resource.h>
 
+#include "meristem/base/degrees.h"
 #include "meristem/base/parallel.h"
 #include "meristem/grow/lsystem/derive.h"
+#include "meristem/grow/lsystem/turtle.h"
 #include "tests/support/build_grammar.h"
 
 namespace {
@@ -25,6 +29,8 @@ using namespace meristem;
 
 constexpr int kSteps = 18;
 constexpr std::size_t kModules = 1'835'002;
+constexpr std::size_t kNodes = 262'144;
+constexpr int kLongSteps = 11;  // 2 * 5^11 modules and more
 
 Grammar honda_tree() {
   return build_grammar({"A(1,10)",
@@ -113,7 +119,98 @@ Word derive_tree(const Grammar& grammar, int threads) {
   return derive(grammar, kSteps, RandomKey(1), Limits(), progress);
 }
 
-/// Ends the program if the two derivations differ.
+/// What a drawing knows where it branches.
+struct HardCodedTurtle {
+  DVec3 place{0};
+  DVec3 heading{0, 1, 0}, left{-1, 0, 0}, up{0, 0, 1};
+  double width = 0.01;
+  NodeIndex node = kNoNode;
+  AxisIndex axis = 0;
+  std::uint16_t order = 0;
+  bool begins_branch = false;
+
+  static void turn(DVec3& a, DVec3& b, double cosine, double sine) {
+    const DVec3 turned = cosine * a + sine * b;
+    b = cosine * b - sine * a;
+    a = turned;
+  }
+};
+
+Skeleton draw_hard_coded(const HardCodedWord& word) {
+  Skeleton skeleton;
+  skeleton.reserve(kNodes);
+  HardCodedTurtle turtle;
+  std::vector<HardCodedTurtle> stack;
+  AxisIndex axes = 1;
+  const double cos_45 = math::cos_deg(45);
+  const double sin_45 = math::sin_deg(45);
+  const double cos_roll = math::cos_deg(137.5);
+  const double sin_roll = math::sin_deg(137.5);
+  const auto add_node = [&](NodeIndex parent) {
+    const NodeIndex node = skeleton.add_node(parent, Vec3(turtle.place), 0);
+    skeleton.radius[node] = static_cast<float>(turtle.width);
+    skeleton.axis[node] = turtle.axis;
+    skeleton.order[node] = turtle.order;
+    return node;
+  };
+  const double* in = word.parameters.data();
+  for (const char letter : word.letters) {
+    switch (letter) {
+      case 'F':
+        if (turtle.node == kNoNode) turtle.node = add_node(kNoNode);
+        if (turtle.begins_branch) {
+          turtle.axis = axes++;
+          ++turtle.order;
+          turtle.begins_branch = false;
+        }
+        turtle.place += in[0] * turtle.heading;
+        turtle.node = add_node(turtle.node);
+        break;
+      case '!':
+        turtle.width = in[0];
+        break;
+      case '&':
+        HardCodedTurtle::turn(turtle.up, turtle.heading, cos_45, sin_45);
+        break;
+      case '+':
+        HardCodedTurtle::turn(turtle.heading, turtle.left, cos_45, sin_45);
+        break;
+      case '-':
+        HardCodedTurtle::turn(turtle.heading, turtle.left, cos_45, -sin_45);
+        break;
+      case '/':
+        HardCodedTurtle::turn(turtle.left, turtle.up, cos_roll, -sin_roll);
+        break;
+      case '$': {
+        const DVec3 left = glm::cross(DVec3(0, 1, 0), turtle.heading);
+        const double length = glm::length(left);
+        if (length < 1e-6) break;
+        turtle.left = left / length;
+        turtle.up = glm::cross(turtle.heading, turtle.left);
+        break;
+      }
+      case '[':
+        stack.push_back(turtle);
+        turtle.begins_branch = true;
+        break;
+      case ']':
+        turtle = stack.back();
+        stack.pop_back();
+        break;
+      default:
+        break;
+    }
+    in += parameter_count(letter);
+  }
+  return skeleton;
+}
+
+Skeleton draw_tree(const Grammar& grammar, const Word& word) {
+  Progress progress;
+  return draw(word, grammar.alphabet, {}, {}, Limits(), "", progress).skeleton;
+}
+
+/// Ends the program if derivations or drawings differ.
 void require_same() {
   const Grammar grammar = honda_tree();
   const Word word = derive_tree(grammar, 1);
@@ -123,8 +220,10 @@ void require_same() {
   for (std::size_t k = 0; is_same && k < kModules; ++k) {
     is_same = grammar.alphabet[word.letters[k]].symbol[0] == expected.letters[k];
   }
+  const Skeleton drawn = draw_tree(grammar, word);
+  is_same = is_same && drawn.node_count() == kNodes && skeleton_hash(drawn) == skeleton_hash(draw_hard_coded(expected));
   if (is_same) return;
-  std::fprintf(stderr, "the derivations differ\n");
+  std::fprintf(stderr, "the derivations or the drawings differ\n");
   std::exit(1);
 }
 
@@ -135,27 +234,70 @@ double seconds(Work work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void hard_coded(benchmark::State& state) {
-  while (state.KeepRunning()) benchmark::DoNotOptimize(derive_hard_coded());
+/// Least time of `work` as a multiple of the least of `reference`, in turns.
+template <typename Work, typename Reference>
+double ratio(Work work, Reference reference) {
+  double least = 1e9;
+  double least_reference = 1e9;
+  for (int run = 0; run < 20; ++run) {
+    least = std::min(least, seconds(work));
+    least_reference = std::min(least_reference, seconds(reference));
+  }
+  return least / least_reference;
+}
+
+void count_modules(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kModules));
+}
+
+void derived_hard_coded(benchmark::State& state) {
+  while (state.KeepRunning()) benchmark::DoNotOptimize(derive_hard_coded());
+  count_modules(state);
 }
 
 void derived(benchmark::State& state) {
   const Grammar grammar = honda_tree();
   const int threads = static_cast<int>(state.range(0));
   while (state.KeepRunning()) benchmark::DoNotOptimize(derive_tree(grammar, threads));
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kModules));
-  double least = 1e9;
-  double least_hard_coded = 1e9;
-  for (int run = 0; run < 20; ++run) {
-    least = std::min(least, seconds([&] { return derive_tree(grammar, threads); }));
-    least_hard_coded = std::min(least_hard_coded, seconds(derive_hard_coded));
-  }
-  state.counters["to_hard_coded"] = least / least_hard_coded;
+  count_modules(state);
+  state.counters["to_hard_coded"] = ratio([&] { return derive_tree(grammar, threads); }, derive_hard_coded);
 }
 
-BENCHMARK(hard_coded)->Unit(benchmark::kMillisecond);
+void drawn_hard_coded(benchmark::State& state) {
+  const HardCodedWord word = derive_hard_coded();
+  while (state.KeepRunning()) benchmark::DoNotOptimize(draw_hard_coded(word));
+  count_modules(state);
+}
+
+void drawn(benchmark::State& state) {
+  const Grammar grammar = honda_tree();
+  const Word word = derive_tree(grammar, 1);
+  const HardCodedWord hard_coded = derive_hard_coded();
+  while (state.KeepRunning()) benchmark::DoNotOptimize(draw_tree(grammar, word));
+  count_modules(state);
+  state.counters["to_hard_coded"] =
+      ratio([&] { return draw_tree(grammar, word); }, [&] { return draw_hard_coded(hard_coded); });
+}
+
+/// A word of over a hundred million modules; its counters are the process's, from this benchmark on.
+void hundred_million(benchmark::State& state) {
+  const Grammar grammar = build_grammar({"F", {"F -> F[+F]F[-F]F"}});
+  std::size_t modules = 0;
+  while (state.KeepRunning()) {
+    Progress progress;
+    modules = derive(grammar, kLongSteps, RandomKey(1), Limits(), progress).module_count();
+  }
+  state.counters["modules"] = static_cast<double>(modules);
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  state.counters["peak_GB"] = static_cast<double>(usage.ru_maxrss) / 1e6;
+}
+
+BENCHMARK(derived_hard_coded)->Unit(benchmark::kMillisecond);
 BENCHMARK(derived)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(drawn_hard_coded)->Unit(benchmark::kMillisecond);
+BENCHMARK(drawn)->Unit(benchmark::kMillisecond);
+BENCHMARK(hundred_million)->Iterations(1)->Unit(benchmark::kSecond)->UseRealTime();
 
 }  // namespace
 

@@ -24,19 +24,9 @@ using DocumentPointer = std::shared_ptr<DocumentInPython>;
 
 constexpr const char* kFromPython = "<python>";
 
-std::uint64_t checked_seed(const py::handle& seed) {
-  if (PyIndex_Check(seed.ptr()) == 0) throw py::type_error("seed must be a whole number");
-  const std::uint64_t value = PyLong_AsUnsignedLongLong(py::int_(py::reinterpret_borrow<py::object>(seed)).ptr());
-  if (PyErr_Occurred() != nullptr) {
-    PyErr_Clear();
-    throw py::value_error("seed must be from 0 to 2^64 - 1");
-  }
-  return value;
-}
-
 std::optional<std::uint64_t> optional_seed(const py::object& seed) {
   if (seed.is_none()) return {};
-  return checked_seed(seed);
+  return seed_of(seed);
 }
 
 DocumentPointer document_of(const py::object& content, const py::object& file, const py::object& set,

@@ -56,5 +56,6 @@ void bind_document(py::module_& module);
 void bind_skeleton(py::module_& module);
 void bind_mesh(py::module_& module);
 void bind_plant(py::module_& module);
+void bind_word(py::module_& module);
 
 }  // namespace meristem::python

@@ -135,6 +135,16 @@ std::string file_of(const py::object& path) {
   return file;
 }
 
+std::uint64_t seed_of(const py::handle& seed) {
+  if (PyIndex_Check(seed.ptr()) == 0) throw py::type_error("seed must be a whole number");
+  const std::uint64_t value = PyLong_AsUnsignedLongLong(py::int_(py::reinterpret_borrow<py::object>(seed)).ptr());
+  if (PyErr_Occurred() != nullptr) {
+    PyErr_Clear();
+    throw py::value_error("seed must be from 0 to 2^64 - 1");
+  }
+  return value;
+}
+
 std::vector<Override> to_overrides(const py::object& mapping) {
   std::vector<Override> overrides;
   if (mapping.is_none()) return overrides;

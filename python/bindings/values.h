@@ -2,6 +2,8 @@
 // The values of documents to and from Python's dicts, lists, numbers and texts.
 #pragma once
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include <pybind11/pybind11.h>
@@ -27,6 +29,9 @@ std::string path_of(const py::object& path);
 
 /// The same for a file that is written: standard output is refused.
 std::string file_of(const py::object& path);
+
+/// A seed from a whole number. Throws TypeError for others, and ValueError outside of 0 to 2^64 - 1.
+std::uint64_t seed_of(const py::handle& seed);
 
 /// What a mapping from names to values sets, in its order.
 std::vector<Override> to_overrides(const py::object& mapping);

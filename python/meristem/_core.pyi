@@ -385,6 +385,30 @@ def colonize(
     progress: Progress | _ProgressCallback | None = None,
 ) -> Skeleton: ...
 
+class Word:
+    def __len__(self) -> int: ...
+    def __str__(self) -> str: ...
+    def __eq__(self, other: object) -> bool: ...
+    @property
+    def letters(self) -> NDArray[np.uint16]: ...
+    @property
+    def parameters(self) -> NDArray[np.float64]: ...
+    @property
+    def alphabet(self) -> list[tuple[str, int]]: ...
+    @property
+    def counts(self) -> dict[str, int]: ...
+
+def derive(
+    grammar: str | os.PathLike[str],
+    steps: int | None = None,
+    *,
+    seed: int = 1,
+    constants: Mapping[str, float] | None = None,
+    drawn: bool = False,
+    threads: int = 0,
+    progress: Progress | _ProgressCallback | None = None,
+) -> Word: ...
+
 # Numbers give numbers and arrays arrays; mypy warns because a number is an ArrayLike too.
 @overload
 def sun_position(latitude: float, day: float, hour: float) -> tuple[float, float]: ...  # type: ignore[misc]

@@ -175,7 +175,7 @@ def grown_objects() -> list[Any]:
     plant = document.grow()
     stem = plant.stems[0]
     return [document, document.scene, plant, plant.organs, plant.prototypes[0], plant.meshes[0], plant.meshes[0].mesh,
-            plant.materials[0], stem, stem.skeleton, meristem.Progress()]
+            plant.materials[0], stem, stem.skeleton, meristem.derive("F(1)", 0), meristem.Progress()]
 
 
 def is_of_type(value: Any, annotation: ast.expr) -> bool:

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+// Grammars (L-systems) and the words that they derive to.
+#include "meristem/grow/lsystem/word.h"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "call.h"
+#include "document.h"
+#include "meristem/base/read_file.h"
+#include "meristem/grow/lsystem/derive.h"
+#include "meristem/grow/lsystem/grammar_reader.h"
+#include "values.h"
+
+namespace meristem::python {
+
+namespace {
+
+constexpr const char* kFromPython = "<python>";
+
+/// A word and what its letters are.
+struct WordInPython {
+  Word word;
+  Alphabet alphabet;
+};
+using WordPointer = std::shared_ptr<WordInPython>;
+
+/// A grammar's text or the path of its file; one of them.
+struct GrammarSource {
+  std::optional<std::string> text;
+  std::string file = kFromPython;
+};
+
+GrammarSource source_of(const py::object& grammar) {
+  if (py::isinstance<py::str>(grammar)) return {.text = grammar.cast<std::string>()};
+  if (!py::hasattr(grammar, "__fspath__")) throw py::type_error("grammar must be a text (str) or a path (os.PathLike)");
+  return {.file = path_of(grammar)};
+}
+
+std::vector<ExpressionNames::Constant> constants_of(const py::object& constants) {
+  std::vector<ExpressionNames::Constant> values;
+  if (constants.is_none()) return values;
+  const Value mapping = to_value(constants);
+  if (mapping.object() == nullptr) throw py::type_error("constants must be a dict such as {'angle': 22.5}");
+  for (const auto& [name, value] : *mapping.object()) {
+    if (value.number() == nullptr) throw py::type_error(fmt::format("constants['{}'] must be a number", name));
+    values.push_back({name, *value.number()});
+  }
+  return values;
+}
+
+Grammar read(const GrammarSource& source, GrammarOptions options) {
+  options.file = source.file;
+  if (source.text) return read_grammar(*source.text, options);
+  options.read = read_beside(source.file);
+  return read_grammar(read_file(source.file, options.limits.document_bytes), options);
+}
+
+int steps_of(std::optional<int> steps, const Grammar& grammar, const std::string& file) {
+  if (steps) return *steps;
+  if (grammar.steps) return *grammar.steps;
+  throw InputError(Diagnostic{.message = "the grammar does not say how many steps to derive",
+                              .expected = "'#steps N' in it, or the argument steps",
+                              .file = file});
+}
+
+/// Calls `call()`, and names the grammar's file in faults of derivation, which know their line alone.
+template <class Call>
+Word naming_file(const std::string& file, Call call) {
+  try {
+    return call();
+  } catch (const InputError& error) {
+    std::vector<Diagnostic> diagnostics = error.diagnostics();
+    for (Diagnostic& diagnostic : diagnostics) diagnostic.file = file;
+    throw InputError(std::move(diagnostics));
+  }
+}
+
+WordPointer derive_word(const py::object& grammar, std::optional<int> steps, const py::object& seed,
+                        const py::object& constants, bool drawn, int threads, const py::object& progress) {
+  if (steps && (*steps < 0 || *steps > kMostSteps)) {
+    throw py::value_error(fmt::format("steps must be from 0 to {}", kMostSteps));
+  }
+  const GrammarSource source = source_of(grammar);
+  const RandomKey key(seed_of(seed));
+  GrammarOptions options;
+  options.overrides = constants_of(constants);
+  std::vector<Diagnostic> warnings;
+  options.warnings = &warnings;
+  WordPointer result = run_call(progress, threads, [&](Progress& inner) {
+    const Grammar read_one = read(source, options);
+    const int count = steps_of(steps, read_one, source.file);
+    Word word = naming_file(source.file, [&] {
+      Word derived = derive(read_one, count, key, options.limits, inner);
+      const bool is_redrawn = drawn && !read_one.interpretation.rules.empty();
+      return is_redrawn ? interpreted(read_one, derived, key, options.limits, inner) : std::move(derived);
+    });
+    return std::make_shared<WordInPython>(WordInPython{std::move(word), read_one.alphabet});
+  });
+  for (const Diagnostic& warning : warnings) {
+    if (PyErr_WarnEx(PyExc_UserWarning, warning.text().c_str(), 1) != 0) throw py::error_already_set();
+  }
+  return result;
+}
+
+template <class T>
+py::array_t<T> column_of(const WordPointer& word, const WordColumn<T>& column) {
+  return view(word, column.data(), {static_cast<py::ssize_t>(column.size())}, {sizeof(T)});
+}
+
+std::string text_of(const WordPointer& word) {
+  const py::gil_scoped_release release;
+  return word_text(word->word, word->alphabet);
+}
+
+py::list alphabet_of(const WordPointer& word) {
+  py::list letters;
+  for (std::size_t k = 0; k < word->alphabet.size(); ++k) {
+    const Letter& letter = word->alphabet[static_cast<LetterIndex>(k)];
+    letters.append(py::make_tuple(letter.symbol, letter.arity));
+  }
+  return letters;
+}
+
+py::dict counts_of(const WordPointer& word) {
+  std::vector<SymbolCount> counts;
+  {
+    const py::gil_scoped_release release;
+    counts = symbol_counts(word->word, word->alphabet);
+  }
+  py::dict dict;
+  for (const auto& [symbol, count] : counts) dict[py::str(symbol)] = count;
+  return dict;
+}
+
+bool are_equal(const WordPointer& word, const py::object& other) {
+  if (!py::isinstance<WordInPython>(other)) return false;
+  const auto second = other.cast<WordPointer>();
+  const py::gil_scoped_release release;
+  const auto& ours = word->word.letters;
+  const auto& theirs = second->word.letters;
+  // Alphabets of different grammars may have the same letters in another order.
+  std::vector<LetterIndex> as_theirs;
+  for (std::size_t k = 0; k < word->alphabet.size(); ++k) {
+    const Letter& letter = word->alphabet[static_cast<LetterIndex>(k)];
+    as_theirs.push_back(second->alphabet.find(letter.symbol, letter.arity));
+  }
+  const auto is_same = [&](LetterIndex a, LetterIndex b) { return as_theirs[a] == b; };
+  return std::equal(ours.begin(), ours.end(), theirs.begin(), theirs.end(), is_same) &&
+         word->word.parameters == second->word.parameters;
+}
+
+}  // namespace
+
+void bind_word(py::module_& module) {
+  py::class_<WordInPython, WordPointer>(
+      module, "Word",
+      R"(The word that a grammar derives to: modules, each a letter and its parameters.
+
+str(word) is its text. Two are equal if they have the same symbols and parameters, whatever grammars they come from.)")
+      .def("__len__", [](const WordPointer& w) { return w->word.module_count(); })
+      .def("__str__", &text_of,
+           "Its text, such as 'A(1,0.5)[+B]'; numbers have the fewest digits that tell them apart.")
+      .def("__repr__",
+           [](const WordPointer& w) { return fmt::format("<meristem.Word of {} modules>", w->word.module_count()); })
+      .def("__eq__", &are_equal, py::arg("other"), "Whether both have the same symbols and parameters.")
+      .def_property_readonly(
+          "letters", [](const WordPointer& w) { return column_of(w, w->word.letters); },
+          "(n,): each module's letter, an index into `alphabet`.")
+      .def_property_readonly(
+          "parameters", [](const WordPointer& w) { return column_of(w, w->word.parameters); },
+          "(m,): the parameters of all modules one after another, of each as many as its letter has.")
+      .def_property_readonly("alphabet", &alphabet_of,
+                             "The grammar's letters: a list of (symbol, number of parameters). F and F(1) are two.")
+      .def_property_readonly("counts", &counts_of,
+                             "How many modules each symbol has, with any number of parameters; only those that occur.");
+  refuse_new<WordInPython>("derive() makes words");
+
+  module.def("derive", &derive_word, py::arg("grammar"), py::arg("steps") = py::none(), py::kw_only(),
+             py::arg("seed") = 1, py::arg("constants") = py::none(), py::arg("drawn") = false, py::arg("threads") = 0,
+             py::arg("progress") = py::none(),
+             R"(Derives the word of a grammar, an L-system, and gives a Word, the same on any number of threads.
+
+`grammar` is its text (str), or the path of a file (os.PathLike), beside which those are sought that it includes. `steps`
+(0 to 1,000,000) are the grammar's own #steps if not given. `seed` (0 to 2^64 - 1) is what its draws come from.
+`constants` gives names of its #define lines other values: {"angle": 22.5}. `drawn` applies the rules of #interpret too,
+as drawing does.
+
+Rules that can never match are a UserWarning. Raises InputError with all that is wrong, each with line and column, also
+where numbers are not finite or the word is past 200 million modules; MachineError where the file cannot be read;
+Cancelled.)");
+}
+
+}  // namespace meristem::python

@@ -170,8 +170,10 @@ void GrammarReader::read_define(const Directive& directive) {
 }
 
 double GrammarReader::overridden(const std::string& name, double value) const {
-  for (const auto& constant : options_.overrides) {
-    if (constant.name == name) value = constant.value;
+  for (const auto* constants : {&options_.constants, &options_.overrides}) {
+    for (const auto& constant : *constants) {
+      if (constant.name == name) value = constant.value;
+    }
   }
   return value;
 }

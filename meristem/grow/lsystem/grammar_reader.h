@@ -36,8 +36,10 @@
 namespace meristem {
 
 struct GrammarOptions {
-  std::string file;                                  ///< its name in messages
-  std::vector<ExpressionNames::Constant> constants;  ///< names that its expressions may use; `#define` hides them
+  std::string file;  ///< its name in messages
+  /// Names that its expressions may use, and those of included grammars; a `#define` of one is a default that gives
+  /// way.
+  std::vector<ExpressionNames::Constant> constants;
   /// Values in the place of those that the `#define`s of these names have; it is a fault if there is none. Included
   /// grammars keep theirs.
   std::vector<ExpressionNames::Constant> overrides;

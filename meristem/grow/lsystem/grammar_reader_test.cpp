@@ -249,12 +249,17 @@ TEST(GrammarReader, HasRulesOfThreeKinds) {
   EXPECT_EQ(grammar.interpretation.rules[1].line, 8);
 }
 
-TEST(GrammarReader, LetsADefinitionUseAndHideEarlierConstants) {
+TEST(GrammarReader, TakesTheCallersConstantsBeforeDefinitions) {
   GrammarOptions options;
   options.constants = {{"r", 3}, {"age", 7}};
   const Grammar grammar = read_grammar("#define r = 2\n#define q = r*age\nA(q)\n#steps r\n", options);
-  EXPECT_EQ(word_text(axiom_of(grammar), grammar.alphabet), "A(14)");
-  EXPECT_EQ(grammar.steps, 2);
+  EXPECT_EQ(word_text(axiom_of(grammar), grammar.alphabet), "A(21)");
+  EXPECT_EQ(grammar.steps, 3);
+}
+
+TEST(GrammarReader, LetsADefinitionUseAndHideEarlierOnes) {
+  const Grammar grammar = read_grammar("#define r = 2\n#define r = r*5\nA(r)\n");
+  EXPECT_EQ(word_text(axiom_of(grammar), grammar.alphabet), "A(10)");
 }
 
 TEST(GrammarReader, OverridesTheValuesOfDefinitions) {

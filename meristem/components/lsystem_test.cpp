@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/lsystem.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "meristem/base/parallel.h"
+#include "meristem/components/registry.h"
+#include "tests/support/build_graph.h"
+#include "tests/support/check_skeleton.h"
+
+namespace meristem {
+namespace {
+
+using testing::HasSubstr;
+
+GraphBuilder plant_of(const Value::Object& parameters) {
+  GraphBuilder builder(builtin_components());
+  builder.component("view", "camera").component("plant", "lsystem", parameters).link("view", "plant");
+  return builder;
+}
+
+const Skeleton& only_skeleton(const Plant& plant) {
+  EXPECT_EQ(plant.stems.size(), 1U);
+  return plant.stems.at(0).skeleton;
+}
+
+TEST(Lsystem, GrowsTheWordAfterItsSteps) {
+  const Plant plant = plant_of({{"grammar", "F\n#rules\nF -> F[+F]F[-F]F\n"}, {"steps", 2}}).grow();
+  const Skeleton& skeleton = only_skeleton(plant);
+  EXPECT_TRUE(check_skeleton(skeleton));
+  EXPECT_EQ(skeleton.node_count(), 26U);
+  EXPECT_EQ(*std::ranges::max_element(skeleton.order), 2);
+}
+
+TEST(Lsystem, TakesTextAlsoAsLines) {
+  const Value::Object as_text{{"grammar", "F\n#rules\nF -> FF\n"}, {"steps", 3}};
+  const Value::Object as_lines{{"grammar", Value::List{"F", "#rules", "F -> FF"}}, {"steps", 3}};
+  EXPECT_EQ(hash_of(plant_of(as_text).grow()), hash_of(plant_of(as_lines).grow()));
+}
+
+TEST(Lsystem, ParametersGoBeforeTheGrammarsDirectives) {
+  const char* grammar = "#steps 3\n#angle 30\n#axiom\nF+F\n#rules\nF -> FF\n";
+  const Plant by_grammar = plant_of({{"grammar", grammar}}).grow();
+  EXPECT_EQ(only_skeleton(by_grammar).node_count(), 17U);
+  const Plant by_document = plant_of({{"grammar", grammar}, {"steps", 0}, {"angle", 90}, {"length", 1}}).grow();
+  const Skeleton& skeleton = only_skeleton(by_document);
+  ASSERT_EQ(skeleton.node_count(), 3U);
+  EXPECT_LT(glm::distance(skeleton.position[2], Vec3(-1, 1, 0)), 1e-6F);
+}
+
+TEST(Lsystem, VariablesAreConstantsOfItsExpressions) {
+  GraphBuilder builder(builtin_components());
+  builder.variable("height", 3).component("view", "camera");
+  builder.component("plant", "lsystem", {{"grammar", "#define height 1\nF(height)\n"}, {"steps", 0}});
+  const Plant plant = builder.link("view", "plant").grow();
+  EXPECT_FLOAT_EQ(only_skeleton(plant).position[1].y, 3);
+}
+
+TEST(Lsystem, PolygonsOfOneShapeAreOneBlade) {
+  const Plant plant =
+      plant_of({{"grammar", "[{-f(1)+f(1)+f(1)-|-f(1)+f(1)+f(1)}]F(2)&+(40){-f(3)+f(3)+f(3)-|-f(3)+f(3)+f(3)}"},
+                {"steps", 0},
+                {"palette", Value::List{"#ff0000"}}})
+          .grow();
+  EXPECT_EQ(prototypes_of(plant, "plant").size(), 1U);
+  const std::vector<Organ> blades = organs_of(plant, "plant");
+  ASSERT_EQ(blades.size(), 2U);
+  EXPECT_NEAR(glm::length(blades[1].frame.heading()) / glm::length(blades[0].frame.heading()), 3, 1e-5);
+  EXPECT_LT(glm::distance(blades[1].frame.origin, Vec3(0, 2, 0)), 1e-5F);
+  ASSERT_EQ(plant.materials.size(), 2U);
+  EXPECT_EQ(plant.materials[1].name, "plant_blades");
+  EXPECT_TRUE(plant.materials[1].two_sided);
+  const Vec3 red = blades[0].tint * plant.materials[1].tint();
+  EXPECT_LT(glm::distance(red, Vec3(1, 0, 0)), 1e-5F);
+}
+
+TEST(Lsystem, BranchLinksPlaceChildrenAlongItsTwigs) {
+  GraphBuilder builder = plant_of({{"grammar", "FFFFFFFF[+F]F"}, {"steps", 0}, {"length", 0.1}});
+  builder.component("leaf", "leaf", {}).link("plant", "leaf", LinkKind::branch, {{"density", 100}});
+  const std::vector<Organ> leaves = organs_of(builder.grow(), "leaf");
+  ASSERT_FALSE(leaves.empty());
+  for (const Organ& leaf : leaves) EXPECT_GT(leaf.frame.origin.y, 0.39F) << "none on the trunk by default";
+}
+
+TEST(Lsystem, HasTheSameBytesOnAnyNumberOfThreads) {
+  const GraphBuilder builder = plant_of(
+      {{"grammar", "A\n#rules\nA : * : 2 -> F(ran(1))[+(nran(30,5))A]A\nA : * : 1 -> F[-A]A\n"}, {"steps", 9}});
+  std::string one;
+  {
+    const ThreadLimit limit(1);
+    one = hash_of(builder.grow());
+  }
+  const ThreadLimit limit(8);
+  EXPECT_EQ(hash_of(builder.grow()), one);
+}
+
+std::string fault_of(const Value::Object& parameters) {
+  std::string text;
+  for (const Diagnostic& fault : faults_of([&] { plant_of(parameters).grow(); })) text += fault.text() + "\n";
+  return text;
+}
+
+TEST(Lsystem, SaysWhatIsWrong) {
+  EXPECT_THAT(fault_of({{"grammar", "F"}}), HasSubstr("nothing says how many steps the grammar takes"));
+  EXPECT_THAT(fault_of({{"steps", 1}}), HasSubstr("grammar"));
+  EXPECT_THAT(fault_of({{"grammar", 3}, {"steps", 1}}), HasSubstr("a text or a list of its lines"));
+  EXPECT_THAT(fault_of({{"grammar", Value::List{"F", 3}}, {"steps", 1}}), HasSubstr("a text or a list of its lines"));
+  EXPECT_THAT(fault_of({{"grammar", "F"}, {"steps", 1}, {"stack_angles", false}}), HasSubstr("\"turtle\": \"polar\""));
+  EXPECT_THAT(fault_of({{"grammar", "F"}, {"steps", 1}, {"turtle", "polar"}, {"elasticity", 0.2}}),
+              HasSubstr("\"turtle\": \"frame\""));
+  EXPECT_THAT(fault_of({{"grammar", "Ff}"}, {"steps", 0}}), HasSubstr("components.plant: module 3 of the word"));
+}
+
+TEST(Lsystem, FaultsOfADerivationNameTheRulesLine) {
+  EXPECT_THAT(fault_of({{"grammar", "A(1)\n#rules\nA(x) -> A(1/(1-x))\n"}, {"steps", 2}}),
+              HasSubstr("components.plant.grammar: line 3 of the grammar"));
+}
+
+TEST(Lsystem, StopsBeforeAnExplosionTakesMemory) {
+  EXPECT_THAT(fault_of({{"grammar", "F\n#rules\nF -> FFFFFFFFFF\n"}, {"steps", 40}}), HasSubstr("limits.modules"));
+}
+
+}  // namespace
+}  // namespace meristem

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// Grammars in documents: where their faults are, and the components that they place.
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "meristem/components/registry.h"
+#include "meristem/document/document.h"
+#include "meristem/document/grow.h"
+#include "tests/support/build_graph.h"
+
+namespace meristem {
+namespace {
+
+using testing::HasSubstr;
+
+Document read(const std::string& text, const std::string& file = "d.json") {
+  return read_document(text, file, builtin_components());
+}
+
+std::string faults_of_text(const std::string& text, const std::string& file = "d.json") {
+  std::string faults;
+  for (const Diagnostic& fault : faults_of([&] { read(text, file); })) faults += fault.text() + "\n";
+  return faults;
+}
+
+GrownDocument grown(const std::string& text) {
+  Progress progress;
+  return grow_document(read(text), progress);
+}
+
+TEST(LsystemDocument, FaultsOfLinesStandAtTheirPlaces) {
+  const std::string faults =
+      faults_of_text(R"json({"meristem": 1, "components": {"plant": {"type": "lsystem", "steps": 1,
+  "grammar": [
+    "F(1)",
+    "#rules",
+    "F(x) -> F(y)"
+  ]
+}
+}
+})json");
+  EXPECT_THAT(faults, HasSubstr("d.json:5:16: components.plant.grammar[2]: "));
+}
+
+TEST(LsystemDocument, FaultsOfATextStandAtTheirPlaces) {
+  const std::string faults =
+      faults_of_text(R"json({"meristem": 1, "components": {"plant": {"type": "lsystem", "steps": 1,
+  "grammar": "F(1)\n#rules\nF(x) -> F(y)"
+}
+}
+})json");
+  EXPECT_THAT(faults, HasSubstr("d.json:2:39: components.plant.grammar: "));
+}
+
+class GrammarFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = testing::TempDir() + "lsystem_document_test";
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ + "/" + name) << text; }
+  std::string document() const { return folder_ + "/plant.json"; }
+
+  std::string folder_;
+};
+
+constexpr const char* kWithFile =
+    R"json({"meristem": 1, "components": {"plant": {"type": "lsystem", "file": "plant.lsys", "steps": 1}}})json";
+
+TEST_F(GrammarFile, IsReadWithWhatItIncludes) {
+  write("plant.lsys", "#axiom\nFX\n#include top.lsys as X\n");
+  write("top.lsys", "#steps 1\nF\n#rules\nF -> FF\n");
+  const Document document = read(kWithFile, this->document());
+  EXPECT_THAT(document.source.named_files, testing::ElementsAre(folder_ + "/plant.lsys", folder_ + "/top.lsys"));
+  Progress progress;
+  EXPECT_EQ(grow_document(document, progress).plant.stems.at(0).skeleton.node_count(), 4U);
+}
+
+TEST_F(GrammarFile, FaultsNameFileAndLine) {
+  write("plant.lsys", "F(1)\n#rules\nF(x) -> F(y)\n");
+  EXPECT_THAT(faults_of_text(kWithFile, document()), HasSubstr("components.plant.file: 'plant.lsys:3:11': "));
+}
+
+TEST_F(GrammarFile, MayBeMissing) {
+  EXPECT_THAT(faults_of_text(kWithFile, document()), HasSubstr("components.plant.file: "));
+}
+
+constexpr const char* kPlaced = R"json({"meristem": 1, "components": {
+  "plant": {"type": "lsystem", "steps": 0, "length": 1, "angle": 90, "grammar": ["#symbols leaf ball", "F[+~leaf]~ball(2)F~ball"]},
+  "leaf": {"type": "leaf", "length": 0.3},
+  "ball": {"type": "simple", "shape": "sphere"}
+}})json";
+
+TEST(LsystemDocument, PlacesComponentsByName) {
+  const Plant plant = grown(kPlaced).plant;
+  const std::vector<Organ> leaves = organs_of(plant, "leaf");
+  ASSERT_EQ(leaves.size(), 1U);
+  EXPECT_LT(glm::distance(leaves[0].frame.origin, Vec3(0, 1, 0)), 1e-5F);
+  EXPECT_LT(glm::distance(glm::normalize(leaves[0].frame.heading()), Vec3(-1, 0, 0)), 1e-5F);
+  const std::vector<Organ> balls = organs_of(plant, "ball");
+  ASSERT_EQ(balls.size(), 2U);
+  EXPECT_NEAR(glm::length(balls[0].frame.heading()) / glm::length(balls[1].frame.heading()), 2, 1e-5);
+}
+
+TEST(LsystemDocument, StemsThatItPlacesBecomeItsBranches) {
+  const Plant plant = grown(R"json({"meristem": 1, "components": {
+    "plant": {"type": "lsystem", "steps": 0, "grammar": "#symbols twig\nFF[+~twig]F"},
+    "twig": {"type": "tree", "radius": 0.002, "length": 0.2}
+  }})json")
+                          .plant;
+  ASSERT_EQ(plant.stems.size(), 1U);
+  EXPECT_EQ(plant.stems[0].parts.size(), 2U);
+}
+
+TEST(LsystemDocument, WantsThePlacedComponentsToBeThere) {
+  const std::string faults = faults_of_text(R"json({"meristem": 1, "components": {
+    "plant": {"type": "lsystem", "steps": 0, "grammar": "#symbols leav\nF~leav"}, "leaf": {"type": "leaf"}}})json");
+  EXPECT_THAT(faults, HasSubstr("components.plant: 'plant' places 'leav', and there is no such component"));
+  EXPECT_THAT(faults, HasSubstr("did you mean 'leaf'?"));
+}
+
+TEST(LsystemDocument, RefusesToPlaceItself) {
+  EXPECT_THAT(faults_of_text(R"json({"meristem": 1, "components": {
+    "plant": {"type": "lsystem", "steps": 0, "grammar": "#symbols plant\nF~plant"}}})json"),
+              HasSubstr("go round without end"));
+}
+
+TEST(LsystemDocument, MayPlaceItselfToADepth) {
+  const Plant plant = grown(R"json({"meristem": 1, "components": {
+    "plant": {"type": "lsystem", "steps": 0, "recursion": 3, "grammar": "#symbols plant\nFF[+~plant(0.5)]F"}}})json")
+                          .plant;
+  ASSERT_EQ(plant.stems.size(), 1U);
+  EXPECT_EQ(plant.stems[0].parts.size(), 3U);
+}
+
+}  // namespace
+}  // namespace meristem

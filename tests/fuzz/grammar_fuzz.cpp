@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a grammar: either faults inside the text, or a grammar whose parts fit together.
+// Any bytes as a grammar: either faults inside the text, or a grammar whose parts fit together, whose words after some
+// steps are drawn by both turtles or refused with a fault.
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "meristem/grow/lsystem/derive.h"
 #include "meristem/grow/lsystem/grammar_reader.h"
+#include "meristem/grow/lsystem/turtle.h"
 #include "tests/fuzz/require.h"
 
 namespace {
@@ -44,6 +47,29 @@ Word axiom_of(const Grammar& grammar) {
   return word;
 }
 
+/// Whether faults while it derives or draws are InputErrors is for the caller.
+void derive_and_draw(const Grammar& grammar) {
+  Limits limits;
+  limits.modules = 20'000;
+  limits.nodes = 10'000;
+  Progress progress;
+  const Word word = derive(grammar, 3, RandomKey(1), limits, progress);
+  const Word seen = interpreted(grammar, word, RandomKey(1), limits, progress);
+  require(seen.module_count() <= limits.modules);
+  for (const auto reading : {TurtleParameters::Reading::frame, TurtleParameters::Reading::polar}) {
+    const TurtleParameters parameters{.reading = reading, .elasticity = 0.1};
+    const Drawing drawing = draw(seen, grammar.alphabet, parameters, {}, limits, "components.plant", progress);
+    const Skeleton& skeleton = drawing.skeleton;
+    for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+      require(skeleton.parent[node] == kNoNode || skeleton.parent[node] < node);
+    }
+    for (const TurtlePolygon& polygon : drawing.polygons) {
+      require(polygon.first + polygon.count <= drawing.corners.size());
+    }
+    for (const TurtlePlace& place : drawing.places) require(place.letter < grammar.alphabet.size());
+  }
+}
+
 }  // namespace
 
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer looks for this name.
@@ -68,6 +94,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const Diagnostic& fault : error.diagnostics()) {
       require(fault.line > 0 && fault.column > 0 && static_cast<std::size_t>(fault.text_offset) <= size);
     }
+    return 0;
+  }
+  try {
+    derive_and_draw(read_grammar(text, options));
+  } catch (const InputError& error) {
+    require(!error.diagnostics().empty());
   }
   return 0;
 }

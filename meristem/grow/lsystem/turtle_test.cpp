@@ -252,6 +252,25 @@ TEST(Turtle, StopsWherePlacesAreNotFinite) {
   EXPECT_THAT(fault_of("F(1e308)F(1e308)"), HasSubstr("module 2 of the word leads to a place that is not finite"));
 }
 
+/// P. Prusinkiewicz, A. Lindenmayer: The Algorithmic Beauty of Plants, figure 1.25.
+TEST(TurtlePolygon, DrawsTheLeavesOfTheBooksBush) {
+  const Grammar grammar = read_grammar(
+      "#axiom\nA\n#rules\nA -> [&FL!A]/////'[&FL!A]///////'[&FL!A]\nF -> S/////F\nS -> FL\n"
+      "L -> ['''^^{-f+f+f-|-f+f+f}]\n");
+  Progress progress;
+  const Word word = derive(grammar, 7, RandomKey(1), Limits(), progress);
+  const Drawing drawing = draw(word, grammar.alphabet, {.length = 1}, {}, Limits(), "", progress);
+  EXPECT_EQ(drawing.polygons.size(), 1284U);
+  EXPECT_EQ(drawing.skeleton.node_count(), 3891U + 1);
+  for (const TurtlePolygon& leaf : drawing.polygons) {
+    ASSERT_EQ(leaf.count, 6U);
+    // A leaf ends where it began, flat in the plane of the turtle's left.
+    expect_near(drawing.corners[leaf.first + 5], leaf.frame.origin, 1e-4F);
+    const Vec3 across = drawing.corners[leaf.first + 1] - drawing.corners[leaf.first + 4];
+    EXPECT_NEAR(glm::dot(across, leaf.frame.upper()), 0, 1e-4);
+  }
+}
+
 /// The reference's figures in the plane: their letters that draw become F.
 TEST(TurtleReference, DrawsTheBooksFigures) {
   const auto path = find_shared_data("reference/lsystems.json");

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""`meristem derive` as users meet it. Usage: derive_test.py PROGRAM MANUAL_PAGE [unittest options]
+"""`meristem derive` as users meet it. Usage: derive_test.py PROGRAM MANUAL_PAGE... [unittest options]
 
-The manual's page has a grammar in a block of ```text after the words "`bush.txt`", and a session with it in blocks of
-```console, which is run.
+The manual's pages have grammars in blocks of ```text, each after its name as in "`bush.txt`", and sessions with them in
+blocks of ```console, which are run.
 """
 
 import json
@@ -17,7 +17,9 @@ import unittest
 import cli_test
 from cli_test import DONE, FAILED, WRONG_INPUT
 
-PAGE = pathlib.Path(sys.argv.pop(1)).read_text(encoding="utf-8")
+PAGES = []
+while len(sys.argv) > 1 and sys.argv[1].endswith(".md"):
+    PAGES.append(pathlib.Path(sys.argv.pop(1)).read_text(encoding="utf-8"))
 
 KOCH = """#define angle = 60
 #steps 2
@@ -190,17 +192,18 @@ class Derive(cli_test.Case):
 
 
 class Manual(cli_test.Case):
-    def test_session_of_the_manual_is_what_is_printed(self):
-        section = re.search(r"^## derive\n(.*?)^## ", PAGE, re.MULTILINE | re.DOTALL)[1]
-        grammar = re.search(r"^`bush\.txt`.*?^```text\n(.*?)^```", section, re.MULTILINE | re.DOTALL)[1]
-        self.write("bush.txt", grammar)
-        commands = 0
-        for session in re.findall(r"^```console\n(.*?)^```", section, re.MULTILINE | re.DOTALL):
-            for command, output in re.findall(r"^\$ meristem (.*)\n((?:[^$].*\n)*)", session, re.MULTILINE):
-                done = self.run_program(*command.split())
-                self.assertEqual(done.stdout.decode() + done.stderr.decode(), output, command)
-                commands += 1
-        self.assertGreaterEqual(commands, 3)
+    def test_sessions_of_the_manual_are_what_is_printed(self):
+        self.assertEqual(len(PAGES), 2)
+        for page in PAGES:
+            for name, grammar in re.findall(r"^`(\w+\.txt)`[^`]*?^```text\n(.*?)^```", page, re.MULTILINE | re.DOTALL):
+                self.write(name, grammar)
+            commands = 0
+            for session in re.findall(r"^```console\n(.*?)^```", page, re.MULTILINE | re.DOTALL):
+                for command, output in re.findall(r"^\$ meristem (derive .*)\n((?:[^$].*\n)*)", session, re.MULTILINE):
+                    done = self.run_program(*command.split())
+                    self.assertEqual(done.stdout.decode() + done.stderr.decode(), output, command)
+                    commands += 1
+            self.assertGreaterEqual(commands, 3)
 
 
 if __name__ == "__main__":

@@ -179,7 +179,7 @@ Skeleton draw_hard_coded(const HardCodedWord& word) {
         HardCodedTurtle::turn(turtle.heading, turtle.left, cos_45, -sin_45);
         break;
       case '/':
-        HardCodedTurtle::turn(turtle.left, turtle.up, cos_roll, -sin_roll);
+        HardCodedTurtle::turn(turtle.left, turtle.up, cos_roll, sin_roll);
         break;
       case '$': {
         const DVec3 left = glm::cross(DVec3(0, 1, 0), turtle.heading);

@@ -2,8 +2,8 @@
 #include "meristem/components/lsystem.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
 #include <glm/matrix.hpp>
@@ -11,9 +11,7 @@
 #include "meristem/base/colour.h"
 #include "meristem/base/hash.h"
 #include "meristem/components/surface_table.h"
-#include "meristem/graph/graph.h"
 #include "meristem/grow/lsystem/derive.h"
-#include "meristem/grow/lsystem/grammar_reader.h"
 #include "meristem/shape/polygon_mesh.h"
 
 namespace meristem {
@@ -23,37 +21,6 @@ namespace {
 constexpr double kDefaultAngle = 22.5;  // degrees
 constexpr float kShapeSteps = 8192;     // of a polygon's extent, to which its corners are rounded to be shared
 constexpr Vec3 kLeafGreen{0.31F, 0.47F, 0.19F};
-
-/// The letters that may stand behind a ~, in the order in which the text has them.
-void note_placed(const std::vector<ModuleForm>& word, PlantGrammar& plant) {
-  const Alphabet& alphabet = plant.grammar.alphabet;
-  for (std::size_t k = 0; k + 1 < word.size(); ++k) {
-    if (alphabet[word[k].letter].symbol != "~") continue;
-    const LetterIndex letter = word[k + 1].letter;
-    const std::string& id = alphabet[letter].symbol;
-    const auto found = std::ranges::find(plant.placed, id);
-    plant.placed_of_letter[letter] = static_cast<std::uint32_t>(found - plant.placed.begin());
-    if (found == plant.placed.end()) plant.placed.push_back(id);
-  }
-}
-
-PlantGrammar read_plant_grammar(const std::string& text, const std::string& path, ParameterReader& reader,
-                                std::vector<Diagnostic>& warnings) {
-  std::vector<std::string> included;
-  PlantGrammar plant;
-  plant.grammar = read_grammar(text, {.constants = reader.constants(),
-                                      .read = read_beside(path, &included),
-                                      .warnings = &warnings,
-                                      .limits = reader.limits()});
-  for (std::string& file : included) reader.add_file(std::move(file));
-  plant.placed_of_letter.assign(plant.grammar.alphabet.size(), kNoIndex);
-  note_placed(plant.grammar.axiom, plant);
-  for (const RuleSet* rules :
-       {&plant.grammar.production, &plant.grammar.decomposition, &plant.grammar.interpretation}) {
-    for (const Rule& rule : rules->rules) note_placed(rule.successor, plant);
-  }
-  return plant;
-}
 
 /// Faults of the grammar while it derives, at the place in the document where the grammar stands.
 [[noreturn]] void throw_placed(const InputError& error, const Lsystem& plant, const std::string& component) {
@@ -94,8 +61,10 @@ TurtleParameters turtle_of(const Lsystem& plant) {
   return turtle;
 }
 
-/// A polygon's corners in its own frame, as shares of its extent and rounded, so that polygons of one shape are one.
+/// A polygon's corners along the axes of its frame, as shares of its extent and rounded, so that polygons of one shape
+/// are one.
 struct PolygonShape {
+  Vec3 base{0};  ///< from where they count: where the turtle began it, or its first corner where that is nearer to it
   std::vector<Vec3> corners;
   float extent = 0;
   std::uint64_t key = 0;
@@ -103,12 +72,16 @@ struct PolygonShape {
 
 PolygonShape shape_of(const Drawing& drawing, const TurtlePolygon& polygon) {
   PolygonShape shape;
+  const std::span corners = std::span(drawing.corners).subspan(polygon.first, polygon.count);
+  float size = 0;
+  for (const Vec3 corner : corners) size = std::max(size, glm::distance(corner, corners[0]));
+  shape.base = glm::distance(corners[0], polygon.frame.origin) <= size ? polygon.frame.origin : corners[0];
   const Mat3 to_local = glm::transpose(polygon.frame.axes);
-  for (std::uint32_t k = 0; k < polygon.count; ++k) {
-    const Vec3 local = to_local * (drawing.corners[polygon.first + k] - polygon.frame.origin);
+  for (const Vec3 corner : corners) {
+    const Vec3 local = to_local * (corner - shape.base);
     shape.corners.push_back(local);
-    const Vec3 size = glm::abs(local);
-    shape.extent = std::max({shape.extent, size.x, size.y, size.z});
+    const Vec3 reach = glm::abs(local);
+    shape.extent = std::max({shape.extent, reach.x, reach.y, reach.z});
   }
   if (shape.extent == 0) return shape;
   for (Vec3& corner : shape.corners) {
@@ -130,11 +103,12 @@ Vec3 tint_of(const Lsystem& plant, std::uint32_t colour) {
 void emit_polygons(const Lsystem& plant, const Site& site, const Drawing& drawing, Emitter& out) {
   const Mat3 to_instance = glm::inverse(site.frame.axes);
   for (const TurtlePolygon& polygon : drawing.polygons) {
+    out.progress().check();
     const PolygonShape shape = shape_of(drawing, polygon);
     if (shape.extent == 0) continue;
     Frame local;
     local.axes = to_instance * (shape.extent * polygon.frame.axes);
-    local.origin = to_instance * (polygon.frame.origin - site.frame.origin);
+    local.origin = to_instance * (shape.base - site.frame.origin);
     out.blade(
         local, shape.key, [&] { return make_polygon(shape.corners); }, tint_of(plant, polygon.colour));
   }
@@ -154,13 +128,13 @@ void expand(const Lsystem& plant, const Site& site, Emitter& out) {
   const std::vector<TurtlePlace> places = std::move(drawing.places);
   out.stem(std::move(drawing.skeleton), plant.surface);
   for (const TurtlePlace& place : places) {
-    const std::uint32_t name = plant.source().placed_of_letter[place.letter];
-    if (name != kNoIndex) out.named_site(name, place.frame, length, place.radius, place.node);
+    out.progress().check();
+    out.named_site(plant.source().placed_of_letter[place.letter], place.frame, length, place.radius, place.node);
   }
 }
 
-std::vector<std::string> placed(const Lsystem& plant) {
-  return plant.grammar || plant.file ? plant.source().placed : std::vector<std::string>();
+std::vector<PlacedComponent> placed(const Lsystem& plant) {
+  return plant.grammar || plant.file ? plant.source().placed : std::vector<PlacedComponent>();
 }
 
 void check_lsystem(const Lsystem& plant, const Place& place, ParameterReader& reader) {
@@ -226,7 +200,7 @@ ComponentType lsystem_component() {
               .lines("grammar", &Lsystem::grammar, read_plant_grammar, "The grammar's text, or a list of its lines.")
               .text_file("file", &Lsystem::file, read_plant_grammar, "A file with it instead.")
               .one_of({"grammar", "file"})
-              .integer("steps", &Lsystem::steps, {.min = 0, .max = 100000},
+              .integer("steps", &Lsystem::steps, {.min = 0, .max = kMostSteps},
                        "How often the rules are applied; unset, as the grammar says.")
               .number("angle", &Lsystem::angle, {.min = -360, .max = 360},
                       "Degrees of turns without a parameter; unset, as the grammar says, else 22.5.")

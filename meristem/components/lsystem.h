@@ -2,12 +2,11 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "meristem/components/plant_grammar.h"
 #include "meristem/graph/asset.h"
 #include "meristem/graph/component.h"
-#include "meristem/grow/lsystem/grammar.h"
 #include "meristem/grow/lsystem/turtle.h"
 
 namespace meristem {
@@ -22,13 +21,6 @@ struct PolarAngles {
 struct WidthDecay {
   double trunk = 0.95;    ///< outside all brackets
   double branch = 0.825;  ///< within them
-};
-
-/// A grammar with the components that it places.
-struct PlantGrammar {
-  Grammar grammar;
-  std::vector<std::string> placed;                ///< their ids
-  std::vector<std::uint32_t> placed_of_letter{};  ///< by letter: index into them, kNoIndex for most
 };
 
 /// A plant by the rules of a grammar, drawn by a turtle.

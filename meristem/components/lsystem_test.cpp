@@ -75,6 +75,23 @@ TEST(Lsystem, PolygonsOfOneShapeAreOneBlade) {
   EXPECT_LT(glm::distance(red, Vec3(1, 0, 0)), 1e-5F);
 }
 
+TEST(Lsystem, SmallPolygonsFarFromTheirBeginningKeepTheirCorners) {
+  const Plant plant = plant_of({{"grammar", "{g(10).g(0.005).+(90)g(0.005).}"}, {"steps", 0}}).grow();
+  const std::vector<Organ> blades = organs_of(plant, "plant");
+  ASSERT_EQ(blades.size(), 1U);
+  float highest = 0;
+  for (const Vec3 corner : prototypes_of(plant, "plant")[0].mesh->positions) {
+    highest = std::max(highest, blades[0].frame.point(corner).y);
+  }
+  EXPECT_NEAR(highest, 10.005F, 2e-6F);
+}
+
+TEST(Lsystem, StepsMayRiseWithTime) {
+  const GraphBuilder builder = plant_of({{"grammar", "F\n#rules\nF -> FF\n"}, {"steps", "floor(2*t)"}});
+  EXPECT_EQ(only_skeleton(builder.grow(0)).node_count(), 2U);
+  EXPECT_EQ(only_skeleton(builder.grow(1.6)).node_count(), 9U);
+}
+
 TEST(Lsystem, BranchLinksPlaceChildrenAlongItsTwigs) {
   GraphBuilder builder = plant_of({{"grammar", "FFFFFFFF[+F]F"}, {"steps", 0}, {"length", 0.1}});
   builder.component("leaf", "leaf", {}).link("plant", "leaf", LinkKind::branch, {{"density", 100}});

@@ -276,18 +276,21 @@ class DocumentReader {
     for (ComponentIndex from = 0; from < graph.components.size(); ++from) {
       const Prototype& prototype = graph.components[from];
       if (prototype.type == nullptr || !prototype.type->placed) continue;
-      const std::vector<std::string> ids = prototype.type->placed(prototype.parameters.get());
-      for (std::uint32_t k = 0; k < ids.size(); ++k) {
-        const auto found = component_by_id_.find(ids[k]);
+      const std::vector<PlacedComponent> placed = prototype.type->placed(prototype.parameters.get());
+      for (std::uint32_t k = 0; k < placed.size(); ++k) {
+        const std::string& id = placed[k].id;
+        const auto found = component_by_id_.find(id);
         if (found != component_by_id_.end()) {
           graph.links.push_back({.from = from, .to = found->second, .name = k});
           continue;
         }
+        if (!placed[k].is_needed) continue;
         const Place components(top_, "components");
-        const std::string nearest = reader.nearest(ids[k], ids_);
+        const std::string nearest = reader.nearest(id, ids_);
         reader.fault(Place(components, prototype.id),
-                     fmt::format("'{}' places '{}', and there is no such component", prototype.id, ids[k]),
-                     nearest.empty() ? fmt::format("a component '{}'", ids[k]) : "", nearest);
+                     fmt::format("'{}' places '{}', and there is no such component", prototype.id, id),
+                     nearest.empty() ? fmt::format("a component '{}', or longer names among #symbols", id) : "",
+                     nearest);
       }
     }
   }

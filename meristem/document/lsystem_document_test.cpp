@@ -123,6 +123,24 @@ TEST(LsystemDocument, WantsThePlacedComponentsToBeThere) {
   EXPECT_THAT(faults, HasSubstr("did you mean 'leaf'?"));
 }
 
+TEST(LsystemDocument, PlacesWhatRulesMakeOfAName) {
+  const Plant plant = grown(R"json({"meristem": 1, "components": {
+    "plant": {"type": "lsystem", "steps": 1, "grammar": "#symbols leaf\n#axiom F~A\n#rules\nA -> leaf\n"},
+    "leaf": {"type": "leaf"}}})json")
+                          .plant;
+  EXPECT_EQ(organs_of(plant, "leaf").size(), 1U);
+}
+
+TEST(LsystemDocument, RefusesNamesThatRulesMakeOfOthers) {
+  const Document document = read(R"json({"meristem": 1, "components": {
+    "plant": {"type": "lsystem", "steps": 0, "grammar": "#symbols leaf\n#axiom F~A\n#rules\nA -> leaf\n"},
+    "leaf": {"type": "leaf"}}})json");
+  Progress progress;
+  const std::vector<Diagnostic> faults = faults_of([&] { grow_document(document, progress); });
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_THAT(faults[0].text(), HasSubstr("components.plant: 'plant' places 'A', and there is no such component"));
+}
+
 TEST(LsystemDocument, RefusesToPlaceItself) {
   EXPECT_THAT(faults_of_text(R"json({"meristem": 1, "components": {
     "plant": {"type": "lsystem", "steps": 0, "grammar": "#symbols plant\nF~plant"}}})json"),

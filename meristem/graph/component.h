@@ -87,6 +87,12 @@ struct GrowContext {
   Progress& progress;
 };
 
+/// What a component places by itself.
+struct PlacedComponent {
+  std::string id;
+  bool is_needed = true;  ///< else there may be no such component
+};
+
 struct ComponentType {
   std::string name;
   std::string doc;
@@ -103,8 +109,8 @@ struct ComponentType {
   std::function<const ComponentBase&(const void* parameters)> base;
   /// What the uvs of its geometry show; empty where that is nothing in particular.
   std::function<TextureShape(const void* parameters)> texture_shape;
-  /// The ids of the components that it places itself, without a link of the document; empty where that is none.
-  std::function<std::vector<std::string>(const void* parameters)> placed;
+  /// The components that it places itself, without a link of the document; empty where that is none.
+  std::function<std::vector<PlacedComponent>(const void* parameters)> placed;
   /// Expands a block of instances.
   std::function<void(const Prototype&, std::span<const Site>, Emitter&)> expand;
   /// Whether each instance grows in a stand of its own; empty for components that compete with none.
@@ -146,8 +152,8 @@ struct ComponentDefinition {
   std::unique_ptr<Grower> (*grow)(const P& parameters, const Site& site, const GrowContext& context) = nullptr;
   /// What the uvs of its geometry show, for textures that follow a shape.
   TextureShape (*texture_shape)(const P& parameters) = nullptr;
-  /// The ids of the components that `expand` places by `out.named_site`, by their numbers there.
-  std::vector<std::string> (*placed)(const P& parameters) = nullptr;
+  /// The components that `expand` places by `out.named_site`, by their numbers there.
+  std::vector<PlacedComponent> (*placed)(const P& parameters) = nullptr;
 };
 
 template <class P>

@@ -172,6 +172,7 @@ class Expansion {
       emitter.number_stems(static_cast<std::uint32_t>(stems));
       stems += emitter.stems.size();
     }
+    require_placed(batch.component, emitters);
     for (const LinkIndex link : links) follow(link, emitters);
     for (Emitter& emitter : emitters) merge(batch.component, emitter);
   }
@@ -193,6 +194,26 @@ class Expansion {
       if (leads_on) links.push_back(link);
     }
     return links;
+  }
+
+  /// What a component places by itself needs a link to the component of that name.
+  void require_placed(ComponentIndex component, const std::vector<Emitter>& emitters) const {
+    const Prototype& prototype = graph_.components[component];
+    if (!prototype.type->placed) return;
+    const std::vector<PlacedComponent> placed = prototype.type->placed(prototype.parameters.get());
+    std::vector<bool> is_there(placed.size());
+    for (const LinkIndex link : structure_.outgoing[component]) {
+      if (graph_.links[link].name != kNoIndex) is_there[graph_.links[link].name] = true;
+    }
+    for (const Emitter& emitter : emitters) {
+      for (const auto& [name, site] : emitter.named_sites) {
+        if (is_there[name]) continue;
+        throw InputError(Diagnostic{
+            .message = fmt::format("'{}' places '{}', and there is no such component", prototype.id, placed[name].id),
+            .expected = "a component of that name",
+            .path = "components." + prototype.id});
+      }
+    }
   }
 
   /// The places that a link gives its child, over all instances of the parent.

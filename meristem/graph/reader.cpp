@@ -278,7 +278,10 @@ void ParameterReader::store_number(const Parameter& parameter, const Value& valu
       return;
     }
   }
-  if (faults_ == faults_before) varyings_.push_back(std::move(varying));
+  if (faults_ != faults_before) return;
+  // Until an instance has its own value the member has the default, so that rules between parameters see it as given.
+  slot.store(slot.member, slot.present * scale);
+  varyings_.push_back(std::move(varying));
 }
 
 const std::string* ParameterReader::text(const Parameter& parameter, const Value& value, const Place& place) {

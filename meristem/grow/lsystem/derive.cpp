@@ -71,13 +71,14 @@ bool cut_branches(const Grammar& grammar, Word& word, const Progress& progress) 
   return true;
 }
 
-/// Rewrites `word`, by way of `next`, until no rule applies. Returns whether any did.
+/// Rewrites `word`, by way of `next`, until no rule applies. Returns whether any did, or may where the lot falls
+/// otherwise.
 bool rewrite_to_end(Rewriter& rewriter, const RewritePlan& plan, RandomKey key, std::string_view stage, Word& word,
                     Word& next) {
   if (plan.rules.empty()) return false;
   for (std::uint64_t round = 0;; ++round) {
     const RewriteOutcome outcome = rewriter.rewrite(plan, word, key.child(round), stage, next);
-    if (outcome.rule == nullptr) return round > 0;
+    if (outcome.rule == nullptr) return round > 0 || outcome.may_change;
     if (round == kMostRounds) {
       throw_rule_fault(*outcome.rule,
                        fmt::format("after {} rounds {} still applies", kMostRounds, in_quotes(outcome.rule->text)),

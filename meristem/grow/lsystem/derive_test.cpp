@@ -262,5 +262,22 @@ TEST(Derive, ReportsTheModulesDone) {
 
 TEST(Derive, AWordMayBecomeEmpty) { EXPECT_EQ(derived({"AAA", {"A ->"}}, 5), ""); }
 
+TEST(Derive, GoesOnWhileADecompositionMayStillBeDrawn) {
+  const Grammar grammar = build_grammar({.axiom = "A", .rules = {}, .decomposition = {"A:ran(1)<0.1->B"}});
+  Progress progress;
+  int decomposed = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Word word = derive(grammar, 100, RandomKey(seed), Limits(), progress);
+    if (grammar.alphabet[word.letters[0]].symbol == "B") ++decomposed;
+  }
+  EXPECT_EQ(decomposed, 20);
+}
+
+TEST(Derive, RefusesConditionsWithoutAValue) {
+  const Grammar grammar = build_grammar({.axiom = "A(0)", .rules = {"A(x):x/x->B"}});
+  Progress progress;
+  EXPECT_THROW(derive(grammar, 1, RandomKey(1), Limits(), progress), InputError);
+}
+
 }  // namespace
 }  // namespace meristem

@@ -58,6 +58,24 @@ void warn_of_hidden_rules(const RuleSet& set, const std::vector<std::string_view
   }
 }
 
+/// Warns of the first module of a context that can be no neighbour.
+void warn_of_missing_context(const Grammar& grammar, const Rule& rule, std::string_view place,
+                             const ReachedLetters& reached, GrammarFaults& faults) {
+  for (const std::vector<ContextModule>* context : {&rule.left, &rule.right}) {
+    for (const ContextModule& module : *context) {
+      if (module.letter == grammar.open || module.letter == grammar.close) continue;
+      const Letter& letter = grammar.alphabet[module.letter];
+      if (grammar.is_ignored[module.letter] != 0) {
+        return faults.warn(place, fmt::format("this rule can never match: contexts do not see {}, which is ignored",
+                                              in_quotes(letter.symbol)));
+      }
+      if (reached[module.letter]) continue;
+      return faults.warn(place, fmt::format("this rule can never match: no word has {} with {} parameters",
+                                            in_quotes(letter.symbol), letter.arity));
+    }
+  }
+}
+
 void warn_of_unreached_rules(const Grammar& grammar, const RuleSet& set, const std::vector<std::string_view>& places,
                              const ReachedLetters& reached, GrammarFaults& faults) {
   std::map<std::string_view, std::uint16_t> arities;  // one of each symbol that words can have
@@ -66,7 +84,10 @@ void warn_of_unreached_rules(const Grammar& grammar, const RuleSet& set, const s
   }
   for (std::size_t k = 0; k < set.rules.size(); ++k) {
     const LetterIndex predecessor = set.rules[k].predecessor;
-    if (reached[predecessor]) continue;
+    if (reached[predecessor]) {
+      warn_of_missing_context(grammar, set.rules[k], places[k], reached, faults);
+      continue;
+    }
     const Letter& letter = grammar.alphabet[predecessor];
     const auto other = arities.find(letter.symbol);
     if (other == arities.end()) {

@@ -17,7 +17,8 @@ struct RulePlaces {
   std::vector<std::string_view> interpretation;
 };
 
-/// Warns of rules that can never match: no word has their predecessor, or an earlier rule is always taken.
+/// Warns of rules that can never match: no word has their predecessor or a neighbour that they ask for, or an earlier
+/// rule is always taken.
 void warn_of_idle_rules(const Grammar& grammar, const RulePlaces& places, GrammarFaults& faults);
 
 }  // namespace meristem

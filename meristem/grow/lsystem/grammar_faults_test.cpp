@@ -289,6 +289,10 @@ TEST(GrammarWarnings, NameRulesThatCanNeverMatch) {
                                                  "of parameters than 0; expected as many as 1"});
   EXPECT_EQ(warnings_of("A\nA -> B\nA -> C\nB : .5 -> A\nB : .5 -> B\n"),
             Texts{"3:1: this rule can never match: the one of line 2 is always taken first"});
+  EXPECT_EQ(warnings_of("A\nQ < A > R -> B\n"),
+            Texts{"2:1: this rule can never match: no word has 'Q' with 0 parameters"});
+  EXPECT_EQ(warnings_of("#ignore F\nFA\nF < A -> G\n"),
+            Texts{"3:1: this rule can never match: contexts do not see 'F', which is ignored"});
   EXPECT_EQ(warnings_of("A\nA : 1 > 2 -> B\n"), Texts{"2:5: the condition '1 > 2' is never true"});
 }
 

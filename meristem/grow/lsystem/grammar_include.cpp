@@ -32,14 +32,10 @@ std::vector<ModuleForm> included_word(const Grammar& included, int steps, const 
   // The same on every reading: an included word is a part of the grammar and not of the plant.
   const RandomKey key = RandomKey().child("include");
   Progress progress;
-  const Word derived = derive(included, steps, key.child("derive"), limits, progress);
-  const Word word = interpreted(included, derived, key.child("draw"), limits, progress);
-  if (word.module_count() > kLongestIncludedWord) {
-    Diagnostic fault;
-    fault.message = fmt::format("the included word has {} modules", word.module_count());
-    fault.expected = fmt::format("at most {}; fewer steps", kLongestIncludedWord);
-    throw InputError(fault);
-  }
+  Limits bounded = limits;
+  bounded.modules = std::min(limits.modules, kLongestIncludedWord);
+  const Word derived = derive(included, steps, key.child("derive"), bounded, progress);
+  const Word word = interpreted(included, derived, key.child("draw"), bounded, progress);
 
   std::vector<LetterIndex> ours(included.alphabet.size(), kNoLetter);
   std::vector<ModuleForm> forms;

@@ -2,7 +2,11 @@
 #include "meristem/grow/lsystem/rule_chooser.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include <fmt/format.h>
+
+#include "meristem/base/in_quotes.h"
 #include "meristem/grow/lsystem/rule_faults.h"
 
 namespace meristem {
@@ -79,6 +83,10 @@ void RuleChooser::keep_where_true(const OldWord& old, const RulePlan& plan, cons
     const std::span<const double> values = batch_.values(*plan.condition);
     // What is kept never overtakes what is read.
     for (std::size_t lane = 0; lane < batch.size(); ++lane) {
+      if (std::isnan(values[lane])) {
+        throw_rule_fault(*plan.rule, fmt::format("the condition of {} has no value", in_quotes(plan.rule->text)),
+                         "one that does not divide by zero or the like");
+      }
       if (values[lane] != 0) matching_[kept++] = batch[lane];
     }
   });

@@ -19,10 +19,13 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kBlock = 65'536;     // modules between two looks at the progress
-constexpr double kParallel = 1e-9;         // sine of an angle below which directions count as parallel
-constexpr double kStraightUp = 1e-6;       // the same for headings that `$` finds no level for
-constexpr double kShortest = 1e-9;         // metres; shorter segments make no node
+constexpr std::size_t kBlock = 65'536;       // modules between two looks at the progress
+constexpr double kParallel = 1e-9;           // sine of an angle below which directions count as parallel
+constexpr double kStraightUp = 1e-6;         // the same for headings that `$` finds no level for
+constexpr double kFarthest = 1e9;            // metres; beyond, squares of floats lose themselves
+constexpr std::size_t kDeepest = 1'000'000;  // brackets in one another
+constexpr double kShortest = 1e-9;           // metres; shorter segments make no node
+constexpr std::size_t kMostCorners = 2000;
 constexpr std::size_t kFewestCorners = 3;  // of a polygon
 
 /// Rotates a and b in their plane, a toward b.
@@ -65,12 +68,14 @@ class Turtle {
     for (const LetterIndex letter : word.letters) {
       const LetterMeaning& meaning = meanings_[letter];
       if (meaning.action == TurtleAction::draw) ++segments_;
+      if (meaning.action == TurtleAction::place || meaning.action == TurtleAction::begin_polygon) ++instances_;
       if (meaning.action == TurtleAction::width) decays_ = false;
     }
     if (is_polar_) aim();
   }
 
   std::uint64_t segments() const { return segments_; }
+  std::uint64_t instances() const { return instances_; }
 
   Drawing run(Progress& progress) {
     drawing_.skeleton.reserve(segments_ + 1);
@@ -87,7 +92,7 @@ class Turtle {
       }
       progress.advance(end - begin);
     }
-    while (!open_.empty()) end_polygon();
+    if (!open_.empty()) fail_at_end("leaves a polygon open", "a } for each {");
     assign_apical_axes(drawing_.skeleton, begins_branch_);
     return std::move(drawing_);
   }
@@ -138,6 +143,8 @@ class Turtle {
             meaning.arity > 0 ? static_cast<std::uint32_t>(std::clamp(parameter[0], 0.0, 1e9)) : state_.colour + 1;
         break;
       case TurtleAction::push:
+        if (stack_.size() == kDeepest)
+          fail("opens too many brackets", fmt::format("at most {} in one another", kDeepest));
         stack_.push_back(state_);
         state_.begins_branch = true;
         break;
@@ -164,6 +171,11 @@ class Turtle {
     throw InputError(Diagnostic{.message = fmt::format("module {} of the word {}", at_ + 1, what),
                                 .expected = std::move(expected),
                                 .path = path_});
+  }
+
+  [[noreturn]] void fail_at_end(std::string_view what, std::string expected) const {
+    throw InputError(
+        Diagnostic{.message = fmt::format("the word {}", what), .expected = std::move(expected), .path = path_});
   }
 
   // --- Turning
@@ -243,8 +255,9 @@ class Turtle {
 
   void go(double length) {
     state_.place += scale_ * length * state_.heading;
-    if (std::isfinite(state_.place.x + state_.place.y + state_.place.z)) return;
-    fail("leads to a place that is not finite", "shorter segments");
+    const DVec3 far = glm::abs(state_.place);
+    if (far.x <= kFarthest && far.y <= kFarthest && far.z <= kFarthest) return;
+    fail("leads out of the world", fmt::format("places within {} m of its middle", kFarthest));
   }
 
   void segment(double length) {
@@ -256,7 +269,7 @@ class Turtle {
     state_.node = add_node(state_.node, state_.width);
     begins_branch_.back() = state_.begins_branch ? 1 : 0;
     state_.begins_branch = false;
-    if (parameters_.elasticity != 0) bend();
+    if (!is_polar_ && parameters_.elasticity != 0) bend();
   }
 
   /// All branches from a place where nothing was drawn before share its node.
@@ -267,6 +280,8 @@ class Turtle {
   }
 
   NodeIndex add_node(NodeIndex parent, double width) {
+    if (!(scale_ * width <= kFarthest))
+      fail("is wider than the world", fmt::format("a radius of at most {} m", kFarthest));
     const NodeIndex node = drawing_.skeleton.add_node(parent, Vec3(state_.place), 0);
     drawing_.skeleton.radius[node] = static_cast<float>(scale_ * width);
     begins_branch_.push_back(0);
@@ -293,7 +308,11 @@ class Turtle {
   void begin_polygon() { open_.push_back({.frame = frame(), .colour = state_.colour}); }
 
   void corner() {
-    if (!open_.empty()) open_.back().corners.emplace_back(state_.place);
+    if (open_.empty()) return;
+    if (open_.back().corners.size() == kMostCorners) {
+      fail("is one corner too many of a polygon", fmt::format("at most {}, and a }} for each {{", kMostCorners));
+    }
+    open_.back().corners.emplace_back(state_.place);
   }
 
   void end_polygon() {
@@ -334,6 +353,7 @@ class Turtle {
   bool is_polar_;
   bool decays_ = true;  // the word sets no widths
   std::uint64_t segments_ = 0;
+  std::uint64_t instances_ = 0;  // polygons and places
   double scale_ = 1;
   glm::dmat3 base_{1};  // of the polar reading: right, heading and upper at the start
   std::vector<LetterMeaning> meanings_;
@@ -353,6 +373,9 @@ Drawing draw(const Word& word, const Alphabet& alphabet, const TurtleParameters&
   Turtle turtle(word, alphabet, parameters, start, path);
   if (turtle.segments() > limits.nodes) {
     throw_limit("nodes", static_cast<double>(turtle.segments()), limits.nodes, "nodes", path);
+  }
+  if (turtle.instances() > limits.instances) {
+    throw_limit("polygons and places", static_cast<double>(turtle.instances()), limits.instances, "instances", path);
   }
   return turtle.run(progress);
 }

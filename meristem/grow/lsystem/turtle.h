@@ -8,7 +8,8 @@
 //   ~    places the component that the next symbol names
 //
 // Each of the first eleven, ! # and ' may have a parameter: metres, degrees, a radius in metres, a colour's number.
-// `\` turns the left to where up was, `/` the other way. All other symbols mean nothing here.
+// `\` lets the left side sink, as an aeroplane rolls to the left; `/` lets it rise. All other symbols mean nothing
+// here.
 //
 // Based on: P. Prusinkiewicz, A. Lindenmayer: The Algorithmic Beauty of Plants (1990), chapters 1, 2 and 5, and its
 // appendix on turtles.
@@ -66,7 +67,7 @@ struct TurtlePlace {
 struct Drawing {
   Skeleton skeleton;  ///< a root where segments begin without another before them; births are 0
   std::vector<Vec3> corners;
-  std::vector<TurtlePolygon> polygons;  ///< by their ends; a polygon that is never closed ends with the word
+  std::vector<TurtlePolygon> polygons;  ///< by their ends
   std::vector<TurtlePlace> places;
 };
 
@@ -76,8 +77,9 @@ struct Drawing {
 /// On a segment's axis goes the next one that no bracket parts from it; where there is none, the widest, and of those
 /// the straightest. Segments without a length make no node.
 ///
-/// Throws InputError at `path` for a } without a {, a ~ without a name, a place that is not finite, and beyond the
-/// limit of nodes, before they are made; Cancelled.
+/// Throws InputError at `path` for braces without their like, polygons of more than 2,000 corners, a ~ without a name,
+/// brackets nested deeper than a million, places and radii beyond a million kilometres, and beyond the limits of nodes
+/// and, with polygons and places, of instances, before they are made; Cancelled.
 Drawing draw(const Word& word, const Alphabet& alphabet, const TurtleParameters& parameters, const Frame& start,
              const Limits& limits, const std::string& path, Progress& progress);
 

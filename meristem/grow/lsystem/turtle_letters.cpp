@@ -20,7 +20,7 @@ constexpr std::array kEntries{
     Entry{'f', TurtleAction::move, 1, true}, Entry{'g', TurtleAction::move},
     Entry{'+', TurtleAction::yaw},           Entry{'-', TurtleAction::yaw, -1},
     Entry{'&', TurtleAction::pitch},         Entry{'^', TurtleAction::pitch, -1},
-    Entry{'\\', TurtleAction::roll},         Entry{'/', TurtleAction::roll, -1},
+    Entry{'\\', TurtleAction::roll, -1},     Entry{'/', TurtleAction::roll},
     Entry{'|', TurtleAction::about},         Entry{'$', TurtleAction::level},
     Entry{'!', TurtleAction::width},         Entry{'#', TurtleAction::width, -1},
     Entry{'\'', TurtleAction::colour},       Entry{'[', TurtleAction::push},

@@ -61,9 +61,9 @@ TEST(Turtle, BeginsUpwardWithItsLeftToTheWest) {
   expect_near(tip_of("|F"), {0, -1, 0});
 }
 
-TEST(Turtle, RollsTurnTheLeftUpAndBack) {
-  expect_near(tip_of("\\+F"), {0, 0, 1});
-  expect_near(tip_of("/+F"), {0, 0, -1});
+TEST(Turtle, RollingLeftTheLeftSideSinks) {
+  expect_near(tip_of("\\+F"), {0, 0, -1});
+  expect_near(tip_of("/+F"), {0, 0, 1});
   expect_near(tip_of("\\/+F"), {-1, 0, 0});
 }
 
@@ -225,6 +225,12 @@ TEST(TurtlePolygon, MayLieInAnother) {
   EXPECT_EQ(drawing.polygons[1].first, drawing.polygons[0].count);
 }
 
+TEST(TurtlePolygon, NeedsItsEnd) {
+  EXPECT_THAT(fault_of("F{.f.f."), HasSubstr("the word leaves a polygon open; expected a } for each {"));
+  EXPECT_THAT(fault_of("{" + std::string(2001, '.') + "}"),
+              HasSubstr("module 2002 of the word is one corner too many of a polygon; expected at most 2000"));
+}
+
 TEST(TurtlePolygon, NeedsItsBegin) {
   EXPECT_THAT(fault_of("Ff.}"), HasSubstr("components.plant: module 4 of the word closes a polygon"));
 }
@@ -248,8 +254,16 @@ TEST(Turtle, StopsAtTheLimitOfNodes) {
   EXPECT_THAT(fault_of("FFF", limits), HasSubstr("limits.nodes"));
 }
 
-TEST(Turtle, StopsWherePlacesAreNotFinite) {
-  EXPECT_THAT(fault_of("F(1e308)F(1e308)"), HasSubstr("module 2 of the word leads to a place that is not finite"));
+TEST(Turtle, StopsAtTheLimitOfPolygonsAndPlaces) {
+  Limits limits;
+  limits.instances = 2;
+  EXPECT_THAT(fault_of("~A{...}~A", limits), HasSubstr("limits.instances"));
+}
+
+TEST(Turtle, StopsAtTheEndOfTheWorld) {
+  EXPECT_THAT(fault_of("F(1e308)F(1e308)"), HasSubstr("module 1 of the word leads out of the world"));
+  EXPECT_THAT(fault_of("F(1e9)F(1)"), HasSubstr("module 2 of the word leads out of the world"));
+  EXPECT_THAT(fault_of("F!(1e39)F"), HasSubstr("module 3 of the word is wider than the world"));
 }
 
 /// P. Prusinkiewicz, A. Lindenmayer: The Algorithmic Beauty of Plants, figure 1.25.

@@ -63,18 +63,6 @@ bool is_document(std::string_view text) {
   return next != std::string_view::npos && text[next] == ':';
 }
 
-/// Names the grammar's file in faults of derivation, which know their line alone.
-template <class Call>
-auto naming_file(const std::string& file, Call call) {
-  try {
-    return call();
-  } catch (const InputError& error) {
-    std::vector<Diagnostic> diagnostics = error.diagnostics();
-    for (Diagnostic& diagnostic : diagnostics) diagnostic.file = file;
-    throw InputError(std::move(diagnostics));
-  }
-}
-
 /// Reads the grammar, and adds the files that it was read from to `inputs`.
 Grammar read(const DeriveOptions& command, std::vector<std::string>& inputs) {
   GrammarOptions options;
@@ -123,11 +111,8 @@ void derive(const DeriveOptions& command) {
   Progress& progress = terminal.progress();
   const Limits limits;
   const RandomKey key(command.seed);
-  const Word word = naming_file(command.file(), [&] {
-    Word derived = meristem::derive(grammar, steps, key, limits, progress);
-    const bool is_redrawn = command.drawn && !grammar.interpretation.rules.empty();
-    return is_redrawn ? interpreted(grammar, derived, key, limits, progress) : std::move(derived);
-  });
+  const Word word = command.drawn ? derive_drawn(grammar, steps, key, limits, progress)
+                                  : meristem::derive(grammar, steps, key, limits, progress);
 
   AtomicFile file(command.output);
   if (command.stats) {

@@ -43,9 +43,7 @@ constexpr Vec3 kLeafGreen{0.31F, 0.47F, 0.19F};
 Word derive_plant(const Lsystem& plant, const Site& site, Emitter& out) {
   const Grammar& grammar = plant.source().grammar;
   const int steps = plant.steps.value_or(grammar.steps.value_or(0));
-  const RandomKey key = site.key.child("word");
-  const Word word = derive(grammar, steps, key, out.limits(), out.progress());
-  return interpreted(grammar, word, key, out.limits(), out.progress());
+  return derive_drawn(grammar, steps, site.key.child("word"), out.limits(), out.progress());
 }
 
 TurtleParameters turtle_of(const Lsystem& plant) {

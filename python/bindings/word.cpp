@@ -65,18 +65,6 @@ int steps_of(std::optional<int> steps, const Grammar& grammar, const std::string
                               .file = file});
 }
 
-/// Calls `call()`, and names the grammar's file in faults of derivation, which know their line alone.
-template <class Call>
-Word naming_file(const std::string& file, Call call) {
-  try {
-    return call();
-  } catch (const InputError& error) {
-    std::vector<Diagnostic> diagnostics = error.diagnostics();
-    for (Diagnostic& diagnostic : diagnostics) diagnostic.file = file;
-    throw InputError(std::move(diagnostics));
-  }
-}
-
 WordPointer derive_word(const py::object& grammar, std::optional<int> steps, const py::object& seed,
                         const py::object& constants, bool drawn, int threads, const py::object& progress) {
   if (steps && (*steps < 0 || *steps > kMostSteps)) {
@@ -91,11 +79,8 @@ WordPointer derive_word(const py::object& grammar, std::optional<int> steps, con
   WordPointer result = run_call(progress, threads, [&](Progress& inner) {
     const Grammar read_one = read(source, options);
     const int count = steps_of(steps, read_one, source.file);
-    Word word = naming_file(source.file, [&] {
-      Word derived = derive(read_one, count, key, options.limits, inner);
-      const bool is_redrawn = drawn && !read_one.interpretation.rules.empty();
-      return is_redrawn ? interpreted(read_one, derived, key, options.limits, inner) : std::move(derived);
-    });
+    Word word = drawn ? derive_drawn(read_one, count, key, options.limits, inner)
+                      : derive(read_one, count, key, options.limits, inner);
     return std::make_shared<WordInPython>(WordInPython{std::move(word), read_one.alphabet});
   });
   for (const Diagnostic& warning : warnings) {

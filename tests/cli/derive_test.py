@@ -38,7 +38,7 @@ A(x) : * : 2 -> F(x)[-A(x/2)]A(x/2)
 F(x) -> f(x/2)f(x/2)
 """
 
-DOUBLING = "F\nF -> FF\n"
+THOUSANDFOLD = "F\nF -> " + 1000 * "F" + "\n"
 
 
 class Derive(cli_test.Case):
@@ -46,7 +46,7 @@ class Derive(cli_test.Case):
         super().setUp()
         self.write("koch.txt", KOCH)
         self.write("chance.txt", CHANCE)
-        self.write("doubling.txt", DOUBLING)
+        self.write("thousandfold.txt", THOUSANDFOLD)
 
     def derive(self, *arguments, **options):
         done = self.run_program("derive", *arguments, **options)
@@ -139,7 +139,7 @@ class Derive(cli_test.Case):
     def test_wrong_uses(self):
         for arguments in ([], ["koch.txt", "--steps", "-1"], ["koch.txt", "--steps", "1.5"],
                           ["koch.txt", "--steps", "1000001"], ["koch.txt", "--seed", "-1"],
-                          ["koch.txt", "--define"], ["koch.txt", "--threads", "0"], ["koch.txt", "doubling.txt"]):
+                          ["koch.txt", "--define"], ["koch.txt", "--threads", "0"], ["koch.txt", "thousandfold.txt"]):
             self.assert_ends(WRONG_INPUT, "derive", *arguments)
         self.assertIn("'nowhere.txt'", self.assert_ends(FAILED, "derive", "nowhere.txt"))
         self.assertIn("'koch.txt' would be written over, and it is read",
@@ -175,8 +175,8 @@ class Derive(cli_test.Case):
                             "bad.txt:2: '1/(x-1)' is not a finite number where 'A(x) -> A(1/(x-1))' is applied; "
                             "expected a condition that leaves this case out (most likely a division by zero)",
                             "--steps", "1")
-        errors = self.assert_ends(WRONG_INPUT, "derive", "doubling.txt", "--steps", "1000", "-o", "word.txt")
-        self.assertRegex(errors, r"^doubling\.txt:2: \d+ modules of a word are too many; .*at most 200000000 ")
+        errors = self.assert_ends(WRONG_INPUT, "derive", "thousandfold.txt", "--steps", "1000", "-o", "word.txt")
+        self.assertRegex(errors, r"(?m)^thousandfold\.txt:2: 1000000000 modules of a word are too many; .*at most 200000000 ")
 
     def test_documents_are_not_grammars(self):
         for document in (cli_test.BOX, "// A box.\n" + cli_test.BOX):

@@ -88,9 +88,7 @@ bool rewrite_to_end(Rewriter& rewriter, const RewritePlan& plan, RandomKey key, 
   }
 }
 
-}  // namespace
-
-Word derive(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress) {
+Word derived_word(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress) {
   const RewritePlan production(grammar, grammar.production);
   const RewritePlan decomposition(grammar, grammar.decomposition);
   Rewriter rewriter(grammar, limits, progress);
@@ -109,9 +107,9 @@ Word derive(const Grammar& grammar, int steps, RandomKey key, const Limits& limi
   return word;
 }
 
-Word interpreted(const Grammar& grammar, const Word& word, RandomKey key, const Limits& limits, Progress& progress) {
+Word interpreted_word(const Grammar& grammar, const Word& word, RandomKey key, const Limits& limits,
+                      Progress& progress) {
   const RewritePlan interpretation(grammar, grammar.interpretation);
-  if (interpretation.rules.empty()) return word;
   const RandomKey interpretation_key = key.child("interpretation");
   Rewriter rewriter(grammar, limits, progress);
   // The first round reads the word where it is.
@@ -122,6 +120,35 @@ Word interpreted(const Grammar& grammar, const Word& word, RandomKey key, const 
   Word next;
   rewrite_to_end(rewriter, interpretation, interpretation_key, "interpreting", first, next);
   return first;
+}
+
+/// Calls `call`, and names the grammar's file in its faults, which know their line alone.
+template <class Call>
+Word naming_file(const Grammar& grammar, Call call) {
+  try {
+    return call();
+  } catch (const InputError& error) {
+    std::vector<Diagnostic> diagnostics = error.diagnostics();
+    for (Diagnostic& diagnostic : diagnostics) diagnostic.file = grammar.file;
+    throw InputError(std::move(diagnostics));
+  }
+}
+
+}  // namespace
+
+Word derive(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress) {
+  return naming_file(grammar, [&] { return derived_word(grammar, steps, key, limits, progress); });
+}
+
+Word interpreted(const Grammar& grammar, const Word& word, RandomKey key, const Limits& limits, Progress& progress) {
+  if (grammar.interpretation.rules.empty()) return word;
+  return naming_file(grammar, [&] { return interpreted_word(grammar, word, key, limits, progress); });
+}
+
+Word derive_drawn(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress) {
+  Word word = derive(grammar, steps, key, limits, progress);
+  if (grammar.interpretation.rules.empty()) return word;
+  return interpreted(grammar, word, key, limits, progress);
 }
 
 }  // namespace meristem

@@ -12,11 +12,15 @@ namespace meristem {
 /// The grammar's word after `steps` steps; fewer where it can change no more. All modules of a word are rewritten at
 /// once. Draws depend on key, step and position alone, so the word is the same on any number of threads.
 ///
-/// Throws InputError, with the rule's line, for parameters that are not finite, decompositions without an end, and
-/// words beyond the limits: before the memory is spent, naming the rule that adds most. Throws Cancelled.
+/// Throws InputError, with the grammar's file and the rule's line, for parameters that are not finite, decompositions
+/// without an end, and words beyond the limits: before the memory is spent, naming the rule that adds most. Throws
+/// Cancelled.
 Word derive(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress);
 
 /// The word as it is drawn: with the grammar's interpretation rules applied. The same errors.
 Word interpreted(const Grammar& grammar, const Word& word, RandomKey key, const Limits& limits, Progress& progress);
+
+/// Both: the word after `steps` steps as it is drawn.
+Word derive_drawn(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress);
 
 }  // namespace meristem

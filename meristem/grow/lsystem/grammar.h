@@ -53,6 +53,7 @@ struct RuleSet {
 };
 
 struct Grammar {
+  std::string file;  ///< its name in messages
   Alphabet alphabet;
   LetterIndex open = kNoLetter;          ///< [
   LetterIndex close = kNoLetter;         ///< ]

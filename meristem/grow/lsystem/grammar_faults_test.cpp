@@ -186,6 +186,23 @@ TEST(GrammarFaults, PlacesFilesThatAreNotThereAtTheirInclusion) {
                   "that leaves this case out (most likely a division by zero)"});
 }
 
+TEST(GrammarFaults, SeeksInclusionsBesideTheGrammarThatHasThem) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "more");
+  std::ofstream(folder / "more/elm.txt") << "#steps 0\nE\n#include leaf.txt as E\n";
+  std::ofstream(folder / "more/leaf.txt") << "#steps 0\nL\n";
+  std::ofstream(folder / "leaf.txt") << "this is [ no grammar\n";
+  std::vector<std::string> paths;
+  GrammarOptions options;
+  options.file = folder / "plant.txt";
+  options.read = read_beside(options.file, &paths);
+  EXPECT_EQ(faults_of("X\n#include more/elm.txt as X\n", options), Texts{});
+  EXPECT_EQ(paths, (Texts{folder / "more/elm.txt", folder / "more/leaf.txt"}));
+  std::ofstream(folder / "more/elm.txt") << "#steps 0\nE\n#include ../more/elm.txt as E\n";
+  EXPECT_EQ(faults_of("X\n#include more/elm.txt as X\n", options),
+            Texts{"more/elm.txt:3:1: 'more/elm.txt' includes itself; expected inclusions without a circle"});
+}
+
 TEST(GrammarFaults, FindsOverridesOfWhatIsNotDefined) {
   GrammarOptions options;
   options.file = "plant.txt";

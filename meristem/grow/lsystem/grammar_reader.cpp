@@ -95,7 +95,8 @@ class GrammarReader {
   void read_steps(const Directive& directive);
   void read_angle(const Directive& directive);
   void read_include(const Directive& directive);
-  std::optional<std::string> included_text(const Directive& directive, const std::string& name);
+  std::optional<std::string> included_text(const Directive& directive, const std::string& written,
+                                           const std::string& name);
   bool include(const Directive& directive, std::string_view file, LetterIndex letter, std::string_view steps);
   std::optional<int> step_count(std::string_view text);
   void add_rule(Rule rule, std::string_view place, RuleSet& set, std::vector<std::string_view>& places);
@@ -341,15 +342,17 @@ void GrammarReader::read_include(const Directive& directive) {
   if (letter != kNoLetter) include(directive, file, letter, steps);
 }
 
-std::optional<std::string> GrammarReader::included_text(const Directive& directive, const std::string& name) {
+/// The text of the file `name`, which this grammar calls `written`.
+std::optional<std::string> GrammarReader::included_text(const Directive& directive, const std::string& written,
+                                                        const std::string& name) {
   try {
     return options_.read(name);
   } catch (const InputError& error) {
     for (const Diagnostic& fault : error.diagnostics()) {
       // As it would be written here.
       const std::filesystem::path nearest = std::filesystem::path(fault.nearest).filename();
-      faults_.add(directive.all, fmt::format("{}: {}", in_quotes(name), fault.message), fault.expected,
-                  nearest.empty() ? "" : (std::filesystem::path(name).parent_path() / nearest).string());
+      faults_.add(directive.all, fmt::format("{}: {}", in_quotes(written), fault.message), fault.expected,
+                  nearest.empty() ? "" : (std::filesystem::path(written).parent_path() / nearest).string());
     }
     return std::nullopt;
   }
@@ -361,8 +364,10 @@ bool GrammarReader::include(const Directive& directive, std::string_view file, L
     faults_.add(directive.all, std::move(message), std::move(expected));
     return false;
   };
-  const std::string name(file);
   auto& files = inclusions_.files;
+  // From the folder of this grammar; `read` begins at that of the first.
+  const auto folder = files.size() > 1 ? std::filesystem::path(files.back()).parent_path() : std::filesystem::path();
+  const std::string name = (folder / file).lexically_normal().string();
   if (!options_.read) return fail("this grammar cannot include others", "a grammar that is read from a file");
   if (std::find(files.begin(), files.end(), name) != files.end()) {
     return fail(fmt::format("{} includes itself", in_quotes(name)), "inclusions without a circle");
@@ -372,7 +377,7 @@ bool GrammarReader::include(const Directive& directive, std::string_view file, L
                 fmt::format("at most {}, and {} inside each other", kMostInclusions, kDeepestInclusion));
   }
 
-  const std::optional<std::string> text = included_text(directive, name);
+  const std::optional<std::string> text = included_text(directive, std::string(file), name);
   if (!text) return false;
   GrammarOptions options = options_;
   options.file = name;
@@ -400,11 +405,7 @@ bool GrammarReader::include(const Directive& directive, std::string_view file, L
     return true;
   } catch (const InputError& error) {
     if (files.back() == name) files.pop_back();
-    std::vector<Diagnostic> faults = error.diagnostics();
-    for (Diagnostic& fault : faults) {
-      if (fault.file.empty()) fault.file = name;  // a fault of deriving
-    }
-    faults_.add_all(directive.all, faults);
+    faults_.add_all(directive.all, error.diagnostics());
     return false;
   } catch (const std::length_error&) {
     return fail("the grammar has more than 65534 letters", "fewer");
@@ -449,6 +450,7 @@ void GrammarReader::finish() {
   }
   if (!faults_.is_empty()) throw InputError(faults_.take_faults());
 
+  grammar_.file = options_.file;
   drop_identities(grammar_.production, places_.production);
   drop_identities(grammar_.decomposition, places_.decomposition);
   drop_identities(grammar_.interpretation, places_.interpretation);

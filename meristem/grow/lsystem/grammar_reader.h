@@ -10,7 +10,8 @@
 //   #ignore +-                 symbols that contexts do not see; after "#ignore:" too
 //   #steps 5   #angle 22.5     a constant expression each
 //   #include fir.txt as T for 6 steps
-//                              T is drawn as the word of that grammar after so many steps; without them as its #steps
+//                              T is drawn as the word of that grammar after so many steps; without them as its #steps;
+//                              sought from the folder of the grammar that includes it
 //
 // Directives stand at the beginning of a line. Before the first of #axiom and #rules lines are the axiom, and a line
 // with an arrow begins the rules, there and behind #axiom. Arrows are -> and →, and --> behind a symbol. Blanks

@@ -54,8 +54,9 @@ class Turtle {
         parameters_(parameters),
         path_(path),
         is_polar_(parameters.reading == TurtleParameters::Reading::polar) {
-    for (std::size_t k = 0; k < alphabet.size(); ++k)
+    for (std::size_t k = 0; k < alphabet.size(); ++k) {
       meanings_.push_back(meaning_of(alphabet[static_cast<LetterIndex>(k)]));
+    }
     const DVec3 heading(start.heading());
     scale_ = glm::length(heading);
     state_.place = DVec3(start.origin);
@@ -87,12 +88,16 @@ class Turtle {
       const std::size_t end = std::min(begin + kBlock, count);
       for (at_ = begin; at_ < end; ++at_) {
         LetterMeaning& meaning = meanings_[word_.letters[at_]];
-        act(meaning, parameter);
+        if (is_name_) {
+          is_name_ = false;
+        } else {
+          act(meaning, parameter);
+        }
         parameter += meaning.arity;
       }
       progress.advance(end - begin);
     }
-    if (!open_.empty()) fail_at_end("leaves a polygon open", "a } for each {");
+    if (!open_.empty()) throw_fault("the word leaves a polygon open", "a } for each {");
     assign_apical_axes(drawing_.skeleton, begins_branch_);
     return std::move(drawing_);
   }
@@ -143,8 +148,9 @@ class Turtle {
             meaning.arity > 0 ? static_cast<std::uint32_t>(std::clamp(parameter[0], 0.0, 1e9)) : state_.colour + 1;
         break;
       case TurtleAction::push:
-        if (stack_.size() == kDeepest)
+        if (stack_.size() == kDeepest) {
           fail("opens too many brackets", fmt::format("at most {} in one another", kDeepest));
+        }
         stack_.push_back(state_);
         state_.begins_branch = true;
         break;
@@ -168,14 +174,11 @@ class Turtle {
   }
 
   [[noreturn]] void fail(std::string_view what, std::string expected) const {
-    throw InputError(Diagnostic{.message = fmt::format("module {} of the word {}", at_ + 1, what),
-                                .expected = std::move(expected),
-                                .path = path_});
+    throw_fault(fmt::format("module {} of the word {}", at_ + 1, what), std::move(expected));
   }
 
-  [[noreturn]] void fail_at_end(std::string_view what, std::string expected) const {
-    throw InputError(
-        Diagnostic{.message = fmt::format("the word {}", what), .expected = std::move(expected), .path = path_});
+  [[noreturn]] void throw_fault(std::string message, std::string expected) const {
+    throw InputError(Diagnostic{.message = std::move(message), .expected = std::move(expected), .path = path_});
   }
 
   // --- Turning
@@ -257,7 +260,7 @@ class Turtle {
     state_.place += scale_ * length * state_.heading;
     const DVec3 far = glm::abs(state_.place);
     if (far.x <= kFarthest && far.y <= kFarthest && far.z <= kFarthest) return;
-    fail("leads out of the world", fmt::format("places within {} m of its middle", kFarthest));
+    fail("leads out of the world", fmt::format("places within {:.0f} m of its middle", kFarthest));
   }
 
   void segment(double length) {
@@ -280,8 +283,9 @@ class Turtle {
   }
 
   NodeIndex add_node(NodeIndex parent, double width) {
-    if (!(scale_ * width <= kFarthest))
-      fail("is wider than the world", fmt::format("a radius of at most {} m", kFarthest));
+    if (!(scale_ * width <= kFarthest)) {
+      fail("is wider than the world", fmt::format("a radius of at most {:.0f} m", kFarthest));
+    }
     const NodeIndex node = drawing_.skeleton.add_node(parent, Vec3(state_.place), 0);
     drawing_.skeleton.radius[node] = static_cast<float>(scale_ * width);
     begins_branch_.push_back(0);
@@ -329,6 +333,7 @@ class Turtle {
 
   void place(const double* parameter) {
     // The name's own parameters follow those of ~.
+    is_name_ = true;
     const std::size_t next = at_ + 1;
     if (next == word_.module_count()) fail("is a ~ without a name", "the name of a component behind it");
     const LetterIndex letter = word_.letters[next];
@@ -363,6 +368,7 @@ class Turtle {
   std::vector<NodeIndex> root_after_gap_{kNoNode};  // by gap; the first is the start
   std::vector<std::uint8_t> begins_branch_;         // by node
   std::size_t at_ = 0;                              // module
+  bool is_name_ = false;                            // behind a ~, and so nothing to draw
   Drawing drawing_;
 };
 

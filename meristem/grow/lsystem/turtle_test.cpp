@@ -245,6 +245,7 @@ TEST(TurtlePlace, StandsOnTheStem) {
   EXPECT_EQ(drawing.places[0].node, 1U);
   EXPECT_EQ(drawing.places[1].node, 2U);
   EXPECT_EQ(drawn("~K").places[0].node, kNoNode);
+  EXPECT_EQ(drawn("F~F(2)").skeleton.node_count(), 2U) << "a name is nothing to draw";
   EXPECT_THAT(fault_of("F~"), HasSubstr("module 2 of the word is a ~ without a name"));
 }
 

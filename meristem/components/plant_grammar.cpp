@@ -63,7 +63,9 @@ void note_placed(PlantGrammar& plant) {
     const std::string& id = alphabet[letter].symbol;
     const auto found = std::ranges::find(plant.placed, id, &PlacedComponent::id);
     plant.placed_of_letter[letter] = static_cast<std::uint32_t>(found - plant.placed.begin());
-    if (found == plant.placed.end()) plant.placed.push_back({id, !letters.is_rewritten(letter)});
+    if (found == plant.placed.end()) {
+      plant.placed.push_back({id, !letters.is_rewritten(letter), ", or longer names among #symbols"});
+    }
   }
 }
 

@@ -289,8 +289,7 @@ class DocumentReader {
         const std::string nearest = reader.nearest(id, ids_);
         reader.fault(Place(components, prototype.id),
                      fmt::format("'{}' places '{}', and there is no such component", prototype.id, id),
-                     nearest.empty() ? fmt::format("a component '{}', or longer names among #symbols", id) : "",
-                     nearest);
+                     nearest.empty() ? fmt::format("a component '{}'{}", id, placed[k].hint) : "", nearest);
       }
     }
   }

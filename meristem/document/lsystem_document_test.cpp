@@ -45,6 +45,23 @@ TEST(LsystemDocument, FaultsOfLinesStandAtTheirPlaces) {
   EXPECT_THAT(faults, HasSubstr("d.json:5:16: components.plant.grammar[2]: "));
 }
 
+TEST(LsystemDocument, ElementsOfAListMayHoldSeveralLines) {
+  const std::string faults =
+      faults_of_text(R"json({"meristem": 1, "components": {"plant": {"type": "lsystem", "steps": 1,
+  "grammar": [
+    "F(1)\n\n#rules",
+    "F(x) -> F(y)"
+  ]}}})json");
+  EXPECT_THAT(faults, HasSubstr("d.json:4:16: components.plant.grammar[1]: "));
+}
+
+TEST(LsystemDocument, NamesTheElementThatIsNoText) {
+  const std::string faults =
+      faults_of_text(R"json({"meristem": 1, "components": {"plant": {"type": "lsystem", "steps": 1,
+  "grammar": ["F", 3]}}})json");
+  EXPECT_THAT(faults, HasSubstr("d.json:2:20: components.plant.grammar[1]: "));
+}
+
 TEST(LsystemDocument, FaultsOfATextStandAtTheirPlaces) {
   const std::string faults =
       faults_of_text(R"json({"meristem": 1, "components": {"plant": {"type": "lsystem", "steps": 1,

@@ -91,6 +91,7 @@ struct GrowContext {
 struct PlacedComponent {
   std::string id;
   bool is_needed = true;  ///< else there may be no such component
+  std::string hint;       ///< what else its author may have meant, for messages: "or longer names ..."; may be empty
 };
 
 struct ComponentType {

@@ -31,6 +31,14 @@ std::size_t byte_offset(std::string_view text, std::size_t line, std::size_t col
   return at;
 }
 
+/// "fir.txt:3:7", as far as it is known.
+std::string place_in_file(const Diagnostic& found, const std::string& file) {
+  std::string place = file;
+  if (found.line > 0) place += fmt::format(":{}", found.line);
+  if (found.column > 0) place += fmt::format(":{}", found.column);
+  return place;
+}
+
 double document_scale(Unit unit) { return unit == Unit::degree ? kPi / 180 : 1; }
 
 bool is_in_range(const NumberForm& form, double value) {
@@ -308,10 +316,8 @@ void ParameterReader::file(const Parameter& parameter, const Value& value, const
 /// One fault says both places: this one, and the one in the file.
 void ParameterReader::report_in_file(const Diagnostic& found, const std::string& file, const Place& place) {
   const std::filesystem::path folder(folder_);
-  std::string at = found.line > 0 ? fmt::format("{}:{}", file, found.line) : file;
-  if (found.column > 0) at += fmt::format(":{}", found.column);
   Diagnostic told = found;
-  told.message = fmt::format("'{}': {}", at, found.message);
+  told.message = fmt::format("'{}': {}", place_in_file(found, file), found.message);
   // The nearest file is named as the document would name it.
   if (!folder_.empty() && told.nearest.starts_with((folder / "").string())) {
     told.nearest.erase(0, (folder / "").string().size());
@@ -330,26 +336,31 @@ void ParameterReader::report(const Place& place, const Diagnostic& found, int te
 void ParameterReader::report_in_text(const Diagnostic& found, const Value& value, const Place& place) {
   Diagnostic told = found;
   if (!found.file.empty()) {
-    told.message = fmt::format("'{}:{}': {}", found.file, found.line, found.message);
+    told.message = fmt::format("'{}': {}", place_in_file(found, found.file), found.message);
     return report(place, told, -1);
   }
-  const auto line = static_cast<std::size_t>(std::max(found.line, 1) - 1);
+  if (found.line < 1) return report(place, told, -1);
+  auto line = static_cast<std::size_t>(found.line - 1);
   const auto column = static_cast<std::size_t>(std::max(found.column, 1) - 1);
-  if (const Value::List* lines = value.list()) {
-    if (found.line < 1 || line >= lines->size()) return report(place, told, -1);
-    const std::string& text = *(*lines)[line].text();
-    return report(Place(place, line), told, static_cast<int>(byte_offset(text, 0, column)));
+  if (value.list() == nullptr) return report(place, told, static_cast<int>(byte_offset(*value.text(), line, column)));
+  // An element may hold several lines.
+  const Value::List& elements = *value.list();
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    const std::string& text = *elements[k].text();
+    const auto own = static_cast<std::size_t>(std::ranges::count(text, '\n')) + 1;
+    if (line < own) return report(Place(place, k), told, static_cast<int>(byte_offset(text, line, column)));
+    line -= own;
   }
-  const std::string& text = *value.text();
-  report(place, told, found.line < 1 ? -1 : static_cast<int>(byte_offset(text, line, column)));
+  report(place, told, -1);
 }
 
 void ParameterReader::lines(const Parameter& parameter, const Value& value, const Place& place, ReadText read) {
   std::string text;
   if (const Value::List* lines = value.list()) {
-    for (const Value& line : *lines) {
-      if (line.text() == nullptr) return wrong_kind(parameter, value, place);
-      text += *line.text() + '\n';
+    for (std::size_t k = 0; k < lines->size(); ++k) {
+      const std::string* line = (*lines)[k].text();
+      if (line == nullptr) return wrong_kind(parameter, (*lines)[k], Place(place, k));
+      text += *line + '\n';
     }
   } else if (value.text() != nullptr) {
     text = *value.text();

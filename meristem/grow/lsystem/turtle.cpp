@@ -84,18 +84,14 @@ class Turtle {
     const std::size_t count = word_.module_count();
     progress.begin("drawing", count);
     const double* parameter = word_.parameters.data();
-    for (std::size_t begin = 0; begin < count; begin += kBlock) {
+    for (std::size_t begin = 0; begin < count; begin = at_) {
       const std::size_t end = std::min(begin + kBlock, count);
       for (at_ = begin; at_ < end; ++at_) {
         LetterMeaning& meaning = meanings_[word_.letters[at_]];
-        if (is_name_) {
-          is_name_ = false;
-        } else {
-          act(meaning, parameter);
-        }
+        act(meaning, parameter);
         parameter += meaning.arity;
       }
-      progress.advance(end - begin);
+      progress.advance(at_ - begin);
     }
     if (!open_.empty()) throw_fault("the word leaves a polygon open", "a } for each {");
     assign_apical_axes(drawing_.skeleton, begins_branch_);
@@ -103,7 +99,8 @@ class Turtle {
   }
 
  private:
-  void act(LetterMeaning& meaning, const double* parameter) {
+  /// `parameter` is the module's first; it moves on where the next module is read, too.
+  void act(LetterMeaning& meaning, const double*& parameter) {
     const auto value = [&](double otherwise) { return meaning.arity > 0 ? parameter[0] : otherwise; };
     switch (meaning.action) {
       case TurtleAction::none:
@@ -168,7 +165,7 @@ class Turtle {
         corner();
         break;
       case TurtleAction::place:
-        place(parameter);
+        parameter += place(parameter);
         break;
     }
   }
@@ -331,9 +328,9 @@ class Turtle {
     open_.pop_back();
   }
 
-  void place(const double* parameter) {
+  /// Passes the name over, which is nothing to draw, and gives the number of its parameters.
+  std::uint16_t place(const double* parameter) {
     // The name's own parameters follow those of ~.
-    is_name_ = true;
     const std::size_t next = at_ + 1;
     if (next == word_.module_count()) fail("is a ~ without a name", "the name of a component behind it");
     const LetterIndex letter = word_.letters[next];
@@ -344,6 +341,8 @@ class Turtle {
     place.frame.axes *= static_cast<float>(scale_ * size);
     place.radius = static_cast<float>(scale_ * state_.width);
     place.node = state_.node == kNoNode ? root_after_gap_[state_.gap] : state_.node;
+    at_ = next;
+    return meanings_[letter].arity;
   }
 
   struct OpenPolygon {
@@ -368,7 +367,6 @@ class Turtle {
   std::vector<NodeIndex> root_after_gap_{kNoNode};  // by gap; the first is the start
   std::vector<std::uint8_t> begins_branch_;         // by node
   std::size_t at_ = 0;                              // module
-  bool is_name_ = false;                            // behind a ~, and so nothing to draw
   Drawing drawing_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,40 @@
 
 namespace meristem {
 
+/// How bodies grow together where they meet.
+enum class BlendKind {
+  poly,   ///< a fillet of bounded reach
+  root,   ///< one that reaches everywhere and swells all bodies
+  pasko,  ///< a sharp union, filled where both surfaces are near
+};
+
+/// A closed body about the ends of branches: balls that grow together.
+struct CrownBody {
+  float diameter = 0.5F;  ///< of the balls, metres
+  float offset = 0;       ///< metres by which each stands above its branch's end
+  float fuse = 0.1F;  ///< metres over which they grow together; raised, smoother and fuller; 0: they meet in creases
+  BlendKind blend = BlendKind::poly;
+  int resolution = 40;               ///< cells along its longest side
+  std::optional<int> triangles;      ///< at most so many, by simplification
+  Vec3 colour{0.36F, 0.48F, 0.24F};  ///< sRGB
+  bool hidden = false;               ///< it holds leaves and is not seen itself
+
+  bool operator==(const CrownBody&) const = default;
+};
+
 /// How stems want to be clothed; `meristem/shape` does it.
 struct Surface {
-  enum class Style { tubes };
+  enum class Style {
+    tubes,  ///< one along each axis
+    blend,  ///< one closed body of all axes
+  };
+  enum class Shading { smooth, flat };
   enum class Cap { pointed, round, flat };
   Style style = Style::tubes;
+  Shading shading = Shading::smooth;
+  std::optional<CrownBody> crown;
+
+  // Tubes.
   int sides = 8;        ///< sides of the thickest tube; thinner ones have fewer. More: rounder, more triangles
   float error = 0.03F;  ///< radii by which a tube may stray from its skeleton; raised, fewer rings; 0: one a node
   float uv_scale = 1;   ///< metres of bark that one texture tile covers
@@ -27,6 +57,12 @@ struct Surface {
   float collar = 0.8F;     ///< radii over which branches grow out of their mother; 0: they start with a crease
   float flare = 0.5F;      ///< how much wider roots are at the ground than above it
   Cap cap = Cap::pointed;  ///< how tips end
+
+  // Blended bodies.
+  int resolution = 100;  ///< cells along the longest side; raised, finer, and triangles grow with its square
+  float blend = 0.5F;    ///< radii of a branch over which it grows together with its mother; 0: they meet in a crease
+  bool thicken = true;   ///< twigs thinner than the cells can hold are as thick as they can; else they vanish
+  std::optional<int> triangles;  ///< at most so many, by simplification
 
   bool operator==(const Surface&) const = default;
 };

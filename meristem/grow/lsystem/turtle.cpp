@@ -81,6 +81,7 @@ class Turtle {
   Drawing run(Progress& progress) {
     drawing_.skeleton.reserve(segments_ + 1);
     begins_branch_.reserve(segments_ + 1);
+    ends_.reserve(segments_ + 1);
     const std::size_t count = word_.module_count();
     progress.begin("drawing", count);
     const double* parameter = word_.parameters.data();
@@ -95,6 +96,7 @@ class Turtle {
     }
     if (!open_.empty()) throw_fault("the word leaves a polygon open", "a } for each {");
     assign_apical_axes(drawing_.skeleton, begins_branch_);
+    drawing_.skeleton.extra.emplace("end", std::move(ends_));
     return std::move(drawing_);
   }
 
@@ -286,6 +288,7 @@ class Turtle {
     const NodeIndex node = drawing_.skeleton.add_node(parent, Vec3(state_.place), 0);
     drawing_.skeleton.radius[node] = static_cast<float>(scale_ * width);
     begins_branch_.push_back(0);
+    ends_.push_back(0);
     return node;
   }
 
@@ -293,6 +296,8 @@ class Turtle {
   void pop() {
     if (stack_.empty()) return;
     const State before = state_;
+    const NodeIndex end = before.node == kNoNode ? root_after_gap_[before.gap] : before.node;
+    if (end != kNoNode) ends_[end] = 1;
     state_ = stack_.back();
     stack_.pop_back();
     if (is_polar_ && !parameters_.stack_angles) {
@@ -366,6 +371,7 @@ class Turtle {
   std::vector<OpenPolygon> open_;
   std::vector<NodeIndex> root_after_gap_{kNoNode};  // by gap; the first is the start
   std::vector<std::uint8_t> begins_branch_;         // by node
+  std::vector<float> ends_;                         // by node: 1 where a branch ends
   std::size_t at_ = 0;                              // module
   Drawing drawing_;
 };

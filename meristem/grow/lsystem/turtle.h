@@ -65,7 +65,8 @@ struct TurtlePlace {
 };
 
 struct Drawing {
-  Skeleton skeleton;  ///< a root where segments begin without another before them; births are 0
+  Skeleton skeleton;  ///< a root where segments begin without another before them; births are 0; its column "end" is 1
+                      ///< where a ] has ended a branch, if one of no length
   std::vector<Vec3> corners;
   std::vector<TurtlePolygon> polygons;  ///< by their ends
   std::vector<TurtlePlace> places;

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The unit cube that marching cubes looks at: its eight corners, twelve edges and six faces, by number.
+//
+// Corner c lies at (c & 1, c >> 1 & 1, c >> 2 & 1). Edge 4 * axis + k runs along `axis`; k is its place in the two
+// other axes, the earlier one counting 1 and the later one 2. Face 2 * axis + side is the one where `axis` is `side`.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "meristem/base/vec.h"
+
+namespace meristem {
+
+inline constexpr int kCellEdges = 12;
+inline constexpr int kCellFaces = 6;
+
+/// Its two ends, the lower first.
+constexpr std::array<int, 2> edge_corners(int edge) {
+  const int axis = edge / 4, k = edge % 4;
+  const int first = axis == 0 ? 1 : 0, second = axis == 2 ? 1 : 2;
+  const int low = ((k & 1) << first) | ((k >> 1) << second);
+  return {low, low | (1 << axis)};
+}
+
+/// The edge between two neighbouring corners.
+constexpr int edge_between(int a, int b) {
+  for (int edge = 0; edge < kCellEdges; ++edge) {
+    const auto [low, high] = edge_corners(edge);
+    if ((a == low && b == high) || (a == high && b == low)) return edge;
+  }
+  return -1;
+}
+
+/// Counter-clockwise, seen from outside of the cube.
+constexpr std::array<int, 4> face_corners(int face) {
+  const int axis = face / 2, side = face % 2;
+  const int u = 1 << ((axis + 1) % 3), v = 1 << ((axis + 2) % 3);
+  const int origin = side << axis;
+  if (side == 1) return {origin, origin | u, origin | u | v, origin | v};
+  return {origin, origin | v, origin | u | v, origin | u};
+}
+
+constexpr bool is_on_face(int edge, int face) {
+  const auto [low, high] = edge_corners(edge);
+  return ((low >> (face / 2)) & 1) == face % 2 && ((high >> (face / 2)) & 1) == face % 2;
+}
+
+/// True for two edges of one face.
+constexpr bool share_a_face(int a, int b) {
+  for (int face = 0; face < kCellFaces; ++face) {
+    if (is_on_face(a, face) && is_on_face(b, face)) return true;
+  }
+  return false;
+}
+
+constexpr DVec3 corner_place(int corner) {
+  return {static_cast<double>(corner & 1), static_cast<double>(corner >> 1 & 1), static_cast<double>(corner >> 2 & 1)};
+}
+
+constexpr DVec3 edge_middle(int edge) {
+  const auto [low, high] = edge_corners(edge);
+  return 0.5 * (corner_place(low) + corner_place(high));
+}
+
+}  // namespace meristem

@@ -109,6 +109,26 @@ TEST(LeafComponent, LongLeavesKeepTheirThinStalk) {
   EXPECT_NEAR(box_of(plant, plant.organs[0]).size().y, 3.6, 0.01);
 }
 
+TEST(LeafComponent, LeavesOfOneRowHaveTwoTrianglesForEachPointOfTheirPolygon) {
+  const auto pair = [](double a, double b) { return Value(Value::List{a, b}); };
+  for (const Value::List& polygon : {Value::List{pair(1, 0.42)}, Value::List{pair(0.7, 0.35), pair(1, 0.7)},
+                                     Value::List{pair(0.8, 0.2), pair(0.4, 0.4), pair(1, 0.7)}}) {
+    const Plant plant = leaves(1, {{"polygon", polygon}, {"rows", 1}, {"fold", 25}}).grow();
+    const Mesh& mesh = *plant.prototypes.at(0).mesh;
+    EXPECT_TRUE(check_mesh(mesh, {.closed = false, .outward = false}));
+    EXPECT_EQ(mesh.triangle_count(), 2 * polygon.size());
+  }
+}
+
+TEST(LeafComponent, ASawOfAPolygonIsAFrondOfFewTriangles) {
+  const auto pair = [](double a, double b) { return Value(Value::List{a, b}); };
+  const Value::List saw{pair(0.05, 0.14), pair(0.8, 0.34), pair(0.22, 0.3),  pair(1, 0.56),   pair(0.25, 0.5),
+                        pair(0.9, 0.78),  pair(0.2, 0.7),  pair(0.55, 0.96), pair(0.12, 0.88)};
+  const Plant plant = leaves(1, {{"polygon", saw}, {"rows", 3}, {"fold", -35}, {"curl", 90}}).grow();
+  EXPECT_TRUE(check_mesh(*plant.prototypes.at(0).mesh, {.closed = false, .outward = false}));
+  EXPECT_LE(plant.prototypes[0].mesh->triangle_count(), 26U);
+}
+
 TEST(LeafComponent, FaultyBladesAreRejected) {
   const auto path_of = [](const Value::Object& parameters) {
     const auto faults = faults_of([&] { leaves(1, parameters); });

@@ -8,6 +8,7 @@
 #include "meristem/components/leaf.h"
 #include "meristem/components/lsystem.h"
 #include "meristem/components/needles.h"
+#include "meristem/components/revolution.h"
 #include "meristem/components/simple.h"
 #include "meristem/components/tree.h"
 
@@ -17,6 +18,7 @@ const Registry& builtin_components() {
   static const Registry registry({
       camera_component(),
       simple_component(),
+      revolution_component(),
       leaf_component(),
       needles_component(),
       tree_component(),

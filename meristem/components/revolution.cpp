@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/revolution.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace meristem {
+
+namespace {
+
+/// Nothing that shapes the body varies from instance to instance, so one key will do.
+void expand(const Revolution& component, const Site&, Emitter& out) {
+  const std::vector<Vec2>& silhouette = component.body.silhouette;
+  out.organ(Frame{}, 0, [&] { return make_revolution(component.body); });
+  float widest = 0;
+  for (const Vec2 point : silhouette) widest = std::max(widest, point.x);
+  const float tip = silhouette.back().y;
+  out.child_site(Frame{.origin = {0, tip, 0}}, tip - silhouette.front().y, widest);
+}
+
+void check_silhouette(const Revolution& component, const Place& place, ParameterReader& reader) {
+  const auto fault = find_fault(component.body);
+  if (!fault) return;
+  const Place silhouette(place, "silhouette");
+  if (fault->point) {
+    reader.fault(Place(silhouette, *fault->point), fault->message, fault->expected);
+  } else {
+    reader.fault(silhouette, fault->message, fault->expected);
+  }
+}
+
+const ParameterTable& body_table() {
+  static const ParameterTable table =
+      Table<SolidOfRevolution>("a revolution", "A body of revolution.")
+          .points("silhouette", &SolidOfRevolution::silhouette, {.unit = Unit::metre, .min = -1e4, .max = 1e4},
+                  "Pairs [radius, height] from base to tip; heights may fall, as within a cup.")
+          .choice("kind", &SolidOfRevolution::kind, {"spline", "linear"}, "How they are joined.")
+          .integer("segments", &SolidOfRevolution::segments, {.min = 3, .max = 512, .fixed = true},
+                   "Corners around a whole turn; raised, rounder and heavier.")
+          .integer("rings", &SolidOfRevolution::rings, {.min = 1, .max = 512, .fixed = true},
+                   "Quads along a spline, at least one from point to point; raised, smoother and heavier.")
+          .number("sweep", &SolidOfRevolution::sweep, {.unit = Unit::degree, .min = 1, .max = 360, .fixed = true},
+                  "How far it is turned about the axis; below 360 a wedge between two flat sides.");
+  return table;
+}
+
+}  // namespace
+
+ComponentType revolution_component() {
+  return define_component<Revolution>({
+      .name = "revolution",
+      .doc = "A body of revolution about y: a cone, nut, fruit or pot; children stand at its tip.",
+      .parameters = Table<Revolution>("a revolution", "A body of revolution.")
+                        .members(&Revolution::body, body_table())
+                        .check(check_silhouette),
+      .material = {.colour = {0.48F, 0.33F, 0.2F}, .roughness = 0.6F},
+      .variety = 0.05,
+      .expand = expand,
+  });
+}
+
+}  // namespace meristem

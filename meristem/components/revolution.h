@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "meristem/graph/component.h"
+#include "meristem/shape/revolution.h"
+
+namespace meristem {
+
+/// A silhouette turned about y: cones, nuts, fruits, pots. All instances share one mesh; their frames scale it.
+struct Revolution : ComponentBase {
+  SolidOfRevolution body;
+};
+
+ComponentType revolution_component();
+
+}  // namespace meristem

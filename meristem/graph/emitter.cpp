@@ -44,6 +44,13 @@ void move_geometry(Skeleton& skeleton, const Frame& from, const Frame& to) {
   for (float& radius : skeleton.radius) radius *= scale;
 }
 
+/// Lengths that count in a component's own frame, in a frame that scales.
+void scale_lengths(CrownBody& crown, float scale) {
+  crown.diameter *= scale;
+  crown.offset *= scale;
+  crown.fuse *= scale;
+}
+
 }  // namespace
 
 std::uint64_t shape_key(std::initializer_list<double> numbers) {
@@ -156,6 +163,7 @@ std::shared_ptr<const Mesh> Emitter::shared_mesh(std::uint64_t key, FunctionRef<
 void Emitter::stem(Skeleton skeleton, const Surface& surface) {
   count_nodes(skeleton.node_count());
   EmittedStem& stem = stems.emplace_back(EmittedStem{std::move(skeleton), surface, site_, visible_, tint_, {}});
+  if (stem.surface.crown) scale_lengths(*stem.surface.crown, glm::length(site_.frame.heading()));
   stem.site.key = site_.key.child("stem").child(stems_of_instance_++);
   if (is_placed_ && visible_) {
     stem.moved = stem.skeleton;

@@ -9,12 +9,13 @@
 #include <memory>
 #include <stdexcept>
 #include <string_view>
-#include <tuple>
 #include <utility>
 
 #include <glm/vector_relational.hpp>
 
 #include "meristem/base/parallel.h"
+#include "meristem/shape/body_meshes.h"
+#include "meristem/shape/stem_looks.h"
 #include "meristem/shape/tangents.h"
 #include "meristem/shape/tube_plan.h"
 
@@ -69,23 +70,16 @@ std::vector<std::size_t> organs_of_prototypes(const Plant& plant) {
 
 /// One stem's tubes, planned: those of parts that look alike share a mesh.
 struct StemPlan {
-  std::vector<const StemPart*> looks;  // of each mesh
+  StemLooks looks;
   TubePlan tubes;
 
-  explicit StemPlan(const Stem& stem) : tubes(stem.skeleton, wears(stem, looks), stem.part_of_axis) {}
+  explicit StemPlan(const Stem& stem) : looks(stem), tubes(stem.skeleton, wears(stem, looks), stem.part_of_axis) {}
 
  private:
-  static std::vector<TubeWear> wears(const Stem& stem, std::vector<const StemPart*>& looks) {
-    using Look = std::tuple<std::string_view, std::uint32_t, float, float, float>;
-    std::map<Look, std::uint32_t> mesh_of_look;
+  static std::vector<TubeWear> wears(const Stem& stem, const StemLooks& looks) {
     std::vector<TubeWear> wears;
     wears.reserve(stem.parts.size());
-    for (const StemPart& part : stem.parts) {
-      const Look look(part.component, part.material, part.tint.r, part.tint.g, part.tint.b);
-      const auto [mesh, is_new] = mesh_of_look.try_emplace(look, static_cast<std::uint32_t>(looks.size()));
-      if (is_new) looks.push_back(&part);
-      wears.push_back({part.surface, mesh->second});
-    }
+    for (std::size_t k = 0; k < stem.parts.size(); ++k) wears.push_back({stem.parts[k].surface, looks.look_of_part[k]});
     return wears;
   }
 };
@@ -99,13 +93,18 @@ std::vector<std::unique_ptr<StemPlan>> plan_stems(const Plant& plant) {
 }
 
 /// Throws where the scene would pass a limit.
-void check_limits(const Plant& plant, const std::vector<std::unique_ptr<StemPlan>>& plans,
-                  const std::vector<std::size_t>& organs, const Limits& limits) {
+void check_limits(const Plant& plant, const std::vector<MeshInstances>& bodies,
+                  const std::vector<std::unique_ptr<StemPlan>>& plans, const std::vector<std::size_t>& organs,
+                  const Limits& limits) {
   Tally triangles;
   Tally bytes;
+  for (const MeshInstances& body : bodies) {
+    triangles.add(body.component, body.mesh->triangle_count());
+    bytes.add(body.component, body.mesh->bytes());
+  }
   for (const std::unique_ptr<StemPlan>& plan : plans) {
-    for (std::size_t k = 0; k < plan->looks.size(); ++k) {
-      const std::string& component = plan->looks[k]->component;
+    for (std::size_t k = 0; k < plan->tubes.sizes().size(); ++k) {
+      const std::string& component = plan->looks.first_part[k]->component;
       const TubeSize size = plan->tubes.sizes()[k];
       triangles.add(component, size.triangles);
       bytes.add(component, size.bytes());
@@ -132,7 +131,7 @@ std::vector<MeshInstances> clothe_stems(const std::vector<std::unique_ptr<StemPl
     for (std::size_t i = begin; i < end; ++i) {
       std::vector<Mesh> meshes = make_tubes(plans[i]->tubes, progress);
       for (std::size_t k = 0; k < meshes.size(); ++k) {
-        const StemPart& look = *plans[i]->looks[k];
+        const StemPart& look = *plans[i]->looks.first_part[k];
         MeshInstances& instances = clothed[i].emplace_back();
         instances.component = look.component;
         if (needs_tangents(materials[look.material])) add_tangents(meshes[k]);
@@ -235,12 +234,16 @@ MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& pr
   check_references(plant);
   const std::vector<std::size_t> organs = organs_of_prototypes(plant);
   const std::vector<std::unique_ptr<StemPlan>> plans = plan_stems(plant);
-  check_limits(plant, plans, organs, limits);
+  check_limits(plant, {}, plans, organs, limits);
+  std::vector<Material> materials = plant.materials;
+  std::vector<MeshInstances> bodies = make_body_meshes(plant, limits, materials, progress);
+  check_limits(plant, bodies, plans, organs, limits);
   progress.begin("meshing", plant.node_count() + plant.organs.size());
   std::vector<MeshInstances> meshes = clothe_stems(plans, plant.materials, progress);
+  std::move(bodies.begin(), bodies.end(), std::back_inserter(meshes));
   std::vector<MeshInstances> placed = place_organs(plant, organs, progress);
   std::move(placed.begin(), placed.end(), std::back_inserter(meshes));
-  return {plant.materials, grouped(std::move(meshes))};
+  return {std::move(materials), grouped(std::move(meshes))};
 }
 
 }  // namespace meristem

@@ -39,10 +39,11 @@ struct MeshScene {
   Box bounds() const;
 };
 
-/// Clothes a plant: every stem gets its surface, every prototype its instances (in the order of the plant's organs).
-/// Begins one stage of `progress`, which counts nodes and organs.
-/// Throws InputError where the limits on triangles or geometry would be passed, before memory is spent: it names the
-/// component that has most. Throws Cancelled, and std::invalid_argument for indices that point nowhere.
+/// Clothes a plant: every stem gets its surface (blended bodies and crowns: body_meshes.h), every prototype its
+/// instances (in the order of the plant's organs). Begins a stage of `progress`, which counts nodes and organs, and
+/// before it those of bodies. Throws InputError where the limits on triangles or geometry would be passed, before
+/// memory is spent: it names the component that has most. Throws Cancelled, and std::invalid_argument for indices that
+/// point nowhere.
 MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& progress);
 
 }  // namespace meristem

@@ -170,7 +170,7 @@ void TubePlan::choose_sides(AxisIndex axis) {
 
 void TubePlan::count_rings(AxisIndex axis) {
   const AxisPath points = path(axis);
-  if (points.size() < 2) return;
+  if (points.size() < 2 || surface(axis).style != Surface::Style::tubes) return;
   AxisPlan& plan = plans_[axis];
   plan_start(points, plan, axis);
   // The start, the bends between it and the tip, and the tip.

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/shape/brick_field.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <iterator>
+#include <span>
+
+#include "meristem/base/parallel.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr double kError = 1e-4;       // of a cell
+constexpr double kSafety = 1e-2;      // cells by which a region must be off the surface to be left
+constexpr std::size_t kChunks = 192;  // regions to share out at least
+constexpr double kMargin = 2;         // cells about the body
+constexpr int kDeepest = 40;          // halvings
+
+constexpr double kHalfDiagonal = 0.866;  // of a cube, a little less than sqrt(3) / 2
+constexpr int kBlockSide = kBrickSide / 2;
+constexpr int kBlockSize = kBlockSide * kBlockSide * kBlockSide;
+
+/// A cube of blocks with what matters in it, and in the cells that touch it from below.
+struct Region {
+  glm::ivec3 at{0};
+  int side = 1;
+  std::vector<FieldStep> steps;
+};
+
+glm::ivec3 corner_of(int k, int side) { return {k % side, k / side % side, k / (side * side)}; }
+
+/// The places of a block's corners about its middle.
+struct BlockPlaces {
+  std::array<float, kBlockSize> x, y, z;
+
+  explicit BlockPlaces(double cell) {
+    for (int k = 0; k < kBlockSize; ++k) {
+      const DVec3 place = cell * (DVec3(corner_of(k, kBlockSide)) - 0.5 * (kBlockSide - 1));
+      x[k] = static_cast<float>(place.x);
+      y[k] = static_cast<float>(place.y);
+      z[k] = static_cast<float>(place.z);
+    }
+  }
+};
+
+/// Counts bricks of all threads against the limit of bytes.
+class BrickBudget {
+ public:
+  BrickBudget(const Limits& limits, const std::string& path) : limits_(limits), path_(path) {}
+
+  void spend() {
+    const std::uint64_t bytes = sizeof(float) * kBrickSize * ++bricks_;
+    if (bytes <= limits_.mesh_bytes) return;
+    throw_limit("bytes of field values at this resolution", static_cast<double>(bytes), limits_.mesh_bytes,
+                "mesh_bytes", path_);
+  }
+
+ private:
+  const Limits& limits_;
+  const std::string& path_;
+  std::atomic<std::uint64_t> bricks_{0};
+};
+
+/// Descends into regions. One thread uses one.
+class Descent {
+ public:
+  Descent(const ImplicitBody& body, std::span<const float> gaps, BodyBricks& bricks, const BlockPlaces& places,
+          BrickBudget& budget, Progress& progress)
+      : bricks_(bricks),
+        places_(places),
+        budget_(budget),
+        progress_(progress),
+        pruner_(body, gaps),
+        sampler_(body),
+        levels_(kDeepest) {}
+
+  /// The eighths of a region that may hold surface.
+  std::vector<Region> halved(const Region& region) {
+    std::vector<Region> parts;
+    const Level& level = halve(region.at, region.side, region.steps, 0);
+    for (int k = 0; k < 8; ++k) {
+      if (!level.holds_surface(k)) continue;
+      parts.push_back({region.at + region.side / 2 * corner_of(k, 2), region.side / 2, level.steps[k]});
+    }
+    return parts;
+  }
+
+  /// Samples all bricks of a region that may hold surface.
+  void fill(const Region& region, std::size_t chunk) {
+    fill(region.at, region.side, region.steps, 0, bricks_.grid.chunks[chunk], bricks_.parts[chunk]);
+    bricks_.parts[chunk].first.push_back(bricks_.parts[chunk].steps.size());
+  }
+
+ private:
+  struct Level {              // the eighths of one region
+    std::array<int, 8> sign;  // 0 where surface may be
+    std::array<std::vector<FieldStep>, 8> steps;
+    bool holds_surface(int k) const { return sign[k] == 0; }
+  };
+
+  Level& halve(glm::ivec3 at, int side, std::span<const FieldStep> steps, int depth) {
+    progress_.check();
+    const double cell = bricks_.grid.cell;
+    const double half = 0.5 * kBlockSide * side;  // cells from eighth to eighth
+    // Each reaches a cell below its corners, into the cells that touch them.
+    const DVec3 middle = static_cast<double>(kBlockSide) * DVec3(at) + half - 0.5;
+    const auto safety = static_cast<float>(kSafety * cell);
+    pruner_.bound(steps, {bricks_.grid.origin + cell * middle, 0.5 * half * cell, (half + 1) * cell});
+    // Of the cubes of single blocks only the places of corners are sampled, a cell within them.
+    const double inset = side == 2 ? kHalfDiagonal * 2 * cell : 0;
+    Level& level = levels_[depth];
+    for (int k = 0; k < 8; ++k) {
+      const ValueRange range = pruner_.range(k);
+      level.sign[k] = range.low > safety ? 1 : range.high < -safety ? -1 : 0;
+      if (level.holds_surface(k)) pruner_.keep(k, inset, level.steps[k]);
+    }
+    return level;
+  }
+
+  // As deep as regions can be halved.
+  void fill(glm::ivec3 at, int side, std::span<const FieldStep> steps, int depth, BrickChunk& chunk,
+            BodyBricks::Parts& parts) {
+    const Level& level = halve(at, side, steps, depth);
+    if (side == 2) {
+      if (std::any_of(level.sign.begin(), level.sign.end(), [](int sign) { return sign == 0; })) {
+        sample(at / 2, steps, level, chunk, parts);
+      }
+      return;
+    }
+    for (int k = 0; k < 8; ++k) {
+      if (!level.holds_surface(k)) continue;
+      fill(at + side / 2 * corner_of(k, 2), side / 2, level.steps[k], depth + 1, chunk, parts);
+    }
+  }
+
+  /// Samples a brick of eight blocks. Of those without surface in their cells the sign alone counts.
+  void sample(glm::ivec3 at, std::span<const FieldStep> steps, const Level& level, BrickChunk& chunk,
+              BodyBricks::Parts& parts) {
+    budget_.spend();
+    chunk.at.push_back(at);
+    const std::size_t first = chunk.values.size();
+    chunk.values.resize(first + kBrickSize);
+    for (int k = 0; k < 8; ++k) {
+      std::array<float, kBlockSize> values;
+      if (level.holds_surface(k)) {
+        const DVec3 middle = DVec3(kBlockSide * (2 * at + corner_of(k, 2))) + 0.5 * (kBlockSide - 1);
+        sampler_.aim(level.steps[k], bricks_.grid.origin + bricks_.grid.cell * middle);
+        sampler_.sample(places_.x.data(), places_.y.data(), places_.z.data(), kBlockSize, values.data());
+      } else {
+        values.fill(static_cast<float>(level.sign[k] * bricks_.grid.cell));
+      }
+      const glm::ivec3 base = kBlockSide * corner_of(k, 2);
+      float* const out = chunk.values.data() + first + base.x + kBrickSide * (base.y + kBrickSide * base.z);
+      for (int row = 0; row < kBlockSide * kBlockSide; ++row) {
+        std::copy_n(values.data() + kBlockSide * row, kBlockSide,
+                    out + kBrickSide * (row % kBlockSide + kBrickSide * (row / kBlockSide)));
+      }
+    }
+    parts.first.push_back(parts.steps.size());
+    parts.steps.insert(parts.steps.end(), steps.begin(), steps.end());
+  }
+
+  BodyBricks& bricks_;
+  const BlockPlaces& places_;
+  BrickBudget& budget_;
+  Progress& progress_;
+  FieldPruner pruner_;
+  FieldSampler sampler_;
+  std::vector<Level> levels_;
+};
+
+/// A cube of blocks about the whole body.
+Region whole_region(const ImplicitBody& body, BodyBricks& bricks) {
+  const double cell = bricks.grid.cell;
+  const DVec3 margin(body.reach() + kMargin * cell);
+  bricks.grid.origin = body.low() - margin;
+  const DVec3 size = body.high() + margin - bricks.grid.origin;
+  const double longest = std::max({size.x, size.y, size.z});
+  Region region{.side = 2};
+  while (region.side * kBlockSide * cell < longest && region.side < (1 << 24)) region.side *= 2;
+  region.steps = all_steps(body);
+  return region;
+}
+
+}  // namespace
+
+BodyBricks sample_body(const ImplicitBody& body, double cell, const Limits& limits, const std::string& path,
+                       Progress& progress) {
+  BodyBricks bricks;
+  bricks.grid.cell = cell;
+  bricks.error = kError * cell;
+  if (body.is_empty()) return bricks;
+  const BlockPlaces places(cell);
+  BrickBudget budget(limits, path);
+  const std::vector<float> gaps = blend_gaps(body, bricks.error);
+  const auto descent = [&] { return Descent(body, gaps, bricks, places, budget, progress); };
+
+  // Halve until there is enough to share out.
+  std::vector<Region> regions{whole_region(body, bricks)};
+  progress.begin("sampling bodies", 1);
+  while (!regions.empty() && regions.size() < kChunks && regions[0].side > 2) {
+    std::vector<std::vector<Region>> parts(regions.size());
+    parallel_for(regions.size(), 1, [&](std::size_t begin, std::size_t end) {
+      Descent halving = descent();
+      for (std::size_t k = begin; k < end; ++k) {
+        progress.check();
+        parts[k] = halving.halved(regions[k]);
+      }
+    });
+    regions.clear();
+    for (std::vector<Region>& part : parts) std::move(part.begin(), part.end(), std::back_inserter(regions));
+  }
+
+  progress.begin("sampling bodies", regions.size());
+  bricks.grid.chunks.resize(regions.size());
+  bricks.parts.resize(regions.size());
+  parallel_for(regions.size(), 1, [&](std::size_t begin, std::size_t end) {
+    Descent filling = descent();
+    for (std::size_t k = begin; k < end; ++k) {
+      filling.fill(regions[k], k);
+      progress.advance();
+    }
+  });
+  return bricks;
+}
+
+}  // namespace meristem

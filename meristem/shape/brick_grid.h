@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values on the corners of a grid's cells, of which only bricks of 8 x 8 x 8 corners are kept: those near a surface.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "meristem/base/vec.h"
+
+namespace meristem {
+
+inline constexpr int kBrickSide = 8;
+inline constexpr int kBrickSize = kBrickSide * kBrickSide * kBrickSide;
+
+/// Bricks that were made together.
+struct BrickChunk {
+  std::vector<glm::ivec3> at;  ///< counted in bricks from the grid's origin; not negative
+  std::vector<float> values;   ///< kBrickSize a brick, x fastest; negative inside, no NaN
+
+  std::span<const float> values_of(std::size_t brick) const {
+    return std::span(values).subspan(brick * kBrickSize, kBrickSize);
+  }
+};
+
+/// Corner (i, j, k) lies at origin + cell * (i, j, k). Where a cell's corners differ in sign, all bricks that hold one
+/// of them are there; cells of which some are not have corners of one sign.
+struct BrickGrid {
+  DVec3 origin{0};
+  double cell = 1;
+  std::vector<BrickChunk> chunks;
+
+  DVec3 place(glm::ivec3 corner) const { return origin + cell * DVec3(corner); }
+};
+
+}  // namespace meristem

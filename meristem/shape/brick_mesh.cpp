@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/shape/brick_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "meristem/base/parallel.h"
+#include "meristem/shape/brick_index.h"
+#include "meristem/shape/cell_surface.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr int kSide = kBrickSide;
+constexpr int kRows = kSide * kSide;
+constexpr double kFromEnds = 1e-3;             // of an edge, that vertices keep from its ends
+constexpr std::uint32_t kInner = 0x80000000U;  // marks points inside cells until all are counted
+constexpr std::uint64_t kMostVertices = 0x7fffffffU;
+
+/// The lower end of a cell's edge (cell_surface.h says how they count).
+glm::ivec3 edge_start(int edge) {
+  const int axis = edge / 4;
+  glm::ivec3 corner{0};
+  corner[axis == 0 ? 1 : 0] = edge & 1;
+  corner[axis == 2 ? 1 : 2] = edge >> 1 & 1;
+  return corner;
+}
+
+int row_index(int y, int z) { return y + kSide * z; }
+int corner_index(glm::ivec3 corner) { return corner.x + kSide * row_index(corner.y, corner.z); }
+
+/// Which corners of a brick are inside, a bit each, and the vertices on the edges that leave its corners upward.
+struct BrickTopology {
+  std::array<std::uint8_t, kRows> inside{};
+  std::array<std::uint32_t, kRows> edges{};       // 8 bits each for edges along x, y and z
+  std::array<std::uint16_t, kRows> first_edge{};  // vertices of the rows before
+  std::uint32_t vertices = 0;
+
+  std::uint32_t rank(glm::ivec3 corner, int axis) const {
+    const int row = row_index(corner.y, corner.z);
+    const std::uint32_t before = edges[row] & ((1U << (kSide * axis + corner.x)) - 1);
+    return first_edge[row] + static_cast<std::uint32_t>(std::popcount(before));
+  }
+};
+
+/// A brick with its seven neighbours above it along the axes, and what its cells see of them.
+class Neighbourhood {
+ public:
+  Neighbourhood(const BrickGrid& grid, const BrickIndex& index, const std::vector<std::vector<BrickTopology>>& topology,
+                BrickNumber brick)
+      : grid_(grid), topology_(topology) {
+    bricks_[0] = brick;
+    const glm::ivec3 at = grid.chunks[brick.chunk].at[brick.brick];
+    for (int k = 1; k < 8; ++k) bricks_[k] = index.find(at + glm::ivec3(k & 1, k >> 1 & 1, k >> 2));
+    for (int z = 0; z <= kSide; ++z) {
+      for (int y = 0; y <= kSide; ++y) inside_[z][y] = inside_row(y, z);
+    }
+  }
+
+  /// The nine corners of a row of cells that are inside.
+  std::uint32_t inside(int y, int z) const { return inside_[z][y]; }
+
+  BrickNumber brick_of(glm::ivec3 corner) const {
+    return bricks_[(corner.x >> 3) | (corner.y >> 3) << 1 | (corner.z >> 3) << 2];
+  }
+  const BrickTopology& topology_of(BrickNumber brick) const { return topology_[brick.chunk][brick.brick]; }
+  float value(glm::ivec3 corner) const {
+    const BrickNumber brick = brick_of(corner);
+    return grid_.chunks[brick.chunk].values_of(brick.brick)[corner_index(corner & (kSide - 1))];
+  }
+
+ private:
+  // Where a brick is missing, the cells that touch it have one sign: that of our own corner next to it.
+  std::uint32_t inside_row(int y, int z) const {
+    const int which = (y >> 3) << 1 | (z >> 3) << 2;
+    std::uint32_t row = 0;
+    if (bricks_[which].exists()) {
+      row = topology_of(bricks_[which]).inside[row_index(y & (kSide - 1), z & (kSide - 1))];
+    } else {
+      row = topology_of(bricks_[0]).inside[row_index(std::min(y, kSide - 1), std::min(z, kSide - 1))];
+    }
+    const BrickNumber next = bricks_[which | 1];
+    const std::uint32_t last =
+        next.exists() ? topology_of(next).inside[row_index(y & (kSide - 1), z & (kSide - 1))] & 1U : row >> (kSide - 1);
+    return row | last << kSide;
+  }
+
+  const BrickGrid& grid_;
+  const std::vector<std::vector<BrickTopology>>& topology_;
+  std::array<BrickNumber, 8> bricks_;
+  std::array<std::array<std::uint32_t, kSide + 1>, kSide + 1> inside_{};
+};
+
+class BrickMesher {
+ public:
+  BrickMesher(const BrickGrid& grid, Progress& progress) : grid_(grid), progress_(progress), index_(grid) {
+    for (const BrickChunk& chunk : grid.chunks) topology_.emplace_back(chunk.at.size());
+  }
+
+  BrickMesh run(const Limits& limits, const std::string& path) {
+    each_chunk([this](std::uint32_t chunk, std::uint32_t brick) { find_signs(chunk, brick); });
+    each_chunk([this](std::uint32_t chunk, std::uint32_t brick) { find_edges(chunk, brick); });
+    const std::uint64_t vertices = number_vertices();
+    // A closed mesh has about two triangles a vertex.
+    if (2 * vertices > limits.triangles || vertices > kMostVertices) {
+      throw_limit("triangles at this resolution", 2.0 * static_cast<double>(vertices), limits.triangles, "triangles",
+                  path);
+    }
+    made_.mesh.positions.resize(vertices);
+    parts_.resize(grid_.chunks.size());
+    each_chunk([this](std::uint32_t chunk, std::uint32_t brick) { make_surface(chunk, brick); });
+    gather();
+    return std::move(made_);
+  }
+
+ private:
+  struct Part {  // what a chunk makes
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<Vec3> inner;
+    std::vector<std::uint32_t> brick_of_inner;
+  };
+
+  template <class Visit>
+  void each_chunk(Visit visit) {
+    parallel_for(grid_.chunks.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t chunk = begin; chunk < end; ++chunk) {
+        for (std::size_t brick = 0; brick < grid_.chunks[chunk].at.size(); ++brick) {
+          if (brick % 64 == 0) progress_.check();
+          visit(static_cast<std::uint32_t>(chunk), static_cast<std::uint32_t>(brick));
+        }
+      }
+    });
+  }
+
+  void find_signs(std::uint32_t chunk, std::uint32_t brick) {
+    const float* value = grid_.chunks[chunk].values_of(brick).data();
+    for (std::uint8_t& row : topology_[chunk][brick].inside) {
+      std::uint32_t bits = 0;
+      for (int x = 0; x < kSide; ++x) bits |= static_cast<std::uint32_t>(value[x] < 0) << x;
+      row = static_cast<std::uint8_t>(bits);
+      value += kSide;
+    }
+  }
+
+  void find_edges(std::uint32_t chunk, std::uint32_t brick) {
+    const Neighbourhood around(grid_, index_, topology_, {chunk, brick});
+    BrickTopology& topology = topology_[chunk][brick];
+    for (int z = 0; z < kSide; ++z) {
+      for (int y = 0; y < kSide; ++y) {
+        const std::uint32_t row = around.inside(y, z);
+        const std::uint32_t along_x = (row ^ row >> 1) & 0xffU;
+        const std::uint32_t along_y = (row ^ around.inside(y + 1, z)) & 0xffU;
+        const std::uint32_t along_z = (row ^ around.inside(y, z + 1)) & 0xffU;
+        const int k = row_index(y, z);
+        topology.edges[k] = along_x | along_y << kSide | along_z << 2 * kSide;
+        topology.first_edge[k] = static_cast<std::uint16_t>(topology.vertices);
+        topology.vertices += static_cast<std::uint32_t>(std::popcount(topology.edges[k]));
+      }
+    }
+  }
+
+  std::uint64_t number_vertices() {
+    std::uint64_t count = 0;
+    for (const std::vector<BrickTopology>& chunk : topology_) {
+      std::vector<std::uint32_t>& first = made_.first_vertex.emplace_back();
+      for (const BrickTopology& brick : chunk) {
+        first.push_back(static_cast<std::uint32_t>(count));
+        count += brick.vertices;
+      }
+      first.push_back(static_cast<std::uint32_t>(count));
+    }
+    return count;
+  }
+
+  void make_surface(std::uint32_t chunk, std::uint32_t brick) {
+    const Neighbourhood around(grid_, index_, topology_, {chunk, brick});
+    make_vertices(around, chunk, brick);
+    for (int z = 0; z < kSide; ++z) {
+      for (int y = 0; y < kSide; ++y) {
+        const std::array<std::uint32_t, 4> rows{around.inside(y, z), around.inside(y + 1, z), around.inside(y, z + 1),
+                                                around.inside(y + 1, z + 1)};
+        const std::uint32_t any = rows[0] | rows[1] | rows[2] | rows[3];
+        const std::uint32_t all = rows[0] & rows[1] & rows[2] & rows[3];
+        std::uint32_t cells = (any | any >> 1) & ~(all & all >> 1) & 0xffU;
+        for (; cells != 0; cells &= cells - 1) {
+          make_cell(around, {std::countr_zero(cells), y, z}, rows, chunk, brick);
+        }
+      }
+    }
+  }
+
+  void make_vertices(const Neighbourhood& around, std::uint32_t chunk, std::uint32_t brick) {
+    const BrickTopology& topology = topology_[chunk][brick];
+    const glm::ivec3 base = kSide * grid_.chunks[chunk].at[brick];
+    std::uint32_t vertex = made_.first_vertex[chunk][brick];
+    for (int row = 0; row < kRows; ++row) {
+      for (std::uint32_t edges = topology.edges[row]; edges != 0; edges &= edges - 1) {
+        const int edge = std::countr_zero(edges);
+        const int axis = edge / kSide;
+        const glm::ivec3 from(edge % kSide, row % kSide, row / kSide);
+        glm::ivec3 to = from;
+        ++to[axis];
+        DVec3 corner(base + from);
+        corner[axis] += crossing(around.value(from), around.value(to));
+        made_.mesh.positions[vertex++] = Vec3(grid_.origin + grid_.cell * corner);
+      }
+    }
+  }
+
+  /// Where along an edge the value is 0.
+  static double crossing(float from, float to) {
+    const double share = from / (static_cast<double>(from) - to);
+    // Two infinities meet in the middle.
+    return std::isfinite(share) ? std::clamp(share, kFromEnds, 1 - kFromEnds) : 0.5;
+  }
+
+  void make_cell(const Neighbourhood& around, glm::ivec3 cell, const std::array<std::uint32_t, 4>& rows,
+                 std::uint32_t chunk, std::uint32_t brick) {
+    std::uint32_t pattern = 0;
+    for (int k = 0; k < 4; ++k) pattern |= (rows[k] >> cell.x & 3U) << 2 * k;
+    const CellSurface& surface = surface_of(around, cell, static_cast<std::uint8_t>(pattern));
+    std::array<std::uint32_t, 20> vertices{};
+    const auto vertex_on = [&](int edge) {
+      const glm::ivec3 corner = cell + edge_start(edge);
+      const BrickNumber owner = around.brick_of(corner);
+      return made_.first_vertex[owner.chunk][owner.brick] +
+             around.topology_of(owner).rank(corner & (kSide - 1), edge / 4);
+    };
+    std::uint32_t used = crossed_edges(static_cast<std::uint8_t>(pattern));
+    for (; used != 0; used &= used - 1) {
+      const int edge = std::countr_zero(used);
+      vertices[edge] = vertex_on(edge);
+    }
+    Part& part = parts_[chunk];
+    for (std::size_t k = 0; k < surface.inner.size(); ++k) {
+      vertices[12 + k] = kInner | static_cast<std::uint32_t>(part.inner.size());
+      part.inner.push_back(mean_of(around, kSide * grid_.chunks[chunk].at[brick] + cell, cell, surface.inner[k]));
+      part.brick_of_inner.push_back(brick);
+    }
+    for (const auto& [a, b, c] : surface.triangles) part.triangles.push_back({vertices[a], vertices[b], vertices[c]});
+  }
+
+  static const CellSurface& surface_of(const Neighbourhood& around, glm::ivec3 cell, std::uint8_t pattern) {
+    if (!is_ambiguous(pattern)) return simple_surface(pattern);
+    std::array<float, 8> values{};
+    for (int c = 0; c < 8; ++c) values[c] = around.value(cell + glm::ivec3(c & 1, c >> 1 & 1, c >> 2));
+    return cell_surface(pattern, values);
+  }
+
+  /// The mean of a cell's points on some edges.
+  Vec3 mean_of(const Neighbourhood& around, glm::ivec3 place, glm::ivec3 cell, std::uint16_t edges) const {
+    DVec3 sum{0};
+    int count = 0;
+    for (std::uint32_t left = edges; left != 0; left &= left - 1, ++count) {
+      const int edge = std::countr_zero(left);
+      const glm::ivec3 from = edge_start(edge);
+      glm::ivec3 to = from;
+      ++to[edge / 4];
+      DVec3 at(from);
+      at[edge / 4] += crossing(around.value(cell + from), around.value(cell + to));
+      sum += at;
+    }
+    return Vec3(grid_.origin + grid_.cell * (DVec3(place) + sum / static_cast<double>(count)));
+  }
+
+  /// Puts the chunks' triangles and inner points together.
+  void gather() {
+    std::vector<std::size_t> first_triangle(1, 0);
+    std::vector<std::uint32_t> first_inner(1, static_cast<std::uint32_t>(made_.mesh.positions.size()));
+    for (std::uint32_t chunk = 0; chunk < parts_.size(); ++chunk) {
+      first_triangle.push_back(first_triangle.back() + parts_[chunk].triangles.size());
+      first_inner.push_back(first_inner.back() + static_cast<std::uint32_t>(parts_[chunk].inner.size()));
+      made_.mesh.positions.insert(made_.mesh.positions.end(), parts_[chunk].inner.begin(), parts_[chunk].inner.end());
+      for (const std::uint32_t brick : parts_[chunk].brick_of_inner) made_.inner.emplace_back(chunk, brick);
+    }
+    made_.mesh.triangles.resize(first_triangle.back());
+    parallel_for(parts_.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t chunk = begin; chunk < end; ++chunk) {
+        auto* out = made_.mesh.triangles.data() + first_triangle[chunk];
+        for (std::array<std::uint32_t, 3> triangle : parts_[chunk].triangles) {
+          for (std::uint32_t& vertex : triangle) {
+            if ((vertex & kInner) != 0) vertex = first_inner[chunk] + (vertex & ~kInner);
+          }
+          *out++ = triangle;
+        }
+        parts_[chunk].triangles = {};
+      }
+    });
+  }
+
+  const BrickGrid& grid_;
+  Progress& progress_;
+  BrickIndex index_;
+  std::vector<std::vector<BrickTopology>> topology_;
+  std::vector<Part> parts_;
+  BrickMesh made_;
+};
+
+}  // namespace
+
+BrickMesh mesh_bricks(const BrickGrid& grid, const Limits& limits, const std::string& path, Progress& progress) {
+  return BrickMesher(grid, progress).run(limits, path);
+}
+
+}  // namespace meristem

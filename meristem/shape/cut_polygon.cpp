@@ -196,21 +196,23 @@ std::vector<Polygon> split_at_lines(Polygon polygon, int axis, const std::vector
   return done;
 }
 
-bool is_clear(const Polygon& ring, Point a, Point b, Point c) {
+/// Whether the ear at b holds no other corner, nor comes one nearer to the diagonal than `margin` of its length.
+bool is_clear(const Polygon& ring, Point a, Point b, Point c, double margin) {
+  const double beyond = -margin * squared_length(a - c);
   return std::none_of(ring.begin(), ring.end(), [&](Point point) {
     if (point == a || point == b || point == c) return false;
-    return turn(a, b, point) >= 0 && turn(b, c, point) >= 0 && turn(c, a, point) >= 0;
+    return turn(a, b, point) >= 0 && turn(b, c, point) >= 0 && turn(c, a, point) >= beyond;
   });
 }
 
-/// The corner whose ear has the best shape and holds no other corner.
-std::optional<std::size_t> best_ear(const Polygon& ring) {
+/// The corner whose clear ear has the best shape.
+std::optional<std::size_t> best_ear(const Polygon& ring, double margin) {
   std::optional<std::size_t> best;
   double best_quality = kFlat;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point a = ring[(i + ring.size() - 1) % ring.size()], b = ring[i], c = ring[(i + 1) % ring.size()];
     const double quality = shape_quality(a, b, c);
-    if (quality <= best_quality || !is_clear(ring, a, b, c)) continue;
+    if (quality <= best_quality || !is_clear(ring, a, b, c, margin)) continue;
     best = i;
     best_quality = quality;
   }
@@ -230,7 +232,9 @@ std::vector<Corners> clip_ears(const Polygon& polygon) {
   std::vector<std::size_t> number(ring.size());
   for (std::size_t i = 0; i < number.size(); ++i) number[i] = i;
   while (ring.size() > 3) {
-    const auto ear = best_ear(ring);
+    // A corner on the diagonal would leave a triangle too flat to be made, and so a gap.
+    auto ear = best_ear(ring, kFlat);
+    if (!ear) ear = best_ear(ring, 0);
     if (!ear) break;
     const std::size_t i = *ear;
     triangles.push_back({number[(i + ring.size() - 1) % ring.size()], number[i], number[(i + 1) % ring.size()]});

@@ -72,6 +72,14 @@ TEST(CutPolygon, ARectangleBetweenRowsAndColumnsHasTwoTrianglesACell) {
   EXPECT_TRUE(check_mesh(mesh_of(triangles), {.closed = false, .outward = false}));
 }
 
+TEST(CutPolygon, CornersNearlyOnADiagonalLeaveNoGap) {
+  for (const double off : {-1e-7, -1e-9, -1e-15, 0.0, 1e-15, 1e-9, 1e-7}) {
+    // The third corner lies on the line from the first to the fourth, but for that.
+    const auto triangles = cut_polygon({{0, 0}, {2, 0}, {1 + off, 1}, {2, 2}, {0, 3}}, {});
+    EXPECT_EQ(triangles.size(), 3U) << off;
+  }
+}
+
 TEST(CutPolygon, AConcavePolygonKeepsItsArea) {
   const Points corners = comb(5);
   const CutLines lines{{1, 2, 3, 3.5}, {0.5, 1, 4.25}};

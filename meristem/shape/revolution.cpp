@@ -92,16 +92,20 @@ class RevolutionMesher {
       low = glm::min(low, corner);
       high = glm::max(high, corner);
     }
-    const std::vector<FlatTriangle> triangles = cut_polygon(corners, {});
+    // Cut as in the unit square, so that flat bodies and slim ones are cut as well as others.
+    std::vector<Point> pictured;
+    for (const Point corner : corners) pictured.push_back((corner - low) / (high - low));
+    const std::vector<FlatTriangle> triangles = cut_polygon(pictured, {});
     for (const bool is_first : {true, false}) {
       const DVec3 out = outward(is_first ? 0 : 2 * columns_);
       const DVec3 ahead{out.z, 0, -out.x};
       const auto first = static_cast<std::uint32_t>(mesh_.vertex_count());
-      for (const Point corner : corners) {
-        add_vertex(turned(corner, out), is_first ? -ahead : ahead, (corner - low) / (high - low));
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        add_vertex(turned(corners[k], out), is_first ? -ahead : ahead, pictured[k]);
       }
       const auto index = [&](Point point) {
-        return first + static_cast<std::uint32_t>(std::find(corners.begin(), corners.end(), point) - corners.begin());
+        const auto found = std::find(pictured.begin(), pictured.end(), point);
+        return first + static_cast<std::uint32_t>(found - pictured.begin());
       };
       for (const auto& [a, b, c] : triangles) {
         mesh_.triangles.push_back({index(a), index(is_first ? b : c), index(is_first ? c : b)});

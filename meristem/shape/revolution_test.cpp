@@ -123,6 +123,13 @@ TEST(Revolution, SlimWedgesAndThreeCornersAreClosed) {
   }
 }
 
+TEST(Revolution, WedgesWithThreeCornersOnALineAreClosed) {
+  SolidOfRevolution solid =
+      lines({{18.11952F, 0.985915F}, {9.05976F, 7.605628F}, {18.11952F, 14.225342F}, {0, 19.85914F}});
+  solid.sweep = 0.1;
+  EXPECT_TRUE(check_mesh(make_revolution(solid)));
+}
+
 /// A body with bumps and, half the time, a hollow inside; every third begins or ends in a disc.
 Silhouette random_silhouette(RandomKey key) {
   Silhouette outside;
@@ -194,6 +201,7 @@ TEST(Revolution, FaultsNameTheirPoint) {
   EXPECT_EQ(fault({{0, 0}, {2, 0}, {1, 2}, {1, -1}, {2, 2}, {0, 3}}), crossing);
   EXPECT_EQ(fault({{0, 0}, {1, 1}, {2, 0.5F}, {2, 2}, {1, 0.5F}}), crossing);
   EXPECT_EQ(fault({{0, 0}, {1, 0}, {1, 2}, {0.5F, 2}, {0, 0}}), crossing);
+  EXPECT_EQ(fault({{0, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 1e-6F}, {0, 1}}), crossing) << "nearly";
   EXPECT_EQ(fault({{0, 2}, {1, 1}, {0, 0}}), "the silhouette runs down around the body");
   EXPECT_EQ(fault({{0, 0}, {2, 0}, {0.01F, 1}, {0.01F, 2}, {2, 3}, {0, 4}}, CurveKind::spline),
             "after this point the spline swings across the axis @2");

@@ -223,9 +223,29 @@ Fault swing_fault(const SolidOfRevolution& solid) {
   return {};
 }
 
+double distance_to(Point point, Point from, Point to) {
+  const Point along = to - from;
+  const double squared = glm::dot(along, along);
+  const double share = squared > 0 ? std::clamp(glm::dot(along, point - from) / squared, 0.0, 1.0) : 0;
+  return glm::distance(point, from + share * along);
+}
+
+/// Whether a corner of the closed polygon comes nearer than that to an edge that does not end there.
+bool comes_near_itself(const std::vector<Point>& polygon, double nearest) {
+  const std::size_t count = polygon.size();
+  for (std::size_t edge = 0; edge < count; ++edge) {
+    const std::size_t next = (edge + 1) % count;
+    for (std::size_t k = 0; k < count; ++k) {
+      if (k == edge || k == next) continue;
+      if (distance_to(polygon[k], polygon[edge], polygon[next]) < nearest) return true;
+    }
+  }
+  return false;
+}
+
 Fault way_fault(const SolidOfRevolution& solid) {
   const std::vector<Point> corners = corners_of(silhouette_chain(solid));
-  if (crosses_itself(corners)) {
+  if (crosses_itself(corners) || comes_near_itself(corners, resolution(solid.silhouette))) {
     return SilhouetteFault{"the silhouette crosses or touches itself, or a disc that closes it",
                            "a way from base to tip around a body",
                            {}};

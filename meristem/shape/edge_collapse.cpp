@@ -36,7 +36,7 @@ constexpr double kSpring = 1e-5;
 constexpr double kShortEdges = 1e-5;
 /// How far the surface departs at worst, over the root mean square of what a vertex has from its planes: on
 /// spheres 2.3.
-constexpr double kWorstToMean = 2.5;
+constexpr double kWorstToMean = 3;
 /// How far an apex may move to keep the volume, as a share of the edge's length.
 constexpr double kVolumeShift = 0.5;
 /// The cosine of the angle by which a collapse may turn a triangle: 75°.

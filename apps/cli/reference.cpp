@@ -129,6 +129,8 @@ std::string reference_page(const Registry& registry) {
   page.table(component_base_table(), Variation::as_stated);
   page.heading("Branch links", placement_table().doc);
   page.table(placement_table(), Variation::none);
+  page.heading("Crown links", crown_placement_table().doc);
+  page.table(crown_placement_table(), Variation::none);
   page.heading("Top level of a document", head_table().doc);
   page.table(head_table(), Variation::none);
   page.heading("Variables", variable_table().doc);

@@ -17,7 +17,7 @@ namespace meristem {
 
 namespace {
 
-const std::vector<std::string> kLinkKinds = {"child", "branch", "leaf"};
+const std::vector<std::string> kLinkKinds = {"child", "branch", "leaf", "crown"};
 
 /// Fills a Document from the tree of its text; the reader collects what is wrong.
 class DocumentReader {
@@ -232,8 +232,13 @@ class DocumentReader {
       link.from = read_named_end(reader, value, "from", place);
       link.to = read_named_end(reader, value, "to", place);
       const bool kind_is_known = read_kind(reader, value, place, link.kind);
-      reader.read(placement_table(), &link.placement, value, place);
-      if (kind_is_known) check_placement(reader, graph, value, place, link);
+      if (link.kind == LinkKind::crown) {
+        reader.read(crown_placement_table(), &link.in_crown, value, place);
+        check_crown(reader, graph, place, link);
+      } else {
+        reader.read(placement_table(), &link.placement, value, place);
+        if (kind_is_known) check_placement(reader, graph, value, place, link);
+      }
     }
     if (link.from != kNoIndex && link.to != kNoIndex) graph.links.push_back(std::move(link));
   }
@@ -292,6 +297,17 @@ class DocumentReader {
                      nearest.empty() ? fmt::format("a component '{}'{}", id, placed[k].hint) : "", nearest);
       }
     }
+  }
+
+  /// Crown links need a crown body.
+  static void check_crown(ParameterReader& reader, const Graph& graph, const Place& place, const Link& link) {
+    if (link.from == kNoIndex || graph.components[link.from].type == nullptr) return;
+    const Prototype& from = graph.components[link.from];
+    if (from.type->surface && from.type->surface(from.parameters.get()).crown) return;
+    reader.fault(Place(place, "kind"),
+                 from.type->surface ? fmt::format("the surface of '{}' has no crown", from.id)
+                                    : fmt::format("'{}' makes no stems that could have a crown", from.id),
+                 R"("crown": {...} in the surface of a component with stems)");
   }
 
   /// Placement keys need a branch link from something that has stems.

@@ -200,7 +200,9 @@ Value component_schema(const Registry& registry, Definitions& definitions) {
 Value link_schema(const SchemaWriter& writer) {
   const Value id = typed("string");
   Object ends{{"from", id}, {"to", id}, {"kind", Object{{"enum", List{"child", "branch", "leaf"}}}}};
-  return any_of({list_of(id, 2, 2), writer.table(placement_table(), std::move(ends), {"from", "to"})});
+  Object ends_in_crown{{"from", id}, {"to", id}, {"kind", Object{{"const", "crown"}}}};
+  return any_of({list_of(id, 2, 2), writer.table(placement_table(), std::move(ends), {"from", "to"}),
+                 writer.table(crown_placement_table(), std::move(ends_in_crown), {"from", "to", "kind"})});
 }
 
 }  // namespace

@@ -108,6 +108,8 @@ struct ComponentType {
 
   std::function<std::shared_ptr<void>()> make_parameters;  ///< a struct with the defaults
   std::function<const ComponentBase&(const void* parameters)> base;
+  /// How its stems are clothed; empty for components without such a parameter.
+  std::function<const Surface&(const void* parameters)> surface;
   /// What the uvs of its geometry show; empty where that is nothing in particular.
   std::function<TextureShape(const void* parameters)> texture_shape;
   /// The components that it places itself, without a link of the document; empty where that is none.
@@ -177,6 +179,9 @@ ComponentType define_component(ComponentDefinition<P> definition) {
   type.has_twigs = definition.has_twigs || definition.grow != nullptr;
   type.size = sizeof(P);
   type.make_parameters = [] { return std::static_pointer_cast<void>(std::make_shared<P>()); };
+  if constexpr (requires(const P& parameters) { static_cast<const Surface&>(parameters.surface); }) {
+    type.surface = [](const void* parameters) -> const Surface& { return static_cast<const P*>(parameters)->surface; };
+  }
   type.base = [](const void* parameters) -> const ComponentBase& { return *static_cast<const P*>(parameters); };
   type.expand = [expand = definition.expand](const Prototype& prototype, std::span<const Site> sites, Emitter& out) {
     P instance = *static_cast<const P*>(prototype.parameters.get());

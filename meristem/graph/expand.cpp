@@ -226,6 +226,8 @@ class Expansion {
       if (link.kind == LinkKind::branch) {
         for (const EmittedStem& stem : emitter.stems) add_places_along(index, stem, number++, batch.sites);
         for (const Site& site : emitter.branch_sites) add_site(index, site, batch.sites);
+      } else if (link.kind == LinkKind::crown) {
+        for (const EmittedStem& stem : emitter.stems) add_places_in_crown(index, stem, batch.sites);
       } else if (link.name != kNoIndex) {
         for (const auto& [name, site] : emitter.named_sites) {
           if (name == link.name) add_site(index, site, batch.sites);
@@ -249,6 +251,17 @@ class Expansion {
                              .path = link_path(graph_, index)};
     context.parent.key = child_key(index, stem.site.key);
     for (const Site& site : place_along(stem.skeleton, graph_.links[index].placement, context)) {
+      add_keyed(index, site, out);
+    }
+    check_limit(out.size(), index);
+  }
+
+  void add_places_in_crown(LinkIndex index, const EmittedStem& stem, std::vector<Site>& out) {
+    if (!stem.surface.crown) return;
+    PlacementContext context{.parent = stem.site, .limits = &graph_.limits, .path = link_path(graph_, index)};
+    context.parent.key = child_key(index, stem.site.key);
+    for (const Site& site :
+         place_in_crown(stem.skeleton, stem.surface, graph_.links[index].in_crown, context, progress_)) {
       add_keyed(index, site, out);
     }
     check_limit(out.size(), index);

@@ -12,6 +12,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/limits.h"
 #include "meristem/graph/component.h"
+#include "meristem/graph/crown_placement.h"
 #include "meristem/graph/placement.h"
 
 namespace meristem {
@@ -24,6 +25,7 @@ enum class LinkKind {
   child,   ///< the child stands where the parent's geometry ends
   branch,  ///< the child is multiplied along the parent's stems or ribs; elsewhere the same as child
   leaf,    ///< in a recursion the child appears only where it ends; on a grown skeleton at the tips
+  crown,   ///< the child is multiplied in the crown body of the parent's stems
 };
 
 struct Link {
@@ -31,6 +33,7 @@ struct Link {
   ComponentIndex to = 0;
   LinkKind kind = LinkKind::child;
   Placement placement;            ///< of branch links
+  CrownPlacement in_crown;        ///< of crown links
   std::uint32_t name = kNoIndex;  ///< of child links that the parent makes itself: which of the ids it places
 };
 

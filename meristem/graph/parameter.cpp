@@ -18,6 +18,8 @@ std::string_view unit_name(Unit unit) {
       return "°";
     case Unit::per_metre:
       return "per m";
+    case Unit::per_cubic_metre:
+      return "per m³";
     case Unit::second:
       return "s";
     case Unit::hour:

@@ -18,7 +18,7 @@ class ParameterReader;
 class ParameterTable;
 
 /// The unit in which documents write a number. Angles are degrees in documents and radians in the struct.
-enum class Unit { none, metre, degree, per_metre, second, hour, day, step };
+enum class Unit { none, metre, degree, per_metre, per_cubic_metre, second, hour, day, step };
 std::string_view unit_name(Unit unit);  ///< "m", "°", ...; empty for none
 
 enum class ParameterKind {

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/graph/crown_placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "meristem/base/math.h"
+#include "meristem/graph/table.h"
+#include "meristem/shape/body_places.h"
+#include "meristem/shape/plant_body.h"
+
+namespace meristem {
+
+namespace {
+
+/// A rotation with all directions alike, by three numbers from 0 to 1 (K. Shoemake: Uniform random rotations, 1992).
+Mat3 any_rotation(RandomKey key) {
+  const double roll = 2 * kPi * key.uniform(0);
+  const double turn = 2 * kPi * key.uniform(1);
+  const double share = key.uniform(2);
+  const double a = std::sqrt(1 - share);
+  const double b = std::sqrt(share);
+  const double x = a * math::sin(roll);
+  const double y = a * math::cos(roll);
+  const double z = b * math::sin(turn);
+  const double w = b * math::cos(turn);
+  const glm::dmat3 rotation(1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w),  //
+                            2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w),  //
+                            2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y));
+  return Mat3(rotation);
+}
+
+/// A child's directions at a place.
+Mat3 axes_at(const BodyPlace& place, const CrownPlacement& placement, RandomKey key) {
+  if (placement.orient == CrownPlacement::Orient::random) return any_rotation(key.child("turn"));
+  Mat3 axes = frame_along({}, place.outward, kUp).axes;
+  if (placement.turn > 0) {
+    const double about = 2 * kPi * key.uniform(0);
+    const Vec3 aside = rotation(axes[1], about) * axes[0];
+    axes = rotation(aside, placement.turn * key.uniform(1)) * axes;
+  }
+  return axes;
+}
+
+Mat3 drooped(const Mat3& axes, double droop) {
+  if (droop == 0) return axes;
+  const Vec3 target = droop > 0 ? -kUp : kUp;
+  const Vec3 about = normalized_or(glm::cross(axes[1], target), axes[0]);
+  return rotation(about, math::acos(glm::dot(axes[1], target)) * std::abs(droop)) * axes;
+}
+
+}  // namespace
+
+const ParameterTable& crown_placement_table() {
+  static const ParameterTable table =
+      Table<CrownPlacement>("a crown link", "Where children stand in a crown body.")
+          .number("density", &CrownPlacement::density,
+                  {.unit = Unit::per_cubic_metre, .min = 0, .max = 1e9, .above_min = true},
+                  "Places per cubic metre of the body; raised, more children.")
+          .choice("orient", &CrownPlacement::orient, {"outward", "random"},
+                  "outward: children head away from the body's surface; random: anywhere.")
+          .number("turn", &CrownPlacement::turn, {.unit = Unit::degree, .min = 0, .max = 180},
+                  "By up to how much outward children turn aside.")
+          .number("droop", &CrownPlacement::droop, {.min = -1, .max = 1},
+                  "How far children hang: 1 turns their heading straight down, -1 straight up.")
+          .number("depth", &CrownPlacement::depth, {.unit = Unit::metre, .min = 0, .max = 1e6, .above_min = true},
+                  "Below the body's surface to which they stand; unset, all through it.")
+          .elsewhere({"from", "to", "kind"});
+  return table;
+}
+
+std::vector<Site> place_in_crown(const Skeleton& skeleton, const Surface& surface, const CrownPlacement& placement,
+                                 const PlacementContext& context, Progress& progress) {
+  std::vector<AxisIndex> axes(Axes(skeleton).count());
+  std::iota(axes.begin(), axes.end(), 0);
+  const ImplicitBody body = make_crown_body(skeleton, axes, *surface.crown);
+  if (body.is_empty()) return {};
+  BodyGrid grid{.origin = DVec3(context.parent.frame.origin),
+                .spacing = 1 / math::pow(placement.density, 1.0 / 3),
+                .most = context.limits->instances};
+  if (placement.depth) grid.depth = *placement.depth;
+  const std::vector<BodyPlace> places = places_in(body, grid, context.parent.key, progress);
+  if (places.size() > context.limits->instances) {
+    throw_limit("children or more", static_cast<double>(places.size()), context.limits->instances, "instances",
+                context.path + ".density");
+  }
+  const double base = body.low().y - body.reach();
+  const double height = body.high().y + body.reach() - base;
+  std::vector<Site> sites(places.size(), context.parent);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    Site& site = sites[k];
+    site.i = static_cast<std::uint32_t>(k);
+    site.n = static_cast<std::uint32_t>(places.size());
+    for (const int along : {places[k].cell.x, places[k].cell.y, places[k].cell.z}) {
+      site.key = site.key.child(static_cast<std::uint32_t>(along));
+    }
+    site.frame.origin = places[k].position;
+    site.frame.axes = drooped(axes_at(places[k], placement, site.key), placement.droop);
+    site.u = static_cast<float>(std::clamp((places[k].position.y - base) / height, 0.0, 1.0));
+    site.length = static_cast<float>(height);
+    site.radius = 0;
+    site.stem = kNoStem;
+  }
+  return sites;
+}
+
+}  // namespace meristem

@@ -24,6 +24,6 @@ void append(CellPieces& pieces, const CellPieces& more);
 CellPieces triangulate_loop(const CellLoop& loop, std::uint8_t pattern);
 
 /// The tunnel between two loops. Empty if there is none, which no cell has been seen to ask for.
-CellPieces triangulate_tunnel(const CellLoop& a, const CellLoop& b, std::uint8_t pattern);
+CellPieces triangulate_tunnel(const CellLoop& a, const CellLoop& b);
 
 }  // namespace meristem

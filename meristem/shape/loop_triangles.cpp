@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles for loops of crossed edges. A polygon's best triangulation is found from those of its parts; a tunnel is
-// cut open to a polygon at each of the possible places, and the best cut is taken.
+// Triangles for loops of crossed edges. The best triangulation of a loop is found from those of its parts. A tunnel has
+// a ring of inner points, one for each point of its shorter loop, and triangles from the ring to both loops: triangles
+// from loop to loop, tried before, cross each other in most tunnels, as the short ways lie on faces.
 //
 // Which diagonals are best: where the signs alone decide the surface, those that common implementations choose, so that
 // areas agree to the last digits. They follow one rule (first between parallel edges, then the right-handed one) but in
@@ -10,6 +11,7 @@
 #include "meristem/shape/loop_triangles.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <span>
 #include <utility>
@@ -23,6 +25,7 @@ namespace {
 
 constexpr double kForbidden = std::numeric_limits<double>::infinity();
 constexpr double kInnerPoint = 20;  // so that there are few in discs
+constexpr double kNeighbours = 1;   // the same for the neighbours that a ring point needs
 constexpr double kSpoke = 0.3;
 
 /// The three diagonals, a path of four points, of six points in patterns that their complements share.
@@ -199,17 +202,23 @@ bool lie_on_one_face(std::uint16_t edges) {
   return false;
 }
 
-/// A point of one loop and a run of the other.
-std::uint16_t ring_edges(std::uint8_t point, const CellLoop& loop, std::size_t from, std::size_t to) {
-  auto edges = static_cast<std::uint16_t>(1 << point);
-  for (std::size_t k = from; k <= to; ++k) edges |= static_cast<std::uint16_t>(1 << loop[k % loop.size()]);
-  return edges;
+/// What a ring point is the mean of: the k-th point of one loop and a run of the other; its neighbours too, where these
+/// lie on one face.
+std::uint16_t ring_edges(const CellLoop& inner, std::size_t k, const CellLoop& outer, std::size_t from,
+                         std::size_t to) {
+  auto edges = static_cast<std::uint16_t>(1 << inner[k]);
+  for (std::size_t j = from; j <= to; ++j) edges |= static_cast<std::uint16_t>(1 << outer[j % outer.size()]);
+  if (!lie_on_one_face(edges)) return edges;
+  const std::size_t size = inner.size();
+  return static_cast<std::uint16_t>(edges | 1 << inner[(k + 1) % size] | 1 << inner[(k + size - 1) % size]);
 }
 
 double facing_cost(const CellLoop& inner, const CellLoop& outer, const std::vector<std::size_t>& starts) {
   double cost = 0;
   for (std::size_t k = 0; k < inner.size(); ++k) {
-    if (lie_on_one_face(ring_edges(inner[k], outer, starts[k], starts[k + 1]))) return kForbidden;
+    const std::uint16_t edges = ring_edges(inner, k, outer, starts[k], starts[k + 1]);
+    if (lie_on_one_face(edges)) return kForbidden;
+    if (std::popcount(edges) > static_cast<int>(starts[k + 1] - starts[k]) + 2) cost += kNeighbours;
     for (std::size_t j = starts[k]; j <= starts[k + 1]; ++j) {
       const DVec3 way = edge_middle(outer[j % outer.size()]) - edge_middle(inner[k]);
       cost += glm::dot(way, way);
@@ -267,7 +276,7 @@ CellPieces triangulate_tunnel(const CellLoop& a, const CellLoop& b) {
     const std::size_t next = (k + 1) % inner.size();
     const auto point = static_cast<std::uint8_t>(kCellEdges + k),
                next_point = static_cast<std::uint8_t>(kCellEdges + next);
-    pieces.inner.push_back(ring_edges(inner[k], outer, starts[k], starts[k + 1]));
+    pieces.inner.push_back(ring_edges(inner, k, outer, starts[k], starts[k + 1]));
     pieces.triangles.push_back({inner[k], inner[next], point});
     pieces.triangles.push_back({inner[next], next_point, point});
     for (std::size_t j = starts[k]; j < starts[k + 1]; ++j) {

@@ -24,9 +24,10 @@ namespace meristem {
 namespace {
 
 constexpr double kForbidden = std::numeric_limits<double>::infinity();
-constexpr double kInnerPoint = 20;  // so that there are few in discs
-constexpr double kNeighbours = 1;   // the same for the neighbours that a ring point needs
-constexpr double kSpoke = 0.3;
+// Against squared lengths of diagonals.
+constexpr double kInnerPoint = 20;  // so that discs have few
+constexpr double kSpoke = 0.3;      // from an inner point
+constexpr double kNeighbours = 1;   // that a ring point needs; at 3 half of the tunnels between fours cross themselves
 
 /// The three diagonals, a path of four points, of six points in patterns that their complements share.
 struct SixPoints {
@@ -73,7 +74,7 @@ DVec3 outward(std::uint8_t edge, std::uint8_t pattern) {
 using DiagonalCosts = std::array<std::array<double, kCellEdges>, kCellEdges>;
 
 double diagonal_cost(std::uint8_t a, std::uint8_t b, std::uint8_t pattern, bool by_length) {
-  if (a == b || share_a_face(a, b)) return kForbidden;
+  if (a == b || share_a_face(1U << a | 1U << b)) return kForbidden;
   if (is_listed(pattern, a, b)) return 0;
   const DVec3 way = edge_middle(b) - edge_middle(a);
   // Across a square of four parallel edges both are alike but for their direction.
@@ -190,25 +191,13 @@ struct Facing {
   std::vector<std::size_t> starts;
 };
 
-/// All points on one face of the cell have a mean on that face.
-bool lie_on_one_face(std::uint16_t edges) {
-  for (int face = 0; face < kCellFaces; ++face) {
-    std::uint16_t others = edges;
-    for (int edge = 0; edge < kCellEdges; ++edge) {
-      if (is_on_face(edge, face)) others &= static_cast<std::uint16_t>(~(1 << edge));
-    }
-    if (others == 0) return true;
-  }
-  return false;
-}
-
 /// What a ring point is the mean of: the k-th point of one loop and a run of the other; its neighbours too, where these
 /// lie on one face.
 std::uint16_t ring_edges(const CellLoop& inner, std::size_t k, const CellLoop& outer, std::size_t from,
                          std::size_t to) {
   auto edges = static_cast<std::uint16_t>(1 << inner[k]);
   for (std::size_t j = from; j <= to; ++j) edges |= static_cast<std::uint16_t>(1 << outer[j % outer.size()]);
-  if (!lie_on_one_face(edges)) return edges;
+  if (!share_a_face(edges)) return edges;
   const std::size_t size = inner.size();
   return static_cast<std::uint16_t>(edges | 1 << inner[(k + 1) % size] | 1 << inner[(k + size - 1) % size]);
 }
@@ -217,7 +206,7 @@ double facing_cost(const CellLoop& inner, const CellLoop& outer, const std::vect
   double cost = 0;
   for (std::size_t k = 0; k < inner.size(); ++k) {
     const std::uint16_t edges = ring_edges(inner, k, outer, starts[k], starts[k + 1]);
-    if (lie_on_one_face(edges)) return kForbidden;
+    if (share_a_face(edges)) return kForbidden;
     if (std::popcount(edges) > static_cast<int>(starts[k + 1] - starts[k]) + 2) cost += kNeighbours;
     for (std::size_t j = starts[k]; j <= starts[k + 1]; ++j) {
       const DVec3 way = edge_middle(outer[j % outer.size()]) - edge_middle(inner[k]);
@@ -234,11 +223,11 @@ Facing find_facing(const CellLoop& inner, const CellLoop& outer) {
     // The other starts, in rising order: all subsets of the places between.
     const std::size_t between = outer.size() - 1;
     for (unsigned chosen = 0; chosen < 1U << between; ++chosen) {
+      if (static_cast<std::size_t>(std::popcount(chosen)) + 1 != inner.size()) continue;
       std::vector<std::size_t> starts{first};
       for (std::size_t k = 0; k < between; ++k) {
         if ((chosen >> k & 1) != 0) starts.push_back(first + 1 + k);
       }
-      if (starts.size() != inner.size()) continue;
       starts.push_back(first + outer.size());
       const double cost = facing_cost(inner, outer, starts);
       if (cost < best.cost) best = {cost, std::move(starts)};
@@ -261,6 +250,7 @@ void append(CellPieces& pieces, const CellPieces& more) {
 }
 
 CellPieces triangulate_loop(const CellLoop& loop, std::uint8_t pattern) {
+  if (loop.size() == 3) return {.triangles = {{loop[0], loop[1], loop[2]}}, .inner = {}};
   return PolygonParts(loop, diagonal_costs(pattern, find_ambiguous_faces(pattern) != 0)).best().pieces;
 }
 

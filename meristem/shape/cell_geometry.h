@@ -46,10 +46,21 @@ constexpr bool is_on_face(int edge, int face) {
   return ((low >> (face / 2)) & 1) == face % 2 && ((high >> (face / 2)) & 1) == face % 2;
 }
 
-/// True for two edges of one face.
-constexpr bool share_a_face(int a, int b) {
+/// The edges of each face, a bit each.
+inline constexpr std::array<unsigned, kCellFaces> kFaceEdges = [] {
+  std::array<unsigned, kCellFaces> edges{};
   for (int face = 0; face < kCellFaces; ++face) {
-    if (is_on_face(a, face) && is_on_face(b, face)) return true;
+    for (int edge = 0; edge < kCellEdges; ++edge) {
+      if (is_on_face(edge, face)) edges[face] |= 1U << edge;
+    }
+  }
+  return edges;
+}();
+
+/// True for edges (a bit each) that all lie on one face.
+constexpr bool share_a_face(unsigned edges) {
+  for (const unsigned face : kFaceEdges) {
+    if ((edges & ~face) == 0) return true;
   }
   return false;
 }

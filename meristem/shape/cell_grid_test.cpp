@@ -135,7 +135,7 @@ TEST(CellGrid, EqualAndExtremeValuesGiveClosedMeshes) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const std::array<float, 8> extreme{0, -0.0F, kInfinity, -kInfinity, -1, 1, -1e-45F, 3e38F};
   const std::array<float, 3> equal{-1, 0, 1};
-  for (std::uint64_t i = 0; i < 20; ++i) {
+  for (std::uint64_t i = 0; i < 400; ++i) {
     const RandomKey key = RandomKey(3).child(i);
     ASSERT_TRUE(check_mesh(extract(random_grid(6, key, [&](double u) { return extreme[static_cast<int>(8 * u)]; }))))
         << "extreme " << i;

@@ -53,10 +53,9 @@ CellPieces make_pieces(std::uint8_t pattern, std::uint8_t joined, Tunnel tunnel)
   const std::vector<CellLoop> loops = cell_loops(pattern, joined);
   CellPieces pieces;
   const auto pair = joined_loops(loops, pattern, tunnel);
-  if (pair) append(pieces, triangulate_tunnel(loops[pair->first], loops[pair->second], pattern));
-  const bool is_tunnel = !pieces.triangles.empty();
+  if (pair) append(pieces, triangulate_tunnel(loops[pair->first], loops[pair->second]));
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    if (is_tunnel && (k == pair->first || k == pair->second)) continue;
+    if (pair && (k == pair->first || k == pair->second)) continue;
     append(pieces, triangulate_loop(loops[k], pattern));
   }
   return pieces;

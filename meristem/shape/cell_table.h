@@ -19,7 +19,7 @@ enum class Tunnel : std::uint8_t {
 /// Every surface that a cell can have, made once.
 class CellTable {
  public:
-  /// The one table; the first call makes it, in about a millisecond.
+  /// The one table; the first call makes it, in about 20 ms.
   static const CellTable& instance();
 
   /// `joined` has the bits of those ambiguous faces on which the two inside corners are joined, and no others.

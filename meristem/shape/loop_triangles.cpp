@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles for loops of crossed edges. A polygon's best triangulation is found from those of its parts; a tunnel is
-// cut open to a polygon at each of the possible places, and the best cut is taken.
+// Triangles for loops of crossed edges. The best triangulation of a loop is found from those of its parts. A tunnel has
+// a ring of inner points, one for each point of its shorter loop, and triangles from the ring to both loops: triangles
+// from loop to loop, tried before, cross each other in most tunnels, as the short ways lie on faces.
 //
 // Which diagonals are best: where the signs alone decide the surface, those that common implementations choose, so that
 // areas agree to the last digits. They follow one rule (first between parallel edges, then the right-handed one) but in
@@ -10,6 +11,7 @@
 #include "meristem/shape/loop_triangles.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <span>
 #include <utility>
@@ -22,9 +24,10 @@ namespace meristem {
 namespace {
 
 constexpr double kForbidden = std::numeric_limits<double>::infinity();
-constexpr double kInnerPoint = 20;  // so that there are few in discs
-constexpr double kTunnelInnerPoint = 0;
-constexpr double kSpoke = 0.3;
+// Against squared lengths of diagonals.
+constexpr double kInnerPoint = 20;  // so that discs have few
+constexpr double kSpoke = 0.3;      // from an inner point
+constexpr double kNeighbours = 1;   // that a ring point needs; at 3 half of the tunnels between fours cross themselves
 
 /// The three diagonals, a path of four points, of six points in patterns that their complements share.
 struct SixPoints {
@@ -70,22 +73,21 @@ DVec3 outward(std::uint8_t edge, std::uint8_t pattern) {
 /// What each diagonal costs, by the edges that it joins.
 using DiagonalCosts = std::array<std::array<double, kCellEdges>, kCellEdges>;
 
-double diagonal_cost(std::uint8_t a, std::uint8_t b, std::uint8_t pattern, bool has_ambiguous_face) {
-  if (a == b || share_a_face(a, b)) return kForbidden;
+double diagonal_cost(std::uint8_t a, std::uint8_t b, std::uint8_t pattern, bool by_length) {
+  if (a == b || share_a_face(1U << a | 1U << b)) return kForbidden;
   if (is_listed(pattern, a, b)) return 0;
   const DVec3 way = edge_middle(b) - edge_middle(a);
   // Across a square of four parallel edges both are alike but for their direction.
   const double slant = way.x * way.y - way.x * way.z - way.y * way.z;
   const double handedness = glm::dot(way, glm::cross(outward(a, pattern), outward(b, pattern)));
   const double ties = -0.1 * handedness + 0.001 * slant;
-  return (has_ambiguous_face ? glm::dot(way, way) : a / 4 == b / 4 ? 1 : 2) + ties;
+  return (by_length ? glm::dot(way, way) : a / 4 == b / 4 ? 1 : 2) + ties;
 }
 
-DiagonalCosts diagonal_costs(std::uint8_t pattern) {
-  const bool has_ambiguous_face = find_ambiguous_faces(pattern) != 0;
+DiagonalCosts diagonal_costs(std::uint8_t pattern, bool by_length) {
   DiagonalCosts costs{};
   for (std::uint8_t a = 0; a < kCellEdges; ++a) {
-    for (std::uint8_t b = 0; b < kCellEdges; ++b) costs[a][b] = diagonal_cost(a, b, pattern, has_ambiguous_face);
+    for (std::uint8_t b = 0; b < kCellEdges; ++b) costs[a][b] = diagonal_cost(a, b, pattern, by_length);
   }
   return costs;
 }
@@ -98,8 +100,8 @@ struct Dissection {
 /// The cheapest dissection of a polygon into triangles, and polygons around an inner point.
 class PolygonParts {
  public:
-  PolygonParts(std::span<const std::uint8_t> polygon, const DiagonalCosts& costs, double inner_cost = kInnerPoint)
-      : inner_cost_(inner_cost), polygon_(polygon), costs_(costs), size_(polygon.size()), parts_(size_ * size_) {}
+  PolygonParts(std::span<const std::uint8_t> polygon, const DiagonalCosts& costs)
+      : polygon_(polygon), costs_(costs), size_(polygon.size()), parts_(size_ * size_) {}
 
   Dissection best() {
     for (std::size_t length = 1; length < size_; ++length) {
@@ -138,7 +140,7 @@ class PolygonParts {
         const double chain = part(first, k).chain + closed(k, last) + kSpoke;
         if (chain < best.chain) best.chain = chain, best.before_last = best.around_inner = k;
       }
-      if (best.chain + inner_cost_ < best.cost) best.cost = best.chain + inner_cost_, best.apex = 0;
+      if (best.chain + kInnerPoint < best.cost) best.cost = best.chain + kInnerPoint, best.apex = 0;
     }
     part(first, last) = best;
     const double side = closed(first, last) + kSpoke;
@@ -176,32 +178,62 @@ class PolygonParts {
     pieces.inner.push_back(edges);
   }
 
-  double inner_cost_;
   std::span<const std::uint8_t> polygon_;
   const DiagonalCosts& costs_;
   std::size_t size_;
   std::vector<Part> parts_;
 };
 
-/// True if each side occurs once in each direction, or once at all.
-bool is_manifold(const std::vector<CellTriangle>& triangles) {
-  std::vector<std::pair<std::uint8_t, std::uint8_t>> sides;
-  for (const CellTriangle& triangle : triangles) {
-    for (int k = 0; k < 3; ++k) sides.emplace_back(triangle[k], triangle[(k + 1) % 3]);
-  }
-  std::sort(sides.begin(), sides.end());
-  return std::adjacent_find(sides.begin(), sides.end()) == sides.end();
+/// The points of the longer loop that each point of the shorter one faces: runs that share their ends, from starts[k]
+/// to starts[k + 1].
+struct Facing {
+  double cost = kForbidden;
+  std::vector<std::size_t> starts;
+};
+
+/// What a ring point is the mean of: the k-th point of one loop and a run of the other; its neighbours too, where these
+/// lie on one face.
+std::uint16_t ring_edges(const CellLoop& inner, std::size_t k, const CellLoop& outer, std::size_t from,
+                         std::size_t to) {
+  auto edges = static_cast<std::uint16_t>(1 << inner[k]);
+  for (std::size_t j = from; j <= to; ++j) edges |= static_cast<std::uint16_t>(1 << outer[j % outer.size()]);
+  if (!share_a_face(edges)) return edges;
+  const std::size_t size = inner.size();
+  return static_cast<std::uint16_t>(edges | 1 << inner[(k + 1) % size] | 1 << inner[(k + size - 1) % size]);
 }
 
-/// One of the two halves of a tunnel: along one loop, over a cut, and along the other back to the first cut.
-Dissection half_tunnel(const CellLoop& a, std::size_t a_from, std::size_t a_to, const CellLoop& b, std::size_t b_from,
-                       std::size_t b_to, const DiagonalCosts& costs) {
-  std::vector<std::uint8_t> polygon;
-  for (std::size_t k = a_from; k != a_to; k = (k + 1) % a.size()) polygon.push_back(a[k]);
-  polygon.push_back(a[a_to]);
-  for (std::size_t k = b_from; k != b_to; k = (k + 1) % b.size()) polygon.push_back(b[k]);
-  polygon.push_back(b[b_to]);
-  return PolygonParts(polygon, costs, kTunnelInnerPoint).best();
+double facing_cost(const CellLoop& inner, const CellLoop& outer, const std::vector<std::size_t>& starts) {
+  double cost = 0;
+  for (std::size_t k = 0; k < inner.size(); ++k) {
+    const std::uint16_t edges = ring_edges(inner, k, outer, starts[k], starts[k + 1]);
+    if (share_a_face(edges)) return kForbidden;
+    if (std::popcount(edges) > static_cast<int>(starts[k + 1] - starts[k]) + 2) cost += kNeighbours;
+    for (std::size_t j = starts[k]; j <= starts[k + 1]; ++j) {
+      const DVec3 way = edge_middle(outer[j % outer.size()]) - edge_middle(inner[k]);
+      cost += glm::dot(way, way);
+    }
+  }
+  return cost;
+}
+
+/// The runs with the shortest ways, each of two points or more; both loops go the same way around.
+Facing find_facing(const CellLoop& inner, const CellLoop& outer) {
+  Facing best;
+  for (std::size_t first = 0; first < outer.size(); ++first) {
+    // The other starts, in rising order: all subsets of the places between.
+    const std::size_t between = outer.size() - 1;
+    for (unsigned chosen = 0; chosen < 1U << between; ++chosen) {
+      if (static_cast<std::size_t>(std::popcount(chosen)) + 1 != inner.size()) continue;
+      std::vector<std::size_t> starts{first};
+      for (std::size_t k = 0; k < between; ++k) {
+        if ((chosen >> k & 1) != 0) starts.push_back(first + 1 + k);
+      }
+      starts.push_back(first + outer.size());
+      const double cost = facing_cost(inner, outer, starts);
+      if (cost < best.cost) best = {cost, std::move(starts)};
+    }
+  }
+  return best;
 }
 
 }  // namespace
@@ -218,30 +250,31 @@ void append(CellPieces& pieces, const CellPieces& more) {
 }
 
 CellPieces triangulate_loop(const CellLoop& loop, std::uint8_t pattern) {
-  return PolygonParts(loop, diagonal_costs(pattern)).best().pieces;
+  if (loop.size() == 3) return {.triangles = {{loop[0], loop[1], loop[2]}}, .inner = {}};
+  return PolygonParts(loop, diagonal_costs(pattern, find_ambiguous_faces(pattern) != 0)).best().pieces;
 }
 
-CellPieces triangulate_tunnel(const CellLoop& a, const CellLoop& b, std::uint8_t pattern) {
-  const DiagonalCosts costs = diagonal_costs(pattern);
-  std::vector<std::pair<std::size_t, std::size_t>> cuts;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      if (costs[a[i]][b[j]] < kForbidden) cuts.emplace_back(i, j);
+CellPieces triangulate_tunnel(const CellLoop& a, const CellLoop& b) {
+  const CellLoop& inner = a.size() <= b.size() ? a : b;
+  CellLoop outer = a.size() <= b.size() ? b : a;
+  std::reverse(outer.begin(), outer.end());
+  const std::vector<std::size_t> starts = find_facing(inner, outer).starts;
+  const auto outer_at = [&](std::size_t k) { return outer[k % outer.size()]; };
+
+  CellPieces pieces;
+  for (std::size_t k = 0; k < inner.size(); ++k) {
+    const std::size_t next = (k + 1) % inner.size();
+    const auto point = static_cast<std::uint8_t>(kCellEdges + k),
+               next_point = static_cast<std::uint8_t>(kCellEdges + next);
+    pieces.inner.push_back(ring_edges(inner, k, outer, starts[k], starts[k + 1]));
+    pieces.triangles.push_back({inner[k], inner[next], point});
+    pieces.triangles.push_back({inner[next], next_point, point});
+    for (std::size_t j = starts[k]; j < starts[k + 1]; ++j) {
+      pieces.triangles.push_back({outer_at(j + 1), outer_at(j), point});
     }
+    pieces.triangles.push_back({point, next_point, outer_at(starts[k + 1])});
   }
-  Dissection best;
-  for (const auto& [i, j] : cuts) {
-    for (const auto& [k, l] : cuts) {
-      if (k <= i || l == j) continue;
-      Dissection whole = half_tunnel(a, i, k, b, l, j, costs);
-      const Dissection other = half_tunnel(a, k, i, b, j, l, costs);
-      whole.cost += other.cost + costs[a[i]][b[j]] + costs[a[k]][b[l]];
-      if (!(whole.cost < best.cost)) continue;
-      append(whole.pieces, other.pieces);
-      if (is_manifold(whole.pieces.triangles)) best = std::move(whole);
-    }
-  }
-  return best.pieces;
+  return pieces;
 }
 
 }  // namespace meristem

@@ -23,7 +23,7 @@ void append(CellPieces& pieces, const CellPieces& more);
 /// have it too; where that leaves no triangles there are inner points.
 CellPieces triangulate_loop(const CellLoop& loop, std::uint8_t pattern);
 
-/// The tunnel between two loops. Empty if there is none, which no cell has been seen to ask for.
-CellPieces triangulate_tunnel(const CellLoop& a, const CellLoop& b, std::uint8_t pattern);
+/// The tunnel between two loops, with as many inner points as the shorter has points.
+CellPieces triangulate_tunnel(const CellLoop& a, const CellLoop& b);
 
 }  // namespace meristem

@@ -142,6 +142,13 @@ constexpr std::array kRows = {
                "The same by how squarely it meets them: what matt leaves take up, against leaves that face all light "
                "unshaded (`--light`).",
                member<&Measures::leaf_irradiance>, true},
+    MeasureRow{"thickened_below", "m",
+               "Radius to which blended surfaces thicken what is thinner, as their cells could not hold it.",
+               member<&Measures::thickened_below>, true},
+    MeasureRow{"thickened_length", "", "Share of the length of blended stems that is thicker for it.",
+               member<&Measures::thickened_length>, true},
+    MeasureRow{"thickened_volume", "", "Volume that blended stems gain by it, over their own.",
+               member<&Measures::thickened_volume>, true},
     MeasureRow{"triangles", "", "Of all surfaces, each instance counted.", member<&Measures::triangles>, true},
     MeasureRow{"instances", "", "Surfaces and organs as they stand in the scene.", member<&Measures::instances>, true},
     MeasureRow{"bytes", "B", "Of geometry in memory: each distinct mesh once, and a frame for each instance.",

@@ -10,6 +10,7 @@
 #include "meristem/measure/forks.h"
 #include "meristem/measure/strahler.h"
 #include "meristem/measure/tree_form.h"
+#include "meristem/shape/body_meshes.h"
 
 namespace meristem {
 namespace {
@@ -170,6 +171,12 @@ StandMeasures measure_plant(const Plant& plant, const MeshScene& meshes, const S
   whole.leaf_count = foliage.leaves;
   whole.leaf_area = foliage.area;
   if (whole.crown_ground_area > 0) whole.leaf_area_index = foliage.area / whole.crown_ground_area;
+  const Thickening thickening = find_thickening(plant);
+  if (thickening.length > 0) {
+    whole.thickened_below = thickening.least_radius;
+    whole.thickened_length = thickening.thickened / thickening.length;
+    if (thickening.volume > 0) whole.thickened_volume = thickening.added / thickening.volume;
+  }
   whole.triangles = meshes.triangle_count();
   whole.instances = meshes.instance_count();
   std::uint64_t bytes = 0;

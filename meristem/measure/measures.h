@@ -59,6 +59,9 @@ struct Measures {
   std::optional<double> leaf_area_index;
   std::optional<double> leaf_exposure;  ///< only where options ask for the light on organs; the same below
   std::optional<double> leaf_irradiance;
+  std::optional<double> thickened_below;  ///< of blended stems; none without any, the same below
+  std::optional<double> thickened_length;
+  std::optional<double> thickened_volume;
   std::optional<std::uint64_t> triangles;
   std::optional<std::uint64_t> instances;
   std::optional<std::uint64_t> bytes;

@@ -85,6 +85,20 @@ Material material_of(const BodyTask& task, const Material& stems) {
 
 }  // namespace
 
+Thickening find_thickening(const Plant& plant) {
+  Thickening whole;
+  for (const BodyTask& task : tasks_of(plant)) {
+    if (task.is_crown) continue;
+    const Thickening thickening = find_thickening(task.stem->skeleton, task.axes, task.surface());
+    whole.least_radius = std::max(whole.least_radius, thickening.least_radius);
+    whole.length += thickening.length;
+    whole.thickened += thickening.thickened;
+    whole.volume += thickening.volume;
+    whole.added += thickening.added;
+  }
+  return whole;
+}
+
 std::vector<MeshInstances> make_body_meshes(const Plant& plant, const Limits& limits, std::vector<Material>& materials,
                                             Progress& progress) {
   const std::vector<BodyTask> tasks = tasks_of(plant);

@@ -7,8 +7,13 @@
 #include "meristem/base/progress.h"
 #include "meristem/plant/plant.h"
 #include "meristem/shape/mesh_scene.h"
+#include "meristem/shape/plant_body.h"
 
 namespace meristem {
+
+/// By how much the blended bodies of all stems are thickened, summed up; the least radius is the largest of theirs.
+/// All 0 without such bodies.
+Thickening find_thickening(const Plant& plant);
 
 /// The blended bodies and crown bodies of all stems, in their order; a body's material has no texture, as bodies have
 /// no uvs, and a crown's is its component's with the crown's colour: those that are new are appended to `materials`.

@@ -25,20 +25,20 @@ class CornerTable {
   static Corner next(Corner c) { return c % 3 == 2 ? c - 2 : c + 1; }
   static Corner previous(Corner c) { return c % 3 == 0 ? c + 2 : c - 1; }
 
-  std::size_t corner_count() const { return vertex_.size(); }
+  std::size_t corner_count() const { return sides_.size(); }
   std::size_t vertex_count() const { return first_.size(); }
   /// Triangles that are left.
   std::size_t triangle_count() const { return triangles_; }
-  bool is_alive(std::uint32_t triangle) const { return vertex_[3 * std::size_t{triangle}] != kNone; }
+  bool is_alive(std::uint32_t triangle) const { return sides_[3 * std::size_t{triangle}].vertex != kNone; }
 
-  std::uint32_t vertex(Corner c) const { return vertex_[c]; }
+  std::uint32_t vertex(Corner c) const { return sides_[c].vertex; }
   /// The corner beyond the edge from next(c) to previous(c); kNone at a border.
-  Corner opposite(Corner c) const { return opposite_[c]; }
+  Corner opposite(Corner c) const { return sides_[c].opposite; }
   /// Some corner of a vertex; kNone if it has none (any more).
   Corner corner_of(std::uint32_t vertex) const { return first_[vertex]; }
   /// The corner of the same vertex in the triangle beyond the edge to previous(c), which is counter-clockwise.
   Corner turn(Corner c) const {
-    const Corner beyond = opposite_[next(c)];
+    const Corner beyond = sides_[next(c)].opposite;
     return beyond == kNone ? kNone : next(beyond);
   }
   /// False for vertices on borders, on edges of more than two triangles or of two that are turned against each other,
@@ -54,8 +54,13 @@ class CornerTable {
   void find_inner(const Progress& progress);
   void remove_triangle(Corner kept, Corner gone);
 
-  std::vector<std::uint32_t> vertex_;
-  std::vector<Corner> opposite_;
+  // Together, as whoever asks for one asks for the other.
+  struct Side {
+    std::uint32_t vertex;
+    Corner opposite;
+  };
+
+  std::vector<Side> sides_;
   std::vector<Corner> first_;
   std::vector<std::uint8_t> inner_;
   std::size_t triangles_ = 0;

@@ -27,6 +27,13 @@ class EdgeCollapse {
  private:
   using Corner = CornerTable::Corner;
 
+  /// In one place, as walks around a mesh wait for memory more than for arithmetic.
+  struct Vertex {
+    Quadric quadric;
+    Vec3 position{0};
+    bool is_inner = false;    ///< may move
+    bool is_blocked = false;  ///< its edges may not collapse until something around changes
+  };
   /// An edge, from the vertex of `corner` to that of the next one, which is the higher.
   struct Candidate {
     float cost = -1;  ///< the default comes before all
@@ -45,8 +52,10 @@ class EdgeCollapse {
   };
 
   void add_quadrics(const Progress& progress);
-  void fill_queue(const Progress& progress);
-  DVec3 place(std::uint32_t vertex) const { return DVec3(positions_[vertex]) - centre_; }
+  float median_cost(const Progress& progress) const;
+  void put_all(std::uint32_t begin, std::uint32_t end, const Progress& progress);
+  void collapse_queued(std::size_t triangles, const Progress& progress);
+  DVec3 place(std::uint32_t vertex) const { return DVec3(vertices_[vertex].position) - centre_; }
   DVec3 rounded(DVec3 place) const { return DVec3(Vec3(place + centre_)) - centre_; }
 
   template <class Visit>
@@ -63,11 +72,9 @@ class EdgeCollapse {
 
   DVec3 centre_;  // quadrics are about it, as they lose digits far from their origin
   double squared_error_;
-  std::vector<Vec3> positions_;
   CornerTable corners_;
-  std::vector<Quadric> quadrics_;
+  std::vector<Vertex> vertices_;
   VertexQueue queue_;
-  std::vector<std::uint8_t> is_blocked_;  // vertices whose edges may not collapse until something around changes
   std::vector<FanTriangle> fan_;
 };
 

@@ -32,8 +32,12 @@ namespace {
 constexpr float kNever = std::numeric_limits<float>::infinity();
 /// Stiffness of the spring toward the edge, a share of the planes' weight.
 constexpr double kSpring = 1e-5;
+/// The same that keeps apices of few triangles from standing out of round bodies as spikes, and by how much it may
+/// raise the cost: at corners and ridges it would raise it by far more.
+constexpr double kTameSpring = 0.1;
+constexpr double kTameCost = 4;
 /// What an edge's squared length costs, a share of the same.
-constexpr double kShortEdges = 1e-5;
+constexpr double kShortEdges = 1e-3;
 /// How far the surface departs at worst, over the root mean square of what a vertex has from its planes: on
 /// spheres 2.2 to 2.7.
 constexpr double kWorstToMean = 3;
@@ -115,7 +119,9 @@ EdgeCollapse::Candidate EdgeCollapse::candidate(std::uint32_t low, std::uint32_t
   const double share = both.weight() > 0 ? b.weight() / both.weight() : 0.5;
   const DVec3 from = place(low);
   const DVec3 along = place(high) - from;
-  const DVec3 apex = both.least(from + share * along, kSpring);
+  DVec3 apex = both.least(from + share * along, kSpring);
+  const DVec3 tame = both.least(from + share * along, kTameSpring);
+  if (both.at(tame) < kTameCost * both.at(apex)) apex = tame;
   const double a_error = a.at(apex);
   const double b_error = b.at(apex);
   // Each end on its own: what is large beside a twig must not outvote it.

@@ -34,10 +34,10 @@ constexpr float kNever = std::numeric_limits<float>::infinity();
 constexpr double kSpring = 1e-5;
 /// The same that keeps apices of few triangles from standing out of round bodies as spikes, and by how much it may
 /// raise the cost: at corners and ridges it would raise it by far more.
-constexpr double kTameSpring = 0.1;
-constexpr double kTameCost = 4;
+constexpr double kTameSpring = 0.05;
+constexpr double kTameCost = 2;
 /// What an edge's squared length costs, a share of the same.
-constexpr double kShortEdges = 1e-3;
+constexpr double kShortEdges = 1e-5;
 /// How far the surface departs at worst, over the root mean square of what a vertex has from its planes: on
 /// spheres 2.2 to 2.7.
 constexpr double kWorstToMean = 3;

@@ -57,7 +57,11 @@ struct FlatCone {
     const T dy = y - origin.y;
     const T dz = z - origin.z;
     const T along = dx * axis.x + dy * axis.y + dz * axis.z;
-    const T across = std::sqrt(std::max(T(0), dx * dx + dy * dy + dz * dz - along * along));
+    // Squares of what lies far along the axis would cancel.
+    const T ax = dx - along * axis.x;
+    const T ay = dy - along * axis.y;
+    const T az = dz - along * axis.z;
+    const T across = std::sqrt(ax * ax + ay * ay + az * az);
     // To the nearer disc, then to the flank, in the half-plane through the axis.
     const T disc = along < 0 ? low_radius : high_radius;
     const T off_disc = across - std::min(across, disc);

@@ -22,7 +22,7 @@ const ParameterTable& crown_body_table() {
           .integer("resolution", &CrownBody::resolution, {.min = 10, .max = 1024, .fixed = true},
                    "Cells along the body's longest side; raised, finer, with the square as many triangles.")
           .integer("triangles", &CrownBody::triangles, {.min = 4, .max = 50e6, .fixed = true},
-                   "At most so many, by simplification; unset, all that the cells give.")
+                   "Simplified to so many, if holes let it; unset, all that the cells give.")
           .colour("colour", &CrownBody::colour, "Of the body.")
           .boolean("hidden", &CrownBody::hidden, "Whether it only holds what links of kind crown set into it.");
   return table;
@@ -44,7 +44,7 @@ const ParameterTable& surface_table() {
           .boolean("thicken", &Surface::thicken,
                    "blend: twigs too thin for the cells are made as thick as they need; else they vanish.")
           .integer("triangles", &Surface::triangles, {.min = 4, .max = 50e6, .fixed = true},
-                   "blend: at most so many, by simplification; unset, all that the cells give.")
+                   "blend: simplified to so many, if twigs and holes let it; unset, all that the cells give.")
           .integer("sides", &Surface::sides, {.min = 3, .max = 64, .fixed = true},
                    "Sides of the thickest stem, thinner ones have fewer; raised, rounder and heavier.")
           .number("error", &Surface::error, {.min = 0, .max = 1, .fixed = true},

@@ -30,7 +30,7 @@ struct CrownBody {
   float fuse = 0.1F;  ///< metres over which they grow together; raised, smoother and fuller; 0: they meet in creases
   BlendKind blend = BlendKind::poly;
   int resolution = 40;               ///< cells along its longest side
-  std::optional<int> triangles;      ///< at most so many, by simplification
+  std::optional<int> triangles;      ///< simplified to so many, if its holes let it
   Vec3 colour{0.36F, 0.48F, 0.24F};  ///< sRGB
   bool hidden = false;               ///< it holds leaves and is not seen itself
 
@@ -62,7 +62,7 @@ struct Surface {
   int resolution = 100;  ///< cells along the longest side; raised, finer, and triangles grow with its square
   float blend = 0.5F;    ///< radii of a branch over which it grows together with its mother; 0: they meet in a crease
   bool thicken = true;   ///< twigs thinner than the cells can hold are as thick as they can; else they vanish
-  std::optional<int> triangles;  ///< at most so many, by simplification
+  std::optional<int> triangles;  ///< simplified to so many, if its twigs and holes let it
 
   bool operator==(const Surface&) const = default;
 };

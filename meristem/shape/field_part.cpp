@@ -242,7 +242,8 @@ void FieldSampler::aim(std::span<const FieldStep> steps, DVec3 origin) {
   std::size_t depth = 0;
   for (const FieldStep& step : steps) {
     const BodyClause& clause = body_.clauses()[step.clause];
-    Step& made = steps_.emplace_back(clause.kind, static_cast<float>(clause.width));
+    steps_.push_back({.kind = clause.kind, .width = static_cast<float>(clause.width)});
+    Step& made = steps_.back();
     if (clause.kind != Kind::solid) {
       --depth;
       continue;

@@ -151,7 +151,7 @@ TEST(Isosurface, ValuesAtTheIsovalueAreOutside) {
 
 TEST(Isosurface, AnyFieldOfSmallNumbersIsClosed) {
   const RandomKey key(21);
-  for (std::uint64_t k = 0; k < 80; ++k) {
+  for (std::uint64_t k = 0; k < 50; ++k) {
     const RandomKey draw = key.child(k);
     const auto range = static_cast<int>(1 + k % 4);
     SampledField field{.size = {5 + k % 7, 6 + k % 5, 4 + k % 9}};
@@ -221,9 +221,9 @@ void expect_closed(std::uint64_t first, std::uint64_t count) {
   EXPECT_LT(behind, corners / 10000);
 }
 
-TEST(Isosurface, AnyBodyIsClosed) { expect_closed(0, 100); }
-TEST(Isosurface, AnyOtherBodyIsClosed) { expect_closed(100, 100); }
-TEST(Isosurface, AnyThirdBodyIsClosed) { expect_closed(200, 100); }
+TEST(Isosurface, AnyBodyIsClosed) { expect_closed(0, 70); }
+TEST(Isosurface, AnyOtherBodyIsClosed) { expect_closed(70, 70); }
+TEST(Isosurface, AnyThirdBodyIsClosed) { expect_closed(140, 70); }
 
 TEST(Isosurface, NormalsOfSmoothBodiesLieInFrontOfTheirTriangles) {
   ImplicitBody tree = ImplicitBody::round_cone({0, 0, 0}, 0.3, {0, 3, 0}, 0.15);
@@ -257,7 +257,7 @@ ImplicitBody blended_chain(const RandomKey& key, BlendKind kind, double most_wid
 /// Balls in rows whose blends each still lower the next: the worst for what is left out.
 ImplicitBody blended_row(BlendKind kind, double width) {
   ImplicitBody body;
-  for (int k = 0; k < 80; ++k) {
+  for (int k = 0; k < 50; ++k) {
     const double height = 1 + 0.9 * width * (1 - 0.012 * k);
     body.blend(ImplicitBody::capsule({-3, height + 0.3 * width * (k % 7), 0.1 * k}, {3, height, 0.1 * k}, 0.5), kind,
                width);

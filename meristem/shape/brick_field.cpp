@@ -49,22 +49,22 @@ struct BlockPlaces {
   }
 };
 
-/// Counts bricks of all threads against the limit of bytes.
+/// Counts the bytes of all threads against the limit.
 class BrickBudget {
  public:
   BrickBudget(const Limits& limits, const std::string& path) : limits_(limits), path_(path) {}
 
-  void spend() {
-    const std::uint64_t bytes = sizeof(float) * kBrickSize * ++bricks_;
-    if (bytes <= limits_.mesh_bytes) return;
-    throw_limit("bytes of field values at this resolution", static_cast<double>(bytes), limits_.mesh_bytes,
-                "mesh_bytes", path_);
+  void spend(std::uint64_t bytes) {
+    if ((bytes_ += bytes) <= limits_.mesh_bytes) return;
+    // The next byte: how many there would have been depends on the threads.
+    throw_limit("bytes of field values at this resolution or more", static_cast<double>(limits_.mesh_bytes) + 1,
+                limits_.mesh_bytes, "mesh_bytes", path_);
   }
 
  private:
   const Limits& limits_;
   const std::string& path_;
-  std::atomic<std::uint64_t> bricks_{0};
+  std::atomic<std::uint64_t> bytes_{0};
 };
 
 /// Descends into regions. One thread uses one.
@@ -146,7 +146,7 @@ class Descent {
   /// Samples a brick of eight blocks. Of those without surface in their cells the sign alone counts.
   void sample(glm::ivec3 at, std::span<const FieldStep> steps, const Level& level, BrickChunk& chunk,
               BodyBricks::Parts& parts) {
-    budget_.spend();
+    budget_.spend(sizeof(float) * kBrickSize + steps.size_bytes());
     chunk.at.push_back(at);
     const std::size_t first = chunk.values.size();
     chunk.values.resize(first + kBrickSize);

@@ -17,7 +17,11 @@ namespace {
 
 constexpr int kSide = kBrickSide;
 constexpr int kRows = kSide * kSide;
-constexpr double kFromEnds = 1e-3;             // of an edge, that vertices keep from its ends
+constexpr double kFromEnds = 1e-3;      // of an edge, that vertices keep from its ends at least
+constexpr double kMostFromEnds = 0.25;  // and far from the origin at most
+constexpr double kRounding = 1e-6;      // of a coordinate, several steps of a float
+constexpr double kInnerHeight = 0.02;   // cells that points inside keep from lines between others, if they can
+constexpr int kInnerTries = 6;
 constexpr std::uint32_t kInner = 0x80000000U;  // marks points inside cells until all are counted
 constexpr std::uint64_t kMostVertices = 0x7fffffffU;
 
@@ -111,7 +115,14 @@ class Neighbourhood {
 class BrickMesher {
  public:
   BrickMesher(const BrickGrid& grid, Progress& progress) : grid_(grid), progress_(progress), index_(grid) {
-    for (const BrickChunk& chunk : grid.chunks) topology_.emplace_back(chunk.at.size());
+    DVec3 farthest = glm::abs(grid.origin);
+    for (const BrickChunk& chunk : grid.chunks) {
+      topology_.emplace_back(chunk.at.size());
+      for (const glm::ivec3 at : chunk.at) farthest = glm::max(farthest, glm::abs(grid.place(kSide * (at + 1))));
+    }
+    // Where coordinates are large for the cells, rounding must not bring vertices together.
+    const double rounding = kRounding * std::max({farthest.x, farthest.y, farthest.z}) / grid.cell;
+    from_ends_ = std::clamp(rounding, kFromEnds, kMostFromEnds);
   }
 
   BrickMesh run(const Limits& limits, const std::string& path) {
@@ -227,10 +238,10 @@ class BrickMesher {
   }
 
   /// Where along an edge the value is 0.
-  static double crossing(float from, float to) {
+  double crossing(float from, float to) const {
     const double share = from / (static_cast<double>(from) - to);
     // Two infinities meet in the middle.
-    return std::isfinite(share) ? std::clamp(share, kFromEnds, 1 - kFromEnds) : 0.5;
+    return std::isfinite(share) ? std::clamp(share, from_ends_, 1 - from_ends_) : 0.5;
   }
 
   void make_cell(const Neighbourhood& around, const BrickVertices& own, glm::ivec3 cell,
@@ -254,7 +265,7 @@ class BrickMesher {
     Part& part = parts_[chunk];
     for (std::size_t k = 0; k < surface.inner.size(); ++k) {
       vertices[12 + k] = kInner | static_cast<std::uint32_t>(part.inner.size());
-      part.inner.push_back(mean_of(around, kSide * grid_.chunks[chunk].at[brick] + cell, cell, surface.inner[k]));
+      part.inner.push_back(inner_point(around, kSide * grid_.chunks[chunk].at[brick] + cell, cell, surface, k));
       part.brick_of_inner.push_back(brick);
     }
     for (const auto& [a, b, c] : surface.triangles) part.triangles.push_back({vertices[a], vertices[b], vertices[c]});
@@ -267,20 +278,52 @@ class BrickMesher {
     return cell_surface(pattern, values);
   }
 
-  /// The mean of a cell's points on some edges.
-  Vec3 mean_of(const Neighbourhood& around, glm::ivec3 place, glm::ivec3 cell, std::uint16_t edges) const {
-    DVec3 sum{0};
-    int count = 0;
-    for (std::uint32_t left = edges; left != 0; left &= left - 1, ++count) {
+  /// The place of a cell's inner point: the mean of its edges' points, or beside it where that lies in line with two of
+  /// them, as among values that are alike.
+  Vec3 inner_point(const Neighbourhood& around, glm::ivec3 place, glm::ivec3 cell, const CellSurface& surface,
+                   std::size_t which) const {
+    std::array<DVec3, 12> points;
+    for (std::uint32_t left = surface.inner[which]; left != 0; left &= left - 1) {
       const int edge = std::countr_zero(left);
       const glm::ivec3 from = kEdgeStarts[edge];
       glm::ivec3 to = from;
       ++to[edge / 4];
-      DVec3 at(from);
-      at[edge / 4] += crossing(around.value(cell + from), around.value(cell + to));
-      sum += at;
+      points[edge] = DVec3(from);
+      points[edge][edge / 4] += crossing(around.value(cell + from), around.value(cell + to));
     }
-    return Vec3(grid_.origin + grid_.cell * (DVec3(place) + sum / static_cast<double>(count)));
+    DVec3 best{0};
+    double best_height = -1;
+    for (int shift = 0; shift < kInnerTries && best_height < kInnerHeight; ++shift) {
+      const DVec3 tried = weighted_mean(points, surface.inner[which], shift);
+      double height = 1;
+      for (const auto& triangle : surface.triangles) {
+        for (int k = 0; k < 3; ++k) {
+          if (triangle[k] != 12 + which) continue;
+          const std::uint8_t a = triangle[(k + 1) % 3];
+          const std::uint8_t b = triangle[(k + 2) % 3];
+          if (a >= 12 || b >= 12) continue;
+          const DVec3 side = points[b] - points[a];
+          height = std::min(height, glm::length(glm::cross(side, tried - points[a])) / glm::length(side));
+        }
+      }
+      if (height <= best_height) continue;
+      best_height = height;
+      best = tried;
+    }
+    return Vec3(grid_.origin + grid_.cell * (DVec3(place) + best));
+  }
+
+  /// Their mean for no shift, else with more of some.
+  static DVec3 weighted_mean(const std::array<DVec3, 12>& points, std::uint32_t edges, int shift) {
+    DVec3 sum{0};
+    double weights = 0;
+    for (std::uint32_t left = edges; left != 0; left &= left - 1) {
+      const int edge = std::countr_zero(left);
+      const double weight = shift == 0 ? 1 : 1 + 0.2 * (edge * (shift + 2) % 7);
+      sum += weight * points[edge];
+      weights += weight;
+    }
+    return sum / weights;
   }
 
   /// Puts the chunks' triangles and inner points together.
@@ -311,6 +354,7 @@ class BrickMesher {
   const BrickGrid& grid_;
   Progress& progress_;
   BrickIndex index_;
+  double from_ends_ = kFromEnds;
   std::vector<std::vector<BrickTopology>> topology_;
   std::vector<Part> parts_;
   BrickMesh made_;

@@ -16,7 +16,8 @@ namespace meristem {
 struct CellSurface {
   /// Counter-clockwise seen from outside: 0..11 the points on the edges, 12 + i the i-th inner point.
   std::span<const std::array<std::uint8_t, 3>> triangles;
-  /// An inner point is the mean of the points on these edges, a bit each. Empty nearly always.
+  /// An inner point is the mean of the points on these edges, a bit each, or near it where that lies in line with two
+  /// of them. Empty nearly always.
   std::span<const std::uint16_t> inner;
 };
 

@@ -57,7 +57,11 @@ struct FlatCone {
     const T dy = y - origin.y;
     const T dz = z - origin.z;
     const T along = dx * axis.x + dy * axis.y + dz * axis.z;
-    const T across = std::sqrt(std::max(T(0), dx * dx + dy * dy + dz * dz - along * along));
+    // Squares of what lies far along the axis would cancel.
+    const T ax = dx - along * axis.x;
+    const T ay = dy - along * axis.y;
+    const T az = dz - along * axis.z;
+    const T across = std::sqrt(ax * ax + ay * ay + az * az);
     // To the nearer disc, then to the flank, in the half-plane through the axis.
     const T disc = along < 0 ? low_radius : high_radius;
     const T off_disc = across - std::min(across, disc);
@@ -99,30 +103,37 @@ struct Ellipsoid {
   V3<T> radii{1};
 
   /// The nearest point is r²p / (t + r²), with the t that brings it onto the surface: a convex function's root, which
-  /// Newton's steps reach from below.
+  /// Newton's steps reach from below. They count u = t + the least r², so that places near the plane across the
+  /// thinnest axis lose no digits.
   T distance(T x, T y, T z) const {
     const V3<T> d = V3<T>(x, y, z) - origin;
     const glm::dvec3 place(std::abs(glm::dot(d, axes[0])), std::abs(glm::dot(d, axes[1])),
                            std::abs(glm::dot(d, axes[2])));
     const glm::dvec3 r(radii);
     const int thin = r.x <= r.y ? (r.x <= r.z ? 0 : 2) : (r.y <= r.z ? 1 : 2);
-    const glm::dvec3 squares = r * r;
-    double t = r[thin] * place[thin] - squares[thin];
+    const glm::dvec3 more = r * r - r[thin] * r[thin];
+    const glm::dvec3 start = r * place - more;
+    double u = std::max(start.x, std::max(start.y, start.z));
     glm::dvec3 share{0};  // the nearest point over the radii
+    double slope = 0;
     const auto excess_at = [&](double at) {
-      for (int k = 0; k < 3; ++k) share[k] = place[k] > 0 ? r[k] * place[k] / (at + squares[k]) : 0;
+      slope = 0;
+      for (int k = 0; k < 3; ++k) {
+        if (!(place[k] > 0)) continue;
+        share[k] = r[k] * place[k] / (at + more[k]);
+        slope += share[k] * share[k] / (at + more[k]);
+      }
       return glm::dot(share, share) - 1;
     };
-    double excess = excess_at(t);
+    double excess = excess_at(u);
     for (int step = 0; step < 64 && excess > 0; ++step) {
-      const double slope = glm::dot(share * share, 1.0 / (glm::dvec3(t) + squares));
-      const double next = t + 0.5 * excess / slope;
-      if (!(next > t)) break;
-      t = next;
-      excess = excess_at(t);
+      const double next = u + 0.5 * excess / slope;
+      if (!(next > u)) break;
+      u = next;
+      excess = excess_at(u);
     }
     // On the plane across the thinnest axis, near the middle, two points are nearest, above and below.
-    if (place[thin] == 0 && excess < 0) share[thin] = std::sqrt(-excess);
+    if (u <= 0 && excess < 0) share[thin] = std::sqrt(-excess);
     const double gap = glm::distance(place, r * share);
     const bool is_inside = glm::dot(place / r, place / r) < 1;
     return static_cast<T>(is_inside ? -gap : gap);

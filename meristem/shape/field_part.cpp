@@ -93,6 +93,12 @@ std::vector<FieldStep> all_steps(const ImplicitBody& body) {
   return steps;
 }
 
+FieldPruner::FieldPruner(const ImplicitBody& body, std::span<const float> gaps, double near)
+    : body_(body), gaps_(gaps), near_(static_cast<float>(near)) {
+  const auto is_pasko = [](const BodyClause& clause) { return clause.kind == Kind::pasko; };
+  has_pasko_ = std::any_of(body.clauses().begin(), body.clauses().end(), is_pasko);
+}
+
 std::vector<float> blend_gaps(const ImplicitBody& body, double error) {
   double far_blends = 0;  // that reach everywhere
   for (const BodyClause& clause : body.clauses()) {
@@ -157,6 +163,22 @@ void FieldPruner::bound_operation(const BodyClause& clause, const Ranges& a, con
     }
     return;
   }
+  if (clause.kind == Kind::pasko) {
+    // It falls where a side rises from below to 0: the least displacement goes with the largest sizes.
+    const auto width = static_cast<float>(clause.width);
+    const auto least = [](float low, float high) { return low > 0 ? low : high < 0 ? high : 0.0F; };
+    for (int k = 0; k < kParts; ++k) {
+      const auto displacement = [&](float x, float y) {
+        return 0.25F * width * width * width / (width * width + x * x + y * y);
+      };
+      const float most_a = std::max(std::abs(a.low[k]), std::abs(a.high[k]));
+      const float most_b = std::max(std::abs(b.low[k]), std::abs(b.high[k]));
+      ranges.low[k] =
+          std::min(a.low[k], b.low[k]) - displacement(least(a.low[k], a.high[k]), least(b.low[k], b.high[k]));
+      ranges.high[k] = std::min(a.high[k], b.high[k]) - displacement(most_a, most_b);
+    }
+    return;
+  }
   ranges = a;
   combine(clause.kind, static_cast<float>(clause.width), kParts, ranges.low.data(), b.low.data());
   combine(clause.kind, static_cast<float>(clause.width), kParts, ranges.high.data(), b.high.data());
@@ -170,6 +192,7 @@ ValueRange FieldPruner::range(int part) const {
 void FieldPruner::keep(std::uint32_t parts, double inset, std::array<std::vector<FieldStep>, kParts>& kept) {
   for (std::vector<FieldStep>& steps : kept) steps.clear();
   if (steps_.empty()) return;
+  if (has_pasko_) inset = 0;
   // From the last step to the first, each operation says where its sides count.
   left_.assign(steps_.size(), 0);
   cutoffs_.resize(steps_.size());

@@ -3,11 +3,12 @@
 // the surface there is dropped. Found from coarse regions to fine ones, so that the cost of each is that of what is
 // near.
 //
-// Solids change by at most the way that one goes, and operations do not fall where their sides rise; so values at a
-// region's centre bound all values in it. A side of a union counts for nothing where it is surely larger than the whole
-// may be. A side of a blend must be larger by a gap: how it might still lower what is blended later fades with each
-// step down (poly: by a factor e for every width / 2.4574 at least, whatever the steps; root and pasko reach
-// everywhere, and are left out where what they add is small enough for all of them together).
+// Solids change by at most the way that one goes, and operations (but pasko, whose bounds are its own) do not fall
+// where their sides rise; so values at a region's centre bound all values in it. A side of a union counts for nothing
+// where it is surely larger than the whole may be. A side of a blend must be larger by a gap: how it might still lower
+// what is blended later fades with each step down (poly: by a factor e for every width / 2.4574 at least, whatever the
+// steps; root and pasko reach everywhere, and are left out where what they add is small enough for all of them
+// together).
 #pragma once
 
 #include <array>
@@ -73,8 +74,7 @@ class FieldPruner {
 
   /// `gaps` as blend_gaps gives them; both outlive the pruner. What is more than `near` metres outside needs no more
   /// than its sign.
-  FieldPruner(const ImplicitBody& body, std::span<const float> gaps, double near)
-      : body_(body), gaps_(gaps), near_(static_cast<float>(near)) {}
+  FieldPruner(const ImplicitBody& body, std::span<const float> gaps, double near);
 
   /// Bounds the values of `steps` in eight cubes about the origin of `near`, which has their solids. `steps` must stay
   /// as they are until all is asked.
@@ -106,6 +106,7 @@ class FieldPruner {
   std::vector<Ranges> ranges_;
   std::vector<Cutoffs> cutoffs_;    // by step
   std::vector<std::uint8_t> left_;  // by step, a bit for each part where it is
+  bool has_pasko_ = false;          // alone, it does not rise by what both its sides rise
 };
 
 /// Computes values at many places at once, in float relative to an origin near them. One thread uses one.

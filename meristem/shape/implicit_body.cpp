@@ -49,7 +49,7 @@ ImplicitBody ImplicitBody::capsule(DVec3 from, DVec3 to, double radius) { return
 
 ImplicitBody ImplicitBody::round_cone(DVec3 from, double from_radius, DVec3 to, double to_radius) {
   require(is_finite(from) && is_finite(to), "a body's place is finite");
-  require(is_size(std::max(from_radius, to_radius)) && std::min(from_radius, to_radius) >= 0,
+  require(from_radius >= 0 && to_radius >= 0 && is_size(std::max(from_radius, to_radius)),
           "a cone's radii are not negative, and one is above 0");
   const DVec3 low = glm::min(from - from_radius, to - to_radius);
   const DVec3 high = glm::max(from + from_radius, to + to_radius);
@@ -72,7 +72,7 @@ ImplicitBody ImplicitBody::round_cone(DVec3 from, double from_radius, DVec3 to, 
 ImplicitBody ImplicitBody::flat_cone(DVec3 from, double from_radius, DVec3 to, double to_radius) {
   const double length = glm::distance(from, to);
   require(is_finite(from) && is_finite(to) && is_size(length), "a flat cone has a length");
-  require(is_size(std::max(from_radius, to_radius)) && std::min(from_radius, to_radius) >= 0,
+  require(from_radius >= 0 && to_radius >= 0 && is_size(std::max(from_radius, to_radius)),
           "a cone's radii are not negative, and one is above 0");
   const DVec3 axis = (to - from) / length;
   // A disc reaches as far along each direction as the sine of the angle between its axis and that.

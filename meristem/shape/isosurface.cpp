@@ -12,6 +12,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/shape/brick_field.h"
 #include "meristem/shape/brick_mesh.h"
+#include "meristem/shape/front_normals.h"
 
 namespace meristem {
 
@@ -83,6 +84,7 @@ void add_normals(const ImplicitBody& body, const BodyBricks& bricks, BrickMesh& 
     sampler.find(chunk, brick, std::span(mesh.positions).subspan(first_inner + k, 1),
                  mesh.normals.data() + first_inner + k);
   }
+  turn_to_front(mesh);
 }
 
 void require(bool holds, const char* message) {
@@ -140,10 +142,18 @@ Mesh extract_isosurface(const ImplicitBody& body, const IsosurfaceOptions& optio
 Mesh extract_isosurface(const SampledField& field, float isovalue, const Limits& limits, const std::string& path,
                         Progress& progress) {
   require(glm::all(glm::greaterThanEqual(field.size, glm::ivec3(0))), "a field's size is not negative");
-  const glm::u64vec3 size(field.size);
-  require(size.x * size.y * size.z == field.values.size(), "a field's size fits its values");
-  require(field.spacing > 0 && std::isfinite(isovalue), "a field's spacing is above 0 and its isovalue finite");
+  // Products of more than 2^64 would come around.
+  const glm::dvec3 size(field.size);
+  require(size.x * size.y * size.z == static_cast<double>(field.values.size()), "a field's size fits its values");
+  require(field.spacing > 0 && std::isfinite(field.spacing) && std::isfinite(isovalue),
+          "a field's spacing is above 0 and finite, as is its isovalue");
+  require(std::isfinite(field.origin.x + field.origin.y + field.origin.z), "a field's origin is finite");
   if (field.values.empty()) return {};
+  const glm::dvec3 bricks = glm::ceil((size + 2.0) / static_cast<double>(kBrickSide));
+  const double bytes = bricks.x * bricks.y * bricks.z * kBrickSize * sizeof(float);
+  if (bytes > static_cast<double>(limits.mesh_bytes)) {
+    throw_limit("bytes of field values", bytes, limits.mesh_bytes, "mesh_bytes", path);
+  }
   return std::move(mesh_bricks(bricks_of(field, isovalue, progress), limits, path, progress).mesh);
 }
 

@@ -21,7 +21,8 @@ namespace meristem {
 
 struct IsosurfaceOptions {
   int resolution = 100;  ///< cells along the longest side of the box about the body's solids, 10 to 1024
-  bool normals = true;   ///< from the body's function; else none
+  bool normals = true;   ///< from the body's function, else none; where such a one lies behind a triangle, from those
+                         ///< about it: in front of all, but at few creases where no direction is
 };
 
 /// Metres along a side of the cells.

@@ -339,5 +339,23 @@ TEST(TurtleReference, DrawsTheBooksFigures) {
   EXPECT_GE(figures, 8);
 }
 
+TEST(Turtle, TheColumnEndMarksWhereBranchesEnd) {
+  const auto ends = [](const std::string& word) {
+    const Skeleton skeleton = drawn(word).skeleton;
+    EXPECT_EQ(skeleton.extra.at("end").size(), skeleton.node_count()) << word;
+    return skeleton.extra.at("end");
+  };
+  EXPECT_THAT(ends("FF"), ElementsAre(0, 0, 0));
+  EXPECT_THAT(ends("F[+F]F"), ElementsAre(0, 0, 1, 0));
+  EXPECT_THAT(ends("F[+F[-FF]F]"), ElementsAre(0, 0, 0, 0, 1, 1));
+  // Branches of no length, too, wherever they stand.
+  EXPECT_THAT(ends("F[]F"), ElementsAre(0, 1, 0));
+  EXPECT_THAT(ends("F[+(10)]F[]"), ElementsAre(0, 1, 1));
+  EXPECT_THAT(ends("[]F"), ElementsAre(0, 0));
+  // After a gap nothing has been drawn where the branch ends.
+  EXPECT_THAT(ends("F[+Ff]F"), ElementsAre(0, 0, 0, 0));
+  EXPECT_TRUE(drawn("[][+]f[]").skeleton.extra.at("end").empty());
+}
+
 }  // namespace
 }  // namespace meristem

@@ -8,7 +8,8 @@
 // where it is surely larger than the whole may be. A side of a blend must be larger by a gap: how it might still lower
 // what is blended later fades with each step down (poly: by a factor e for every width / 2.4574 at least, whatever the
 // steps; root and pasko reach everywhere, and are left out where what they add is small enough for all of them
-// together).
+// together). What lies well outside needs no more than its sign, so nothing counts where it is surely larger than that,
+// however far off all else is.
 #pragma once
 
 #include <array>

@@ -3,13 +3,14 @@
 // Beauty of Plants, 1990, figure 2.6): 511 segments, at resolution 200 unless said otherwise.
 //
 // `everywhere` evaluates all segments at all corners of the grid and marches through all cells; `own_boxes` evaluates
-// each segment in its own padded box alone. Counters: triangles, bytes of the mesh; for ours also bricks, samples, the
-// solids whose distances a brick asks for, and `own_boxes`, the time of those as a multiple of ours, the least of some
-// runs taken in turn. `scaling` does it at other resolutions, twigs as thick as the cells ask for; its peak memory is
-// the process's, from this benchmark on.
+// each segment in its own padded box alone. Counters: triangles, bytes of the mesh; for ours also bricks, the samples
+// in them, how many solids count in a brick (fewer in each of its blocks), and the least time of some runs taken in
+// turn with what it is compared to. `scaling` does it at other resolutions, twigs as thick as the cells ask for; its
+// peak memory is the process's, from this benchmark on.
 //
 // `spruce_trunk` and `spruce_crown` are the bodies of F. Heuer: Algorithmische Erzeugung von 3D-Low-Poly-Bäumen (2022),
-// whose own figures are printed beside ours: with the grammar as it is printed there, six steps.
+// with the grammar as it is printed there, six steps; its own figures are printed beside ours, no triangles where it
+// has none. The source's bodies lie in a fixed cube and ours fill their grids, and it blends segment with segment.
 #include <algorithm>
 #include <array>
 #include <chrono>

@@ -14,6 +14,7 @@ namespace meristem {
 namespace {
 
 constexpr double kError = 1e-4;       // of a cell
+constexpr double kNear = 2;           // cells off the surface to which values must be right; ends of edges are 1
 constexpr double kSafety = 1e-2;      // cells by which a region must be off the surface to be left
 constexpr std::size_t kChunks = 192;  // regions to share out at least
 constexpr double kMargin = 2;         // cells about the body
@@ -22,6 +23,7 @@ constexpr int kDeepest = 40;          // halvings
 constexpr double kHalfDiagonal = 0.866;  // of a cube, a little less than sqrt(3) / 2
 constexpr int kBlockSide = kBrickSide / 2;
 constexpr int kBlockSize = kBlockSide * kBlockSide * kBlockSide;
+constexpr double kMiddle = kBlockSide - 0.5;  // of a brick with the cells that touch its blocks from below
 
 /// A cube of blocks with what matters in it, and in the cells that touch it from below.
 struct Region {
@@ -32,13 +34,14 @@ struct Region {
 
 glm::ivec3 corner_of(int k, int side) { return {k % side, k / side % side, k / (side * side)}; }
 
-/// The places of a block's corners about its middle.
+/// The places of the corners of a brick's blocks about its middle.
 struct BlockPlaces {
-  std::array<float, kBlockSize> x, y, z;
+  std::array<float, kBrickSize> x, y, z;  // block after block
 
   explicit BlockPlaces(double cell) {
-    for (int k = 0; k < kBlockSize; ++k) {
-      const DVec3 place = cell * (DVec3(corner_of(k, kBlockSide)) - 0.5 * (kBlockSide - 1));
+    for (int k = 0; k < kBrickSize; ++k) {
+      const glm::ivec3 corner = kBlockSide * corner_of(k / kBlockSize, 2) + corner_of(k % kBlockSize, kBlockSide);
+      const DVec3 place = cell * (DVec3(corner) - kMiddle);
       x[k] = static_cast<float>(place.x);
       y[k] = static_cast<float>(place.y);
       z[k] = static_cast<float>(place.z);
@@ -69,11 +72,12 @@ class Descent {
  public:
   Descent(const ImplicitBody& body, std::span<const float> gaps, BodyBricks& bricks, const BlockPlaces& places,
           BrickBudget& budget, Progress& progress)
-      : bricks_(bricks),
+      : body_(body),
+        bricks_(bricks),
         places_(places),
         budget_(budget),
         progress_(progress),
-        pruner_(body, gaps),
+        pruner_(body, gaps, kNear * bricks.grid.cell),
         sampler_(body),
         levels_(kDeepest) {}
 
@@ -108,15 +112,18 @@ class Descent {
     // Each reaches a cell below its corners, into the cells that touch them.
     const DVec3 middle = static_cast<double>(kBlockSide) * DVec3(at) + half - 0.5;
     const auto safety = static_cast<float>(kSafety * cell);
-    pruner_.bound(steps, {bricks_.grid.origin + cell * middle, 0.5 * half * cell, (half + 1) * cell});
-    // Of the cubes of single blocks only the places of corners are sampled, a cell within them.
-    const double inset = side == 2 ? kHalfDiagonal * 2 * cell : 0;
+    near_.rebase(body_, steps, bricks_.grid.origin + cell * middle);
+    pruner_.bound(steps, near_, {0.5 * half * cell, (half + 1) * cell});
     Level& level = levels_[depth];
+    std::uint32_t open = 0;
     for (int k = 0; k < 8; ++k) {
       const ValueRange range = pruner_.range(k);
       level.sign[k] = range.low > safety ? 1 : range.high < -safety ? -1 : 0;
-      if (level.holds_surface(k)) pruner_.keep(k, inset, level.steps[k]);
+      if (level.holds_surface(k)) open |= 1U << k;
     }
+    if (open == 0) return level;
+    // Of the cubes of single blocks only the places of corners are sampled, a cell within them.
+    pruner_.keep(open, side == 2 ? kHalfDiagonal * 2 * cell : 0, level.steps);
     return level;
   }
 
@@ -146,9 +153,9 @@ class Descent {
     for (int k = 0; k < 8; ++k) {
       std::array<float, kBlockSize> values;
       if (level.holds_surface(k)) {
-        const DVec3 middle = DVec3(kBlockSide * (2 * at + corner_of(k, 2))) + 0.5 * (kBlockSide - 1);
-        sampler_.aim(level.steps[k], bricks_.grid.origin + bricks_.grid.cell * middle);
-        sampler_.sample(places_.x.data(), places_.y.data(), places_.z.data(), kBlockSize, values.data());
+        const int place = kBlockSize * k;
+        sampler_.sample(level.steps[k], near_, &places_.x[place], &places_.y[place], &places_.z[place], kBlockSize,
+                        values.data());
       } else {
         values.fill(static_cast<float>(level.sign[k] * bricks_.grid.cell));
       }
@@ -163,10 +170,12 @@ class Descent {
     parts.steps.insert(parts.steps.end(), steps.begin(), steps.end());
   }
 
+  const ImplicitBody& body_;
   BodyBricks& bricks_;
   const BlockPlaces& places_;
   BrickBudget& budget_;
   Progress& progress_;
+  NearSolids near_;
   FieldPruner pruner_;
   FieldSampler sampler_;
   std::vector<Level> levels_;

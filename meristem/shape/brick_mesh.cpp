@@ -25,13 +25,23 @@ constexpr int kInnerTries = 6;
 constexpr std::uint32_t kInner = 0x80000000U;  // marks points inside cells until all are counted
 constexpr std::uint64_t kMostVertices = 0x7fffffffU;
 
-/// The lower end of a cell's edge (cell_surface.h says how they count).
-glm::ivec3 edge_start(int edge) {
-  const int axis = edge / 4;
-  glm::ivec3 corner{0};
-  corner[axis == 0 ? 1 : 0] = edge & 1;
-  corner[axis == 2 ? 1 : 2] = edge >> 1 & 1;
-  return corner;
+/// The lower ends of a cell's edges (cell_surface.h says how they count).
+const std::array<glm::ivec3, 12> kEdgeStarts = [] {
+  std::array<glm::ivec3, 12> starts;
+  for (int edge = 0; edge < 12; ++edge) {
+    const int axis = edge / 4;
+    starts[edge] = glm::ivec3(0);
+    starts[edge][axis == 0 ? 1 : 0] = edge & 1;
+    starts[edge][axis == 2 ? 1 : 2] = edge >> 1 & 1;
+  }
+  return starts;
+}();
+
+/// How many bits are set, where machines need not have an instruction for it.
+std::uint32_t bit_count(std::uint32_t bits) {
+  bits -= bits >> 1 & 0x55555555U;
+  bits = (bits & 0x33333333U) + (bits >> 2 & 0x33333333U);
+  return ((bits + (bits >> 4)) & 0x0f0f0f0fU) * 0x01010101U >> 24;
 }
 
 int row_index(int y, int z) { return y + kSide * z; }
@@ -47,9 +57,12 @@ struct BrickTopology {
   std::uint32_t rank(glm::ivec3 corner, int axis) const {
     const int row = row_index(corner.y, corner.z);
     const std::uint32_t before = edges[row] & ((1U << (kSide * axis + corner.x)) - 1);
-    return first_edge[row] + static_cast<std::uint32_t>(std::popcount(before));
+    return first_edge[row] + bit_count(before);
   }
 };
+
+/// The vertices on the edges that leave a brick's corners upward, along each axis; unset where there are none.
+using BrickVertices = std::array<std::array<std::uint32_t, kBrickSize>, 3>;
 
 /// A brick with its seven neighbours above it along the axes, and what its cells see of them.
 class Neighbourhood {
@@ -169,7 +182,7 @@ class BrickMesher {
         const int k = row_index(y, z);
         topology.edges[k] = along_x | along_y << kSide | along_z << 2 * kSide;
         topology.first_edge[k] = static_cast<std::uint16_t>(topology.vertices);
-        topology.vertices += static_cast<std::uint32_t>(std::popcount(topology.edges[k]));
+        topology.vertices += bit_count(topology.edges[k]);
       }
     }
   }
@@ -189,7 +202,8 @@ class BrickMesher {
 
   void make_surface(std::uint32_t chunk, std::uint32_t brick) {
     const Neighbourhood around(grid_, index_, topology_, {chunk, brick});
-    make_vertices(around, chunk, brick);
+    BrickVertices own;
+    make_vertices(around, chunk, brick, own);
     for (int z = 0; z < kSide; ++z) {
       for (int y = 0; y < kSide; ++y) {
         const std::array<std::uint32_t, 4> rows{around.inside(y, z), around.inside(y + 1, z), around.inside(y, z + 1),
@@ -198,13 +212,13 @@ class BrickMesher {
         const std::uint32_t all = rows[0] & rows[1] & rows[2] & rows[3];
         std::uint32_t cells = (any | any >> 1) & ~(all & all >> 1) & 0xffU;
         for (; cells != 0; cells &= cells - 1) {
-          make_cell(around, {std::countr_zero(cells), y, z}, rows, chunk, brick);
+          make_cell(around, own, {std::countr_zero(cells), y, z}, rows, chunk, brick);
         }
       }
     }
   }
 
-  void make_vertices(const Neighbourhood& around, std::uint32_t chunk, std::uint32_t brick) {
+  void make_vertices(const Neighbourhood& around, std::uint32_t chunk, std::uint32_t brick, BrickVertices& own) {
     const BrickTopology& topology = topology_[chunk][brick];
     const glm::ivec3 base = kSide * grid_.chunks[chunk].at[brick];
     std::uint32_t vertex = made_.first_vertex[chunk][brick];
@@ -217,6 +231,7 @@ class BrickMesher {
         ++to[axis];
         DVec3 corner(base + from);
         corner[axis] += crossing(around.value(from), around.value(to));
+        own[axis][corner_index(from)] = vertex;
         made_.mesh.positions[vertex++] = Vec3(grid_.origin + grid_.cell * corner);
       }
     }
@@ -229,14 +244,15 @@ class BrickMesher {
     return std::isfinite(share) ? std::clamp(share, from_ends_, 1 - from_ends_) : 0.5;
   }
 
-  void make_cell(const Neighbourhood& around, glm::ivec3 cell, const std::array<std::uint32_t, 4>& rows,
-                 std::uint32_t chunk, std::uint32_t brick) {
+  void make_cell(const Neighbourhood& around, const BrickVertices& own, glm::ivec3 cell,
+                 const std::array<std::uint32_t, 4>& rows, std::uint32_t chunk, std::uint32_t brick) {
     std::uint32_t pattern = 0;
     for (int k = 0; k < 4; ++k) pattern |= (rows[k] >> cell.x & 3U) << 2 * k;
     const CellSurface& surface = surface_of(around, cell, static_cast<std::uint8_t>(pattern));
     std::array<std::uint32_t, 20> vertices{};
     const auto vertex_on = [&](int edge) {
-      const glm::ivec3 corner = cell + edge_start(edge);
+      const glm::ivec3 corner = cell + kEdgeStarts[edge];
+      if (((corner.x | corner.y | corner.z) & kSide) == 0) return own[edge / 4][corner_index(corner)];
       const BrickNumber owner = around.brick_of(corner);
       return made_.first_vertex[owner.chunk][owner.brick] +
              around.topology_of(owner).rank(corner & (kSide - 1), edge / 4);
@@ -269,7 +285,7 @@ class BrickMesher {
     std::array<DVec3, 12> points;
     for (std::uint32_t left = surface.inner[which]; left != 0; left &= left - 1) {
       const int edge = std::countr_zero(left);
-      const glm::ivec3 from = edge_start(edge);
+      const glm::ivec3 from = kEdgeStarts[edge];
       glm::ivec3 to = from;
       ++to[edge / 4];
       points[edge] = DVec3(from);

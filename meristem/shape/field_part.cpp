@@ -2,8 +2,10 @@
 #include "meristem/shape/field_part.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "meristem/base/math.h"
 
@@ -69,8 +71,17 @@ void combine(Kind kind, float width, std::size_t count, float* a, const float* b
 
 }  // namespace
 
-NearSolid rebased(const Solid& solid, DVec3 origin) {
-  return std::visit([&](const auto& of_kind) { return NearSolid(moved(of_kind, origin)); }, solid);
+void NearSolids::rebase(const ImplicitBody& body, std::span<const FieldStep> steps, DVec3 origin) {
+  entries_.clear();
+  for (const FieldStep& step : steps) {
+    const BodyClause& clause = body.clauses()[step.clause];
+    if (clause.kind != Kind::solid) continue;
+    std::visit(
+        [&](const auto& solid) {
+          entries_.push_back({step.clause, moved(solid, origin)});
+        },
+        body.solids()[clause.solid]);
+  }
 }
 
 std::vector<FieldStep> all_steps(const ImplicitBody& body) {
@@ -82,7 +93,8 @@ std::vector<FieldStep> all_steps(const ImplicitBody& body) {
   return steps;
 }
 
-FieldPruner::FieldPruner(const ImplicitBody& body, std::span<const float> gaps) : body_(body), gaps_(gaps) {
+FieldPruner::FieldPruner(const ImplicitBody& body, std::span<const float> gaps, double near)
+    : body_(body), gaps_(gaps), near_(static_cast<float>(near)) {
   const auto is_pasko = [](const BodyClause& clause) { return clause.kind == Kind::pasko; };
   has_pasko_ = std::any_of(body.clauses().begin(), body.clauses().end(), is_pasko);
 }
@@ -111,31 +123,32 @@ std::vector<float> blend_gaps(const ImplicitBody& body, double error) {
   return gaps;
 }
 
-void FieldPruner::bound(std::span<const FieldStep> steps, const Eighths& cubes) {
+void FieldPruner::bound(std::span<const FieldStep> steps, const NearSolids& near, const Eighths& cubes) {
   steps_ = steps;
   ranges_.resize(steps.size());
+  auto entry = near.entries().begin();
   for (std::size_t k = 0; k < steps.size(); ++k) {
     const BodyClause& clause = body_.clauses()[steps[k].clause];
     if (clause.kind == Kind::solid) {
-      bound_solid(body_.solids()[clause.solid], cubes, ranges_[k]);
+      bound_solid((entry++)->solid, cubes, ranges_[k]);
     } else {
       bound_operation(clause, ranges_[k - 1 - steps[k - 1].size], ranges_[k - 1], ranges_[k]);
     }
   }
 }
 
-void FieldPruner::bound_solid(const Solid& solid, const Eighths& cubes, Ranges& ranges) const {
+void FieldPruner::bound_solid(const NearSolid& solid, const Eighths& cubes, Ranges& ranges) {
   const auto radius = static_cast<float>(kHalfDiagonal * cubes.side);
   const auto offset = static_cast<float>(cubes.offset);
-  std::array<float, kParts> value;
+  constexpr Lanes x{-1, 1, -1, 1, -1, 1, -1, 1};
+  constexpr Lanes y{-1, -1, 1, 1, -1, -1, 1, 1};
+  constexpr Lanes z{-1, -1, -1, -1, 1, 1, 1, 1};
+  Lanes value;
   std::visit(
       [&](const auto& near) {
-        for (int k = 0; k < kParts; ++k) {
-          value[k] = near.distance((k & 1) != 0 ? offset : -offset, (k & 2) != 0 ? offset : -offset,
-                                   (k & 4) != 0 ? offset : -offset);
-        }
+        for (int k = 0; k < kParts; ++k) value[k] = near.distance(offset * x[k], offset * y[k], offset * z[k]);
       },
-      rebased(solid, cubes.centre));
+      solid);
   for (int k = 0; k < kParts; ++k) {
     ranges.low[k] = value[k] - radius;
     ranges.high[k] = value[k] + radius;
@@ -176,104 +189,109 @@ ValueRange FieldPruner::range(int part) const {
   return {ranges_[steps_.size() - 1].low[part], ranges_[steps_.size() - 1].high[part]};
 }
 
-void FieldPruner::keep(int part, double inset, std::vector<FieldStep>& kept) {
-  kept.clear();
+void FieldPruner::keep(std::uint32_t parts, double inset, std::array<std::vector<FieldStep>, kParts>& kept) {
+  for (std::vector<FieldStep>& steps : kept) steps.clear();
   if (steps_.empty()) return;
   if (has_pasko_) inset = 0;
-  // Decide from the last step to the first which are left.
-  emits_.assign(steps_.size(), 0);
-  cutoff_.resize(steps_.size());
-  stack_.assign(1, static_cast<std::uint32_t>(steps_.size() - 1));
-  cutoff_.back() = {kInfinity, 0};
-  while (!stack_.empty()) {
-    const std::uint32_t step = stack_.back();
-    stack_.pop_back();
-    if (body_.clauses()[steps_[step].clause].kind == Kind::solid) {
-      emits_[step] = 1;
+  // From the last step to the first, each operation says where its sides count.
+  left_.assign(steps_.size(), 0);
+  cutoffs_.resize(steps_.size());
+  cutoffs_.back().high.fill(near_);
+  cutoffs_.back().gap.fill(0);
+  cutoffs_.back().parts = parts;
+  for (std::size_t step = steps_.size(); step-- > 0;) {
+    if (cutoffs_[step].parts == 0) {
+      step -= steps_[step].size - 1;
     } else {
-      drop_sides(step, part, static_cast<float>(inset));
+      const bool is_solid = body_.clauses()[steps_[step].clause].kind == Kind::solid;
+      left_[step] =
+          static_cast<std::uint8_t>(is_solid ? cutoffs_[step].parts : drop_sides(step, static_cast<float>(inset)));
     }
   }
   for (std::size_t k = 0; k < steps_.size(); ++k) {
-    if (emits_[k] == 0) continue;
-    FieldStep step{.clause = steps_[k].clause};
-    if (body_.clauses()[step.clause].kind != Kind::solid) {
-      const std::uint32_t right = kept.back().size;
-      step.size += right + kept[kept.size() - 1 - right].size;
+    const bool is_solid = body_.clauses()[steps_[k].clause].kind == Kind::solid;
+    for (std::uint32_t left = left_[k]; left != 0; left &= left - 1) {
+      std::vector<FieldStep>& steps = kept[std::countr_zero(left)];
+      FieldStep step{.clause = steps_[k].clause};
+      if (!is_solid) {
+        const std::uint32_t right = steps.back().size;
+        step.size += right + steps[steps.size() - 1 - right].size;
+      }
+      steps.push_back(step);
     }
-    kept.push_back(step);
   }
 }
 
-/// Puts the sides of a step that count on the stack; the step itself is left if both do.
-void FieldPruner::drop_sides(std::size_t step, int part, float inset) {
+/// Says in which parts the sides of a step count. Returns those where both do: there the step itself is left.
+std::uint32_t FieldPruner::drop_sides(std::size_t step, float inset) {
   const BodyClause& clause = body_.clauses()[steps_[step].clause];
-  const std::size_t right = step - 1;
-  const std::size_t left = right - steps_[right].size;
-  const ValueRange a{ranges_[left].low[part] + inset, ranges_[left].high[part] - inset};
-  const ValueRange b{ranges_[right].low[part] + inset, ranges_[right].high[part] - inset};
-  bool has_left = true;
-  bool has_right = true;
-  Cutoff cutoff{kInfinity, 0};
+  const Cutoffs& cutoffs = cutoffs_[step];
+  Cutoffs& right = cutoffs_[step - 1];
+  Cutoffs& left = cutoffs_[step - 1 - steps_[step - 1].size];
+  const Ranges& a = ranges_[step - 1 - steps_[step - 1].size];
+  const Ranges& b = ranges_[step - 1];
+  const Lanes& most = ranges_[step].high;
+  using Bits = std::array<std::int32_t, kParts>;
+  constexpr Bits kBit{1, 2, 4, 8, 16, 32, 64, 128};
+  Bits has_left, has_right;
   if (is_union(clause.kind)) {
     const float own = gaps_[steps_[step].clause];
-    const float high = ranges_[step].high[part] - inset;
-    cutoff = {cutoff_[step].high, std::max(cutoff_[step].gap, own)};
-    if (high + own < cutoff.value()) cutoff = {high, own};
-    has_left = a.low < cutoff.value() || a.low <= b.low;
-    has_right = b.low < cutoff.value() || b.low < a.low;
-  } else if (clause.kind == Kind::intersect) {
-    has_right = a.low < b.high;
-    has_left = !has_right || b.low < a.high;
+    Lanes highs, gaps;
+    // Without branches, so that compilers do several parts at once.
+    for (int k = 0; k < kParts; ++k) {
+      const float a_low = a.low[k], b_low = b.low[k];
+      const float high_before = cutoffs.high[k], gap_before = cutoffs.gap[k];
+      const float high = most[k] - inset;
+      const float gap = gap_before > own ? gap_before : own;
+      const bool is_lower = high + own < high_before + gap;
+      highs[k] = is_lower ? high : high_before;
+      gaps[k] = is_lower ? own : gap;
+      const float cutoff = highs[k] + gaps[k] - inset;
+      has_left[k] = -static_cast<std::int32_t>((a_low < cutoff) | (a_low <= b_low)) & kBit[k];
+      has_right[k] = -static_cast<std::int32_t>((b_low < cutoff) | (b_low < a_low)) & kBit[k];
+    }
+    left.high = right.high = highs;
+    left.gap = right.gap = gaps;
   } else {
-    has_right = a.low < -b.low;
+    for (int k = 0; k < kParts; ++k) {
+      const float inner = a.low[k] + inset;
+      const bool is_met = clause.kind == Kind::intersect ? inner < b.high[k] - inset : inner < -b.low[k] - inset;
+      const bool is_lower = clause.kind == Kind::intersect && !(b.low[k] + inset < a.high[k] - inset);
+      has_right[k] = is_met ? kBit[k] : 0;
+      has_left[k] = is_met && is_lower ? 0 : kBit[k];
+    }
+    left.high.fill(kInfinity);
+    left.gap.fill(0);
+    right.high = left.high;
+    right.gap = left.gap;
   }
-  if (has_left && has_right) emits_[step] = 1;
-  for (const auto& [side, counts] : {std::pair(left, has_left), std::pair(right, has_right)}) {
-    if (!counts) continue;
-    cutoff_[side] = cutoff;
-    stack_.push_back(static_cast<std::uint32_t>(side));
-  }
+  left.parts = cutoffs.parts & static_cast<std::uint32_t>(std::accumulate(has_left.begin(), has_left.end(), 0));
+  right.parts = cutoffs.parts & static_cast<std::uint32_t>(std::accumulate(has_right.begin(), has_right.end(), 0));
+  return left.parts & right.parts;
 }
 
-void FieldSampler::aim(std::span<const FieldStep> steps, DVec3 origin) {
-  steps_.clear();
-  depth_ = 0;
+void FieldSampler::sample(std::span<const FieldStep> steps, const NearSolids& near, const float* x, const float* y,
+                          const float* z, std::size_t count, float* values) {
+  if (steps.empty()) std::fill(values, values + count, kInfinity);
+  auto entry = near.entries().begin();
   std::size_t depth = 0;
   for (const FieldStep& step : steps) {
     const BodyClause& clause = body_.clauses()[step.clause];
-    steps_.push_back({.kind = clause.kind, .width = static_cast<float>(clause.width)});
-    Step& made = steps_.back();
+    // The stack's lowest level is where the values are wanted.
+    const auto level = [&](std::size_t k) { return k == 0 ? values : stack_.data() + (k - 1) * count; };
     if (clause.kind != Kind::solid) {
       --depth;
+      combine(clause.kind, static_cast<float>(clause.width), count, level(depth - 1), level(depth));
       continue;
     }
-    made.solid = rebased(body_.solids()[clause.solid], origin);
-    depth_ = std::max(depth_, ++depth);
-  }
-}
-
-void FieldSampler::sample(const float* x, const float* y, const float* z, std::size_t count, float* values) {
-  if (steps_.empty()) {
-    std::fill(values, values + count, kInfinity);
-    return;
-  }
-  // The stack's lowest level is where the values are wanted.
-  stack_.resize(std::max(stack_.size(), (depth_ - 1) * count));
-  const auto level = [&](std::size_t depth) { return depth == 0 ? values : stack_.data() + (depth - 1) * count; };
-  std::size_t depth = 0;
-  for (const Step& step : steps_) {
-    if (step.kind != Kind::solid) {
-      --depth;
-      combine(step.kind, step.width, count, level(depth - 1), level(depth));
-      continue;
-    }
+    if (stack_.size() < depth * count) stack_.resize(depth * count);
     float* const out = level(depth++);
+    while (entry->clause != step.clause) ++entry;
     std::visit(
         [&](const auto& solid) {
           for (std::size_t k = 0; k < count; ++k) out[k] = solid.distance(x[k], y[k], z[k]);
         },
-        step.solid);
+        entry->solid);
   }
 }
 

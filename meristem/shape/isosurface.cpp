@@ -26,11 +26,12 @@ constexpr double kGradientStep = 0.25;  // of a cell
 class NormalSampler {
  public:
   NormalSampler(const ImplicitBody& body, const BodyBricks& bricks)
-      : bricks_(bricks), step_(static_cast<float>(kGradientStep * bricks.grid.cell)), sampler_(body) {}
+      : body_(body), bricks_(bricks), step_(static_cast<float>(kGradientStep * bricks.grid.cell)), sampler_(body) {}
 
   void find(std::size_t chunk, std::size_t brick, std::span<const Vec3> places, Vec3* normals) {
     const DVec3 centre = bricks_.centre(bricks_.grid.chunks[chunk].at[brick]);
-    sampler_.aim(bricks_.parts[chunk].of(brick), centre);
+    const std::span<const FieldStep> steps = bricks_.parts[chunk].of(brick);
+    near_.rebase(body_, steps, centre);
     const std::size_t count = kCorners.size() * places.size();
     x_.resize(count);
     y_.resize(count);
@@ -43,7 +44,7 @@ class NormalSampler {
       y_[k] = beside.y;
       z_[k] = beside.z;
     }
-    sampler_.sample(x_.data(), y_.data(), z_.data(), count, values_.data());
+    sampler_.sample(steps, near_, x_.data(), y_.data(), z_.data(), count, values_.data());
     for (std::size_t k = 0; k < places.size(); ++k) {
       Vec3 gradient{0};
       for (std::size_t c = 0; c < kCorners.size(); ++c) gradient += kCorners[c] * values_[kCorners.size() * k + c];
@@ -54,8 +55,10 @@ class NormalSampler {
  private:
   static constexpr std::array<Vec3, 4> kCorners{Vec3(1, -1, -1), Vec3(-1, -1, 1), Vec3(-1, 1, -1), Vec3(1, 1, 1)};
 
+  const ImplicitBody& body_;
   const BodyBricks& bricks_;
   float step_;
+  NearSolids near_;
   FieldSampler sampler_;
   std::vector<float> x_, y_, z_, values_;
 };

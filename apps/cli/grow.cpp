@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -20,15 +23,68 @@ struct GrowOptions {
   DocumentOptions document;
   std::vector<std::string> outputs;
   double time = 0;
+  std::optional<int> lod;  // coarser levels
   FormatOptions format;
 };
 
+/// A file to write.
+struct PlannedFile {
+  const Format* format;
+  std::string path;
+};
+
+InputError wrong_lod(std::string message, std::string expected) {
+  return InputError(Diagnostic{.message = std::move(message), .expected = std::move(expected)});
+}
+
 /// An option that would change none of the files is a mistake.
 void check_options(const GrowOptions& options, const std::vector<const Format*>& formats) {
+  const auto has_meshes = [](const Format* format) { return format->has_meshes; };
+  if (options.lod && (*options.lod < 0 || *options.lod > kCoarsestDetail)) {
+    throw wrong_lod(fmt::format("--lod cannot be {}", *options.lod), fmt::format("0 to {} levels", kCoarsestDetail));
+  }
+  if (options.lod.value_or(0) > 0) {
+    if (std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end()) {
+      throw wrong_lod("levels of detail cannot be written to standard output", "a file name such as oak.glb");
+    }
+    if (std::none_of(formats.begin(), formats.end(), has_meshes)) {
+      throw wrong_lod("--lod changes none of the files", "a file that ends in .glb, .obj or .ply");
+    }
+  }
   const auto can_instance = [](const Format* format) { return format->can_instance; };
   if (!options.format.instanced || std::any_of(formats.begin(), formats.end(), can_instance)) return;
   throw InputError(
       Diagnostic{.message = "--instanced changes none of the files", .expected = "a file that ends in .glb"});
+}
+
+/// The files of each level of detail: the first are those that were asked for.
+std::vector<std::vector<PlannedFile>> planned_files(const GrowOptions& options,
+                                                    const std::vector<const Format*>& formats, int lod) {
+  std::vector<std::vector<PlannedFile>> levels(static_cast<std::size_t>(lod) + 1);
+  for (std::size_t k = 0; k < formats.size(); ++k) {
+    const std::string& output = options.outputs[k];
+    levels[0].push_back({formats[k], output});
+    if (!formats[k]->has_meshes || output == "-") continue;
+    for (int level = 1; level <= lod; ++level) {
+      const std::string path = detail_path(*formats[k], output, level);
+      if (std::find(options.outputs.begin(), options.outputs.end(), path) != options.outputs.end()) {
+        throw wrong_lod(fmt::format("'{}' would be written twice, as a level of detail too", path), "another name");
+      }
+      levels[static_cast<std::size_t>(level)].push_back({formats[k], path});
+    }
+  }
+  return levels;
+}
+
+/// Writes the files of one level and says what they hold.
+std::string write_level(const Document& document, const GrownDocument& grown, const std::vector<PlannedFile>& files,
+                        const FormatOptions& options, Progress& progress) {
+  std::vector<std::string> paths;
+  for (const PlannedFile& file : files) {
+    file.format->write(document, grown, file.path, options, progress);
+    paths.push_back(file.path);
+  }
+  return fmt::format("{}", fmt::join(paths, ", "));
 }
 
 void grow(const GrowOptions& options) {
@@ -38,21 +94,30 @@ void grow(const GrowOptions& options) {
   const double time = checked_time(options.time);
   check_options(options, formats);
   const Document document = open_document(options.document);
-  for (const std::string& output : options.outputs) check_grown_output(document, output);
+  const auto levels = planned_files(options, formats, options.lod.value_or(document.output.lod));
+  for (const std::vector<PlannedFile>& files : levels) {
+    for (const PlannedFile& file : files) check_grown_output(document, file.path);
+  }
 
   const ThreadLimit threads(options.document.threads);
-  std::string summary;
+  std::vector<std::string> summary;
   {
     TerminalProgress terminal(options.document.quiet);
-    const GrownDocument grown = grow_document(document, terminal.progress(), time);
-    for (std::size_t k = 0; k < formats.size(); ++k) {
-      formats[k]->write(document, grown, options.outputs[k], options.format, terminal.progress());
-    }
+    Progress& progress = terminal.progress();
+    GrownDocument grown = grow_document(document, progress, time);
+    const std::string written = write_level(document, grown, levels[0], options.format, progress);
     const Counts counts = count(grown.plant, grown.meshes);
-    summary = fmt::format("{}: {} nodes, {} organs, {} triangles, {:.2f} m high", fmt::join(options.outputs, ", "),
-                          counts.nodes, counts.organs, counts.triangles, counts.height);
+    summary.push_back(fmt::format("{}: {} nodes, {} organs, {} triangles, {:.2f} m high", written, counts.nodes,
+                                  counts.organs, counts.triangles, counts.height));
+    for (std::size_t level = 1; level < levels.size() && !levels[level].empty(); ++level) {
+      grown.meshes = {};
+      grown.meshes = mesh_detail(document, grown.plant, {.level = static_cast<int>(level)}, progress);
+      const std::string coarser = write_level(document, grown, levels[level], options.format, progress);
+      summary.push_back(fmt::format("{}: {} triangles", coarser, grown.meshes.triangle_count()));
+    }
   }
-  if (!options.document.quiet) print_status(summary);
+  if (options.document.quiet) return;
+  for (const std::string& line : summary) print_status(line);
 }
 
 }  // namespace
@@ -69,6 +134,11 @@ void add_grow(CLI::App& app, Run& run) {
       ->allow_extra_args(false);
   command->add_option("--time", options->time, "Grow the document as it stands at this time, its t, in seconds")
       ->type_name("T");
+  command
+      ->add_option("--lod", options->lod,
+                   "Write so many coarser levels of detail too, oak_lod1.glb, oak_lod2.glb, ...; the document's "
+                   "output.lod if not given")
+      ->type_name("N");
   command->add_flag("--instanced", options->format.instanced,
                     "Write leaves to .glb as places of one mesh: small files, that not every program reads");
   std::string endings;

@@ -32,6 +32,7 @@ struct RenderOptions {
   std::optional<int> turntable;  // pictures all around
   bool transparent = false;
   bool hull = false;
+  Detail detail;
 };
 
 /// A picture to make.
@@ -116,9 +117,9 @@ PictureOptions chosen_picture(const RenderOptions& options, const Document& docu
 /// Grows the document for each of the times and takes the pictures. The camera does not follow the plant's
 /// growth: it stands where it shows the last picture's plant as a whole.
 void take_pictures(const Document& document, const std::vector<Picture>& pictures, PictureOptions options,
-                   Progress& progress) {
+                   const Detail& detail, Progress& progress) {
   double grown_time = pictures.back().time;
-  GrownDocument grown = grow_document(document, progress, grown_time);
+  GrownDocument grown = grow_document(document, progress, grown_time, detail);
   const Vec3 middle = grown.meshes.bounds().centre();
   if (pictures.front().time != grown_time) {
     const double aspect = static_cast<double>(options.still.width) / options.still.height;
@@ -128,7 +129,7 @@ void take_pictures(const Document& document, const std::vector<Picture>& picture
   for (const Picture& picture : pictures) {
     if (picture.time != grown_time) {
       grown_time = picture.time;
-      grown = grow_document(document, progress, grown_time);
+      grown = grow_document(document, progress, grown_time, detail);
     }
     options.view = turned(view, middle, picture.turn);
     write_png(take_picture(grown, document.scene, options, progress), picture.path);
@@ -138,6 +139,10 @@ void take_pictures(const Document& document, const std::vector<Picture>& picture
 void render(const RenderOptions& options) {
   // Everything that can be wrong with the command line and the document comes before any work.
   check_ending(options.output);
+  if (options.detail.level < 0 || options.detail.level > kCoarsestDetail) {
+    throw InputError(Diagnostic{.message = fmt::format("--lod cannot be {}", options.detail.level),
+                                .expected = fmt::format("a level from 0 to {}", kCoarsestDetail)});
+  }
   const std::vector<Picture> pictures = planned_pictures(options);
   const Document document = open_document(options.document);
   const PictureOptions picture_options = chosen_picture(options, document);
@@ -147,7 +152,7 @@ void render(const RenderOptions& options) {
   const ThreadLimit threads(options.document.threads);
   {
     TerminalProgress terminal(options.document.quiet);
-    take_pictures(document, pictures, picture_options, terminal.progress());
+    take_pictures(document, pictures, picture_options, options.detail, terminal.progress());
   }
   if (!options.document.quiet) {
     const std::string written =
@@ -180,6 +185,8 @@ void add_render(CLI::App& app, Run& run) {
       ->add_option("--time", options->time,
                    "Show the document at time T, its t, in seconds; FROM:TO:STEP writes a numbered picture for each")
       ->type_name("T|FROM:TO:STEP");
+  command->add_option("--lod", options->detail.level, "Show this level of detail, 0 if not given: see grow --lod")
+      ->type_name("LEVEL");
   command->add_flag("--transparent", options->transparent, "No sky and no ground, with an alpha channel");
   command->add_flag("--hull", options->hull,
                     "Draw the convex hull of each tree's crown as wires: what lit_share is measured of");

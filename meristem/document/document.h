@@ -26,10 +26,11 @@ struct Variable {
   std::string doc;
 };
 
-/// Defaults for doors that make pictures.
+/// Defaults for doors that make pictures and files.
 struct OutputSettings {
   std::vector<int> size{1200, 1200};  ///< width and height, pixels
   int samples = 64;                   ///< paths a pixel
+  int lod = 0;                        ///< coarser levels of detail that files with meshes are written in as well
 };
 
 /// One `--set PATH=VALUE`: a variable's name ("age"), a component's parameter ("stem.length"), or a key

@@ -37,7 +37,7 @@ std::string linked(const std::string& links) {
 
 TEST(Document, ReadsItsHead) {
   const Document document = read(with(
-      R"("name": "Oak", "description": "d", "author": "a", "licence": "l", "seed": 9, "output": {"size": [3, 4], "samples": 5},)"));
+      R"("name": "Oak", "description": "d", "author": "a", "licence": "l", "seed": 9, "output": {"size": [3, 4], "samples": 5, "lod": 3},)"));
   EXPECT_EQ(document.name, "Oak");
   EXPECT_EQ(document.description, "d");
   EXPECT_EQ(document.author, "a");
@@ -45,6 +45,7 @@ TEST(Document, ReadsItsHead) {
   EXPECT_EQ(document.graph.seed, 9U);
   EXPECT_EQ(document.output.size, (std::vector<int>{3, 4}));
   EXPECT_EQ(document.output.samples, 5);
+  EXPECT_EQ(document.output.lod, 3);
   EXPECT_TRUE(document.warnings.empty());
 }
 

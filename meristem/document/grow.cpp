@@ -5,17 +5,32 @@
 
 namespace meristem {
 
-GrownDocument grow_document(const Document& document, Progress& progress, double time) {
+namespace {
+
+/// What `work` returns; places what it throws in the document's text.
+template <class Work>
+auto placing_faults(const Document& document, Work&& work) {
   try {
-    GrownDocument grown;
-    grown.plant = expand(document.graph, document.structure, document.scene, time, progress);
-    grown.meshes = make_mesh_scene(grown.plant, document.graph.limits, progress);
-    return grown;
+    return work();
   } catch (const InputError& error) {
     std::vector<Diagnostic> diagnostics = error.diagnostics();
     document.source.place(diagnostics);
     throw InputError(std::move(diagnostics));
   }
+}
+
+}  // namespace
+
+GrownDocument grow_document(const Document& document, Progress& progress, double time, const Detail& detail) {
+  GrownDocument grown;
+  grown.plant = placing_faults(
+      document, [&] { return expand(document.graph, document.structure, document.scene, time, progress); });
+  grown.meshes = mesh_detail(document, grown.plant, detail, progress);
+  return grown;
+}
+
+MeshScene mesh_detail(const Document& document, const Plant& plant, const Detail& detail, Progress& progress) {
+  return placing_faults(document, [&] { return make_mesh_scene(plant, document.graph.limits, progress, detail); });
 }
 
 }  // namespace meristem

@@ -14,9 +14,13 @@ struct GrownDocument {
   MeshScene meshes;
 };
 
-/// Grows a document as it stands at `time` (seconds): the one call behind every door. The same document gives the same
-/// bytes on any number of threads. Throws InputError (limits, numbers that are not finite; placed in the document's
-/// text), Cancelled.
-GrownDocument grow_document(const Document& document, Progress& progress, double time = 0);
+/// Grows a document as it stands at `time` (seconds): the one call behind every door. `detail` says how coarse the
+/// meshes are. The same document gives the same bytes on any number of threads. Throws InputError (limits, numbers that
+/// are not finite; placed in the document's text), Cancelled.
+GrownDocument grow_document(const Document& document, Progress& progress, double time = 0, const Detail& detail = {});
+
+/// The meshes of a level of detail of a plant that has grown of the document: those that grow_document gives for it,
+/// without growing anew. Throws as it does.
+MeshScene mesh_detail(const Document& document, const Plant& plant, const Detail& detail, Progress& progress);
 
 }  // namespace meristem

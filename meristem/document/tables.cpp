@@ -2,6 +2,7 @@
 #include "meristem/document/tables.h"
 
 #include "meristem/graph/table.h"
+#include "meristem/shape/detail.h"
 
 namespace meristem {
 
@@ -31,10 +32,12 @@ const ParameterTable& scene_table() {
 
 const ParameterTable& output_table() {
   static const ParameterTable table =
-      Table<OutputSettings>("an output", "Defaults for pictures.")
+      Table<OutputSettings>("an output", "Defaults for pictures and files.")
           .integers("size", &OutputSettings::size, 2, {.min = 1, .max = 16384}, "Width and height of pictures, pixels.")
           .integer("samples", &OutputSettings::samples, {.min = 1, .max = 65536},
-                   "Paths a pixel; raised, less noise and slower.");
+                   "Paths a pixel; raised, less noise and slower.")
+          .integer("lod", &OutputSettings::lod, {.min = 0, .max = kCoarsestDetail},
+                   "Coarser levels of detail that `grow` writes beside each file with meshes.");
   return table;
 }
 
@@ -51,7 +54,7 @@ const ParameterTable& head_table() {
           .text("licence", &DocumentHead::licence, "Under which it may be used; carried into exports.")
           .integer("seed", &DocumentHead::seed, {.min = 0, .max = kLargestWhole}, "All that is random comes from it.")
           .object("scene", &DocumentHead::scene, scene_table, "What surrounds the plants.")
-          .object("output", &DocumentHead::output, output_table, "Defaults for pictures.")
+          .object("output", &DocumentHead::output, output_table, "Defaults for pictures and files.")
           .elsewhere({"variables", "components", "links", "limits"});
   return table;
 }

@@ -37,14 +37,15 @@ constexpr Format kFormats[] = {
         Progress& progress) {
        write_glb(grown.meshes, path, {.instanced = options.instanced, .provenance = provenance_of(document)}, progress);
      },
-     true},
+     true, true},
     {".obj", "Wavefront OBJ with its MTL file and pictures beside it",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_obj(grown.meshes, path, {provenance_of(document)}, progress); },
-     false, obj_companions},
+     true, false, obj_companions},
     {".ply", "the mesh as binary PLY, for MeshLab, Open3D and Blender",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
-        Progress& progress) { write_mesh_ply(grown.meshes, path, {provenance_of(document)}, progress); }},
+        Progress& progress) { write_mesh_ply(grown.meshes, path, {provenance_of(document)}, progress); },
+     true},
     {".skeleton.ply", "the skeletons as points with radius, and edges, in binary PLY",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_skeleton_ply(grown.plant, path, {provenance_of(document)}, progress); }},
@@ -76,6 +77,12 @@ std::string nearest_ending(const std::string& name) {
 }  // namespace
 
 std::span<const Format> formats() { return kFormats; }
+
+std::string detail_path(const Format& format, const std::string& path, int level) {
+  if (level == 0) return path;
+  const std::size_t stem = path.size() - format.ending.size();
+  return fmt::format("{}_lod{}{}", path.substr(0, stem), level, path.substr(stem));
+}
 
 const Format& format_of(const std::string& path) {
   if (path == "-") return kFormats[0];

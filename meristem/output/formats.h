@@ -21,10 +21,15 @@ struct Format {
   std::string_view doc;     ///< one line
   void (*write)(const Document& document, const GrownDocument& grown, const std::string& path,
                 const FormatOptions& options, Progress& progress);
+  bool has_meshes = false;  ///< so that levels of detail differ
   bool can_instance = false;
   /// The files that may be written beside it; null where there are none.
   std::vector<std::string> (*companions)(const Document& document, const std::string& path) = nullptr;
 };
+
+/// Where a level of detail is written beside `path`, which is of that format: `oak_lod2.glb` for `oak.glb`; `path`
+/// itself for level 0.
+std::string detail_path(const Format& format, const std::string& path, int level);
 
 /// All formats, the default first.
 std::span<const Format> formats();

@@ -33,6 +33,11 @@ TEST(Formats, TheLongestEndingWins) {
 
 TEST(Formats, StandardOutputTakesTheFirst) { EXPECT_EQ(&format_of("-"), formats().data()); }
 
+TEST(Formats, LevelsOfDetailStandBesideTheFile) {
+  EXPECT_EQ(detail_path(format_of("a.b/oak.GLB"), "a.b/oak.GLB", 2), "a.b/oak_lod2.GLB");
+  EXPECT_EQ(detail_path(format_of("oak.v2.obj"), "oak.v2.obj", 0), "oak.v2.obj");
+}
+
 TEST(Formats, RefusalsNameAllEndingsAndTheNearest) {
   const Diagnostic fault = refusal_of("oak.gbl");
   EXPECT_EQ(fault.message, "'.gbl' is not a format that can be written");

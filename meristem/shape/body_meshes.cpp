@@ -18,6 +18,8 @@ namespace meristem {
 
 namespace {
 
+constexpr std::size_t kFewestTriangles = 200;  // of a body in any level; with a quarter of that crowns were boulders
+
 /// One body to mesh.
 struct BodyTask {
   const Stem* stem = nullptr;
@@ -54,7 +56,14 @@ ImplicitBody body_of(const BodyTask& task) {
   return make_stem_body(skeleton, task.axes, surface, least_radius);
 }
 
-Mesh mesh_of(const BodyTask& task, const Limits& limits, Progress& progress) {
+/// How many triangles a body of `made` is to have, of which the document wants at most `wanted`.
+std::size_t triangles_of(std::size_t made, const std::optional<int>& wanted, const Detail& detail) {
+  const std::size_t whole = wanted ? std::min(made, static_cast<std::size_t>(*wanted)) : made;
+  const auto wanted_at_level = static_cast<std::size_t>(detail.kept() * static_cast<double>(whole));
+  return std::max(wanted_at_level, std::min(whole, kFewestTriangles));
+}
+
+Mesh mesh_of(const BodyTask& task, const Detail& detail, const Limits& limits, Progress& progress) {
   const Surface& surface = task.surface();
   const std::optional<int> triangles = task.is_crown ? surface.crown->triangles : surface.triangles;
   const bool is_flat = surface.shading == Surface::Shading::flat;
@@ -62,7 +71,8 @@ Mesh mesh_of(const BodyTask& task, const Limits& limits, Progress& progress) {
   options.resolution = task.is_crown ? surface.crown->resolution : surface.resolution;
   options.normals = !is_flat;
   Mesh mesh = extract_isosurface(body_of(task), options, limits, task.path(), progress);
-  if (triangles) mesh = simplify(mesh, {.triangles = static_cast<std::size_t>(*triangles)}, progress);
+  const std::size_t target = triangles_of(mesh.triangle_count(), triangles, detail);
+  if (target < mesh.triangle_count()) mesh = simplify(mesh, {.triangles = target}, progress);
   return is_flat ? flat_shaded(mesh) : mesh;
 }
 
@@ -99,20 +109,20 @@ Thickening find_thickening(const Plant& plant) {
   return whole;
 }
 
-std::vector<MeshInstances> make_body_meshes(const Plant& plant, const Limits& limits, std::vector<Material>& materials,
-                                            Progress& progress) {
+std::vector<MeshInstances> make_body_meshes(const Plant& plant, const Detail& detail, const Limits& limits,
+                                            std::vector<Material>& materials, Progress& progress) {
   const std::vector<BodyTask> tasks = tasks_of(plant);
   std::vector<MeshInstances> made(tasks.size());
   if (tasks.empty()) return made;
   std::vector<Mesh> meshes(tasks.size());
   if (tasks.size() == 1) {
-    meshes[0] = mesh_of(tasks[0], limits, progress);
+    meshes[0] = mesh_of(tasks[0], detail, limits, progress);
   } else {
     progress.begin("meshing bodies", tasks.size());
     parallel_for(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         Progress part(&progress);
-        meshes[k] = mesh_of(tasks[k], limits, part);
+        meshes[k] = mesh_of(tasks[k], detail, limits, part);
         progress.advance();
       }
     });

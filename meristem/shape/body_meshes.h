@@ -6,6 +6,7 @@
 #include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
 #include "meristem/plant/plant.h"
+#include "meristem/shape/detail.h"
 #include "meristem/shape/mesh_scene.h"
 #include "meristem/shape/plant_body.h"
 
@@ -17,8 +18,9 @@ Thickening find_thickening(const Plant& plant);
 
 /// The blended bodies and crown bodies of all stems, in their order; a body's material has no texture, as bodies have
 /// no uvs, and a crown's is its component's with the crown's colour: those that are new are appended to `materials`.
-/// Begins stages of `progress` where there are any. Throws as extract_isosurface does, at the component's surface.
-std::vector<MeshInstances> make_body_meshes(const Plant& plant, const Limits& limits, std::vector<Material>& materials,
-                                            Progress& progress);
+/// Beyond level 0 of `detail` they are simplified to its share of their triangles, but to no fewer than 200. Begins
+/// stages of `progress` where there are any. Throws as extract_isosurface does, at the component's surface.
+std::vector<MeshInstances> make_body_meshes(const Plant& plant, const Detail& detail, const Limits& limits,
+                                            std::vector<Material>& materials, Progress& progress);
 
 }  // namespace meristem

@@ -15,6 +15,7 @@
 
 #include "meristem/base/parallel.h"
 #include "meristem/shape/body_meshes.h"
+#include "meristem/shape/detail_plan.h"
 #include "meristem/shape/stem_looks.h"
 #include "meristem/shape/tangents.h"
 #include "meristem/shape/tube_plan.h"
@@ -62,9 +63,9 @@ class Tally {
   std::map<std::string_view, std::uint64_t> of_;
 };
 
-std::vector<std::size_t> organs_of_prototypes(const Plant& plant) {
+std::vector<std::size_t> organs_of_prototypes(const Plant& plant, const OrganDetail& organs) {
   std::vector<std::size_t> counts(plant.prototypes.size(), 0);
-  for (const Organ& organ : plant.organs) ++counts[organ.prototype];
+  for (std::size_t i = 0; i < plant.organs.size(); ++i) counts[plant.organs[i].prototype] += organs.shows(i) ? 1 : 0;
   return counts;
 }
 
@@ -73,7 +74,8 @@ struct StemPlan {
   StemLooks looks;
   TubePlan tubes;
 
-  explicit StemPlan(const Stem& stem) : looks(stem), tubes(stem.skeleton, wears(stem, looks), stem.part_of_axis) {}
+  StemPlan(const Stem& stem, const Detail& detail)
+      : looks(stem), tubes(plan_tubes(stem.skeleton, wears(stem, looks), stem.part_of_axis, detail)) {}
 
  private:
   static std::vector<TubeWear> wears(const Stem& stem, const StemLooks& looks) {
@@ -84,17 +86,28 @@ struct StemPlan {
   }
 };
 
-std::vector<std::unique_ptr<StemPlan>> plan_stems(const Plant& plant) {
+std::vector<std::unique_ptr<StemPlan>> plan_stems(const Plant& plant, const Detail& detail) {
   std::vector<std::unique_ptr<StemPlan>> plans(plant.stems.size());
   parallel_for(plans.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) plans[i] = std::make_unique<StemPlan>(plant.stems[i]);
+    for (std::size_t i = begin; i < end; ++i) plans[i] = std::make_unique<StemPlan>(plant.stems[i], detail);
   });
   return plans;
 }
 
+/// What a plant's stems and organs will make.
+struct ScenePlan {
+  std::vector<std::unique_ptr<StemPlan>> stems;
+  OrganDetail organs;
+  std::vector<std::size_t> organ_counts;  // of each prototype
+
+  ScenePlan(const Plant& plant, const Detail& detail)
+      : stems(plan_stems(plant, detail)),
+        organs(plan_organs(plant, detail)),
+        organ_counts(organs_of_prototypes(plant, organs)) {}
+};
+
 /// Throws where the scene would pass a limit.
-void check_limits(const Plant& plant, const std::vector<MeshInstances>& bodies,
-                  const std::vector<std::unique_ptr<StemPlan>>& plans, const std::vector<std::size_t>& organs,
+void check_limits(const Plant& plant, const std::vector<MeshInstances>& bodies, const ScenePlan& scene,
                   const Limits& limits) {
   Tally triangles;
   Tally bytes;
@@ -102,7 +115,7 @@ void check_limits(const Plant& plant, const std::vector<MeshInstances>& bodies,
     triangles.add(body.component, body.mesh->triangle_count());
     bytes.add(body.component, body.mesh->bytes());
   }
-  for (const std::unique_ptr<StemPlan>& plan : plans) {
+  for (const std::unique_ptr<StemPlan>& plan : scene.stems) {
     for (std::size_t k = 0; k < plan->tubes.sizes().size(); ++k) {
       const std::string& component = plan->looks.first_part[k]->component;
       const TubeSize size = plan->tubes.sizes()[k];
@@ -114,10 +127,11 @@ void check_limits(const Plant& plant, const std::vector<MeshInstances>& bodies,
       }
     }
   }
-  for (std::size_t i = 0; i < organs.size(); ++i) {
-    const OrganPrototype& prototype = plant.prototypes[i];
-    triangles.add(prototype.component, prototype.mesh->triangle_count() * organs[i]);
-    bytes.add(prototype.component, prototype.mesh->bytes() + organs[i] * sizeof(Frame));
+  for (std::size_t i = 0; i < plant.prototypes.size(); ++i) {
+    const std::string& component = plant.prototypes[i].component;
+    const Mesh& mesh = *scene.organs.meshes[i];
+    triangles.add(component, mesh.triangle_count() * scene.organ_counts[i]);
+    bytes.add(component, mesh.bytes() + scene.organ_counts[i] * sizeof(Frame));
   }
   triangles.check("triangles", limits.triangles, "triangles");
   bytes.check("bytes of geometry", limits.mesh_bytes, "mesh_bytes");
@@ -148,22 +162,24 @@ std::vector<MeshInstances> clothe_stems(const std::vector<std::unique_ptr<StemPl
 }
 
 /// The frames of each prototype's organs, in the order of the organs.
-std::vector<MeshInstances> place_organs(const Plant& plant, const std::vector<std::size_t>& organs,
-                                        Progress& progress) {
+std::vector<MeshInstances> place_organs(const Plant& plant, const ScenePlan& scene, Progress& progress) {
   std::vector<MeshInstances> placed(plant.prototypes.size());
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const OrganPrototype& prototype = plant.prototypes[i];
-    auto mesh = with_needed_tangents(prototype.mesh, plant.materials[prototype.material]);
+    auto mesh = with_needed_tangents(scene.organs.meshes[i], plant.materials[prototype.material]);
     placed[i] = {prototype.component, std::move(mesh), prototype.material, {}, {}};
-    placed[i].frames.reserve(organs[i]);
-    placed[i].tints.reserve(organs[i]);
+    placed[i].frames.reserve(scene.organ_counts[i]);
+    placed[i].tints.reserve(scene.organ_counts[i]);
   }
   for (std::size_t begin = 0; begin < plant.organs.size(); begin += kOrgansPerBlock) {
     const std::size_t end = std::min(begin + kOrgansPerBlock, plant.organs.size());
     for (std::size_t i = begin; i < end; ++i) {
-      MeshInstances& instances = placed[plant.organs[i].prototype];
-      instances.frames.push_back(plant.organs[i].frame);
-      instances.tints.push_back(plant.organs[i].tint);
+      if (!scene.organs.shows(i)) continue;
+      const Organ& organ = plant.organs[i];
+      MeshInstances& instances = placed[organ.prototype];
+      instances.frames.push_back(organ.frame);
+      if (!scene.organs.scale.empty()) instances.frames.back().axes *= scene.organs.scale[organ.prototype];
+      instances.tints.push_back(organ.tint);
     }
     progress.advance(end - begin);
   }
@@ -230,18 +246,18 @@ Box MeshScene::bounds() const {
   return box;
 }
 
-MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& progress) {
+MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& progress, const Detail& detail) {
   check_references(plant);
-  const std::vector<std::size_t> organs = organs_of_prototypes(plant);
-  const std::vector<std::unique_ptr<StemPlan>> plans = plan_stems(plant);
-  check_limits(plant, {}, plans, organs, limits);
+  check_detail(detail);
+  const ScenePlan plan(plant, detail);
+  check_limits(plant, {}, plan, limits);
   std::vector<Material> materials = plant.materials;
-  std::vector<MeshInstances> bodies = make_body_meshes(plant, limits, materials, progress);
-  check_limits(plant, bodies, plans, organs, limits);
+  std::vector<MeshInstances> bodies = make_body_meshes(plant, detail, limits, materials, progress);
+  check_limits(plant, bodies, plan, limits);
   progress.begin("meshing", plant.node_count() + plant.organs.size());
-  std::vector<MeshInstances> meshes = clothe_stems(plans, plant.materials, progress);
+  std::vector<MeshInstances> meshes = clothe_stems(plan.stems, plant.materials, progress);
   std::move(bodies.begin(), bodies.end(), std::back_inserter(meshes));
-  std::vector<MeshInstances> placed = place_organs(plant, organs, progress);
+  std::vector<MeshInstances> placed = place_organs(plant, plan, progress);
   std::move(placed.begin(), placed.end(), std::back_inserter(meshes));
   return {std::move(materials), grouped(std::move(meshes))};
 }

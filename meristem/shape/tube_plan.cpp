@@ -30,7 +30,7 @@ float flare_factor(const Surface& surface, float base_radius, float metres) {
 }
 
 TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::vector<std::uint32_t> wear_of_axis)
-    : skeleton_(skeleton), wears_(std::move(wears)), wear_of_axis_(std::move(wear_of_axis)), axes_(skeleton) {
+    : skeleton_(&skeleton), wears_(std::move(wears)), wear_of_axis_(std::move(wear_of_axis)), axes_(skeleton) {
   thickest_.resize(wears_.size(), 0);
   for (std::size_t node = 0; node < skeleton.node_count(); ++node) {
     float& thickest = thickest_[wear(skeleton.axis[node])];
@@ -72,7 +72,7 @@ TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::v
 
 AxisPath TubePlan::path(AxisIndex axis) const {
   const auto nodes = std::span(kept_).subspan(axes_.first[axis], kept_count_[axis]);
-  return {&skeleton_, radii_, nodes, nodes.empty() ? kNoNode : skeleton_.parent[nodes[0]]};
+  return {skeleton_, radii_, nodes, nodes.empty() ? kNoNode : skeleton_->parent[nodes[0]]};
 }
 
 float TubePlan::roundness(std::size_t axis) const {
@@ -81,7 +81,7 @@ float TubePlan::roundness(std::size_t axis) const {
 }
 
 Bark TubePlan::bark_below(const AxisPath& lateral) const {
-  const AxisPath mother = path(skeleton_.axis[lateral.mother]);
+  const AxisPath mother = path(skeleton_->axis[lateral.mother]);
   // Her nearest ring at or before the node.
   const auto after = std::upper_bound(mother.nodes.begin(), mother.nodes.end(), lateral.mother);
   const auto before = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - mother.nodes.begin() - 1));
@@ -93,30 +93,30 @@ Bark TubePlan::bark_below(const AxisPath& lateral) const {
 /// near its ends, which keep theirs.
 void TubePlan::smooth_radii(AxisIndex axis) {
   const std::span<const NodeIndex> nodes = axes_.of(axis);
-  for (const NodeIndex node : nodes) radii_[node] = skeleton_.radius[node];
+  for (const NodeIndex node : nodes) radii_[node] = skeleton_->radius[node];
   const float smooth = surface(axis).smooth;
   if (nodes.size() < 3 || !(smooth > 0)) return;
   // Sum up length and the area under the radii along the axis.
   std::vector<float> way(nodes.size(), 0);
   std::vector<double> area(nodes.size(), 0);
   for (std::size_t i = 1; i < nodes.size(); ++i) {
-    const float length = glm::distance(skeleton_.position[nodes[i]], skeleton_.position[nodes[i - 1]]);
+    const float length = glm::distance(skeleton_->position[nodes[i]], skeleton_->position[nodes[i - 1]]);
     way[i] = way[i - 1] + length;
-    area[i] = area[i - 1] + 0.5 * length * (skeleton_.radius[nodes[i - 1]] + skeleton_.radius[nodes[i]]);
+    area[i] = area[i - 1] + 0.5 * length * (skeleton_->radius[nodes[i - 1]] + skeleton_->radius[nodes[i]]);
   }
   const auto area_before = [&](float place) {
     const auto after = std::upper_bound(way.begin() + 1, way.end() - 1, place);
     const auto i = static_cast<std::size_t>(after - way.begin()) - 1;
-    const float from = skeleton_.radius[nodes[i]];
+    const float from = skeleton_->radius[nodes[i]];
     const float length = way[i + 1] - way[i];
     const float share = length > 0 ? (place - way[i]) / length : 0;
-    const float to = glm::mix(from, skeleton_.radius[nodes[i + 1]], share);
+    const float to = glm::mix(from, skeleton_->radius[nodes[i + 1]], share);
     return area[i] + 0.5 * (place - way[i]) * (from + to);
   };
   for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
     const float room = std::min(way[i], way.back() - way[i]);
-    const float half = std::min(smooth * skeleton_.radius[nodes[i]], room);
-    if (!(half > 1e-3F * skeleton_.radius[nodes[i]])) continue;
+    const float half = std::min(smooth * skeleton_->radius[nodes[i]], room);
+    if (!(half > 1e-3F * skeleton_->radius[nodes[i]])) continue;
     const double mean = (area_before(way[i] + half) - area_before(way[i] - half)) / (2.0 * half);
     radii_[nodes[i]] = static_cast<float>(mean);
   }
@@ -141,12 +141,12 @@ void TubePlan::choose_rings(AxisIndex axis) {
 
 /// Whether the axis's nodes between two of it lie on the line that joins them, and their radii too.
 bool TubePlan::is_straight(std::span<const NodeIndex> nodes, std::size_t from, std::size_t to, float error) const {
-  const Vec3 base = skeleton_.position[nodes[from]];
-  const Vec3 chord = skeleton_.position[nodes[to]] - base;
+  const Vec3 base = skeleton_->position[nodes[from]];
+  const Vec3 chord = skeleton_->position[nodes[to]] - base;
   const float length2 = glm::dot(chord, chord);
   if (!(length2 > 0)) return false;
   for (std::size_t i = from + 1; i < to; ++i) {
-    const Vec3 offset = skeleton_.position[nodes[i]] - base;
+    const Vec3 offset = skeleton_->position[nodes[i]] - base;
     const float share = glm::dot(offset, chord) / length2;
     const float radius = radii_[nodes[i]];
     const Vec3 aside = offset - share * chord;
@@ -170,7 +170,7 @@ void TubePlan::choose_sides(AxisIndex axis) {
 
 void TubePlan::count_rings(AxisIndex axis) {
   const AxisPath points = path(axis);
-  if (points.size() < 2 || surface(axis).style != Surface::Style::tubes) return;
+  if (points.size() < 2 || surface(axis).style != Surface::Style::tubes || wears_[wear(axis)].left_out) return;
   AxisPlan& plan = plans_[axis];
   plan_start(points, plan, axis);
   // The start, the bends between it and the tip, and the tip.
@@ -193,7 +193,7 @@ void TubePlan::plan_start(const AxisPath& points, AxisPlan& plan, AxisIndex axis
     if (flares) plan.flare_rings = AxisPlan::kFlareRings;
     return;
   }
-  const float hollow = roundness(skeleton_.axis[points.mother]);
+  const float hollow = roundness(skeleton_->axis[points.mother]);
   const bool is_round = plan.sides >= kRoundCollar;
   if (surface(axis).collar > 0 && is_round && kLeastCollar * plan.start_radius > hollow) {
     plan.collar = plan_collar(points, bark_below(points), surface(axis).collar);
@@ -204,16 +204,16 @@ void TubePlan::plan_start(const AxisPath& points, AxisPlan& plan, AxisIndex axis
 
 /// The radius of the largest disc about a node that its tube hides however the disc is turned.
 float TubePlan::room_inside(NodeIndex node) const {
-  const std::span<const NodeIndex> nodes = axes_.of(skeleton_.axis[node]);
+  const std::span<const NodeIndex> nodes = axes_.of(skeleton_->axis[node]);
   const float radius = std::max(radii_[node], kThinnestTube);
   // The flats of the tube are nearer than its corners, its line may stray from the node, and where it tapers the
   // nearest point lies ahead.
-  const AxisIndex axis = skeleton_.axis[node];
+  const AxisIndex axis = skeleton_->axis[node];
   const double flat = std::max(0.3, math::cos(kPi / plans_[axis].sides) - 2.0 * surface(axis).error);
   const auto next = std::upper_bound(nodes.begin(), nodes.end(), node);
   double taper = 0;
   if (next != nodes.end()) {
-    const float length = glm::distance(skeleton_.position[*next], skeleton_.position[node]);
+    const float length = glm::distance(skeleton_->position[*next], skeleton_->position[node]);
     taper = std::max(0.0F, radius - radii_[*next]) / std::max(length, kThinnestTube);
   }
   return static_cast<float>(kHidden * radius * flat / std::sqrt(1 + taper * taper));

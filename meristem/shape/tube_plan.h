@@ -49,6 +49,7 @@ float flare_factor(const Surface& surface, float base_radius, float metres);
 struct TubeWear {
   Surface surface;
   std::uint32_t mesh = 0;
+  bool left_out = false;  ///< they get no tubes; what stands on them is left out, too
 };
 
 /// All axes of a skeleton with their places in meshes.
@@ -82,7 +83,7 @@ class TubePlan {
   void plan_start(const AxisPath& points, AxisPlan& plan, AxisIndex axis) const;
   float room_inside(NodeIndex node) const;
 
-  const Skeleton& skeleton_;
+  const Skeleton* skeleton_;
   std::vector<TubeWear> wears_;
   std::vector<std::uint32_t> wear_of_axis_;
   Axes axes_;

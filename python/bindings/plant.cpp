@@ -140,13 +140,21 @@ py::dict table_of(const PlantInPython& plant) {
   return columns;
 }
 
-void save(const PlantPointer& plant, const py::object& path, bool instanced, int threads, const py::object& progress) {
+void save(const PlantPointer& plant, const py::object& path, bool instanced, int lod, int threads,
+          const py::object& progress) {
   const std::string target = file_of(path);
   const Format& format = format_of(target);
   if (instanced && !format.can_instance) throw py::value_error("only .glb can be instanced");
+  if (lod < 0 || lod > kCoarsestDetail) {
+    throw py::value_error(fmt::format("lod is {}; expected 0 to {}", lod, kCoarsestDetail));
+  }
+  if (lod > 0 && !format.has_meshes) throw py::value_error("only files with meshes have levels of detail");
   check_grown_output(plant->origin->document, target);
   watch_of(progress)->run(threads, [&](Progress& inner) {
-    format.write(plant->origin->document, plant->grown, target, {.instanced = instanced}, inner);
+    const Document& document = plant->origin->document;
+    if (lod == 0) return format.write(document, plant->grown, target, {.instanced = instanced}, inner);
+    GrownDocument coarse{plant->grown.plant, mesh_detail(document, plant->grown.plant, {.level = lod}, inner)};
+    format.write(document, coarse, target, {.instanced = instanced}, inner);
   });
 }
 
@@ -328,12 +336,13 @@ tree. Area ratios count from forks of `fork_diameter` metres; the lit share take
 
 "area" (m², of a blade one side), "exposure" (the share of the light's rays that arrive) and "irradiance" (the same times
 the cosine to the surface), both 0 to 1.)")
-      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("instanced") = false, py::arg("threads") = 0,
-           py::arg("progress") = py::none(),
+      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("instanced") = false, py::arg("lod") = 0,
+           py::arg("threads") = 0, py::arg("progress") = py::none(),
            R"(Writes the plant to a file, its format by its ending: .glb, .obj, .ply, .skeleton.ply, .csv.
 
-`instanced` writes leaves to .glb as places of one mesh: small files, that not every program reads. The file is there
-whole or not at all. Raises InputError for endings that are not known and files that were read, MachineError.)")
+`instanced` writes leaves to .glb as places of one mesh: small files, that not every program reads. `lod` (0 to 8) is
+the level of detail: each has about a quarter of the triangles of the one before. The file is there whole or not at all.
+Raises InputError for endings that are not known and files that were read, MachineError.)")
       .def("render", &render, py::kw_only(), py::arg("size") = py::none(), py::arg("samples") = py::none(),
            py::arg("view") = py::none(), py::arg("transparent") = false, py::arg("hull") = false,
            py::arg("threads") = 0, py::arg("progress") = py::none(),

@@ -117,6 +117,18 @@ def test_instanced_files_are_smaller(tmp_path: Path) -> None:
         plant.save(tmp_path / "tree.obj", instanced=True)
 
 
+def test_levels_of_detail_are_smaller_files(tmp_path: Path) -> None:
+    plant = grown_small_tree()
+    for level in range(3):
+        plant.save(tmp_path / f"{level}.ply", lod=level)
+    sizes = [(tmp_path / f"{level}.ply").stat().st_size for level in range(3)]
+    assert sizes[2] < sizes[1] < 0.6 * sizes[0]
+    with pytest.raises(ValueError, match="lod is 9; expected 0 to 8"):
+        plant.save(tmp_path / "tree.ply", lod=9)
+    with pytest.raises(ValueError, match="only files with meshes have levels of detail"):
+        plant.save(tmp_path / "tree.csv", lod=1)
+
+
 def test_saving_refuses_what_cannot_be_written(tmp_path: Path) -> None:
     document = meristem.Document(small_tree())
     document.save(tmp_path / "tree.json")

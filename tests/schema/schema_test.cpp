@@ -78,7 +78,7 @@ const std::vector<std::string>& good_documents() {
       R"({"meristem": 1, "variables": {"k": 40, "m": {"value": "2*3", "min": 1, "max": 9, "unit": "m", "doc": "d"}},
         "scene": {"latitude": 51, "sun": {"day": 100, "hour": "9+3"}, "ground": {"colour": "#000000"},
                   "sky": "1/4", "lamps": [{"position": [0, "m", 2], "strength": 0.3}, {"position": [0, 1, 2]}]},
-        "output": {"size": [10, "2*m"], "samples": 3}, "limits": {"nodes": 1000},
+        "output": {"size": [10, "2*m"], "samples": 3, "lod": 8}, "limits": {"nodes": 1000},
         "components": {
           "tree": {"type": "colonize", "crown": {"profile": [[1, 0], ["2", 3]]}, "points": {"count": "k"},
                    "step": 0.05, "finish": {"decimate": 0, "relax": true}, "surface": {"style": "tubes", "sides": 8}},
@@ -153,6 +153,8 @@ TEST(Schema, RejectsWhatTheReaderRejects) {
           R"({"meristem": 1, "components": {"a": {"type": "simple"}}, "scene": {"lamps": [{"strength": 3}]}})",
           R"({"meristem": 1, "components": {"a": {"type": "simple"}}, "scene": {"sun": {"day": 1, "days": [2, 3]}}})",
           R"({"meristem": 1, "components": {"a": {"type": "simple"}}, "output": {"size": [1]}})",
+          R"({"meristem": 1, "components": {"a": {"type": "simple"}}, "output": {"lod": 9}})",
+          R"({"meristem": 1, "components": {"a": {"type": "simple"}}, "output": {"lod": -1}})",
           R"({"meristem": 1, "components": {"a": {"type": "simple"}}, "limits": {"nodes": 0}})",
           R"({"meristem": 1, "components": {"a": {"type": "simple"}}, "seed": -1})",
       }) {

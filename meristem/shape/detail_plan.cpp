@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/shape/detail_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <string_view>
+
+#include "meristem/base/parallel.h"
+#include "meristem/base/random.h"
+#include "meristem/shape/coarsen.h"
+#include "meristem/shape/even_order.h"
+
+namespace meristem {
+namespace {
+
+constexpr float kLeastError = 0.03F;    // radii; from here on errors are doubled
+constexpr float kMostError = 0.5F;      // radii; beyond, bends would be lost that are longer than the branch is thick
+constexpr std::size_t kFewOrgans = 16;  // of a component: so many are always shown, as they may be a tree's fruits
+constexpr float kMostEnlarged = 3;      // raised, crowns stay full farther, of leaves that are plainly too large
+
+std::uint64_t triangle_count(const TubePlan& plan) {
+  std::uint64_t count = 0;
+  for (const TubeSize size : plan.sizes()) count += size.triangles;
+  return count;
+}
+
+/// The radius at which each axis begins, or that of the thinnest one between it and the root.
+std::vector<float> thinnest_below(const Skeleton& skeleton, std::size_t axes) {
+  std::vector<float> radius(axes, -1);
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    float& own = radius[skeleton.axis[node]];
+    if (own >= 0) continue;
+    const NodeIndex parent = skeleton.parent[node];
+    const float below = parent == kNoNode ? std::numeric_limits<float>::infinity() : radius[skeleton.axis[parent]];
+    own = std::min(skeleton.radius[node], below);
+  }
+  return radius;
+}
+
+/// The plan without its thinnest axes, of no more than so many triangles if one axis has no more.
+TubePlan without_thin_axes(const Skeleton& skeleton, const TubePlan& plan, std::vector<TubeWear> wears,
+                           std::vector<std::uint32_t> wear_of_axis, std::uint64_t triangles) {
+  const std::vector<float> radius = thinnest_below(skeleton, plan.axis_count());
+  std::vector<AxisIndex> order(plan.axis_count());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](AxisIndex a, AxisIndex b) { return radius[a] > radius[b]; });
+  // Each wear has one beside it that is not to be seen.
+  const auto seen = static_cast<std::uint32_t>(wears.size());
+  for (std::uint32_t k = 0; k < seen; ++k) wears.push_back({wears[k].surface, wears[k].mesh, true});
+  wear_of_axis.resize(plan.axis_count(), 0);
+  std::uint64_t count = 0;
+  bool is_first = true;
+  for (const AxisIndex axis : order) {
+    if (plan[axis].triangles() == 0) continue;
+    count += plan[axis].triangles();
+    if (count > triangles && !is_first) wear_of_axis[axis] += seen;
+    is_first = false;
+  }
+  return {skeleton, std::move(wears), std::move(wear_of_axis)};
+}
+
+/// The numbers of each component's organs, in their order.
+std::map<std::string_view, std::vector<std::uint32_t>> organs_by_component(const Plant& plant) {
+  std::map<std::string_view, std::vector<std::uint32_t>> organs;
+  for (std::uint32_t k = 0; k < plant.organs.size(); ++k) {
+    organs[plant.prototypes[plant.organs[k].prototype].component].push_back(k);
+  }
+  return organs;
+}
+
+double area_of(const Mesh& mesh) {
+  double area = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec3 corner = mesh.positions[a];
+    area += 0.5 * glm::length(glm::cross(mesh.positions[b] - corner, mesh.positions[c] - corner));
+  }
+  return area;
+}
+
+/// Of all organs of a component, each as large as its prototype.
+struct OrganSums {
+  double triangles_before = 0;  // with the plant's own meshes
+  double area_before = 0;
+  double triangles = 0;
+  double area = 0;
+};
+
+OrganSums sums_of(const Plant& plant, const std::vector<std::uint32_t>& members,
+                  const std::vector<std::shared_ptr<const Mesh>>& meshes) {
+  std::map<std::uint32_t, double> counts;
+  for (const std::uint32_t organ : members) ++counts[plant.organs[organ].prototype];
+  OrganSums sums;
+  for (const auto& [prototype, count] : counts) {
+    const Mesh& before = *plant.prototypes[prototype].mesh;
+    const Mesh& mesh = *meshes[prototype];
+    sums.triangles_before += count * static_cast<double>(before.triangle_count());
+    sums.area_before += count * area_of(before);
+    sums.triangles += count * static_cast<double>(mesh.triangle_count());
+    sums.area += count * area_of(mesh);
+  }
+  return sums;
+}
+
+void coarsen_all(std::vector<std::shared_ptr<const Mesh>>& meshes, double share) {
+  parallel_for(meshes.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const auto wanted = static_cast<std::size_t>(share * static_cast<double>(meshes[k]->triangle_count()) + 0.5);
+      meshes[k] = std::make_shared<const Mesh>(coarsened(*meshes[k], wanted));
+    }
+  });
+}
+
+}  // namespace
+
+TubePlan plan_tubes(const Skeleton& skeleton, const std::vector<TubeWear>& wears,
+                    const std::vector<std::uint32_t>& wear_of_axis, const Detail& detail) {
+  TubePlan plan(skeleton, wears, wear_of_axis);
+  if (detail.level == 0) return plan;
+  const auto wanted = static_cast<std::uint64_t>(detail.kept() * static_cast<double>(triangle_count(plan)));
+  std::vector<TubeWear> coarse = wears;
+  for (TubeWear& wear : coarse) {
+    const double sides = wear.surface.sides * std::sqrt(detail.kept());
+    wear.surface.sides = std::max(3, static_cast<int>(sides + 0.5));
+  }
+  plan = TubePlan(skeleton, coarse, wear_of_axis);
+  for (float error = 2 * kLeastError; triangle_count(plan) > wanted && error <= kMostError; error *= 2) {
+    for (TubeWear& wear : coarse) wear.surface.error = std::max(wear.surface.error, error);
+    plan = TubePlan(skeleton, coarse, wear_of_axis);
+  }
+  if (triangle_count(plan) <= wanted) return plan;
+  return without_thin_axes(skeleton, plan, coarse, wear_of_axis, wanted);
+}
+
+OrganDetail plan_organs(const Plant& plant, const Detail& detail) {
+  OrganDetail organs;
+  for (const OrganPrototype& prototype : plant.prototypes) organs.meshes.push_back(prototype.mesh);
+  if (detail.level == 0) return organs;
+  organs.shown.resize(plant.organs.size(), 1);
+  organs.scale.resize(plant.prototypes.size(), 1);
+  const auto groups = organs_by_component(plant);
+  std::map<std::string_view, double> shares;
+  for (int level = 1; level <= detail.level; ++level) {
+    coarsen_all(organs.meshes, detail.share);
+    // What is left to do falls from level to level, so that none shows what one before does not.
+    for (const auto& [component, members] : groups) {
+      const OrganSums sums = sums_of(plant, members, organs.meshes);
+      double& share = shares.try_emplace(component, 1.0).first->second;
+      share = std::min(share, detail.kept(level) * sums.triangles_before / std::max(1.0, sums.triangles));
+    }
+  }
+  const RandomKey key = RandomKey().child("detail");
+  for (const auto& [component, members] : groups) {
+    const auto all = static_cast<double>(members.size());
+    const auto wanted = static_cast<std::size_t>(all * shares.at(component));
+    const std::size_t shown = std::max(std::min(members.size(), kFewOrgans), wanted);
+    if (shown < members.size()) {
+      const std::vector<std::uint32_t> order = even_order(members.size(), key.child(component));
+      for (std::size_t k = shown; k < order.size(); ++k) organs.shown[members[order[k]]] = 0;
+    }
+    const OrganSums sums = sums_of(plant, members, organs.meshes);
+    if (!(sums.area > 0)) continue;
+    const double lost = sums.area_before * all / (sums.area * static_cast<double>(shown));
+    const float scale = std::clamp(static_cast<float>(std::sqrt(lost)), 1.0F, kMostEnlarged);
+    for (const std::uint32_t organ : members) organs.scale[plant.organs[organ].prototype] = scale;
+  }
+  return organs;
+}
+
+}  // namespace meristem

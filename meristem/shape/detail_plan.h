@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// What of a plant a level of detail shows, and how coarsely.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "meristem/base/mesh.h"
+#include "meristem/base/progress.h"
+#include "meristem/plant/plant.h"
+#include "meristem/shape/detail.h"
+#include "meristem/shape/tube_plan.h"
+
+namespace meristem {
+
+/// The tubes of one skeleton. Beyond level 0 they have fewer sides, then fewer rings, and then the thinnest axes, with
+/// what stands on them, are left out until the share of triangles is met; the thickest axis stays.
+TubePlan plan_tubes(const Skeleton& skeleton, const std::vector<TubeWear>& wears,
+                    const std::vector<std::uint32_t>& wear_of_axis, const Detail& detail);
+
+/// What is shown of a plant's organs.
+struct OrganDetail {
+  std::vector<std::shared_ptr<const Mesh>> meshes;  ///< of each prototype
+  std::vector<std::uint8_t> shown;                  ///< 1 or 0 of each organ; empty: all are
+  std::vector<float> scale;                         ///< of each prototype's organs, from their origin; empty: 1
+
+  bool shows(std::size_t organ) const { return shown.empty() || shown[organ] != 0; }
+};
+
+/// Beyond level 0 organs have coarser meshes (coarsen.h), down to those of two triangles. Where that does not suffice,
+/// of each component with many organs an even choice is shown, larger, so that their area in all stays unless they
+/// would have to be more than three times as long. A level shows no organ that one before does not.
+OrganDetail plan_organs(const Plant& plant, const Detail& detail);
+
+}  // namespace meristem

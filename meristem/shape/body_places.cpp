@@ -14,6 +14,7 @@ namespace {
 constexpr int kDeepest = 40;            // halvings
 constexpr double kError = 1e-3;         // of a cell
 constexpr double kGradientStep = 0.05;  // of a cell
+constexpr double kNear = 0.2;           // cells outside to which values count, for gradients
 constexpr std::array<Vec3, 4> kCorners{Vec3(1, -1, -1), Vec3(-1, -1, 1), Vec3(-1, 1, -1), Vec3(1, 1, 1)};
 
 glm::ivec3 corner_of(int k) { return {k & 1, k >> 1 & 1, k >> 2}; }
@@ -27,7 +28,7 @@ class BodyFiller {
         key_(key),
         progress_(progress),
         gaps_(blend_gaps(body, kError * grid.spacing)),
-        pruner_(body, gaps_),
+        pruner_(body, gaps_, kNear * grid.spacing),
         sampler_(body),
         levels_(kDeepest) {}
 
@@ -47,39 +48,45 @@ class BodyFiller {
     progress_.check();
     const double half = 0.5 * side * grid_.spacing;
     const DVec3 middle = grid_.origin + grid_.spacing * (DVec3(at) + 0.5 * side);
-    pruner_.bound(steps, {middle, 0.5 * half, half});
-    std::array<std::vector<FieldStep>, 8>& kept = levels_[depth];
-    std::array<bool, 8> counts{};
+    near_.rebase(body_, steps, middle);
+    pruner_.bound(steps, near_, {0.5 * half, half});
+    std::uint32_t open = 0;
     for (int k = 0; k < 8; ++k) {
       const ValueRange range = pruner_.range(k);
-      counts[k] = range.low < 0 && range.high > -grid_.depth;
-      if (counts[k]) pruner_.keep(k, 0, kept[k]);
+      if (range.low < 0 && range.high > -grid_.depth) open |= 1U << k;
     }
+    if (open == 0) return;
+    std::array<std::vector<FieldStep>, 8>& kept = levels_[depth];
+    pruner_.keep(open, 0, kept);
     for (int k = 0; k < 8; ++k) {
-      if (!counts[k] || places_.size() > grid_.most) continue;
+      if ((open >> k & 1) == 0 || places_.size() > grid_.most) continue;
       const glm::ivec3 corner = at + side / 2 * corner_of(k);
       if (side == 2) {
-        place(corner, kept[k]);
+        place(corner, kept[k], middle);
       } else {
         fill(corner, side / 2, kept[k], depth + 1);
       }
     }
   }
 
-  void place(glm::ivec3 cell, std::span<const FieldStep> steps) {
+  /// Takes the place of a cell, whose solids are near `origin`, if it lies in the body.
+  void place(glm::ivec3 cell, std::span<const FieldStep> steps, DVec3 origin) {
     const RandomKey key = key_of(cell);
     const DVec3 share(key.uniform(0), key.uniform(1), key.uniform(2));
     const DVec3 position = grid_.origin + grid_.spacing * (DVec3(cell) + share);
-    sampler_.aim(steps, position);
     // The place itself, and four about it for the gradient.
-    std::array<float, 5> x{}, y{}, z{}, values{};
+    const Vec3 local(position - origin);
+    std::array<float, 5> x, y, z, values;
+    x.fill(local.x);
+    y.fill(local.y);
+    z.fill(local.z);
     const auto step = static_cast<float>(kGradientStep * grid_.spacing);
     for (std::size_t k = 0; k < kCorners.size(); ++k) {
-      x[k + 1] = step * kCorners[k].x;
-      y[k + 1] = step * kCorners[k].y;
-      z[k + 1] = step * kCorners[k].z;
+      x[k + 1] += step * kCorners[k].x;
+      y[k + 1] += step * kCorners[k].y;
+      z[k + 1] += step * kCorners[k].z;
     }
-    sampler_.sample(x.data(), y.data(), z.data(), values.size(), values.data());
+    sampler_.sample(steps, near_, x.data(), y.data(), z.data(), values.size(), values.data());
     if (!(values[0] < 0) || values[0] < -grid_.depth) return;
     Vec3 gradient{0};
     for (std::size_t k = 0; k < kCorners.size(); ++k) gradient += kCorners[k] * values[k + 1];
@@ -96,6 +103,7 @@ class BodyFiller {
   RandomKey key_;
   Progress& progress_;
   std::vector<float> gaps_;
+  NearSolids near_;
   FieldPruner pruner_;
   FieldSampler sampler_;
   std::vector<std::array<std::vector<FieldStep>, 8>> levels_;

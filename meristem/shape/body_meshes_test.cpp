@@ -53,7 +53,7 @@ TEST(BodyMeshes, ABlendedStemIsOneClosedMeshAndNoTubes) {
 TEST(BodyMeshes, TubesHaveNone) {
   Progress progress;
   std::vector<Material> materials(1);
-  EXPECT_TRUE(make_body_meshes(fork_in({}), {}, materials, progress).empty());
+  EXPECT_TRUE(make_body_meshes(fork_in({}), {}, {}, materials, progress).empty());
   EXPECT_EQ(materials.size(), 1U);
 }
 
@@ -158,7 +158,7 @@ TEST(BodyMeshes, StopWhenAsked) {
   Progress progress;
   progress.cancel();
   std::vector<Material> materials(1);
-  EXPECT_THROW(make_body_meshes(fork_in(blended()), {}, materials, progress), Cancelled);
+  EXPECT_THROW(make_body_meshes(fork_in(blended()), {}, {}, materials, progress), Cancelled);
 }
 
 }  // namespace

@@ -183,7 +183,7 @@ const Rejection kRejections[] = {
     {"LinkWithoutEnd", linked(R"({"from": "tree"})"),
      "2:11: links[0]: the link has no 'to'; expected the id of a component"},
     {"LinkKind", linked(R"({"from": "tree", "to": "leaf", "kind": "brunch", "density": 3})"),
-     "2:50: links[0].kind: 'brunch' is not a value of 'kind'; expected one of child, branch, leaf; did you mean "
+     "2:50: links[0].kind: 'brunch' is not a value of 'kind'; expected one of child, branch, leaf, crown; did you mean "
      "'branch'?"},
     {"LinkKey", linked(R"({"from": "tree", "to": "leaf", "kind": "branch", "densty": 3})"),
      "2:60: links[0].densty: 'densty' is not a parameter of a branch link; did you mean 'density'?"},

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "meristem/base/parallel.h"
+#include "meristem/shape/front_normals.h"
 #include "meristem/shape/isosurface.h"
 #include "meristem/shape/plant_body.h"
 #include "meristem/shape/shading.h"
@@ -72,7 +73,10 @@ Mesh mesh_of(const BodyTask& task, const Detail& detail, const Limits& limits, P
   options.normals = !is_flat;
   Mesh mesh = extract_isosurface(body_of(task), options, limits, task.path(), progress);
   const std::size_t target = triangles_of(mesh.triangle_count(), triangles, detail);
-  if (target < mesh.triangle_count()) mesh = simplify(mesh, {.triangles = target}, progress);
+  if (target < mesh.triangle_count()) {
+    mesh = simplify(mesh, {.triangles = target}, progress);
+    if (!is_flat) turn_to_front(mesh);
+  }
   return is_flat ? flat_shaded(mesh) : mesh;
 }
 

@@ -80,6 +80,15 @@ std::vector<Site> place_in_crown(const Skeleton& skeleton, const Surface& surfac
                 .spacing = 1 / math::pow(placement.density, 1.0 / 3),
                 .most = context.limits->instances};
   if (placement.depth) grid.depth = *placement.depth;
+  // One ball alone tells whether there are far too many.
+  const double radius = 0.5 * surface.crown->diameter;
+  const double in_ball = placement.depth ? 0 : placement.density * 4 * kPi / 3 * radius * radius * radius;
+  const DVec3 size = body.high() - body.low() + 2 * body.reach();
+  const double cells = std::max({size.x, size.y, size.z}) / grid.spacing;
+  if (in_ball > 2 * static_cast<double>(context.limits->instances) || cells > kMostBodyCells) {
+    throw_limit("children", std::max(in_ball, cells), context.limits->instances, "instances",
+                context.path + ".density");
+  }
   const std::vector<BodyPlace> places = places_in(body, grid, context.parent.key, progress);
   if (places.size() > context.limits->instances) {
     throw_limit("children or more", static_cast<double>(places.size()), context.limits->instances, "instances",

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "meristem/base/frame.h"
 #include "meristem/shape/field_part.h"
@@ -33,9 +34,14 @@ class BodyFiller {
         levels_(kDeepest) {}
 
   std::vector<BodyPlace> run() {
-    const glm::ivec3 low(glm::floor((body_.low() - body_.reach() - grid_.origin) / grid_.spacing));
-    const glm::ivec3 high(glm::ceil((body_.high() + body_.reach() - grid_.origin) / grid_.spacing));
-    const glm::ivec3 size = high - low;
+    const DVec3 first = glm::floor((body_.low() - body_.reach() - grid_.origin) / grid_.spacing);
+    const DVec3 last = glm::ceil((body_.high() + body_.reach() - grid_.origin) / grid_.spacing);
+    const DVec3 farthest = glm::max(glm::abs(first), glm::abs(last));
+    if (!(std::max({farthest.x, farthest.y, farthest.z}) <= 2 * kMostBodyCells)) {
+      throw std::invalid_argument("a body has too many cells for places");
+    }
+    const glm::ivec3 low(first);
+    const glm::ivec3 size = glm::ivec3(last) - low;
     int side = 2;
     while (side < std::max({size.x, size.y, size.z})) side *= 2;
     fill(low, side, all_steps(body_), 0);

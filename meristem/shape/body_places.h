@@ -13,6 +13,9 @@
 
 namespace meristem {
 
+/// Along one side of a grid, at most.
+inline constexpr double kMostBodyCells = 1 << 29;
+
 /// Where in a body to take places.
 struct BodyGrid {
   DVec3 origin{0};                   ///< a corner of the grid's cells
@@ -29,7 +32,8 @@ struct BodyPlace {
 
 /// One place in each cell of a grid, anywhere in it by `key`, of those that lie in the body: as dense everywhere.
 /// Whether a cell has one does not depend on what else there is. Cost by places and by the body's surface, not by the
-/// size of its box. Throws Cancelled.
+/// size of its box. Throws Cancelled;
+/// std::invalid_argument for more than kMostBodyCells along the body's box.
 std::vector<BodyPlace> places_in(const ImplicitBody& body, const BodyGrid& grid, RandomKey key, Progress& progress);
 
 }  // namespace meristem

@@ -36,9 +36,9 @@ Mat3 axes_at(const BodyPlace& place, const CrownPlacement& placement, RandomKey 
   if (placement.orient == CrownPlacement::Orient::random) return any_rotation(key.child("turn"));
   Mat3 axes = frame_along({}, place.outward, kUp).axes;
   if (placement.turn > 0) {
-    const double about = 2 * kPi * key.uniform(0);
-    const Vec3 aside = rotation(axes[1], about) * axes[0];
-    axes = rotation(aside, placement.turn * key.uniform(1)) * axes;
+    const RandomKey turn = key.child("turn");
+    const Vec3 aside = rotation(axes[1], 2 * kPi * turn.uniform(0)) * axes[0];
+    axes = rotation(aside, placement.turn * turn.uniform(1)) * axes;
   }
   return axes;
 }
@@ -86,16 +86,16 @@ std::vector<Site> place_in_crown(const Skeleton& skeleton, const Surface& surfac
   const DVec3 size = body.high() - body.low() + 2 * body.reach();
   const double cells = std::max({size.x, size.y, size.z}) / grid.spacing;
   if (in_ball > 2 * static_cast<double>(context.limits->instances) || cells > kMostBodyCells) {
-    throw_limit("children", std::max(in_ball, cells), context.limits->instances, "instances",
-                context.path + ".density");
+    throw_limit(in_ball > cells ? "children" : "cells along the crown", std::max(in_ball, cells),
+                context.limits->instances, "instances", context.path + ".density");
   }
   const std::vector<BodyPlace> places = places_in(body, grid, context.parent.key, progress);
   if (places.size() > context.limits->instances) {
     throw_limit("children or more", static_cast<double>(places.size()), context.limits->instances, "instances",
                 context.path + ".density");
   }
-  const double base = body.low().y - body.reach();
-  const double height = body.high().y + body.reach() - base;
+  const double base = body.low().y;
+  const double height = body.high().y - base;
   std::vector<Site> sites(places.size(), context.parent);
   for (std::size_t k = 0; k < places.size(); ++k) {
     Site& site = sites[k];

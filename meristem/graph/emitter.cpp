@@ -36,19 +36,13 @@ bool is_finite(const Frame& frame) {
 /// True where the frame's volume is too small to be inverted.
 bool has_vanished(const Frame& frame) { return std::abs(glm::determinant(frame.axes)) < 1e-36F; }
 
-/// Moves a skeleton in world space along with the frame it hangs on.
-void move_geometry(Skeleton& skeleton, const Frame& from, const Frame& to) {
+/// Moves a skeleton in world space along with the frame it hangs on. Returns by how much larger it is then.
+float move_geometry(Skeleton& skeleton, const Frame& from, const Frame& to) {
   const Mat3 axes = to.axes * glm::inverse(from.axes);
   for (Vec3& position : skeleton.position) position = to.origin + axes * (position - from.origin);
   const auto scale = static_cast<float>(math::pow(std::abs(glm::determinant(axes)), 1.0 / 3));
   for (float& radius : skeleton.radius) radius *= scale;
-}
-
-/// Lengths that count in a component's own frame, in a frame that scales.
-void scale_lengths(CrownBody& crown, float scale) {
-  crown.diameter *= scale;
-  crown.offset *= scale;
-  crown.fuse *= scale;
+  return scale;
 }
 
 }  // namespace
@@ -163,11 +157,11 @@ std::shared_ptr<const Mesh> Emitter::shared_mesh(std::uint64_t key, FunctionRef<
 void Emitter::stem(Skeleton skeleton, const Surface& surface) {
   count_nodes(skeleton.node_count());
   EmittedStem& stem = stems.emplace_back(EmittedStem{std::move(skeleton), surface, site_, visible_, tint_, {}});
-  if (stem.surface.crown) scale_lengths(*stem.surface.crown, glm::length(site_.frame.heading()));
+  if (stem.surface.crown) stem.surface.crown->scale(glm::length(site_.frame.heading()));
   stem.site.key = site_.key.child("stem").child(stems_of_instance_++);
   if (is_placed_ && visible_) {
     stem.moved = stem.skeleton;
-    move_geometry(*stem.moved, site_.frame, geometry_frame_);
+    stem.moved_scale = move_geometry(*stem.moved, site_.frame, geometry_frame_);
   }
 }
 

@@ -36,6 +36,7 @@ struct EmittedStem {
   bool visible = true;
   Vec3 tint{1};
   std::optional<Skeleton> moved;  ///< what is seen instead of the skeleton where `place` moves it
+  float moved_scale = 1;          ///< by which that is larger
 };
 
 /// Meshes that the blocks of one component share, by their keys. May be called from many threads.

@@ -330,6 +330,7 @@ class Expansion {
                    .tint = emitted.tint};
       // What `place` has moved hangs on nothing.
       const bool is_moved = emitted.moved.has_value();
+      if (is_moved && stem.part.surface.crown) stem.part.surface.crown->scale(emitted.moved_scale);
       stem.mother = is_moved ? kNoStem : emitted.site.stem;
       stem.node = emitted.site.node;
       stem.along = emitted.site.along;

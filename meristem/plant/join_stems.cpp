@@ -104,7 +104,8 @@ class TreeJoiner {
     const bool is_start = from.axis[begin] != from.axis[node];
     tree_.skeleton.radius[made] = is_start ? from.radius[node] : between(from.radius);
     place_on_axis(from, node, made);
-    for (const auto& [name, values] : from.extra) column(name)[made] = between(values);
+    // A mark of single nodes is not one of those between them.
+    for (const auto& [name, values] : from.extra) column(name)[made] = name == "end" ? 0 : between(values);
     return made;
   }
 

@@ -34,6 +34,13 @@ struct CrownBody {
   Vec3 colour{0.36F, 0.48F, 0.24F};  ///< sRGB
   bool hidden = false;               ///< it holds leaves and is not seen itself
 
+  /// As it is in a frame that scales by `factor`.
+  void scale(float factor) {
+    diameter *= factor;
+    offset *= factor;
+    fuse *= factor;
+  }
+
   bool operator==(const CrownBody&) const = default;
 };
 

@@ -2,9 +2,11 @@
 #include "meristem/shape/body_meshes.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "meristem/base/parallel.h"
@@ -13,37 +15,69 @@
 #include "meristem/shape/plant_body.h"
 #include "meristem/shape/shading.h"
 #include "meristem/shape/simplify.h"
-#include "meristem/shape/stem_looks.h"
 
 namespace meristem {
 
 namespace {
 
+constexpr std::size_t kToldOneByOne = 8;       // bodies, each of which tells its stages; more are meshed side by side
 constexpr std::size_t kFewestTriangles = 200;  // of a body in any level; with a quarter of that crowns were boulders
 
-/// One body to mesh.
+/// One body to mesh: of all parts of a stem that one component has made of one material, whatever their tints.
 struct BodyTask {
   const Stem* stem = nullptr;
-  const StemPart* part = nullptr;
-  std::vector<AxisIndex> axes;
+  std::vector<const StemPart*> parts;
+  std::vector<std::vector<AxisIndex>> axes_of_part;
   bool is_crown = false;
 
-  const Surface& surface() const { return part->surface; }
+  const StemPart& first() const { return *parts[0]; }
+  const Surface& surface() const { return first().surface; }
+  /// From where the body's mesh counts: floats are finer near it.
+  Vec3 origin() const { return stem->skeleton.position[0]; }
+  std::vector<AxisIndex> axes() const {
+    std::vector<AxisIndex> all;
+    for (const std::vector<AxisIndex>& axes : axes_of_part) all.insert(all.end(), axes.begin(), axes.end());
+    return all;
+  }
+  /// That of all parts, or none where these differ.
+  Vec3 tint() const {
+    const auto has_first = [this](const StemPart* part) { return part->tint == first().tint; };
+    return std::all_of(parts.begin(), parts.end(), has_first) ? first().tint : Vec3(1);
+  }
   std::string path() const {
-    return "components." + part->component + (is_crown ? ".surface.crown.resolution" : ".surface.resolution");
+    return "components." + first().component + (is_crown ? ".surface.crown.resolution" : ".surface.resolution");
   }
 };
+
+/// A stem's parts with their axes, those of one component and material together.
+std::vector<BodyTask> groups_of(const Stem& stem) {
+  std::vector<std::vector<AxisIndex>> axes_of_part(stem.parts.size());
+  AxisIndex axes = 0;
+  for (const AxisIndex axis : stem.skeleton.axis) axes = std::max(axes, axis + 1);
+  for (AxisIndex axis = 0; axis < axes; ++axis) axes_of_part[stem.part_index(axis)].push_back(axis);
+  std::map<std::pair<std::string_view, std::uint32_t>, std::size_t> number;
+  std::vector<BodyTask> groups;
+  for (std::size_t k = 0; k < stem.parts.size(); ++k) {
+    const StemPart& part = stem.parts[k];
+    const auto [known, is_new] = number.try_emplace({part.component, part.material}, groups.size());
+    if (is_new) groups.emplace_back().stem = &stem;
+    groups[known->second].parts.push_back(&part);
+    groups[known->second].axes_of_part.push_back(std::move(axes_of_part[k]));
+  }
+  return groups;
+}
 
 std::vector<BodyTask> tasks_of(const Plant& plant) {
   std::vector<BodyTask> tasks;
   for (const Stem& stem : plant.stems) {
-    const StemLooks looks(stem);
-    const std::vector<std::vector<AxisIndex>> axes = looks.axes(stem);
-    for (std::size_t k = 0; k < axes.size(); ++k) {
-      const StemPart* const part = looks.first_part[k];
-      const Surface& surface = part->surface;
-      if (surface.style == Surface::Style::blend) tasks.push_back({&stem, part, axes[k], false});
-      if (surface.crown && !surface.crown->hidden) tasks.push_back({&stem, part, axes[k], true});
+    if (stem.skeleton.node_count() == 0) continue;
+    for (BodyTask& group : groups_of(stem)) {
+      const Surface& surface = group.surface();
+      const bool has_crown = surface.crown && !surface.crown->hidden;
+      if (surface.style == Surface::Style::blend) tasks.push_back(group);
+      if (!has_crown) continue;
+      group.is_crown = true;
+      tasks.push_back(std::move(group));
     }
   }
   return tasks;
@@ -52,9 +86,18 @@ std::vector<BodyTask> tasks_of(const Plant& plant) {
 ImplicitBody body_of(const BodyTask& task) {
   const Skeleton& skeleton = task.stem->skeleton;
   const Surface& surface = task.surface();
-  if (task.is_crown) return make_crown_body(skeleton, task.axes, *surface.crown);
-  const double least_radius = find_thickening(skeleton, task.axes, surface).least_radius;
-  return make_stem_body(skeleton, task.axes, surface, least_radius);
+  if (!task.is_crown) {
+    const std::vector<AxisIndex> axes = task.axes();
+    const double least_radius = find_thickening(skeleton, axes, surface).least_radius;
+    return make_stem_body(skeleton, axes, surface, least_radius, task.origin());
+  }
+  // Each part has balls of its own scale.
+  ImplicitBody body;
+  for (std::size_t k = 0; k < task.parts.size(); ++k) {
+    const CrownBody& crown = *task.parts[k]->surface.crown;
+    body.blend(make_crown_body(skeleton, task.axes_of_part[k], crown, task.origin()), crown.blend, crown.fuse);
+  }
+  return body;
 }
 
 /// How many triangles a body of `made` is to have, of which the document wants at most `wanted`.
@@ -74,10 +117,12 @@ Mesh mesh_of(const BodyTask& task, const Detail& detail, const Limits& limits, P
   Mesh mesh = extract_isosurface(body_of(task), options, limits, task.path(), progress);
   const std::size_t target = triangles_of(mesh.triangle_count(), triangles, detail);
   if (target < mesh.triangle_count()) {
+    progress.begin("simplifying bodies", mesh.triangle_count() - target);
     mesh = simplify(mesh, {.triangles = target}, progress);
-    if (!is_flat) turn_to_front(mesh);
+    if (!is_flat) turn_to_front(mesh, progress);
   }
-  return is_flat ? flat_shaded(mesh) : mesh;
+  if (is_flat) mesh = flat_shaded(mesh, progress);
+  return mesh;
 }
 
 /// The number of a material among `materials`, appended if it is not among them.
@@ -103,7 +148,7 @@ Thickening find_thickening(const Plant& plant) {
   Thickening whole;
   for (const BodyTask& task : tasks_of(plant)) {
     if (task.is_crown) continue;
-    const Thickening thickening = find_thickening(task.stem->skeleton, task.axes, task.surface());
+    const Thickening thickening = find_thickening(task.stem->skeleton, task.axes(), task.surface());
     whole.least_radius = std::max(whole.least_radius, thickening.least_radius);
     whole.length += thickening.length;
     whole.thickened += thickening.thickened;
@@ -119,8 +164,8 @@ std::vector<MeshInstances> make_body_meshes(const Plant& plant, const Detail& de
   std::vector<MeshInstances> made(tasks.size());
   if (tasks.empty()) return made;
   std::vector<Mesh> meshes(tasks.size());
-  if (tasks.size() == 1) {
-    meshes[0] = mesh_of(tasks[0], detail, limits, progress);
+  if (tasks.size() <= kToldOneByOne) {
+    for (std::size_t k = 0; k < tasks.size(); ++k) meshes[k] = mesh_of(tasks[k], detail, limits, progress);
   } else {
     progress.begin("meshing bodies", tasks.size());
     parallel_for(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -132,13 +177,13 @@ std::vector<MeshInstances> make_body_meshes(const Plant& plant, const Detail& de
     });
   }
   for (std::size_t k = 0; k < tasks.size(); ++k) {
-    const StemPart& part = *tasks[k].part;
+    const StemPart& part = tasks[k].first();
     made[k].component = part.component;
     made[k].mesh = std::make_shared<const Mesh>(std::move(meshes[k]));
     made[k].material = number_of(material_of(tasks[k], plant.materials[part.material]), materials);
-    made[k].frames = {Frame{}};
+    made[k].frames = {Frame{.origin = tasks[k].origin()}};
     // A crown has its own colour; the shade that tells its stem from others is its, too.
-    if (part.tint != Vec3(1)) made[k].tints = {part.tint};
+    if (tasks[k].tint() != Vec3(1)) made[k].tints = {tasks[k].tint()};
   }
   return made;
 }

@@ -13,12 +13,13 @@ namespace meristem {
 
 namespace {
 
-constexpr double kError = 1e-4;       // of a cell
-constexpr double kNear = 2;           // cells off the surface to which values must be right; ends of edges are 1
-constexpr double kSafety = 1e-2;      // cells by which a region must be off the surface to be left
-constexpr std::size_t kChunks = 192;  // regions to share out at least
-constexpr double kMargin = 2;         // cells about the body
-constexpr int kDeepest = 40;          // halvings
+constexpr double kError = 1e-4;         // of a cell
+constexpr double kNear = 2;             // cells off the surface to which values must be right; ends of edges are 1
+constexpr double kSafety = 1e-2;        // cells by which a region must be off the surface to be left
+constexpr std::size_t kChunks = 192;    // regions to share out at least
+constexpr double kMargin = 2;           // cells about the body
+constexpr double kMostCells = 1 << 28;  // along a body with its blends
+constexpr int kDeepest = 40;            // halvings
 
 constexpr double kHalfDiagonal = 0.866;  // of a cube, a little less than sqrt(3) / 2
 constexpr int kBlockSide = kBrickSide / 2;
@@ -182,14 +183,17 @@ class Descent {
 };
 
 /// A cube of blocks about the whole body.
-Region whole_region(const ImplicitBody& body, BodyBricks& bricks) {
+Region whole_region(const ImplicitBody& body, BodyBricks& bricks, const std::string& path) {
   const double cell = bricks.grid.cell;
   const DVec3 margin(body.reach() + kMargin * cell);
   bricks.grid.origin = body.low() - margin;
   const DVec3 size = body.high() + margin - bricks.grid.origin;
   const double longest = std::max({size.x, size.y, size.z});
+  if (!(longest <= kMostCells * cell)) {
+    throw_limit("cells along a body", longest / cell, static_cast<std::uint64_t>(kMostCells), "mesh_bytes", path);
+  }
   Region region{.side = 2};
-  while (region.side * kBlockSide * cell < longest && region.side < (1 << 24)) region.side *= 2;
+  while (region.side * kBlockSide * cell < longest) region.side *= 2;
   region.steps = all_steps(body);
   return region;
 }
@@ -208,7 +212,7 @@ BodyBricks sample_body(const ImplicitBody& body, double cell, const Limits& limi
   const auto descent = [&] { return Descent(body, gaps, bricks, places, budget, progress); };
 
   // Halve until there is enough to share out.
-  std::vector<Region> regions{whole_region(body, bricks)};
+  std::vector<Region> regions{whole_region(body, bricks, path)};
   progress.begin("sampling bodies", 1);
   while (!regions.empty() && regions.size() < kChunks && regions[0].side > 2) {
     std::vector<std::vector<Region>> parts(regions.size());

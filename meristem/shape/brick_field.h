@@ -35,8 +35,8 @@ struct BodyBricks {
 };
 
 /// The values of `body` on a grid of cells with side `cell` metres about it.
-/// Begins a stage of `progress`. Throws InputError at `path` where bricks would take more than `limits.mesh_bytes`,
-/// and Cancelled. Deterministic on any number of threads.
+/// Begins a stage of `progress`. Throws InputError at `path` where bricks would take more than `limits.mesh_bytes` or
+/// cells are too many to count, and Cancelled. Deterministic on any number of threads.
 BodyBricks sample_body(const ImplicitBody& body, double cell, const Limits& limits, const std::string& path,
                        Progress& progress);
 

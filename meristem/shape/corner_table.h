@@ -29,7 +29,6 @@ class CornerTable {
   std::size_t vertex_count() const { return first_.size(); }
   /// Triangles that are left.
   std::size_t triangle_count() const { return triangles_; }
-  bool is_alive(std::uint32_t triangle) const { return sides_[3 * std::size_t{triangle}].vertex != kNone; }
 
   std::uint32_t vertex(Corner c) const { return sides_[c].vertex; }
   /// The corner beyond the edge from next(c) to previous(c); kNone at a border.

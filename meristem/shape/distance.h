@@ -2,8 +2,9 @@
 // Signed distances, negative inside, and the operations on them, at one place; without branches where compilers can
 // then do several places at once. T is float or double.
 //
-// Based on: the source's equations 2.12 and 2.13; A. Pasko, V. Savchenko: Blending operations for the functionally
-// based constructive geometry (1994); I. Quilez: Smooth minimum (2013). The distances are derived here.
+// Based on: F. Heuer: Algorithmische Erzeugung von 3D-Low-Poly-Bäumen (2022), equations 2.12 and 2.13; A. Pasko, V.
+// Savchenko: Blending operations for the functionally based constructive geometry (1994); I. Quilez: Smooth minimum
+// (2013). The distances are derived here.
 #pragma once
 
 #include <algorithm>
@@ -147,7 +148,7 @@ T blend_poly(T a, T b, T width, T over_four_widths) {
   return std::min(a, b) - near * near * over_four_widths;
 }
 
-/// The source's: below the smaller distance everywhere, by width / 2 where both are equal.
+/// Heuer's: below the smaller distance everywhere, by width / 2 where both are equal.
 template <class T>
 T blend_root(T a, T b, T width) {
   return T(0.5) * (a + b - std::sqrt((a - b) * (a - b) + width * width));

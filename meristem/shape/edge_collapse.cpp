@@ -140,7 +140,7 @@ EdgeCollapse::Candidate EdgeCollapse::cheapest_after(const Candidate& last, std:
   return cheapest;
 }
 
-void EdgeCollapse::run(std::size_t triangles, const Progress& progress) {
+void EdgeCollapse::run(std::size_t triangles, Progress& progress) {
   // While there is much to do, go over the mesh in parts that fit into a processor's cache, each up to a like cost: in
   // the order of costs alone, most of the time goes into waiting for memory.
   const std::size_t enough = std::max(kSweepDownTo * triangles, kSmallMesh);
@@ -185,9 +185,13 @@ void EdgeCollapse::put_all(std::uint32_t begin, std::uint32_t end, const Progres
   }
 }
 
-void EdgeCollapse::collapse_queued(std::size_t triangles, const Progress& progress) {
+void EdgeCollapse::collapse_queued(std::size_t triangles, Progress& progress) {
+  std::size_t before = corners_.triangle_count();
   for (std::uint32_t round = 0; corners_.triangle_count() > triangles; ++round) {
-    if (round % 1024 == 0) progress.check();
+    if (round % 1024 == 0) {
+      progress.advance(before - corners_.triangle_count());
+      before = corners_.triangle_count();
+    }
     const std::uint32_t vertex = queue_.take();
     if (vertex == VertexQueue::kNone) return;
     if (corners_.corner_of(vertex) != CornerTable::kNone) consider(vertex);

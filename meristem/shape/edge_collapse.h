@@ -19,7 +19,7 @@ class EdgeCollapse {
   EdgeCollapse(const Mesh& mesh, float error, const Progress& progress);
 
   /// Collapses until there are no more than `triangles`, or no edge is left that may. Throws Cancelled.
-  void run(std::size_t triangles, const Progress& progress);
+  void run(std::size_t triangles, Progress& progress);
 
   /// What is left: positions and triangles.
   Mesh mesh(const Progress& progress) const;
@@ -54,7 +54,7 @@ class EdgeCollapse {
   void add_quadrics(const Progress& progress);
   float median_cost(const Progress& progress) const;
   void put_all(std::uint32_t begin, std::uint32_t end, const Progress& progress);
-  void collapse_queued(std::size_t triangles, const Progress& progress);
+  void collapse_queued(std::size_t triangles, Progress& progress);
   DVec3 place(std::uint32_t vertex) const { return DVec3(vertices_[vertex].position) - centre_; }
   DVec3 rounded(DVec3 place) const { return DVec3(Vec3(place + centre_)) - centre_; }
 

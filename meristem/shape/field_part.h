@@ -6,7 +6,7 @@
 // Solids change by at most the way that one goes, and operations (but pasko, whose bounds are its own) do not fall
 // where their sides rise; so values at a region's centre bound all values in it. A side of a union counts for nothing
 // where it is surely larger than the whole may be. A side of a blend must be larger by a gap: how it might still lower
-// what is blended later fades with each step down (poly: by a factor e for every width / 2.4574 at least, whatever the
+// what is blended later fades with each step down (poly: by a factor e for every width / 2.455 at least, whatever the
 // steps; root and pasko reach everywhere, and are left out where what they add is small enough for all of them
 // together). What lies well outside needs no more than its sign, so nothing counts where it is surely larger than that,
 // however far off all else is.

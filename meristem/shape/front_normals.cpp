@@ -28,6 +28,8 @@ DVec3 face_normal(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle
   return length > 0 ? front / length : DVec3(0);
 }
 
+constexpr std::size_t kTrianglesBetweenChecks = 65536;
+
 struct Corner {
   std::uint32_t vertex;
   DVec3 face;
@@ -61,9 +63,11 @@ DVec3 in_front_of(std::span<const Corner> corners, DVec3 otherwise) {
 
 }  // namespace
 
-void turn_to_front(Mesh& mesh) {
+void turn_to_front(Mesh& mesh, Progress& progress) {
   std::vector<std::uint8_t> is_behind(mesh.vertex_count(), 0);
+  std::size_t looked_at = 0;
   for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {
+    if (looked_at++ % kTrianglesBetweenChecks == 0) progress.check();
     const DVec3 face = face_normal(mesh, triangle);
     for (const std::uint32_t vertex : triangle) {
       if (!(glm::dot(face, DVec3(mesh.normals[vertex])) > kFront)) is_behind[vertex] = 1;
@@ -71,6 +75,7 @@ void turn_to_front(Mesh& mesh) {
   }
   std::vector<Corner> corners;
   for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {
+    if (looked_at++ % kTrianglesBetweenChecks == 0) progress.check();
     for (const std::uint32_t vertex : triangle) {
       if (is_behind[vertex] != 0) corners.push_back({vertex, face_normal(mesh, triangle)});
     }

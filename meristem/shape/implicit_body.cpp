@@ -28,12 +28,10 @@ void part(const Frame& frame, Vec3 half, glm::dmat3& axes, DVec3& sizes) {
   require(is_finite(DVec3(frame.origin)), "a body's place is finite");
 }
 
-/// How far a blend swells beyond its sides where these swell by `a` and `b` themselves.
+/// How far an operation swells beyond its sides where these swell by `a` and `b` themselves: blends rise with both
+/// sides, so the lowest value is at their lowest.
 double swelling(BodyClause::Kind kind, double a, double b, double width) {
-  if (kind < BodyClause::Kind::poly) return std::max(a, b);
-  // Poly and root grow with both sides, so the lowest value is at their lowest.
-  if (kind != BodyClause::Kind::pasko) return -apply(kind, -a, -b, width);
-  return std::max(a, b) + 0.25 * width;
+  return kind < BodyClause::Kind::poly ? std::max(a, b) : -apply(kind, -a, -b, width);
 }
 
 }  // namespace

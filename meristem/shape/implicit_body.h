@@ -4,7 +4,7 @@
 //
 //   ImplicitBody tree = ImplicitBody::round_cone({0, 0, 0}, 0.2, {0, 3, 0}, 0.1);
 //   tree.blend(ImplicitBody::sphere({0, 3.5, 0}, 1), BlendKind::poly, 0.3);
-//   Mesh mesh = extract_isosurface(tree, {.resolution = 60}, progress);  // isosurface.h
+//   Mesh mesh = extract_isosurface(tree, {.resolution = 60}, Limits{}, "tree", progress);  // isosurface.h
 //
 // Smooth minima of more than two bodies depend on the order: a.blend(b).blend(c) is not a.blend(c).blend(b).
 //
@@ -42,7 +42,7 @@ class ImplicitBody {
  public:
   /// Nothing: outside everywhere.
   ImplicitBody() = default;
-  // Throws std::invalid_argument for sizes that are not above 0 and for what is not finite.
+  /// All that follow throw std::invalid_argument for sizes that are not above 0 and for what is not finite.
   static ImplicitBody sphere(DVec3 centre, double radius);
   static ImplicitBody capsule(DVec3 from, DVec3 to, double radius);
   /// A cone between two balls, all balls between them included; radii may be 0 on one side.

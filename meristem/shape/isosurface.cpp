@@ -84,7 +84,7 @@ void add_normals(const ImplicitBody& body, const BodyBricks& bricks, BrickMesh& 
     sampler.find(chunk, brick, std::span(mesh.positions).subspan(first_inner + k, 1),
                  mesh.normals.data() + first_inner + k);
   }
-  turn_to_front(mesh);
+  turn_to_front(mesh, progress);
 }
 
 void require(bool holds, const char* message) {
@@ -123,7 +123,9 @@ BrickGrid bricks_of(const SampledField& field, float isovalue, Progress& progres
 
 double cell_size(const ImplicitBody& body, int resolution) {
   const DVec3 size = body.high() - body.low();
-  return std::max({size.x, size.y, size.z}) / resolution;
+  const double longest = std::max({size.x, size.y, size.z});
+  // Blends wider than the solids make a body of another size.
+  return (longest + 2 * std::max(0.0, body.reach() - longest)) / resolution;
 }
 
 Mesh extract_isosurface(const ImplicitBody& body, const IsosurfaceOptions& options, const Limits& limits,

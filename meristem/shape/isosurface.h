@@ -25,7 +25,8 @@ struct IsosurfaceOptions {
                          ///< about it: in front of all, but at few creases where no direction is
 };
 
-/// Metres along a side of the cells.
+/// Metres along a side of the cells: the box about the solids, or where blends reach farther than that is wide, about
+/// what they may fill, over the resolution.
 double cell_size(const ImplicitBody& body, int resolution);
 
 /// The surface of `body`: triangles grow with the square of the resolution. Empty for an empty body.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "meristem/base/frame.h"
 #include "meristem/shape/tube_plan.h"
 
 namespace meristem {
@@ -23,12 +24,13 @@ struct AxisPoint {
 };
 
 /// The points of an axis from its mother's node on.
-std::vector<AxisPoint> points_of(const Skeleton& skeleton, std::span<const NodeIndex> nodes) {
+std::vector<AxisPoint> points_of(const Skeleton& skeleton, std::span<const NodeIndex> nodes, Vec3 origin) {
   std::vector<AxisPoint> points;
   if (nodes.empty()) return points;
+  const auto place = [&](NodeIndex node) { return DVec3(skeleton.position[node]) - DVec3(origin); };
   const NodeIndex mother = skeleton.parent[nodes[0]];
-  if (mother != kNoNode) points.push_back({DVec3(skeleton.position[mother]), skeleton.radius[nodes[0]]});
-  for (const NodeIndex node : nodes) points.push_back({DVec3(skeleton.position[node]), skeleton.radius[node]});
+  if (mother != kNoNode) points.push_back({place(mother), skeleton.radius[nodes[0]]});
+  for (const NodeIndex node : nodes) points.push_back({place(node), skeleton.radius[node]});
   return points;
 }
 
@@ -55,6 +57,21 @@ void flare(std::vector<AxisPoint>& points, const Surface& surface) {
   points = std::move(flared);
 }
 
+/// What lies below a root's base, about it: its cones' round ends must not stand out there.
+ImplicitBody below_base(std::span<const AxisPoint> points, double least_radius) {
+  double widest = least_radius;
+  for (const AxisPoint& point : points) widest = std::max(widest, point.radius);
+  const auto half = static_cast<float>(2 * widest);
+  for (const AxisPoint& point : points) {
+    const Vec3 along(point.position - points[0].position);
+    if (!(glm::length(along) > 0)) continue;
+    Frame frame = frame_along(Vec3(points[0].position), along, kUp);
+    frame.origin -= half * frame.heading();
+    return ImplicitBody::box(frame, Vec3(half));
+  }
+  return {};
+}
+
 /// The cones of one axis. Empty where it has no length or no thickness.
 ImplicitBody axis_body(std::span<const AxisPoint> points, bool is_root, double least_radius) {
   ImplicitBody body;
@@ -68,6 +85,7 @@ ImplicitBody axis_body(std::span<const AxisPoint> points, bool is_root, double l
     body.unite(is_flat ? ImplicitBody::flat_cone(from, from_radius, to, to_radius)
                        : ImplicitBody::round_cone(from, from_radius, to, to_radius));
   }
+  if (is_root && !body.is_empty()) body.subtract(below_base(points, least_radius));
   return body;
 }
 
@@ -82,7 +100,7 @@ bool is_root_axis(const Skeleton& skeleton, std::span<const NodeIndex> nodes) {
 }  // namespace
 
 ImplicitBody make_stem_body(const Skeleton& skeleton, std::span<const AxisIndex> axes, const Surface& surface,
-                            double least_radius) {
+                            double least_radius, Vec3 origin) {
   const Axes nodes(skeleton);
   // Thick ones first: what is blended later then reaches less far.
   std::vector<AxisIndex> sorted(axes.begin(), axes.end());
@@ -91,7 +109,7 @@ ImplicitBody make_stem_body(const Skeleton& skeleton, std::span<const AxisIndex>
   });
   ImplicitBody body;
   for (const AxisIndex axis : sorted) {
-    std::vector<AxisPoint> points = points_of(skeleton, nodes.of(axis));
+    std::vector<AxisPoint> points = points_of(skeleton, nodes.of(axis), origin);
     const bool is_root = is_root_axis(skeleton, nodes.of(axis));
     if (is_root) flare(points, surface);
     const double thick = std::max(first_radius(skeleton, nodes.of(axis)), least_radius);
@@ -105,7 +123,7 @@ Thickening find_thickening(const Skeleton& skeleton, std::span<const AxisIndex> 
   const Axes nodes(skeleton);
   Box box;
   for (const AxisIndex axis : axes) {
-    std::vector<AxisPoint> points = points_of(skeleton, nodes.of(axis));
+    std::vector<AxisPoint> points = points_of(skeleton, nodes.of(axis), Vec3(0));
     if (is_root_axis(skeleton, nodes.of(axis))) flare(points, surface);
     for (const AxisPoint& point : points) {
       box.add(Vec3(point.position - point.radius));
@@ -118,7 +136,7 @@ Thickening find_thickening(const Skeleton& skeleton, std::span<const AxisIndex> 
   if (surface.thicken) thickening.least_radius = kHeldRadius * cell;
   const auto cone_volume = [](double length, double a, double b) { return kPi / 3 * length * (a * a + a * b + b * b); };
   for (const AxisIndex axis : axes) {
-    const std::vector<AxisPoint> points = points_of(skeleton, nodes.of(axis));
+    const std::vector<AxisPoint> points = points_of(skeleton, nodes.of(axis), Vec3(0));
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       const double length = glm::distance(points[i].position, points[i + 1].position);
       const std::array<double, 2> radii{points[i].radius, points[i + 1].radius};
@@ -150,10 +168,11 @@ std::vector<NodeIndex> branch_ends(const Skeleton& skeleton, std::span<const Axi
   return ends.empty() ? tips : ends;
 }
 
-ImplicitBody make_crown_body(const Skeleton& skeleton, std::span<const AxisIndex> axes, const CrownBody& crown) {
+ImplicitBody make_crown_body(const Skeleton& skeleton, std::span<const AxisIndex> axes, const CrownBody& crown,
+                             Vec3 origin) {
   ImplicitBody body;
   for (const NodeIndex node : branch_ends(skeleton, axes)) {
-    const DVec3 centre = DVec3(skeleton.position[node]) + DVec3(0, crown.offset, 0);
+    const DVec3 centre = DVec3(skeleton.position[node]) - DVec3(origin) + DVec3(0, crown.offset, 0);
     body.blend(ImplicitBody::sphere(centre, 0.5 * crown.diameter), crown.blend, crown.fuse);
   }
   return body;

@@ -26,9 +26,10 @@ struct Thickening {
 
 /// The body of those axes of `skeleton` that are listed. Axes begin at their mothers' nodes with their own radii,
 /// roots with a flat base that flares as `surface` says. Each axis blends with all thicker ones over
-/// `surface.blend` times its first radius. Radii are at least `least_radius` metres. Cost linear in nodes.
+/// `surface.blend` times its first radius. Radii are at least `least_radius` metres; none may be NaN. The body stands
+/// relative to `origin`. Cost linear in nodes.
 ImplicitBody make_stem_body(const Skeleton& skeleton, std::span<const AxisIndex> axes, const Surface& surface,
-                            double least_radius);
+                            double least_radius, Vec3 origin = Vec3(0));
 
 /// What `surface.resolution` cells along these axes' longest side mean for them; without `surface.thicken` nothing is
 /// thickened.
@@ -38,6 +39,7 @@ Thickening find_thickening(const Skeleton& skeleton, std::span<const AxisIndex> 
 std::vector<NodeIndex> branch_ends(const Skeleton& skeleton, std::span<const AxisIndex> axes);
 
 /// The balls about those ends as one body; empty where there are none.
-ImplicitBody make_crown_body(const Skeleton& skeleton, std::span<const AxisIndex> axes, const CrownBody& crown);
+ImplicitBody make_crown_body(const Skeleton& skeleton, std::span<const AxisIndex> axes, const CrownBody& crown,
+                             Vec3 origin = Vec3(0));
 
 }  // namespace meristem

@@ -12,7 +12,8 @@ namespace {
 
 TEST(Shading, FlatFacesHaveOneNormalEach) {
   const Mesh mesh = make_sphere(2, 12);
-  const Mesh flat = flat_shaded(mesh);
+  Progress progress;
+  const Mesh flat = flat_shaded(mesh, progress);
   EXPECT_TRUE(check_mesh(flat));
   EXPECT_EQ(flat.triangle_count(), mesh.triangle_count());
   EXPECT_EQ(flat.vertex_count(), 3 * mesh.triangle_count());
@@ -43,7 +44,8 @@ TEST(Shading, GivesVerticesWithoutAreaSomeNormal) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {5, 5, 5}};
   mesh.triangles = {{0, 1, 2}, {0, 0, 1}};
-  for (const Mesh& shaded : {flat_shaded(mesh), smooth_shaded(mesh)}) {
+  Progress progress;
+  for (const Mesh& shaded : {flat_shaded(mesh, progress), smooth_shaded(mesh)}) {
     for (const Vec3 normal : shaded.normals) EXPECT_EQ(normal, kUp);
   }
 }

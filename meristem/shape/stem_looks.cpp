@@ -18,12 +18,4 @@ StemLooks::StemLooks(const Stem& stem) {
   }
 }
 
-std::vector<std::vector<AxisIndex>> StemLooks::axes(const Stem& stem) const {
-  std::vector<std::vector<AxisIndex>> axes(first_part.size());
-  AxisIndex count = 0;
-  for (const AxisIndex axis : stem.skeleton.axis) count = std::max(count, axis + 1);
-  for (AxisIndex axis = 0; axis < count; ++axis) axes[look_of_part[stem.part_index(axis)]].push_back(axis);
-  return axes;
-}
-
 }  // namespace meristem

@@ -14,8 +14,6 @@ struct StemLooks {
   std::vector<std::uint32_t> look_of_part;  ///< number of the look
 
   explicit StemLooks(const Stem& stem);
-  /// The axes of each look.
-  std::vector<std::vector<AxisIndex>> axes(const Stem& stem) const;
 };
 
 }  // namespace meristem

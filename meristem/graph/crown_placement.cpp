@@ -43,13 +43,6 @@ Mat3 axes_at(const BodyPlace& place, const CrownPlacement& placement, RandomKey 
   return axes;
 }
 
-Mat3 drooped(const Mat3& axes, double droop) {
-  if (droop == 0) return axes;
-  const Vec3 target = droop > 0 ? -kUp : kUp;
-  const Vec3 about = normalized_or(glm::cross(axes[1], target), axes[0]);
-  return rotation(about, math::acos(glm::dot(axes[1], target)) * std::abs(droop)) * axes;
-}
-
 }  // namespace
 
 const ParameterTable& crown_placement_table() {

@@ -228,18 +228,9 @@ class AxisWriter {
     site.stem = context_.stem;
     site.node = piece.to;
     site.along = along;
-    if (placement_.droop != 0) turn_down(site.frame);
+    site.frame.axes = drooped(site.frame.axes, placement_.droop);
     if (placement_.face_light > 0) turn_to_light(site.frame);
     site.frame.axes *= static_cast<float>(std::max(0.0, placement_.size(site.u)));
-  }
-
-  /// Turns the frame so that its heading comes nearer to straight down, or up, by the share `droop`.
-  void turn_down(Frame& frame) const {
-    const Vec3 target = placement_.droop > 0 ? -kUp : kUp;
-    const Vec3 heading = frame.heading();
-    const Vec3 axis = normalized_or(glm::cross(heading, target), frame.right());
-    const double whole = math::acos(glm::dot(heading, target));
-    frame.axes = rotation(axis, whole * std::abs(placement_.droop)) * frame.axes;
   }
 
   /// Turns the frame so that its upper face comes nearer to the light by the share `face_light`.
@@ -257,6 +248,13 @@ class AxisWriter {
 };
 
 }  // namespace
+
+Mat3 drooped(const Mat3& axes, double droop) {
+  if (droop == 0) return axes;
+  const Vec3 target = droop > 0 ? -kUp : kUp;
+  const Vec3 about = normalized_or(glm::cross(axes[1], target), axes[0]);
+  return rotation(about, math::acos(glm::dot(axes[1], target)) * std::abs(droop)) * axes;
+}
 
 std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context) {
   const Axes axes(skeleton);

@@ -47,6 +47,9 @@ struct PlacementContext {
   std::string path;  ///< of the link in the document, for errors: "links[1]"
 };
 
+/// Unit axes turned so that the heading comes nearer to straight down, or for a negative `droop` up, by that share.
+Mat3 drooped(const Mat3& axes, double droop);
+
 /// The places of `placement` on `skeleton`, axis by axis from base to tip; i, n, u count along each axis. An organ's
 /// frame stands on the bark, heads away from the axis by the angle, and turns its upper face (z) toward the axis's tip.
 /// A lateral axis begins at its mother's bark. A skeleton of one node has no axis to stand on and gets no places.

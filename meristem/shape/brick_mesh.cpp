@@ -9,6 +9,7 @@
 
 #include "meristem/base/parallel.h"
 #include "meristem/shape/brick_index.h"
+#include "meristem/shape/cell_geometry.h"
 #include "meristem/shape/cell_surface.h"
 
 namespace meristem {
@@ -25,17 +26,11 @@ constexpr int kInnerTries = 6;
 constexpr std::uint32_t kInner = 0x80000000U;  // marks points inside cells until all are counted
 constexpr std::uint64_t kMostVertices = 0x7fffffffU;
 
-/// The lower ends of a cell's edges (cell_surface.h says how they count).
-const std::array<glm::ivec3, 12> kEdgeStarts = [] {
-  std::array<glm::ivec3, 12> starts;
-  for (int edge = 0; edge < 12; ++edge) {
-    const int axis = edge / 4;
-    starts[edge] = glm::ivec3(0);
-    starts[edge][axis == 0 ? 1 : 0] = edge & 1;
-    starts[edge][axis == 2 ? 1 : 2] = edge >> 1 & 1;
-  }
-  return starts;
-}();
+/// The lower end of a cell's edge.
+glm::ivec3 edge_start(int edge) {
+  const int corner = edge_corners(edge)[0];
+  return {corner & 1, corner >> 1 & 1, corner >> 2};
+}
 
 /// How many bits are set, where machines need not have an instruction for it.
 std::uint32_t bit_count(std::uint32_t bits) {
@@ -251,7 +246,7 @@ class BrickMesher {
     const CellSurface& surface = surface_of(around, cell, static_cast<std::uint8_t>(pattern));
     std::array<std::uint32_t, 20> vertices{};
     const auto vertex_on = [&](int edge) {
-      const glm::ivec3 corner = cell + kEdgeStarts[edge];
+      const glm::ivec3 corner = cell + edge_start(edge);
       if (((corner.x | corner.y | corner.z) & kSide) == 0) return own[edge / 4][corner_index(corner)];
       const BrickNumber owner = around.brick_of(corner);
       return made_.first_vertex[owner.chunk][owner.brick] +
@@ -285,7 +280,7 @@ class BrickMesher {
     std::array<DVec3, 12> points;
     for (std::uint32_t left = surface.inner[which]; left != 0; left &= left - 1) {
       const int edge = std::countr_zero(left);
-      const glm::ivec3 from = kEdgeStarts[edge];
+      const glm::ivec3 from = edge_start(edge);
       glm::ivec3 to = from;
       ++to[edge / 4];
       points[edge] = DVec3(from);

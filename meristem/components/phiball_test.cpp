@@ -118,7 +118,7 @@ TEST(Phiball, FaultsAreLocated) {
   };
   EXPECT_EQ(fault({{"theta1", 90}, {"theta2", 90}}), "components.ball.theta1");
   EXPECT_EQ(fault({{"theta1", "90 + i"}, {"theta2", 90}}), "components.ball.theta1");
-  EXPECT_EQ(fault({{"radius", 1}, {"area", 1}}), "components.ball.radius");
+  EXPECT_EQ(fault({{"radius", 1}, {"area", 1}}), "components.ball.area");
   EXPECT_EQ(fault({{"area", 0}}), "components.ball.area");
   EXPECT_EQ(fault({{"size", "1/(i - 3)"}}), "components.ball.size");
   EXPECT_EQ(fault({{"number", 2e9}}), "components.ball");

@@ -182,14 +182,14 @@ TEST(Tree, ItBendsAwayFromEachOfItsBranches) {
   const Plant plant = builder.link("trunk", "twig", LinkKind::branch).grow();
   const Skeleton& tree = plant.stems.at(0).skeleton;
   // Straight pieces between bends of 30 degrees; each bend away from the twig that stands there.
+  const Axes axes(tree);
   std::vector<Vec3> directions;
-  for (NodeIndex node = 1; node <= 80; ++node) {
-    const Vec3 direction = glm::normalize(tree.position[node] - tree.position[node - 1]);
+  for (const NodeIndex node : axes.of(0).subspan(1)) {
+    const Vec3 direction = glm::normalize(tree.position[node] - tree.position[tree.parent[node]]);
     if (directions.empty() || glm::distance(directions.back(), direction) > 1e-3F) directions.push_back(direction);
   }
   ASSERT_EQ(directions.size(), 5U);
   std::vector<Vec3> twigs;
-  const Axes axes(tree);
   for (AxisIndex axis = 1; axis < axes.count(); ++axis) {
     twigs.push_back(tree.position[axes.of(axis).back()] - tree.position[axes.of(axis).front()]);
   }

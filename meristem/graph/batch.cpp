@@ -32,7 +32,8 @@ class Packed {
 };
 
 std::uint64_t hash_of(const Site& site) {
-  const auto& [frame, key, i, n, u, length, radius, birth, order, depth, stem, node, along, depths] = site;
+  const auto& [frame, key, i, n, u, length, radius, birth, order, depth, stem, node, along, section, surface, depths] =
+      site;
   Packed packed;
   packed.add(frame.axes);
   packed.add(frame.origin);
@@ -48,6 +49,8 @@ std::uint64_t hash_of(const Site& site) {
   packed.add(stem);
   packed.add(node);
   packed.add(along);
+  packed.add(section);
+  packed.add(surface.bits());
   packed.add(depths);
   return packed.hash();
 }
@@ -82,8 +85,8 @@ std::uint64_t hash_of(const std::vector<Site>& sites) {
 std::uint64_t BatchResult::bytes() const {
   std::uint64_t sum = bytes_of(blocks);
   for (const Emitted& block : blocks) {
-    sum += bytes_of(block.prototypes) + bytes_of(block.organs) + bytes_of(block.stems) + bytes_of(block.child_sites) +
-           bytes_of(block.branch_sites) + bytes_of(block.named_sites);
+    sum += bytes_of(block.prototypes) + bytes_of(block.organs) + bytes_of(block.sections) + bytes_of(block.stems) +
+           bytes_of(block.child_sites) + bytes_of(block.branch_sites) + bytes_of(block.named_sites);
     for (const EmittedStem& stem : block.stems) {
       sum += bytes_of(stem.skeleton) + (stem.moved ? bytes_of(*stem.moved) : 0);
     }

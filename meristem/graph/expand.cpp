@@ -77,7 +77,7 @@ class Expansion {
         expand_batch(batch, Grown());
       }
     }
-    Plant plant = assembly_.run(progress_);
+    Plant plant = assembly_.run(mesh_bytes(), progress_);
     if (is_cached_) keep_textures(plant);
     kept_.end_run();
     return plant;
@@ -213,7 +213,7 @@ class Expansion {
     }
     nodes_ += result->nodes;
     require_placed(batch.component, *result);
-    for (const LinkIndex link : links) follow(link, key, *result);
+    for (const LinkIndex link : links) follow(link, batch, key, *result);
     assembly_.add(batch.component, std::move(result));
   }
 
@@ -273,8 +273,10 @@ class Expansion {
                            .limits = graph_.limits,
                            .component = prototype.id,
                            .multiplier = links_.multiplier(batch.component, links),
+                           .together = sites.size(),
                            .time = time_,
                            .tinting = tinting,
+                           .tropism = prototype.type->tropism,
                            .makes_stems = prototype.type->makes_stems,
                            .wants_child_sites = wants(links, false),
                            .wants_branch_sites = wants(links, true),
@@ -333,12 +335,12 @@ class Expansion {
   }
 
   /// The children of a batch by one link.
-  void follow(LinkIndex link, Key parent, const BatchResult& result) {
+  void follow(LinkIndex link, const Batch& batch, Key parent, const BatchResult& result) {
     const Key own = links_.fingerprint(link);
     const Key key = parent && own ? Key(Fingerprint().add(*parent).add(*own).hash()) : std::nullopt;
     std::shared_ptr<const Places> places = kept_.places.find(key);
     if (places == nullptr || instances_ + places->sites.size() > graph_.limits.instances) {
-      places = places_of(links_.places(link, result, instances_));
+      places = places_of(links_.places(link, result, {instances_, batch.sites().size()}));
       kept_.places.keep(key, places);
     }
     enqueue({graph_.links[link].to, std::move(places)});

@@ -73,7 +73,15 @@ class LinkPlaces::Writer {
     context.on_axis = to_.type->makes_stems;
     context.has_twigs = from_.has_twigs;
     context.stem = stem.id();
-    add_all(place_along(stem.skeleton, link_.placement, context));
+    if (!stem.branching) return add_all(place_along(stem.skeleton, link_.placement, context));
+    // A stem's own branching, but for the keys that the link gives.
+    context.places = key_of_places(stem.site.key);
+    if (!(link_.placement.density || link_.placement.count)) {
+      context.path = "components." + all_.graph_.components[link_.from].id;
+    }
+    if (link_.given.empty()) return add_all(place_along(stem.skeleton, *stem.branching, context));
+    const Placement placement = overridden(*stem.branching, link_.placement, link_.given);
+    add_all(place_along(stem.skeleton, placement, context));
   }
 
   void add_in_crown(const EmittedStem& stem) {
@@ -149,18 +157,18 @@ std::vector<LinkIndex> LinkPlaces::links_followed(ComponentIndex component, cons
   return links;
 }
 
-std::vector<Site> LinkPlaces::places(LinkIndex link, const BatchResult& parent, std::uint64_t instances) const {
+std::vector<Site> LinkPlaces::places(LinkIndex link, const BatchResult& parent, Counts before) const {
   const std::size_t blocks = parent.blocks.size();
   const std::uint64_t limit = graph_.limits.instances;
-  const std::uint64_t room = limit - std::min(limit, instances);
+  const std::uint64_t room = limit - std::min(limit, before.all);
   std::vector<std::vector<Site>> found(blocks);
   std::vector<std::exception_ptr> faults(blocks);
   std::vector<std::atomic<std::uint64_t>> counts(blocks);
   parallel_for(blocks, 1, [&](std::size_t block, std::size_t) {
     // Where those before are too many already, this block makes no difference, and memory is saved.
-    std::uint64_t before = 0;
-    for (std::size_t k = 0; k < block; ++k) before += counts[k].load(std::memory_order_relaxed);
-    if (before > room) return;
+    std::uint64_t lower = 0;
+    for (std::size_t k = 0; k < block; ++k) lower += counts[k].load(std::memory_order_relaxed);
+    if (lower > room) return;
     Progress part(&progress_);
     try {
       found[block] = Writer(*this, link, blocks == 1 ? progress_ : part, room).run(parent.blocks[block]);
@@ -175,15 +183,21 @@ std::vector<Site> LinkPlaces::places(LinkIndex link, const BatchResult& parent, 
   for (std::size_t block = 0; block < blocks; ++block) {
     if (faults[block]) std::rethrow_exception(faults[block]);
     count += found[block].size();
-    if (count <= room) continue;
-    throw_limit("instances", static_cast<double>(instances + count), limit, "instances",
-                multiplier(graph_.links[link].from, std::span(&link, 1)));
+    if (count > room) throw_too_many(link, count, before);
   }
   if (blocks == 1) return std::move(found[0]);
   std::vector<Site> sites;
   sites.reserve(count);
   for (const std::vector<Site>& of_block : found) sites.insert(sites.end(), of_block.begin(), of_block.end());
   return sites;
+}
+
+void LinkPlaces::throw_too_many(LinkIndex link, std::uint64_t places, Counts before) const {
+  const std::string& from = graph_.components[graph_.links[link].from].id;
+  const std::string& to = graph_.components[graph_.links[link].to].id;
+  throw_limit(fmt::format("instances, {} of them '{}' on {} of '{}',", places, to, before.parents, from),
+              static_cast<double>(before.all + places), graph_.limits.instances, "instances",
+              multiplier(graph_.links[link].from, std::span(&link, 1)));
 }
 
 std::optional<std::uint64_t> LinkPlaces::fingerprint(LinkIndex index) const {

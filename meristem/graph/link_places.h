@@ -16,6 +16,12 @@ namespace meristem {
 
 class LinkPlaces {
  public:
+  /// So many instances there are.
+  struct Counts {
+    std::uint64_t all = 0;
+    std::uint64_t parents = 0;  ///< of the link's parent in this batch
+  };
+
   /// All of them outlive it.
   LinkPlaces(const Graph& graph, const Structure& structure, const Scene& scene, Progress& progress);
 
@@ -25,8 +31,8 @@ class LinkPlaces {
   std::vector<LinkIndex> links_followed(ComponentIndex component, const Site& site) const;
 
   /// The places that a link gives its child, over all instances of the parent in their order. Throws InputError where
-  /// with them there would be more instances than the limit allows; there are `instances` already.
-  std::vector<Site> places(LinkIndex link, const BatchResult& parent, std::uint64_t instances) const;
+  /// with them there would be more instances than the limit allows.
+  std::vector<Site> places(LinkIndex link, const BatchResult& parent, Counts before) const;
 
   /// Hash of what they depend on besides the parent's result and the scene, where all of it is known.
   std::optional<std::uint64_t> fingerprint(LinkIndex link) const;
@@ -37,6 +43,8 @@ class LinkPlaces {
 
  private:
   class Writer;
+
+  [[noreturn]] void throw_too_many(LinkIndex link, std::uint64_t places, Counts before) const;
 
   const Graph& graph_;
   const Structure& structure_;

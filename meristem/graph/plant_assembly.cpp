@@ -47,24 +47,42 @@ void PlantAssembly::add(ComponentIndex component, std::shared_ptr<const BatchRes
   batches_.push_back({component, std::move(batch)});
 }
 
-Plant PlantAssembly::run(Progress& progress) const {
+Plant PlantAssembly::run(std::uint64_t mesh_bytes, Progress& progress) const {
+  const std::vector<Surfaces> surfaces = join_surfaces(mesh_bytes, progress);
   Plant plant;
   std::vector<std::uint32_t> material_of_component(batches_of_.size(), 0);
   for (ComponentIndex c = 0; c < batches_of_.size(); ++c) {
     progress.check();
-    material_of_component[c] = add_materials(c, plant);
-    add_organs(c, material_of_component[c], plant);
+    const std::uint32_t material = material_of_component[c] = add_materials(c, surfaces[c], plant);
+    add_organs(c, material, plant);
+    add_surfaces(c, material, surfaces[c], plant);
   }
   plant.stems = joined_stems(material_of_component);
   return plant;
 }
 
+/// Surfaces of many instances, by the components that their pieces belong to.
+std::vector<PlantAssembly::Surfaces> PlantAssembly::join_surfaces(std::uint64_t mesh_bytes, Progress& progress) const {
+  std::vector<SurfaceSection> sections;
+  for (const Made& made : batches_) {
+    for (const Emitted& block : made.result->blocks) {
+      for (const EmittedSection& section : block.sections) sections.push_back({section, made.component});
+    }
+  }
+  std::vector<Surfaces> surfaces(batches_of_.size());
+  for (SurfacePiece& piece : join_sections(sections, graph_, mesh_bytes, progress)) {
+    surfaces[piece.component].push_back(std::move(piece));
+  }
+  return surfaces;
+}
+
 /// Returns the number of the component's own material, or of the one that its own would be.
-std::uint32_t PlantAssembly::add_materials(ComponentIndex component, Plant& plant) const {
+std::uint32_t PlantAssembly::add_materials(ComponentIndex component, const Surfaces& surfaces, Plant& plant) const {
   const auto first = static_cast<std::uint32_t>(plant.materials.size());
   const std::vector<const BatchResult*>& batches = batches_of_[component];
-  if (has_visible_stems(batches) || has_prototypes(batches, false)) {
+  if (has_visible_stems(batches) || has_prototypes(batches, false) || !surfaces.empty()) {
     plant.materials.push_back(material_of(graph_.components[component]));
+    if (std::ranges::any_of(surfaces, &SurfacePiece::is_open)) plant.materials.back().two_sided = true;
     check_pixels(plant.materials);
   }
   if (has_prototypes(batches, true)) plant.materials.push_back(blades_of(graph_.components[component]));
@@ -114,6 +132,17 @@ void PlantAssembly::add_organs(ComponentIndex component, std::uint32_t material,
       }
     }
   });
+}
+
+void PlantAssembly::add_surfaces(ComponentIndex component, std::uint32_t material, const Surfaces& surfaces,
+                                 Plant& plant) const {
+  for (const SurfacePiece& piece : surfaces) {
+    for (Organ organ : piece.organs) {
+      organ.prototype = static_cast<std::uint32_t>(plant.prototypes.size());
+      plant.organs.push_back(organ);
+    }
+    plant.prototypes.push_back({graph_.components[component].id, material, piece.mesh});
+  }
 }
 
 std::vector<Stem> PlantAssembly::joined_stems(const std::vector<std::uint32_t>& material_of_component) const {

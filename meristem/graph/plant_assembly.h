@@ -8,6 +8,7 @@
 #include "meristem/base/progress.h"
 #include "meristem/graph/batch.h"
 #include "meristem/graph/graph.h"
+#include "meristem/graph/lofts.h"
 #include "meristem/plant/plant.h"
 
 namespace meristem {
@@ -22,9 +23,9 @@ class PlantAssembly {
   void add(ComponentIndex component, std::shared_ptr<const BatchResult> batch);
 
   /// The plant: materials, prototypes and organs in the order of the components, those of one component in the order of
-  /// its batches; stems in the order of the batches, joined. Throws InputError where the textures have too many pixels,
-  /// Cancelled.
-  Plant run(Progress& progress) const;
+  /// its batches, then surfaces; stems in the order of the batches, joined. The batches' meshes take `mesh_bytes`.
+  /// Throws InputError where textures have too many pixels or surfaces too many bytes, Cancelled.
+  Plant run(std::uint64_t mesh_bytes, Progress& progress) const;
 
  private:
   struct Made {
@@ -32,8 +33,12 @@ class PlantAssembly {
     std::shared_ptr<const BatchResult> result;
   };
 
-  std::uint32_t add_materials(ComponentIndex component, Plant& plant) const;
+  using Surfaces = std::vector<SurfacePiece>;
+
+  std::vector<Surfaces> join_surfaces(std::uint64_t mesh_bytes, Progress& progress) const;
+  std::uint32_t add_materials(ComponentIndex component, const Surfaces& surfaces, Plant& plant) const;
   void add_organs(ComponentIndex component, std::uint32_t material, Plant& plant) const;
+  void add_surfaces(ComponentIndex component, std::uint32_t material, const Surfaces& surfaces, Plant& plant) const;
   std::vector<Stem> joined_stems(const std::vector<std::uint32_t>& material_of_component) const;
   void check_pixels(const std::vector<Material>& materials) const;
 

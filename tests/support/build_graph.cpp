@@ -98,6 +98,7 @@ GraphBuilder& GraphBuilder::link(std::string_view from, std::string_view to, Lin
   ParameterReader reader(variables_, graph_.limits);
   const Place top;
   const Place links(top, "links");
+  link.given = given_placement(Value(placement));
   reader.read(placement_table(), &link.placement, placement, Place(links, graph_.links.size()));
   if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
   link.fingerprint = fingerprint_of(Value(placement), variables_, {}, 0);

@@ -222,12 +222,18 @@ class Expansion {
   void follow(LinkIndex index, const std::vector<Emitter>& emitters) {
     const Link& link = graph_.links[index];
     const bool has_stems = graph_.components[link.from].type->makes_stems;
+    const bool has_ribs = graph_.components[link.from].type->has_ribs;
+    const bool is_on_ribs = has_ribs && link.given.empty();
     Batch batch{.component = link.to, .sites = {}};
     for (const Emitter& emitter : emitters) {
       std::uint32_t number = emitter.first_stem;
       if (link.kind == LinkKind::branch) {
-        for (const EmittedStem& stem : emitter.stems) add_places_along(index, stem, number++, batch.sites);
-        for (const Site& site : emitter.branch_sites) add_site(index, site, batch.sites);
+        if (!is_on_ribs) {
+          for (const EmittedStem& stem : emitter.stems) add_places_along(index, stem, number++, batch.sites);
+        }
+        if (is_on_ribs || !has_ribs) {
+          for (const Site& site : emitter.branch_sites) add_site(index, site, batch.sites);
+        }
       } else if (link.kind == LinkKind::crown) {
         for (const EmittedStem& stem : emitter.stems) add_places_in_crown(index, stem, batch.sites);
       } else if (link.name != kNoIndex) {

@@ -288,18 +288,22 @@ std::vector<double> Emitter::per_child(const PerChild& number, std::uint32_t cou
 
 void Emitter::expect_children(std::uint64_t count) const {
   const std::uint64_t limit = context_->limits.instances;
-  if (count <= limit) return;
-  throw_limit("instances", static_cast<double>(count), limit, "instances", context_->multiplier);
+  if (context_->instances.load(std::memory_order_relaxed) + count > limit) throw_too_many_children();
 }
 
 void Emitter::count_sites() {
   const std::uint64_t limit = context_->limits.instances;
   const std::uint64_t before = context_->instances.fetch_add(uncounted_, std::memory_order_relaxed);
-  if (before + uncounted_ > limit) {
-    throw_past(fmt::format("'{}' offers places to more than {} instances", context_->component, limit), limit,
-               "instances", context_->multiplier);
-  }
+  if (before + uncounted_ > limit) throw_too_many_children();
   uncounted_ = 0;
+}
+
+void Emitter::throw_too_many_children() const {
+  const std::uint64_t limit = context_->limits.instances;
+  const std::string parents =
+      context_->together == 1 ? "" : fmt::format(", of which there are {},", context_->together);
+  throw_past(fmt::format("'{}'{} offers places to more than {} instances", context_->component, parents, limit), limit,
+             "instances", context_->multiplier);
 }
 
 void Emitter::count_nodes(std::uint64_t more) {

@@ -89,6 +89,7 @@ struct EmitterContext {
   const Limits& limits;
   const std::string& component;  ///< id, for errors
   std::string multiplier;        ///< document path of what multiplies the children, for errors
+  std::uint64_t together = 1;    ///< instances that are expanded together
   double time = 0;               ///< seconds
   const Tinting& tinting;        ///< of the instances
   Tropism tropism = Tropism::heading;
@@ -196,6 +197,7 @@ class Emitter {
   void number_named_sites();
   void add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius);
   void count_sites();
+  [[noreturn]] void throw_too_many_children() const;
   void count_nodes(std::uint64_t more);
   std::shared_ptr<const Mesh> shared_mesh(std::uint64_t key, FunctionRef<Mesh()> make);
 

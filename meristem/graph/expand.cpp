@@ -74,7 +74,10 @@ class Expansion {
   /// Throws where `more` instances by a link are too many.
   void check_limit(std::uint64_t more, LinkIndex link) const {
     if (instances_ + more <= graph_.limits.instances) return;
-    throw_limit("instances", static_cast<double>(instances_ + more), graph_.limits.instances, "instances",
+    const std::string& from = graph_.components[graph_.links[link].from].id;
+    const std::string& to = graph_.components[graph_.links[link].to].id;
+    throw_limit(fmt::format("instances, {} of them '{}' on {} of '{}',", more, to, parents_, from),
+                static_cast<double>(instances_ + more), graph_.limits.instances, "instances",
                 multiplier(graph_.links[link].from, std::span(&link, 1)));
   }
 
@@ -139,11 +142,13 @@ class Expansion {
       return std::any_of(links.begin(), links.end(),
                          [&](LinkIndex k) { return (graph_.links[k].kind == LinkKind::branch) == branches; });
     };
+    parents_ = batch.sites.size();
     const Tinting tinting(prototype);
     EmitterContext context{.scene = scene_,
                            .limits = graph_.limits,
                            .component = prototype.id,
                            .multiplier = multiplier(batch.component, links),
+                           .together = batch.sites.size(),
                            .time = time_,
                            .tinting = tinting,
                            .tropism = prototype.type->tropism,
@@ -257,7 +262,7 @@ class Expansion {
                              .parent = stem.site,
                              .limits = &graph_.limits,
                              .path = link_path(graph_, index)};
-    context.parent.key = context.places = child_key(index, stem.site.key);
+    context.parent.key = child_key(index, stem.site.key);
     const Link& link = graph_.links[index];
     const Placement* placement = &link.placement;
     std::optional<Placement> own;
@@ -433,6 +438,7 @@ class Expansion {
   std::deque<Batch> ready_;
   std::deque<Batch> growing_;
   std::uint64_t instances_ = 1;  // the root
+  std::uint64_t parents_ = 0;    // instances whose links are followed
   std::uint64_t nodes_ = 0;
   std::uint64_t mesh_bytes_ = 0;
   std::vector<ComponentOutput> outputs_;

@@ -109,6 +109,7 @@ struct ComponentType {
   bool is_camera = false;    ///< the root of every graph
   bool makes_stems = false;  ///< branch links place children along stems
   bool has_twigs = false;    ///< by default along twigs alone
+  bool has_ribs = false;     ///< branch links without placement keys have places of their own
   Tropism tropism = Tropism::heading;
   std::size_t size = 0;  ///< of the parameter struct
 
@@ -163,6 +164,7 @@ struct ComponentDefinition {
   bool is_camera = false;
   bool makes_stems = false;
   bool has_twigs = false;  ///< of stems; components that grow have twigs anyway
+  bool has_ribs = false;   ///< branch links without placement keys stand at the branch sites, others along the stems
   Tropism tropism = Tropism::heading;
   /// Makes one instance's geometry and says where children stand, through `out`, relative to the instance's own frame.
   void (*expand)(const P& parameters, const Site& site, Emitter& out) = nullptr;
@@ -196,6 +198,7 @@ ComponentType define_component(ComponentDefinition<P> definition) {
   type.is_camera = definition.is_camera;
   type.makes_stems = definition.makes_stems;
   type.has_twigs = definition.has_twigs || definition.grow != nullptr;
+  type.has_ribs = definition.has_ribs;
   type.tropism = definition.tropism;
   type.size = sizeof(P);
   type.make_parameters = [] { return std::static_pointer_cast<void>(std::make_shared<P>()); };

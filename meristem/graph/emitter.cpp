@@ -206,6 +206,12 @@ void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* b
   }
 }
 
+void Emitter::unseen_stem(Skeleton skeleton) {
+  const bool was_visible = std::exchange(visible_, false);
+  stem(std::move(skeleton), {});
+  visible_ = was_visible;
+}
+
 void Emitter::child_site(const Frame& local, float length, float radius) {
   const float scale = glm::length(site_.frame.heading());
   child_site_in_world(site_.frame * local, scale * length, scale * radius);
@@ -220,6 +226,14 @@ void Emitter::child_site_in_world(const Frame& frame, float length, float radius
 void Emitter::branch_site(const Frame& local, float u, float length, float radius) {
   const float scale = glm::length(site_.frame.heading());
   if (context_->wants_branch_sites) add_site(branch_sites, site_.frame * local, u, scale * length, scale * radius);
+}
+
+void Emitter::branch_site_on_stem(const Frame& frame, float u, float length, float radius, NodeIndex node,
+                                  float along) {
+  if (!context_->wants_branch_sites) return;
+  add_site(branch_sites, frame, u, length, radius);
+  branch_sites.back().node = node;
+  branch_sites.back().along = along;
 }
 
 void Emitter::named_site(std::uint32_t name, const Frame& frame, float length, float radius, NodeIndex node) {

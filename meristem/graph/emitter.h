@@ -155,6 +155,8 @@ class Emitter : private Emitted {
   /// A skeleton in world space. The instance's `place` moves it, but not what hangs on it.
   /// `branching`, if given, says where the children of branch links stand, as far as the links do not.
   void stem(Skeleton skeleton, const Surface& surface, const Placement* branching = nullptr);
+  /// One that is not seen, for the children of branch links.
+  void unseen_stem(Skeleton skeleton);
   /// A place for children, relative to the instance's frame, as are the length and radius that they see; called n times
   /// it multiplies them. Without a call, children stand in the instance's frame, unless `no_children` was called.
   void child_site(const Frame& local, float length = 0, float radius = 0);
@@ -171,6 +173,8 @@ class Emitter : private Emitted {
   /// A place for the children of branch links where it differs from those of child links. Without a call, and for
   /// components that make no stems, these stand where the children of child links do.
   void branch_site(const Frame& local, float u, float length, float radius);
+  /// The same in world space, on the stem emitted last: at the share `along` of the segment that ends in `node`.
+  void branch_site_on_stem(const Frame& frame, float u, float length, float radius, NodeIndex node, float along);
 
   /// A place in world space for the component that the instance itself places, by its number in the type's `placed`;
   /// on `node` of the stem emitted last, or kNoNode.

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <mutex>
+#include <optional>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -24,6 +26,25 @@ std::vector<std::uint32_t> ordinals_of_links(const Graph& graph) {
   return ordinals;
 }
 
+/// The sum over all leading items of which none is missing, whatever the order in which threads add them.
+class LeadingSum {
+ public:
+  explicit LeadingSum(std::size_t count) : values_(count) {}
+
+  void add(std::size_t item, std::uint64_t value) {
+    const std::scoped_lock lock(mutex_);
+    values_[item] = value;
+    for (; next_ < values_.size() && values_[next_]; ++next_) sum_ += *values_[next_];
+  }
+  std::uint64_t sum() const { return sum_; }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::optional<std::uint64_t>> values_;
+  std::size_t next_ = 0;
+  std::atomic<std::uint64_t> sum_{0};
+};
+
 }  // namespace
 
 /// Writes the places that one link gives on one block of the parent's instances.
@@ -40,8 +61,13 @@ class LinkPlaces::Writer {
 
   std::vector<Site> run(const Emitted& parents) {
     if (link_.kind == LinkKind::branch) {
-      for (const EmittedStem& stem : parents.stems) add_along(stem);
-      for (const Site& site : parents.branch_sites) add_child(site);
+      const bool is_on_ribs = from_.has_ribs && link_.given.empty();
+      if (!is_on_ribs) {
+        for (const EmittedStem& stem : parents.stems) add_along(stem);
+      }
+      if (is_on_ribs || !from_.has_ribs) {
+        for (const Site& site : parents.branch_sites) add_child(site);
+      }
     } else if (link_.kind == LinkKind::crown) {
       for (const EmittedStem& stem : parents.stems) add_in_crown(stem);
     } else if (link_.name != kNoIndex) {
@@ -163,19 +189,17 @@ std::vector<Site> LinkPlaces::places(LinkIndex link, const BatchResult& parent, 
   const std::uint64_t room = limit - std::min(limit, before.all);
   std::vector<std::vector<Site>> found(blocks);
   std::vector<std::exception_ptr> faults(blocks);
-  std::vector<std::atomic<std::uint64_t>> counts(blocks);
+  LeadingSum lower(blocks);
   parallel_for(blocks, 1, [&](std::size_t block, std::size_t) {
     // Where those before are too many already, this block makes no difference, and memory is saved.
-    std::uint64_t lower = 0;
-    for (std::size_t k = 0; k < block; ++k) lower += counts[k].load(std::memory_order_relaxed);
-    if (lower > room) return;
+    if (lower.sum() > room) return;
     Progress part(&progress_);
     try {
       found[block] = Writer(*this, link, blocks == 1 ? progress_ : part, room).run(parent.blocks[block]);
     } catch (const InputError&) {
       faults[block] = std::current_exception();
     }
-    counts[block] = found[block].size();
+    lower.add(block, found[block].size());
   });
 
   // Throw what following them one after another would throw.

@@ -14,9 +14,9 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/fingerprint.h"
 #include "meristem/base/parallel.h"
 #include "meristem/graph/batch.h"
-#include "meristem/graph/fingerprint.h"
 #include "meristem/graph/kept.h"
 #include "meristem/graph/link_places.h"
 #include "meristem/graph/looks.h"

@@ -16,7 +16,7 @@ std::vector<Organ> rays(const Value::Object& parameters) {
 }
 
 TEST(Hydra, SpreadsItsChildrenEvenlyAboutItsHeading) {
-  const std::vector<Organ> organs = rays({{"number", 5}, {"angle", 60}, {"size", 0.5}});
+  const std::vector<Organ> organs = rays({{"number", 5}, {"angle", 60}, {"radius", 0.5}});
   ASSERT_EQ(organs.size(), 5U);
   Vec3 sum(0);
   for (std::size_t k = 0; k < organs.size(); ++k) {

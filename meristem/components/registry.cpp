@@ -8,9 +8,11 @@
 #include "meristem/components/leaf.h"
 #include "meristem/components/lsystem.h"
 #include "meristem/components/needles.h"
+#include "meristem/components/phiball.h"
 #include "meristem/components/revolution.h"
 #include "meristem/components/simple.h"
 #include "meristem/components/tree.h"
+#include "meristem/components/wreath.h"
 
 namespace meristem {
 
@@ -23,6 +25,8 @@ const Registry& builtin_components() {
       needles_component(),
       tree_component(),
       hydra_component(),
+      wreath_component(),
+      phiball_component(),
       colonize_component(),
       cloud_component(),
       lsystem_component(),

@@ -237,6 +237,7 @@ class DocumentReader {
         check_crown(reader, graph, place, link);
       } else {
         reader.read(placement_table(), &link.placement, value, place);
+        link.given = given_placement(value);
         if (kind_is_known) check_placement(reader, graph, value, place, link);
       }
     }

@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+#include "meristem/scene/sun.h"
+
 namespace meristem {
 
 Frame Transform::frame() const {
@@ -38,6 +40,19 @@ const ParameterTable& growing_component_table() {
   return table;
 }
 
+Frame instance_frame(const ComponentBase& base, const Frame& site, Tropism tropism, const Scene& scene) {
+  Frame frame = site * base.frame.frame();
+  if (tropism == Tropism::none) return frame;
+  const auto turn = [&](int column, Vec3 target, double share) {
+    const Vec3 fallback = normalized_or(frame.axes[column == 1 ? 0 : 1], kUp);
+    const Vec3 from = normalized_or(frame.axes[column], kUp);
+    frame.axes = rotation_toward(from, target, share, fallback) * frame.axes;
+  };
+  if (base.gravitropism != 0) turn(1, -kUp, base.gravitropism);
+  if (base.phototropism != 0) turn(tropism == Tropism::face ? 2 : 1, unit_vector(scene.sun), base.phototropism);
+  return frame;
+}
+
 const ParameterTable& component_base_table() {
   static const ParameterTable table =
       Table<ComponentBase>("a component", "What all components have.")
@@ -56,6 +71,12 @@ const ParameterTable& component_base_table() {
           .object("place", &ComponentBase::place, transform_table, "Moves this component's geometry only.")
           .object("frame", &ComponentBase::frame, transform_table,
                   "Moves this component's coordinate system and all that hangs on it.")
+          .number("phototropism", &ComponentBase::phototropism, {.min = -1, .max = 1},
+                  "Share of the turn toward the light: of a leaf's upper face, of all else's heading, along stems "
+                  "section by section; negative, away from it.")
+          .number("gravitropism", &ComponentBase::gravitropism, {.min = -1, .max = 1},
+                  "Share of the turn of its heading straight down, along stems section by section; negative, straight "
+                  "up.")
           .integer("recursion", &ComponentBase::recursion, {.min = 1, .max = 1000, .fixed = true},
                    "How many instances in a row a link from below back to this component makes, the first included.")
           .selection("omit", &ComponentBase::omit,

@@ -59,6 +59,8 @@ struct ComponentBase {
   std::optional<double> translucency;
   Transform place;                ///< moves this component's geometry only
   Transform frame;                ///< moves its coordinate system and all that hangs on it
+  double phototropism = 0;        ///< share of the turn toward the light; negative: away from it
+  double gravitropism = 0;        ///< share of the turn straight down; negative: straight up
   int recursion = 1;              ///< instances that a link back makes of this component in a row, the first included
   std::optional<Selection> omit;  ///< instances without geometry
   std::optional<Selection> only;  ///< all others are without
@@ -70,6 +72,9 @@ struct ComponentBase {
 struct GrowingComponent : ComponentBase {
   bool alone = false;  ///< grows in a stand of its own
 };
+
+/// Where an instance at a site with the frame `site` stands: moved by its own frame, then turned by gravity and light.
+Frame instance_frame(const ComponentBase& base, const Frame& site, Tropism tropism, const Scene& scene);
 
 /// The rows of ComponentBase, which follow each component's own.
 const ParameterTable& component_base_table();
@@ -104,7 +109,8 @@ struct ComponentType {
   bool is_camera = false;    ///< the root of every graph
   bool makes_stems = false;  ///< branch links place children along stems
   bool has_twigs = false;    ///< by default along twigs alone
-  std::size_t size = 0;      ///< of the parameter struct
+  Tropism tropism = Tropism::heading;
+  std::size_t size = 0;  ///< of the parameter struct
 
   std::function<std::shared_ptr<void>()> make_parameters;  ///< a struct with the defaults
   std::function<const ComponentBase&(const void* parameters)> base;
@@ -148,6 +154,7 @@ struct ComponentDefinition {
   bool is_camera = false;
   bool makes_stems = false;
   bool has_twigs = false;  ///< of stems; components that grow have twigs anyway
+  Tropism tropism = Tropism::heading;
   /// Makes one instance's geometry and says where children stand, through `out`, relative to the instance's own frame.
   void (*expand)(const P& parameters, const Site& site, Emitter& out) = nullptr;
   /// For components that grow: plants one instance at its site. After growing, `expand` finds the skeleton in
@@ -177,6 +184,7 @@ ComponentType define_component(ComponentDefinition<P> definition) {
   type.is_camera = definition.is_camera;
   type.makes_stems = definition.makes_stems;
   type.has_twigs = definition.has_twigs || definition.grow != nullptr;
+  type.tropism = definition.tropism;
   type.size = sizeof(P);
   type.make_parameters = [] { return std::static_pointer_cast<void>(std::make_shared<P>()); };
   if constexpr (requires(const P& parameters) { static_cast<const Surface&>(parameters.surface); }) {
@@ -198,7 +206,7 @@ ComponentType define_component(ComponentDefinition<P> definition) {
       VaryingValues(prototype.varyings, std::span(&site, 1), time).apply(0, &instance);
       check_rules(*prototype.type, prototype.id, &instance, context.limits);
       Site own = site;
-      own.frame = site.frame * instance.frame.frame();
+      own.frame = instance_frame(instance, site.frame, prototype.type->tropism, context.scene);
       return grow(instance, own, context);
     };
   }

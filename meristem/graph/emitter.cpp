@@ -81,7 +81,7 @@ void Emitter::instance(const ComponentBase& base, const Site& site, std::size_t 
 
 void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   site_ = site;
-  site_.frame = site.frame * base.frame.frame();
+  site_.frame = instance_frame(base, site.frame, context_->tropism, context_->scene);
   const Frame place = base.place.frame();
   is_placed_ = place.axes != Mat3(1) || place.origin != Vec3(0);
   geometry_frame_ = site_.frame * place;
@@ -154,9 +154,15 @@ std::shared_ptr<const Mesh> Emitter::shared_mesh(std::uint64_t key, FunctionRef<
              "components." + context_->component);
 }
 
-void Emitter::stem(Skeleton skeleton, const Surface& surface) {
+void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* branching) {
   count_nodes(skeleton.node_count());
-  EmittedStem& stem = stems.emplace_back(EmittedStem{std::move(skeleton), surface, site_, visible_, tint_, {}});
+  if (branching == nullptr) {
+    branching_ = nullptr;
+  } else if (branching_ == nullptr || !(*branching_ == *branching)) {
+    branching_ = std::make_shared<const Placement>(*branching);
+  }
+  EmittedStem& stem =
+      stems.emplace_back(EmittedStem{std::move(skeleton), surface, branching_, site_, visible_, tint_, {}});
   if (stem.surface.crown) stem.surface.crown->scale(glm::length(site_.frame.heading()));
   stem.site.key = site_.key.child("stem").child(stems_of_instance_++);
   if (is_placed_ && visible_) {
@@ -217,6 +223,27 @@ void Emitter::add_site(std::vector<Site>& sites, const Frame& frame, float u, fl
   site.stem = kOfThisBlock | static_cast<std::uint32_t>(stems.size() - 1);
   site.node = static_cast<NodeIndex>(skeleton.node_count() - 1);
   site.along = 1;
+}
+
+std::vector<double> Emitter::per_child(const PerChild& number, std::uint32_t count) const {
+  if (!number.varying) return std::vector<double>(count, number.plain);
+  std::vector<Site> children(count, site_);
+  const RandomKey key = site_.key.child("children");
+  for (std::uint32_t k = 0; k < count; ++k) {
+    children[k].i = k;
+    children[k].n = count;
+    children[k].key = key.child(k);
+  }
+  const VaryingValues evaluated(std::span(&*number.varying, 1), children, context_->time);
+  std::vector<double> values(count);
+  for (std::uint32_t k = 0; k < count; ++k) values[k] = evaluated.value(0, k);
+  return values;
+}
+
+void Emitter::expect_children(std::uint64_t count) const {
+  const std::uint64_t limit = context_->limits.instances;
+  if (count <= limit) return;
+  throw_limit("instances", static_cast<double>(count), limit, "instances", context_->multiplier);
 }
 
 void Emitter::count_sites() {

@@ -16,7 +16,9 @@
 #include "meristem/base/limits.h"
 #include "meristem/base/mesh.h"
 #include "meristem/base/progress.h"
+#include "meristem/graph/placement.h"
 #include "meristem/graph/site.h"
+#include "meristem/graph/varying.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
 
@@ -25,6 +27,13 @@ namespace meristem {
 struct ComponentBase;
 class Tinting;
 
+/// What of a component light and gravity turn.
+enum class Tropism {
+  heading,  ///< toward the light, or down
+  face,     ///< the upper face toward the light, the heading down
+  none,     ///< nothing: the component bends by itself
+};
+
 /// A key for geometry that instances with these numbers share.
 std::uint64_t shape_key(std::initializer_list<double> numbers);
 
@@ -32,7 +41,8 @@ std::uint64_t shape_key(std::initializer_list<double> numbers);
 struct EmittedStem {
   Skeleton skeleton;
   Surface surface;
-  Site site;  ///< of the instance that made it, with a key of the stem's own
+  std::shared_ptr<const Placement> branching;  ///< where its branches stand, as far as links do not say; may be null
+  Site site;                                   ///< of the instance that made it, with a key of the stem's own
   bool visible = true;
   Vec3 tint{1};
   std::optional<Skeleton> moved;  ///< what is seen instead of the skeleton where `place` moves it
@@ -62,6 +72,7 @@ struct EmitterContext {
   std::string multiplier;        ///< document path of what multiplies the children, for errors
   double time = 0;               ///< seconds
   const Tinting& tinting;        ///< of the instances
+  Tropism tropism = Tropism::heading;
   Progress* progress = nullptr;  ///< for what takes long in one instance
   bool makes_stems = false;      ///< children of branch links stand along stems only
   bool wants_child_sites = true;
@@ -71,6 +82,9 @@ struct EmitterContext {
   std::uint64_t mesh_bytes = 0;             ///< of what was made before
   SharedMeshes meshes{};
 };
+
+/// Of where the children stand on a stem with this key.
+inline RandomKey key_of_places(RandomKey stem) { return stem.child("branching"); }
 
 /// Takes what the instances of one block emit. One thread uses one emitter; blocks are merged in their order.
 ///
@@ -91,7 +105,8 @@ class Emitter {
   /// The same for flat shapes that look otherwise than the rest: in the component type's material of blades.
   void blade(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint = Vec3(1));
   /// A skeleton in world space. The instance's `place` moves it, but not what hangs on it.
-  void stem(Skeleton skeleton, const Surface& surface);
+  /// `branching`, if given, says where the children of branch links stand, as far as the links do not.
+  void stem(Skeleton skeleton, const Surface& surface, const Placement* branching = nullptr);
   /// A place for children, relative to the instance's frame, as are the length and radius that they see; called n times
   /// it multiplies them. Without a call, children stand in the instance's frame, unless `no_children` was called.
   void child_site(const Frame& local, float length = 0, float radius = 0);
@@ -99,6 +114,12 @@ class Emitter {
   void child_site_in_world(const Frame& frame, float length, float radius);
   /// Children stand only where `child_site` says: for components whose number of children may be 0.
   void no_children() { has_child_sites_ = true; }
+  /// The values of a number for each of `count` children of the instance, in the struct's unit. Expressions see the
+  /// children's i and n and draw random numbers of their own; all else that they see is the instance's.
+  std::vector<double> per_child(const PerChild& number, std::uint32_t count) const;
+  /// Says that `count` places will be offered, before anything is made for them. Throws InputError where they are more
+  /// than may be.
+  void expect_children(std::uint64_t count) const;
   /// A place for the children of branch links where it differs from those of child links. Without a call, and for
   /// components that make no stems, these stand where the children of child links do.
   void branch_site(const Frame& local, float u, float length, float radius);
@@ -106,6 +127,9 @@ class Emitter {
   /// A place in world space for the component that the instance itself places, by its number in the type's `placed`;
   /// on `node` of the stem emitted last, or kNoNode.
   void named_site(std::uint32_t name, const Frame& frame, float length, float radius, NodeIndex node);
+
+  /// Of where the children stand on the stem that is emitted next, if it brings its branching.
+  RandomKey places_on_next_stem() const { return key_of_places(site_.key.child("stem").child(stems_of_instance_)); }
 
   const Scene& scene() const { return context_->scene; }
   const Limits& limits() const { return context_->limits; }
@@ -161,6 +185,7 @@ class Emitter {
   std::uint64_t uncounted_ = 0;  // sites not yet in the context's count
   std::unordered_map<std::uint64_t, std::uint32_t> prototype_by_key_;
   std::vector<Skeleton> grown_;
+  std::shared_ptr<const Placement> branching_;  // of the stem emitted last, as most have the same
 };
 
 }  // namespace meristem

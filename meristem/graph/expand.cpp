@@ -145,6 +145,7 @@ class Expansion {
                            .multiplier = multiplier(batch.component, links),
                            .time = time_,
                            .tinting = tinting,
+                           .tropism = prototype.type->tropism,
                            .makes_stems = prototype.type->makes_stems,
                            .wants_child_sites = wants(false),
                            .wants_branch_sites = wants(true),
@@ -249,10 +250,19 @@ class Expansion {
                              .parent = stem.site,
                              .limits = &graph_.limits,
                              .path = link_path(graph_, index)};
-    context.parent.key = child_key(index, stem.site.key);
-    for (const Site& site : place_along(stem.skeleton, graph_.links[index].placement, context)) {
-      add_keyed(index, site, out);
+    context.parent.key = context.places = child_key(index, stem.site.key);
+    const Link& link = graph_.links[index];
+    const Placement* placement = &link.placement;
+    std::optional<Placement> own;
+    if (stem.branching) {
+      context.places = key_of_places(stem.site.key);
+      placement = stem.branching.get();
+      if (!link.given.empty()) placement = &own.emplace(overridden(*stem.branching, link.placement, link.given));
+      if (!(link.placement.density || link.placement.count)) {
+        context.path = "components." + graph_.components[link.from].id;
+      }
     }
+    for (const Site& site : place_along(stem.skeleton, *placement, context)) add_keyed(index, site, out);
     check_limit(out.size(), index);
   }
 

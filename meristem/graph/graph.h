@@ -32,9 +32,10 @@ struct Link {
   ComponentIndex from = 0;
   ComponentIndex to = 0;
   LinkKind kind = LinkKind::child;
-  Placement placement;            ///< of branch links
-  CrownPlacement in_crown;        ///< of crown links
-  std::uint32_t name = kNoIndex;  ///< of child links that the parent makes itself: which of the ids it places
+  Placement placement;             ///< of branch links
+  std::vector<std::string> given;  ///< which keys of it the document gives
+  CrownPlacement in_crown;         ///< of crown links
+  std::uint32_t name = kNoIndex;   ///< of child links that the parent makes itself: which of the ids it places
 };
 
 struct Graph {

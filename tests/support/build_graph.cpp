@@ -94,6 +94,7 @@ GraphBuilder& GraphBuilder::link(std::string_view from, std::string_view to, Lin
   ParameterReader reader(variables_, graph_.limits);
   const Place top;
   const Place links(top, "links");
+  link.given = given_placement(Value(placement));
   reader.read(placement_table(), &link.placement, placement, Place(links, graph_.links.size()));
   if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
   graph_.links.push_back(std::move(link));

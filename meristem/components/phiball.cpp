@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "meristem/base/math.h"
 #include "meristem/components/around.h"
 
@@ -11,6 +13,8 @@ namespace meristem {
 namespace {
 
 constexpr double kDefaultRadius = 0.1;
+constexpr const char* kNoZone = "the zone ends where it begins, or before";
+constexpr const char* kZone = "'theta1' below 'theta2'";
 
 void expand(const Phiball& ball, const Site&, Emitter& out) {
   out.no_children();
@@ -23,6 +27,10 @@ void expand(const Phiball& ball, const Site&, Emitter& out) {
 
   const double top = math::cos(ball.theta1);
   const double height = top - math::cos(ball.theta2);  // of the zone, for a sphere of radius 1
+  if (!(height > 0)) {
+    throw InputError(Diagnostic{
+        .message = kNoZone, .expected = kZone, .path = fmt::format("components.{}.theta1", out.component())});
+  }
   const double radius =
       ball.area ? std::sqrt(*ball.area * whole / (2 * kPi * height)) : ball.radius.value_or(kDefaultRadius);
   const double golden = kGoldenAngleDeg * kPi / 180;
@@ -43,7 +51,7 @@ void expand(const Phiball& ball, const Site&, Emitter& out) {
 
 void check_zone(const Phiball& ball, const Place& place, ParameterReader& reader) {
   if (ball.theta1 < ball.theta2) return;
-  reader.fault(Place(place, "theta1"), "the zone ends where it begins, or before", "'theta1' below 'theta2'");
+  reader.fault(Place(place, "theta1"), kNoZone, kZone);
 }
 
 }  // namespace

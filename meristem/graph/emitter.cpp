@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/graph/emitter.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/matrix.hpp>
@@ -91,6 +93,9 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
                                 .path = "components." + context_->component});
   }
   tint_ = context_->tinting.tint(base, site.key.child("colour"));
+  base_ = &base;
+  parent_section_ = std::exchange(site_.section, 0);
+  section_ = 0;
   has_child_sites_ = false;
   stems_of_instance_ = 0;
   first_child_ = child_sites.size();
@@ -106,6 +111,12 @@ void Emitter::end_instance() {
                         child_sites.end());
   }
   if (!context_->wants_child_sites) child_sites.resize(first_child_);
+  if (section_ != 0) {
+    for (std::size_t k = first_child_; k < child_sites.size(); ++k) {
+      child_sites[k].section = section_;
+      child_sites[k].surface = site_.surface;
+    }
+  }
   const auto number = [](std::vector<Site>& sites, std::size_t first) {
     const auto count = static_cast<std::uint32_t>(sites.size() - first);
     for (std::uint32_t k = 0; k < count; ++k) {
@@ -143,6 +154,27 @@ void Emitter::add_organ(const Frame& local, std::uint64_t key, bool is_blade, Fu
   const auto [found, is_new] = prototype_by_key_.try_emplace(key, static_cast<std::uint32_t>(prototypes.size()));
   if (is_new) prototypes.push_back({key, shared_mesh(key, make), is_blade});
   organs.push_back({geometry_frame_ * local, found->second, tint, site_.birth});
+}
+
+void Emitter::section(const Frame& local, std::uint64_t key, bool is_capped, FunctionRef<LoftSection()> make) {
+  if (!visible_) return;
+  std::shared_ptr<const SectionOutline>& outline = outline_by_key_[key];
+  if (outline == nullptr) {
+    SectionOutline made{.key = key, .section = make()};
+    for (const Vec3 point : made.section.points) made.extent = std::max(made.extent, glm::length(point));
+    outline = std::make_shared<const SectionOutline>(std::move(made));
+  }
+  // Chance gives one colour to all of a surface.
+  const bool is_first = parent_section_ == 0;
+  if (is_first) site_.surface = site_.key;
+  section_ = std::max<std::uint64_t>(1, site_.key.child("section").bits());
+  sections.push_back({.outline = outline,
+                      .frame = geometry_frame_ * local,
+                      .is_capped = is_capped,
+                      .id = section_,
+                      .parent = parent_section_,
+                      .tint = is_first ? tint_ : context_->tinting.tint(*base_, site_.surface.child("colour")),
+                      .birth = site_.birth});
 }
 
 std::shared_ptr<const Mesh> Emitter::shared_mesh(std::uint64_t key, FunctionRef<Mesh()> make) {
@@ -242,18 +274,22 @@ std::vector<double> Emitter::per_child(const PerChild& number, std::uint32_t cou
 
 void Emitter::expect_children(std::uint64_t count) const {
   const std::uint64_t limit = context_->limits.instances;
-  if (count <= limit) return;
-  throw_limit("instances", static_cast<double>(count), limit, "instances", context_->multiplier);
+  if (context_->instances.load(std::memory_order_relaxed) + count > limit) throw_too_many_children();
 }
 
 void Emitter::count_sites() {
   const std::uint64_t limit = context_->limits.instances;
   const std::uint64_t before = context_->instances.fetch_add(uncounted_, std::memory_order_relaxed);
-  if (before + uncounted_ > limit) {
-    throw_past(fmt::format("'{}' offers places to more than {} instances", context_->component, limit), limit,
-               "instances", context_->multiplier);
-  }
+  if (before + uncounted_ > limit) throw_too_many_children();
   uncounted_ = 0;
+}
+
+void Emitter::throw_too_many_children() const {
+  const std::uint64_t limit = context_->limits.instances;
+  const std::string parents =
+      context_->together == 1 ? "" : fmt::format(", of which there are {},", context_->together);
+  throw_past(fmt::format("'{}'{} offers places to more than {} instances", context_->component, parents, limit), limit,
+             "instances", context_->multiplier);
 }
 
 void Emitter::count_nodes(std::uint64_t more) {

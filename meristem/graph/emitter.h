@@ -21,6 +21,7 @@
 #include "meristem/graph/varying.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
+#include "meristem/shape/loft.h"
 
 namespace meristem {
 
@@ -49,6 +50,24 @@ struct EmittedStem {
   float moved_scale = 1;          ///< by which that is larger
 };
 
+/// The points of a section, in its own frame.
+struct SectionOutline {
+  std::uint64_t key = 0;  ///< outlines of one component with equal keys are equal
+  LoftSection section;
+  float extent = 0;  ///< from the origin to the farthest point, metres
+};
+
+/// A section of a surface that is put together when all have been emitted.
+struct EmittedSection {
+  std::shared_ptr<const SectionOutline> outline;
+  Frame frame;               ///< of the outline, in world space
+  bool is_capped = true;     ///< a ring is closed by a flat face where its surface ends
+  std::uint64_t id = 0;      ///< never 0
+  std::uint64_t parent = 0;  ///< id of the section that it continues, or 0
+  Vec3 tint{1};
+  float birth = 0;
+};
+
 /// Meshes that the blocks of one component share, by their keys. May be called from many threads.
 class SharedMeshes {
  public:
@@ -70,6 +89,7 @@ struct EmitterContext {
   const Limits& limits;
   const std::string& component;  ///< id, for errors
   std::string multiplier;        ///< document path of what multiplies the children, for errors
+  std::uint64_t together = 1;    ///< instances that are expanded together
   double time = 0;               ///< seconds
   const Tinting& tinting;        ///< of the instances
   Tropism tropism = Tropism::heading;
@@ -104,6 +124,10 @@ class Emitter {
   void organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint = Vec3(1));
   /// The same for flat shapes that look otherwise than the rest: in the component type's material of blades.
   void blade(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint = Vec3(1));
+  /// A section of a surface at `local` in the instance's frame (moved by its `place`), once an instance. Where children
+  /// by child and leaf links give sections too, their surface is one with it. Instances of one component with equal
+  /// `key` share what one of them makes.
+  void section(const Frame& local, std::uint64_t key, bool is_capped, FunctionRef<LoftSection()> make);
   /// A skeleton in world space. The instance's `place` moves it, but not what hangs on it.
   /// `branching`, if given, says where the children of branch links stand, as far as the links do not.
   void stem(Skeleton skeleton, const Surface& surface, const Placement* branching = nullptr);
@@ -149,9 +173,11 @@ class Emitter {
     std::uint64_t key = 0;
     std::shared_ptr<const Mesh> mesh;
     bool is_blade = false;
+    bool is_open = false;  ///< seen from both sides
   };
   std::vector<EmittedPrototype> prototypes;
   std::vector<Organ> organs;  ///< their prototypes count within this emitter
+  std::vector<EmittedSection> sections;
   std::vector<EmittedStem> stems;
   std::uint32_t first_stem = 0;  ///< number of the first of them
   /// Numbers the stems on from `first`, and tells the places on them.
@@ -167,6 +193,7 @@ class Emitter {
   void number_named_sites();
   void add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius);
   void count_sites();
+  [[noreturn]] void throw_too_many_children() const;
   void count_nodes(std::uint64_t more);
   std::shared_ptr<const Mesh> shared_mesh(std::uint64_t key, FunctionRef<Mesh()> make);
 
@@ -175,6 +202,9 @@ class Emitter {
   Site site_;             // of the present instance, with its own frame
   Frame geometry_frame_;  // that frame moved by `place`
   Vec3 tint_{1};
+  const ComponentBase* base_ = nullptr;  // of the present instance
+  std::uint64_t parent_section_ = 0;     // that the instance stands on
+  std::uint64_t section_ = 0;            // that it has given
   bool is_placed_ = false;
   bool visible_ = true;
   bool has_child_sites_ = false;
@@ -184,6 +214,7 @@ class Emitter {
   std::uint32_t stems_of_instance_ = 0;
   std::uint64_t uncounted_ = 0;  // sites not yet in the context's count
   std::unordered_map<std::uint64_t, std::uint32_t> prototype_by_key_;
+  std::unordered_map<std::uint64_t, std::shared_ptr<const SectionOutline>> outline_by_key_;
   std::vector<Skeleton> grown_;
   std::shared_ptr<const Placement> branching_;  // of the stem emitted last, as most have the same
 };

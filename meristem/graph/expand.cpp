@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/parallel.h"
+#include "meristem/graph/lofts.h"
 #include "meristem/graph/looks.h"
 #include "meristem/grow/stand.h"
 #include "meristem/plant/join_stems.h"
@@ -73,7 +74,10 @@ class Expansion {
   /// Throws where `more` instances by a link are too many.
   void check_limit(std::uint64_t more, LinkIndex link) const {
     if (instances_ + more <= graph_.limits.instances) return;
-    throw_limit("instances", static_cast<double>(instances_ + more), graph_.limits.instances, "instances",
+    const std::string& from = graph_.components[graph_.links[link].from].id;
+    const std::string& to = graph_.components[graph_.links[link].to].id;
+    throw_limit(fmt::format("instances, {} of them '{}' on {} of '{}',", more, to, parents_, from),
+                static_cast<double>(instances_ + more), graph_.limits.instances, "instances",
                 multiplier(graph_.links[link].from, std::span(&link, 1)));
   }
 
@@ -138,11 +142,13 @@ class Expansion {
       return std::any_of(links.begin(), links.end(),
                          [&](LinkIndex k) { return (graph_.links[k].kind == LinkKind::branch) == branches; });
     };
+    parents_ = batch.sites.size();
     const Tinting tinting(prototype);
     EmitterContext context{.scene = scene_,
                            .limits = graph_.limits,
                            .component = prototype.id,
                            .multiplier = multiplier(batch.component, links),
+                           .together = batch.sites.size(),
                            .time = time_,
                            .tinting = tinting,
                            .tropism = prototype.type->tropism,
@@ -250,7 +256,7 @@ class Expansion {
                              .parent = stem.site,
                              .limits = &graph_.limits,
                              .path = link_path(graph_, index)};
-    context.parent.key = context.places = child_key(index, stem.site.key);
+    context.parent.key = child_key(index, stem.site.key);
     const Link& link = graph_.links[index];
     const Placement* placement = &link.placement;
     std::optional<Placement> own;
@@ -330,6 +336,7 @@ class Expansion {
       organ.prototype = prototype[organ.prototype];
       output.organs.push_back(organ);
     }
+    for (EmittedSection& section : emitter.sections) sections_.push_back({std::move(section), component});
     for (EmittedStem& emitted : emitter.stems) {
       LooseStem& stem = stems_.emplace_back();
       component_of_stem_.push_back(component);
@@ -358,7 +365,20 @@ class Expansion {
                 "texture_pixels", fmt::format("components.{}.texture", material.name));
   }
 
+  /// Surfaces of many instances become organs of the components that their pieces belong to.
+  void join_surfaces() {
+    for (SurfacePiece& piece : join_sections(sections_, graph_, mesh_bytes_, progress_)) {
+      ComponentOutput& output = outputs_[piece.component];
+      for (Organ& organ : piece.organs) {
+        organ.prototype = static_cast<std::uint32_t>(output.prototypes.size());
+        output.organs.push_back(organ);
+      }
+      output.prototypes.push_back({.mesh = std::move(piece.mesh), .is_open = piece.is_open});
+    }
+  }
+
   Plant assemble() {
+    join_surfaces();
     Plant plant;
     std::vector<std::uint32_t> material_of_component(outputs_.size(), 0);
     for (ComponentIndex c = 0; c < outputs_.size(); ++c) {
@@ -369,9 +389,11 @@ class Expansion {
       };
       progress_.check();
       const auto material = static_cast<std::uint32_t>(plant.materials.size());
+      const bool has_open = std::ranges::any_of(output.prototypes, [](const auto& made) { return made.is_open; });
       const bool has_own = output.stems > 0 || has(false);
       if (has_own) {
         plant.materials.push_back(material_of(graph_.components[c]));
+        if (has_open) plant.materials.back().two_sided = true;
         count_pixels(plant.materials.back());
       }
       const auto blades = static_cast<std::uint32_t>(plant.materials.size());
@@ -410,9 +432,11 @@ class Expansion {
   std::deque<Batch> ready_;
   std::deque<Batch> growing_;
   std::uint64_t instances_ = 1;  // the root
+  std::uint64_t parents_ = 0;    // instances whose links are followed
   std::uint64_t nodes_ = 0;
   std::uint64_t mesh_bytes_ = 0;
   std::vector<ComponentOutput> outputs_;
+  std::vector<SurfaceSection> sections_;
   std::vector<LooseStem> stems_;  // by number; hidden ones have no nodes
   std::vector<ComponentIndex> component_of_stem_;
   std::vector<std::uint32_t> link_ordinals_;

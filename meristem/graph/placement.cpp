@@ -126,7 +126,7 @@ struct AxisPlaces {
 /// For every node whether the segment that ends in it may carry children.
 std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const Axes& axes, const Placement& placement,
                                          const PlacementContext& context) {
-  if (placement.where) return nodes_where(skeleton, axes, *placement.where, context.places.child("where"));
+  if (placement.where) return nodes_where(skeleton, axes, *placement.where, context.key_of_places().child("where"));
   if (!context.has_twigs) return std::vector<std::uint8_t>(skeleton.node_count(), 1);
   std::vector<std::uint8_t> eligible;
   for (const float distance : tip_distance(skeleton)) eligible.push_back(distance < kDefaultTwig ? 1 : 0);
@@ -201,7 +201,7 @@ class AxisWriter {
         placement_(placement),
         context_(context),
         key_(context.parent.key.child(axis)),
-        places_(context.places.child(axis)) {}
+        places_(context.key_of_places().child(axis)) {}
 
   void write(const AxisPlaces& axis, Site* out) {
     if (axis.places == 0) return;
@@ -300,7 +300,7 @@ std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placeme
     }
   });
 
-  const double total = count_places(places, placement, context.places);
+  const double total = count_places(places, placement, context.key_of_places());
   if (total > static_cast<double>(context.limits->instances)) {
     throw_limit("children", total, context.limits->instances, "instances",
                 context.path + (placement.count ? ".count" : ".density"));

@@ -53,9 +53,11 @@ struct PlacementContext {
   Vec3 light{0, 1, 0};    ///< unit vector toward it
   bool on_axis = false;   ///< places lie on the stem's axis and not on its bark, for children that are stems themselves
   bool has_twigs = true;  ///< by default they carry the children
-  std::uint32_t stem = kNoStem;   ///< number of the stem, for the places
-  Site parent;                    ///< of the instance that made the stem; the places' keys and depths come from it
-  RandomKey places = parent.key;  ///< of where they are: links with equal ones stand at the same places
+  std::uint32_t stem = kNoStem;     ///< number of the stem, for the places
+  Site parent;                      ///< of the instance that made the stem; the places' keys and depths come from it
+  std::optional<RandomKey> places;  ///< of where they are, where that is not the parent's: equal ones, equal places
+
+  RandomKey key_of_places() const { return places.value_or(parent.key); }
   const Limits* limits = nullptr;
   std::string path;  ///< of what gives the placement in the document, for errors: "links[1]"
 };

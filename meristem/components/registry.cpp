@@ -4,6 +4,7 @@
 #include "meristem/components/camera.h"
 #include "meristem/components/cloud.h"
 #include "meristem/components/colonize.h"
+#include "meristem/components/horn.h"
 #include "meristem/components/hydra.h"
 #include "meristem/components/leaf.h"
 #include "meristem/components/lsystem.h"
@@ -24,6 +25,7 @@ const Registry& builtin_components() {
       leaf_component(),
       needles_component(),
       tree_component(),
+      horn_component(),
       hydra_component(),
       wreath_component(),
       phiball_component(),

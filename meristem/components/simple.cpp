@@ -4,32 +4,12 @@
 #include <algorithm>
 
 #include "meristem/base/math.h"
+#include "meristem/components/unit_shape.h"
 #include "meristem/shape/loft.h"
-#include "meristem/shape/primitives.h"
 
 namespace meristem {
 
 namespace {
-
-Mesh make_unit_shape(const Simple& simple) {
-  switch (simple.shape) {
-    case Simple::Shape::box:
-      return make_box({1, 1, 1});
-    case Simple::Shape::sphere:
-      return make_sphere(0.5, simple.segments);
-    case Simple::Shape::cylinder:
-      return make_cylinder(0.5, 1, simple.segments);
-    case Simple::Shape::cone:
-      return make_cone(0.5, 1, simple.segments);
-    case Simple::Shape::torus:
-      return make_torus(0.5 * (1 - kTorusTube), 0.5 * kTorusTube, simple.segments);
-    case Simple::Shape::none:
-    case Simple::Shape::area:
-    case Simple::Shape::tube:
-      break;
-  }
-  return {};
-}
 
 bool is_section(Simple::Shape shape) { return shape == Simple::Shape::area || shape == Simple::Shape::tube; }
 
@@ -71,15 +51,12 @@ void emit_section(const Simple& simple, Emitter& out) {
               [&] { return make_even_section(simple); });
 }
 
-/// The unit shape stands in the unit cube on the origin, and the instance stretches it to its size.
+/// The enumerators of primitives are those of UnitShape, in its order.
 void emit_primitive(const Simple& simple, Emitter& out) {
-  Frame frame;
-  for (int k = 0; k < 3; ++k) frame.axes[k] *= simple.size[k];
-  const bool centred = simple.shape == Simple::Shape::sphere || simple.shape == Simple::Shape::torus;
-  if (simple.shape == Simple::Shape::torus) frame.axes[1] /= kTorusTube;
-  if (centred) frame.origin.y = 0.5F * simple.size.y;
-  out.organ(frame, shape_key({static_cast<double>(simple.shape), static_cast<double>(simple.segments)}),
-            [&] { return make_unit_shape(simple); });
+  const auto shape = static_cast<UnitShape>(simple.shape);
+  out.organ(unit_shape_frame(shape, simple.size),
+            shape_key({static_cast<double>(simple.shape), static_cast<double>(simple.segments)}),
+            [&] { return make_unit_shape(shape, simple.segments); });
 }
 
 void expand(const Simple& simple, const Site&, Emitter& out) {

@@ -15,9 +15,6 @@ struct Simple : ComponentBase {
   bool cap = true;            ///< of a tube, where its surface ends
 };
 
-/// The tube of a torus is this share of its width.
-inline constexpr float kTorusTube = 0.25F;
-
 ComponentType simple_component();
 
 }  // namespace meristem

@@ -21,18 +21,21 @@ This page is made from the program's own tables by `meristem components --markdo
 
 A default is what counts when the parameter is not given; where the column is empty, the program chooses or nothing
 happens. A parameter that *varies* may differ from instance to instance: besides a number it takes a range such as
-`[0.2, 0.5]`, an expression such as `"20 + 15*rand(-1,1)"`, or both (see [the document](document.md)). The others take a
-number or an expression of numbers and the document's variables.
+`[0.2, 0.5]`, an expression such as `"20 + 15*rand(-1,1)"`, or both (see [the document](document.md)). One that varies
+*per child* takes the same, and differs among the children that each instance makes. The others take a number or an
+expression of numbers and the document's variables.
 
 )page";
 
 /// Whether a table's numbers may differ between instances.
 enum class Variation { none, as_stated };
 
-bool varies(const Parameter& row) {
+/// What the column of a row says.
+std::string variation_of(const Parameter& row) {
   const bool is_number = row.kind == ParameterKind::number || row.kind == ParameterKind::integer ||
                          row.kind == ParameterKind::vector || row.kind == ParameterKind::box;
-  return is_number && !row.form.fixed;
+  if (!is_number || row.form.fixed) return "";
+  return row.form.per_child ? "per child" : "yes";
 }
 
 /// A table's cell, in which a bar would begin the next.
@@ -78,7 +81,7 @@ class Page {
         fallback = "`" + write_json_line(defaults[k]) + "`";
       }
       write({"`" + above + row.name + "`", value(row), std::move(fallback)});
-      if (has_column_) write_cell(variation == Variation::as_stated && varies(row) ? "yes" : "");
+      if (has_column_) write_cell(variation == Variation::as_stated ? variation_of(row) : "");
       fmt::format_to(std::back_inserter(out_), "{} |\n", cell(row.doc));
       if (!is_nested) continue;
       // The rows of a table that contains itself stand above.

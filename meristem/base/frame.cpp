@@ -60,6 +60,12 @@ Mat3 rotation_between(Vec3 from, Vec3 to) {
   return Mat3(half_turn(glm::normalize(middle)) * half_turn(start));
 }
 
+Mat3 rotation_toward(Vec3 from, Vec3 target, double share, Vec3 fallback) {
+  if (share < 0) target = -target;
+  const Vec3 axis = normalized_or(glm::cross(from, target), fallback);
+  return rotation(axis, math::acos(glm::dot(from, target)) * std::abs(share));
+}
+
 Frame frame_along(Vec3 origin, Vec3 heading, Vec3 upper) {
   const DVec3 y = unit_or(DVec3(heading), DVec3(kUp));
   const DVec3 wish = unit_or(DVec3(upper), DVec3(0));

@@ -36,6 +36,10 @@ Mat3 rotation(Vec3 axis, double angle);
 /// about some axis at right angles, always the same one.
 Mat3 rotation_between(Vec3 from, Vec3 to);
 
+/// The rotation that closes `share` of the angle between the unit vector `from` and `target`; where `share` is negative
+/// it closes as much of the angle to the opposite of `target`. Turns about `fallback` where both are parallel.
+Mat3 rotation_toward(Vec3 from, Vec3 target, double share, Vec3 fallback);
+
 /// A frame at `origin` with unit heading `heading`, its upper face as near to `upper` as can be. Any vectors do: where
 /// `upper` is parallel to the heading, a fixed substitute stands in.
 Frame frame_along(Vec3 origin, Vec3 heading, Vec3 upper);

@@ -79,6 +79,19 @@ TEST(RotationBetween, IsARotationForEqualNearlyOppositeAndOppositeVectors) {
   EXPECT_EQ(rotation_between(kUp, -kUp), rotation_between(kUp, -kUp));
 }
 
+TEST(RotationToward, ClosesItsShareOfTheAngle) {
+  const Vec3 from = glm::normalize(Vec3(1, 0.2F, -0.4F));
+  const Vec3 to = glm::normalize(Vec3(-0.3F, 1, 0.5F));
+  const double whole = std::acos(glm::dot(from, to));
+  for (const double share : {0.0, 0.3, 1.0}) {
+    const Vec3 turned = rotation_toward(from, to, share, kUp) * from;
+    EXPECT_NEAR(std::acos(glm::dot(turned, to)), (1 - share) * whole, 1e-3);
+    const Vec3 away = rotation_toward(from, to, -share, kUp) * from;
+    EXPECT_NEAR(std::acos(glm::dot(away, -to)), (1 - share) * (kPi - whole), 1e-3);
+  }
+  EXPECT_LT(glm::distance(rotation_toward(kUp, -kUp, 0.5, {1, 0, 0}) * kUp, Vec3(0, 0, 1)), 1e-6F);
+}
+
 TEST(AnyPerpendicular, IsUnitAndAtRightAnglesEverywhere) {
   const auto check = [](Vec3 direction) {
     const Vec3 side = any_perpendicular(direction);

@@ -5,13 +5,14 @@
 
 namespace meristem {
 
-/// Places for children in a star: the leaflets of a palmate leaf, the petals of a blossom, the needles of a tuft.
+/// Places for children in a star.
 struct Hydra : ComponentBase {
-  int number = 5;
-  double angle = kPi / 2;  ///< radians between the star's heading and its children's
-  double size = 0;         ///< metres from the middle to where they stand
-  double roll = 0;         ///< radians by which the star is turned about its heading
-  double arc = 2 * kPi;    ///< radians of the full turn over which they are spread
+  int number = 6;
+  PerChild angle = kPi / 2;  ///< radians between the star's heading and a child's
+  PerChild radius = 0.0;     ///< metres from the middle to where a child stands, along its heading
+  PerChild size = 1.0;       ///< scale of a child
+  PerChild roll = 0.0;       ///< radians about the heading, on top of the even turn
+  double arc = 2 * kPi;      ///< radians over which children are spread; a whole turn or more: all around
 };
 
 ComponentType hydra_component();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/components/hydra.h"
 
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "meristem/components/registry.h"
@@ -16,7 +18,7 @@ std::vector<Organ> rays(const Value::Object& parameters) {
 }
 
 TEST(Hydra, SpreadsItsChildrenEvenlyAboutItsHeading) {
-  const std::vector<Organ> organs = rays({{"number", 5}, {"angle", 60}, {"size", 0.5}});
+  const std::vector<Organ> organs = rays({{"number", 5}, {"angle", 60}, {"radius", 0.5}});
   ASSERT_EQ(organs.size(), 5U);
   Vec3 sum(0);
   for (std::size_t k = 0; k < organs.size(); ++k) {
@@ -37,6 +39,52 @@ TEST(Hydra, AnArcBelowAFullTurnIsAFanWithChildrenAtBothEnds) {
   EXPECT_LT(glm::distance(glm::normalize(organs[0].frame.heading()), -glm::normalize(organs[2].frame.heading())),
             1e-5F);
   EXPECT_LT(glm::distance(glm::normalize(organs[1].frame.heading()), Vec3(0, 0, -1)), 1e-5F);
+}
+
+TEST(Hydra, NumbersDifferPerChild) {
+  const Value::List tilt{0, 80};
+  const std::vector<Organ> organs =
+      rays({{"number", 5}, {"angle", tilt}, {"size", "1 + i"}, {"radius", "0.1*n"}, {"roll", "-72*i"}});
+  ASSERT_EQ(organs.size(), 5U);
+  const float scale = glm::length(organs[0].frame.heading());
+  for (std::size_t k = 0; k < 5; ++k) {
+    const Vec3 heading = glm::normalize(organs[k].frame.heading());
+    EXPECT_NEAR(degrees(std::acos(heading.y)), 20.0 * static_cast<double>(k), 0.05);
+    EXPECT_NEAR(glm::length(organs[k].frame.heading()) / scale, static_cast<float>(k + 1), 1e-5F);
+    EXPECT_NEAR(glm::length(organs[k].frame.origin), 0.5F, 1e-6F);
+    EXPECT_NEAR(heading.x, 0, 1e-5F);  // the roll undoes the even turn
+  }
+}
+
+TEST(Hydra, ARandomNumberIsEachChildsOwn) {
+  GraphBuilder builder(builtin_components());
+  builder.component("view", "camera").component("stars", "hydra", {{"number", 2}, {"radius", 1}});
+  builder.component("star", "hydra", {{"number", 3}, {"size", "rand(0.5, 1)"}}).component("ray", "simple");
+  const auto organs = organs_of(builder.link("view", "stars").link("stars", "star").link("star", "ray").grow(), "ray");
+  std::set<float> sizes;
+  for (const Organ& organ : organs) sizes.insert(glm::length(organ.frame.heading()));
+  EXPECT_EQ(sizes.size(), 6U);
+}
+
+TEST(Hydra, FaultsInAPerChildNumberAreLocated) {
+  const auto fault = [](const Value& angle) {
+    const std::vector<Diagnostic> faults = faults_of([&] { rays({{"angle", angle}}); });
+    return faults.size() == 1 ? faults[0].text() : std::to_string(faults.size()) + " faults";
+  };
+  EXPECT_NE(fault("angel").find("components.star.angle: "), std::string::npos) << fault("angel");
+  EXPECT_NE(fault(200).find("components.star.angle: the value 200 is out of range"), std::string::npos);
+  EXPECT_NE(fault("190").find("components.star.angle: the expression's value 190"), std::string::npos) << fault("190");
+  EXPECT_NE(fault(Value::List{1, 2, 3}).find("a list of 3"), std::string::npos);
+  EXPECT_NE(fault("log(-i)").find("components.star.angle: the expression 'log(-i)' gives"), std::string::npos)
+      << fault("log(-i)");
+}
+
+TEST(Hydra, AThousandMillionChildrenAreStopped) {
+  const std::vector<Diagnostic> faults = faults_of([] { rays({{"number", 1e9}}); });
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].text(),
+            "components.star: 'star' offers places to more than 20000000 instances; "
+            "expected at most 20000000 (limits.instances)");
 }
 
 TEST(Hydra, WithoutANumberHasNoChildren) { EXPECT_TRUE(rays({{"number", 0}}).empty()); }

@@ -152,5 +152,31 @@ TEST(LeafComponent, FaultyBladesAreRejected) {
   EXPECT_EQ(path_of({{"edge", "picture"}}), "components.leaf.edge");
 }
 
+TEST(Leaf, PhototropismTurnsItsUpperFaceAndGravitropismItsHeading) {
+  Scene scene;
+  scene.sun = {kPi / 2, radians(40)};
+  const auto frame = [&](const Value::Object& parameters) {
+    GraphBuilder builder(builtin_components());
+    builder.component("view", "camera").component("leaf", "leaf", parameters).link("view", "leaf");
+    return organs_of(builder.grow(0, scene), "leaf").at(0).frame;
+  };
+  const auto angle = [](Vec3 a, Vec3 b) { return degrees(std::acos(glm::dot(glm::normalize(a), glm::normalize(b)))); };
+  const Vec3 light = unit_vector(scene.sun);
+  const double whole = angle(frame({}).upper(), light);
+  EXPECT_NEAR(angle(frame({{"phototropism", 0.25}}).upper(), light), 0.75 * whole, 0.05);
+  EXPECT_NEAR(angle(frame({{"phototropism", 1}}).upper(), light), 0, 0.05);
+  EXPECT_NEAR(angle(frame({{"phototropism", -1}}).upper(), -light), 0, 0.05);
+  EXPECT_NEAR(angle(frame({{"gravitropism", 0.5}}).heading(), -kUp), 90, 0.05);
+}
+
+TEST(Simple, TropismsTurnItsHeadingAndWhatStandsOnIt) {
+  GraphBuilder builder(builtin_components());
+  builder.component("view", "camera").component("post", "simple", {{"gravitropism", 0.5}}).component("top", "simple");
+  const Plant plant = builder.link("view", "post").link("post", "top").grow();
+  for (const char* id : {"post", "top"}) {
+    EXPECT_NEAR(organs_of(plant, id).at(0).frame.heading().y, 0, 1e-6F) << id;
+  }
+}
+
 }  // namespace
 }  // namespace meristem

@@ -4,13 +4,16 @@
 #include "meristem/components/camera.h"
 #include "meristem/components/cloud.h"
 #include "meristem/components/colonize.h"
+#include "meristem/components/horn.h"
 #include "meristem/components/hydra.h"
 #include "meristem/components/leaf.h"
 #include "meristem/components/lsystem.h"
 #include "meristem/components/needles.h"
+#include "meristem/components/phiball.h"
 #include "meristem/components/revolution.h"
 #include "meristem/components/simple.h"
 #include "meristem/components/tree.h"
+#include "meristem/components/wreath.h"
 
 namespace meristem {
 
@@ -22,7 +25,10 @@ const Registry& builtin_components() {
       leaf_component(),
       needles_component(),
       tree_component(),
+      horn_component(),
       hydra_component(),
+      wreath_component(),
+      phiball_component(),
       colonize_component(),
       cloud_component(),
       lsystem_component(),

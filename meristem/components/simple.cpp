@@ -1,40 +1,87 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/components/simple.h"
 
-#include "meristem/shape/primitives.h"
+#include <algorithm>
+
+#include "meristem/base/math.h"
+#include "meristem/components/unit_shape.h"
+#include "meristem/shape/loft.h"
 
 namespace meristem {
 
 namespace {
 
-Mesh make_unit_shape(const Simple& simple) {
-  switch (simple.shape) {
-    case Simple::Shape::box:
-      return make_box({1, 1, 1});
-    case Simple::Shape::sphere:
-      return make_sphere(0.5, simple.segments);
-    case Simple::Shape::cylinder:
-      return make_cylinder(0.5, 1, simple.segments);
-    case Simple::Shape::cone:
-      return make_cone(0.5, 1, simple.segments);
-    case Simple::Shape::torus:
-      return make_torus(0.5 * (1 - kTorusTube), 0.5 * kTorusTube, simple.segments);
+bool is_section(Simple::Shape shape) { return shape == Simple::Shape::area || shape == Simple::Shape::tube; }
+
+/// An outline of the document's own has its size; others are as wide and deep as 1 and stretched to theirs.
+LoftSection make_section(const Simple& simple) {
+  const bool is_tube = simple.shape == Simple::Shape::tube;
+  LoftSection section{.is_closed = is_tube, .is_round = is_tube && simple.outline.empty()};
+  for (const Vec2 point : simple.outline) section.points.emplace_back(point.x, 0, point.y);
+  if (!simple.outline.empty()) return section;
+  if (!is_tube) {
+    section.points = {{-0.5F, 0, 0}, {0.5F, 0, 0}};
+    return section;
   }
-  return {};
+  for (int k = 0; k < simple.segments; ++k) {
+    const double angle = 2 * kPi * k / simple.segments;
+    section.points.emplace_back(0.5 * math::sin(angle), 0, 0.5 * math::cos(angle));
+  }
+  return section;
 }
 
-/// The unit shape stands in the unit cube on the origin, and the instance stretches it to its size.
-void expand(const Simple& simple, const Site&, Emitter& out) {
+/// All tubes run the same way round, counter-clockwise seen from above, so that any two can be joined.
+LoftSection make_even_section(const Simple& simple) {
+  LoftSection section = make_section(simple);
+  double area = 0;
+  for (std::size_t k = 0; k < section.points.size(); ++k) {
+    const Vec3 a = section.points[k], b = section.points[(k + 1) % section.points.size()];
+    area += double{a.z} * b.x - double{a.x} * b.z;
+  }
+  if (section.is_closed && area < 0) std::reverse(section.points.begin() + 1, section.points.end());
+  return section;
+}
+
+void emit_section(const Simple& simple, Emitter& out) {
+  const bool is_own = !simple.outline.empty();
   Frame frame;
-  for (int k = 0; k < 3; ++k) frame.axes[k] *= simple.size[k];
-  const bool centred = simple.shape == Simple::Shape::sphere || simple.shape == Simple::Shape::torus;
-  if (simple.shape == Simple::Shape::torus) frame.axes[1] /= kTorusTube;
-  if (centred) frame.origin.y = 0.5F * simple.size.y;
-  out.organ(frame, shape_key({static_cast<double>(simple.shape), static_cast<double>(simple.segments)}),
-            [&] { return make_unit_shape(simple); });
+  if (!is_own) frame.axes = Mat3(simple.size.x, 0, 0, 0, 1, 0, 0, 0, simple.size.z);
+  const double segments = is_own ? 0 : simple.segments;
+  out.section(frame, shape_key({static_cast<double>(simple.shape), segments}), simple.cap,
+              [&] { return make_even_section(simple); });
+}
+
+/// The enumerators of primitives are those of UnitShape, in its order.
+void emit_primitive(const Simple& simple, Emitter& out) {
+  const auto shape = static_cast<UnitShape>(simple.shape);
+  out.organ(unit_shape_frame(shape, simple.size),
+            shape_key({static_cast<double>(simple.shape), static_cast<double>(simple.segments)}),
+            [&] { return make_unit_shape(shape, simple.segments); });
+}
+
+void expand(const Simple& simple, const Site&, Emitter& out) {
+  if (is_section(simple.shape)) {
+    emit_section(simple, out);
+  } else if (simple.shape != Simple::Shape::none) {
+    emit_primitive(simple, out);
+  }
   Frame top;
   top.origin.y = simple.size.y;
   out.child_site(top, simple.size.y, 0.5F * simple.size.x);
+}
+
+void check_outline(const Simple& simple, const Place& place, ParameterReader& reader) {
+  if (simple.outline.empty()) return;
+  const Place outline(place, "outline");
+  if (!is_section(simple.shape))
+    return reader.fault(outline, "this shape has no outline", "the shape 'area' or 'tube'");
+  if (const auto fault = find_fault(make_section(simple))) {
+    if (fault->point) {
+      reader.fault(Place(outline, *fault->point), fault->message, fault->expected);
+    } else {
+      reader.fault(outline, fault->message, fault->expected);
+    }
+  }
 }
 
 }  // namespace
@@ -42,14 +89,23 @@ void expand(const Simple& simple, const Site&, Emitter& out) {
 ComponentType simple_component() {
   return define_component<Simple>({
       .name = "simple",
-      .doc = "A box, sphere, cylinder, cone or torus that stands on its frame; children stand on top.",
+      .doc =
+          "A box, sphere, cylinder, cone or torus that stands on its frame, or a section of a surface: where the child "
+          "of an area or tube is one too, a surface joins them. Children stand on top.",
       .parameters =
-          Table<Simple>("a simple", "A box, sphere, cylinder, cone or torus that stands on its frame.")
-              .choice("shape", &Simple::shape, {"box", "sphere", "cylinder", "cone", "torus"}, "The primitive.")
+          Table<Simple>("a simple", "A primitive that stands on its frame, or a section of a surface.")
+              .choice("shape", &Simple::shape, {"box", "sphere", "cylinder", "cone", "torus", "none", "area", "tube"},
+                      "The primitive, nothing, or a section of a surface: an area is an open row of points, a tube a "
+                      "closed ring.")
               .vector("size", &Simple::size, {.unit = Unit::metre, .min = 1e-6, .max = 1e4},
                       "Width (x), height (y) and depth (z).")
               .integer("segments", &Simple::segments, {.min = 3, .max = 512},
-                       "Corners around; raised, rounder and heavier."),
+                       "Corners around; raised, rounder and heavier.")
+              .points("outline", &Simple::outline, {.unit = Unit::metre, .min = -1e4, .max = 1e4},
+                      "Points [x, z] of an area or tube across the heading, one for a tip; an area left out is a row "
+                      "of 2 over the width, a tube an ellipse over width and depth.")
+              .boolean("cap", &Simple::cap, "Whether a tube is closed where its surface ends.")
+              .check(check_outline),
       .material = {.colour = {0.69F, 0.66F, 0.61F}, .roughness = 0.8F},
       .expand = expand,
   });

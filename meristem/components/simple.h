@@ -5,16 +5,15 @@
 
 namespace meristem {
 
-/// A primitive of a given size, standing on its frame.
+/// A primitive of a given size, standing on its frame; or a section of a surface that runs on through its children.
 struct Simple : ComponentBase {
-  enum class Shape { box, sphere, cylinder, cone, torus };
+  enum class Shape { box, sphere, cylinder, cone, torus, none, area, tube };
   Shape shape = Shape::box;
   Vec3 size{0.1F};  ///< metres: width, height, depth
   int segments = 24;
+  std::vector<Vec2> outline;  ///< x and z of an area or tube, metres; empty: a row across, an ellipse
+  bool cap = true;            ///< of a tube, where its surface ends
 };
-
-/// The tube of a torus is this share of its width.
-inline constexpr float kTorusTube = 0.25F;
 
 ComponentType simple_component();
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/components/tree.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "meristem/base/parallel.h"
@@ -128,6 +130,127 @@ TEST(Tree, ChildrenStandAtItsTip) {
   const Skeleton& stem = plant.stems.at(0).skeleton;
   EXPECT_EQ(cones[0].frame.origin, stem.position.back());
   EXPECT_LT(glm::distance(glm::normalize(cones[0].frame.heading()), tip_heading(stem)), 1e-4F);
+}
+
+TEST(Tree, ItsAxisFollowsASplineAtItsOwnLength) {
+  // A quarter circle, in the plane to the stem's right.
+  Value::List axis;
+  for (const double a : {22.5, 45.0, 67.5, 90.0}) {
+    axis.emplace_back(Value::List{1 - std::cos(radians(a)), std::sin(radians(a)), 0});
+  }
+  const Plant plant = trunk({{"axis", axis}, {"length", 5}, {"segments", 60}}).grow();
+  const Skeleton& stem = plant.stems.at(0).skeleton;
+  const float radius = 5 / (0.5F * static_cast<float>(kPi));
+  float length = 0;
+  for (NodeIndex node = 1; node < stem.node_count(); ++node) {
+    length += glm::distance(stem.position[node], stem.position[node - 1]);
+    EXPECT_NEAR(glm::distance(stem.position[node], Vec3(radius, 0, 0)), radius, 0.02F * radius);
+  }
+  EXPECT_NEAR(length, 5, 1e-4);
+  EXPECT_GT(tip_heading(stem).x, 0.99F);
+}
+
+TEST(Tree, ASpiralIsAHelix) {
+  // Curvature k and torsion t: radius k / (k^2 + t^2), about an axis at the angle atan(k / t) to the way.
+  const double curl = 6 * kPi, spiral = 8 * kPi;  // over a metre
+  const Plant plant = trunk({{"curl", degrees(curl)}, {"spiral", degrees(spiral)}, {"segments", 1000}}).grow();
+  const Skeleton& stem = plant.stems.at(0).skeleton;
+  const double whole = std::sqrt(curl * curl + spiral * spiral);
+  // Whole windings lie on a line along the axis, at the pitch of 2 pi t / (k^2 + t^2).
+  const auto winding = static_cast<NodeIndex>(std::lround(1000 * 2 * kPi / whole));
+  for (const NodeIndex node : {0U, 150U, 400U}) {
+    EXPECT_NEAR(glm::distance(stem.position[node], stem.position[node + winding]), 2 * kPi * spiral / (whole * whole),
+                2e-3);
+  }
+}
+
+TEST(Tree, FaultsOfAnAxisAreLocated) {
+  const auto fault = [](const Value::List& axis) {
+    const std::vector<Diagnostic> faults = faults_of([&] { trunk({{"axis", axis}}); });
+    return faults.size() == 1 ? faults[0].path : std::to_string(faults.size()) + " faults";
+  };
+  const Value::List zero{0, 0, 0}, one{0, 1, 0};
+  EXPECT_EQ(fault({zero, one}), "components.trunk.axis[0]");
+  EXPECT_EQ(fault({one, one}), "components.trunk.axis[1]");
+  EXPECT_EQ(fault(Value::List(501, Value(one))), "components.trunk.axis");
+}
+
+TEST(Tree, ItBendsAwayFromEachOfItsBranches) {
+  const Value::Object rows{{"count", 4},     {"divergence", 180}, {"roll", 0},         {"angle", 50},
+                           {"segments", 80}, {"deflection", 30},  {"angle_spread", 10}};
+  GraphBuilder builder = trunk(rows).component("twig", "tree", {{"length", 0.1}, {"radius", 0.001}});
+  const Plant plant = builder.link("trunk", "twig", LinkKind::branch).grow();
+  const Skeleton& tree = plant.stems.at(0).skeleton;
+  // Straight pieces between bends of 30 degrees; each bend away from the twig that stands there.
+  const Axes axes(tree);
+  std::vector<Vec3> directions;
+  for (const NodeIndex node : axes.of(0).subspan(1)) {
+    const Vec3 way = tree.position[node] - tree.position[tree.parent[node]];
+    if (glm::length(way) < 1e-3F) continue;  // to a node that a twig has got: rounding
+    const Vec3 direction = glm::normalize(way);
+    if (directions.empty() || glm::distance(directions.back(), direction) > 1e-3F) directions.push_back(direction);
+  }
+  ASSERT_EQ(directions.size(), 5U);
+  std::vector<Vec3> twigs;
+  for (AxisIndex axis = 1; axis < axes.count(); ++axis) {
+    twigs.push_back(tree.position[axes.of(axis).back()] - tree.position[axes.of(axis).front()]);
+  }
+  ASSERT_EQ(twigs.size(), 4U);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(degrees(std::acos(glm::dot(directions[k], directions[k + 1]))), 30, 0.1);
+    EXPECT_LT(glm::dot(twigs[k], directions[k + 1] - directions[k]), 0);
+  }
+}
+
+TEST(Tree, ItsOwnBranchingHoldsWhereALinkSaysNothing) {
+  const auto twigs_of = [](const Value::Object& own, const Value::Object& link) {
+    GraphBuilder builder = trunk(own).component("cone", "simple");
+    return organs_of(builder.link("trunk", "cone", LinkKind::branch, link).grow(), "cone").size();
+  };
+  EXPECT_EQ(twigs_of({{"count", 7}}, {}), 7U);
+  EXPECT_EQ(twigs_of({{"count", 7}, {"whorl", 2}}, {}), 14U);
+  EXPECT_EQ(twigs_of({{"count", 7}, {"whorl", 2}}, {{"count", 3}}), 6U);
+  EXPECT_EQ(twigs_of({{"count", 7}, {"whorl", 2}}, {{"whorl", 1}}), 7U);
+}
+
+TEST(Tree, ItsOwnBranchingVariesFromInstanceToInstance) {
+  GraphBuilder builder(builtin_components());
+  builder.component("view", "camera").component("row", "hydra", {{"number", 3}, {"radius", 1}});
+  builder.component("trunk", "tree", {{"count", Value(Value::List{2, 6})}}).component("cone", "simple");
+  builder.link("view", "row").link("row", "trunk").link("trunk", "cone", LinkKind::branch);
+  EXPECT_EQ(organs_of(builder.grow(), "cone").size(), 2U + 4U + 6U);
+}
+
+TEST(Tree, ComplementaryExceptionsGiveTwoKindsOfChildAtTheSamePlaces) {
+  const Value::List chosen{1, Value::List{4, 6}, "i % 5 == 3"};
+  const auto grow = [&](bool both) {
+    GraphBuilder builder = trunk({{"density", 12.6}, {"angle_spread", 20}});
+    builder.component("leaf", "leaf", both ? Value::Object{{"omit", chosen}} : Value::Object{});
+    if (both) builder.component("twig", "simple", {{"only", chosen}});
+    builder.link("trunk", "leaf", LinkKind::branch);
+    if (both) builder.link("trunk", "twig", LinkKind::branch);
+    return builder.grow();
+  };
+  const std::vector<Organ> whole = organs_of(grow(false), "leaf");
+  const Plant mixed = grow(true);
+  const std::vector<Organ> leaves = organs_of(mixed, "leaf"), twigs = organs_of(mixed, "twig");
+  ASSERT_EQ(leaves.size() + twigs.size(), whole.size());
+  ASSERT_GT(twigs.size(), 4U);
+  std::size_t leaf = 0, twig = 0;
+  for (std::size_t k = 0; k < whole.size(); ++k) {
+    const bool is_twig = k == 1 || (k >= 4 && k <= 6) || k % 5 == 3;
+    const Frame& frame = is_twig ? twigs[twig++].frame : leaves[leaf++].frame;
+    EXPECT_EQ(frame.origin, whole[k].frame.origin) << k;
+    EXPECT_LT(glm::distance(glm::normalize(frame.heading()), glm::normalize(whole[k].frame.heading())), 1e-5F);
+  }
+}
+
+TEST(Tree, TooManyBranchesOfItsOwnAreStoppedAtTheTree) {
+  GraphBuilder builder = trunk({{"count", 1e9}}).component("cone", "simple");
+  const std::vector<Diagnostic> faults = faults_of([&] { builder.link("trunk", "cone", LinkKind::branch).grow(); });
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].text(),
+            "components.trunk.count: 1000000000 children are too many; expected at most 20000000 (limits.instances)");
 }
 
 TEST(Tree, TooManyNodesAreStoppedAndNamed) {

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/graph/component.h"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
+
+#include "meristem/graph/fingerprint.h"
+#include "meristem/scene/sun.h"
 
 namespace meristem {
 
@@ -16,6 +21,13 @@ Frame Transform::frame() const {
 }
 
 namespace {
+
+/// What growth never asks for, of what all components have.
+constexpr std::array<std::string_view, 13> kLooks = {
+    "colour", "colours", "colour_at",           "variety",  "texture", "roughness", "translucency", "place", "omit",
+    "only",   "hidden",  "omit_keeps_children", "recursion"};
+
+bool is_any_of(std::string_view name, const auto& names) { return std::ranges::find(names, name) != names.end(); }
 
 const ParameterTable& transform_table() {
   static const ParameterTable table =
@@ -38,6 +50,19 @@ const ParameterTable& growing_component_table() {
   return table;
 }
 
+Frame instance_frame(const ComponentBase& base, const Frame& site, Tropism tropism, const Scene& scene) {
+  Frame frame = site * base.frame.frame();
+  if (tropism == Tropism::none) return frame;
+  const auto turn = [&](int column, Vec3 target, double share) {
+    const Vec3 fallback = normalized_or(frame.axes[column == 1 ? 0 : 1], kUp);
+    const Vec3 from = normalized_or(frame.axes[column], kUp);
+    frame.axes = rotation_toward(from, target, share, fallback) * frame.axes;
+  };
+  if (base.gravitropism != 0) turn(1, -kUp, base.gravitropism);
+  if (base.phototropism != 0) turn(tropism == Tropism::face ? 2 : 1, unit_vector(scene.sun), base.phototropism);
+  return frame;
+}
+
 const ParameterTable& component_base_table() {
   static const ParameterTable table =
       Table<ComponentBase>("a component", "What all components have.")
@@ -56,6 +81,12 @@ const ParameterTable& component_base_table() {
           .object("place", &ComponentBase::place, transform_table, "Moves this component's geometry only.")
           .object("frame", &ComponentBase::frame, transform_table,
                   "Moves this component's coordinate system and all that hangs on it.")
+          .number("phototropism", &ComponentBase::phototropism, {.min = -1, .max = 1},
+                  "Share of the turn toward the light: of a leaf's upper face, of all else's heading, along stems "
+                  "section by section; negative, away from it.")
+          .number("gravitropism", &ComponentBase::gravitropism, {.min = -1, .max = 1},
+                  "Share of the turn of its heading straight down, along stems section by section; negative, straight "
+                  "up.")
           .integer("recursion", &ComponentBase::recursion, {.min = 1, .max = 1000, .fixed = true},
                    "How many instances in a row a link from below back to this component makes, the first included.")
           .selection("omit", &ComponentBase::omit,
@@ -67,6 +98,17 @@ const ParameterTable& component_base_table() {
           .never_with("colour", {"colours"})
           .only_with("colours", {"colour_at"});
   return table;
+}
+
+void set_fingerprints(Prototype& prototype, const Value& value, std::span<const ExpressionNames::Constant> constants,
+                      std::span<const std::string> files, const Limits& limits) {
+  prototype.fingerprint = fingerprint_of(value, constants, files, limits.file_bytes);
+  if (!prototype.type->grow || value.object() == nullptr) return;
+  Value::Object of_growth = *value.object();
+  std::erase_if(of_growth, [&](const Value::Member& member) {
+    return is_any_of(member.first, kLooks) || is_any_of(member.first, prototype.type->after_growth);
+  });
+  prototype.growth_fingerprint = fingerprint_of(Value(std::move(of_growth)), constants, files, limits.file_bytes);
 }
 
 void check_rules(const ComponentType& type, const std::string& id, const void* instance, const Limits& limits) {

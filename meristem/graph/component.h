@@ -59,6 +59,8 @@ struct ComponentBase {
   std::optional<double> translucency;
   Transform place;                ///< moves this component's geometry only
   Transform frame;                ///< moves its coordinate system and all that hangs on it
+  double phototropism = 0;        ///< share of the turn toward the light; negative: away from it
+  double gravitropism = 0;        ///< share of the turn straight down; negative: straight up
   int recursion = 1;              ///< instances that a link back makes of this component in a row, the first included
   std::optional<Selection> omit;  ///< instances without geometry
   std::optional<Selection> only;  ///< all others are without
@@ -70,6 +72,9 @@ struct ComponentBase {
 struct GrowingComponent : ComponentBase {
   bool alone = false;  ///< grows in a stand of its own
 };
+
+/// Where an instance at a site with the frame `site` stands: moved by its own frame, then turned by gravity and light.
+Frame instance_frame(const ComponentBase& base, const Frame& site, Tropism tropism, const Scene& scene);
 
 /// The rows of ComponentBase, which follow each component's own.
 const ParameterTable& component_base_table();
@@ -104,7 +109,9 @@ struct ComponentType {
   bool is_camera = false;    ///< the root of every graph
   bool makes_stems = false;  ///< branch links place children along stems
   bool has_twigs = false;    ///< by default along twigs alone
-  std::size_t size = 0;      ///< of the parameter struct
+  bool has_ribs = false;     ///< branch links without placement keys have places of their own
+  Tropism tropism = Tropism::heading;
+  std::size_t size = 0;  ///< of the parameter struct
 
   std::function<std::shared_ptr<void>()> make_parameters;  ///< a struct with the defaults
   std::function<const ComponentBase&(const void* parameters)> base;
@@ -118,6 +125,7 @@ struct ComponentType {
   std::function<void(const Prototype&, std::span<const Site>, Emitter&)> expand;
   /// Whether each instance grows in a stand of its own; empty for components that compete with none.
   std::function<bool(const void* parameters)> grows_alone;
+  std::vector<std::string> after_growth;  ///< parameters that growth does not ask for
   /// Plants one instance in a stand; empty for components that do not grow.
   std::function<std::unique_ptr<Grower>(const Prototype&, const Site&, double time, const GrowContext&)> grow;
 };
@@ -128,9 +136,17 @@ struct Prototype {
   const ComponentType* type = nullptr;
   std::shared_ptr<void> parameters;  ///< what does not vary
   std::vector<Varying> varyings;
+  /// Hash of all that is said of it; nothing where that is not known, and then nothing it makes can be kept.
+  std::optional<std::uint64_t> fingerprint{};
+  std::optional<std::uint64_t> growth_fingerprint{};  ///< of what its growth depends on
 
   const ComponentBase& base() const { return type->base(parameters.get()); }
 };
+
+/// Sets its fingerprints: `value` is what the document says of it, with those of `constants` that it names, and `files`
+/// are those that were read with it.
+void set_fingerprints(Prototype& prototype, const Value& value, std::span<const ExpressionNames::Constant> constants,
+                      std::span<const std::string> files, const Limits& limits);
 
 /// Throws an InputError if an instance's parameters break a rule of their table: they may vary, so what held for those
 /// of the component need not hold for each instance.
@@ -148,11 +164,16 @@ struct ComponentDefinition {
   bool is_camera = false;
   bool makes_stems = false;
   bool has_twigs = false;  ///< of stems; components that grow have twigs anyway
+  bool has_ribs = false;   ///< branch links without placement keys stand at the branch sites, others along the stems
+  Tropism tropism = Tropism::heading;
   /// Makes one instance's geometry and says where children stand, through `out`, relative to the instance's own frame.
   void (*expand)(const P& parameters, const Site& site, Emitter& out) = nullptr;
   /// For components that grow: plants one instance at its site. After growing, `expand` finds the skeleton in
   /// `out.take_grown()`. P derives from GrowingComponent if it competes with others.
   std::unique_ptr<Grower> (*grow)(const P& parameters, const Site& site, const GrowContext& context) = nullptr;
+  /// Parameters that `grow` does not ask for, besides the looks that all components have: where only they change, what
+  /// has grown stays.
+  std::vector<std::string> after_growth{};
   /// What the uvs of its geometry show, for textures that follow a shape.
   TextureShape (*texture_shape)(const P& parameters) = nullptr;
   /// The components that `expand` places by `out.named_site`, by their numbers there.
@@ -177,6 +198,8 @@ ComponentType define_component(ComponentDefinition<P> definition) {
   type.is_camera = definition.is_camera;
   type.makes_stems = definition.makes_stems;
   type.has_twigs = definition.has_twigs || definition.grow != nullptr;
+  type.has_ribs = definition.has_ribs;
+  type.tropism = definition.tropism;
   type.size = sizeof(P);
   type.make_parameters = [] { return std::static_pointer_cast<void>(std::make_shared<P>()); };
   if constexpr (requires(const P& parameters) { static_cast<const Surface&>(parameters.surface); }) {
@@ -192,13 +215,14 @@ ComponentType define_component(ComponentDefinition<P> definition) {
     }
   };
   if (definition.grow != nullptr) {
+    type.after_growth = std::move(definition.after_growth);
     type.grow = [grow = definition.grow](const Prototype& prototype, const Site& site, double time,
                                          const GrowContext& context) {
       P instance = *static_cast<const P*>(prototype.parameters.get());
       VaryingValues(prototype.varyings, std::span(&site, 1), time).apply(0, &instance);
       check_rules(*prototype.type, prototype.id, &instance, context.limits);
       Site own = site;
-      own.frame = site.frame * instance.frame.frame();
+      own.frame = instance_frame(instance, site.frame, prototype.type->tropism, context.scene);
       return grow(instance, own, context);
     };
   }

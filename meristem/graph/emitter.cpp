@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/graph/emitter.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/matrix.hpp>
@@ -17,8 +19,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::uint32_t kOfThisBlock = 0x80000000U;  // marks numbers of stems that count within an emitter
-constexpr std::uint64_t kCountedTogether = 1024;     // sites; an atomic addition for each would slow threads down
+constexpr std::uint64_t kCountedTogether = 1024;  // sites; an atomic addition for each would slow threads down
 
 bool is_finite(const Frame& frame) {
   const auto finite = [](Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
@@ -51,18 +52,22 @@ std::uint64_t shape_key(std::initializer_list<double> numbers) {
   return hash64(std::string_view(reinterpret_cast<const char*>(numbers.begin()), numbers.size() * sizeof(double)));
 }
 
-std::shared_ptr<const Mesh> SharedMeshes::find(std::uint64_t key) const {
-  const std::scoped_lock lock(mutex_);
-  const auto found = meshes_.find(key);
-  return found == meshes_.end() ? nullptr : found->second;
+std::shared_ptr<const Mesh> SharedMeshes::find(std::uint64_t key) {
+  {
+    const std::scoped_lock lock(mutex_);
+    const auto found = meshes_.find(key);
+    if (found != meshes_.end()) return found->second;
+    if (earlier_ == nullptr) return nullptr;
+  }
+  // Nobody changes the earlier ones any more.
+  const auto found = earlier_->meshes_.find(key);
+  return found == earlier_->meshes_.end() ? nullptr : keep(key, found->second);
 }
 
-std::shared_ptr<const Mesh> SharedMeshes::keep(std::uint64_t key, Mesh mesh) {
-  const std::uint64_t size = mesh.bytes();
-  auto made = std::make_shared<const Mesh>(std::move(mesh));
+std::shared_ptr<const Mesh> SharedMeshes::keep(std::uint64_t key, std::shared_ptr<const Mesh> mesh) {
   const std::scoped_lock lock(mutex_);
-  const auto [kept, is_new] = meshes_.try_emplace(key, std::move(made));
-  if (is_new) bytes_ += size;
+  const auto [kept, is_new] = meshes_.try_emplace(key, std::move(mesh));
+  if (is_new) bytes_ += kept->second->bytes();
   return kept->second;
 }
 
@@ -81,7 +86,7 @@ void Emitter::instance(const ComponentBase& base, const Site& site, std::size_t 
 
 void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   site_ = site;
-  site_.frame = site.frame * base.frame.frame();
+  site_.frame = instance_frame(base, site.frame, context_->tropism, context_->scene);
   const Frame place = base.place.frame();
   is_placed_ = place.axes != Mat3(1) || place.origin != Vec3(0);
   geometry_frame_ = site_.frame * place;
@@ -91,6 +96,9 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
                                 .path = "components." + context_->component});
   }
   tint_ = context_->tinting.tint(base, site.key.child("colour"));
+  base_ = &base;
+  parent_section_ = std::exchange(site_.section, 0);
+  section_ = 0;
   has_child_sites_ = false;
   stems_of_instance_ = 0;
   first_child_ = child_sites.size();
@@ -106,6 +114,12 @@ void Emitter::end_instance() {
                         child_sites.end());
   }
   if (!context_->wants_child_sites) child_sites.resize(first_child_);
+  if (section_ != 0) {
+    for (std::size_t k = first_child_; k < child_sites.size(); ++k) {
+      child_sites[k].section = section_;
+      child_sites[k].surface = site_.surface;
+    }
+  }
   const auto number = [](std::vector<Site>& sites, std::size_t first) {
     const auto count = static_cast<std::uint32_t>(sites.size() - first);
     for (std::uint32_t k = 0; k < count; ++k) {
@@ -145,18 +159,45 @@ void Emitter::add_organ(const Frame& local, std::uint64_t key, bool is_blade, Fu
   organs.push_back({geometry_frame_ * local, found->second, tint, site_.birth});
 }
 
+void Emitter::section(const Frame& local, std::uint64_t key, bool is_capped, FunctionRef<LoftSection()> make) {
+  if (!visible_) return;
+  std::shared_ptr<const SectionOutline>& outline = outline_by_key_[key];
+  if (outline == nullptr) {
+    SectionOutline made{.key = key, .section = make()};
+    for (const Vec3 point : made.section.points) made.extent = std::max(made.extent, glm::length(point));
+    outline = std::make_shared<const SectionOutline>(std::move(made));
+  }
+  // Chance gives one colour to all of a surface.
+  const bool is_first = parent_section_ == 0;
+  if (is_first) site_.surface = site_.key;
+  section_ = std::max<std::uint64_t>(1, site_.key.child("section").bits());
+  sections.push_back({.outline = outline,
+                      .frame = geometry_frame_ * local,
+                      .is_capped = is_capped,
+                      .id = section_,
+                      .parent = parent_section_,
+                      .tint = is_first ? tint_ : context_->tinting.tint(*base_, site_.surface.child("colour")),
+                      .birth = site_.birth});
+}
+
 std::shared_ptr<const Mesh> Emitter::shared_mesh(std::uint64_t key, FunctionRef<Mesh()> make) {
-  if (std::shared_ptr<const Mesh> mesh = context_->meshes.find(key)) return mesh;
-  std::shared_ptr<const Mesh> mesh = context_->meshes.keep(key, make());
+  std::shared_ptr<const Mesh> mesh = context_->meshes.find(key);
+  if (mesh == nullptr) mesh = context_->meshes.keep(key, std::make_shared<const Mesh>(make()));
   const std::uint64_t limit = context_->limits.mesh_bytes;
   if (context_->mesh_bytes + context_->meshes.bytes() <= limit) return mesh;
   throw_past(fmt::format("the shapes of '{}' take more than {} bytes", context_->component, limit), limit, "mesh_bytes",
              "components." + context_->component);
 }
 
-void Emitter::stem(Skeleton skeleton, const Surface& surface) {
+void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* branching) {
   count_nodes(skeleton.node_count());
-  EmittedStem& stem = stems.emplace_back(EmittedStem{std::move(skeleton), surface, site_, visible_, tint_, {}});
+  if (branching == nullptr) {
+    branching_ = nullptr;
+  } else if (branching_ == nullptr || !(*branching_ == *branching)) {
+    branching_ = std::make_shared<const Placement>(*branching);
+  }
+  EmittedStem& stem =
+      stems.emplace_back(EmittedStem{std::move(skeleton), surface, branching_, site_, visible_, tint_, {}});
   if (stem.surface.crown) stem.surface.crown->scale(glm::length(site_.frame.heading()));
   stem.site.key = site_.key.child("stem").child(stems_of_instance_++);
   if (is_placed_ && visible_) {
@@ -165,14 +206,10 @@ void Emitter::stem(Skeleton skeleton, const Surface& surface) {
   }
 }
 
-void Emitter::number_stems(std::uint32_t first) {
-  first_stem = first;
-  const auto number = [&](Site& site) {
-    if (site.stem != kNoStem && (site.stem & kOfThisBlock) != 0) site.stem = first + (site.stem & ~kOfThisBlock);
-  };
-  for (Site& site : child_sites) number(site);
-  for (Site& site : branch_sites) number(site);
-  for (auto& [name, site] : named_sites) number(site);
+void Emitter::unseen_stem(Skeleton skeleton) {
+  const bool was_visible = std::exchange(visible_, false);
+  stem(std::move(skeleton), {});
+  visible_ = was_visible;
 }
 
 void Emitter::child_site(const Frame& local, float length, float radius) {
@@ -191,6 +228,14 @@ void Emitter::branch_site(const Frame& local, float u, float length, float radiu
   if (context_->wants_branch_sites) add_site(branch_sites, site_.frame * local, u, scale * length, scale * radius);
 }
 
+void Emitter::branch_site_on_stem(const Frame& frame, float u, float length, float radius, NodeIndex node,
+                                  float along) {
+  if (!context_->wants_branch_sites) return;
+  add_site(branch_sites, frame, u, length, radius);
+  branch_sites.back().node = node;
+  branch_sites.back().along = along;
+}
+
 void Emitter::named_site(std::uint32_t name, const Frame& frame, float length, float radius, NodeIndex node) {
   if (++uncounted_ == kCountedTogether) count_sites();
   Site& site = named_sites.emplace_back(name, site_).second;
@@ -200,7 +245,7 @@ void Emitter::named_site(std::uint32_t name, const Frame& frame, float length, f
   site.radius = radius;
   if (node == kNoNode) return;
   site.order = stems.back().skeleton.order[node];
-  site.stem = kOfThisBlock | static_cast<std::uint32_t>(stems.size() - 1);
+  site.stem = stems.back().id();
   site.node = node;
   site.along = 1;
 }
@@ -214,19 +259,44 @@ void Emitter::add_site(std::vector<Site>& sites, const Frame& frame, float u, fl
   site.radius = radius;
   if (stems_of_instance_ == 0) return;  // else on the stem that the instance stands on itself
   const Skeleton& skeleton = stems.back().skeleton;
-  site.stem = kOfThisBlock | static_cast<std::uint32_t>(stems.size() - 1);
+  site.stem = stems.back().id();
   site.node = static_cast<NodeIndex>(skeleton.node_count() - 1);
   site.along = 1;
+}
+
+std::vector<double> Emitter::per_child(const PerChild& number, std::uint32_t count) const {
+  if (!number.varying) return std::vector<double>(count, number.plain);
+  std::vector<Site> children(count, site_);
+  const RandomKey key = site_.key.child("children");
+  for (std::uint32_t k = 0; k < count; ++k) {
+    children[k].i = k;
+    children[k].n = count;
+    children[k].key = key.child(k);
+  }
+  const VaryingValues evaluated(std::span(&*number.varying, 1), children, context_->time);
+  std::vector<double> values(count);
+  for (std::uint32_t k = 0; k < count; ++k) values[k] = evaluated.value(0, k);
+  return values;
+}
+
+void Emitter::expect_children(std::uint64_t count) const {
+  const std::uint64_t limit = context_->limits.instances;
+  if (context_->instances.load(std::memory_order_relaxed) + count > limit) throw_too_many_children();
 }
 
 void Emitter::count_sites() {
   const std::uint64_t limit = context_->limits.instances;
   const std::uint64_t before = context_->instances.fetch_add(uncounted_, std::memory_order_relaxed);
-  if (before + uncounted_ > limit) {
-    throw_past(fmt::format("'{}' offers places to more than {} instances", context_->component, limit), limit,
-               "instances", context_->multiplier);
-  }
+  if (before + uncounted_ > limit) throw_too_many_children();
   uncounted_ = 0;
+}
+
+void Emitter::throw_too_many_children() const {
+  const std::uint64_t limit = context_->limits.instances;
+  const std::string parents =
+      context_->together == 1 ? "" : fmt::format(", of which there are {},", context_->together);
+  throw_past(fmt::format("'{}'{} offers places to more than {} instances", context_->component, parents, limit), limit,
+             "instances", context_->multiplier);
 }
 
 void Emitter::count_nodes(std::uint64_t more) {

@@ -16,14 +16,24 @@
 #include "meristem/base/limits.h"
 #include "meristem/base/mesh.h"
 #include "meristem/base/progress.h"
+#include "meristem/graph/placement.h"
 #include "meristem/graph/site.h"
+#include "meristem/graph/varying.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
+#include "meristem/shape/loft.h"
 
 namespace meristem {
 
 struct ComponentBase;
 class Tinting;
+
+/// What of a component light and gravity turn.
+enum class Tropism {
+  heading,  ///< toward the light, or down
+  face,     ///< the upper face toward the light, the heading down
+  none,     ///< nothing: the component bends by itself
+};
 
 /// A key for geometry that instances with these numbers share.
 std::uint64_t shape_key(std::initializer_list<double> numbers);
@@ -32,25 +42,51 @@ std::uint64_t shape_key(std::initializer_list<double> numbers);
 struct EmittedStem {
   Skeleton skeleton;
   Surface surface;
-  Site site;  ///< of the instance that made it, with a key of the stem's own
+  std::shared_ptr<const Placement> branching;  ///< where its branches stand, as far as links do not say; may be null
+  Site site;                                   ///< of the instance that made it, with a key of the stem's own
   bool visible = true;
   Vec3 tint{1};
   std::optional<Skeleton> moved;  ///< what is seen instead of the skeleton where `place` moves it
   float moved_scale = 1;          ///< by which that is larger
+
+  std::uint64_t id() const { return site.key.bits(); }  ///< what Site::stem says of places on it
 };
 
-/// Meshes that the blocks of one component share, by their keys. May be called from many threads.
+/// The points of a section, in its own frame.
+struct SectionOutline {
+  std::uint64_t key = 0;  ///< outlines of one component with equal keys are equal
+  LoftSection section;
+  float extent = 0;  ///< from the origin to the farthest point, metres
+};
+
+/// A section of a surface that is put together when all have been emitted.
+struct EmittedSection {
+  std::shared_ptr<const SectionOutline> outline;
+  Frame frame;               ///< of the outline, in world space
+  bool is_capped = true;     ///< a ring is closed by a flat face where its surface ends
+  std::uint64_t id = 0;      ///< never 0
+  std::uint64_t parent = 0;  ///< id of the section that it continues, or 0
+  Vec3 tint{1};
+  float birth = 0;
+};
+
+/// Meshes that all instances of one component share, by their keys. May be called from many threads.
 class SharedMeshes {
  public:
+  /// `earlier` are those of an earlier expansion, which are taken over as they are asked for.
+  explicit SharedMeshes(std::shared_ptr<const SharedMeshes> earlier = nullptr) : earlier_(std::move(earlier)) {}
   /// Null where there is none yet.
-  std::shared_ptr<const Mesh> find(std::uint64_t key) const;
+  std::shared_ptr<const Mesh> find(std::uint64_t key);
   /// Keeps `mesh`, or gives the one that another thread was quicker with.
-  std::shared_ptr<const Mesh> keep(std::uint64_t key, Mesh mesh);
+  std::shared_ptr<const Mesh> keep(std::uint64_t key, std::shared_ptr<const Mesh> mesh);
+  /// Lets go of the earlier ones that nobody has asked for.
+  void forget_earlier() { earlier_ = nullptr; }
   std::uint64_t bytes() const { return bytes_; }
 
  private:
   mutable std::mutex mutex_;
   std::unordered_map<std::uint64_t, std::shared_ptr<const Mesh>> meshes_;
+  std::shared_ptr<const SharedMeshes> earlier_;
   std::atomic<std::uint64_t> bytes_{0};
 };
 
@@ -60,24 +96,46 @@ struct EmitterContext {
   const Limits& limits;
   const std::string& component;  ///< id, for errors
   std::string multiplier;        ///< document path of what multiplies the children, for errors
+  std::uint64_t together = 1;    ///< instances that are expanded together
   double time = 0;               ///< seconds
   const Tinting& tinting;        ///< of the instances
+  Tropism tropism = Tropism::heading;
   Progress* progress = nullptr;  ///< for what takes long in one instance
   bool makes_stems = false;      ///< children of branch links stand along stems only
   bool wants_child_sites = true;
   bool wants_branch_sites = true;
   std::atomic<std::uint64_t> instances{0};  ///< so far, with the places that are offered to more
   std::atomic<std::uint64_t> nodes{0};      ///< so far, of all stems
-  std::uint64_t mesh_bytes = 0;             ///< of what was made before
-  SharedMeshes meshes{};
+  std::uint64_t mesh_bytes = 0;             ///< of what other components have made
+  SharedMeshes& meshes;
 };
+
+/// What the instances of one block have emitted. It depends on the component, its instances and the scene alone, and
+/// not on what else there is.
+struct Emitted {
+  struct EmittedPrototype {
+    std::uint64_t key = 0;
+    std::shared_ptr<const Mesh> mesh;
+    bool is_blade = false;
+  };
+  std::vector<EmittedPrototype> prototypes;
+  std::vector<Organ> organs;  ///< their prototypes count within this block
+  std::vector<EmittedSection> sections;
+  std::vector<EmittedStem> stems;
+  std::vector<Site> child_sites;  ///< with the key and depth of the instance that offers them
+  std::vector<Site> branch_sites;
+  std::vector<std::pair<std::uint32_t, Site>> named_sites;  ///< with the number of the name
+};
+
+/// Of where the children stand on a stem with this key.
+inline RandomKey key_of_places(RandomKey stem) { return stem.child("branching"); }
 
 /// Takes what the instances of one block emit. One thread uses one emitter; blocks are merged in their order.
 ///
 /// An instance whose frame has shrunk to nothing emits nothing, nor does what hangs on it. Throws InputError for frames
 /// that are not finite, when the places for children pass the limit of instances, the stems that of nodes, and the
 /// meshes that of bytes.
-class Emitter {
+class Emitter : private Emitted {
  public:
   /// `context` outlives the emitter.
   explicit Emitter(EmitterContext& context) : context_(&context) {}
@@ -90,8 +148,15 @@ class Emitter {
   void organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint = Vec3(1));
   /// The same for flat shapes that look otherwise than the rest: in the component type's material of blades.
   void blade(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint = Vec3(1));
+  /// A section of a surface at `local` in the instance's frame (moved by its `place`), once an instance. Where children
+  /// by child and leaf links give sections too, their surface is one with it. Instances of one component with equal
+  /// `key` share what one of them makes.
+  void section(const Frame& local, std::uint64_t key, bool is_capped, FunctionRef<LoftSection()> make);
   /// A skeleton in world space. The instance's `place` moves it, but not what hangs on it.
-  void stem(Skeleton skeleton, const Surface& surface);
+  /// `branching`, if given, says where the children of branch links stand, as far as the links do not.
+  void stem(Skeleton skeleton, const Surface& surface, const Placement* branching = nullptr);
+  /// One that is not seen, for the children of branch links.
+  void unseen_stem(Skeleton skeleton);
   /// A place for children, relative to the instance's frame, as are the length and radius that they see; called n times
   /// it multiplies them. Without a call, children stand in the instance's frame, unless `no_children` was called.
   void child_site(const Frame& local, float length = 0, float radius = 0);
@@ -99,13 +164,24 @@ class Emitter {
   void child_site_in_world(const Frame& frame, float length, float radius);
   /// Children stand only where `child_site` says: for components whose number of children may be 0.
   void no_children() { has_child_sites_ = true; }
+  /// The values of a number for each of `count` children of the instance, in the struct's unit. Expressions see the
+  /// children's i and n and draw random numbers of their own; all else that they see is the instance's.
+  std::vector<double> per_child(const PerChild& number, std::uint32_t count) const;
+  /// Says that `count` places will be offered, before anything is made for them. Throws InputError where they are more
+  /// than may be.
+  void expect_children(std::uint64_t count) const;
   /// A place for the children of branch links where it differs from those of child links. Without a call, and for
   /// components that make no stems, these stand where the children of child links do.
   void branch_site(const Frame& local, float u, float length, float radius);
+  /// The same in world space, on the stem emitted last: at the share `along` of the segment that ends in `node`.
+  void branch_site_on_stem(const Frame& frame, float u, float length, float radius, NodeIndex node, float along);
 
   /// A place in world space for the component that the instance itself places, by its number in the type's `placed`;
   /// on `node` of the stem emitted last, or kNoNode.
   void named_site(std::uint32_t name, const Frame& frame, float length, float radius, NodeIndex node);
+
+  /// Of where the children stand on the stem that is emitted next, if it brings its branching.
+  RandomKey places_on_next_stem() const { return key_of_places(site_.key.child("stem").child(stems_of_instance_)); }
 
   const Scene& scene() const { return context_->scene; }
   const Limits& limits() const { return context_->limits; }
@@ -121,20 +197,8 @@ class Emitter {
   void instance(const ComponentBase& base, const Site& site, std::size_t index, FunctionRef<void(const Site&)> expand);
   void set_grown(std::vector<Skeleton> skeletons) { grown_ = std::move(skeletons); }
 
-  struct EmittedPrototype {
-    std::uint64_t key = 0;
-    std::shared_ptr<const Mesh> mesh;
-    bool is_blade = false;
-  };
-  std::vector<EmittedPrototype> prototypes;
-  std::vector<Organ> organs;  ///< their prototypes count within this emitter
-  std::vector<EmittedStem> stems;
-  std::uint32_t first_stem = 0;  ///< number of the first of them
-  /// Numbers the stems on from `first`, and tells the places on them.
-  void number_stems(std::uint32_t first);
-  std::vector<Site> child_sites;  ///< with the key and depth of the instance that offers them
-  std::vector<Site> branch_sites;
-  std::vector<std::pair<std::uint32_t, Site>> named_sites;  ///< with the number of the name
+  /// All that was emitted, once an emitter.
+  Emitted take() { return std::move(static_cast<Emitted&>(*this)); }
 
  private:
   void begin_instance(const ComponentBase& base, const Site& site);
@@ -143,6 +207,7 @@ class Emitter {
   void number_named_sites();
   void add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius);
   void count_sites();
+  [[noreturn]] void throw_too_many_children() const;
   void count_nodes(std::uint64_t more);
   std::shared_ptr<const Mesh> shared_mesh(std::uint64_t key, FunctionRef<Mesh()> make);
 
@@ -151,6 +216,9 @@ class Emitter {
   Site site_;             // of the present instance, with its own frame
   Frame geometry_frame_;  // that frame moved by `place`
   Vec3 tint_{1};
+  const ComponentBase* base_ = nullptr;  // of the present instance
+  std::uint64_t parent_section_ = 0;     // that the instance stands on
+  std::uint64_t section_ = 0;            // that it has given
   bool is_placed_ = false;
   bool visible_ = true;
   bool has_child_sites_ = false;
@@ -160,7 +228,9 @@ class Emitter {
   std::uint32_t stems_of_instance_ = 0;
   std::uint64_t uncounted_ = 0;  // sites not yet in the context's count
   std::unordered_map<std::uint64_t, std::uint32_t> prototype_by_key_;
+  std::unordered_map<std::uint64_t, std::shared_ptr<const SectionOutline>> outline_by_key_;
   std::vector<Skeleton> grown_;
+  std::shared_ptr<const Placement> branching_;  // of the stem emitted last, as most have the same
 };
 
 }  // namespace meristem

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,11 @@ struct Link {
   ComponentIndex from = 0;
   ComponentIndex to = 0;
   LinkKind kind = LinkKind::child;
-  Placement placement;            ///< of branch links
-  CrownPlacement in_crown;        ///< of crown links
-  std::uint32_t name = kNoIndex;  ///< of child links that the parent makes itself: which of the ids it places
+  Placement placement;             ///< of branch links
+  std::vector<std::string> given;  ///< which keys of it the document gives
+  CrownPlacement in_crown;         ///< of crown links
+  std::uint32_t name = kNoIndex;   ///< of child links that the parent makes itself: which of the ids it places
+  std::optional<std::uint64_t> fingerprint{};  ///< hash of all that is said of it, if that is known
 };
 
 struct Graph {

@@ -51,6 +51,7 @@ struct NumberForm {
   double max = std::numeric_limits<double>::infinity();
   bool above_min = false;  ///< `min` itself is excluded
   bool fixed = false;      ///< one value for the whole component
+  bool per_child = false;  ///< differs among the children of an instance, and not from instance to instance
 };
 
 /// One row of a table.

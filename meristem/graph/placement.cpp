@@ -49,15 +49,51 @@ const ParameterTable& placement_table() {
           .number("start", &Placement::start, {.min = 0, .max = 1}, "Share of each axis left free at its base.")
           .number("end", &Placement::end, {.min = 0, .max = 1}, "Share of each axis at which the places end.")
           .elsewhere({"from", "to", "kind"})
-          .check([](const Placement& placement, const Place& place, ParameterReader& reader) {
-            if (placement.density && placement.count) {
-              reader.fault(Place(place, "count"), "a link has both a density and a count", "one of them");
-            }
-            if (placement.start > placement.end) {
-              reader.fault(Place(place, "start"), "'start' lies behind 'end'", "start of at most end");
-            }
-          });
+          .check(check_placement);
   return table;
+}
+
+void check_placement(const Placement& placement, const Place& place, ParameterReader& reader) {
+  if (placement.density && placement.count) {
+    reader.fault(Place(place, "count"), "there is both a density and a count", "one of them");
+  }
+  if (placement.start > placement.end) {
+    reader.fault(Place(place, "start"), "'start' lies behind 'end'", "start of at most end");
+  }
+}
+
+std::vector<std::string> given_placement(const Value& value) {
+  std::vector<std::string> given;
+  for (const auto& [name, member] : *value.object()) {
+    if (placement_table().find(name) != nullptr) given.push_back(name);
+  }
+  return given;
+}
+
+Placement overridden(Placement own, const Placement& link, std::span<const std::string> given) {
+  const auto is_given = [&](std::string_view name) { return std::ranges::find(given, name) != given.end(); };
+  const auto take = [&](std::string_view name, auto Placement::*member) {
+    if (is_given(name)) own.*member = link.*member;
+  };
+  if (is_given("density") || is_given("count")) {
+    own.density = link.density;
+    own.count = link.count;
+  }
+  if (is_given("angle")) own.angle_tip.reset();
+  take("where", &Placement::where);
+  take("whorl", &Placement::whorl);
+  take("divergence", &Placement::divergence);
+  take("roll", &Placement::roll);
+  take("angle", &Placement::angle);
+  take("angle_tip", &Placement::angle_tip);
+  take("angle_spread", &Placement::angle_spread);
+  take("size", &Placement::size);
+  take("spread", &Placement::spread);
+  take("droop", &Placement::droop);
+  take("face_light", &Placement::face_light);
+  take("start", &Placement::start);
+  take("end", &Placement::end);
+  return own;
 }
 
 namespace {
@@ -90,7 +126,7 @@ struct AxisPlaces {
 /// For every node whether the segment that ends in it may carry children.
 std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const Axes& axes, const Placement& placement,
                                          const PlacementContext& context) {
-  if (placement.where) return nodes_where(skeleton, axes, *placement.where, context.parent.key.child("where"));
+  if (placement.where) return nodes_where(skeleton, axes, *placement.where, context.key_of_places().child("where"));
   if (!context.has_twigs) return std::vector<std::uint8_t>(skeleton.node_count(), 1);
   std::vector<std::uint8_t> eligible;
   for (const float distance : tip_distance(skeleton)) eligible.push_back(distance < kDefaultTwig ? 1 : 0);
@@ -155,18 +191,22 @@ double count_places(std::vector<AxisPlaces>& axes, const Placement& placement, R
 }
 
 /// The order of a skeleton's main axis: a stem that stands on another is a lateral of it.
-int first_order(const Site& parent) { return parent.stem == kNoStem ? 0 : parent.order + 1; }
+int first_order(const Site& parent) { return parent.stem == kOnNoStem ? 0 : parent.order + 1; }
 
 /// Writes the sites of one axis.
 class AxisWriter {
  public:
-  AxisWriter(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context, RandomKey key)
-      : skeleton_(skeleton), placement_(placement), context_(context), key_(key) {}
+  AxisWriter(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context, AxisIndex axis)
+      : skeleton_(skeleton),
+        placement_(placement),
+        context_(context),
+        key_(context.parent.key.child(axis)),
+        places_(context.key_of_places().child(axis)) {}
 
   void write(const AxisPlaces& axis, Site* out) {
     if (axis.places == 0) return;
     const auto whorl = static_cast<std::uint64_t>(placement_.whorl);
-    const double roll = placement_.roll.value_or(2 * kPi * key_.uniform(1));
+    const double roll = placement_.roll.value_or(2 * kPi * places_.uniform(1));
     const double spacing = axis.eligible / static_cast<double>(axis.places);
     std::size_t p = 0;
     Vec3 tangent = piece_tangent(axis.pieces[0]);
@@ -218,7 +258,7 @@ class AxisWriter {
     const double base = placement_.angle;
     const double tip = placement_.angle_tip.value_or(base);
     const double angle =
-        base + (tip - base) * site.u + placement_.angle_spread * site.key.child("angle").uniform(0, -1, 1);
+        base + (tip - base) * site.u + placement_.angle_spread * places_.child(site.i).child("angle").uniform(0, -1, 1);
     const auto sine = static_cast<float>(math::sin(angle));
     const auto cosine = static_cast<float>(math::cos(angle));
     const Vec3 heading = cosine * tangent + sine * outward;
@@ -229,37 +269,30 @@ class AxisWriter {
     site.node = piece.to;
     site.along = along;
     site.frame.axes = drooped(site.frame.axes, placement_.droop);
-    if (placement_.face_light > 0) turn_to_light(site.frame);
+    if (placement_.face_light > 0) {
+      Mat3& axes = site.frame.axes;
+      axes = rotation_toward(axes[2], context_.light, placement_.face_light, axes[1]) * axes;
+    }
     site.frame.axes *= static_cast<float>(std::max(0.0, placement_.size(site.u)));
-  }
-
-  /// Turns the frame so that its upper face comes nearer to the light by the share `face_light`.
-  void turn_to_light(Frame& frame) const {
-    const Vec3 face = frame.upper();
-    const Vec3 axis = normalized_or(glm::cross(face, context_.light), frame.heading());
-    const double whole = math::acos(glm::dot(face, context_.light));
-    frame.axes = rotation(axis, whole * placement_.face_light) * frame.axes;
   }
 
   const Skeleton& skeleton_;
   const Placement& placement_;
   const PlacementContext& context_;
-  RandomKey key_;
+  RandomKey key_;     // of the children
+  RandomKey places_;  // of where they stand
 };
 
 }  // namespace
 
 Mat3 drooped(const Mat3& axes, double droop) {
-  if (droop == 0) return axes;
-  const Vec3 target = droop > 0 ? -kUp : kUp;
-  const Vec3 about = normalized_or(glm::cross(axes[1], target), axes[0]);
-  return rotation(about, math::acos(glm::dot(axes[1], target)) * std::abs(droop)) * axes;
+  return droop == 0 ? axes : rotation_toward(axes[1], -kUp, droop, axes[0]) * axes;
 }
 
 std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context) {
   const Axes axes(skeleton);
   const std::vector<std::uint8_t> eligible = eligible_nodes(skeleton, axes, placement, context);
-  const float root_bark = context.parent.stem == kNoStem ? 0 : context.parent.radius;
+  const float root_bark = context.parent.stem == kOnNoStem ? 0 : context.parent.radius;
   std::vector<AxisPlaces> places(axes.count());
   parallel_for(axes.count(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t a = begin; a < end; ++a) {
@@ -267,7 +300,7 @@ std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placeme
     }
   });
 
-  const double total = count_places(places, placement, context.parent.key);
+  const double total = count_places(places, placement, context.key_of_places());
   if (total > static_cast<double>(context.limits->instances)) {
     throw_limit("children", total, context.limits->instances, "instances",
                 context.path + (placement.count ? ".count" : ".density"));
@@ -281,14 +314,14 @@ std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placeme
   std::vector<Site> out(sites);
   parallel_for(axes.count(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t a = begin; a < end; ++a) {
-      AxisWriter(skeleton, placement, context, context.parent.key.child(a))
+      AxisWriter(skeleton, placement, context, static_cast<AxisIndex>(a))
           .write(places[a], out.data() + places[a].first_site);
     }
   });
   return out;
 }
 
-std::vector<Site> tip_sites(const Skeleton& skeleton, std::uint32_t stem, const Site& parent) {
+std::vector<Site> tip_sites(const Skeleton& skeleton, std::uint64_t stem, const Site& parent) {
   const Axes axes(skeleton);
   std::vector<Site> sites;
   for (AxisIndex a = 0; a < axes.count(); ++a) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ namespace meristem {
 
 /// The placement keys of a branch link. Angles in radians.
 struct Placement {
+  bool operator==(const Placement&) const = default;
+
   std::optional<double> density;                    ///< places per metre of stem; 40 where neither is given
   std::optional<int> count;                         ///< places on a skeleton, shared out over its axes by length
   std::optional<Condition> where;                   ///< default: tip_distance < 0.4 on stems that have grown, else all
@@ -36,15 +39,27 @@ struct Placement {
 };
 
 const ParameterTable& placement_table();
+/// The rule between its rows, for components that have them as their own.
+void check_placement(const Placement& placement, const Place& place, ParameterReader& reader);
+
+/// The keys of a placement among an object's members.
+std::vector<std::string> given_placement(const Value& value);
+
+/// `own` with those members that `link` was given, by their names in the table. A link that says how many there are
+/// replaces both ways of saying so, one with an angle also the angle at the tip.
+Placement overridden(Placement own, const Placement& link, std::span<const std::string> given);
 
 struct PlacementContext {
   Vec3 light{0, 1, 0};    ///< unit vector toward it
   bool on_axis = false;   ///< places lie on the stem's axis and not on its bark, for children that are stems themselves
   bool has_twigs = true;  ///< by default they carry the children
-  std::uint32_t stem = kNoStem;  ///< number of the stem, for the places
-  Site parent;                   ///< of the instance that made the stem; the places' keys and depths come from it
+  std::uint64_t stem = kOnNoStem;   ///< id of the stem, for the places
+  Site parent;                      ///< of the instance that made the stem; the places' keys and depths come from it
+  std::optional<RandomKey> places;  ///< of where they are, where that is not the parent's: equal ones, equal places
+
+  RandomKey key_of_places() const { return places.value_or(parent.key); }
   const Limits* limits = nullptr;
-  std::string path;  ///< of the link in the document, for errors: "links[1]"
+  std::string path;  ///< of what gives the placement in the document, for errors: "links[1]"
 };
 
 /// Unit axes turned so that the heading comes nearer to straight down, or for a negative `droop` up, by that share.
@@ -57,7 +72,7 @@ Mat3 drooped(const Mat3& axes, double droop);
 std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context);
 
 /// A place at the tip of every axis of `skeleton`, heading along its last segment (for a single node as the parent
-/// does); i and n count over all tips, the keys are the parent's. `stem` is the skeleton's number.
-std::vector<Site> tip_sites(const Skeleton& skeleton, std::uint32_t stem, const Site& parent);
+/// does); i and n count over all tips, the keys are the parent's. `stem` is the skeleton's id.
+std::vector<Site> tip_sites(const Skeleton& skeleton, std::uint64_t stem, const Site& parent);
 
 }  // namespace meristem

@@ -329,6 +329,80 @@ TEST(Placement, PlacesPastTheLimitAreCountedInTheMessage) {
   }
 }
 
+TEST(Placement, EqualKeysGiveEqualPlacesWhateverTheirChildrensKeys) {
+  const Limits limits;
+  const Placement keys = everywhere({{"density", 31.7}, {"angle_spread", 20}});
+  PlacementContext context{.parent = {}, .places = RandomKey(5), .limits = &limits, .path = "links[0]"};
+  context.parent.key = RandomKey(1);
+  const std::vector<Site> one = place_along(twigs(0.3F), keys, context);
+  context.parent.key = RandomKey(2);
+  const std::vector<Site> two = place_along(twigs(0.3F), keys, context);
+  ASSERT_EQ(one.size(), two.size());
+  ASSERT_GT(one.size(), 1000U);
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    EXPECT_EQ(one[k].frame.axes, two[k].frame.axes);
+    EXPECT_EQ(one[k].frame.origin, two[k].frame.origin);
+    EXPECT_EQ(one[k].i, two[k].i);
+    EXPECT_NE(one[k].key, two[k].key);
+  }
+}
+
+TEST(Placement, SpreadIsACurveOfRelativeDensity) {
+  // Four times as dense in the upper half as in the lower: 20 and 80 of 100.
+  const Value::Object steps{
+      {"curve", Value::List{Value::List{0, 1}, Value::List{0.4999, 1}, Value::List{0.5001, 4}, Value::List{1, 4}}},
+      {"kind", "linear"}};
+  for (const Value::Object& number : {Value::Object{{"count", 100}}, Value::Object{{"density", 20}}}) {
+    Value::Object keys = number;
+    keys.emplace_back("spread", steps);
+    Skeleton fine;
+    add_axis(fine, kNoNode, kUp, 2, 2000);
+    const std::vector<Site> sites = places(fine, everywhere(keys));
+    const auto upper = std::ranges::count_if(sites, [](const Site& site) { return site.frame.origin.y > 1; });
+    EXPECT_NEAR(static_cast<double>(upper) / static_cast<double>(sites.size()), 0.8, 0.011);
+  }
+}
+
+TEST(Placement, ADensityCurveKeepsItsCounts) {
+  // Linear from 0 to the tip: the share below u is u squared.
+  const Value::Object rising{{"curve", Value::List{Value::List{0, 0}, Value::List{1, 1}}}, {"kind", "linear"}};
+  Skeleton fine;
+  add_axis(fine, kNoNode, kUp, 2, 1000);
+  const std::vector<Site> sites = places(fine, everywhere({{"count", 1000}, {"spread", rising}}));
+  ASSERT_EQ(sites.size(), 1000U);
+  for (const double u : {0.25, 0.5, 0.75}) {
+    const auto below = std::ranges::count_if(sites, [&](const Site& site) { return site.u < u; });
+    EXPECT_NEAR(static_cast<double>(below), 1000 * u * u, 2);
+  }
+}
+
+TEST(Placement, ALinkOverridesWhatItIsGiven) {
+  const Placement own = placement({{"count", 5}, {"angle", 70}, {"angle_tip", 30}, {"roll", 20}, {"whorl", 3}});
+  const auto with = [&](const Value::Object& keys) { return overridden(own, placement(keys), given_placement(keys)); };
+  EXPECT_EQ(with({}), own);
+  const Placement dense = with({{"density", 8}});
+  EXPECT_EQ(dense.density, 8);
+  EXPECT_FALSE(dense.count);
+  EXPECT_EQ(dense.whorl, 3);
+  const Placement steep = with({{"angle", 10}, {"whorl", 1}});
+  EXPECT_FLOAT_EQ(static_cast<float>(degrees(steep.angle)), 10);
+  EXPECT_FALSE(steep.angle_tip);
+  EXPECT_EQ(steep.whorl, 1);
+  EXPECT_EQ(steep.count, 5);
+  EXPECT_FLOAT_EQ(static_cast<float>(degrees(*with({{"angle_tip", 5}}).angle_tip)), 5);
+}
+
+TEST(Placement, EveryKeyCanOverride) {
+  const Value::Object curve{{"curve", Value::List{Value::List{0, 3}}}};
+  const Value::Object keys{{"density", 3},  {"where", "1"},    {"whorl", 2},     {"divergence", 9},
+                           {"roll", 9},     {"angle", 9},      {"angle_tip", 8}, {"angle_spread", 9},
+                           {"size", curve}, {"spread", curve}, {"droop", 0.5},   {"face_light", 0.5},
+                           {"start", 0.1},  {"end", 0.9}};
+  EXPECT_EQ(overridden(Placement{}, placement(keys), given_placement(keys)), placement(keys));
+  // Whatever is a row: a key that is added to the table must be taken over as well.
+  EXPECT_EQ(given_placement(keys).size() + 1, placement_table().parameters.size());  // count stands beside density
+}
+
 TEST(Placement, KeysThatContradictAreRejected) {
   const auto fault = [](const Value::Object& keys) {
     Placement result;

@@ -49,6 +49,12 @@ bool is_any_of(std::string_view name, const std::vector<std::string>& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// The value of an expression that is the same for all instances.
+std::optional<double> constant_of(const Varying& varying) {
+  if (!varying.expression || !varying.expression->is_constant()) return std::nullopt;
+  return varying.expression->evaluate(std::vector<double>(site_variables().size()));
+}
+
 /// What is left of a path after the component's own part: "components.leaf.curl" -> "curl".
 std::string_view path_in_component(std::string_view path) {
   for (int level = 0; level < 2; ++level) {
@@ -232,22 +238,62 @@ bool ParameterReader::may_vary(const Parameter& parameter, const void* member) c
 void ParameterReader::store_number(const Parameter& parameter, const Value& value, const Place& place,
                                    const NumberSlot& slot) {
   const double scale = document_scale(parameter.form.unit);
-  const bool varies = may_vary(parameter, slot.member);
-  const auto store_plain = [&](const Value& plain) {
-    if (const std::optional<double> given = number(parameter, plain, place)) slot.store(slot.member, *given * scale);
-  };
-  if (value.number() != nullptr) return store_plain(value);
-
-  // A range, alone or in an object with the expression to apply.
-  const Value* range = value.list() != nullptr ? &value : value.find("range");
-  const Value* apply = value.object() != nullptr ? value.find("apply") : value.text() != nullptr ? &value : nullptr;
-  if (range == nullptr && apply == nullptr) return wrong_kind(parameter, value, place);
-  if (!varies) {
-    if (value.text() != nullptr) return store_plain(value);
+  const bool is_plain = value.number() != nullptr || (value.text() != nullptr && !may_vary(parameter, slot.member));
+  const auto store = [&](double number) { slot.store(slot.member, number * scale); };
+  if (is_plain) {
+    if (const std::optional<double> given = number(parameter, value, place)) store(*given);
+    return;
+  }
+  if (!may_vary(parameter, slot.member)) {
+    if (value.list() == nullptr && value.find("range") == nullptr && value.find("apply") == nullptr) {
+      return wrong_kind(parameter, value, place);
+    }
     fault(place,
           fmt::format("'{}' is one number for all instances and cannot be {}", parameter.name, value.description()),
           parameter.expectation());
     return;
+  }
+  std::optional<Varying> read = varying(parameter, value, place, slot.present);
+  if (!read) return;
+  if (const std::optional<double> constant = constant_of(*read)) {
+    if (check_range(parameter, *constant, place, "the expression's value")) store(*constant);
+    return;
+  }
+  read->store = slot.store;
+  read->offset = static_cast<std::size_t>(static_cast<std::byte*>(slot.member) - varying_begin_);
+  // Until an instance has its own value the member has the default, so that rules between parameters see it as given.
+  store(slot.present);
+  varyings_.push_back(std::move(*read));
+}
+
+void ParameterReader::store_per_child(const Parameter& parameter, const Value& value, const Place& place,
+                                      PerChild& number) {
+  const double scale = document_scale(parameter.form.unit);
+  std::optional<Varying> read;
+  std::optional<double> plain;
+  if (value.number() != nullptr) {
+    plain = this->number(parameter, value, place);
+  } else {
+    read = varying(parameter, value, place, number.plain / scale);
+    if (read) plain = constant_of(*read);
+    if (plain && !check_range(parameter, *plain, place, "the expression's value")) return;
+  }
+  if (plain) {
+    number = PerChild(*plain * scale);
+  } else if (read) {
+    number.varying = std::move(read);
+  }
+}
+
+/// A range, an expression, or an object with both; empty after a fault. `present` is what an expression alone sees as
+/// v.
+std::optional<Varying> ParameterReader::varying(const Parameter& parameter, const Value& value, const Place& place,
+                                                double present) {
+  const Value* range = value.list() != nullptr ? &value : value.find("range");
+  const Value* apply = value.object() != nullptr ? value.find("apply") : value.text() != nullptr ? &value : nullptr;
+  if (range == nullptr && apply == nullptr) {
+    wrong_kind(parameter, value, place);
+    return std::nullopt;
   }
   const std::size_t faults_before = faults_;
   if (const Value::Object* members = value.object()) {
@@ -258,18 +304,19 @@ void ParameterReader::store_number(const Parameter& parameter, const Value& valu
       }
     }
   }
-  Varying varying{
-      .path = place.text(), .min = parameter.form.min, .max = parameter.form.max, .scale = scale, .store = slot.store};
+  Varying varying{.path = place.text(),
+                  .min = parameter.form.min,
+                  .max = parameter.form.max,
+                  .scale = document_scale(parameter.form.unit)};
   varying.name_hash = hash64(path_in_component(varying.path));
-  varying.offset = static_cast<std::size_t>(static_cast<std::byte*>(slot.member) - varying_begin_);
   if (parameter.form.above_min) varying.min = std::nextafter(static_cast<float>(varying.min), HUGE_VALF);
-  varying.first = varying.last = slot.present;
+  varying.first = varying.last = present;
   if (range != nullptr) {
     const Value::List* ends = range->list();
     if (ends == nullptr || ends->size() != 2) {
       fault(place, fmt::format("the range of '{}' is {}", parameter.name, range->description()),
             "a list of two numbers");
-      return;
+      return std::nullopt;
     }
     const auto first = number(parameter, (*ends)[0], Place(place, std::size_t{0}));
     const auto last = number(parameter, (*ends)[1], Place(place, std::size_t{1}));
@@ -279,17 +326,8 @@ void ParameterReader::store_number(const Parameter& parameter, const Value& valu
   if (apply != nullptr) {
     const Place apply_place(place, "apply");
     varying.expression = expression(*apply, value.text() != nullptr ? place : apply_place, site_variables());
-    if (range == nullptr && varying.expression && varying.expression->is_constant()) {
-      if (const auto given = number(parameter, *apply, value.text() != nullptr ? place : apply_place)) {
-        slot.store(slot.member, *given * scale);
-      }
-      return;
-    }
   }
-  if (faults_ != faults_before) return;
-  // Until an instance has its own value the member has the default, so that rules between parameters see it as given.
-  slot.store(slot.member, slot.present * scale);
-  varyings_.push_back(std::move(varying));
+  return faults_ == faults_before ? std::optional(std::move(varying)) : std::nullopt;
 }
 
 const std::string* ParameterReader::text(const Parameter& parameter, const Value& value, const Place& place) {

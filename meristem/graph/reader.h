@@ -64,6 +64,8 @@ class ParameterReader {
   std::optional<double> number(const Parameter& parameter, const Value& value, const Place& place);
   /// A number into its slot, at once or, where allowed, as a Varying.
   void store_number(const Parameter& parameter, const Value& value, const Place& place, const NumberSlot& slot);
+  /// A number that may differ among the children of an instance.
+  void store_per_child(const Parameter& parameter, const Value& value, const Place& place, PerChild& number);
   /// An expression over `variables` and the document's variables.
   std::optional<Expression> expression(const Value& value, const Place& place, std::span<const std::string> variables);
   const std::string* text(const Parameter& parameter, const Value& value, const Place& place);
@@ -91,6 +93,7 @@ class ParameterReader {
   void report_in_text(const Diagnostic& found, const Value& value, const Place& place);
   void report(const Place& place, const Diagnostic& found, int text_offset);
   void check_company(const ParameterTable& table, const Value::Object& given, const Place& place);
+  std::optional<Varying> varying(const Parameter& parameter, const Value& value, const Place& place, double present);
   bool may_vary(const Parameter& parameter, const void* member) const;
   bool check_range(const Parameter& parameter, double value, const Place& place, std::string_view what);
 

@@ -8,28 +8,33 @@
 
 #include "meristem/base/frame.h"
 #include "meristem/base/random.h"
-#include "meristem/plant/plant.h"
+#include "meristem/plant/skeleton.h"
 
 namespace meristem {
 
 /// How many recursions may lie within one another.
 inline constexpr std::size_t kMaxRecursionLevels = 4;
 
+/// In place of a stem's id.
+inline constexpr std::uint64_t kOnNoStem = 0;
+
 /// A place where a child stands: what the child can see of its parent and of itself.
 struct Site {
-  Frame frame;                   ///< world space
-  RandomKey key = RandomKey();   ///< of the instance's path from the root
-  std::uint32_t i = 0;           ///< instance number among its siblings
-  std::uint32_t n = 1;           ///< number of siblings, itself included
-  float u = 0;                   ///< position along the parent's axis, from 0 to 1
-  float length = 0;              ///< of the parent, metres
-  float radius = 0;              ///< of the parent at this place, metres
-  float birth = 0;               ///< growth step at which the place appeared
-  std::uint16_t order = 0;       ///< branching order of the axis it stands on
-  std::uint16_t depth = 0;       ///< recursion depth
-  std::uint32_t stem = kNoStem;  ///< number of the stem that it stands on, as the expansion counts them
-  NodeIndex node = 0;            ///< on the segment of that stem that ends in this node
-  float along = 1;               ///< at this share of it
+  Frame frame;                      ///< world space
+  RandomKey key = RandomKey();      ///< of the instance's path from the root
+  std::uint32_t i = 0;              ///< instance number among its siblings
+  std::uint32_t n = 1;              ///< number of siblings, itself included
+  float u = 0;                      ///< position along the parent's axis, from 0 to 1
+  float length = 0;                 ///< of the parent, metres
+  float radius = 0;                 ///< of the parent at this place, metres
+  float birth = 0;                  ///< growth step at which the place appeared
+  std::uint16_t order = 0;          ///< branching order of the axis it stands on
+  std::uint16_t depth = 0;          ///< recursion depth
+  std::uint64_t stem = kOnNoStem;   ///< id of the stem that it stands on, made of its random key
+  NodeIndex node = 0;               ///< on the segment of that stem that ends in this node
+  float along = 1;                  ///< at this share of it
+  std::uint64_t section = 0;        ///< id of the section that the parent has given to a surface; 0: it gave none
+  RandomKey surface = RandomKey();  ///< of that surface
   std::array<std::uint16_t, kMaxRecursionLevels> depths{};  ///< by level of nested recursions
 };
 

@@ -87,6 +87,18 @@ class Table {
   Table&& integer(std::string name, M P::*member, NumberForm form, std::string doc) && {
     return numeric(ParameterKind::integer, std::move(name), member, form, std::move(doc));
   }
+  /// A number that may differ among the children of an instance.
+  Table&& per_child(std::string name, PerChild P::*member, NumberForm form, std::string doc) && {
+    Parameter& made = row(
+        ParameterKind::number, std::move(name), std::move(doc),
+        [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
+          reader.store_per_child(self, value, place, object.*member);
+        },
+        [member, unit = form.unit](const P& object) { return shown(unit, (object.*member).plain); });
+    made.form = form;
+    made.form.per_child = true;
+    return std::move(*this);
+  }
   Table&& boolean(std::string name, bool P::*member, std::string doc) && {
     row(
         ParameterKind::boolean, std::move(name), std::move(doc),

@@ -76,7 +76,7 @@ VaryingValues::VaryingValues(std::span<const Varying> varyings, std::span<const 
 
 void VaryingValues::apply(std::size_t site, void* object) const {
   for (std::size_t k = 0; k < varyings_.size(); ++k) {
-    varyings_[k].store(static_cast<std::byte*>(object) + varyings_[k].offset, values_[k * count_ + site]);
+    varyings_[k].store(static_cast<std::byte*>(object) + varyings_[k].offset, value(k, site));
   }
 }
 

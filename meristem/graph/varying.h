@@ -32,12 +32,23 @@ struct Varying {
   StoreNumber store = nullptr;
 };
 
+/// A number that differs among the children that one instance makes, or is one for all of them.
+struct PerChild {
+  double plain = 0;                ///< in the struct's unit, where it does not differ
+  std::optional<Varying> varying;  ///< over the children: its i and n are theirs
+
+  PerChild() = default;
+  PerChild(double value) : plain(value) {}  // NOLINT(google-explicit-constructor): a plain number is the usual case
+};
+
 /// The values of many parameters for a block of sites, evaluated together.
 class VaryingValues {
  public:
   VaryingValues(std::span<const Varying> varyings, std::span<const Site> sites, double time);
   /// Stores the values for the k-th site into the struct at `object`.
   void apply(std::size_t site, void* object) const;
+  /// That of one of them, in the struct's unit.
+  double value(std::size_t varying, std::size_t site) const { return values_[varying * count_ + site]; }
 
  private:
   std::span<const Varying> varyings_;

@@ -11,6 +11,7 @@
 
 #include "meristem/base/frame.h"
 #include "meristem/shape/cut_polygon.h"
+#include "meristem/shape/flat_ring.h"
 
 namespace meristem {
 
@@ -31,15 +32,6 @@ std::vector<Vec3> distinct(std::span<const Vec3> corners, float extent) {
   }
   while (kept.size() > 1 && !is_new(kept.back(), kept.front())) kept.pop_back();
   return kept;
-}
-
-/// Twice the area as a vector along the normal (M. Newell).
-DVec3 area_vector(const std::vector<Vec3>& corners) {
-  DVec3 sum(0);
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    sum += glm::cross(DVec3(corners[k] - corners[0]), DVec3(corners[(k + 1) % corners.size()] - corners[0]));
-  }
-  return sum;
 }
 
 /// Heights that part the corners into bands of few.

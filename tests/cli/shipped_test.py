@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """`meristem check` finds the models and the documents of the manual's figures good, also with what each figure sets;
-and every picture that the manual shows is there. Usage: shipped_test.py PROGRAM REPOSITORY
+models have few variables; and every picture that the manual shows is there. Usage: shipped_test.py PROGRAM REPOSITORY
 """
 
+import json
 import pathlib
 import re
 import subprocess
@@ -35,6 +36,12 @@ models = sorted((repository / "models").glob("*.json"))
 documents = sorted(figures.glob("*.json"))
 for path in models + documents:
     check(path)
+
+for path in models:
+    text = re.sub(r"^\s*//.*$", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
+    handles = json.loads(text).get("variables", {})
+    if not 1 <= len(handles) <= 6:
+        fail(f"{path.name} has {len(handles)} variables; a person wants one to six")
 
 pictures = set()
 for line in (figures / "figures.txt").read_text(encoding="utf-8").splitlines():

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+// The curve is a stem's. A ring along it is that stem itself; an outline is lofted through the stem's nodes; primitives
+// stand on the ribs. All but rings have an unseen stem, for links that place children along it.
+#include "meristem/components/horn.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/matrix.hpp>
+
+#include "meristem/base/math.h"
+#include "meristem/components/shared_shape.h"
+#include "meristem/components/surface_table.h"
+#include "meristem/components/unit_shape.h"
+#include "meristem/shape/loft.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr double kThinnest = 1e-6;     // of the length: thinner sections are points
+constexpr double kRadiiAnOctave = 64;  // steps in which radii differ, of outlines that share their meshes
+constexpr std::size_t kMostRibs = 100'000;
+
+/// A place on the curve.
+struct Rib {
+  Frame frame;  ///< in world space, turned by the twist
+  float u = 0;
+  float radius = 0;    ///< in the horn's own frame, metres
+  NodeIndex node = 0;  ///< on the segment of the stem that ends in this node
+  float along = 1;     ///< at this share of it
+};
+
+/// With a unit heading, the upper side as near as can be, and one scale.
+Frame even_frame(const Frame& frame) {
+  const float scale = glm::length(frame.heading());
+  const Vec3 heading = normalized_or(frame.heading(), kUp);
+  const Vec3 right =
+      normalized_or(frame.right() - glm::dot(frame.right(), heading) * heading, any_perpendicular(heading));
+  return {scale * Mat3(right, heading, glm::cross(right, heading)), frame.origin};
+}
+
+Frame twisted(Frame frame, double angle) {
+  frame.axes = frame.axes * rotation(kUp, angle);
+  return frame;
+}
+
+double radius_at(const StemForm& stem, double u) { return std::max(0.0, stem.taper(u)) * stem.radius; }
+
+Rib rib_at(const Horn& horn, const StemPath& path, double u) {
+  const double place = u * static_cast<double>(path.frames.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(place), path.frames.size() - 2);
+  const auto share = static_cast<float>(place - static_cast<double>(below));
+  const Frame& low = path.frames[below];
+  const Frame& high = path.frames[below + 1];
+  const Frame between =
+      even_frame({low.axes * (1 - share) + high.axes * share, glm::mix(low.origin, high.origin, share)});
+  Frame frame = between;
+  frame.axes *= glm::length(low.heading()) / glm::length(between.heading());
+  return {.frame = twisted(frame, horn.twist * u),
+          .u = static_cast<float>(u),
+          .radius = static_cast<float>(radius_at(horn.stem, u)),
+          .node = static_cast<NodeIndex>(below + 1),
+          .along = share};
+}
+
+std::vector<Rib> ribs_of(const Horn& horn, const StemPath& path) {
+  std::vector<Rib> ribs;
+  for (int k = 0; k < horn.ribs; ++k) {
+    ribs.push_back(rib_at(horn, path, horn.ribs == 1 ? 0 : static_cast<double>(k) / (horn.ribs - 1)));
+  }
+  return ribs;
+}
+
+Mesh make_outline_mesh(const Horn& horn, const StemForm& stem, const StemPath& path) {
+  std::vector<LoftSection> sections;
+  for (std::size_t k = 0; k < path.frames.size(); ++k) {
+    const double u = static_cast<double>(k) / static_cast<double>(path.frames.size() - 1);
+    const Frame frame = twisted(path.frames[k], horn.twist * u);
+    const double radius = radius_at(stem, u);
+    LoftSection& section = sections.emplace_back();
+    if (radius < kThinnest * stem.length) {
+      section.points.push_back(frame.origin);
+      continue;
+    }
+    for (const Vec2 point : horn.outline) {
+      section.points.push_back(frame.point(static_cast<float>(radius) * Vec3(point.x, 0, point.y)));
+    }
+  }
+  return make_loft(sections).mesh;
+}
+
+/// The curve of a horn that is 1 long, in the horn's own frame. What the world does to it differs from place to place.
+StemPath unit_path(const StemForm& unit, const Site& site, const StemTropisms& tropisms) {
+  Site own;
+  own.key = site.key;
+  if (tropisms.gravitropism == 0 && tropisms.phototropism == 0) return grow_stem(unit, own, {});
+  const Frame frame = even_frame(site.frame);
+  const Mat3 back = glm::transpose(frame.axes / glm::length(frame.heading()));
+  own.frame.axes = glm::transpose(back);
+  StemPath path = grow_stem(unit, own, tropisms);
+  for (Frame& each : path.frames) each = {back * each.axes, back * each.origin};
+  return path;
+}
+
+void emit_outline(const Horn& horn, const Site& site, const StemTropisms& tropisms, Emitter& out) {
+  StemForm unit = horn.stem;
+  unit.radius = to_octaves(horn.stem.radius / horn.stem.length, kRadiiAnOctave);
+  unit.length = 1;
+  const bool is_one_of_many = unit.gnarl == 0 && tropisms.gravitropism == 0 && tropisms.phototropism == 0;
+  const std::uint64_t own = is_one_of_many ? 0 : site.key.bits();
+  const std::uint64_t key = shape_key({unit.radius, unit.curl, unit.spiral, unit.gnarl, unit.gnarl_waves, horn.twist,
+                                       static_cast<double>(own >> 32), static_cast<double>(own & 0xffffffffU)});
+  Frame frame{glm::inverse(site.frame.axes) * even_frame(site.frame).axes, Vec3(0)};
+  frame.axes *= static_cast<float>(horn.stem.length);
+  out.organ(frame, key, [&] { return make_outline_mesh(horn, unit, unit_path(unit, site, tropisms)); });
+}
+
+/// As wide and as high as the curve is thick there, and in its middle.
+void emit_primitives(const Horn& horn, const Site& site, const std::vector<Rib>& ribs, Emitter& out) {
+  const auto shape = static_cast<UnitShape>(static_cast<int>(horn.section) - static_cast<int>(Horn::Section::box));
+  const Mat3 back = glm::inverse(site.frame.axes);
+  const std::uint64_t key = shape_key({static_cast<double>(shape), static_cast<double>(horn.around)});
+  for (const Rib& rib : ribs) {
+    if (rib.radius < kThinnest * horn.stem.length) continue;
+    const float width = 2 * rib.radius;
+    const float height = shape == UnitShape::torus ? kTorusTube * width : width;
+    const Frame local{back * rib.frame.axes, back * (rib.frame.origin - site.frame.origin)};
+    const Frame lowered{Mat3(1), {0, -0.5F * height, 0}};
+    out.organ(local * lowered * unit_shape_frame(shape, {width, height, width}), key,
+              [&] { return make_unit_shape(shape, horn.around); });
+  }
+}
+
+void expand(const Horn& horn, const Site& site, Emitter& out) {
+  const StemTropisms tropisms{unit_vector(out.scene().sun), horn.gravitropism, horn.phototropism};
+  StemPath path = grow_stem(horn.stem, site, tropisms);
+  out.expect_children(static_cast<std::uint64_t>(horn.ribs));
+  const std::vector<Rib> ribs = ribs_of(horn, path);
+  if (horn.section == Horn::Section::ring) {
+    out.stem(std::move(path.skeleton), horn.surface);
+  } else {
+    out.unseen_stem(std::move(path.skeleton));
+    if (horn.section == Horn::Section::outline) {
+      emit_outline(horn, site, tropisms, out);
+    } else {
+      emit_primitives(horn, site, ribs, out);
+    }
+  }
+  const float scale = glm::length(site.frame.heading());
+  for (const Rib& rib : ribs) {
+    out.branch_site_on_stem(rib.frame, rib.u, path.length, scale * rib.radius, rib.node, rib.along);
+  }
+  out.child_site_in_world(twisted(path.frames.back(), horn.twist), path.length,
+                          scale * static_cast<float>(radius_at(horn.stem, 1)));
+}
+
+void check_horn(const Horn& horn, const Place& place, ParameterReader& reader) {
+  check_stem_form(horn.stem, place, reader);
+  const Place outline(place, "outline");
+  if (horn.section != Horn::Section::outline) {
+    if (!horn.outline.empty()) reader.fault(outline, "this section has no outline", "the section 'outline'");
+    return;
+  }
+  LoftSection section;
+  for (const Vec2 point : horn.outline) section.points.emplace_back(point.x, 0, point.y);
+  const auto fault = find_fault(section);
+  if (fault && fault->point) {
+    reader.fault(Place(outline, *fault->point), fault->message, fault->expected);
+  } else if (fault) {
+    reader.fault(outline, fault->message, fault->expected);
+  } else if (section.is_point()) {
+    reader.fault(outline, "the outline is a single point", "at least 3 points");
+  }
+}
+
+}  // namespace
+
+ComponentType horn_component() {
+  return define_component<Horn>({
+      .name = "horn",
+      .doc =
+          "A cross-section or a row of primitives along a curve; branch links without placement place children on its "
+          "ribs, child links at its tip.",
+      .parameters =
+          Table<Horn>("a horn", "A cross-section or a row of primitives along a curve.")
+              .members(&Horn::stem, stem_form_table())
+              .choice("section", &Horn::section, {"ring", "outline", "box", "sphere", "cylinder", "cone", "torus"},
+                      "What is carried along the curve: a ring, as a stem that others join; an outline; or a primitive "
+                      "on each rib.")
+              .points("outline", &Horn::outline, {.min = -1e4, .max = 1e4},
+                      "Points [x, z] around the curve of the section 'outline', as shares of the radius.")
+              .number("twist", &Horn::twist, {.unit = Unit::degree, .min = -36000, .max = 36000},
+                      "Turn of the section and of the ribs about the curve from base to tip.")
+              .integer("ribs", &Horn::ribs, {.min = 1, .max = kMostRibs},
+                       "Places evenly along the curve, both ends included, for primitives and for the children of "
+                       "branch links.")
+              .integer("around", &Horn::around, {.min = 3, .max = 512, .fixed = true},
+                       "Corners around primitives; raised, rounder and heavier.")
+              .object("surface", &Horn::surface, surface_table, "How the stem of the section 'ring' is clothed.")
+              .check(check_horn),
+      .material = {.colour = {0.48F, 0.44F, 0.34F}, .roughness = 0.7F},
+      .makes_stems = true,
+      .has_ribs = true,
+      .tropism = Tropism::none,
+      .expand = expand,
+  });
+}
+
+}  // namespace meristem

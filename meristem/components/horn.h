@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "meristem/components/stem_path.h"
+#include "meristem/graph/component.h"
+
+namespace meristem {
+
+/// A cross-section or a primitive carried along a curve. What hangs on it by branch links stands on its ribs, unless
+/// the links say where.
+struct Horn : ComponentBase {
+  enum class Section { ring, outline, box, sphere, cylinder, cone, torus };
+  StemForm stem;
+  double twist = 0;  ///< radians by which the section turns about the curve from base to tip
+  Section section = Section::ring;
+  std::vector<Vec2> outline;  ///< x and z, shares of the radius
+  int ribs = 12;              ///< places evenly along the curve, both ends included
+  int around = 24;            ///< corners around primitives
+  Surface surface;            ///< of a ring's stem
+};
+
+ComponentType horn_component();
+
+}  // namespace meristem

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/phiball.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "meristem/base/math.h"
+#include "meristem/components/around.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr double kDefaultRadius = 0.1;
+constexpr const char* kNoZone = "the zone ends where it begins, or before";
+constexpr const char* kZone = "'theta1' below 'theta2'";
+
+void expand(const Phiball& ball, const Site&, Emitter& out) {
+  out.no_children();
+  const auto number = static_cast<std::uint32_t>(ball.number);
+  out.expect_children(number);
+  const std::vector<double> size = out.per_child(ball.size, number);
+  double whole = 0;
+  for (const double s : size) whole += s * s;
+  if (!(whole > 0)) return;
+
+  const double top = math::cos(ball.theta1);
+  const double height = top - math::cos(ball.theta2);  // of the zone, for a sphere of radius 1
+  if (!(height > 0)) {
+    throw InputError(Diagnostic{
+        .message = kNoZone, .expected = kZone, .path = fmt::format("components.{}.theta1", out.component())});
+  }
+  const double radius =
+      ball.area ? std::sqrt(*ball.area * whole / (2 * kPi * height)) : ball.radius.value_or(kDefaultRadius);
+  const double golden = kGoldenAngleDeg * kPi / 180;
+  const Vec3 middle(0, ball.pole ? -static_cast<float>(radius) : 0.0F, 0);
+  double before = 0;
+  for (std::uint32_t k = 0; k < number; ++k) {
+    const double own = size[k] * size[k];
+    const double polar = math::acos(top - (before + 0.5 * own) / whole * height);
+    before += own;
+    // Turns are counted in whole ones first, so that they are as exact for the last child as for the first.
+    const double turns = std::fmod(k * (golden / (2 * kPi)), 1.0);
+    Frame child{tilted(ball.roll + 2 * kPi * turns, polar), Vec3(0)};
+    child.origin = middle + static_cast<float>(radius) * child.heading();
+    child.axes *= static_cast<float>(size[k]);
+    out.child_site(child, 0, static_cast<float>(radius));
+  }
+}
+
+void check_zone(const Phiball& ball, const Place& place, ParameterReader& reader) {
+  if (ball.theta1 < ball.theta2) return;
+  reader.fault(Place(place, "theta1"), kNoZone, kZone);
+}
+
+}  // namespace
+
+ComponentType phiball_component() {
+  return define_component<Phiball>({
+      .name = "phiball",
+      .doc = "Places for children on a sphere by the golden angle: florets of a head, leaves of a rosette.",
+      .parameters =
+          Table<Phiball>("a phiball", "Places for children on a zone of a sphere by the golden angle.")
+              .integer("number", &Phiball::number, {.min = 0, .max = 2e9}, "Children on the sphere.")
+              .number("radius", &Phiball::radius, {.unit = Unit::metre, .min = 0, .max = 1e5},
+                      "Of the sphere; 0.1 where neither it nor an area is given.")
+              .number("area", &Phiball::area, {.min = 0, .max = 1e8, .above_min = true},
+                      "Square metres that a child of size 1 takes, from which the radius follows; raised, they stand "
+                      "further apart.")
+              .never_with("radius", {"area"})
+              .number("theta1", &Phiball::theta1, {.unit = Unit::degree, .min = 0, .max = 180},
+                      "From the pole, which lies along the heading, to where the zone begins.")
+              .number("theta2", &Phiball::theta2, {.unit = Unit::degree, .min = 0, .max = 180},
+                      "From the pole to where the zone ends: a small one for a cap, 180 for all of the sphere.")
+              .per_child("size", &Phiball::size, {.min = 0, .max = 1000},
+                         "Scale of a child, which takes an area of its square.")
+              .number("roll", &Phiball::roll, {.unit = Unit::degree, .min = -36000, .max = 36000},
+                      "Turns the sphere about its heading.")
+              .boolean("pole", &Phiball::pole, "Whether its pole stands on the frame, and not its middle.")
+              .check(check_zone),
+      .expand = expand,
+  });
+}
+
+}  // namespace meristem

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sections are strung into chains, and each chain is described in the frame of its first section, in units of its own
+// size. Equal chains differ there by rounding only. To find one among thousands without comparing all, chains are
+// filed by two weighted sums over their descriptions, which equal chains have nearly in common.
+#include "meristem/graph/lofts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+
+#include "meristem/base/parallel.h"
+#include "meristem/base/random.h"
+#include "meristem/shape/loft.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr double kSame = 1e-4;      // of a chain's size, by which equal chains may differ
+constexpr double kRounding = 3e-7;  // of a place's distance from the origin: what 32-bit numbers leave of it
+constexpr double kDrawer = 1e-3;    // width of what is filed together
+constexpr std::size_t kGrain = 16;  // chains meshed by one thread at a time
+
+/// The sections of one surface from base to tip.
+struct Chain {
+  std::vector<std::uint32_t> sections;
+  bool is_side = false;  ///< its first section belongs to another surface
+  Frame frame;           ///< of the first section, rigid
+  float size = 0;        ///< metres
+};
+
+/// Places and directions of a section against its chain's frame and size.
+using Description = std::array<double, 12>;
+
+class SectionJoiner {
+ public:
+  SectionJoiner(std::span<const SurfaceSection> sections, const Graph& graph, Progress& progress)
+      : sections_(sections), graph_(graph), progress_(progress) {}
+
+  std::vector<SurfacePiece> run(std::uint64_t mesh_bytes) {
+    make_chains();
+    find_equals();
+    check_bytes(mesh_bytes);
+    std::vector<std::vector<SurfacePiece>> made(distinct_.size());
+    progress_.begin("joining surfaces", distinct_.size());
+    parallel_for(distinct_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) made[k] = make_pieces(chains_[distinct_[k]]);
+      progress_.advance(end - begin);
+    });
+    for (std::size_t k = 0; k < chains_.size(); ++k) place(chains_[k], chains_[distinct_[kind_[k]]], made[kind_[k]]);
+    std::vector<SurfacePiece> pieces;
+    for (std::vector<SurfacePiece>& of_chain : made) {
+      for (SurfacePiece& piece : of_chain) {
+        if (piece.mesh == nullptr) continue;
+        count_bytes(mesh_bytes += piece.mesh->bytes(), piece.component);
+        pieces.push_back(std::move(piece));
+      }
+    }
+    return pieces;
+  }
+
+ private:
+  static const LoftSection& outline(const SurfaceSection& section) { return section.outline->section; }
+  static bool is_ring(const SurfaceSection& section) {
+    return outline(section).is_closed && !outline(section).is_point();
+  }
+
+  void make_chains() {
+    constexpr std::uint32_t kNone = 0xffffffffU;
+    const auto count = static_cast<std::uint32_t>(sections_.size());
+    std::unordered_map<std::uint64_t, std::uint32_t> number;
+    for (std::uint32_t k = 0; k < count; ++k) number.try_emplace(sections_[k].id, k);
+    std::vector<std::uint32_t> parent(count, kNone), next(count, kNone);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const auto found = number.find(sections_[k].parent);
+      if (found == number.end()) continue;
+      parent[k] = found->second;
+      if (next[parent[k]] == kNone) next[parent[k]] = k;
+    }
+    for (std::uint32_t k = 0; k < count; ++k) {
+      if (parent[k] != kNone && next[parent[k]] == k) continue;
+      Chain chain{.is_side = parent[k] != kNone};
+      if (chain.is_side) chain.sections.push_back(parent[k]);
+      for (std::uint32_t section = k; section != kNone; section = next[section]) chain.sections.push_back(section);
+      const SurfaceSection& first = sections_[chain.sections[0]];
+      if (chain.sections.size() == 1 && !(is_ring(first) && first.is_capped)) continue;
+      measure(chain);
+      if (chain.size > 0) chains_.push_back(std::move(chain));
+    }
+  }
+
+  void measure(Chain& chain) const {
+    const Frame& first = sections_[chain.sections[0]].frame;
+    chain.frame = frame_along(first.origin, first.heading(), first.upper());
+    for (const std::uint32_t k : chain.sections) {
+      const Frame& frame = sections_[k].frame;
+      float widest = 0;
+      for (int axis = 0; axis < 3; ++axis) widest = std::max(widest, glm::length(frame.axes[axis]));
+      const float reach = glm::distance(frame.origin, first.origin) + widest * sections_[k].outline->extent;
+      chain.size = std::max(chain.size, reach);
+    }
+  }
+
+  /// The frame of the chain's k-th section in that of the chain.
+  Frame inner_frame(const Chain& chain, std::size_t k) const {
+    const Frame& frame = sections_[chain.sections[k]].frame;
+    const Mat3 back = glm::transpose(chain.frame.axes);
+    return {back * frame.axes, back * (frame.origin - chain.frame.origin)};
+  }
+
+  Description description(const Chain& chain, std::size_t k) const {
+    const Frame inner = inner_frame(chain, k);
+    const double extent = sections_[chain.sections[k]].outline->extent;
+    Description numbers{};
+    for (int axis = 0; axis < 3; ++axis) {
+      numbers[static_cast<std::size_t>(axis)] = inner.origin[axis] / chain.size;
+      for (int column = 0; column < 3; ++column) {
+        numbers[static_cast<std::size_t>(3 + 3 * axis + column)] = extent * inner.axes[axis][column] / chain.size;
+      }
+    }
+    return numbers;
+  }
+
+  /// Whether another piece begins with the chain's k-th section.
+  bool begins_piece(const Chain& chain, std::size_t k) const {
+    if (k == 0) return true;
+    const SurfaceSection& section = sections_[chain.sections[k]];
+    const SurfaceSection& before = sections_[chain.sections[k - 1]];
+    return section.component != before.component || section.tint != before.tint;
+  }
+
+  /// What equal chains have in common exactly.
+  std::uint64_t kind_of_section(const Chain& chain, std::size_t k) const {
+    const SurfaceSection& section = sections_[chain.sections[k]];
+    return shape_key({static_cast<double>(section.component), static_cast<double>(section.outline->key >> 32),
+                      static_cast<double>(section.outline->key & 0xffffffffU), section.is_capped ? 1.0 : 0.0,
+                      begins_piece(chain, k) ? 1.0 : 0.0, chain.is_side ? 1.0 : 0.0});
+  }
+
+  static double remoteness(const Chain& chain) { return glm::length(DVec3(chain.frame.origin)) / chain.size; }
+
+  bool are_equal(const Chain& a, const Chain& b) const {
+    if (a.sections.size() != b.sections.size()) return false;
+    const double same = std::max(kSame, kRounding * std::max(remoteness(a), remoteness(b)));
+    for (std::size_t k = 0; k < a.sections.size(); ++k) {
+      if (kind_of_section(a, k) != kind_of_section(b, k)) return false;
+      const Description of_a = description(a, k), of_b = description(b, k);
+      for (std::size_t i = 0; i < of_a.size(); ++i) {
+        if (!(std::abs(of_a[i] - of_b[i]) < same)) return false;
+      }
+    }
+    return true;
+  }
+
+  /// The two sums by which a chain is filed, in widths of a drawer.
+  std::array<std::int64_t, 2> drawer(const Chain& chain) const {
+    const RandomKey weights(chain.sections.size());
+    std::array<double, 2> sum{};
+    for (std::size_t k = 0; k < chain.sections.size(); ++k) {
+      const Description numbers = description(chain, k);
+      for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const std::uint64_t index = numbers.size() * k + i;
+        for (unsigned lane = 0; lane < 2; ++lane) sum[lane] += (weights.uniform(index, lane) - 0.5) * numbers[i];
+      }
+    }
+    const double width = kDrawer * std::sqrt(static_cast<double>(chain.sections.size()));
+    return {static_cast<std::int64_t>(std::floor(sum[0] / width)),
+            static_cast<std::int64_t>(std::floor(sum[1] / width))};
+  }
+
+  /// For each chain the first that it is equal to.
+  void find_equals() {
+    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> files;
+    const auto file = [](std::int64_t x, std::int64_t y, std::size_t count) {
+      return shape_key({static_cast<double>(x), static_cast<double>(y), static_cast<double>(count)});
+    };
+    std::size_t looked_at = 0;
+    for (std::uint32_t k = 0; k < chains_.size(); ++k) {
+      if (looked_at++ % 1024 == 0) progress_.check();
+      const auto [x, y] = drawer(chains_[k]);
+      const std::size_t count = chains_[k].sections.size();
+      std::uint32_t equal = static_cast<std::uint32_t>(distinct_.size());
+      for (int near = 0; near < 9; ++near) {
+        const auto found = files.find(file(x + near % 3 - 1, y + near / 3 - 1, count));
+        if (found == files.end()) continue;
+        for (const std::uint32_t candidate : found->second) {
+          if (candidate < equal && are_equal(chains_[distinct_[candidate]], chains_[k])) equal = candidate;
+        }
+      }
+      kind_.push_back(equal);
+      if (equal < distinct_.size()) continue;
+      distinct_.push_back(k);
+      files[file(x, y, count)].push_back(equal);
+    }
+  }
+
+  /// What the meshes will take at least, before any is made.
+  void check_bytes(std::uint64_t mesh_bytes) const {
+    constexpr std::uint64_t kOfVertex = 2 * sizeof(Vec3) + sizeof(Vec2);
+    constexpr std::uint64_t kOfTriangle = 3 * sizeof(std::uint32_t);
+    for (const std::uint32_t chain : distinct_) {
+      for (const std::uint32_t k : chains_[chain].sections) {
+        const std::uint64_t points = outline(sections_[k]).points.size();
+        mesh_bytes += points * kOfVertex + (points - 1) * kOfTriangle;
+        count_bytes(mesh_bytes, sections_[k].component);
+      }
+    }
+  }
+
+  void count_bytes(std::uint64_t bytes, ComponentIndex component) const {
+    if (bytes <= graph_.limits.mesh_bytes) return;
+    throw_limit("bytes of surfaces", static_cast<double>(bytes), graph_.limits.mesh_bytes, "mesh_bytes",
+                "components." + graph_.components[component].id);
+  }
+
+  /// The chain's meshes, in the frame of its first section. A piece without triangles has none.
+  std::vector<SurfacePiece> make_pieces(const Chain& chain) const {
+    std::vector<LoftSection> skin;
+    bool is_open = false;
+    for (std::size_t k = 0; k < chain.sections.size(); ++k) {
+      const SurfaceSection& section = sections_[chain.sections[k]];
+      const bool is_end = (k == 0 && !chain.is_side) || k + 1 == chain.sections.size();
+      is_open = is_open || (!outline(section).is_closed && !outline(section).is_point()) ||
+                (is_end && is_ring(section) && !section.is_capped);
+      const Frame inner = inner_frame(chain, k);
+      LoftSection& moved = skin.emplace_back(outline(section));
+      for (Vec3& point : moved.points) point = inner.point(point);
+    }
+    is_open = is_open || skin.size() == 1;
+    const LoftCaps caps{.first = !chain.is_side && sections_[chain.sections.front()].is_capped,
+                        .last = sections_[chain.sections.back()].is_capped};
+    Loft loft = make_loft(skin, caps);
+    std::vector<SurfacePiece> pieces;
+    for (std::size_t begin = 0; begin < skin.size();) {
+      std::size_t end = begin + 1;
+      while (end < skin.size() && !begins_piece(chain, end)) ++end;
+      SurfacePiece& piece = pieces.emplace_back();
+      piece.component = sections_[chain.sections[begin]].component;
+      piece.is_open = is_open;
+      Mesh mesh = part_of(loft.mesh, loft.first_triangle[begin], loft.first_triangle[end]);
+      if (!mesh.triangles.empty()) piece.mesh = std::make_shared<const Mesh>(std::move(mesh));
+      begin = end;
+    }
+    return pieces;
+  }
+
+  static Mesh part_of(Mesh& whole, std::uint32_t begin, std::uint32_t end) {
+    if (begin == 0 && end == whole.triangle_count()) return std::move(whole);
+    Mesh part;
+    std::unordered_map<std::uint32_t, std::uint32_t> number;
+    for (std::uint32_t t = begin; t < end; ++t) {
+      std::array<std::uint32_t, 3> triangle = whole.triangles[t];
+      for (std::uint32_t& vertex : triangle) {
+        const auto [found, is_new] = number.try_emplace(vertex, static_cast<std::uint32_t>(part.vertex_count()));
+        if (is_new) {
+          part.positions.push_back(whole.positions[vertex]);
+          part.normals.push_back(whole.normals[vertex]);
+          part.uvs.push_back(whole.uvs[vertex]);
+        }
+        vertex = found->second;
+      }
+      part.triangles.push_back(triangle);
+    }
+    return part;
+  }
+
+  /// An organ for each piece of a chain that is equal to `model`.
+  void place(const Chain& chain, const Chain& model, std::vector<SurfacePiece>& pieces) const {
+    Frame frame = chain.frame;
+    if (&chain != &model) frame.axes *= chain.size / model.size;
+    std::size_t piece = 0;
+    for (std::size_t k = 0; k < chain.sections.size(); ++k) {
+      if (!begins_piece(chain, k)) continue;
+      const SurfaceSection& section = sections_[chain.sections[k]];
+      pieces[piece++].organs.push_back({.frame = frame, .tint = section.tint, .birth = section.birth});
+    }
+  }
+
+  std::span<const SurfaceSection> sections_;
+  const Graph& graph_;
+  Progress& progress_;
+  std::vector<Chain> chains_;
+  std::vector<std::uint32_t> distinct_;  // chains that are equal to none before
+  std::vector<std::uint32_t> kind_;      // by chain: which of the distinct ones it is equal to
+};
+
+}  // namespace
+
+std::vector<SurfacePiece> join_sections(std::span<const SurfaceSection> sections, const Graph& graph,
+                                        std::uint64_t mesh_bytes, Progress& progress) {
+  if (sections.empty()) return {};
+  return SectionJoiner(sections, graph, progress).run(mesh_bytes);
+}
+
+}  // namespace meristem

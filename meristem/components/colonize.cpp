@@ -187,6 +187,7 @@ ComponentType colonize_component() {
       .makes_stems = true,
       .expand = expand,
       .grow = grow,
+      .after_growth = {"surface", "shed"},
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <span>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include "meristem/document/locate.h"
 #include "meristem/document/override.h"
 #include "meristem/document/tables.h"
+#include "meristem/graph/fingerprint.h"
 #include "meristem/graph/node_condition.h"
 
 namespace meristem {
@@ -156,6 +158,9 @@ class DocumentReader {
     document.output = std::move(head.output);
     document.scene.ground_colour = head.scene.ground.colour;
     if (reader.fault_count() > 0) return;
+    const Value* scene = root_.find("scene");
+    document.scene.fingerprint = fingerprint_of(scene != nullptr ? *scene : Value(), reader.constants(), reader.files(),
+                                                reader.limits().file_bytes);
     light_scene(head.scene.light, Place(top_, "scene"), reader, document.scene);
     document.scene.obstacles = build_obstacles(head.scene.obstacles);
   }
@@ -201,8 +206,13 @@ class DocumentReader {
                           nearest.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", nearest);
     }
     prototype.parameters = prototype.type->make_parameters();
+    const std::size_t faults_before = reader.fault_count();
+    const std::size_t files_before = reader.files().size();
     prototype.varyings =
         reader.read_varying(prototype.type->parameters, prototype.parameters.get(), prototype.type->size, value, place);
+    if (reader.fault_count() != faults_before) return;
+    set_fingerprints(prototype, value, reader.constants(), std::span(reader.files()).subspan(files_before),
+                     reader.limits());
   }
 
   void read_links(ParameterReader& reader, Graph& graph) {
@@ -241,6 +251,7 @@ class DocumentReader {
         if (kind_is_known) check_placement(reader, graph, value, place, link);
       }
     }
+    link.fingerprint = fingerprint_of(value, reader.constants(), {}, 0);
     if (link.from != kNoIndex && link.to != kNoIndex) graph.links.push_back(std::move(link));
   }
 
@@ -287,7 +298,7 @@ class DocumentReader {
         const std::string& id = placed[k].id;
         const auto found = component_by_id_.find(id);
         if (found != component_by_id_.end()) {
-          graph.links.push_back({.from = from, .to = found->second, .name = k});
+          graph.links.push_back({.from = from, .to = found->second, .name = k, .fingerprint = 0});
           continue;
         }
         if (!placed[k].is_needed) continue;
@@ -345,11 +356,11 @@ class DocumentReader {
     std::string id = "camera";
     while (component_by_id_.contains(id)) id += '_';
     graph.components.push_back(
-        {.id = id, .type = &registry_.camera(), .parameters = registry_.camera().make_parameters()});
+        {.id = id, .type = &registry_.camera(), .parameters = registry_.camera().make_parameters(), .fingerprint = 0});
 
     std::vector<bool> is_reached(count);
     const auto link_to = [&](ComponentIndex component) {
-      graph.links.push_back({.from = static_cast<ComponentIndex>(count), .to = component});
+      graph.links.push_back({.from = static_cast<ComponentIndex>(count), .to = component, .fingerprint = 0});
       is_reached[component] = true;
       std::vector<ComponentIndex> ahead{component};
       while (!ahead.empty()) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/graph/component.h"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 
+#include "meristem/graph/fingerprint.h"
 #include "meristem/scene/sun.h"
 
 namespace meristem {
@@ -18,6 +21,13 @@ Frame Transform::frame() const {
 }
 
 namespace {
+
+/// What growth never asks for, of what all components have.
+constexpr std::array<std::string_view, 13> kLooks = {
+    "colour", "colours", "colour_at",           "variety",  "texture", "roughness", "translucency", "place", "omit",
+    "only",   "hidden",  "omit_keeps_children", "recursion"};
+
+bool is_any_of(std::string_view name, const auto& names) { return std::ranges::find(names, name) != names.end(); }
 
 const ParameterTable& transform_table() {
   static const ParameterTable table =
@@ -88,6 +98,17 @@ const ParameterTable& component_base_table() {
           .never_with("colour", {"colours"})
           .only_with("colours", {"colour_at"});
   return table;
+}
+
+void set_fingerprints(Prototype& prototype, const Value& value, std::span<const ExpressionNames::Constant> constants,
+                      std::span<const std::string> files, const Limits& limits) {
+  prototype.fingerprint = fingerprint_of(value, constants, files, limits.file_bytes);
+  if (!prototype.type->grow || value.object() == nullptr) return;
+  Value::Object of_growth = *value.object();
+  std::erase_if(of_growth, [&](const Value::Member& member) {
+    return is_any_of(member.first, kLooks) || is_any_of(member.first, prototype.type->after_growth);
+  });
+  prototype.growth_fingerprint = fingerprint_of(Value(std::move(of_growth)), constants, files, limits.file_bytes);
 }
 
 void check_rules(const ComponentType& type, const std::string& id, const void* instance, const Limits& limits) {

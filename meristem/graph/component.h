@@ -125,6 +125,7 @@ struct ComponentType {
   std::function<void(const Prototype&, std::span<const Site>, Emitter&)> expand;
   /// Whether each instance grows in a stand of its own; empty for components that compete with none.
   std::function<bool(const void* parameters)> grows_alone;
+  std::vector<std::string> after_growth;  ///< parameters that growth does not ask for
   /// Plants one instance in a stand; empty for components that do not grow.
   std::function<std::unique_ptr<Grower>(const Prototype&, const Site&, double time, const GrowContext&)> grow;
 };
@@ -135,9 +136,17 @@ struct Prototype {
   const ComponentType* type = nullptr;
   std::shared_ptr<void> parameters;  ///< what does not vary
   std::vector<Varying> varyings;
+  /// Hash of all that is said of it; nothing where that is not known, and then nothing it makes can be kept.
+  std::optional<std::uint64_t> fingerprint{};
+  std::optional<std::uint64_t> growth_fingerprint{};  ///< of what its growth depends on
 
   const ComponentBase& base() const { return type->base(parameters.get()); }
 };
+
+/// Sets its fingerprints: `value` is what the document says of it, with those of `constants` that it names, and `files`
+/// are those that were read with it.
+void set_fingerprints(Prototype& prototype, const Value& value, std::span<const ExpressionNames::Constant> constants,
+                      std::span<const std::string> files, const Limits& limits);
 
 /// Throws an InputError if an instance's parameters break a rule of their table: they may vary, so what held for those
 /// of the component need not hold for each instance.
@@ -162,6 +171,9 @@ struct ComponentDefinition {
   /// For components that grow: plants one instance at its site. After growing, `expand` finds the skeleton in
   /// `out.take_grown()`. P derives from GrowingComponent if it competes with others.
   std::unique_ptr<Grower> (*grow)(const P& parameters, const Site& site, const GrowContext& context) = nullptr;
+  /// Parameters that `grow` does not ask for, besides the looks that all components have: where only they change, what
+  /// has grown stays.
+  std::vector<std::string> after_growth{};
   /// What the uvs of its geometry show, for textures that follow a shape.
   TextureShape (*texture_shape)(const P& parameters) = nullptr;
   /// The components that `expand` places by `out.named_site`, by their numbers there.
@@ -203,6 +215,7 @@ ComponentType define_component(ComponentDefinition<P> definition) {
     }
   };
   if (definition.grow != nullptr) {
+    type.after_growth = std::move(definition.after_growth);
     type.grow = [grow = definition.grow](const Prototype& prototype, const Site& site, double time,
                                          const GrowContext& context) {
       P instance = *static_cast<const P*>(prototype.parameters.get());

@@ -102,7 +102,7 @@ std::vector<Site> place_in_crown(const Skeleton& skeleton, const Surface& surfac
     site.u = static_cast<float>(std::clamp((places[k].position.y - base) / height, 0.0, 1.0));
     site.length = static_cast<float>(height);
     site.radius = 0;
-    site.stem = kNoStem;
+    site.stem = kOnNoStem;
   }
   return sites;
 }

@@ -44,7 +44,7 @@ TEST(CrownPlacement, SetsSoManyPerCubicMetreIntoTheBody) {
     EXPECT_EQ(site.n, found.size());
     EXPECT_NEAR(site.u, 0.5 * (site.frame.origin.y - 2), 0.01);
     EXPECT_NEAR(site.length, 2, 1e-3);
-    EXPECT_EQ(site.stem, kNoStem);
+    EXPECT_EQ(site.stem, kOnNoStem);
   }
 }
 

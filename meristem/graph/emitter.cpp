@@ -19,8 +19,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::uint32_t kOfThisBlock = 0x80000000U;  // marks numbers of stems that count within an emitter
-constexpr std::uint64_t kCountedTogether = 1024;     // sites; an atomic addition for each would slow threads down
+constexpr std::uint64_t kCountedTogether = 1024;  // sites; an atomic addition for each would slow threads down
 
 bool is_finite(const Frame& frame) {
   const auto finite = [](Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
@@ -53,18 +52,22 @@ std::uint64_t shape_key(std::initializer_list<double> numbers) {
   return hash64(std::string_view(reinterpret_cast<const char*>(numbers.begin()), numbers.size() * sizeof(double)));
 }
 
-std::shared_ptr<const Mesh> SharedMeshes::find(std::uint64_t key) const {
-  const std::scoped_lock lock(mutex_);
-  const auto found = meshes_.find(key);
-  return found == meshes_.end() ? nullptr : found->second;
+std::shared_ptr<const Mesh> SharedMeshes::find(std::uint64_t key) {
+  {
+    const std::scoped_lock lock(mutex_);
+    const auto found = meshes_.find(key);
+    if (found != meshes_.end()) return found->second;
+    if (earlier_ == nullptr) return nullptr;
+  }
+  // Nobody changes the earlier ones any more.
+  const auto found = earlier_->meshes_.find(key);
+  return found == earlier_->meshes_.end() ? nullptr : keep(key, found->second);
 }
 
-std::shared_ptr<const Mesh> SharedMeshes::keep(std::uint64_t key, Mesh mesh) {
-  const std::uint64_t size = mesh.bytes();
-  auto made = std::make_shared<const Mesh>(std::move(mesh));
+std::shared_ptr<const Mesh> SharedMeshes::keep(std::uint64_t key, std::shared_ptr<const Mesh> mesh) {
   const std::scoped_lock lock(mutex_);
-  const auto [kept, is_new] = meshes_.try_emplace(key, std::move(made));
-  if (is_new) bytes_ += size;
+  const auto [kept, is_new] = meshes_.try_emplace(key, std::move(mesh));
+  if (is_new) bytes_ += kept->second->bytes();
   return kept->second;
 }
 
@@ -178,8 +181,12 @@ void Emitter::section(const Frame& local, std::uint64_t key, bool is_capped, Fun
 }
 
 std::shared_ptr<const Mesh> Emitter::shared_mesh(std::uint64_t key, FunctionRef<Mesh()> make) {
-  if (std::shared_ptr<const Mesh> mesh = context_->meshes.find(key)) return mesh;
-  std::shared_ptr<const Mesh> mesh = context_->meshes.keep(key, make());
+  std::shared_ptr<const Mesh> mesh = context_->meshes.find(key);
+  if (mesh == nullptr) {
+    Mesh made = make();
+    lay_picture(context_->texture, made);
+    mesh = context_->meshes.keep(key, std::make_shared<const Mesh>(std::move(made)));
+  }
   const std::uint64_t limit = context_->limits.mesh_bytes;
   if (context_->mesh_bytes + context_->meshes.bytes() <= limit) return mesh;
   throw_past(fmt::format("the shapes of '{}' take more than {} bytes", context_->component, limit), limit, "mesh_bytes",
@@ -207,16 +214,6 @@ void Emitter::unseen_stem(Skeleton skeleton) {
   const bool was_visible = std::exchange(visible_, false);
   stem(std::move(skeleton), {});
   visible_ = was_visible;
-}
-
-void Emitter::number_stems(std::uint32_t first) {
-  first_stem = first;
-  const auto number = [&](Site& site) {
-    if (site.stem != kNoStem && (site.stem & kOfThisBlock) != 0) site.stem = first + (site.stem & ~kOfThisBlock);
-  };
-  for (Site& site : child_sites) number(site);
-  for (Site& site : branch_sites) number(site);
-  for (auto& [name, site] : named_sites) number(site);
 }
 
 void Emitter::child_site(const Frame& local, float length, float radius) {
@@ -252,7 +249,7 @@ void Emitter::named_site(std::uint32_t name, const Frame& frame, float length, f
   site.radius = radius;
   if (node == kNoNode) return;
   site.order = stems.back().skeleton.order[node];
-  site.stem = kOfThisBlock | static_cast<std::uint32_t>(stems.size() - 1);
+  site.stem = stems.back().id();
   site.node = node;
   site.along = 1;
 }
@@ -266,7 +263,7 @@ void Emitter::add_site(std::vector<Site>& sites, const Frame& frame, float u, fl
   site.radius = radius;
   if (stems_of_instance_ == 0) return;  // else on the stem that the instance stands on itself
   const Skeleton& skeleton = stems.back().skeleton;
-  site.stem = kOfThisBlock | static_cast<std::uint32_t>(stems.size() - 1);
+  site.stem = stems.back().id();
   site.node = static_cast<NodeIndex>(skeleton.node_count() - 1);
   site.along = 1;
 }

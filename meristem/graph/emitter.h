@@ -18,6 +18,7 @@
 #include "meristem/base/progress.h"
 #include "meristem/graph/placement.h"
 #include "meristem/graph/site.h"
+#include "meristem/graph/texture_form.h"
 #include "meristem/graph/varying.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
@@ -48,6 +49,8 @@ struct EmittedStem {
   Vec3 tint{1};
   std::optional<Skeleton> moved;  ///< what is seen instead of the skeleton where `place` moves it
   float moved_scale = 1;          ///< by which that is larger
+
+  std::uint64_t id() const { return site.key.bits(); }  ///< what Site::stem says of places on it
 };
 
 /// The points of a section, in its own frame.
@@ -68,18 +71,23 @@ struct EmittedSection {
   float birth = 0;
 };
 
-/// Meshes that the blocks of one component share, by their keys. May be called from many threads.
+/// Meshes that all instances of one component share, by their keys. May be called from many threads.
 class SharedMeshes {
  public:
+  /// `earlier` are those of an earlier expansion, which are taken over as they are asked for.
+  explicit SharedMeshes(std::shared_ptr<const SharedMeshes> earlier = nullptr) : earlier_(std::move(earlier)) {}
   /// Null where there is none yet.
-  std::shared_ptr<const Mesh> find(std::uint64_t key) const;
+  std::shared_ptr<const Mesh> find(std::uint64_t key);
   /// Keeps `mesh`, or gives the one that another thread was quicker with.
-  std::shared_ptr<const Mesh> keep(std::uint64_t key, Mesh mesh);
+  std::shared_ptr<const Mesh> keep(std::uint64_t key, std::shared_ptr<const Mesh> mesh);
+  /// Lets go of the earlier ones that nobody has asked for.
+  void forget_earlier() { earlier_ = nullptr; }
   std::uint64_t bytes() const { return bytes_; }
 
  private:
   mutable std::mutex mutex_;
   std::unordered_map<std::uint64_t, std::shared_ptr<const Mesh>> meshes_;
+  std::shared_ptr<const SharedMeshes> earlier_;
   std::atomic<std::uint64_t> bytes_{0};
 };
 
@@ -92,6 +100,7 @@ struct EmitterContext {
   std::uint64_t together = 1;    ///< instances that are expanded together
   double time = 0;               ///< seconds
   const Tinting& tinting;        ///< of the instances
+  const TextureForm& texture;    ///< of the instances
   Tropism tropism = Tropism::heading;
   Progress* progress = nullptr;  ///< for what takes long in one instance
   bool makes_stems = false;      ///< children of branch links stand along stems only
@@ -99,8 +108,25 @@ struct EmitterContext {
   bool wants_branch_sites = true;
   std::atomic<std::uint64_t> instances{0};  ///< so far, with the places that are offered to more
   std::atomic<std::uint64_t> nodes{0};      ///< so far, of all stems
-  std::uint64_t mesh_bytes = 0;             ///< of what was made before
-  SharedMeshes meshes{};
+  std::uint64_t mesh_bytes = 0;             ///< of what other components have made
+  SharedMeshes& meshes;
+};
+
+/// What the instances of one block have emitted. It depends on the component, its instances and the scene alone, and
+/// not on what else there is.
+struct Emitted {
+  struct EmittedPrototype {
+    std::uint64_t key = 0;
+    std::shared_ptr<const Mesh> mesh;
+    bool is_blade = false;
+  };
+  std::vector<EmittedPrototype> prototypes;
+  std::vector<Organ> organs;  ///< their prototypes count within this block
+  std::vector<EmittedSection> sections;
+  std::vector<EmittedStem> stems;
+  std::vector<Site> child_sites;  ///< with the key and depth of the instance that offers them
+  std::vector<Site> branch_sites;
+  std::vector<std::pair<std::uint32_t, Site>> named_sites;  ///< with the number of the name
 };
 
 /// Of where the children stand on a stem with this key.
@@ -111,7 +137,7 @@ inline RandomKey key_of_places(RandomKey stem) { return stem.child("branching");
 /// An instance whose frame has shrunk to nothing emits nothing, nor does what hangs on it. Throws InputError for frames
 /// that are not finite, when the places for children pass the limit of instances, the stems that of nodes, and the
 /// meshes that of bytes.
-class Emitter {
+class Emitter : private Emitted {
  public:
   /// `context` outlives the emitter.
   explicit Emitter(EmitterContext& context) : context_(&context) {}
@@ -173,22 +199,8 @@ class Emitter {
   void instance(const ComponentBase& base, const Site& site, std::size_t index, FunctionRef<void(const Site&)> expand);
   void set_grown(std::vector<Skeleton> skeletons) { grown_ = std::move(skeletons); }
 
-  struct EmittedPrototype {
-    std::uint64_t key = 0;
-    std::shared_ptr<const Mesh> mesh;
-    bool is_blade = false;
-    bool is_open = false;  ///< seen from both sides
-  };
-  std::vector<EmittedPrototype> prototypes;
-  std::vector<Organ> organs;  ///< their prototypes count within this emitter
-  std::vector<EmittedSection> sections;
-  std::vector<EmittedStem> stems;
-  std::uint32_t first_stem = 0;  ///< number of the first of them
-  /// Numbers the stems on from `first`, and tells the places on them.
-  void number_stems(std::uint32_t first);
-  std::vector<Site> child_sites;  ///< with the key and depth of the instance that offers them
-  std::vector<Site> branch_sites;
-  std::vector<std::pair<std::uint32_t, Site>> named_sites;  ///< with the number of the name
+  /// All that was emitted, once an emitter.
+  Emitted take() { return std::move(static_cast<Emitted&>(*this)); }
 
  private:
   void begin_instance(const ComponentBase& base, const Site& site);

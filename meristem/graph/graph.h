@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,7 @@ struct Link {
   std::vector<std::string> given;  ///< which keys of it the document gives
   CrownPlacement in_crown;         ///< of crown links
   std::uint32_t name = kNoIndex;   ///< of child links that the parent makes itself: which of the ids it places
+  std::optional<std::uint64_t> fingerprint{};  ///< hash of all that is said of it, if that is known
 };
 
 struct Graph {

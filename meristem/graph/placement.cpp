@@ -191,7 +191,7 @@ double count_places(std::vector<AxisPlaces>& axes, const Placement& placement, R
 }
 
 /// The order of a skeleton's main axis: a stem that stands on another is a lateral of it.
-int first_order(const Site& parent) { return parent.stem == kNoStem ? 0 : parent.order + 1; }
+int first_order(const Site& parent) { return parent.stem == kOnNoStem ? 0 : parent.order + 1; }
 
 /// Writes the sites of one axis.
 class AxisWriter {
@@ -292,7 +292,7 @@ Mat3 drooped(const Mat3& axes, double droop) {
 std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context) {
   const Axes axes(skeleton);
   const std::vector<std::uint8_t> eligible = eligible_nodes(skeleton, axes, placement, context);
-  const float root_bark = context.parent.stem == kNoStem ? 0 : context.parent.radius;
+  const float root_bark = context.parent.stem == kOnNoStem ? 0 : context.parent.radius;
   std::vector<AxisPlaces> places(axes.count());
   parallel_for(axes.count(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t a = begin; a < end; ++a) {
@@ -321,7 +321,7 @@ std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placeme
   return out;
 }
 
-std::vector<Site> tip_sites(const Skeleton& skeleton, std::uint32_t stem, const Site& parent) {
+std::vector<Site> tip_sites(const Skeleton& skeleton, std::uint64_t stem, const Site& parent) {
   const Axes axes(skeleton);
   std::vector<Site> sites;
   for (AxisIndex a = 0; a < axes.count(); ++a) {

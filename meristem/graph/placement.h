@@ -53,7 +53,7 @@ struct PlacementContext {
   Vec3 light{0, 1, 0};    ///< unit vector toward it
   bool on_axis = false;   ///< places lie on the stem's axis and not on its bark, for children that are stems themselves
   bool has_twigs = true;  ///< by default they carry the children
-  std::uint32_t stem = kNoStem;     ///< number of the stem, for the places
+  std::uint64_t stem = kOnNoStem;   ///< id of the stem, for the places
   Site parent;                      ///< of the instance that made the stem; the places' keys and depths come from it
   std::optional<RandomKey> places;  ///< of where they are, where that is not the parent's: equal ones, equal places
 
@@ -72,7 +72,7 @@ Mat3 drooped(const Mat3& axes, double droop);
 std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context);
 
 /// A place at the tip of every axis of `skeleton`, heading along its last segment (for a single node as the parent
-/// does); i and n count over all tips, the keys are the parent's. `stem` is the skeleton's number.
-std::vector<Site> tip_sites(const Skeleton& skeleton, std::uint32_t stem, const Site& parent);
+/// does); i and n count over all tips, the keys are the parent's. `stem` is the skeleton's id.
+std::vector<Site> tip_sites(const Skeleton& skeleton, std::uint64_t stem, const Site& parent);
 
 }  // namespace meristem

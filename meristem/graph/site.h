@@ -8,12 +8,15 @@
 
 #include "meristem/base/frame.h"
 #include "meristem/base/random.h"
-#include "meristem/plant/plant.h"
+#include "meristem/plant/skeleton.h"
 
 namespace meristem {
 
 /// How many recursions may lie within one another.
 inline constexpr std::size_t kMaxRecursionLevels = 4;
+
+/// In place of a stem's id.
+inline constexpr std::uint64_t kOnNoStem = 0;
 
 /// A place where a child stands: what the child can see of its parent and of itself.
 struct Site {
@@ -27,7 +30,7 @@ struct Site {
   float birth = 0;                  ///< growth step at which the place appeared
   std::uint16_t order = 0;          ///< branching order of the axis it stands on
   std::uint16_t depth = 0;          ///< recursion depth
-  std::uint32_t stem = kNoStem;     ///< number of the stem that it stands on, as the expansion counts them
+  std::uint64_t stem = kOnNoStem;   ///< id of the stem that it stands on, made of its random key
   NodeIndex node = 0;               ///< on the segment of that stem that ends in this node
   float along = 1;                  ///< at this share of it
   std::uint64_t section = 0;        ///< id of the section that the parent has given to a surface; 0: it gave none

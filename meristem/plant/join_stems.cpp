@@ -2,7 +2,6 @@
 #include "meristem/plant/join_stems.h"
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <utility>
 
@@ -28,23 +27,26 @@ bool has_single_root(const Skeleton& skeleton) {
 }
 
 bool can_join(const LooseStem& stem, const std::vector<LooseStem>& stems, float reach) {
-  if (stem.mother == kNoStem || !has_single_root(stem.skeleton)) return false;
-  const Skeleton& mother = stems[stem.mother].skeleton;
+  if (stem.mother == kNoStem || !has_single_root(*stem.skeleton)) return false;
+  const Skeleton& mother = *stems[stem.mother].skeleton;
   if (stem.node >= mother.node_count()) return false;
   const Vec3 place = place_of(mother, stem.node, stem.along);
-  return glm::distance(place, stem.skeleton.position[0]) <= reach * mother.radius[stem.node] + 1e-4F;
+  return glm::distance(place, stem.skeleton->position[0]) <= reach * mother.radius[stem.node] + 1e-4F;
 }
 
 /// Puts the stems of one tree, mothers before daughters, into one skeleton.
 class TreeJoiner {
  public:
-  TreeJoiner(std::vector<LooseStem>& stems, std::vector<std::vector<Graft>>& grafts) : stems_(stems), grafts_(grafts) {}
+  TreeJoiner(std::vector<LooseStem>& stems, std::vector<std::vector<Graft>>& grafts)
+      : stems_(stems), grafts_(grafts), joints_(stems.size()) {}
 
   Stem join(const std::vector<std::uint32_t>& members) {
     std::size_t nodes = 0;
-    for (const std::uint32_t member : members) nodes += stems_[member].skeleton.node_count() + 1;
-    tree_.skeleton.reserve(nodes);
+    for (const std::uint32_t member : members) nodes += stems_[member].skeleton->node_count() + 1;
+    tree_ = {};
     tree_.parts.clear();
+    tree_.parts.reserve(members.size());
+    tree_.skeleton.reserve(nodes);
     for (const std::uint32_t member : members) add_stem(member, member == members[0]);
     return std::move(tree_);
   }
@@ -60,8 +62,8 @@ class TreeJoiner {
     LooseStem& stem = stems_[member];
     part_ = static_cast<std::uint32_t>(tree_.parts.size());
     tree_.parts.push_back(std::move(stem.part));
-    const Skeleton& from = stem.skeleton;
-    const Joint joint = is_root ? Joint{} : joints_.at(member);
+    const Skeleton& from = *stem.skeleton;
+    const Joint joint = joints_[member];
     order_ = is_root ? 0 : joint.order + 1;
     // Axes get numbers when their first node comes.
     axis_of_.assign(from.node_count(), kNoNode);
@@ -85,7 +87,7 @@ class TreeJoiner {
         joints_[next->daughter] = {node_of_[node], tree_.skeleton.order[node_of_[node]]};
       }
     }
-    stem.skeleton = {};
+    stem.skeleton = nullptr;
   }
 
   NodeIndex add_node(const Skeleton& from, NodeIndex node, NodeIndex parent) {
@@ -129,7 +131,7 @@ class TreeJoiner {
 
   std::vector<LooseStem>& stems_;
   std::vector<std::vector<Graft>>& grafts_;
-  std::map<std::uint32_t, Joint> joints_;
+  std::vector<Joint> joints_;  // of all stems
   Stem tree_;
   std::uint32_t part_ = 0;
   int order_ = 0;
@@ -157,15 +159,17 @@ std::vector<Stem> join_stems(std::vector<LooseStem> stems, float reach) {
   }
   // A stem that has no daughters stays as it is.
   std::vector<Stem> joined;
+  TreeJoiner joiner(stems, grafts);
   for (std::uint32_t k = 0; k < stems.size(); ++k) {
     if (root[k] != k) continue;
     if (members[k].size() > 1) {
-      joined.push_back(TreeJoiner(stems, grafts).join(members[k]));
+      joined.push_back(joiner.join(members[k]));
       continue;
     }
     Stem& stem = joined.emplace_back();
     stem.parts[0] = std::move(stems[k].part);
-    stem.skeleton = std::move(stems[k].skeleton);
+    stem.skeleton = *stems[k].skeleton;
+    stems[k].skeleton = nullptr;
   }
   return joined;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "meristem/plant/plant.h"
@@ -11,10 +12,10 @@ namespace meristem {
 /// A stem as it was made, and where on which other one it grows.
 struct LooseStem {
   StemPart part;
-  Skeleton skeleton;
-  std::uint32_t mother = kNoStem;  ///< an earlier stem of the list
-  NodeIndex node = 0;              ///< on the segment of hers that ends in this node
-  float along = 1;                 ///< at this share of it
+  std::shared_ptr<const Skeleton> skeleton;  ///< not null
+  std::uint32_t mother = kNoStem;            ///< an earlier stem of the list
+  NodeIndex node = 0;                        ///< on the segment of hers that ends in this node
+  float along = 1;                           ///< at this share of it
 };
 
 /// Joins stems to those that they grow on: the mother gets a node where daughters spring, their roots give way to it,

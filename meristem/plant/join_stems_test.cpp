@@ -17,10 +17,14 @@ Skeleton rod(Vec3 from, Vec3 heading, int segments, float radius) {
   return skeleton;
 }
 
+std::shared_ptr<const Skeleton> shared(Skeleton skeleton) {
+  return std::make_shared<const Skeleton>(std::move(skeleton));
+}
+
 LooseStem stem(std::string component, Skeleton skeleton) {
   LooseStem loose;
   loose.part.component = std::move(component);
-  loose.skeleton = std::move(skeleton);
+  loose.skeleton = shared(std::move(skeleton));
   return loose;
 }
 
@@ -82,8 +86,10 @@ TEST(JoinStems, StemsOnTheSameSegmentSpringInTheirOrderAlongIt) {
 
 TEST(JoinStems, KeepsApartWhatDoesNotTouchOrHasSeveralRoots) {
   std::vector<LooseStem> stems = small_tree();
-  stems[1].skeleton = rod({5, 1.5F, 0}, {1, 0, 0}, 2, 0.1F);  // far from the trunk
-  stems[2].skeleton.append(rod({3, 0, 0}, kUp, 1, 0.1F));
+  stems[1].skeleton = shared(rod({5, 1.5F, 0}, {1, 0, 0}, 2, 0.1F));  // far from the trunk
+  Skeleton two = *stems[2].skeleton;
+  two.append(rod({3, 0, 0}, kUp, 1, 0.1F));
+  stems[2].skeleton = shared(std::move(two));
   const std::vector<Stem> joined = join_stems(std::move(stems));
   ASSERT_EQ(joined.size(), 3U);
   for (const Stem& each : joined) EXPECT_TRUE(each.part_of_axis.empty());
@@ -91,8 +97,13 @@ TEST(JoinStems, KeepsApartWhatDoesNotTouchOrHasSeveralRoots) {
 
 TEST(JoinStems, ExtraColumnsAreMixedAtNewNodesAndZeroWhereUnknown) {
   std::vector<LooseStem> stems = small_tree();
-  stems[0].skeleton.extra["light"] = {0, 0.2F, 0.6F};
-  stems[2].skeleton.extra["age"] = {1, 2};
+  const auto add_column = [&](std::size_t k, const std::string& name, std::vector<float> values) {
+    Skeleton skeleton = *stems[k].skeleton;
+    skeleton.extra[name] = std::move(values);
+    stems[k].skeleton = shared(std::move(skeleton));
+  };
+  add_column(0, "light", {0, 0.2F, 0.6F});
+  add_column(2, "age", {1, 2});
   const std::vector<Stem> joined = join_stems(std::move(stems));
   const Skeleton& tree = joined[0].skeleton;
   check_skeleton(tree);
@@ -105,7 +116,7 @@ TEST(JoinStems, ExtraColumnsAreMixedAtNewNodesAndZeroWhereUnknown) {
 TEST(JoinStems, AStemWithoutDaughtersStaysAsItIs) {
   std::vector<LooseStem> stems;
   stems.push_back(stem("trunk", rod({0, 0, 0}, kUp, 3, 0.2F)));
-  const std::string hash = skeleton_hash(stems[0].skeleton);
+  const std::string hash = skeleton_hash(*stems[0].skeleton);
   EXPECT_EQ(skeleton_hash(join_stems(std::move(stems))[0].skeleton), hash);
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "meristem/base/vec.h"
 #include "meristem/scene/light.h"
 #include "meristem/scene/obstacles.h"
@@ -14,6 +17,8 @@ struct Scene {
   Obstacles obstacles;                      ///< that shade them and that they do not enter
   SkyDirection sun{0, kPi / 2};             ///< in pictures; from the zenith where the document names no sun
   Vec3 ground_colour{0.50F, 0.54F, 0.37F};  ///< sRGB
+  /// Hash of all that it was made of, if that is known: what grew in a scene with the same one need not grow again.
+  std::optional<std::uint64_t> fingerprint{};
 };
 
 }  // namespace meristem

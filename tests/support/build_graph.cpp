@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "meristem/base/hash.h"
+#include "meristem/graph/fingerprint.h"
 
 namespace meristem {
 namespace {
@@ -79,6 +80,9 @@ GraphBuilder& GraphBuilder::component(const std::string& id, const std::string& 
   prototype.varyings = reader.read_varying(prototype.type->parameters, prototype.parameters.get(), prototype.type->size,
                                            parameters, Place(components, id));
   if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
+  Value::Object described = parameters;
+  described.emplace_back("type", type);
+  set_fingerprints(prototype, Value(std::move(described)), variables_, {}, graph_.limits);
   for (Prototype& present : graph_.components) {
     if (present.id != id) continue;
     present = std::move(prototype);
@@ -97,6 +101,7 @@ GraphBuilder& GraphBuilder::link(std::string_view from, std::string_view to, Lin
   link.given = given_placement(Value(placement));
   reader.read(placement_table(), &link.placement, placement, Place(links, graph_.links.size()));
   if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
+  link.fingerprint = fingerprint_of(Value(placement), variables_, {}, 0);
   graph_.links.push_back(std::move(link));
   return *this;
 }
@@ -109,12 +114,12 @@ std::vector<std::string> GraphBuilder::structure_faults() const {
   return texts;
 }
 
-Plant GraphBuilder::grow(double time, const Scene& scene) const {
+Plant GraphBuilder::grow(double time, const Scene& scene, ExpansionCache* cache) const {
   std::vector<Diagnostic> diagnostics;
   const Structure structure = analyse_structure(graph_, diagnostics);
   if (!diagnostics.empty()) throw InputError(std::move(diagnostics));
   Progress progress;
-  return expand(graph_, structure, scene, time, progress);
+  return expand(graph_, structure, scene, time, progress, cache);
 }
 
 ComponentIndex GraphBuilder::index_of(std::string_view id) const {

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/graph/batch.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <string_view>
+
+#include "meristem/base/hash.h"
+#include "meristem/base/parallel.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr std::size_t kHashedTogether = 4096;
+
+/// The fields one after another, without the gaps between them.
+class Packed {
+ public:
+  template <class Field>
+  void add(const Field& field) {
+    const auto bytes = std::bit_cast<std::array<char, sizeof(Field)>>(field);
+    std::copy(bytes.begin(), bytes.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(size_));
+    size_ += sizeof(Field);
+  }
+  std::uint64_t hash() const { return hash64(std::string_view(bytes_.data(), size_)); }
+
+ private:
+  std::array<char, sizeof(Site)> bytes_;
+  std::size_t size_ = 0;
+};
+
+std::uint64_t hash_of(const Site& site) {
+  const auto& [frame, key, i, n, u, length, radius, birth, order, depth, stem, node, along, section, surface, depths] =
+      site;
+  Packed packed;
+  packed.add(frame.axes);
+  packed.add(frame.origin);
+  packed.add(key.bits());
+  packed.add(i);
+  packed.add(n);
+  packed.add(u);
+  packed.add(length);
+  packed.add(radius);
+  packed.add(birth);
+  packed.add(order);
+  packed.add(depth);
+  packed.add(stem);
+  packed.add(node);
+  packed.add(along);
+  packed.add(section);
+  packed.add(surface.bits());
+  packed.add(depths);
+  return packed.hash();
+}
+
+std::uint64_t hash_of_numbers(const std::vector<std::uint64_t>& numbers) {
+  return hash64(
+      std::string_view(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(std::uint64_t)));
+}
+
+template <class Element>
+std::uint64_t bytes_of(const std::vector<Element>& elements) {
+  return elements.capacity() * sizeof(Element);
+}
+
+std::uint64_t bytes_of(const Skeleton& skeleton) {
+  std::uint64_t sum = bytes_of(skeleton.parent) + bytes_of(skeleton.position) + bytes_of(skeleton.radius) +
+                      bytes_of(skeleton.axis) + bytes_of(skeleton.order) + bytes_of(skeleton.birth);
+  for (const auto& [name, values] : skeleton.extra) sum += bytes_of(values);
+  return sum;
+}
+
+}  // namespace
+
+std::uint64_t hash_of(const std::vector<Site>& sites) {
+  std::vector<std::uint64_t> hashes(sites.size());
+  parallel_for(sites.size(), kHashedTogether, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) hashes[k] = hash_of(sites[k]);
+  });
+  return hash_of_numbers(hashes);
+}
+
+std::uint64_t BatchResult::bytes() const {
+  std::uint64_t sum = bytes_of(blocks);
+  for (const Emitted& block : blocks) {
+    sum += bytes_of(block.prototypes) + bytes_of(block.organs) + bytes_of(block.sections) + bytes_of(block.stems) +
+           bytes_of(block.child_sites) + bytes_of(block.branch_sites) + bytes_of(block.named_sites);
+    for (const EmittedStem& stem : block.stems) {
+      sum += bytes_of(stem.skeleton) + (stem.moved ? bytes_of(*stem.moved) : 0);
+    }
+  }
+  return sum;
+}
+
+std::uint64_t GrownBatch::bytes() const {
+  std::uint64_t sum = 0;
+  for (const Skeleton& skeleton : skeletons) sum += bytes_of(skeleton);
+  return sum;
+}
+
+}  // namespace meristem

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+// Blocks of the parent's instances are followed side by side. Which fault is thrown does not depend on which of them
+// comes first: it is the one that following them in their order meets first.
+#include "meristem/graph/link_places.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "meristem/base/fingerprint.h"
+#include "meristem/base/parallel.h"
+
+namespace meristem {
+
+namespace {
+
+std::vector<std::uint32_t> ordinals_of_links(const Graph& graph) {
+  std::unordered_map<std::uint64_t, std::uint32_t> seen;
+  std::vector<std::uint32_t> ordinals;
+  for (const Link& link : graph.links) ordinals.push_back(seen[std::uint64_t{link.from} << 32 | link.to]++);
+  return ordinals;
+}
+
+/// The sum over all leading items of which none is missing, whatever the order in which threads add them.
+class LeadingSum {
+ public:
+  explicit LeadingSum(std::size_t count) : values_(count) {}
+
+  void add(std::size_t item, std::uint64_t value) {
+    const std::scoped_lock lock(mutex_);
+    values_[item] = value;
+    for (; next_ < values_.size() && values_[next_]; ++next_) sum_ += *values_[next_];
+  }
+  std::uint64_t sum() const { return sum_; }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::optional<std::uint64_t>> values_;
+  std::size_t next_ = 0;
+  std::atomic<std::uint64_t> sum_{0};
+};
+
+}  // namespace
+
+/// Writes the places that one link gives on one block of the parent's instances.
+class LinkPlaces::Writer {
+ public:
+  Writer(const LinkPlaces& all, LinkIndex index, Progress& progress, std::uint64_t room)
+      : all_(all),
+        index_(index),
+        link_(all.graph_.links[index]),
+        from_(*all.graph_.components[link_.from].type),
+        to_(all.graph_.components[link_.to]),
+        progress_(progress),
+        room_(room) {}
+
+  std::vector<Site> run(const Emitted& parents) {
+    if (link_.kind == LinkKind::branch) {
+      const bool is_on_ribs = from_.has_ribs && link_.given.empty();
+      if (!is_on_ribs) {
+        for (const EmittedStem& stem : parents.stems) add_along(stem);
+      }
+      if (is_on_ribs || !from_.has_ribs) {
+        for (const Site& site : parents.branch_sites) add_child(site);
+      }
+    } else if (link_.kind == LinkKind::crown) {
+      for (const EmittedStem& stem : parents.stems) add_in_crown(stem);
+    } else if (link_.name != kNoIndex) {
+      for (const auto& [name, site] : parents.named_sites) {
+        if (name == link_.name) add_child(site);
+      }
+    } else if (link_.kind == LinkKind::leaf && from_.makes_stems) {
+      for (const EmittedStem& stem : parents.stems) add_tips(stem);
+    } else {
+      for (const Site& site : parents.child_sites) add_child(site);
+    }
+    return std::move(sites_);
+  }
+
+ private:
+  bool is_full() const { return sites_.size() > room_; }
+
+  PlacementContext context_of(const EmittedStem& stem) const {
+    PlacementContext context{
+        .parent = stem.site, .limits = &all_.graph_.limits, .path = link_path(all_.graph_, index_)};
+    context.parent.key = child_key(stem.site.key);
+    return context;
+  }
+
+  void add_along(const EmittedStem& stem) {
+    if (is_full()) return;
+    PlacementContext context = context_of(stem);
+    context.light = unit_vector(all_.scene_.sun);
+    context.on_axis = to_.type->makes_stems;
+    context.has_twigs = from_.has_twigs;
+    context.stem = stem.id();
+    if (!stem.branching) return add_all(place_along(stem.skeleton, link_.placement, context));
+    // A stem's own branching, but for the keys that the link gives.
+    context.places = key_of_places(stem.site.key);
+    if (!(link_.placement.density || link_.placement.count)) {
+      context.path = "components." + all_.graph_.components[link_.from].id;
+    }
+    if (link_.given.empty()) return add_all(place_along(stem.skeleton, *stem.branching, context));
+    const Placement placement = overridden(*stem.branching, link_.placement, link_.given);
+    add_all(place_along(stem.skeleton, placement, context));
+  }
+
+  void add_in_crown(const EmittedStem& stem) {
+    if (!stem.surface.crown || is_full()) return;
+    add_all(place_in_crown(stem.skeleton, stem.surface, link_.in_crown, context_of(stem), progress_));
+  }
+
+  void add_tips(const EmittedStem& stem) {
+    if (is_full()) return;
+    const RandomKey key = child_key(stem.site.key);
+    std::vector<Site> tips = tip_sites(stem.skeleton, stem.id(), stem.site);
+    for (Site& site : tips) site.key = key.child(site.i);
+    add_all(std::move(tips));
+  }
+
+  void add_child(const Site& site) {
+    Site& child = sites_.emplace_back(site);
+    child.key = child_key(site.key).child(site.i);
+    count_depth(child);
+  }
+
+  void add_all(std::vector<Site> sites) {
+    for (Site& site : sites) count_depth(site);
+    sites_.insert(sites_.end(), sites.begin(), sites.end());
+  }
+
+  /// A path element is the child's id, told apart where a parent links to the same child more than once.
+  RandomKey child_key(RandomKey parent) const { return parent.child(to_.id).child(all_.ordinals_[index_]); }
+
+  /// Counts recursion depths. A recursion entered from outside, or within one that begins anew, starts at 0.
+  void count_depth(Site& site) const {
+    const Structure& structure = all_.structure_;
+    const std::uint32_t closed = structure.recursion_of_link[index_];
+    const std::uint32_t inside = structure.recursion_of[link_.to];
+    if (closed != kNoIndex) {
+      const std::size_t level = structure.recursions[closed].level;
+      ++site.depths[level];
+      std::fill(site.depths.begin() + static_cast<std::ptrdiff_t>(level) + 1, site.depths.end(), 0);
+    } else if (inside != kNoIndex && structure.recursions[inside].head == link_.to) {
+      std::fill(site.depths.begin() + static_cast<std::ptrdiff_t>(structure.recursions[inside].level),
+                site.depths.end(), 0);
+    }
+    if (inside != kNoIndex) site.depth = site.depths[structure.recursions[inside].level];
+  }
+
+  const LinkPlaces& all_;
+  LinkIndex index_;
+  const Link& link_;
+  const ComponentType& from_;
+  const Prototype& to_;
+  Progress& progress_;
+  std::uint64_t room_;  // more places than that are too many, and need not be found
+  std::vector<Site> sites_;
+};
+
+LinkPlaces::LinkPlaces(const Graph& graph, const Structure& structure, const Scene& scene, Progress& progress)
+    : graph_(graph), structure_(structure), scene_(scene), progress_(progress), ordinals_(ordinals_of_links(graph)) {}
+
+std::vector<LinkIndex> LinkPlaces::links_followed(ComponentIndex component, const Site& site) const {
+  const auto is_at_end = [&](std::uint32_t recursion) {
+    const Structure::Recursion& found = structure_.recursions[recursion];
+    return site.depths[found.level] + 1 >= graph_.components[found.head].base().recursion;
+  };
+  std::vector<LinkIndex> links;
+  for (const LinkIndex link : structure_.outgoing[component]) {
+    const std::uint32_t closed = structure_.recursion_of_link[link];
+    const std::uint32_t inside = structure_.recursion_of[component];
+    const bool leads_on = closed != kNoIndex                          ? !is_at_end(closed)
+                          : graph_.links[link].kind == LinkKind::leaf ? inside == kNoIndex || is_at_end(inside)
+                                                                      : true;
+    if (leads_on) links.push_back(link);
+  }
+  return links;
+}
+
+std::vector<Site> LinkPlaces::places(LinkIndex link, const BatchResult& parent, Counts before) const {
+  const std::size_t blocks = parent.blocks.size();
+  const std::uint64_t limit = graph_.limits.instances;
+  const std::uint64_t room = limit - std::min(limit, before.all);
+  std::vector<std::vector<Site>> found(blocks);
+  std::vector<std::exception_ptr> faults(blocks);
+  LeadingSum lower(blocks);
+  parallel_for(blocks, 1, [&](std::size_t block, std::size_t) {
+    // Where those before are too many already, this block makes no difference, and memory is saved.
+    if (lower.sum() > room) return;
+    Progress part(&progress_);
+    try {
+      found[block] = Writer(*this, link, blocks == 1 ? progress_ : part, room).run(parent.blocks[block]);
+    } catch (const InputError&) {
+      faults[block] = std::current_exception();
+    }
+    lower.add(block, found[block].size());
+  });
+
+  // Throw what following them one after another would throw.
+  std::uint64_t count = 0;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    if (faults[block]) std::rethrow_exception(faults[block]);
+    count += found[block].size();
+    if (count > room) throw_too_many(link, count, before);
+  }
+  if (blocks == 1) return std::move(found[0]);
+  std::vector<Site> sites;
+  sites.reserve(count);
+  for (const std::vector<Site>& of_block : found) sites.insert(sites.end(), of_block.begin(), of_block.end());
+  return sites;
+}
+
+void LinkPlaces::throw_too_many(LinkIndex link, std::uint64_t places, Counts before) const {
+  const std::string& from = graph_.components[graph_.links[link].from].id;
+  const std::string& to = graph_.components[graph_.links[link].to].id;
+  throw_limit(fmt::format("instances, {} of them '{}' on {} of '{}',", places, to, before.parents, from),
+              static_cast<double>(before.all + places), graph_.limits.instances, "instances",
+              multiplier(graph_.links[link].from, std::span(&link, 1)));
+}
+
+std::optional<std::uint64_t> LinkPlaces::fingerprint(LinkIndex index) const {
+  const Link& link = graph_.links[index];
+  if (!link.fingerprint) return std::nullopt;
+  Fingerprint fingerprint;
+  fingerprint.add(*link.fingerprint).add(link.kind).add(link.name).add(ordinals_[index]);
+  fingerprint.add_text(graph_.components[link.to].id).add(graph_.components[link.to].type->makes_stems);
+  const auto add_level = [&](std::uint32_t recursion) {
+    fingerprint.add(recursion == kNoIndex ? std::size_t{0} : structure_.recursions[recursion].level + 1);
+  };
+  add_level(structure_.recursion_of_link[index]);
+  const std::uint32_t inside = structure_.recursion_of[link.to];
+  add_level(inside);
+  fingerprint.add(inside != kNoIndex && structure_.recursions[inside].head == link.to);
+  return fingerprint.hash();
+}
+
+std::string LinkPlaces::multiplier(ComponentIndex component, std::span<const LinkIndex> links) const {
+  for (const LinkIndex link : links) {
+    const std::uint32_t closed = structure_.recursion_of_link[link];
+    if (closed == kNoIndex) continue;
+    return fmt::format("components.{}.recursion", graph_.components[structure_.recursions[closed].head].id);
+  }
+  return "components." + graph_.components[component].id;
+}
+
+}  // namespace meristem

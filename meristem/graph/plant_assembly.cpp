@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/graph/plant_assembly.h"
+
+#include <algorithm>
+#include <set>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "meristem/base/parallel.h"
+#include "meristem/graph/looks.h"
+#include "meristem/plant/join_stems.h"
+
+namespace meristem {
+
+namespace {
+
+bool has_prototypes(const std::vector<const BatchResult*>& batches, bool blades) {
+  for (const BatchResult* batch : batches) {
+    for (const Emitted& block : batch->blocks) {
+      if (std::ranges::any_of(block.prototypes, [&](const auto& made) { return made.is_blade == blades; })) return true;
+    }
+  }
+  return false;
+}
+
+bool has_visible_stems(const std::vector<const BatchResult*>& batches) {
+  for (const BatchResult* batch : batches) {
+    for (const Emitted& block : batch->blocks) {
+      if (std::ranges::any_of(block.stems, &EmittedStem::visible)) return true;
+    }
+  }
+  return false;
+}
+
+/// One block's organs, on their way into the plant.
+struct OrgansOfBlock {
+  const Emitted* block = nullptr;
+  std::vector<std::uint32_t> prototype;  // in the plant, by number in the block
+  std::size_t first = 0;                 // in the plant
+};
+
+}  // namespace
+
+void PlantAssembly::add(ComponentIndex component, std::shared_ptr<const BatchResult> batch) {
+  batches_of_[component].push_back(batch.get());
+  batches_.push_back({component, std::move(batch)});
+}
+
+Plant PlantAssembly::run(std::uint64_t mesh_bytes, Progress& progress) const {
+  const std::vector<Surfaces> surfaces = join_surfaces(mesh_bytes, progress);
+  Plant plant;
+  std::vector<std::uint32_t> material_of_component(batches_of_.size(), 0);
+  for (ComponentIndex c = 0; c < batches_of_.size(); ++c) {
+    progress.check();
+    const std::uint32_t material = material_of_component[c] = add_materials(c, surfaces[c], plant);
+    add_organs(c, material, plant);
+    add_surfaces(c, material, surfaces[c], plant);
+  }
+  plant.stems = joined_stems(material_of_component);
+  return plant;
+}
+
+/// Surfaces of many instances, by the components that their pieces belong to.
+std::vector<PlantAssembly::Surfaces> PlantAssembly::join_surfaces(std::uint64_t mesh_bytes, Progress& progress) const {
+  std::vector<SurfaceSection> sections;
+  for (const Made& made : batches_) {
+    for (const Emitted& block : made.result->blocks) {
+      for (const EmittedSection& section : block.sections) sections.push_back({section, made.component});
+    }
+  }
+  std::vector<Surfaces> surfaces(batches_of_.size());
+  for (SurfacePiece& piece : join_sections(sections, graph_, mesh_bytes, progress)) {
+    surfaces[piece.component].push_back(std::move(piece));
+  }
+  return surfaces;
+}
+
+/// Returns the number of the component's own material, or of the one that its own would be.
+std::uint32_t PlantAssembly::add_materials(ComponentIndex component, const Surfaces& surfaces, Plant& plant) const {
+  const auto first = static_cast<std::uint32_t>(plant.materials.size());
+  const std::vector<const BatchResult*>& batches = batches_of_[component];
+  if (has_visible_stems(batches) || has_prototypes(batches, false) || !surfaces.empty()) {
+    plant.materials.push_back(material_of(graph_.components[component]));
+    if (std::ranges::any_of(surfaces, &SurfacePiece::is_open)) plant.materials.back().two_sided = true;
+    check_pixels(plant.materials);
+  }
+  if (has_prototypes(batches, true)) plant.materials.push_back(blades_of(graph_.components[component]));
+  return first;
+}
+
+/// Throws where the last material's texture is one too many. What materials share counts once.
+void PlantAssembly::check_pixels(const std::vector<Material>& materials) const {
+  std::set<const Texture*> textures;  // only asked, never walked: addresses have no order to rely on
+  std::uint64_t pixels = 0;
+  for (const Material& material : materials) {
+    if (material.texture == nullptr || !textures.insert(material.texture.get()).second) continue;
+    const Image& colour = material.texture->colour;
+    pixels += static_cast<std::uint64_t>(colour.width) * static_cast<std::uint64_t>(colour.height);
+  }
+  if (pixels <= graph_.limits.texture_pixels) return;
+  throw_limit("pixels of textures", static_cast<double>(pixels), graph_.limits.texture_pixels, "texture_pixels",
+              fmt::format("components.{}.texture", materials.back().name));
+}
+
+/// Blocks keep their order; what has one key is one prototype.
+void PlantAssembly::add_organs(ComponentIndex component, std::uint32_t material, Plant& plant) const {
+  const auto blades = static_cast<std::uint32_t>(plant.materials.size() - 1);  // the last, where there are any
+  std::unordered_map<std::uint64_t, std::uint32_t> prototype_by_key;
+  std::vector<OrgansOfBlock> blocks;
+  std::size_t count = plant.organs.size();
+  for (const BatchResult* batch : batches_of_[component]) {
+    for (const Emitted& block : batch->blocks) {
+      OrgansOfBlock& organs = blocks.emplace_back(OrgansOfBlock{&block, {}, count});
+      count += block.organs.size();
+      for (const Emitted::EmittedPrototype& made : block.prototypes) {
+        const auto next = static_cast<std::uint32_t>(plant.prototypes.size());
+        const auto [known, is_new] = prototype_by_key.try_emplace(made.key, next);
+        organs.prototype.push_back(known->second);
+        if (!is_new) continue;
+        plant.prototypes.push_back({graph_.components[component].id, made.is_blade ? blades : material, made.mesh});
+      }
+    }
+  }
+  plant.organs.resize(count);
+  parallel_for(blocks.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      Organ* next = plant.organs.data() + blocks[k].first;
+      for (const Organ& organ : blocks[k].block->organs) {
+        *next = organ;
+        next++->prototype = blocks[k].prototype[organ.prototype];
+      }
+    }
+  });
+}
+
+void PlantAssembly::add_surfaces(ComponentIndex component, std::uint32_t material, const Surfaces& surfaces,
+                                 Plant& plant) const {
+  for (const SurfacePiece& piece : surfaces) {
+    for (Organ organ : piece.organs) {
+      organ.prototype = static_cast<std::uint32_t>(plant.prototypes.size());
+      plant.organs.push_back(organ);
+    }
+    plant.prototypes.push_back({graph_.components[component].id, material, piece.mesh});
+  }
+}
+
+std::vector<Stem> PlantAssembly::joined_stems(const std::vector<std::uint32_t>& material_of_component) const {
+  std::vector<LooseStem> stems;
+  std::unordered_map<std::uint64_t, std::uint32_t> number_of_stem;  // by id
+  std::vector<std::uint32_t> instances(batches_of_.size(), 0);
+  const auto mother_of = [&](const EmittedStem& stem) {
+    const auto found = number_of_stem.find(stem.site.stem);
+    return found == number_of_stem.end() ? kNoStem : found->second;
+  };
+  for (const Made& made : batches_) {
+    for (const Emitted& block : made.result->blocks) {
+      for (const EmittedStem& emitted : block.stems) {
+        if (!emitted.visible) continue;
+        // What `place` has moved hangs on nothing.
+        const bool is_moved = emitted.moved.has_value();
+        LooseStem& stem = stems.emplace_back();
+        stem.mother = is_moved ? kNoStem : mother_of(emitted);
+        number_of_stem.emplace(emitted.id(), static_cast<std::uint32_t>(stems.size() - 1));
+        stem.part = {.component = graph_.components[made.component].id,
+                     .instance = instances[made.component]++,
+                     .material = material_of_component[made.component],
+                     .surface = emitted.surface,
+                     .tint = emitted.tint};
+        if (is_moved && stem.part.surface.crown) stem.part.surface.crown->scale(emitted.moved_scale);
+        stem.node = emitted.site.node;
+        stem.along = emitted.site.along;
+        // Shares the whole batch.
+        stem.skeleton = {made.result, is_moved ? &*emitted.moved : &emitted.skeleton};
+      }
+    }
+  }
+  std::vector<Stem> joined = join_stems(std::move(stems));
+  std::erase_if(joined, [](const Stem& stem) { return stem.skeleton.node_count() == 0; });
+  return joined;
+}
+
+}  // namespace meristem

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "meristem/base/progress.h"
+#include "meristem/graph/batch.h"
+#include "meristem/graph/graph.h"
+#include "meristem/graph/lofts.h"
+#include "meristem/plant/plant.h"
+
+namespace meristem {
+
+/// Puts a plant together from what its batches have made.
+class PlantAssembly {
+ public:
+  /// `graph` outlives it.
+  explicit PlantAssembly(const Graph& graph) : graph_(graph), batches_of_(graph.components.size()) {}
+
+  /// The next batch, of instances of `component`.
+  void add(ComponentIndex component, std::shared_ptr<const BatchResult> batch);
+
+  /// The plant: materials, prototypes and organs in the order of the components, those of one component in the order of
+  /// its batches, then surfaces; stems in the order of the batches, joined. The batches' meshes take `mesh_bytes`.
+  /// Throws InputError where textures have too many pixels or surfaces too many bytes, Cancelled.
+  Plant run(std::uint64_t mesh_bytes, Progress& progress) const;
+
+ private:
+  struct Made {
+    ComponentIndex component = 0;
+    std::shared_ptr<const BatchResult> result;
+  };
+
+  using Surfaces = std::vector<SurfacePiece>;
+
+  std::vector<Surfaces> join_surfaces(std::uint64_t mesh_bytes, Progress& progress) const;
+  std::uint32_t add_materials(ComponentIndex component, const Surfaces& surfaces, Plant& plant) const;
+  void add_organs(ComponentIndex component, std::uint32_t material, Plant& plant) const;
+  void add_surfaces(ComponentIndex component, std::uint32_t material, const Surfaces& surfaces, Plant& plant) const;
+  std::vector<Stem> joined_stems(const std::vector<std::uint32_t>& material_of_component) const;
+  void check_pixels(const std::vector<Material>& materials) const;
+
+  const Graph& graph_;
+  std::vector<Made> batches_;
+  std::vector<std::vector<const BatchResult*>> batches_of_;  // by component
+};
+
+}  // namespace meristem

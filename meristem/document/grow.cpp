@@ -21,16 +21,21 @@ auto placing_faults(const Document& document, Work&& work) {
 
 }  // namespace
 
-GrownDocument grow_document(const Document& document, Progress& progress, double time, const Detail& detail) {
+GrownDocument grow_document(const Document& document, Progress& progress, double time, const Detail& detail,
+                            GrowthCache* cache) {
   GrownDocument grown;
-  grown.plant = placing_faults(
-      document, [&] { return expand(document.graph, document.structure, document.scene, time, progress); });
-  grown.meshes = mesh_detail(document, grown.plant, detail, progress);
+  grown.plant = placing_faults(document, [&] {
+    return expand(document.graph, document.structure, document.scene, time, progress,
+                  cache != nullptr ? &cache->expansion : nullptr);
+  });
+  grown.meshes = mesh_detail(document, grown.plant, detail, progress, cache != nullptr ? &cache->meshes : nullptr);
   return grown;
 }
 
-MeshScene mesh_detail(const Document& document, const Plant& plant, const Detail& detail, Progress& progress) {
-  return placing_faults(document, [&] { return make_mesh_scene(plant, document.graph.limits, progress, detail); });
+MeshScene mesh_detail(const Document& document, const Plant& plant, const Detail& detail, Progress& progress,
+                      MeshCache* cache) {
+  return placing_faults(document,
+                        [&] { return make_mesh_scene(plant, document.graph.limits, progress, detail, cache); });
 }
 
 }  // namespace meristem

@@ -14,9 +14,9 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/fingerprint.h"
 #include "meristem/base/parallel.h"
 #include "meristem/graph/batch.h"
-#include "meristem/graph/fingerprint.h"
 #include "meristem/graph/kept.h"
 #include "meristem/graph/link_places.h"
 #include "meristem/graph/looks.h"
@@ -276,6 +276,7 @@ class Expansion {
                            .together = sites.size(),
                            .time = time_,
                            .tinting = tinting,
+                           .texture = prototype.base().texture,
                            .tropism = prototype.type->tropism,
                            .makes_stems = prototype.type->makes_stems,
                            .wants_child_sites = wants(links, false),

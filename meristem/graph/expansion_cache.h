@@ -4,13 +4,9 @@
 #include <cstdint>
 #include <memory>
 
-namespace meristem {
+#include "meristem/base/kept_results.h"
 
-/// How much of something was made anew, and how much was there already.
-struct Reuse {
-  std::uint64_t made = 0;
-  std::uint64_t reused = 0;
-};
+namespace meristem {
 
 /// Keeps what one expansion has made for the next one of the same or a changed document, which makes anew only what
 /// depends on the change. It holds no more than the last expansion has used. The result is the same as without it, to

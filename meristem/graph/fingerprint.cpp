@@ -2,9 +2,10 @@
 #include "meristem/graph/fingerprint.h"
 
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
-#include "meristem/base/hash.h"
+#include "meristem/base/fingerprint.h"
 #include "meristem/base/read_file.h"
 
 namespace meristem {
@@ -42,36 +43,30 @@ bool mentions(const Value& value, std::string_view name) {
   return false;
 }
 
-}  // namespace
-
-Fingerprint& Fingerprint::add_text(std::string_view text) {
-  add(text.size());
-  bytes_.append(text);
-  return *this;
-}
-
-Fingerprint& Fingerprint::add_value(const Value& value) {
-  if (const bool* boolean = value.boolean()) return add(Kind::boolean).add(*boolean);
-  if (const double* number = value.number()) return add(Kind::number).add(*number);
-  if (const std::string* text = value.text()) return add(Kind::text).add_text(*text);
-  if (const Value::List* list = value.list()) {
-    add(Kind::list).add(list->size());
-    for (const Value& element : *list) add_value(element);
+void add_value(const Value& value, Fingerprint& to) {
+  if (const bool* boolean = value.boolean()) {
+    to.add(Kind::boolean).add(*boolean);
+  } else if (const double* number = value.number()) {
+    to.add(Kind::number).add(*number);
+  } else if (const std::string* text = value.text()) {
+    to.add(Kind::text).add_text(*text);
+  } else if (const Value::List* list = value.list()) {
+    to.add(Kind::list).add(list->size());
+    for (const Value& element : *list) add_value(element, to);
   } else if (const Value::Object* object = value.object()) {
-    add(Kind::object).add(object->size());
-    for (const auto& [name, member] : *object) add_text(name).add_value(member);
+    to.add(Kind::object).add(object->size());
+    for (const auto& [name, member] : *object) add_value(member, to.add_text(name));
   } else {
-    add(Kind::null);
+    to.add(Kind::null);
   }
-  return *this;
 }
 
-std::uint64_t Fingerprint::hash() const { return hash64(bytes_); }
+}  // namespace
 
 std::optional<std::uint64_t> fingerprint_of(const Value& value, std::span<const ExpressionNames::Constant> constants,
                                             std::span<const std::string> files, std::uint64_t file_bytes) {
   Fingerprint fingerprint;
-  fingerprint.add_value(value);
+  add_value(value, fingerprint);
   for (const ExpressionNames::Constant& constant : constants) {
     if (files.empty() && !mentions(value, constant.name)) continue;
     fingerprint.add_text(constant.name).add(constant.value);

@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
+#include "meristem/base/kept_results.h"
 #include "meristem/graph/batch.h"
 #include "meristem/graph/expansion_cache.h"
-#include "meristem/graph/kept_results.h"
 #include "meristem/plant/texture.h"
 
 namespace meristem {

@@ -12,8 +12,8 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/fingerprint.h"
 #include "meristem/base/parallel.h"
-#include "meristem/graph/fingerprint.h"
 
 namespace meristem {
 

@@ -241,6 +241,7 @@ class SectionJoiner {
       piece.component = sections_[chain.sections[begin]].component;
       piece.is_open = is_open;
       Mesh mesh = part_of(loft.mesh, loft.first_triangle[begin], loft.first_triangle[end]);
+      lay_picture(graph_.components[piece.component].base().texture, mesh);
       if (!mesh.triangles.empty()) piece.mesh = std::make_shared<const Mesh>(std::move(mesh));
       begin = end;
     }

@@ -7,11 +7,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "meristem/base/parallel.h"
 #include "meristem/shape/front_normals.h"
 #include "meristem/shape/isosurface.h"
+#include "meristem/shape/kept_meshes.h"
 #include "meristem/shape/plant_body.h"
 #include "meristem/shape/shading.h"
 #include "meristem/shape/simplify.h"
@@ -125,6 +127,40 @@ Mesh mesh_of(const BodyTask& task, const Detail& detail, const Limits& limits, P
   return mesh;
 }
 
+/// Meshes those tasks that are `missing`.
+void mesh_bodies(const std::vector<BodyTask>& tasks, const std::vector<std::size_t>& missing, const Detail& detail,
+                 const Limits& limits, Progress& progress, std::vector<std::shared_ptr<const Mesh>>& meshes) {
+  const auto mesh_one = [&](std::size_t task, Progress& told) {
+    meshes[task] = std::make_shared<const Mesh>(mesh_of(tasks[task], detail, limits, told));
+  };
+  if (missing.size() <= kToldOneByOne) {
+    for (const std::size_t task : missing) mesh_one(task, progress);
+    return;
+  }
+  progress.begin("meshing bodies", missing.size());
+  parallel_for(missing.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      Progress part(&progress);
+      mesh_one(missing[k], part);
+      progress.advance();
+    }
+  });
+}
+
+/// Hash of all that shapes a body.
+std::uint64_t key_of(const BodyTask& task, const Detail& detail, const Limits& limits) {
+  static_assert(std::has_unique_object_representations_v<Limits>);
+  Fingerprint key;
+  add_skeleton(*task.stem, key);
+  add_detail(detail, key);
+  key.add(task.is_crown).add_text({reinterpret_cast<const char*>(&limits), sizeof(limits)});
+  for (std::size_t k = 0; k < task.parts.size(); ++k) {
+    add_surface(task.parts[k]->surface, key);
+    key.add_array(task.axes_of_part[k]);
+  }
+  return key.hash();
+}
+
 /// The number of a material among `materials`, appended if it is not among them.
 std::uint32_t number_of(const Material& material, std::vector<Material>& materials) {
   const auto found = std::find(materials.begin(), materials.end(), material);
@@ -159,27 +195,26 @@ Thickening find_thickening(const Plant& plant) {
 }
 
 std::vector<MeshInstances> make_body_meshes(const Plant& plant, const Detail& detail, const Limits& limits,
-                                            std::vector<Material>& materials, Progress& progress) {
+                                            std::vector<Material>& materials, Progress& progress,
+                                            MeshCache::Kept& kept) {
   const std::vector<BodyTask> tasks = tasks_of(plant);
-  std::vector<MeshInstances> made(tasks.size());
-  if (tasks.empty()) return made;
-  std::vector<Mesh> meshes(tasks.size());
-  if (tasks.size() <= kToldOneByOne) {
-    for (std::size_t k = 0; k < tasks.size(); ++k) meshes[k] = mesh_of(tasks[k], detail, limits, progress);
-  } else {
-    progress.begin("meshing bodies", tasks.size());
-    parallel_for(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) {
-        Progress part(&progress);
-        meshes[k] = mesh_of(tasks[k], detail, limits, part);
-        progress.advance();
-      }
-    });
+  std::vector<std::uint64_t> keys;
+  std::vector<std::shared_ptr<const Mesh>> meshes;
+  std::vector<std::size_t> missing;
+  for (const BodyTask& task : tasks) {
+    keys.push_back(key_of(task, detail, limits));
+    meshes.push_back(kept.bodies.find(keys.back()));
+    if (meshes.back() == nullptr) missing.push_back(meshes.size() - 1);
   }
+  kept.bodies_reuse = {.made = missing.size(), .reused = tasks.size() - missing.size()};
+  mesh_bodies(tasks, missing, detail, limits, progress, meshes);
+  for (const std::size_t k : missing) kept.bodies.keep(keys[k], meshes[k]);
+
+  std::vector<MeshInstances> made(tasks.size());
   for (std::size_t k = 0; k < tasks.size(); ++k) {
     const StemPart& part = tasks[k].first();
     made[k].component = part.component;
-    made[k].mesh = std::make_shared<const Mesh>(std::move(meshes[k]));
+    made[k].mesh = std::move(meshes[k]);
     made[k].material = number_of(material_of(tasks[k], plant.materials[part.material]), materials);
     made[k].frames = {Frame{.origin = tasks[k].origin()}};
     // A crown has its own colour; the shade that tells its stem from others is its, too.

@@ -53,7 +53,8 @@ TEST(BodyMeshes, ABlendedStemIsOneClosedMeshAndNoTubes) {
 TEST(BodyMeshes, TubesHaveNone) {
   Progress progress;
   std::vector<Material> materials(1);
-  EXPECT_TRUE(make_body_meshes(fork_in({}), {}, {}, materials, progress).empty());
+  MeshCache cache;
+  EXPECT_TRUE(make_body_meshes(fork_in({}), {}, {}, materials, progress, cache.kept()).empty());
   EXPECT_EQ(materials.size(), 1U);
 }
 
@@ -158,7 +159,8 @@ TEST(BodyMeshes, StopWhenAsked) {
   Progress progress;
   progress.cancel();
   std::vector<Material> materials(1);
-  EXPECT_THROW(make_body_meshes(fork_in(blended()), {}, {}, materials, progress), Cancelled);
+  MeshCache cache;
+  EXPECT_THROW(make_body_meshes(fork_in(blended()), {}, {}, materials, progress, cache.kept()), Cancelled);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/shape/body_meshes.h"
 #include "meristem/shape/detail_plan.h"
+#include "meristem/shape/kept_meshes.h"
 #include "meristem/shape/stem_looks.h"
 #include "meristem/shape/tangents.h"
 #include "meristem/shape/tube_plan.h"
@@ -69,39 +71,68 @@ std::vector<std::size_t> organs_of_prototypes(const Plant& plant, const OrganDet
   return counts;
 }
 
-/// One stem's tubes, planned: those of parts that look alike share a mesh.
-struct StemPlan {
+/// One stem's tubes: those of parts that look alike share a mesh. They are planned where they were not made before.
+struct StemDress {
   StemLooks looks;
-  TubePlan tubes;
+  std::uint64_t key = 0;
+  std::optional<TubePlan> plan;
+  std::shared_ptr<const StemTubes> tubes;
 
-  StemPlan(const Stem& stem, const Detail& detail)
-      : looks(stem), tubes(plan_tubes(stem.skeleton, wears(stem, looks), stem.part_of_axis, detail)) {}
+  explicit StemDress(const Stem& stem) : looks(stem) {}
 
- private:
-  static std::vector<TubeWear> wears(const Stem& stem, const StemLooks& looks) {
-    std::vector<TubeWear> wears;
-    wears.reserve(stem.parts.size());
-    for (std::size_t k = 0; k < stem.parts.size(); ++k) wears.push_back({stem.parts[k].surface, looks.look_of_part[k]});
-    return wears;
-  }
+  const std::vector<TubeSize>& sizes() const { return tubes != nullptr ? tubes->sizes : plan->sizes(); }
 };
 
-std::vector<std::unique_ptr<StemPlan>> plan_stems(const Plant& plant, const Detail& detail) {
-  std::vector<std::unique_ptr<StemPlan>> plans(plant.stems.size());
-  parallel_for(plans.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) plans[i] = std::make_unique<StemPlan>(plant.stems[i], detail);
+std::vector<TubeWear> wears_of(const Stem& stem, const StemLooks& looks) {
+  std::vector<TubeWear> wears;
+  wears.reserve(stem.parts.size());
+  for (std::size_t k = 0; k < stem.parts.size(); ++k) wears.push_back({stem.parts[k].surface, looks.look_of_part[k]});
+  return wears;
+}
+
+/// Hash of all that shapes a stem's tubes.
+std::uint64_t key_of(const Stem& stem, const StemLooks& looks, const std::vector<Material>& materials,
+                     const Detail& detail) {
+  Fingerprint key;
+  add_skeleton(stem, key);
+  add_detail(detail, key);
+  for (const StemPart& part : stem.parts) add_surface(part.surface, key);
+  key.add_array(stem.part_of_axis).add_array(looks.look_of_part);
+  for (const StemPart* part : looks.first_part) key.add(needs_tangents(materials[part->material]));
+  return key.hash();
+}
+
+std::vector<std::unique_ptr<StemDress>> plan_stems(const Plant& plant, const Detail& detail, MeshCache::Kept& kept,
+                                                   bool is_cached) {
+  std::vector<std::unique_ptr<StemDress>> dresses(plant.stems.size());
+  parallel_for(dresses.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      dresses[i] = std::make_unique<StemDress>(plant.stems[i]);
+      if (is_cached) dresses[i]->key = key_of(plant.stems[i], dresses[i]->looks, plant.materials, detail);
+    }
   });
-  return plans;
+  for (const std::unique_ptr<StemDress>& dress : dresses) {
+    if (is_cached) dress->tubes = kept.tubes.find(dress->key);
+    ++(dress->tubes != nullptr ? kept.stems_reuse.reused : kept.stems_reuse.made);
+  }
+  parallel_for(dresses.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Stem& stem = plant.stems[i];
+      if (dresses[i]->tubes != nullptr) continue;
+      dresses[i]->plan = plan_tubes(stem.skeleton, wears_of(stem, dresses[i]->looks), stem.part_of_axis, detail);
+    }
+  });
+  return dresses;
 }
 
 /// What a plant's stems and organs will make.
 struct ScenePlan {
-  std::vector<std::unique_ptr<StemPlan>> stems;
+  std::vector<std::unique_ptr<StemDress>> stems;
   OrganDetail organs;
   std::vector<std::size_t> organ_counts;  // of each prototype
 
-  ScenePlan(const Plant& plant, const Detail& detail)
-      : stems(plan_stems(plant, detail)),
+  ScenePlan(const Plant& plant, const Detail& detail, MeshCache::Kept& kept, bool is_cached)
+      : stems(plan_stems(plant, detail, kept, is_cached)),
         organs(plan_organs(plant, detail)),
         organ_counts(organs_of_prototypes(plant, organs)) {}
 };
@@ -115,10 +146,10 @@ void check_limits(const Plant& plant, const std::vector<MeshInstances>& bodies, 
     triangles.add(body.component, body.mesh->triangle_count());
     bytes.add(body.component, body.mesh->bytes());
   }
-  for (const std::unique_ptr<StemPlan>& plan : scene.stems) {
-    for (std::size_t k = 0; k < plan->tubes.sizes().size(); ++k) {
-      const std::string& component = plan->looks.first_part[k]->component;
-      const TubeSize size = plan->tubes.sizes()[k];
+  for (const std::unique_ptr<StemDress>& dress : scene.stems) {
+    for (std::size_t k = 0; k < dress->sizes().size(); ++k) {
+      const std::string& component = dress->looks.first_part[k]->component;
+      const TubeSize size = dress->sizes()[k];
       triangles.add(component, size.triangles);
       bytes.add(component, size.bytes());
       if (size.vertices > std::numeric_limits<std::uint32_t>::max()) {
@@ -137,36 +168,69 @@ void check_limits(const Plant& plant, const std::vector<MeshInstances>& bodies, 
   bytes.check("bytes of geometry", limits.mesh_bytes, "mesh_bytes");
 }
 
+std::shared_ptr<const StemTubes> make_stem(const StemDress& dress, const std::vector<Material>& materials,
+                                           Progress& progress) {
+  auto tubes = std::make_shared<StemTubes>();
+  tubes->sizes = dress.plan->sizes();
+  std::vector<Mesh> meshes = make_tubes(*dress.plan, progress);
+  for (std::size_t k = 0; k < meshes.size(); ++k) {
+    if (needs_tangents(materials[dress.looks.first_part[k]->material])) add_tangents(meshes[k]);
+    tubes->meshes.push_back(std::make_shared<const Mesh>(std::move(meshes[k])));
+  }
+  return tubes;
+}
+
 /// The tubes of each stem.
-std::vector<MeshInstances> clothe_stems(const std::vector<std::unique_ptr<StemPlan>>& plans,
-                                        const std::vector<Material>& materials, Progress& progress) {
-  std::vector<std::vector<MeshInstances>> clothed(plans.size());
-  parallel_for(clothed.size(), 1, [&](std::size_t begin, std::size_t end) {
+std::vector<MeshInstances> clothe_stems(const Plant& plant, const std::vector<std::unique_ptr<StemDress>>& dresses,
+                                        MeshCache::Kept& kept, bool is_cached, Progress& progress) {
+  std::vector<std::uint8_t> is_new(dresses.size());
+  parallel_for(dresses.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      std::vector<Mesh> meshes = make_tubes(plans[i]->tubes, progress);
-      for (std::size_t k = 0; k < meshes.size(); ++k) {
-        const StemPart& look = *plans[i]->looks.first_part[k];
-        MeshInstances& instances = clothed[i].emplace_back();
-        instances.component = look.component;
-        if (needs_tangents(materials[look.material])) add_tangents(meshes[k]);
-        instances.mesh = std::make_shared<const Mesh>(std::move(meshes[k]));
-        instances.material = look.material;
-        instances.frames = {Frame{}};
-        if (look.tint != Vec3(1)) instances.tints = {look.tint};
+      is_new[i] = dresses[i]->tubes == nullptr ? 1 : 0;
+      if (is_new[i] != 0) {
+        dresses[i]->tubes = make_stem(*dresses[i], plant.materials, progress);
+      } else {
+        progress.advance(plant.stems[i].skeleton.node_count());
       }
     }
   });
   std::vector<MeshInstances> all;
-  for (std::vector<MeshInstances>& stem : clothed) std::move(stem.begin(), stem.end(), std::back_inserter(all));
+  for (std::size_t i = 0; i < dresses.size(); ++i) {
+    const StemDress& dress = *dresses[i];
+    if (is_cached && is_new[i] != 0) kept.tubes.keep(dress.key, dress.tubes);
+    for (std::size_t k = 0; k < dress.tubes->meshes.size(); ++k) {
+      const StemPart& look = *dress.looks.first_part[k];
+      MeshInstances& instances = all.emplace_back();
+      instances.component = look.component;
+      instances.mesh = dress.tubes->meshes[k];
+      instances.material = look.material;
+      instances.frames = {Frame{}};
+      if (look.tint != Vec3(1)) instances.tints = {look.tint};
+    }
+  }
   return all;
 }
 
+/// The mesh as a material needs it.
+std::shared_ptr<const Mesh> with_kept_tangents(const std::shared_ptr<const Mesh>& mesh, const Material& material,
+                                               MeshCache::Kept& kept) {
+  if (!needs_tangents(material) || !mesh->tangents.empty()) return mesh;
+  const std::uint64_t key = Fingerprint().add(reinterpret_cast<std::uintptr_t>(mesh.get())).hash();
+  std::shared_ptr<const TangentMesh> found = kept.tangents.find(key);
+  if (found == nullptr) {
+    found = std::make_shared<const TangentMesh>(TangentMesh{mesh, with_needed_tangents(mesh, material)});
+    kept.tangents.keep(key, found);
+  }
+  return found->mesh;
+}
+
 /// The frames of each prototype's organs, in the order of the organs.
-std::vector<MeshInstances> place_organs(const Plant& plant, const ScenePlan& scene, Progress& progress) {
+std::vector<MeshInstances> place_organs(const Plant& plant, const ScenePlan& scene, MeshCache::Kept& kept,
+                                        Progress& progress) {
   std::vector<MeshInstances> placed(plant.prototypes.size());
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const OrganPrototype& prototype = plant.prototypes[i];
-    auto mesh = with_needed_tangents(scene.organs.meshes[i], plant.materials[prototype.material]);
+    auto mesh = with_kept_tangents(scene.organs.meshes[i], plant.materials[prototype.material], kept);
     placed[i] = {prototype.component, std::move(mesh), prototype.material, {}, {}};
     placed[i].frames.reserve(scene.organ_counts[i]);
     placed[i].tints.reserve(scene.organ_counts[i]);
@@ -246,19 +310,25 @@ Box MeshScene::bounds() const {
   return box;
 }
 
-MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& progress, const Detail& detail) {
+MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& progress, const Detail& detail,
+                          MeshCache* cache) {
   check_references(plant);
   check_detail(detail);
-  const ScenePlan plan(plant, detail);
+  MeshCache own;
+  MeshCache::Kept& kept = cache != nullptr ? cache->kept() : own.kept();
+  kept.begin_run();
+  const bool is_cached = cache != nullptr;
+  const ScenePlan plan(plant, detail, kept, is_cached);
   check_limits(plant, {}, plan, limits);
   std::vector<Material> materials = plant.materials;
-  std::vector<MeshInstances> bodies = make_body_meshes(plant, detail, limits, materials, progress);
+  std::vector<MeshInstances> bodies = make_body_meshes(plant, detail, limits, materials, progress, kept);
   check_limits(plant, bodies, plan, limits);
   progress.begin("meshing", plant.node_count() + plant.organs.size());
-  std::vector<MeshInstances> meshes = clothe_stems(plan.stems, plant.materials, progress);
+  std::vector<MeshInstances> meshes = clothe_stems(plant, plan.stems, kept, is_cached, progress);
   std::move(bodies.begin(), bodies.end(), std::back_inserter(meshes));
-  std::vector<MeshInstances> placed = place_organs(plant, plan, progress);
+  std::vector<MeshInstances> placed = place_organs(plant, plan, kept, progress);
   std::move(placed.begin(), placed.end(), std::back_inserter(meshes));
+  kept.end_run();
   return {std::move(materials), grouped(std::move(meshes))};
 }
 

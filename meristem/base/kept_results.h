@@ -9,6 +9,12 @@
 
 namespace meristem {
 
+/// How much of something was made anew, and how much was there already.
+struct Reuse {
+  std::uint64_t made = 0;
+  std::uint64_t reused = 0;
+};
+
 /// Results by the fingerprints of what they depend on. What the last run has not used is let go at its end; of a run
 /// that did not come to its end the results stay, beside those before, until the next one has begun.
 template <class Result>

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "meristem/base/hash.h"
+
+namespace meristem {
+
+/// Hash of a sequence of numbers, texts and arrays: of all that a result depends on, to find it again by. Sequences of
+/// other lengths differ.
+class Fingerprint {
+ public:
+  template <class Number>
+  requires std::is_arithmetic_v<Number> || std::is_enum_v<Number> Fingerprint& add(Number number) {
+    bytes_.append(reinterpret_cast<const char*>(&number), sizeof(number));
+    return *this;
+  }
+  Fingerprint& add_text(std::string_view text) {
+    add(text.size());
+    bytes_.append(text);
+    return *this;
+  }
+  /// An array of elements without gaps in their bytes.
+  template <class Element>
+  Fingerprint& add_array(const std::vector<Element>& elements) {
+    const std::size_t bytes = elements.size() * sizeof(Element);
+    return add(elements.size()).add(hash64(std::string_view(reinterpret_cast<const char*>(elements.data()), bytes)));
+  }
+
+  std::uint64_t hash() const { return hash64(bytes_); }
+
+ private:
+  std::string bytes_;
+};
+
+}  // namespace meristem

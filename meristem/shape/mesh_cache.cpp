@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/shape/mesh_cache.h"
+
+#include <optional>
+
+#include "meristem/shape/kept_meshes.h"
+
+namespace meristem {
+
+namespace {
+
+template <class Number>
+void add_optional(const std::optional<Number>& number, Fingerprint& to) {
+  to.add(number.has_value()).add(number.value_or(0));
+}
+
+void add_colour(Vec3 colour, Fingerprint& to) { to.add(colour.r).add(colour.g).add(colour.b); }
+
+void add_crown(const CrownBody& crown, Fingerprint& to) {
+  const auto& [diameter, offset, fuse, blend, resolution, triangles, colour, hidden] = crown;
+  to.add(diameter).add(offset).add(fuse).add(blend).add(resolution);
+  add_optional(triangles, to);
+  add_colour(colour, to);
+  to.add(hidden);
+}
+
+}  // namespace
+
+void add_skeleton(const Stem& stem, Fingerprint& to) {
+  const auto& [parent, position, radius, axis, order, birth, extra] = stem.skeleton;
+  to.add_array(parent).add_array(position).add_array(radius).add_array(axis).add_array(order).add_array(birth);
+  for (const auto& [name, values] : extra) to.add_text(name).add_array(values);
+}
+
+void add_surface(const Surface& surface, Fingerprint& to) {
+  const auto& [style, shading, crown, sides, error, uv_scale, smooth, collar, flare, cap, resolution, blend, thicken,
+               triangles] = surface;
+  to.add(style).add(shading).add(crown.has_value());
+  if (crown) add_crown(*crown, to);
+  to.add(sides).add(error).add(uv_scale).add(smooth).add(collar).add(flare).add(cap);
+  to.add(resolution).add(blend).add(thicken);
+  add_optional(triangles, to);
+}
+
+void add_detail(const Detail& detail, Fingerprint& to) { to.add(detail.level).add(detail.share); }
+
+std::uint64_t StemTubes::bytes() const {
+  std::uint64_t sum = 0;
+  for (const std::shared_ptr<const Mesh>& mesh : meshes) sum += mesh->bytes();
+  return sum;
+}
+
+void MeshCache::Kept::begin_run() {
+  tubes.begin_run();
+  bodies.begin_run();
+  tangents.begin_run();
+  stems_reuse = {};
+  bodies_reuse = {};
+}
+
+void MeshCache::Kept::end_run() {
+  tubes.end_run();
+  bodies.end_run();
+  tangents.end_run();
+}
+
+MeshCache::MeshCache() : kept_(std::make_unique<Kept>()) {}
+MeshCache::~MeshCache() = default;
+MeshCache::MeshCache(MeshCache&&) noexcept = default;
+MeshCache& MeshCache::operator=(MeshCache&&) noexcept = default;
+
+const Reuse& MeshCache::stems() const { return kept_->stems_reuse; }
+const Reuse& MeshCache::bodies() const { return kept_->bodies_reuse; }
+std::uint64_t MeshCache::bytes() const {
+  return kept_->tubes.bytes() + kept_->bodies.bytes() + kept_->tangents.bytes();
+}
+void MeshCache::clear() { *kept_ = {}; }
+
+}  // namespace meristem

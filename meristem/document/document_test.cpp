@@ -124,7 +124,8 @@ const Rejection kRejections[] = {
     {"ComponentAsNumber", with("", R"("a": 3)"),
      "3:21: components.a: a component cannot be the number 3; expected a \"type\": one of " + type_names()},
     {"UnknownChoice", with("", R"("a": {"type": "simple", "shape": "bax"})"),
-     "3:49: components.a.shape: 'bax' is not a value of 'shape'; expected one of box, sphere, cylinder, cone, torus; "
+     "3:49: components.a.shape: 'bax' is not a value of 'shape'; expected one of box, sphere, cylinder, cone, "
+     "torus, none, area, tube; "
      "did "
      "you mean 'box'?"},
     {"NestedUnknownKey", with("", R"("a": {"type": "simple", "place": {"rotat": [0, 0, 0]}})"),

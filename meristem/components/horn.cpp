@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include <glm/matrix.hpp>
 
@@ -103,14 +104,22 @@ StemPath unit_path(const StemForm& unit, const Site& site, const StemTropisms& t
   return path;
 }
 
+/// Of how the world bends the curve of a horn that stands there.
+std::uint64_t world_key(const Site& site, const StemTropisms& tropisms) {
+  if (tropisms.gravitropism == 0 && tropisms.phototropism == 0) return 0;
+  const Mat3 axes = even_frame(site.frame).axes / glm::length(site.frame.heading());
+  const auto [right, heading, light] = std::tuple(axes[0], axes[1], tropisms.light);
+  return shape_key({tropisms.gravitropism, tropisms.phototropism, light.x, light.y, light.z, right.x, right.y, right.z,
+                    heading.x, heading.y, heading.z});
+}
+
 void emit_outline(const Horn& horn, const Site& site, const StemTropisms& tropisms, Emitter& out) {
   StemForm unit = horn.stem;
   unit.radius = to_octaves(horn.stem.radius / horn.stem.length, kRadiiAnOctave);
   unit.length = 1;
-  const bool is_one_of_many = unit.gnarl == 0 && tropisms.gravitropism == 0 && tropisms.phototropism == 0;
-  const std::uint64_t own = is_one_of_many ? 0 : site.key.bits();
-  const std::uint64_t key = shape_key({unit.radius, unit.curl, unit.spiral, unit.gnarl, unit.gnarl_waves, horn.twist,
-                                       static_cast<double>(own >> 32), static_cast<double>(own & 0xffffffffU)});
+  const std::uint64_t form = shape_key({unit.radius, unit.curl, unit.spiral, unit.gnarl, unit.gnarl_waves, horn.twist});
+  const std::uint64_t chance = unit.gnarl == 0 ? 0 : site.key.bits();
+  const std::uint64_t key = RandomKey(form).child(chance).child(world_key(site, tropisms)).bits();
   Frame frame{glm::inverse(site.frame.axes) * even_frame(site.frame).axes, Vec3(0)};
   frame.axes *= static_cast<float>(horn.stem.length);
   out.organ(frame, key, [&] { return make_outline_mesh(horn, unit, unit_path(unit, site, tropisms)); });

@@ -143,9 +143,9 @@ TEST(Horn, OutlinesShareTheirMeshWhereNothingDiffers) {
     Value::Object parameters{{"section", "outline"}, {"outline", square()}, {"curl", 50}};
     parameters.emplace_back("frame", Value::Object{{"scale", Value::List{"1 + i", "1 + i", "1 + i"}}});
     parameters.insert(parameters.end(), more.begin(), more.end());
-    auto builder = one(parameters);
-    for (int k = 0; k < 9; ++k) builder.link("view", "horn");
-    const Plant plant = builder.grow();
+    GraphBuilder builder(builtin_components());
+    builder.component("view", "camera").component("star", "hydra", {{"number", 10}, {"angle", 40}});
+    const Plant plant = builder.component("horn", "horn", parameters).link("view", "star").link("star", "horn").grow();
     EXPECT_EQ(plant.organs.size(), 10U);
     return plant.prototypes.size();
   };

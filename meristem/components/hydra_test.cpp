@@ -87,7 +87,10 @@ TEST(Hydra, AThousandMillionChildrenAreStopped) {
             "expected at most 20000000 (limits.instances)");
 }
 
-TEST(Hydra, WithoutANumberHasNoChildren) { EXPECT_TRUE(rays({{"number", 0}}).empty()); }
+TEST(Hydra, WithoutANumberHasNoChildren) {
+  EXPECT_TRUE(rays({{"number", 0}}).empty());
+  EXPECT_TRUE(rays({{"number", 0}, {"angle", "40 + 10 * rand()"}, {"radius", Value::List{0, 1}}}).empty());
+}
 
 }  // namespace
 }  // namespace meristem

@@ -269,7 +269,7 @@ void Emitter::add_site(std::vector<Site>& sites, const Frame& frame, float u, fl
 }
 
 std::vector<double> Emitter::per_child(const PerChild& number, std::uint32_t count) const {
-  if (!number.varying) return std::vector<double>(count, number.plain);
+  if (!number.varying || count == 0) return std::vector<double>(count, number.plain);
   std::vector<Site> children(count, site_);
   const RandomKey key = site_.key.child("children");
   for (std::uint32_t k = 0; k < count; ++k) {

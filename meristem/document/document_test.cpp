@@ -194,7 +194,7 @@ const Rejection kRejections[] = {
      "component "
      "with stems"},
     {"DensityAndCount", linked(R"({"from": "tree", "to": "leaf", "kind": "branch", "density": 3, "count": 4})"),
-     "2:83: links[0].count: a link has both a density and a count; expected one of them"},
+     "2:83: links[0].count: there is both a density and a count; expected one of them"},
     {"WhereOfUnknown", linked(R"({"from": "tree", "to": "leaf", "kind": "branch", "where": "tip_distanc < 1"})"),
      "2:70: links[0].where: 'tip_distanc' is not a known name; expected a variable or a constant; did you mean "
      "'tip_distance'?"},

@@ -182,7 +182,11 @@ void Emitter::section(const Frame& local, std::uint64_t key, bool is_capped, Fun
 
 std::shared_ptr<const Mesh> Emitter::shared_mesh(std::uint64_t key, FunctionRef<Mesh()> make) {
   std::shared_ptr<const Mesh> mesh = context_->meshes.find(key);
-  if (mesh == nullptr) mesh = context_->meshes.keep(key, std::make_shared<const Mesh>(make()));
+  if (mesh == nullptr) {
+    Mesh made = make();
+    lay_picture(context_->texture, made);
+    mesh = context_->meshes.keep(key, std::make_shared<const Mesh>(std::move(made)));
+  }
   const std::uint64_t limit = context_->limits.mesh_bytes;
   if (context_->mesh_bytes + context_->meshes.bytes() <= limit) return mesh;
   throw_past(fmt::format("the shapes of '{}' take more than {} bytes", context_->component, limit), limit, "mesh_bytes",

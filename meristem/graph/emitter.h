@@ -18,6 +18,7 @@
 #include "meristem/base/progress.h"
 #include "meristem/graph/placement.h"
 #include "meristem/graph/site.h"
+#include "meristem/graph/texture_form.h"
 #include "meristem/graph/varying.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
@@ -99,6 +100,7 @@ struct EmitterContext {
   std::uint64_t together = 1;    ///< instances that are expanded together
   double time = 0;               ///< seconds
   const Tinting& tinting;        ///< of the instances
+  const TextureForm& texture;    ///< of the instances
   Tropism tropism = Tropism::heading;
   Progress* progress = nullptr;  ///< for what takes long in one instance
   bool makes_stems = false;      ///< children of branch links stand along stems only

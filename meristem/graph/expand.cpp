@@ -276,6 +276,7 @@ class Expansion {
                            .together = sites.size(),
                            .time = time_,
                            .tinting = tinting,
+                           .texture = prototype.base().texture,
                            .tropism = prototype.type->tropism,
                            .makes_stems = prototype.type->makes_stems,
                            .wants_child_sites = wants(links, false),

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sections are strung into chains, and each chain is described in the frame of its first section, in units of its own
 // size. Equal chains differ there by rounding only. To find one among thousands without comparing all, chains are
-// filed by two weighted sums over their descriptions, which equal chains have nearly in common.
+// filed in drawers by three weighted sums over their descriptions, which equal chains have nearly in common. Full
+// drawers take no more: in a crowd of chains that all differ a little, some equal ones may have a mesh each.
 #include "meristem/graph/lofts.h"
 
 #include <algorithm>
@@ -21,7 +22,8 @@ namespace {
 
 constexpr double kSame = 1e-4;      // of a chain's size, by which equal chains may differ
 constexpr double kRounding = 3e-7;  // of a place's distance from the origin: what 32-bit numbers leave of it
-constexpr double kDrawer = 1e-3;    // width of what is filed together
+constexpr std::size_t kMostInDrawer = 4;
+constexpr double kDrawer = 5e-4;    // width of what is filed together
 constexpr std::size_t kGrain = 16;  // chains meshed by one thread at a time
 
 /// The sections of one surface from base to tip.
@@ -34,6 +36,8 @@ struct Chain {
 
 /// Places and directions of a section against its chain's frame and size.
 using Description = std::array<double, 12>;
+/// Whole numbers.
+using Drawer = std::array<double, 3>;
 
 class SectionJoiner {
  public:
@@ -133,20 +137,23 @@ class SectionJoiner {
   }
 
   /// What equal chains have in common exactly.
-  std::uint64_t kind_of_section(const Chain& chain, std::size_t k) const {
-    const SurfaceSection& section = sections_[chain.sections[k]];
-    return shape_key({static_cast<double>(section.component), static_cast<double>(section.outline->key >> 32),
-                      static_cast<double>(section.outline->key & 0xffffffffU), section.is_capped ? 1.0 : 0.0,
-                      begins_piece(chain, k) ? 1.0 : 0.0, chain.is_side ? 1.0 : 0.0});
+  std::uint64_t kind_of(const Chain& chain) const {
+    std::uint64_t kind = chain.is_side ? 1 : 0;
+    for (std::size_t k = 0; k < chain.sections.size(); ++k) {
+      const SurfaceSection& section = sections_[chain.sections[k]];
+      const RandomKey key = RandomKey(kind).child(section.outline->key).child(section.component);
+      kind = key.child((section.is_capped ? 2 : 0) + (begins_piece(chain, k) ? 1 : 0)).bits();
+    }
+    return kind;
   }
 
   static double remoteness(const Chain& chain) { return glm::length(DVec3(chain.frame.origin)) / chain.size; }
 
+  /// For chains of one kind.
   bool are_equal(const Chain& a, const Chain& b) const {
-    if (a.sections.size() != b.sections.size()) return false;
     const double same = std::max(kSame, kRounding * std::max(remoteness(a), remoteness(b)));
-    for (std::size_t k = 0; k < a.sections.size(); ++k) {
-      if (kind_of_section(a, k) != kind_of_section(b, k)) return false;
+    // From the tip, where most of what differs on the way has added up.
+    for (std::size_t k = a.sections.size(); k-- > 0;) {
       const Description of_a = description(a, k), of_b = description(b, k);
       for (std::size_t i = 0; i < of_a.size(); ++i) {
         if (!(std::abs(of_a[i] - of_b[i]) < same)) return false;
@@ -155,45 +162,50 @@ class SectionJoiner {
     return true;
   }
 
-  /// The two sums by which a chain is filed, in widths of a drawer.
-  std::array<std::int64_t, 2> drawer(const Chain& chain) const {
+  /// The sums by which a chain is filed, in widths of a drawer.
+  Drawer drawer_of(const Chain& chain) const {
     const RandomKey weights(chain.sections.size());
-    std::array<double, 2> sum{};
+    std::array<double, 3> sum{};
     for (std::size_t k = 0; k < chain.sections.size(); ++k) {
       const Description numbers = description(chain, k);
       for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const std::uint64_t index = numbers.size() * k + i;
-        for (unsigned lane = 0; lane < 2; ++lane) sum[lane] += (weights.uniform(index, lane) - 0.5) * numbers[i];
+        const std::uint64_t index = 2 * (numbers.size() * k + i);
+        sum[0] += (weights.uniform(index, 0) - 0.5) * numbers[i];
+        sum[1] += (weights.uniform(index, 1) - 0.5) * numbers[i];
+        sum[2] += (weights.uniform(index + 1, 0) - 0.5) * numbers[i];
       }
     }
     const double width = kDrawer * std::sqrt(static_cast<double>(chain.sections.size()));
-    return {static_cast<std::int64_t>(std::floor(sum[0] / width)),
-            static_cast<std::int64_t>(std::floor(sum[1] / width))};
+    Drawer drawer{};
+    for (std::size_t k = 0; k < 3; ++k) drawer[k] = std::floor(sum[k] / width);
+    return drawer;
   }
 
   /// For each chain the first that it is equal to.
   void find_equals() {
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> files;
-    const auto file = [](std::int64_t x, std::int64_t y, std::size_t count) {
-      return shape_key({static_cast<double>(x), static_cast<double>(y), static_cast<double>(count)});
-    };
-    std::size_t looked_at = 0;
     for (std::uint32_t k = 0; k < chains_.size(); ++k) {
-      if (looked_at++ % 1024 == 0) progress_.check();
-      const auto [x, y] = drawer(chains_[k]);
-      const std::size_t count = chains_[k].sections.size();
-      std::uint32_t equal = static_cast<std::uint32_t>(distinct_.size());
-      for (int near = 0; near < 9; ++near) {
-        const auto found = files.find(file(x + near % 3 - 1, y + near / 3 - 1, count));
+      if (k % 1024 == 0) progress_.check();
+      const Chain& chain = chains_[k];
+      const std::uint64_t kind = kind_of(chain);
+      const Drawer own = drawer_of(chain);
+      const auto key = [&](const Drawer& drawer) {
+        return shape_key({drawer[0], drawer[1], drawer[2], static_cast<double>(kind >> 32),
+                          static_cast<double>(kind & 0xffffffffU)});
+      };
+      auto equal = static_cast<std::uint32_t>(distinct_.size());
+      for (int near = 0; near < 27; ++near) {
+        const auto found = files.find(key({own[0] + near % 3 - 1, own[1] + near / 3 % 3 - 1, own[2] + near / 9 - 1}));
         if (found == files.end()) continue;
         for (const std::uint32_t candidate : found->second) {
-          if (candidate < equal && are_equal(chains_[distinct_[candidate]], chains_[k])) equal = candidate;
+          if (candidate < equal && are_equal(chains_[distinct_[candidate]], chain)) equal = candidate;
         }
       }
       kind_.push_back(equal);
       if (equal < distinct_.size()) continue;
       distinct_.push_back(k);
-      files[file(x, y, count)].push_back(equal);
+      std::vector<std::uint32_t>& drawer = files[key(own)];
+      if (drawer.size() < kMostInDrawer) drawer.push_back(equal);
     }
   }
 
@@ -241,6 +253,7 @@ class SectionJoiner {
       piece.component = sections_[chain.sections[begin]].component;
       piece.is_open = is_open;
       Mesh mesh = part_of(loft.mesh, loft.first_triangle[begin], loft.first_triangle[end]);
+      lay_picture(graph_.components[piece.component].base().texture, mesh);
       if (!mesh.triangles.empty()) piece.mesh = std::make_shared<const Mesh>(std::move(mesh));
       begin = end;
     }

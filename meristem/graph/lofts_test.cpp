@@ -7,6 +7,7 @@
 #include "meristem/base/random.h"
 #include "tests/support/build_graph.h"
 #include "tests/support/check_mesh.h"
+#include "tests/support/test_components.h"
 
 namespace meristem {
 namespace {
@@ -30,9 +31,7 @@ SurfaceSection section(std::uint64_t id, std::uint64_t parent, const Frame& fram
 Frame at(float x, float y, float scale = 1) { return {.axes = Mat3(scale), .origin = {x, y, 0}}; }
 
 Graph two_components() {
-  Graph graph;
-  graph.components = {Prototype{.id = "low"}, Prototype{.id = "high"}};
-  return graph;
+  return GraphBuilder(test_components()).component("low", "stick").component("high", "stick").graph();
 }
 
 std::vector<SurfacePiece> joined(const std::vector<SurfaceSection>& sections) {

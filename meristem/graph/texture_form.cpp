@@ -18,6 +18,8 @@ namespace meristem {
 namespace {
 
 constexpr NumberForm kFactor{.min = 0, .max = 4, .fixed = true};
+constexpr NumberForm kRepeat{.min = -1000, .max = 1000, .fixed = true};
+constexpr NumberForm kShift{.min = -1000, .max = 1000, .fixed = true};
 constexpr NumberForm kSeed{.min = 0, .max = 1e15, .fixed = true};
 
 const ParameterTable& bark_table() {
@@ -75,6 +77,11 @@ const ParameterTable& picture_table() {
           .file("normals", &PictureForm::normals, read_image,
                 "Its relief as normals: red to the right, green up, blue outward.")
           .boolean("masked", &PictureForm::masked, "Cuts holes where the picture's alpha is below one half.")
+          .number("repeat_u", &PictureForm::repeat_u, kRepeat,
+                  "Pictures across a surface that is no stem; raised, smaller ones; negative, mirrored.")
+          .number("repeat_v", &PictureForm::repeat_v, kRepeat, "The same from its base to its tip.")
+          .number("shift_u", &PictureForm::shift_u, kShift, "By how many pictures they are moved across.")
+          .number("shift_v", &PictureForm::shift_v, kShift, "The same from base to tip.")
           .shorthand("colour");
   return table;
 }
@@ -187,6 +194,14 @@ const ParameterTable& texture_table() {
           .never_with("petal", {"picture"})
           .never_with("picture", {"pixels"});
   return table;
+}
+
+void lay_picture(const TextureForm& form, Mesh& mesh) {
+  if (!form.picture) return;
+  const PictureForm& picture = *form.picture;
+  const Vec2 repeat(picture.repeat_u, picture.repeat_v), shift(picture.shift_u, picture.shift_v);
+  if (repeat == Vec2(1) && shift == Vec2(0)) return;
+  for (Vec2& uv : mesh.uvs) uv = repeat * uv + shift;
 }
 
 std::shared_ptr<const Texture> make_texture(const TextureForm& form, const TextureShape& shape, Vec3 colour) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "meristem/base/mesh.h"
 #include "meristem/graph/asset.h"
 #include "meristem/graph/parameter.h"
 #include "meristem/shape/texture_recipe.h"
@@ -16,6 +17,10 @@ struct PictureForm {
   Asset<Image> colour;
   Asset<Image> normals;
   bool masked = false;  ///< the colour's alpha cuts holes
+  /// Pictures to one unit of u and of v, and by how many the picture is moved; of organs and surfaces, as stems have
+  /// their uv_scale.
+  double repeat_u = 1, repeat_v = 1;
+  double shift_u = 0, shift_v = 0;
 };
 
 /// At most one of the four kinds is given.
@@ -28,6 +33,9 @@ struct TextureForm {
 };
 
 const ParameterTable& texture_table();  ///< of TextureForm
+
+/// Lays the picture of a form, if it has one, on a mesh as it says.
+void lay_picture(const TextureForm& form, Mesh& mesh);
 
 /// The texture that a checked form means, null for an empty one; equal forms share it while it is in use. `shape` is
 /// what the component's uvs show, `colour` (sRGB) its mean.

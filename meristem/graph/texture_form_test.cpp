@@ -135,6 +135,23 @@ TEST(TextureForm, PicturesHaveTheirOwnMean) {
   EXPECT_EQ(masked->colour.pixel(1, 0)[3], 0);
 }
 
+TEST(TextureForm, PicturesAreLaidAsTheFormSays) {
+  TextureForm form;
+  Mesh mesh;
+  mesh.uvs = {{0, 0}, {1, 0.5F}};
+  const std::vector<Vec2> before = mesh.uvs;
+  lay_picture(form, mesh);
+  EXPECT_EQ(mesh.uvs, before);
+  form.picture = PictureForm{.colour = picture(255, 255)};
+  lay_picture(form, mesh);
+  EXPECT_EQ(mesh.uvs, before);
+  form.picture->repeat_u = 2;
+  form.picture->repeat_v = -1;
+  form.picture->shift_v = 0.25;
+  lay_picture(form, mesh);
+  EXPECT_EQ(mesh.uvs, (std::vector<Vec2>{{0, 0.25F}, {2, -0.25F}}));
+}
+
 TEST(TextureForm, PicturesOfTheSamePixelsShareATexture) {
   TextureForm one;
   one.picture = PictureForm{.colour = picture(100, 255)};

@@ -21,29 +21,44 @@ constexpr double kProportionSteps = 8;   // an octave
 constexpr double kStalkRadiusSteps = 2;  // an octave
 constexpr std::size_t kMostCorners = 500;
 
+/// What of a leaf's shape varies from instance to instance, rounded; for a length of 1.
+struct SharedNumbers {
+  double width, curl, curl_across, fold, petiole;
+  double petiole_radius = 1;  // without a stalk it must not tell shapes apart
+
+  explicit SharedNumbers(const LeafBlade& exact)
+      : width(to_octaves(exact.width / exact.length, kProportionSteps)),
+        curl(to_step(exact.curl, kShapeAngleStep)),
+        curl_across(to_step(exact.curl_across, kShapeAngleStep)),
+        fold(to_step(exact.fold, kShapeAngleStep)),
+        petiole(to_step(exact.petiole / exact.length, kStalkStep)) {
+    if (petiole > 0) petiole_radius = to_octaves(exact.petiole_radius / exact.length, kStalkRadiusSteps);
+  }
+};
+
 /// The shared blade, of length 1.
-LeafBlade shared_blade(const LeafBlade& exact) {
+LeafBlade shared_blade(const LeafBlade& exact, const SharedNumbers& numbers) {
   LeafBlade blade = exact;
   blade.length = 1;
-  blade.width = to_octaves(exact.width / exact.length, kProportionSteps);
-  blade.curl = to_step(exact.curl, kShapeAngleStep);
-  blade.curl_across = to_step(exact.curl_across, kShapeAngleStep);
-  blade.fold = to_step(exact.fold, kShapeAngleStep);
-  blade.petiole = to_step(exact.petiole / exact.length, kStalkStep);
-  // Without a stalk its radius must not tell shapes apart.
-  blade.petiole_radius = blade.petiole > 0 ? to_octaves(exact.petiole_radius / exact.length, kStalkRadiusSteps) : 1;
+  blade.width = numbers.width;
+  blade.curl = numbers.curl;
+  blade.curl_across = numbers.curl_across;
+  blade.fold = numbers.fold;
+  blade.petiole = numbers.petiole;
+  blade.petiole_radius = numbers.petiole_radius;
   return blade;
 }
 
 void expand(const Leaf& leaf, const Site&, Emitter& out) {
-  const LeafBlade blade = shared_blade(leaf.blade);
+  // Most leaves find a blade that is there already, and make none.
+  const SharedNumbers shared(leaf.blade);
   Frame frame;
   frame.axes *= static_cast<float>(leaf.blade.length);
-  frame.axes[0] *= static_cast<float>(leaf.blade.width / (leaf.blade.length * blade.width));
+  frame.axes[0] *= static_cast<float>(leaf.blade.width / (leaf.blade.length * shared.width));
   const std::uint64_t key =
-      shape_key({blade.width, blade.curl, blade.curl_across, blade.fold, blade.petiole, blade.petiole_radius,
-                 static_cast<double>(blade.rows), static_cast<double>(blade.across)});
-  out.organ(frame, key, [&] { return make_leaf_blade(blade); });
+      shape_key({shared.width, shared.curl, shared.curl_across, shared.fold, shared.petiole, shared.petiole_radius,
+                 static_cast<double>(leaf.blade.rows), static_cast<double>(leaf.blade.across)});
+  out.organ(frame, key, [&] { return make_leaf_blade(shared_blade(leaf.blade, shared)); });
 }
 
 void check_curve(const LeafBlade& blade, const Place& place, ParameterReader& reader) {

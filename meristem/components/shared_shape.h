@@ -15,7 +15,8 @@ inline double to_step(double value, double step) { return std::floor(value / ste
 
 /// To so many steps an octave; `value` is above 0.
 inline double to_octaves(double value, double steps) {
-  return math::pow(2, to_step(math::log(value) / math::log(2), 1 / steps));
+  static const double log_of_2 = math::log(2);
+  return math::pow(2, to_step(math::log(value) / log_of_2, 1 / steps));
 }
 
 }  // namespace meristem

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// Documents that grow after one another with one cache: the same bytes as without, and no more work than there must be.
+#include <filesystem>
+#include <fstream>
+#include <span>
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/hash.h"
+#include "meristem/components/registry.h"
+#include "meristem/document/grow.h"
+#include "meristem/document/models.h"
+#include "tests/support/build_graph.h"
+
+namespace meristem {
+namespace {
+
+constexpr const char* kTwoTrees = R"j({
+  "meristem": 1,
+  "variables": {"leafy": 30, "spread": 0.5, "thick": 8},
+  "components": {
+    "tree": {"type": "colonize", "crown": {"profile": [[0.2, 0.5], [1, 1], [0.2, 2]]}, "points": 500,
+             "step": 0.05, "influence": "spread", "kill": 0.15, "surface": {"sides": "thick"}},
+    "shrub": {"type": "colonize", "crown": {"profile": [[0.2, 0.3], [0.5, 0.5], [0.2, 1]]}, "points": 200,
+              "step": 0.05, "influence": 0.5, "kill": 0.15, "frame": {"translate": [1, 0, 0]}, "alone": false},
+    "leaf": {"type": "leaf", "length": "0.05*(1 + 0.3*gauss(0,1))", "curl": "20*rand(-1,1)"}
+  },
+  "links": [{"from": "tree", "to": "leaf", "kind": "branch", "density": "leafy", "angle_spread": 20}]
+})j";
+
+Document read(const std::string& text, const std::vector<std::string>& overrides = {},
+              const std::string& file = "test.json") {
+  std::vector<Override> parsed;
+  for (const std::string& each : overrides) parsed.push_back(parse_override(each));
+  return read_document(text, file, builtin_components(), parsed);
+}
+
+template <class T>
+void append(std::vector<std::byte>& bytes, const std::vector<T>& values) {
+  const auto more = std::as_bytes(std::span(values));
+  bytes.insert(bytes.end(), more.begin(), more.end());
+}
+
+/// Of the plant, and of every vertex, index, placement and tint of its meshes.
+std::string hash_of(const GrownDocument& grown) {
+  std::vector<std::byte> bytes;
+  for (const MeshInstances& instances : grown.meshes.meshes) {
+    append(bytes, std::vector<char>(instances.component.begin(), instances.component.end()));
+    append(bytes, std::vector<std::uint32_t>{instances.material});
+    append(bytes, instances.mesh->positions);
+    append(bytes, instances.mesh->normals);
+    append(bytes, instances.mesh->uvs);
+    append(bytes, instances.mesh->tangents);
+    append(bytes, instances.mesh->triangles);
+    append(bytes, instances.frames);
+    append(bytes, instances.tints);
+  }
+  for (const Material& material : grown.meshes.materials) append(bytes, std::vector<Vec3>{material.colour});
+  return hash_of(grown.plant) + hash128_hex(bytes);
+}
+
+GrownDocument grow(const Document& document, GrowthCache* cache = nullptr, double time = 0) {
+  Progress progress;
+  return grow_document(document, progress, time, {}, cache);
+}
+
+/// Grows the two trees, then with a change, which must give what it gives without a cache.
+struct Changed {
+  GrowthCache cache;
+
+  explicit Changed(const std::string& change) {
+    grow(read(kTwoTrees), &cache);
+    const Document document = read(kTwoTrees, {change});
+    EXPECT_EQ(hash_of(grow(document, &cache)), hash_of(grow(document))) << change;
+  }
+};
+
+TEST(GrowthCache, EditingLeavesNeitherGrowsTreesNorClothesThem) {
+  for (const char* change : {"leafy=40", "leaf.length=0.1", "leaf.colour=\"#aabbcc\"", "links[0].angle=20"}) {
+    const Changed changed(change);
+    EXPECT_EQ(changed.cache.expansion.grown().made, 0U) << change;
+    EXPECT_EQ(changed.cache.expansion.grown().reused, 2U) << change;
+    EXPECT_EQ(changed.cache.meshes.stems().made, 0U) << change;
+  }
+}
+
+TEST(GrowthCache, LooksOfATreeDoNotGrowItAnew) {
+  for (const char* change : {"thick=5", "tree.colour=\"#aabbcc\"", "tree.surface.smooth=1", "tree.hidden=true",
+                             "tree.shed=\"height < 1 && radius < 0.004\""}) {
+    EXPECT_EQ(Changed(change).cache.expansion.grown().made, 0U) << change;
+  }
+}
+
+TEST(GrowthCache, WhatCompetesGrowsAnewTogether) {
+  for (const char* change : {"spread=0.4", "tree.points=400", "shrub.frame.translate[0]=1.2", "seed=3"}) {
+    EXPECT_EQ(Changed(change).cache.expansion.grown().made, 2U) << change;
+  }
+  std::string text = kTwoTrees;
+  text.replace(text.find("\"alone\": false"), 14, "\"alone\": true");
+  GrowthCache cache;
+  grow(read(text), &cache);
+  EXPECT_EQ(cache.expansion.grown().made, 2U);
+  grow(read(text, {"spread=0.4"}), &cache);
+  EXPECT_EQ(cache.expansion.grown().made, 1U);
+}
+
+TEST(GrowthCache, TheSceneAndItsVariablesGrowAllAnew) {
+  std::string text = kTwoTrees;
+  text.replace(text.find("\"leafy\""), 0, "\"north\": 48, ");
+  text.insert(text.find("\"components\""),
+              "\"scene\": {\"latitude\": \"north\", \"sun\": {\"day\": 172, \"hour\": 10}}, ");
+  GrowthCache cache;
+  grow(read(text), &cache);
+  const Document changed = read(text, {"north=60"});
+  EXPECT_EQ(hash_of(grow(changed, &cache)), hash_of(grow(changed)));
+  EXPECT_EQ(cache.expansion.grown().made, 2U);
+  EXPECT_EQ(cache.expansion.instances().reused, 0U);
+}
+
+/// A folder that goes when the test ends.
+struct Folder {
+  std::filesystem::path path = std::filesystem::temp_directory_path() / "meristem_growth_cache_test";
+
+  Folder() { std::filesystem::create_directories(path); }
+  ~Folder() { std::filesystem::remove_all(path); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  void write(const std::string& name, const std::string& text) const { std::ofstream(path / name) << text; }
+};
+
+TEST(GrowthCache, WhatStandsInFilesCountsNotTheirNames) {
+  const Folder folder;
+  folder.write("plant.l", "#axiom A\n#rules\nA -> F[+A]F\n");
+  const std::string text =
+      R"j({"meristem": 1, "components": {"weed": {"type": "lsystem", "file": "plant.l", "steps": 3}}})j";
+  const std::string file = (folder.path / "weed.json").string();
+  GrowthCache cache;
+  const std::string first = hash_of(grow(read(text, {}, file), &cache));
+  EXPECT_EQ(hash_of(grow(read(text, {}, file), &cache)), first);
+  EXPECT_EQ(cache.expansion.instances().made, 0U);
+  folder.write("plant.l", "#axiom A\n#rules\nA -> F[-A]F\n");
+  const std::string second = hash_of(grow(read(text, {}, file), &cache));
+  EXPECT_NE(second, first);
+  EXPECT_EQ(second, hash_of(grow(read(text, {}, file))));
+}
+
+TEST(GrowthCache, TexturesStayInUseBetweenGrowths) {
+  const std::string text = R"j({"meristem": 1, "components": {"leaf": {"type": "leaf",
+    "texture": {"leaf": {"veins": "pinnate"}, "pixels": 32}}}})j";
+  GrowthCache cache;
+  const Texture* const first = grow(read(text), &cache).meshes.materials.at(0).texture.get();
+  EXPECT_EQ(grow(read(text), &cache).meshes.materials.at(0).texture.get(), first);
+}
+
+TEST(GrowthCache, ModelsGiveTheSameBytesWhateverChangesBefore) {
+  for (const char* model : {"mint", "fern", "low-poly-shrub"}) {
+    const std::string file = model_path(std::string(MERISTEM_SOURCE_DIR) + "/models", model);
+    const std::string text = read_text_file(file);
+    GrowthCache cache;
+    for (const Variable& variable : read(text, {}, file).variables) {
+      for (const double share : {0.6}) {
+        const double value = variable.min + share * (variable.max - variable.min);
+        const Document document = read(text, {variable.name + "=" + std::to_string(value)}, file);
+        EXPECT_EQ(hash_of(grow(document, &cache)), hash_of(grow(document))) << model << " " << variable.name;
+      }
+    }
+    const Document document = read(text, {}, file);
+    for (const double time : {0.0, 1.0}) {
+      EXPECT_EQ(hash_of(grow(document, &cache, time)), hash_of(grow(document, nullptr, time))) << model;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace meristem

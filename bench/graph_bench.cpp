@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Documents from text to meshes. `edit`: one variable of a plant of about 200,000 triangles changes, with a cache;
+// Documents from text to meshes. `edit`: one number of a plant of about 200,000 triangles changes, with a cache;
 // counters tell which share of the instances and of the stems was made anew, and `to_cold`, the time without a cache
-// over ours in the same run. `six_levels`: a crown of more than 5 million triangles, expanded, and in `whole_process`
-// grown and written to an instanced GLB by a process of its own; its peak memory beside the bytes of its distinct
-// meshes, and what all instances would take as triangles of their own.
+// over ours in the same run. `maple`: the large maple of more than 5 million triangles, expanded, and in
+// `whole_process` grown and written to an instanced GLB by a process of its own; its peak memory beside the bytes of
+// its distinct meshes, and what all instances would take as triangles of their own.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -34,7 +34,7 @@ using meristem::Override;
 using meristem::Progress;
 using meristem::Reuse;
 
-const std::string kSixLevels = std::string(MERISTEM_SOURCE_DIR) + "/bench/six_levels.json";
+const std::string kMaple = std::string(MERISTEM_SOURCE_DIR) + "/models/large-maple.json";  // of six levels
 const std::string kOak = std::string(MERISTEM_SOURCE_DIR) + "/models/oak.json";
 
 Document read(const std::string& file, const std::vector<Override>& overrides = {}) {
@@ -85,13 +85,13 @@ class Times {
   double processor_ = 1e9;
 };
 
-/// One variable changes at every step, by a little; everything from the document's text to the meshes.
-void edit(benchmark::State& state, const std::string& file, std::vector<Override> overrides, const char* variable,
+/// One number changes at every step, by a little; everything from the document's text to the meshes.
+void edit(benchmark::State& state, const std::string& file, std::vector<Override> overrides, const char* path,
           double value) {
   Progress progress;
   GrowthCache cache;
   GrownDocument grown;
-  overrides.push_back({.path = variable, .value = value, .name = {}});
+  overrides.push_back({.path = path, .value = value, .name = {}});
   const auto grow = [&](int step, GrowthCache* with) {
     overrides.back().value = value * (1 + 0.001 * step);
     const Document document = read(file, overrides);
@@ -115,20 +115,20 @@ void edit(benchmark::State& state, const std::string& file, std::vector<Override
   state.counters["cache_mb"] = 1e-6 * static_cast<double>(cache.bytes());
 }
 
-/// About a thirtieth of the crown.
-const std::vector<Override> kSmall = {{.path = "fullness", .value = 0.315, .name = {}}};
+/// One limb of the crown.
+const std::vector<Override> kOneLimb = {{.path = "trunk.count", .value = 1, .name = {}}};
 
-void edit_leaves(benchmark::State& state) { edit(state, kSixLevels, kSmall, "leaf_curl", 25); }
-void edit_shoots(benchmark::State& state) { edit(state, kSixLevels, kSmall, "shoot_length", 0.16); }
-void edit_trunk(benchmark::State& state) { edit(state, kSixLevels, kSmall, "trunk_length", 9); }
+void edit_leaves(benchmark::State& state) { edit(state, kMaple, kOneLimb, "leaf.curl", 25); }
+void edit_shoots(benchmark::State& state) { edit(state, kMaple, kOneLimb, "shoot.radius", 0.0024); }
+void edit_trunk(benchmark::State& state) { edit(state, kMaple, kOneLimb, "tree_height", 21); }
 void edit_leaves_of_grown_oak(benchmark::State& state) { edit(state, kOak, {}, "leafiness", 1); }
 BENCHMARK(edit_leaves)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(edit_shoots)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(edit_trunk)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(edit_leaves_of_grown_oak)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-void six_levels_expanded(benchmark::State& state) {
-  const Document document = read(kSixLevels);
+void maple_expanded(benchmark::State& state) {
+  const Document document = read(kMaple);
   Progress progress;
   meristem::Plant plant;
   Times times;
@@ -139,10 +139,10 @@ void six_levels_expanded(benchmark::State& state) {
   state.counters["organs"] = static_cast<double>(plant.organs.size());
   state.counters["nodes"] = static_cast<double>(plant.node_count());
 }
-BENCHMARK(six_levels_expanded)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(maple_expanded)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-void six_levels_meshed(benchmark::State& state) {
-  const Document document = read(kSixLevels);
+void maple_meshed(benchmark::State& state) {
+  const Document document = read(kMaple);
   Progress progress;
   const meristem::Plant plant = expand(document.graph, document.structure, document.scene, 0, progress);
   meristem::MeshScene meshes;
@@ -151,13 +151,13 @@ void six_levels_meshed(benchmark::State& state) {
   times.tell(state);
   state.counters["triangles"] = static_cast<double>(meshes.triangle_count());
 }
-BENCHMARK(six_levels_meshed)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(maple_meshed)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-void six_levels_written(benchmark::State& state) {
-  const Document document = read(kSixLevels);
+void maple_written(benchmark::State& state) {
+  const Document document = read(kMaple);
   Progress progress;
   const GrownDocument grown = grow_document(document, progress);
-  const std::string path = std::filesystem::temp_directory_path() / "six_levels_written.glb";
+  const std::string path = std::filesystem::temp_directory_path() / "maple_written.glb";
   Times times;
   for (auto _ : state) {
     times.measure([&] { write_glb(grown.meshes, path, {.instanced = true, .provenance = {}}, progress); });
@@ -166,19 +166,19 @@ void six_levels_written(benchmark::State& state) {
   state.counters["file_mb"] = 1e-6 * static_cast<double>(std::filesystem::file_size(path));
   std::filesystem::remove(path);
 }
-BENCHMARK(six_levels_written)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(maple_written)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// What the process of its own does.
 int grow_and_write(const char* path) {
   Progress progress;
-  const Document document = read(kSixLevels);
+  const Document document = read(kMaple);
   const GrownDocument grown = grow_document(document, progress);
   write_glb(grown.meshes, path, {.instanced = true, .provenance = {}}, progress);
   return 0;
 }
 
-void six_levels_whole_process(benchmark::State& state) {
-  const std::string path = std::filesystem::temp_directory_path() / "six_levels_whole_process.glb";
+void maple_whole_process(benchmark::State& state) {
+  const std::string path = std::filesystem::temp_directory_path() / "maple_whole_process.glb";
   Times times;
   double processor = 1e9;
   double peak = 0;
@@ -199,7 +199,7 @@ void six_levels_whole_process(benchmark::State& state) {
   }
   std::filesystem::remove(path);
   Progress progress;
-  const GrownDocument grown = grow_document(read(kSixLevels), progress);
+  const GrownDocument grown = grow_document(read(kMaple), progress);
   double distinct = 0;
   double flat = 0;
   for (const meristem::MeshInstances& instances : grown.meshes.meshes) {
@@ -211,7 +211,7 @@ void six_levels_whole_process(benchmark::State& state) {
   state.counters["meshes_mb"] = 1e-6 * distinct;
   state.counters["flat_mb"] = 1e-6 * flat;
 }
-BENCHMARK(six_levels_whole_process)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(maple_whole_process)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/components/tree.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -243,6 +244,20 @@ TEST(Tree, ComplementaryExceptionsGiveTwoKindsOfChildAtTheSamePlaces) {
     EXPECT_EQ(frame.origin, whole[k].frame.origin) << k;
     EXPECT_LT(glm::distance(glm::normalize(frame.heading()), glm::normalize(whole[k].frame.heading())), 1e-5F);
   }
+}
+
+TEST(Tree, AStemThatGoesOnAtATipBeginsAsThickAsItsTaperSays) {
+  // The lower one ends with 0.03; the upper one takes that on and ends with 0.0045.
+  GraphBuilder builder = trunk({{"radius", 0.2}});
+  builder.component("top", "tree", {{"length", 0.3}, {"radius", "radius"}, {"segments", 6}}).link("trunk", "top");
+  Progress progress;
+  const MeshScene scene = make_mesh_scene(builder.grow(), {}, progress);
+  float widest = 0;
+  for (const MeshInstances& instances : scene.meshes) {
+    if (instances.component != "top") continue;
+    for (const Vec3 place : instances.mesh->positions) widest = std::max(widest, glm::length(Vec2(place.x, place.z)));
+  }
+  EXPECT_NEAR(widest, 0.03, 0.0005);
 }
 
 TEST(Tree, TooManyBranchesOfItsOwnAreStoppedAtTheTree) {

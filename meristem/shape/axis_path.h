@@ -24,14 +24,14 @@ struct AxisPath {
   std::span<const float> radii;  ///< by node of the skeleton
   std::span<const NodeIndex> nodes;
   NodeIndex mother = kNoNode;
+  float base_radius = 0;  ///< with which it begins
 
   bool is_lateral() const { return mother != kNoNode; }
   std::size_t size() const { return nodes.empty() ? 0 : nodes.size() + (is_lateral() ? 1 : 0); }
   /// The node at point i; 0 is the mother of a lateral axis.
   NodeIndex node(std::size_t i) const { return is_lateral() ? (i == 0 ? mother : nodes[i - 1]) : nodes[i]; }
   Vec3 position(std::size_t i) const { return skeleton->position[node(i)]; }
-  /// A lateral begins with its own first node's radius.
-  float radius(std::size_t i) const { return std::max(radii[i == 0 ? nodes[0] : node(i)], kThinnestTube); }
+  float radius(std::size_t i) const { return std::max(i == 0 ? base_radius : radii[node(i)], kThinnestTube); }
   /// The direction from point i to the next, or `fallback` where they coincide.
   Vec3 direction(std::size_t i, Vec3 fallback) const { return unit_or(position(i + 1) - position(i), fallback); }
 };

@@ -8,6 +8,7 @@
 namespace meristem {
 namespace {
 
+constexpr float kRunsOn = 0.94F;  // cosine of the angle, 20 degrees, up to which one axis goes on another
 constexpr float kCosSharpestMitre = 0.25881905F;     // 75 degrees
 constexpr float kCosSharpestFanOfTwo = -0.8660254F;  // 150 degrees
 constexpr float kHidden = 0.95F;           // of the mother's inner radius that a lateral's first ring may fill
@@ -72,7 +73,33 @@ TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::v
 
 AxisPath TubePlan::path(AxisIndex axis) const {
   const auto nodes = std::span(kept_).subspan(axes_.first[axis], kept_count_[axis]);
-  return {skeleton_, radii_, nodes, nodes.empty() ? kNoNode : skeleton_->parent[nodes[0]]};
+  if (nodes.empty()) return {skeleton_, radii_, nodes};
+  return {skeleton_, radii_, nodes, skeleton_->parent[nodes[0]], base_radius(axis)};
+}
+
+/// A lateral begins with its own first node's radius, for its base lies within its mother. One that goes on where she
+/// ends shows it, and begins as thick as its taper says, but no thicker than her tip.
+float TubePlan::base_radius(AxisIndex axis) const {
+  const std::span<const NodeIndex> nodes = axes_.of(axis);
+  const float first = radii_[nodes[0]];
+  const NodeIndex mother = skeleton_->parent[nodes[0]];
+  if (nodes.size() < 2 || !goes_on(axis)) return first;
+  const float before = glm::distance(skeleton_->position[nodes[0]], skeleton_->position[mother]);
+  const float after = glm::distance(skeleton_->position[nodes[1]], skeleton_->position[nodes[0]]);
+  const float fallen = after > 0 ? (skeleton_->radius[nodes[0]] - skeleton_->radius[nodes[1]]) * before / after : 0;
+  return std::clamp(first + fallen, first, std::max(first, skeleton_->radius[mother]));
+}
+
+/// Whether an axis begins at the tip of another and runs on in her direction, or nearly so.
+bool TubePlan::goes_on(AxisIndex axis) const {
+  const NodeIndex first = axes_.of(axis)[0];
+  const NodeIndex mother = skeleton_->parent[first];
+  if (mother == kNoNode || axes_.of(skeleton_->axis[mother]).back() != mother) return false;
+  const NodeIndex before = skeleton_->parent[mother];
+  if (before == kNoNode) return false;
+  const Vec3 hers = unit_or(skeleton_->position[mother] - skeleton_->position[before], Vec3(0));
+  const Vec3 own = unit_or(skeleton_->position[first] - skeleton_->position[mother], Vec3(0));
+  return glm::dot(hers, own) > kRunsOn;
 }
 
 float TubePlan::roundness(std::size_t axis) const {
@@ -193,6 +220,8 @@ void TubePlan::plan_start(const AxisPath& points, AxisPlan& plan, AxisIndex axis
     if (flares) plan.flare_rings = AxisPlan::kFlareRings;
     return;
   }
+  // What goes on where its mother ends, and is no thicker than she is there, needs no place inside her.
+  if (goes_on(axis) && plan.start_radius <= radii_[points.mother]) return;
   const float hollow = roundness(skeleton_->axis[points.mother]);
   const bool is_round = plan.sides >= kRoundCollar;
   if (surface(axis).collar > 0 && is_round && kLeastCollar * plan.start_radius > hollow) {

@@ -75,6 +75,8 @@ class TubePlan {
   std::size_t wear(std::size_t axis) const { return wear_of_axis_.empty() ? 0 : wear_of_axis_[axis]; }
   /// How far the flats of an axis's tube may lie below its bark, at most.
   float roundness(std::size_t axis) const;
+  float base_radius(AxisIndex axis) const;
+  bool goes_on(AxisIndex axis) const;
   void smooth_radii(AxisIndex axis);
   void choose_rings(AxisIndex axis);
   bool is_straight(std::span<const NodeIndex> nodes, std::size_t from, std::size_t to, float error) const;

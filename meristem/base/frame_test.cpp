@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/base/frame.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -82,12 +83,13 @@ TEST(RotationBetween, IsARotationForEqualNearlyOppositeAndOppositeVectors) {
 TEST(RotationToward, ClosesItsShareOfTheAngle) {
   const Vec3 from = glm::normalize(Vec3(1, 0.2F, -0.4F));
   const Vec3 to = glm::normalize(Vec3(-0.3F, 1, 0.5F));
-  const double whole = std::acos(glm::dot(from, to));
+  const auto angle = [](Vec3 a, Vec3 b) { return std::acos(std::clamp(glm::dot(a, b), -1.0F, 1.0F)); };
+  const double whole = angle(from, to);
   for (const double share : {0.0, 0.3, 1.0}) {
     const Vec3 turned = rotation_toward(from, to, share, kUp) * from;
-    EXPECT_NEAR(std::acos(glm::dot(turned, to)), (1 - share) * whole, 1e-3);
+    EXPECT_NEAR(angle(turned, to), (1 - share) * whole, 1e-3);
     const Vec3 away = rotation_toward(from, to, -share, kUp) * from;
-    EXPECT_NEAR(std::acos(glm::dot(away, -to)), (1 - share) * (kPi - whole), 1e-3);
+    EXPECT_NEAR(angle(away, -to), (1 - share) * (kPi - whole), 1e-3);
   }
   EXPECT_LT(glm::distance(rotation_toward(kUp, -kUp, 0.5, {1, 0, 0}) * kUp, Vec3(0, 0, 1)), 1e-6F);
 }

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "meristem/base/math.h"
 #include "meristem/components/registry.h"
+#include "meristem/components/shared_shape.h"
 #include "tests/support/build_graph.h"
 #include "tests/support/check_mesh.h"
 
@@ -175,6 +177,13 @@ TEST(Simple, TropismsTurnItsHeadingAndWhatStandsOnIt) {
   const Plant plant = builder.link("view", "post").link("post", "top").grow();
   for (const char* id : {"post", "top"}) {
     EXPECT_NEAR(organs_of(plant, id).at(0).frame.heading().y, 0, 1e-6F) << id;
+  }
+}
+
+TEST(Leaf, ShapesAreRoundedToPowersThatAreLookedUpOrNot) {
+  for (int k = -400; k <= 400; ++k) {
+    EXPECT_EQ(power_of_2(k / 8.0), math::pow(2, k / 8.0)) << k;
+    EXPECT_EQ(power_of_2(k / 7.0), math::pow(2, k / 7.0)) << k;
   }
 }
 

@@ -146,8 +146,14 @@ void PlantAssembly::add_surfaces(ComponentIndex component, std::uint32_t materia
 }
 
 std::vector<Stem> PlantAssembly::joined_stems(const std::vector<std::uint32_t>& material_of_component) const {
+  std::size_t count = 0;
+  for (const Made& made : batches_) {
+    for (const Emitted& block : made.result->blocks) count += block.stems.size();
+  }
   std::vector<LooseStem> stems;
+  stems.reserve(count);
   std::unordered_map<std::uint64_t, std::uint32_t> number_of_stem;  // by id
+  number_of_stem.reserve(count);
   std::vector<std::uint32_t> instances(batches_of_.size(), 0);
   const auto mother_of = [&](const EmittedStem& stem) {
     const auto found = number_of_stem.find(stem.site.stem);

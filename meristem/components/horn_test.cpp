@@ -194,7 +194,8 @@ TEST(Horn, FaultsAreLocated) {
     return faults.size() == 1 ? faults[0].path : "not one fault";
   };
   EXPECT_EQ(path_of({{"section", "outline"}}), "components.horn.outline");
-  EXPECT_EQ(path_of({{"section", "outline"}, {"outline", Value::List{Value::List{0, 0}}}}), "components.horn.outline");
+  EXPECT_EQ(path_of({{"section", "outline"}, {"outline", Value::List{Value(Value::List{0, 0})}}}),
+            "components.horn.outline");
   EXPECT_EQ(path_of({{"outline", square()}}), "components.horn.outline");
   EXPECT_EQ(path_of({{"axis", Value::List{Value::List{0, 1, 0}, Value::List{0, 1, 0}}}}), "components.horn.axis[1]");
   EXPECT_EQ(path_of({{"ribs", 0}}), "components.horn.ribs");

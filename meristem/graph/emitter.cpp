@@ -101,6 +101,7 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   section_ = 0;
   has_child_sites_ = false;
   stems_of_instance_ = 0;
+  expected_ = 0;
   first_child_ = child_sites.size();
   first_branch_ = branch_sites.size();
   first_named_ = named_sites.size();
@@ -283,7 +284,8 @@ std::vector<double> Emitter::per_child(const PerChild& number, std::uint32_t cou
   return values;
 }
 
-void Emitter::expect_children(std::uint64_t count) const {
+void Emitter::expect_children(std::uint64_t count) {
+  expected_ = count;
   const std::uint64_t limit = context_->limits.instances;
   if (context_->instances.load(std::memory_order_relaxed) + count > limit) throw_too_many_children();
 }
@@ -297,10 +299,12 @@ void Emitter::count_sites() {
 
 void Emitter::throw_too_many_children() const {
   const std::uint64_t limit = context_->limits.instances;
-  const std::string parents =
-      context_->together == 1 ? "" : fmt::format(", of which there are {},", context_->together);
-  throw_past(fmt::format("'{}'{} offers places to more than {} instances", context_->component, parents, limit), limit,
-             "instances", context_->multiplier);
+  // Where instances differ, which of them is one too many is a matter of threads.
+  std::string who = fmt::format("'{}'", context_->component);
+  if (context_->together > 1) who = fmt::format("{} times {}", context_->together, who);
+  if (context_->is_uniform && expected_ > 0) who += fmt::format(" with {} children", expected_);
+  throw_past(fmt::format("{} offers places to more than {} instances", who, limit), limit, "instances",
+             context_->multiplier);
 }
 
 void Emitter::count_nodes(std::uint64_t more) {

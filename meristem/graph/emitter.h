@@ -98,6 +98,7 @@ struct EmitterContext {
   const std::string& component;  ///< id, for errors
   std::string multiplier;        ///< document path of what multiplies the children, for errors
   std::uint64_t together = 1;    ///< instances that are expanded together
+  bool is_uniform = true;        ///< nothing that the document says differs between them
   double time = 0;               ///< seconds
   const Tinting& tinting;        ///< of the instances
   const TextureForm& texture;    ///< of the instances
@@ -171,7 +172,7 @@ class Emitter : private Emitted {
   std::vector<double> per_child(const PerChild& number, std::uint32_t count) const;
   /// Says that `count` places will be offered, before anything is made for them. Throws InputError where they are more
   /// than may be.
-  void expect_children(std::uint64_t count) const;
+  void expect_children(std::uint64_t count);
   /// A place for the children of branch links where it differs from those of child links. Without a call, and for
   /// components that make no stems, these stand where the children of child links do.
   void branch_site(const Frame& local, float u, float length, float radius);
@@ -229,6 +230,7 @@ class Emitter : private Emitted {
   std::size_t first_named_ = 0;
   std::uint32_t stems_of_instance_ = 0;
   std::uint64_t uncounted_ = 0;  // sites not yet in the context's count
+  std::uint64_t expected_ = 0;   // children of the present instance, where it has said so
   std::unordered_map<std::uint64_t, std::uint32_t> prototype_by_key_;
   std::unordered_map<std::uint64_t, std::shared_ptr<const SectionOutline>> outline_by_key_;
   std::vector<Skeleton> grown_;

@@ -274,6 +274,7 @@ class Expansion {
                            .component = prototype.id,
                            .multiplier = links_.multiplier(batch.component, links),
                            .together = sites.size(),
+                           .is_uniform = prototype.varyings.empty(),
                            .time = time_,
                            .tinting = tinting,
                            .texture = prototype.base().texture,

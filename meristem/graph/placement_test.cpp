@@ -393,7 +393,7 @@ TEST(Placement, ALinkOverridesWhatItIsGiven) {
 }
 
 TEST(Placement, EveryKeyCanOverride) {
-  const Value::Object curve{{"curve", Value::List{Value::List{0, 3}}}};
+  const Value::Object curve{{"curve", Value::List{Value(Value::List{0, 3})}}};
   const Value::Object keys{{"density", 3},  {"where", "1"},    {"whorl", 2},     {"divergence", 9},
                            {"roll", 9},     {"angle", 9},      {"angle_tip", 8}, {"angle_spread", 9},
                            {"size", curve}, {"spread", curve}, {"droop", 0.5},   {"face_light", 0.5},

@@ -33,6 +33,24 @@ bool has_visible_stems(const std::vector<const BatchResult*>& batches) {
   return false;
 }
 
+/// Counts the pixels of textures. What materials share counts once.
+class PixelCount {
+ public:
+  /// Throws where the material's texture is one too many.
+  void add(const Material& material, const Limits& limits) {
+    if (material.texture == nullptr || !textures_.insert(material.texture.get()).second) return;
+    const Image& colour = material.texture->colour;
+    pixels_ += static_cast<std::uint64_t>(colour.width) * static_cast<std::uint64_t>(colour.height);
+    if (pixels_ <= limits.texture_pixels) return;
+    throw_limit("pixels of textures", static_cast<double>(pixels_), limits.texture_pixels, "texture_pixels",
+                fmt::format("components.{}.texture", material.name));
+  }
+
+ private:
+  std::set<const Texture*> textures_;  // only asked, never walked: addresses have no order to rely on
+  std::uint64_t pixels_ = 0;
+};
+
 /// One block's organs, on their way into the plant.
 struct OrgansOfBlock {
   const Emitted* block = nullptr;
@@ -51,9 +69,11 @@ Plant PlantAssembly::run(std::uint64_t mesh_bytes, Progress& progress) const {
   const std::vector<Surfaces> surfaces = join_surfaces(mesh_bytes, progress);
   Plant plant;
   std::vector<std::uint32_t> material_of_component(batches_of_.size(), 0);
+  PixelCount pixels;
   for (ComponentIndex c = 0; c < batches_of_.size(); ++c) {
     progress.check();
     const std::uint32_t material = material_of_component[c] = add_materials(c, surfaces[c], plant);
+    for (std::size_t k = material; k < plant.materials.size(); ++k) pixels.add(plant.materials[k], graph_.limits);
     add_organs(c, material, plant);
     add_surfaces(c, material, surfaces[c], plant);
   }
@@ -83,24 +103,9 @@ std::uint32_t PlantAssembly::add_materials(ComponentIndex component, const Surfa
   if (has_visible_stems(batches) || has_prototypes(batches, false) || !surfaces.empty()) {
     plant.materials.push_back(material_of(graph_.components[component]));
     if (std::ranges::any_of(surfaces, &SurfacePiece::is_open)) plant.materials.back().two_sided = true;
-    check_pixels(plant.materials);
   }
   if (has_prototypes(batches, true)) plant.materials.push_back(blades_of(graph_.components[component]));
   return first;
-}
-
-/// Throws where the last material's texture is one too many. What materials share counts once.
-void PlantAssembly::check_pixels(const std::vector<Material>& materials) const {
-  std::set<const Texture*> textures;  // only asked, never walked: addresses have no order to rely on
-  std::uint64_t pixels = 0;
-  for (const Material& material : materials) {
-    if (material.texture == nullptr || !textures.insert(material.texture.get()).second) continue;
-    const Image& colour = material.texture->colour;
-    pixels += static_cast<std::uint64_t>(colour.width) * static_cast<std::uint64_t>(colour.height);
-  }
-  if (pixels <= graph_.limits.texture_pixels) return;
-  throw_limit("pixels of textures", static_cast<double>(pixels), graph_.limits.texture_pixels, "texture_pixels",
-              fmt::format("components.{}.texture", materials.back().name));
 }
 
 /// Blocks keep their order; what has one key is one prototype.

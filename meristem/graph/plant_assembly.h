@@ -40,7 +40,6 @@ class PlantAssembly {
   void add_organs(ComponentIndex component, std::uint32_t material, Plant& plant) const;
   void add_surfaces(ComponentIndex component, std::uint32_t material, const Surfaces& surfaces, Plant& plant) const;
   std::vector<Stem> joined_stems(const std::vector<std::uint32_t>& material_of_component) const;
-  void check_pixels(const std::vector<Material>& materials) const;
 
   const Graph& graph_;
   std::vector<Made> batches_;

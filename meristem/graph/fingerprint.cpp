@@ -74,7 +74,7 @@ std::optional<std::uint64_t> fingerprint_of(const Value& value, std::span<const 
   for (const std::string& file : files) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
-    fingerprint.add_text(file).add_text(read_file(file, file_bytes));
+    fingerprint.add_text(file).add(hash64(read_file(file, file_bytes)));
   }
   return fingerprint.hash();
 }

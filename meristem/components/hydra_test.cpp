@@ -87,6 +87,18 @@ TEST(Hydra, AThousandMillionChildrenAreStopped) {
             "expected at most 20000000 (limits.instances)");
 }
 
+TEST(Hydra, TheProductThatExplodedIsNamed) {
+  GraphBuilder builder(builtin_components());
+  builder.component("view", "camera").component("stars", "hydra", {{"number", 3000}});
+  builder.component("star", "hydra", {{"number", 30000}}).component("ray", "simple");
+  builder.link("view", "stars").link("stars", "star").link("star", "ray");
+  const std::vector<Diagnostic> faults = faults_of([&] { builder.grow(); });
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].text(),
+            "components.star: 3000 instances of 'star' with 30000 children each offer places to more than 20000000 "
+            "instances; expected at most 20000000 (limits.instances)");
+}
+
 TEST(Hydra, WithoutANumberHasNoChildren) {
   EXPECT_TRUE(rays({{"number", 0}}).empty());
   EXPECT_TRUE(rays({{"number", 0}, {"angle", "40 + 10 * rand()"}, {"radius", Value::List{0, 1}}}).empty());

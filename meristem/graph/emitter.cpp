@@ -300,11 +300,13 @@ void Emitter::count_sites() {
 void Emitter::throw_too_many_children() const {
   const std::uint64_t limit = context_->limits.instances;
   // Where instances differ, which of them is one too many is a matter of threads.
+  const bool is_one = context_->together == 1;
   std::string who = fmt::format("'{}'", context_->component);
-  if (context_->together > 1) who = fmt::format("{} times {}", context_->together, who);
-  if (context_->is_uniform && expected_ > 0) who += fmt::format(" with {} children", expected_);
-  throw_past(fmt::format("{} offers places to more than {} instances", who, limit), limit, "instances",
-             context_->multiplier);
+  if (!is_one) who = fmt::format("{} instances of {}", context_->together, who);
+  if (context_->is_uniform && expected_ > 0)
+    who += fmt::format(" with {} children{}", expected_, is_one ? "" : " each");
+  throw_past(fmt::format("{} {} places to more than {} instances", who, is_one ? "offers" : "offer", limit), limit,
+             "instances", context_->multiplier);
 }
 
 void Emitter::count_nodes(std::uint64_t more) {

@@ -260,6 +260,16 @@ TEST(Tree, AStemThatGoesOnAtATipBeginsAsThickAsItsTaperSays) {
   EXPECT_NEAR(widest, 0.03, 0.0005);
 }
 
+TEST(Tree, LinksWithKeysDrawPlacesOfTheirOwn) {
+  GraphBuilder builder = trunk({{"count", 20}}).component("one", "simple").component("two", "simple");
+  builder.link("trunk", "one", LinkKind::branch, {{"angle", 50}})
+      .link("trunk", "two", LinkKind::branch, {{"angle", 50}});
+  const Plant plant = builder.grow();
+  const std::vector<Organ> one = organs_of(plant, "one"), two = organs_of(plant, "two");
+  ASSERT_EQ(one.size(), two.size());
+  EXPECT_NE(one[0].frame.origin, two[0].frame.origin);
+}
+
 TEST(Tree, TooManyBranchesOfItsOwnAreStoppedAtTheTree) {
   GraphBuilder builder = trunk({{"count", 1e9}}).component("cone", "simple");
   const std::vector<Diagnostic> faults = faults_of([&] { builder.link("trunk", "cone", LinkKind::branch).grow(); });

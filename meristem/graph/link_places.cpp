@@ -101,11 +101,13 @@ class LinkPlaces::Writer {
     context.stem = stem.id();
     if (!stem.branching) return add_all(place_along(stem.skeleton, link_.placement, context));
     // A stem's own branching, but for the keys that the link gives.
-    context.places = key_of_places(stem.site.key);
     if (!(link_.placement.density || link_.placement.count)) {
       context.path = "components." + all_.graph_.components[link_.from].id;
     }
-    if (link_.given.empty()) return add_all(place_along(stem.skeleton, *stem.branching, context));
+    if (link_.given.empty()) {
+      context.places = key_of_places(stem.site.key);
+      return add_all(place_along(stem.skeleton, *stem.branching, context));
+    }
     const Placement placement = overridden(*stem.branching, link_.placement, link_.given);
     add_all(place_along(stem.skeleton, placement, context));
   }

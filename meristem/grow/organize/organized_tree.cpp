@@ -28,7 +28,10 @@ constexpr float kPairGap = 0.04F;
 OrganizedSpecies::OrganizedSpecies(const OrganizeParameters& given, const Scene& around, const Limits& most,
                                    std::string id)
     : parameters(given), scene(around), limits(most), component(std::move(id)) {
-  is_lit_evenly = scene.obstacles.empty() && scene.light.lamps.empty();
+  double far = 0;
+  for (const FarLight& light : scene.light.sun) far += light.strength;
+  for (const FarLight& light : scene.light.sky) far += light.strength;
+  is_lit_evenly = scene.obstacles.empty() && scene.light.lamps.empty() && std::abs(far - 1) < 1e-6;
 }
 
 std::string OrganizedSpecies::path(const std::string& parameter) const {

@@ -24,8 +24,7 @@ struct OrganizedSpecies {
   const Scene& scene;
   Limits limits;
   std::string component;
-  bool is_lit_evenly = true;  ///< nothing in the scene makes light differ from place to place
-  float light_in_the_open = 1;
+  bool is_lit_evenly = true;  ///< all of the light comes to every place
 
   std::string path(const std::string& parameter) const;
   [[noreturn]] void refuse(const std::string& parameter, std::string message, std::string expected,
@@ -45,7 +44,6 @@ class OrganizedTree : public RoomSeeker {
   const Metamers& metamers() const { return metamers_; }
   bool has_grown() const { return has_grown_; }
   double resource_of_seed() const { return flow_.resource.empty() ? 0 : flow_.resource[0]; }
-  const ResourceFlow& flow() const { return flow_; }
   /// In world space; to be called once.
   Skeleton take_skeleton(const Progress& progress);
 
@@ -85,7 +83,7 @@ class OrganizedTree : public RoomSeeker {
   std::uint32_t room_ = 0;  // the volume of its markers
   Vec3 root_;
   Metamers metamers_;
-  std::vector<float> open_light_;  // by metamer, where obstacles or lamps stand
+  std::vector<float> open_light_;  // by metamer, unless all of the light comes everywhere
   BudLight light_;
   ResourceFlow flow_;
   std::vector<Room> rooms_;                // of the buds that gather light, in order

@@ -404,6 +404,11 @@ Skeleton OrganizedTree::take_skeleton() {
   skeleton.extra["metamer"].assign(metamers_.number.begin(), metamers_.number.end());
   skeleton.extra["light"].assign(flow_.light.begin(), flow_.light.end());
   skeleton.extra["resource"].assign(flow_.resource.begin(), flow_.resource.end());
+  std::vector<float>& to_lateral = skeleton.extra["lateral_resource"];
+  to_lateral.resize(count);
+  for (MetamerIndex metamer = 0; metamer < count; ++metamer) {
+    to_lateral[metamer] = static_cast<float>(flow_.lateral(metamer));
+  }
   const auto states = [&](const std::vector<Bud>& buds) {
     std::vector<float> column(count);
     for (std::size_t k = 0; k < count; ++k) column[k] = static_cast<float>(buds[k].state());

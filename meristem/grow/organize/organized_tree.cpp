@@ -62,8 +62,8 @@ OrganizedTree::OrganizedTree(const OrganizedSpecies& species, StandSpace& space,
   } else {
     const MarkerForm form{.spacing = light.spacing * parameters.length,
                           .occupancy = light.occupancy * parameters.length};
-    MarkerField& field =
-        space.markers(form, species.scene.obstacles, *this, species.limits.mesh_bytes, species.path("light.spacing"));
+    MarkerField& field = space.markers(form, key.child("markers"), species.scene.obstacles, *this,
+                                       species.limits.mesh_bytes, species.path("light.spacing"));
     room_ = field.add_volume(seed.room, root_);
   }
   if (parameters.sag) load_.emplace(*parameters.sag, parameters.radii);

@@ -14,63 +14,51 @@ from matplotlib.patches import Patch, Rectangle
 from common.style import BLUE, DOTS_PER_INCH, GREEN, ORANGE, RED, STYLE, new_figure, save_figure
 
 from .adaptations import Effect
-from .cuts import FALL, LATERALS, LEADER_SHARE, PUBLISHED, CutTree, Pair, summarize
+from .cuts import FALL, LATERALS, LEADER_SHARE, PUBLISHED, CutTree, Pair
 from .growth import TRIAL, Curve, Habit
 
 GREY = "#9a9a9a"
+BARS = ((GREY, 0.35), (GREY, 0.9), (BLUE, 0.35), (BLUE, 0.9))  #: colour and strength, as draw_pairs() draws them
 SET_COLOURS = {"slim": BLUE, "full": RED, "markers": GREEN}
 
 
 def draw_pairs(
-    axes: Axes, names: Sequence[str], published: Sequence[Pair], ours: Sequence[Pair], spreads: Sequence[Pair]
+    axes: Axes, names: Sequence[str], published: Sequence[Pair], ours: Sequence[Sequence[Pair]]
 ) -> None:
-    """Four bars for each name: published without and with the cut, and so ours with its spread."""
+    """Four bars for each name: published without and with the cut, and so the means of ours with its deciles."""
     places = np.arange(len(names))
-    bars = (
-        ([pair.uncut for pair in published], None, GREY, 0.35),
-        ([pair.cut for pair in published], None, GREY, 0.9),
-        ([pair.uncut for pair in ours], [pair.uncut for pair in spreads], BLUE, 0.35),
-        ([pair.cut for pair in ours], [pair.cut for pair in spreads], BLUE, 0.9),
-    )
-    for k, (heights, errors, colour, alpha) in enumerate(bars):
+    for k, (colour, alpha) in enumerate(BARS):
         at = places + 0.2 * (k - 1.5)
-        axes.bar(at, heights, width=0.18, color=colour, alpha=alpha, yerr=errors, error_kw={"lw": 1})
+        if k < 2:
+            axes.bar(at, [pair[k] for pair in published], width=0.18, color=colour, alpha=alpha)
+            continue
+        found = [np.array([pair[k - 2] for pair in pairs]) for pairs in ours]
+        means = np.array([column.mean() for column in found])
+        deciles = np.array([np.percentile(column, (10, 90)) for column in found]).T
+        errors = np.maximum([means - deciles[0], deciles[1] - means], 0)
+        axes.bar(at, means, width=0.18, color=colour, alpha=alpha, yerr=errors, error_kw={"lw": 1})
     axes.set_xticks(places, names)
     axes.grid(axis="x", visible=False)
 
 
 def draw_table(path: Path, trees: Sequence[CutTree]) -> None:
-    """The published table, and ours with its spread."""
-    ours = summarize(trees)
-    totals = np.std([tree.total for tree in trees], axis=0)
-    laterals = [
-        np.std([tree.laterals[k] for tree in trees if len(tree.laterals) > k], axis=0) for k in range(LATERALS)
-    ]
+    """The published table, and ours with the deciles of the trees."""
     figure, [[left, right]] = new_figure(1, 2, 3.8)
     left.set_ylabel("resource")
     draw_pairs(
         left,
         ["whole tree", "leader"],
         [PUBLISHED.total, Pair(PUBLISHED.leader, 0)],
-        [ours.total, Pair(ours.leader, 0)],
-        [Pair(*totals), Pair(float(np.std([tree.leader for tree in trees])), 0)],
+        [[tree.total for tree in trees], [Pair(tree.leader, 0) for tree in trees]],
     )
     draw_pairs(
         right,
         [f"lateral {k + 1}" for k in range(LATERALS)],
         PUBLISHED.laterals,
-        ours.laterals,
-        [Pair(*spread) for spread in laterals],
+        [[tree.laterals[k] for tree in trees if len(tree.laterals) > k] for k in range(LATERALS)],
     )
-    handles = [
-        Patch(color=colour, alpha=alpha, lw=0, label=label)
-        for colour, alpha, label in (
-            (GREY, 0.35, "published, not cut"),
-            (BLUE, 0.35, f"here, not cut, {len(trees)} trees"),
-            (GREY, 0.9, "published, cut"),
-            (BLUE, 0.9, "here, cut"),
-        )
-    ]
+    names = ("published, not cut", "published, cut", f"here, not cut, {len(trees)} trees", "here, cut")
+    handles = [Patch(color=c, alpha=alpha, lw=0, label=name) for (c, alpha), name in zip(BARS, names)]
     save_figure(figure, handles, 2, path)
 
 
@@ -132,8 +120,7 @@ def draw_growth(path: Path, curves: Mapping[str, Curve]) -> None:
         iterations, colour = np.arange(len(curve.metamers)), SET_COLOURS[name]
         pairs = ((left, curve.metamers, curve.metamers_spread), (right, curve.height, curve.height_spread))
         for axes, mean, spread in pairs:
-            low = np.maximum(mean - spread, 0.5)
-            axes.fill_between(iterations, low, mean + spread, color=colour, alpha=0.16, lw=0)
+            axes.fill_between(iterations[1:], (mean - spread)[1:], (mean + spread)[1:], color=colour, alpha=0.16, lw=0)
             axes.plot(iterations[1:], mean[1:], color=colour, lw=2, label=name)
         for trial in TRIAL.get(name, ()):
             left.plot(trial.iteration, trial.metamers, "o", color=colour, mfc="white")
@@ -163,7 +150,9 @@ def draw_lambda(path: Path, habits: Mapping[str, Mapping[float, Habit]]) -> None
             axes.plot(values, column, ".-", color=SET_COLOURS[name], lw=1.8, ms=7, label=name)
             axes.set_xlabel("lambda")
             axes.set_ylabel(ordinate)
-            axes.set_ylim(0)
+    row[0].set_ylim(0)
+    row[1].set_ylim(0)
+    row[2].set_yscale("log")
     save_figure(figure, row[0].get_legend_handles_labels()[0], 2, path)
 
 

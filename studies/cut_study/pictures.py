@@ -16,7 +16,7 @@ from .cuts import compare_cut, find_cut
 from .trees import Settings, make_document
 
 SEEN = 19  #: iterations
-SIZE = (260, 560)  #: pixels
+SIZE = (260, 520)  #: pixels
 
 
 class Picture(NamedTuple):
@@ -27,9 +27,9 @@ class Picture(NamedTuple):
 
 PICTURES = (
     Picture("not cut", ADAPTATIONS["all on"], False),
-    Picture("cut at 8", ADAPTATIONS["all on"], True),
-    Picture("cut at 8,\ncut buds grow again", ADAPTATIONS["cut buds grow again"], True),
-    Picture("cut at 8, laterals\nopen as terminals", ADAPTATIONS["laterals open as terminals"], True),
+    Picture("cut", ADAPTATIONS["all on"], True),
+    Picture("cut, and grown again", ADAPTATIONS["cut buds grow again"], True),
+    Picture("cut, laterals as terminals", ADAPTATIONS["laterals open as terminals"], True),
 )
 
 
@@ -48,7 +48,8 @@ def draw_trees(path: Path) -> None:
         for axes, picture in zip(figure.subplots(1, len(PICTURES)), PICTURES):
             cut = find_cut(picture.settings, seed) if picture.is_cut else None
             plant = make_document(picture.settings, SEEN, seed, cut).grow()
-            axes.imshow(plant.render(size=SIZE))
-            axes.set_title(picture.title)
+            height = float(plant.stems[0].skeleton.position[:, 1].max())
+            axes.imshow(plant.render(size=SIZE, transparent=True))
+            axes.set_title(f"{picture.title}\n{height:.1f} m high", fontsize=10)
             axes.axis("off")
         figure.savefig(path, dpi=DOTS_PER_INCH)

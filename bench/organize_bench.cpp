@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // Self-organizing trees grown to a million metamers, by shade and by markers. Counters: `metamers/s`, those living in
-// each iteration summed over the growth; `metamers` at its end; `ns/metamer`, the same as a time; `bytes/metamer`, by
-// the peak memory of the process; the hash of the skeleton, which has to be the same on any number of threads. `far` is
-// a stand of eight trees up to 7 km apart with as many metamers as one: cost goes with the trees and not with the space
-// around them. After the runs it prints how cost grows with the metamers.
+// each iteration summed over the growth; `metamers` at its end; `ns/metamer`, the same as a time; `bytes/metamer`,
+// the most memory in use between two rounds of the growth, with the shade or the markers; the hash of the skeleton,
+// which has to be the same on any number of threads. `far` is a stand of eight trees up to 7 km apart with as many
+// metamers as one: cost goes with the trees and not with the space around them. After the runs it prints how cost grows
+// with the metamers.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 #include <malloc.h>
-#include <sys/resource.h>
 
 #include "meristem/base/parallel.h"
 #include "meristem/grow/organize/organize.h"
@@ -38,12 +41,34 @@ OrganizeParameters parameters(BudLightModel::Kind kind, int iterations) {
   return made;
 }
 
-Skeleton grow(const OrganizeParameters& parameters, int trees, float apart) {
+double bytes_in_use() {
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks + info.hblkhd);
+}
+
+/// A member of the stand that does nothing but look at the memory in use.
+class MemoryProbe : public meristem::Grower {
+ public:
+  MemoryProbe(int rounds, double& most) : rounds_(rounds), most_(most) {}
+  int step_limit() const override { return rounds_; }
+  bool step(meristem::Progress&) override {
+    most_ = std::max(most_, bytes_in_use());
+    return true;
+  }
+  Skeleton take_skeleton(meristem::Progress&) override { return {}; }
+
+ private:
+  int rounds_;
+  double& most_;
+};
+
+Skeleton grow(const OrganizeParameters& parameters, int trees, float apart, double& most_bytes) {
   meristem::Progress progress;
   meristem::Stand stand;
   std::vector<meristem::OrganizeSeed> seeds(static_cast<std::size_t>(trees));
   for (std::size_t k = 0; k < seeds.size(); ++k) seeds[k].frame.origin.x = apart * static_cast<float>(k);
   stand.add(make_organizer(stand, seeds, parameters, meristem::RandomKey(1), kOpenScene, {}, "tree"));
+  stand.add(std::make_unique<MemoryProbe>(parameters.iterations + 1, most_bytes));
   stand.grow(progress);
   return std::move(stand.take_skeletons(progress)[0]);
 }
@@ -53,12 +78,6 @@ double living_metamers(const Skeleton& skeleton, int iterations) {
   double sum = 0;
   for (const float birth : skeleton.birth) sum += iterations + 1 - static_cast<double>(birth);
   return sum;
-}
-
-double resident_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
 struct Run {
@@ -75,25 +94,26 @@ void measure(benchmark::State& state, BudLightModel::Kind kind, int trees, float
   const int iterations = static_cast<int>(state.range(0));
   const meristem::ThreadLimit threads(static_cast<int>(state.range(1)));
   const OrganizeParameters wanted = parameters(kind, iterations);
-  malloc_trim(0);
-  const double before = resident_bytes();
+  double bytes = 0;
   double best = 1e9;
   double living = 0;
   Skeleton skeleton;
   for (auto _ : state) {
     skeleton = Skeleton();
+    const double before = bytes_in_use();
+    double most = before;
     const auto begin = std::chrono::steady_clock::now();
-    skeleton = grow(wanted, trees, apart);
+    skeleton = grow(wanted, trees, apart, most);
     best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     living += living_metamers(skeleton, iterations);
+    bytes = most - before;
   }
   const auto metamers = static_cast<double>(skeleton.node_count());
   state.counters["metamers/s"] = benchmark::Counter(living, benchmark::Counter::kIsRate);
   state.counters["metamers"] = metamers;
   const double nanoseconds = 1e9 * best / living_metamers(skeleton, iterations);
   state.counters["ns/metamer"] = nanoseconds;
-  const double grown = resident_bytes() - before;
-  if (grown > 0) state.counters["bytes/metamer"] = grown / metamers;
+  state.counters["bytes/metamer"] = bytes / metamers;
   const std::string hash = skeleton_hash(skeleton).substr(0, 16);
   state.SetLabel(hash);
   if (trees > 1) return;

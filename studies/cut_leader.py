@@ -38,9 +38,6 @@ QUICK_SEEDS = 20
 GROWTH_SEEDS = 20  #: growth curves and habits differ little from tree to tree
 LAMBDA_SETS = ("slim", "full")
 
-Cell = object
-
-
 def lateral_names() -> list[str]:
     return [f"lateral_{k + 1}{end}" for k in range(LATERALS) for end in ("", "_cut")]
 
@@ -49,25 +46,27 @@ def write_cuts(path: Path, trees: Sequence[CutTree]) -> None:
     """A row a tree; cells of laterals that a tree has not are empty."""
     rows = []
     for tree in trees:
-        row: list[Cell] = [tree.seed, tree.above, tree.branches, *tree.total, tree.leader]
+        row: list[object] = [tree.seed, tree.above, tree.branches, *tree.total, tree.leader]
         row += [resource for pair in tree.laterals for resource in pair]
         rows.append(row + [""] * (2 * (LATERALS - len(tree.laterals))))
     write_table(path, ("seed", "above", "branches", "total", "total_cut", "leader", *lateral_names()), rows)
 
 
-SUMMARY_HEAD = ("trees", "alike", "total", "total_cut", "fall", "fall_holds", "leader", "leader_share", "leader_holds")
+def summary_head() -> list[str]:
+    whole = ("trees", "alike", "total", "total_cut", "fall", "fall_holds")
+    return [*whole, "leader", "leader_share", "leader_holds", "all_rise", *lateral_names()]
 
 
-def list_summary(trees: Summary) -> list[Cell]:
-    """Cells under SUMMARY_HEAD and the laterals' names."""
-    first: list[Cell] = [trees.trees, trees.alike, *trees.total, trees.fall, trees.fall_holds]
-    laterals: list[Cell] = [resource for pair in trees.laterals for resource in pair]
-    return [*first, trees.leader, trees.leader_share, trees.leader_holds, trees.all_rise, *laterals]
+def list_summary(trees: Summary) -> list[object]:
+    """Cells under summary_head()."""
+    whole: list[object] = [trees.trees, trees.alike, *trees.total, trees.fall, trees.fall_holds]
+    laterals = [resource for pair in trees.laterals for resource in pair]
+    return [*whole, trees.leader, trees.leader_share, trees.leader_holds, trees.all_rise, *laterals]
 
 
 def write_readings(path: Path, readings: Mapping[Reading, Sequence[CutTree]]) -> None:
     rows = [[reading.name, *list_summary(summarize(trees))] for reading, trees in readings.items()]
-    write_table(path, ("reading", *SUMMARY_HEAD, "all_rise", *lateral_names()), rows)
+    write_table(path, ("reading", *summary_head()), rows)
 
 
 def write_adaptations(path: Path, effects: Mapping[str, Effect]) -> None:
@@ -76,7 +75,7 @@ def write_adaptations(path: Path, effects: Mapping[str, Effect]) -> None:
         for name, e in effects.items()
     ]
     regrowth = ("cut_above_bud", "grows_on", "turn", "regrown_metamers", "whole_metamers", "uncut_metamers")
-    write_table(path, ("adaptation", *SUMMARY_HEAD, "all_rise", *lateral_names(), *regrowth), rows)
+    write_table(path, ("adaptation", *summary_head(), *regrowth), rows)
 
 
 def write_growth(path: Path, curves: Mapping[str, Curve]) -> None:

@@ -33,7 +33,8 @@ def check_share(what: str, found: float, least: float) -> Finding:
 
 
 def check_fall(trees: Summary, which: str) -> Finding:
-    return check_share(f"{which}: total falls by {100 * FALL[0]:.0f} to {100 * FALL[1]:.0f} %", trees.fall_holds, FALL_IN)
+    what = f"{which}: total falls by {100 * FALL[0]:.0f} to {100 * FALL[1]:.0f} %"
+    return check_share(what, trees.fall_holds, FALL_IN)
 
 
 def check_cuts(trees: Sequence[CutTree]) -> list[Finding]:

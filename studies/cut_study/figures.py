@@ -22,9 +22,7 @@ BARS = ((GREY, 0.35), (GREY, 0.9), (BLUE, 0.35), (BLUE, 0.9))  #: colour and str
 SET_COLOURS = {"slim": BLUE, "full": RED, "markers": GREEN}
 
 
-def draw_pairs(
-    axes: Axes, names: Sequence[str], published: Sequence[Pair], ours: Sequence[Sequence[Pair]]
-) -> None:
+def draw_pairs(axes: Axes, names: Sequence[str], published: Sequence[Pair], ours: Sequence[Sequence[Pair]]) -> None:
     """Four bars for each name: published without and with the cut, and so the means of ours with its deciles."""
     places = np.arange(len(names))
     for k, (colour, alpha) in enumerate(BARS):

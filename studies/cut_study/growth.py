@@ -20,14 +20,14 @@ LAMBDAS = tuple(round(0.01 * k, 2) for k in range(50, 59))
 
 
 class Trial(NamedTuple):
-    """What the trial that settled the sets had grown after some iterations."""
+    """What had grown after some iterations when the sets were settled."""
 
     iteration: int
     metamers: int
     height: float | None = None  #: metamers
 
 
-#: Growth of another program with the same rules and numbers; heights are known of the slim set alone.
+#: Growth in the trial that settled the sets; heights are known of the slim set alone.
 TRIAL: Mapping[str, Sequence[Trial]] = {
     "slim": (Trial(9, 32, 12), Trial(18, 288, 30), Trial(25, 1080, 43)),
     "full": (Trial(9, 146), Trial(18, 1640), Trial(25, 6270)),

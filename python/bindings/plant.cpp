@@ -128,9 +128,11 @@ py::dict table_of(const PlantInPython& plant) {
     values.reserve(table.row_count());
     table.for_each_row(0, table.row_count(), [&](const SkeletonRow& row) { values.push_back(table.value(row, c)); });
     py::object array = array_of(std::move(values));
-    if (column.kind == SkeletonColumn::Kind::label) {
+    const bool is_component = column.kind == SkeletonColumn::Kind::component;
+    if (is_component || column.kind == SkeletonColumn::Kind::label) {
       // As fixed-width texts, so that comparing them needs no table.
-      const py::object names = py::module_::import("numpy").attr("array")(table.components());
+      const std::vector<std::string>& texts = is_component ? table.components() : table.labels();
+      const py::object names = py::module_::import("numpy").attr("array")(texts);
       array = names.attr("take")(array.attr("astype")("int64"));
     } else if (column.kind == SkeletonColumn::Kind::index) {
       array = array.attr("astype")("int64");

@@ -340,7 +340,7 @@ tree. Area ratios count from forks of `fork_diameter` metres; the lit share take
 the cosine to the surface), both 0 to 1.)")
       .def("save", &save, py::arg("path"), py::kw_only(), py::arg("instanced") = false, py::arg("lod") = 0,
            py::arg("threads") = 0, py::arg("progress") = py::none(),
-           R"(Writes the plant to a file, its format by its ending: .glb, .obj, .ply, .skeleton.ply, .csv.
+           R"(Writes the plant to a file, its format by its ending: .glb, .obj, .ply, .skeleton.ply, .csv, .mtg.
 
 `instanced` writes leaves to .glb as places of one mesh: small files, that not every program reads. `lod` (0 to 8) is
 the level of detail: each has about a quarter of the triangles of the one before. The file is there whole or not at all.

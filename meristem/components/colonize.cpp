@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "meristem/components/limit_table.h"
+#include "meristem/components/pipe_table.h"
 #include "meristem/components/surface_table.h"
 #include "meristem/graph/node_condition.h"
 #include "meristem/plant/shed.h"
@@ -145,19 +146,6 @@ const ParameterTable& growth_table() {
           .vector("bias", &ColonizeParameters::bias, {.min = -100, .max = 100},
                   "Added to each growth direction; [0, 0.2, 0] makes all grow upward a little.")
           .object("finish", &ColonizeParameters::finish, finish_table, "What is done to the skeleton after growth.");
-  return table;
-}
-
-const ParameterTable& pipe_table() {
-  static const ParameterTable table =
-      Table<PipeModel>("radii", "The pipe model.")
-          .number("tip_radius", &PipeModel::tip_radius, {.unit = Unit::metre, .min = 0, .max = 10, .above_min = true},
-                  "Of the finest twigs; raised, all wood gets thicker.")
-          .number(
-              "pipe_exponent", &PipeModel::exponent, {.min = 1, .max = 10},
-              "A fork's radius to this power is the sum of its branches'; raised, thinner trunks. 2 to 3.5 in nature.")
-          .number("memory", &PipeModel::memory, {.min = 0, .max = 1},
-                  "How far wood keeps the thickness that shed branches gave it; 0 forgets them.");
   return table;
 }
 

@@ -9,6 +9,7 @@
 #include "meristem/components/leaf.h"
 #include "meristem/components/lsystem.h"
 #include "meristem/components/needles.h"
+#include "meristem/components/organize.h"
 #include "meristem/components/phiball.h"
 #include "meristem/components/revolution.h"
 #include "meristem/components/simple.h"
@@ -30,6 +31,7 @@ const Registry& builtin_components() {
       wreath_component(),
       phiball_component(),
       colonize_component(),
+      organize_component(),
       cloud_component(),
       lsystem_component(),
   });

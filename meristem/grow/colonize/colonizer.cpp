@@ -23,7 +23,7 @@
 #include "meristem/grow/colonize/child_places.h"
 #include "meristem/grow/colonize/colonize.h"
 #include "meristem/grow/colonize/growth_direction.h"
-#include "meristem/grow/stand_shade.h"
+#include "meristem/grow/stand_space.h"
 #include "meristem/plant/finish.h"
 
 namespace meristem {
@@ -69,10 +69,10 @@ struct Species {
 /// One tree, relative to its root.
 class Tree {
  public:
-  Tree(const Species& species, AttractionCloud& cloud, StandShade& shade, const Seedling& seedling, RandomKey key)
+  Tree(const Species& species, AttractionCloud& cloud, StandSpace& space, const Seedling& seedling, RandomKey key)
       : species_(&species),
         cloud_(&cloud),
-        shade_(&shade),
+        space_(&space),
         key_(key),
         member_(cloud.join(seedling.root, seedling.points, attraction(species.parameters), species.scene,
                            species.felt_shade)),
@@ -106,7 +106,7 @@ class Tree {
 
   const Species* species_;
   AttractionCloud* cloud_;
-  StandShade* shade_;
+  StandSpace* space_;
   RandomKey key_;
   AttractionCloud::Tree member_;
   Vec3 root_;
@@ -195,7 +195,7 @@ std::optional<Vec3> Tree::place_child(const Pull& pull) {
 
 void Tree::add_node(NodeIndex parent, Vec3 position) {
   cloud_->add_node(member_, position);
-  if (shade_->is_felt()) shade_->cast(root_ + position, species_->parameters.step);
+  if (space_->is_felt()) space_->grow_shoot(root_ + position, species_->parameters.step);
   species_->require_nodes(cloud_->node_count(), "step");
   note_node(parent, position);
 }
@@ -212,16 +212,16 @@ class Colonizer : public Grower {
             const Scene& scene, const Limits& limits, std::string component, const Progress& progress)
       : species_{parameters, scene, limits, std::move(component)} {
     leave_out_inner_points(seedlings, progress);
-    // Shade comes first: what points pull depends on it.
-    auto& shade = stand.commons<StandShade>();
+    // Light comes first: what points pull depends on it.
+    auto& space = stand.commons<StandSpace>();
     auto& cloud = stand.commons<AttractionCloud>();
     if (const auto& response = species_.parameters.light.shade) {
-      species_.felt_shade = &shade.grid(form_of(*response), limits.mesh_bytes, species_.path("light.shade.voxel"));
+      species_.felt_shade = &space.shade(form_of(*response), limits.mesh_bytes, species_.path("light.shade.voxel"));
     }
     trees_.reserve(seedlings.size());
     for (std::size_t k = 0; k < seedlings.size(); ++k) {
       check_points(cloud.point_count() + seedlings[k].points.size());
-      trees_.emplace_back(species_, cloud, shade, seedlings[k], key.child("tree").child(k));
+      trees_.emplace_back(species_, cloud, space, seedlings[k], key.child("tree").child(k));
     }
     grows_.assign(trees_.size(), true);
   }

@@ -20,7 +20,7 @@ struct LightLimit {
   double k = 0.1;       ///< the light falls by exp(-k) with each of them
 };
 
-/// The shade of the plants that have grown so far, as StandShade keeps it. A tree does not grow to points that are
+/// The shade of the plants that have grown so far, as StandSpace keeps it. A tree does not grow to points that are
 /// darker than it bears.
 struct ShadeResponse {
   double bears = 0.4;  ///< light below which points do not pull, from 1 in the open to 0

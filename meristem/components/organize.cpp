@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/organize.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "meristem/base/math.h"
+#include "meristem/components/organize_table.h"
+#include "meristem/components/pipe_table.h"
+#include "meristem/components/surface_table.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr double kEdge = 0.05;  // share by which a knife edge is too near
+
+OrganizeParameters growth_of(const Organize& tree) {
+  OrganizeParameters growth = tree.growth;
+  growth.light = tree.light.model;
+  for (const Operation& operation : tree.operations) {
+    growth.cuts.push_back({operation.at, operation.shoot, operation.above});
+  }
+  return growth;
+}
+
+std::unique_ptr<Grower> grow(const Organize& tree, const Site& site, const GrowContext& context) {
+  std::vector<OrganizeSeed> seeds;
+  const CrownPointer room = tree.light.room ? build_crown(*tree.light.room) : nullptr;
+  for (const Vec3 root : tree.roots) {
+    OrganizeSeed& seed = seeds.emplace_back();
+    seed.frame = site.frame;
+    seed.frame.origin = site.frame.point(root);
+    seed.room = room;
+  }
+  return make_organizer(context.stand, std::move(seeds), growth_of(tree), site.key.child("growth"), context.scene,
+                        context.limits, context.component);
+}
+
+/// A place for a leaf beside each lateral bud of the young metamers.
+void offer_leaves(const Organize& tree, const Skeleton& skeleton, Emitter& out) {
+  const std::vector<float>& angle = skeleton.extra.find("bud_angle")->second;
+  const std::vector<float>& number = skeleton.extra.find("metamer")->second;
+  const float newest = skeleton.birth.empty() ? 0 : *std::ranges::max_element(skeleton.birth);
+  const auto along = static_cast<float>(math::cos(tree.leaf_angle));
+  const auto aside = static_cast<float>(math::sin(tree.leaf_angle));
+  std::vector<std::uint32_t> last(skeleton.axis.empty() ? 0 : *std::ranges::max_element(skeleton.axis) + 1, 1);
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    last[skeleton.axis[node]] = std::max(last[skeleton.axis[node]], static_cast<std::uint32_t>(number[node]));
+  }
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    if (skeleton.is_root(node) || newest - skeleton.birth[node] >= static_cast<float>(tree.leaf_age)) continue;
+    const Vec3 internode = skeleton.position[node] - skeleton.position[skeleton.parent[node]];
+    const Vec3 axis = normalized_or(internode, kUp);
+    const Vec3 side = bud_side(axis, angle[node]);
+    const Vec3 bark = skeleton.position[node] + skeleton.radius[node] * side;
+    out.branch_site_on_stem(frame_along(bark, along * axis + aside * side, axis),
+                            number[node] / static_cast<float>(last[skeleton.axis[node]]), glm::length(internode),
+                            skeleton.radius[node], node, 1);
+  }
+}
+
+void expand(const Organize& tree, const Site&, Emitter& out) {
+  const Skeleton skeleton = out.take_grown();
+  out.stem(skeleton, tree.surface);
+  offer_leaves(tree, skeleton, out);
+}
+
+/// Warns where a little more or less of a number makes another tree, or none.
+void check_balance(const Organize& tree, const Place& place, ParameterReader& reader) {
+  const OrganizeParameters& growth = tree.growth;
+  const BudLightModel& light = tree.light.model;
+  if (light.kind == BudLightModel::Kind::markers && light.counts) return;
+  const Place resource(place, "resource");
+  const Place alpha(resource, "alpha");
+  const double of_bud = growth.resource.alpha * light.full;
+  if (of_bud + growth.resource.alpha0 < growth.terminal_threshold) {
+    reader.warn(alpha,
+                fmt::format("nothing will grow: a bud in full light makes a resource of {:.4g} and opens at {:.4g}",
+                            of_bud + growth.resource.alpha0, growth.terminal_threshold));
+    return;
+  }
+  if (growth.resource.division != ResourceModel::Division::borchert_honda || growth.resource.alpha0 != 0) return;
+  if (std::abs(of_bud - growth.lateral_threshold) >= kEdge * growth.lateral_threshold) return;
+  reader.warn(alpha, fmt::format("growth stands on a knife edge: a bud in full light makes a resource of {:.4g}, and "
+                                 "lateral buds open at {:.4g}; small changes make trees with and without branches. "
+                                 "Keep 'alpha' at least {:.0f} % away from there",
+                                 of_bud, growth.lateral_threshold, 100 * kEdge));
+}
+
+void check_organize(const Organize& tree, const Place& place, ParameterReader& reader) {
+  const BudLightModel& light = tree.light.model;
+  const Place light_place(place, "light");
+  if (light.kind == BudLightModel::Kind::shadow && tree.light.room) {
+    reader.fault_name(Place(light_place, "room"), "'room' means nothing to light by shadow", "\"model\": \"markers\"",
+                      "");
+  }
+  const double voxels = (std::max(light.perception, light.occupancy)) / light.spacing;
+  if (light.kind == BudLightModel::Kind::markers && voxels > 32) {
+    reader.fault(Place(light_place, "spacing"), fmt::format("buds would look over {:.3g} markers each way", voxels),
+                 fmt::format("a number of at least {:.4g}", std::max(light.perception, light.occupancy) / 32));
+  }
+  const Place operations(place, "operations");
+  for (std::size_t k = 0; k < tree.operations.size(); ++k) {
+    const Operation& operation = tree.operations[k];
+    const Place at(operations, k);
+    if (!is_shoot_name(operation.shoot)) {
+      reader.fault(Place(at, "shoot"), fmt::format("'{}' names no shoot", operation.shoot),
+                   "main, or the numbers of metamers at which shoots branch off: main.4.2");
+    } else if (operation.shoot == "main" && operation.above == 0) {
+      reader.fault(Place(at, "above"), "nothing would be left of the tree", "a whole number of at least 1");
+    }
+  }
+  check_balance(tree, place, reader);
+}
+
+}  // namespace
+
+ComponentType organize_component() {
+  return define_component<Organize>({
+      .name = "organize",
+      .doc = "Trees whose buds compete for light and room, metamer by metamer (self-organizing).",
+      .parameters =
+          Table<Organize>("an organize", "Trees whose buds compete for light and room.")
+              .members(&Organize::growth, organize_growth_table())
+              .object("light", &Organize::light, organize_light_table, "What light the buds have.")
+              .places("roots", &Organize::roots, {.unit = Unit::metre, .min = -1e5, .max = 1e5},
+                      "Where trees of this kind stand; they compete.")
+              .list("operations", &Organize::operations, operation_table, "What is done to the tree, in this order.")
+              .integer("leaf_age", &Organize::leaf_age, {.min = 0, .max = 1000},
+                       "Iterations for which metamers offer a place for a leaf; 1: those of the last iteration alone.")
+              .number("leaf_angle", &Organize::leaf_angle, {.unit = Unit::degree, .min = 0, .max = 180},
+                      "Between shoot and leaf.")
+              .members(&Organize::growth, &OrganizeParameters::radii, pipe_table())
+              .object("surface", &Organize::surface, surface_table, "How the stems are clothed.")
+              .check(check_organize),
+      .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
+      .makes_stems = true,
+      .has_ribs = true,
+      .expand = expand,
+      .grow = grow,
+      .after_growth = {"surface", "leaf_age", "leaf_angle"},
+  });
+}
+
+}  // namespace meristem

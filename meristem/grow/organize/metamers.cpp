@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/organize/metamers.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include "meristem/base/frame.h"
+#include "meristem/base/math.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr std::string_view kMain = "main";
+
+/// Keeps those elements of a column whose `gone` is 0.
+template <class T>
+void keep(std::vector<T>& column, const std::vector<std::uint8_t>& gone) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < column.size(); ++k) {
+    if (gone[k] == 0) column[kept++] = column[k];
+  }
+  column.resize(kept);
+}
+
+}  // namespace
+
+Metamers::Metamers(Vec3 heading, Vec3 side_of_seed, RandomKey key) : seed_heading_(heading) {
+  parent.push_back(kNoNode);
+  terminal.emplace_back();
+  lateral.push_back(Bud::dead());
+  tip.emplace_back(0.0F);
+  side.push_back(side_of_seed);
+  axis.push_back(0);
+  number.push_back(0);
+  order.push_back(0);
+  birth.push_back(0);
+  lost_tips.push_back(0);
+  axes.push_back({key, 0, 0});
+}
+
+void Metamers::reserve(std::size_t metamers) {
+  if (metamers <= parent.capacity()) return;
+  // A quarter more than asked, so that memory stays near what is needed and growth linear.
+  metamers += metamers / 4;
+  parent.reserve(metamers);
+  terminal.reserve(metamers);
+  lateral.reserve(metamers);
+  tip.reserve(metamers);
+  side.reserve(metamers);
+  axis.reserve(metamers);
+  number.reserve(metamers);
+  order.reserve(metamers);
+  birth.reserve(metamers);
+  lost_tips.reserve(metamers);
+}
+
+MetamerIndex Metamers::grow(MetamerIndex from, bool is_lateral, int iteration) {
+  const auto made = static_cast<MetamerIndex>(count());
+  AxisIndex own = axis[from];
+  if (is_lateral) {
+    own = static_cast<AxisIndex>(axes.size());
+    axes.push_back({key_of_shoot(from, true), made, made});
+  } else {
+    axes[own].last = made;
+  }
+  parent.push_back(from);
+  terminal.emplace_back();
+  lateral.emplace_back();
+  tip.push_back(tip[from]);
+  side.push_back(side[from]);
+  axis.push_back(own);
+  number.push_back(is_lateral ? 1 : number[from] + 1);
+  order.push_back(static_cast<std::uint16_t>(order[from] + (is_lateral ? 1 : 0)));
+  birth.push_back(static_cast<std::uint16_t>(iteration));
+  lost_tips.push_back(0);
+  (is_lateral ? lateral : terminal)[from] = Bud::grown(made);
+  return made;
+}
+
+Vec3 Metamers::heading(MetamerIndex metamer) const {
+  if (metamer == 0) return seed_heading_;
+  return normalized_or(tip[metamer] - tip[parent[metamer]], seed_heading_);
+}
+
+float Metamers::length(MetamerIndex metamer) const {
+  return metamer == 0 ? 0 : glm::distance(tip[metamer], tip[parent[metamer]]);
+}
+
+Vec3 Metamers::bud_heading(MetamerIndex metamer, bool is_lateral, double branching_angle) const {
+  const Vec3 along = heading(metamer);
+  if (!is_lateral) return along;
+  return static_cast<float>(math::cos(branching_angle)) * along +
+         static_cast<float>(math::sin(branching_angle)) * side[metamer];
+}
+
+RandomKey Metamers::key_of_shoot(MetamerIndex from, bool is_lateral) const {
+  const RandomKey own = axes[axis[from]].key;
+  return is_lateral ? own.child(number[from]) : own;
+}
+
+std::optional<MetamerIndex> Metamers::find(AxisIndex on, std::uint32_t wanted) const {
+  MetamerIndex metamer = axes[on].first;
+  while (number[metamer] < wanted && terminal[metamer].is_grown()) metamer = terminal[metamer].metamer();
+  return number[metamer] == wanted ? std::optional(metamer) : std::nullopt;
+}
+
+std::optional<AxisIndex> Metamers::find_shoot(std::string_view name) const {
+  if (!name.starts_with(kMain)) return std::nullopt;
+  AxisIndex found = 0;
+  std::string_view rest = name.substr(kMain.size());
+  while (!rest.empty()) {
+    std::uint32_t wanted = 0;
+    const char* const end = rest.data() + rest.size();
+    const auto [after, error] = std::from_chars(rest.data() + 1, end, wanted);
+    if (rest[0] != '.' || error != std::errc()) return std::nullopt;
+    const std::optional<MetamerIndex> bearer = find(found, wanted);
+    if (!bearer || !lateral[*bearer].is_grown()) return std::nullopt;
+    found = axis[lateral[*bearer].metamer()];
+    rest = std::string_view(after, static_cast<std::size_t>(end - after));
+  }
+  return found;
+}
+
+std::string Metamers::name_of(AxisIndex of) const {
+  std::vector<std::uint32_t> numbers;
+  for (MetamerIndex first = axes[of].first; axis[first] != 0; first = axes[axis[parent[first]]].first) {
+    numbers.push_back(number[parent[first]]);
+  }
+  std::string name(kMain);
+  for (auto place = numbers.rbegin(); place != numbers.rend(); ++place) name += fmt::format(".{}", *place);
+  return name;
+}
+
+std::vector<std::string> Metamers::shoots_on(AxisIndex on) const {
+  std::vector<std::string> names;
+  const std::string own = name_of(on);
+  for (MetamerIndex metamer = axes[on].first;; metamer = terminal[metamer].metamer()) {
+    if (lateral[metamer].is_grown()) names.push_back(fmt::format("{}.{}", own, number[metamer]));
+    if (!terminal[metamer].is_grown()) return names;
+  }
+}
+
+void Metamers::remove(std::vector<std::uint8_t>& gone, Bud after) {
+  const std::size_t before = count();
+  // What stands on what goes, goes.
+  std::vector<MetamerIndex> place(before);
+  MetamerIndex kept = 0;
+  for (MetamerIndex metamer = 0; metamer < before; ++metamer) {
+    if (metamer != 0 && gone[parent[metamer]] != 0) gone[metamer] = 1;
+    place[metamer] = kept;
+    if (gone[metamer] == 0) ++kept;
+  }
+  // Count the tips that are lost, with those that were lost there before, down to what stays.
+  std::vector<float> tips(before, 0);
+  for (MetamerIndex metamer = static_cast<MetamerIndex>(before); metamer-- > 1;) {
+    if (gone[metamer] == 0) continue;
+    if (tips[metamer] == 0) tips[metamer] = 1;
+    tips[metamer] += lost_tips[metamer];
+    (gone[parent[metamer]] != 0 ? tips : lost_tips)[parent[metamer]] += tips[metamer];
+  }
+  const auto renumber = [&](Bud& bud) {
+    if (bud.is_grown()) bud = gone[bud.metamer()] != 0 ? after : Bud::grown(place[bud.metamer()]);
+  };
+  std::vector<AxisIndex> axis_place(axes.size());
+  std::vector<Axis> axes_kept;
+  for (AxisIndex k = 0; k < axes.size(); ++k) {
+    axis_place[k] = static_cast<AxisIndex>(axes_kept.size());
+    if (gone[axes[k].first] != 0) continue;
+    Axis own = axes[k];
+    while (gone[own.last] != 0) own.last = parent[own.last];
+    axes_kept.push_back({own.key, place[own.first], place[own.last]});
+  }
+  for (MetamerIndex metamer = 0; metamer < before; ++metamer) {
+    if (gone[metamer] != 0) continue;
+    renumber(terminal[metamer]);
+    renumber(lateral[metamer]);
+    if (metamer != 0) parent[metamer] = place[parent[metamer]];
+    axis[metamer] = axis_place[axis[metamer]];
+  }
+  axes = std::move(axes_kept);
+  keep(parent, gone);
+  keep(terminal, gone);
+  keep(lateral, gone);
+  keep(tip, gone);
+  keep(side, gone);
+  keep(axis, gone);
+  keep(number, gone);
+  keep(order, gone);
+  keep(birth, gone);
+  keep(lost_tips, gone);
+}
+
+}  // namespace meristem

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a self-organizing tree is made of: metamers, each an internode with a terminal and a lateral bud at its tip. The
+// chain of terminal buds is an axis; an axis with all that it bears is a shoot.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meristem/base/random.h"
+#include "meristem/plant/skeleton.h"
+
+namespace meristem {
+
+using MetamerIndex = std::uint32_t;
+
+/// A bud, or the metamer that it has grown.
+class Bud {
+ public:
+  enum class State : std::uint8_t {
+    open,     ///< may grow, be it dormant
+    grown,    ///< has become a metamer
+    damaged,  ///< what it had grown was cut
+    dead,     ///< what it had grown was shed, or it never was
+  };
+
+  constexpr Bud() = default;
+  static constexpr Bud grown(MetamerIndex metamer) { return Bud(metamer); }
+  static constexpr Bud damaged() { return Bud(kOpen - 1); }
+  static constexpr Bud dead() { return Bud(kOpen - 2); }
+
+  constexpr State state() const {
+    if (bits_ < kOpen - 2) return State::grown;
+    return bits_ == kOpen ? State::open : (bits_ == kOpen - 1 ? State::damaged : State::dead);
+  }
+  constexpr bool is_grown() const { return bits_ < kOpen - 2; }
+  constexpr bool is_open() const { return bits_ == kOpen; }
+  constexpr bool is_damaged() const { return bits_ == kOpen - 1; }
+  constexpr MetamerIndex metamer() const { return bits_; }  ///< of grown ones
+
+ private:
+  static constexpr std::uint32_t kOpen = 0xffffffffU;
+  explicit constexpr Bud(std::uint32_t bits) : bits_(bits) {}
+  std::uint32_t bits_ = kOpen;
+};
+
+/// The metamers of one tree, structure of arrays. Metamer 0 is the seed: a place without length and without a lateral
+/// bud. What a metamer bears has a larger index, so that loops run from seed to tips and back.
+///
+/// A metamer has a number on its axis, from 1 at the base. Shoots are named by the numbers of the metamers where they
+/// branch off: `main`, `main.4`, `main.4.2`. Numbers and names never change and are never used again.
+struct Metamers {
+  std::vector<MetamerIndex> parent;  ///< kNoNode for the seed
+  std::vector<Bud> terminal;
+  std::vector<Bud> lateral;
+  std::vector<Vec3> tip;        ///< metres from the root
+  std::vector<Vec3> side;       ///< unit vector from the axis to the lateral bud
+  std::vector<AxisIndex> axis;  ///< rising from 0 in the order of the axes' first metamers
+  std::vector<std::uint32_t> number;
+  std::vector<std::uint16_t> order;
+  std::vector<std::uint16_t> birth;  ///< iteration
+  std::vector<float> lost_tips;      ///< tips beyond it that were shed or cut
+
+  struct Axis {
+    RandomKey key;  ///< made of the shoot's name
+    MetamerIndex first = 0;
+    MetamerIndex last = 0;
+  };
+  std::vector<Axis> axes;
+
+  /// The seed alone, at the root. `heading` is a unit vector.
+  Metamers(Vec3 heading, Vec3 side, RandomKey key);
+
+  std::size_t count() const { return parent.size(); }
+  void reserve(std::size_t metamers);
+  /// Grows the terminal or lateral bud of `parent`, which is open. Side and tip are yet to be set.
+  MetamerIndex grow(MetamerIndex parent, bool is_lateral, int iteration);
+
+  /// Unit vector from a metamer's base to its tip; of the seed the way in which it will grow.
+  Vec3 heading(MetamerIndex metamer) const;
+  float length(MetamerIndex metamer) const;
+  /// Unit vector in which a metamer's terminal or lateral bud points; lateral ones stand off by `branching_angle`.
+  Vec3 bud_heading(MetamerIndex metamer, bool is_lateral, double branching_angle) const;
+  /// Whether a bud has a claim by its light: an open one, or a damaged one at the end of its axis.
+  bool competes(MetamerIndex metamer, bool is_lateral) const {
+    const Bud bud = (is_lateral ? lateral : terminal)[metamer];
+    return bud.is_open() || (!is_lateral && bud.is_damaged());
+  }
+  /// The key of the shoot on which the next metamer from here will stand.
+  RandomKey key_of_shoot(MetamerIndex from, bool is_lateral) const;
+  /// Whether the metamer is the first of a lateral axis.
+  bool begins_shoot(MetamerIndex metamer) const { return metamer != 0 && axis[metamer] != axis[parent[metamer]]; }
+
+  /// The axis of a shoot by name; nothing where there is none.
+  std::optional<AxisIndex> find_shoot(std::string_view name) const;
+  /// The metamer of that number on an axis, if it is there.
+  std::optional<MetamerIndex> find(AxisIndex axis, std::uint32_t number) const;
+  std::string name_of(AxisIndex axis) const;
+  /// The names of the shoots on an axis, from its base on.
+  std::vector<std::string> shoots_on(AxisIndex axis) const;
+
+  /// Takes metamers away with all that they bear: those whose entry in `gone`, one a metamer, is not 0. The buds that
+  /// had grown them become `after`. Tells the metamer that bore them how many tips it has lost. `gone` then marks all
+  /// that are no more. Indices change; order stays.
+  void remove(std::vector<std::uint8_t>& gone, Bud after);
+
+ private:
+  Vec3 seed_heading_;
+};
+
+}  // namespace meristem

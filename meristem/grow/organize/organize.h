@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// Self-organizing trees: buds compete for light and room, what they earn is divided among them from the root on, and
+// those that get enough grow metamers. Form follows from that competition and not from a plan, so trees answer to
+// neighbours, obstacles, light and cuts.
+//
+// Based on: W. Palubicki et al.: Self-organizing tree models for image synthesis (2009); J. Stevens: Automatische
+// generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, chapter 4, with its adaptations for pruning.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "meristem/base/frame.h"
+#include "meristem/base/limits.h"
+#include "meristem/base/random.h"
+#include "meristem/grow/organize/resource.h"
+#include "meristem/grow/organize/sag.h"
+#include "meristem/grow/stand.h"
+#include "meristem/plant/pipe_radii.h"
+#include "meristem/scene/crown.h"
+#include "meristem/scene/scene.h"
+
+namespace meristem {
+
+/// What light buds have.
+struct BudLightModel {
+  enum class Kind {
+    shadow,   ///< what the shade of all plants of the stand leaves of the scene's light
+    markers,  ///< the free room that a bud sees
+  };
+  Kind kind = Kind::shadow;
+  double full = 1;  ///< C: light of a bud without any shade; of the marker model: that of a bud with room
+
+  // Shade.
+  double voxel = 0;  ///< metres; 0: the length of a metamer
+  double a = 0.2;    ///< shade that a metamer casts where it is; raised, sparser crowns
+  double b = 2;      ///< by which shade fades from voxel to voxel
+  int depth = 3;     ///< voxels below a metamer that it shades
+  int reach = 2;     ///< voxels around a bud in which it feels where it gets brighter
+
+  // Markers, their distances in lengths of a metamer.
+  double spacing = 0.7;
+  double occupancy = 2;   ///< around a metamer, where it takes the markers
+  double perception = 4;  ///< how far a bud sees
+  double cone = kPi / 2;  ///< full angle of what it sees
+  bool counts = false;    ///< light is the number of markers that a bud has got, and not `full` for any
+};
+
+/// How a metamer's direction is made of several: each a unit vector times its weight.
+struct DirectionWeights {
+  double persistence = 0.6;  ///< of the direction so far, or that of the lateral bud
+  double light = 0.4;        ///< of the way to light or room
+  double up = 0;             ///< of straight up; negative: down
+  double up_later = 0;       ///< what that weight comes to with the iterations or orders
+  double up_fade = 0.9;      ///< 0 to 1: what is left of the difference after each
+  bool fades_by_order = false;
+};
+
+/// Where lateral buds stand.
+struct Phyllotaxis {
+  enum class Kind { spiral, alternate, decussate };
+  Kind kind = Kind::spiral;
+  double branching_angle = radians(55);          ///< between axis and lateral bud
+  double divergence = radians(kGoldenAngleDeg);  ///< of the spiral
+  double jitter = radians(4);  ///< standard deviation of each new metamer's direction and of its lateral bud
+};
+
+/// Branches without light are shed.
+struct Shedding {
+  double below = 0;  ///< mean light a metamer below which a shoot is shed; 0: none is
+  int after = 3;     ///< iterations in which no shoot is
+};
+
+/// A cut just above a bud, after the growth of an iteration.
+struct Cut {
+  int at = 1;         ///< iteration
+  std::string shoot;  ///< by name: "main.4"
+  int above = 0;      ///< metamers of it that stay; 0: it goes whole
+};
+
+struct OrganizeParameters {
+  int iterations = 20;
+  int every = 1;           ///< rounds of the stand for each of them
+  double length = 0.1;     ///< metres, of a metamer
+  bool stretch = false;    ///< a shoot of n metamers is as long as its resource says, and not n lengths
+  int longest_shoot = 10;  ///< metamers that a bud grows in an iteration at most
+  int maturity = 25;       ///< iterations at which curves over the age end
+  BudLightModel light;
+  ResourceModel resource;
+  double terminal_threshold = 1;   ///< resource at which a terminal bud grows
+  double lateral_threshold = 1.8;  ///< the same for lateral ones
+  bool laterals_wait = true;       ///< a lateral bud opens with or after its terminal only
+  bool damage = true;              ///< a cut bud is damaged for ever; else it may grow again
+  double takeover = 0.5;           ///< weight of a cut terminal's direction in the first metamer of a lateral beside it
+  DirectionWeights direction;
+  std::optional<DirectionWeights> stem;  ///< of the stem, where it differs
+  Phyllotaxis phyllotaxis;
+  Shedding shedding;
+  std::optional<Sag> sag;
+  PipeModel radii;
+  std::vector<Cut> cuts;
+};
+
+/// Where one tree begins. Its room is a crown over its root, or all space where there is none.
+struct OrganizeSeed {
+  Frame frame;        ///< heads where the stem begins to grow
+  CrownPointer room;  ///< of the marker model
+};
+
+/// Self-organizing trees in a stand, together one member of it and one skeleton: a node a metamer after the seeds'.
+/// `component` is the id that errors name.
+///
+/// Columns of the skeleton: `metamer` (number on the axis, 0 for seeds), `light` and `resource` as they would be in the
+/// next iteration, `lateral_resource` (what of it and of what is passed back the lateral bud or branch would get),
+/// `terminal_bud` and `lateral_bud` (states: 0 open, 1 grown, 2 damaged, 3 dead), `bud_angle` (radians about the axis
+/// from its upper side to the lateral bud, see bud_side), `shed` (tips lost).
+///
+/// Growth throws InputError where nodes exceed the limits, before it makes them; where a cut names a shoot that is not
+/// there; where a seed stands in an obstacle; and where nothing has grown at all. std::invalid_argument for parameters
+/// out of their ranges. `scene` must outlive the growth.
+std::unique_ptr<Grower> make_organizer(Stand& stand, std::vector<OrganizeSeed> seeds,
+                                       const OrganizeParameters& parameters, RandomKey key, const Scene& scene,
+                                       const Limits& limits, std::string component);
+
+/// The unit vector toward a bud at `bud_angle` about an axis with that heading.
+Vec3 bud_side(Vec3 heading, double bud_angle);
+
+}  // namespace meristem

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// One iteration: what light the buds have, what resource that makes and how it is divided, which buds grow how many
+// metamers, which shoots are shed, what is cut. Light is that of the round's begin, so all plants of a stand see the
+// same. After the last iteration one more round counts light and resource for the skeleton's columns.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <deque>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/grow/organize/organize.h"
+#include "meristem/grow/organize/organized_tree.h"
+
+namespace meristem {
+
+namespace {
+
+void require(bool holds, const char* what) {
+  if (!holds) throw std::invalid_argument(what);
+}
+
+void check_parameters(const OrganizeParameters& parameters) {
+  require(parameters.iterations >= 0 && parameters.iterations < 65536, "organize: iterations are 0 to 65535");
+  require(parameters.every >= 1 && parameters.longest_shoot >= 1 && parameters.maturity >= 1,
+          "organize: every, longest_shoot and maturity are at least 1");
+  require(parameters.length > 0 && std::isfinite(parameters.length), "organize: length is above 0");
+  require(parameters.light.voxel >= 0 && parameters.light.full >= 0, "organize: light has no negative numbers");
+}
+
+class Organizer : public Grower {
+ public:
+  Organizer(Stand& stand, std::vector<OrganizeSeed> seeds, const OrganizeParameters& parameters, RandomKey key,
+            const Scene& scene, const Limits& limits, std::string component)
+      : species_{parameters, scene, limits, std::move(component)}, space_(stand.commons<StandSpace>()) {
+    for (std::size_t k = 0; k < seeds.size(); ++k) {
+      require_open(seeds[k].frame.origin);
+      trees_.emplace_back(species_, space_, seeds[k], key.child(k));
+    }
+  }
+
+  int step_limit() const override {
+    const std::int64_t rounds = std::int64_t{species_.parameters.iterations} * species_.parameters.every + 1;
+    return static_cast<int>(std::min<std::int64_t>(rounds, std::numeric_limits<int>::max()));
+  }
+
+  bool step(Progress& progress) override {
+    progress.check();
+    const int round = round_++;
+    if (round % species_.parameters.every != 0) return true;
+    const int iteration = round / species_.parameters.every + 1;
+    const bool is_last = iteration > species_.parameters.iterations;
+    for (OrganizedTree& tree : trees_) {
+      tree.sense(iteration, progress);
+      if (!is_last) tree.iterate(iteration, count_metamers(), progress);
+    }
+    if (is_last) require_growth();
+    return !is_last;
+  }
+
+  Skeleton take_skeleton(Progress& progress) override {
+    Skeleton all;
+    for (OrganizedTree& tree : trees_) all.append(tree.take_skeleton(progress));
+    return all;
+  }
+
+ private:
+  std::uint64_t count_metamers() const {
+    std::uint64_t sum = 0;
+    for (const OrganizedTree& tree : trees_) sum += tree.metamers().count();
+    return sum;
+  }
+
+  void require_open(Vec3 root) const {
+    if (!species_.scene.obstacles.contain(root)) return;
+    species_.refuse(
+        "roots", fmt::format("a root stands inside an obstacle, at ({:.4g}, {:.4g}, {:.4g})", root.x, root.y, root.z),
+        "a place outside all of scene.obstacles");
+  }
+
+  /// Says so where no tree has ever grown a metamer.
+  void require_growth() const {
+    double most = 0;
+    for (const OrganizedTree& tree : trees_) {
+      if (tree.has_grown()) return;
+      most = std::max(most, tree.flow().resource[0]);
+    }
+    if (trees_.empty() || species_.parameters.iterations == 0) return;
+    species_.refuse("resource.alpha",
+                    fmt::format("nothing grows: the light of the seed's bud makes a resource of {:.4g} at most, and it "
+                                "opens at {:.4g}",
+                                most, species_.parameters.terminal_threshold),
+                    "a larger 'alpha', more light or room, or a lower 'terminal_threshold'");
+  }
+
+  OrganizedSpecies species_;
+  StandSpace& space_;
+  std::deque<OrganizedTree> trees_;  // the space keeps pointers to them
+  int round_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Grower> make_organizer(Stand& stand, std::vector<OrganizeSeed> seeds,
+                                       const OrganizeParameters& parameters, RandomKey key, const Scene& scene,
+                                       const Limits& limits, std::string component) {
+  check_parameters(parameters);
+  return std::make_unique<Organizer>(stand, std::move(seeds), parameters, key, scene, limits, std::move(component));
+}
+
+}  // namespace meristem

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/organize/sag.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "meristem/base/frame.h"
+#include "meristem/base/math.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr double kGravity = 9.81;
+// An internode turns by no more in one iteration: beyond that it would break, and beam theory does not hold.
+constexpr double kMostTurn = 0.35;
+
+/// The radius of every metamer by the pipe model.
+std::vector<float> pipe_radii(const Metamers& metamers, const PipeModel& model) {
+  const std::size_t count = metamers.count();
+  std::vector<double> tips(count, 0);
+  for (std::size_t metamer = count; metamer-- > 0;) {
+    if (tips[metamer] == 0) tips[metamer] = 1;
+    tips[metamer] += model.memory * metamers.lost_tips[metamer];
+    if (metamer != 0) tips[metamers.parent[metamer]] += tips[metamer];
+  }
+  std::vector<float> radius(count);
+  for (std::size_t metamer = 0; metamer < count; ++metamer) {
+    const bool goes_on = metamer != 0 && tips[metamer] == tips[metamers.parent[metamer]];
+    radius[metamer] = goes_on ? radius[metamers.parent[metamer]]
+                              : static_cast<float>(model.tip_radius * math::pow(tips[metamer], 1 / model.exponent));
+  }
+  return radius;
+}
+
+}  // namespace
+
+void BranchLoad::bend(Metamers& metamers, int iteration) {
+  const std::size_t count = metamers.count();
+  moment_.resize(count, Vec2(0));
+  const std::vector<float> radius = pipe_radii(metamers, radii_);
+
+  // Mass and first moment of what each metamer carries, itself included.
+  std::vector<double> mass(count, 0);
+  std::vector<DVec3> first(count, DVec3(0));
+  for (std::size_t metamer = count; metamer-- > 1;) {
+    const MetamerIndex parent = metamers.parent[metamer];
+    const double wood = sag_.density * kPi * radius[metamer] * radius[metamer] * metamers.length(metamer);
+    const double leaves = metamers.birth[metamer] == iteration ? sag_.leaf_mass : 0;
+    mass[metamer] += wood + leaves;
+    first[metamer] += wood * 0.5 * DVec3(metamers.tip[metamer] + metamers.tip[parent]);
+    first[metamer] += leaves * DVec3(metamers.tip[metamer]);
+    mass[parent] += mass[metamer];
+    first[parent] += first[metamer];
+  }
+
+  // From the root on: turn each internode by what its moment has grown, and carry along what it bears.
+  std::vector<Mat3> turned(count, Mat3(1));
+  std::vector<Vec3> moved(count, Vec3(0));
+  for (MetamerIndex metamer = 1; metamer < count; ++metamer) {
+    const MetamerIndex parent = metamers.parent[metamer];
+    const DVec3 lever = first[metamer] - mass[metamer] * DVec3(metamers.tip[parent]);
+    // The moment of weights at a lever r is r x (0, -g m, 0).
+    const DVec3 moment = kGravity * DVec3(lever.z, 0, -lever.x);
+    const DVec3 grown = moment - DVec3(moment_[metamer].x, 0, moment_[metamer].y);
+    moment_[metamer] = Vec2(moment.x, moment.z);
+    const double r = radius[metamer];
+    const double rigidity = sag_.stiffness * 1e9 * kPi / 4 * r * r * r * r;
+    const double size = std::sqrt(squared_length(grown));
+    const double turn = std::min(size * metamers.length(metamer) / rigidity, kMostTurn);
+    Mat3 own(1);
+    if (turn > 1e-9) own = rotation(Vec3(grown / size), turn);
+    const Vec3 internode = metamers.tip[metamer] - metamers.tip[parent];
+    turned[metamer] = own * turned[parent];
+    moved[metamer] = moved[parent] + turned[metamer] * internode;
+    const float ground = std::min(0.0F, metamers.tip[metamer].y);
+    moved[metamer].y = std::max(moved[metamer].y, ground);
+    metamers.side[metamer] = turned[metamer] * metamers.side[metamer];
+  }
+  metamers.tip = std::move(moved);
+}
+
+void BranchLoad::remove(const std::vector<std::uint8_t>& gone) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < moment_.size(); ++k) {
+    if (gone[k] == 0) moment_[kept++] = moment_[k];
+  }
+  moment_.resize(kept);
+}
+
+}  // namespace meristem

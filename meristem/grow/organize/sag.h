@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Branches bend under what they carry. Each internode is an elastic beam; what it bends under the load of an iteration
+// stays when new wood is laid on, and only further load bends it further.
+#pragma once
+
+#include <vector>
+
+#include "meristem/grow/organize/metamers.h"
+#include "meristem/plant/pipe_radii.h"
+
+namespace meristem {
+
+struct Sag {
+  double stiffness = 5;      ///< modulus of elasticity, gigapascals; green wood has 4 to 12
+  double density = 900;      ///< of green wood, kilograms a cubic metre
+  double leaf_mass = 0.002;  ///< kilograms that a metamer of the last iteration carries besides
+};
+
+/// The load of a tree's branches and what it has bent.
+class BranchLoad {
+ public:
+  BranchLoad(const Sag& sag, const PipeModel& radii) : sag_(sag), radii_(radii) {}
+
+  /// Bends all internodes by what their load has grown since the last time; what goes on them moves and turns along.
+  /// Nothing comes below the ground, which is level at the root. `iteration` is the newest.
+  void bend(Metamers& metamers, int iteration);
+  /// Follows Metamers::remove().
+  void remove(const std::vector<std::uint8_t>& gone);
+
+ private:
+  Sag sag_;
+  PipeModel radii_;
+  std::vector<Vec2> moment_;  // newton metres about the base of each metamer, as it was bent: x and z
+};
+
+}  // namespace meristem

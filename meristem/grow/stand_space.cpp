@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/stand_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "meristem/base/limits.h"
+#include "meristem/base/parallel.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr std::size_t kShootsPerCheck = 16;  // the deepest pyramids take a millisecond each
+
+void require_bytes(const char* what, std::size_t bytes, std::uint64_t most, const std::string& path) {
+  if (bytes > most) throw_limit(what, static_cast<double>(bytes), most, "mesh_bytes", path);
+}
+
+}  // namespace
+
+const ShadowGrid& StandSpace::shade(const ShadowForm& form, std::uint64_t most_bytes, std::string path) {
+  const auto found = std::ranges::find_if(grids_, [&](const Grid& felt) { return felt.grid.form() == form; });
+  if (found != grids_.end()) return found->grid;
+  return grids_.emplace_back(Grid{ShadowGrid(form), most_bytes, std::move(path)}).grid;
+}
+
+MarkerField& StandSpace::markers(const MarkerForm& form, RandomKey key, const Obstacles& obstacles, RoomSeeker& seeker,
+                                 std::uint64_t most_bytes, std::string path) {
+  auto found = std::ranges::find_if(fields_, [&](const Field& felt) { return felt.field.form() == form; });
+  if (found == fields_.end()) {
+    fields_.emplace_back(Field{MarkerField(form, key, obstacles), {}, most_bytes, std::move(path)});
+    found = std::prev(fields_.end());
+  }
+  found->seekers.push_back(&seeker);
+  return found->field;
+}
+
+void StandSpace::begin_round(Progress& progress) {
+  parallel_for(grids_.size() + fields_.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      if (k < grids_.size()) {
+        cast_shade(grids_[k], progress);
+      } else {
+        take_markers(fields_[k - grids_.size()], progress);
+      }
+    }
+  });
+  shoots_.clear();
+  for (Field& field : fields_) share_out(field, progress);
+}
+
+void StandSpace::cast_shade(Grid& felt, const Progress& progress) const {
+  for (std::size_t k = 0; k < shoots_.size(); ++k) {
+    if (k % kShootsPerCheck == 0) {
+      progress.check();
+      require_bytes("bytes of shade", felt.grid.bytes(), felt.most_bytes, felt.path);
+    }
+    felt.grid.add(shoots_[k].place, shoots_[k].length / felt.grid.form().voxel);
+  }
+}
+
+void StandSpace::take_markers(Field& felt, const Progress& progress) const {
+  for (std::size_t k = 0; k < shoots_.size(); ++k) {
+    if (k % kShootsPerCheck == 0) {
+      progress.check();
+      require_bytes("bytes of markers", felt.field.bytes(), felt.most_bytes, felt.path);
+    }
+    if (shoots_[k].length > 0) {
+      felt.field.occupy(shoots_[k].place);
+    } else {
+      felt.field.vacate(shoots_[k].place);
+    }
+  }
+}
+
+/// Gives each marker to one of the buds of all plants that look for room in a field.
+void StandSpace::share_out(Field& felt, Progress& progress) {
+  std::vector<Seeker> seekers;
+  std::vector<std::size_t> first{0};
+  for (const RoomSeeker* plant : felt.seekers) {
+    plant->list_seekers(seekers);
+    first.push_back(seekers.size());
+  }
+  std::vector<Room> rooms(seekers.size());
+  felt.field.share_out(seekers, rooms, progress);
+  require_bytes("bytes of markers", felt.field.bytes(), felt.most_bytes, felt.path);
+  for (std::size_t k = 0; k < felt.seekers.size(); ++k) {
+    felt.seekers[k]->take_room(std::span(rooms).subspan(first[k], first[k + 1] - first[k]));
+  }
+}
+
+}  // namespace meristem

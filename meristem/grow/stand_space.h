@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the plants of a stand take from each other as they grow: light, by the shade that they cast, and room, by the
+// markers that they stand on. All plants tell it where their shoots grow and where they lose them; what a plant feels
+// of that is in a form of its own.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "meristem/grow/stand.h"
+#include "meristem/scene/marker_field.h"
+#include "meristem/scene/shadow_grid.h"
+
+namespace meristem {
+
+/// A plant whose buds look for room.
+class RoomSeeker {
+ public:
+  virtual ~RoomSeeker() = default;
+  /// Adds its buds as they are now. It gets as many answers, in this order, by take_room().
+  virtual void list_seekers(std::vector<Seeker>& seekers) const = 0;
+  virtual void take_room(std::span<const Room> rooms) = 0;
+};
+
+/// What plants do in a round is felt from the next one on.
+class StandSpace : public Commons {
+ public:
+  /// The grid of a form, the same one for equal forms; it stays where it is. Growth throws InputError at `path`, a
+  /// document path, where the grid would take more than `most_bytes`. To be called before the first round, as markers.
+  const ShadowGrid& shade(const ShadowForm& form, std::uint64_t most_bytes, std::string path);
+  /// The field of a form, the same one for equal forms, in which `seeker`, which outlives the growth, looks for room.
+  /// `key` is that of its markers where it is the first one; `obstacles` are the scene's.
+  MarkerField& markers(const MarkerForm& form, RandomKey key, const Obstacles& obstacles, RoomSeeker& seeker,
+                       std::uint64_t most_bytes, std::string path);
+  /// Whether anything is felt; if not, telling of shoots is lost work.
+  bool is_felt() const { return !grids_.empty() || !fields_.empty(); }
+
+  /// A leafy shoot of `length` metres ends at a place (world space). One as long as a voxel casts one shade.
+  void grow_shoot(Vec3 place, double length) { shoots_.push_back({place, length}); }
+  /// One that was told of is gone: light and room are as if it had never been.
+  void lose_shoot(Vec3 place, double length) { shoots_.push_back({place, -length}); }
+
+  void begin_round(Progress& progress) override;
+
+ private:
+  struct Shoot {
+    Vec3 place{0};
+    double length = 0;  // negative: lost
+  };
+  struct Grid {
+    ShadowGrid grid;
+    std::uint64_t most_bytes = 0;
+    std::string path;
+  };
+  struct Field {
+    MarkerField field;
+    std::vector<RoomSeeker*> seekers;
+    std::uint64_t most_bytes = 0;
+    std::string path;
+  };
+  void cast_shade(Grid& grid, const Progress& progress) const;
+  void take_markers(Field& field, const Progress& progress) const;
+  static void share_out(Field& field, Progress& progress);
+
+  std::deque<Grid> grids_;
+  std::deque<Field> fields_;
+  std::vector<Shoot> shoots_;
+};
+
+}  // namespace meristem

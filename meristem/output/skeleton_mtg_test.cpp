@@ -270,24 +270,36 @@ TEST(SkeletonMtg, TreesWithoutCoordinatesHaveNoSkeleton) {
   }
 }
 
+/// What a plant's file gives is its stems as one skeleton.
+void check_grown(const Document& document) {
+  Progress progress;
+  const GrownDocument grown = grow_document(document, progress);
+  Skeleton all;
+  for (const Stem& stem : grown.plant.stems) all.append(stem.skeleton);
+  Skeleton forest = read(written(grown.plant));
+  // What a stem does not have is not known here, and 0 in a skeleton to which it is appended.
+  for (auto& [name, values] : forest.extra) {
+    const auto is_unknown = [](float value) { return std::isnan(value); };
+    std::replace_if(values.begin(), values.end(), is_unknown, 0.0F);
+  }
+  EXPECT_GT(forest.node_count(), 10U);
+  EXPECT_EQ(skeleton_hash(forest), skeleton_hash(all));
+  EXPECT_EQ(axis_labels(forest), axis_labels(all));
+}
+
 TEST(SkeletonMtg, GrownPlantsComeBack) {
   for (const char* model : {"maple", "oak", "fern", "mint", "low-poly-palm"}) {
     SCOPED_TRACE(model);
     const std::string file = model_path(std::string(MERISTEM_SOURCE_DIR) + "/models", model);
-    const Document document = read_document(read_text_file(file), file, builtin_components(), {});
-    Progress progress;
-    const GrownDocument grown = grow_document(document, progress);
-    Skeleton all;
-    for (const Stem& stem : grown.plant.stems) all.append(stem.skeleton);
-    Skeleton forest = read(written(grown.plant));
-    // What a stem does not have is not known here, and 0 in a skeleton to which it is appended.
-    for (auto& [name, values] : forest.extra) {
-      const auto is_unknown = [](float value) { return std::isnan(value); };
-      std::replace_if(values.begin(), values.end(), is_unknown, 0.0F);
-    }
-    EXPECT_EQ(skeleton_hash(forest), skeleton_hash(all));
-    EXPECT_EQ(axis_labels(forest), axis_labels(all));
+    check_grown(read_document(read_text_file(file), file, builtin_components(), {}));
   }
+}
+
+TEST(SkeletonMtg, TreesThatNumberTheirMetamersComeBack) {
+  check_grown(read_document(R"({"meristem": 1, "components": {"tree": {
+    "type": "organize", "iterations": 9, "length": 0.1, "roots": [[0, 0, 0], [2, 0, 0]], "phyllotaxis": "decussate",
+    "shedding": {"below": 0.2}, "operations": [{"at": 4, "do": "cut", "shoot": "main", "above": 3}]}}})",
+                            "tree.json", builtin_components(), {}));
 }
 
 TEST(SkeletonMtg, HasTheSameBytesOnAnyNumberOfThreads) {

@@ -140,8 +140,10 @@ class MtgFiles(cli_test.Case):
             self.assertEqual((axis.values["component"], int(axis.values["instance"])),
                              (row["component"], int(row["instance"])))
             previous = entity.bearer if entity.bearer and entity.bearer.whole is axis else None
-            self.assertEqual(entity.number, previous.number + 1 if previous else int(entity.name == "S"))
-            for feature in mtg.types.keys() & row.keys() - {"node", "birth", "component", "instance"}:
+            counted = previous.number + 1 if previous else int(entity.name == "S")
+            self.assertEqual(entity.number, int(row.get("metamer", counted)))
+            self.assertEqual(axis.values.get("label"), row.get("label"))
+            for feature in mtg.types.keys() & row.keys() - {"node", "birth", "component", "instance", "label"}:
                 self.assertEqual(entity.values.get(feature), float(row[feature]) if row[feature] else None)
         roots = [row for row in self.table if not row["parent"]]
         self.assertEqual([entity.number for entity in mtg.of("P")], list(range(1, 1 + len(roots))))
@@ -154,6 +156,19 @@ class MtgFiles(cli_test.Case):
                 mtg = self.grow(document)
                 self.check_relations(mtg)
                 self.check_nodes(mtg)
+
+    def test_have_the_labels_of_shoots(self):
+        self.write("shoots.json", """{"meristem": 1, "components": {"tree": {
+            "type": "organize", "iterations": 8, "length": 0.1, "roots": [[0, 0, 0], [2, 0, 0]]}}}""")
+        mtg = self.grow("shoots.json")
+        self.check_relations(mtg)
+        self.check_nodes(mtg)
+        for entity in mtg.of("S"):
+            if entity.relation == "+":
+                bearer = entity.bearer
+                self.assertEqual(entity.whole.values["label"], f"{bearer.whole.values['label']}.{bearer.number}")
+        self.assertEqual([axis.values["label"] for axis in mtg.of("A") if not axis.base], ["main", "main"])
+        self.assertTrue(any(axis.values["label"].count(".") > 1 for axis in mtg.of("A")))
 
     def test_hold_several_trees(self):
         self.write("two.json", cli_test.TREE.replace('"leaf": {', '"shrub": {"type": "colonize", "crown": {"profile": '

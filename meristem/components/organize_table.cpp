@@ -167,7 +167,7 @@ const ParameterTable& organize_growth_table() {
           .number("lateral_threshold", &OrganizeParameters::lateral_threshold, {.min = 0, .max = 1000},
                   "The same for lateral buds; raised, fewer branches.")
           .boolean("laterals_wait", &OrganizeParameters::laterals_wait,
-                   "A lateral bud opens only after the terminal one beside it.")
+                   "A lateral bud opens only with or after the terminal one beside it.")
           .boolean("damage", &OrganizeParameters::damage, "Cut buds are damaged and never grow again; else they may.")
           .number("takeover", &OrganizeParameters::takeover, {.min = 0, .max = 100},
                   "How far a lateral beside a cut terminal bud turns to where that was going.")

@@ -26,11 +26,11 @@ const ShadowGrid& StandSpace::shade(const ShadowForm& form, std::uint64_t most_b
   return grids_.emplace_back(Grid{ShadowGrid(form), most_bytes, std::move(path)}).grid;
 }
 
-MarkerField& StandSpace::markers(const MarkerForm& form, const Obstacles& obstacles, RoomSeeker& seeker,
+MarkerField& StandSpace::markers(const MarkerForm& form, RandomKey key, const Obstacles& obstacles, RoomSeeker& seeker,
                                  std::uint64_t most_bytes, std::string path) {
   auto found = std::ranges::find_if(fields_, [&](const Field& felt) { return felt.field.form() == form; });
   if (found == fields_.end()) {
-    fields_.push_back({MarkerField(form, RandomKey(), &obstacles), {}, most_bytes, std::move(path)});
+    fields_.emplace_back(Field{MarkerField(form, key, obstacles), {}, most_bytes, std::move(path)});
     found = std::prev(fields_.end());
   }
   found->seekers.push_back(&seeker);

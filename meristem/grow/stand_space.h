@@ -32,9 +32,9 @@ class StandSpace : public Commons {
   /// document path, where the grid would take more than `most_bytes`. To be called before the first round, as markers.
   const ShadowGrid& shade(const ShadowForm& form, std::uint64_t most_bytes, std::string path);
   /// The field of a form, the same one for equal forms, in which `seeker`, which outlives the growth, looks for room.
-  /// `obstacles` are the scene's.
-  MarkerField& markers(const MarkerForm& form, const Obstacles& obstacles, RoomSeeker& seeker, std::uint64_t most_bytes,
-                       std::string path);
+  /// `key` is that of its markers where it is the first one; `obstacles` are the scene's.
+  MarkerField& markers(const MarkerForm& form, RandomKey key, const Obstacles& obstacles, RoomSeeker& seeker,
+                       std::uint64_t most_bytes, std::string path);
   /// Whether anything is felt; if not, telling of shoots is lost work.
   bool is_felt() const { return !grids_.empty() || !fields_.empty(); }
 

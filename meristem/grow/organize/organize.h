@@ -91,7 +91,7 @@ struct OrganizeParameters {
   ResourceModel resource;
   double terminal_threshold = 1;   ///< resource at which a terminal bud grows
   double lateral_threshold = 1.8;  ///< the same for lateral ones
-  bool laterals_wait = true;       ///< lateral buds open after their terminal only
+  bool laterals_wait = true;       ///< a lateral bud opens with or after its terminal only
   bool damage = true;              ///< a cut bud is damaged for ever; else it may grow again
   double takeover = 0.5;           ///< weight of a cut terminal's direction in the first metamer of a lateral beside it
   DirectionWeights direction;

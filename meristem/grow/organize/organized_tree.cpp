@@ -62,8 +62,8 @@ OrganizedTree::OrganizedTree(const OrganizedSpecies& species, StandSpace& space,
   } else {
     const MarkerForm form{.spacing = light.spacing * parameters.length,
                           .occupancy = light.occupancy * parameters.length};
-    MarkerField& field =
-        space.markers(form, species.scene.obstacles, *this, species.limits.mesh_bytes, species.path("light.spacing"));
+    MarkerField& field = space.markers(form, key.child("markers"), species.scene.obstacles, *this,
+                                       species.limits.mesh_bytes, species.path("light.spacing"));
     room_ = field.add_volume(seed.room, root_);
   }
   if (parameters.sag) load_.emplace(*parameters.sag, parameters.radii);
@@ -302,12 +302,15 @@ bool OrganizedTree::is_open(Vec3 from, Vec3 to) const {
 void OrganizedTree::shed(int iteration) {
   const Shedding& shedding = species_->parameters.shedding;
   if (shedding.below <= 0) return;
+  // The light of the round's begin must do for what a shoot has now, with what has just grown: the reading that keeps
+  // as many metamers as the published shares say (81 % at a threshold of 0.1, 43 % at 0.3).
+  std::vector<std::uint32_t> borne(metamers_.count(), 1);
+  for (std::size_t metamer = metamers_.count(); metamer-- > 1;) borne[metamers_.parent[metamer]] += borne[metamer];
   std::vector<std::uint8_t> gone(metamers_.count(), 0);
   bool any = false;
-  // What has grown in this iteration was not there when light was counted.
   for (MetamerIndex metamer = 1; metamer < flow_.light.size(); ++metamer) {
     if (!metamers_.begins_shoot(metamer) || metamers_.birth[metamer] + shedding.after >= iteration) continue;
-    if (flow_.light[metamer] < shedding.below * flow_.metamers[metamer]) {
+    if (flow_.light[metamer] < shedding.below * borne[metamer]) {
       gone[metamer] = 1;
       any = true;
     }
@@ -383,35 +386,38 @@ void OrganizedTree::remove(std::vector<std::uint8_t>& gone, Bud after) {
   }
 }
 
-Skeleton OrganizedTree::take_skeleton() {
+Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
   const std::size_t count = metamers_.count();
   Skeleton skeleton;
-  skeleton.parent = std::move(metamers_.parent);
-  skeleton.axis = std::move(metamers_.axis);
-  skeleton.order = std::move(metamers_.order);
+  skeleton.parent = metamers_.parent;
   skeleton.position.resize(count);
-  skeleton.radius.assign(count, 0);
-  skeleton.birth.assign(metamers_.birth.begin(), metamers_.birth.end());
-  metamers_.parent = skeleton.parent;
   std::vector<float>& angle = skeleton.extra["bud_angle"];
   angle.resize(count);
-  for (MetamerIndex metamer = 0; metamer < count; ++metamer) {
-    skeleton.position[metamer] = world(metamer);
-    const Frame frame = frame_along(Vec3(0), metamers_.heading(metamer), kUp);
-    const Vec3 side = metamers_.side[metamer];
-    angle[metamer] = static_cast<float>(math::atan2(glm::dot(side, frame.right()), glm::dot(side, frame.upper())));
-  }
+  parallel_for(count, kGrain, [&](std::size_t begin, std::size_t end) {
+    progress.check();
+    for (auto metamer = static_cast<MetamerIndex>(begin); metamer < end; ++metamer) {
+      skeleton.position[metamer] = world(metamer);
+      const Frame frame = frame_along(Vec3(0), metamers_.heading(metamer), kUp);
+      const Vec3 side = metamers_.side[metamer];
+      angle[metamer] = static_cast<float>(math::atan2(glm::dot(side, frame.right()), glm::dot(side, frame.upper())));
+    }
+  });
+  skeleton.radius.assign(count, 0);
+  skeleton.axis = std::move(metamers_.axis);
+  skeleton.order = std::move(metamers_.order);
+  skeleton.birth.assign(metamers_.birth.begin(), metamers_.birth.end());
   skeleton.extra["metamer"].assign(metamers_.number.begin(), metamers_.number.end());
   skeleton.extra["light"].assign(flow_.light.begin(), flow_.light.end());
   skeleton.extra["resource"].assign(flow_.resource.begin(), flow_.resource.end());
   const auto states = [&](const std::vector<Bud>& buds) {
     std::vector<float> column(count);
-    for (std::size_t k = 0; k < count; ++k) column[k] = static_cast<float>(buds[k].state());
+    std::ranges::transform(buds, column.begin(), [](Bud bud) { return static_cast<float>(bud.state()); });
     return column;
   };
   skeleton.extra["terminal_bud"] = states(metamers_.terminal);
   skeleton.extra["lateral_bud"] = states(metamers_.lateral);
   skeleton.extra["shed"] = std::move(metamers_.lost_tips);
+  progress.check();
   assign_pipe_radii(skeleton, species_->parameters.radii);
   return skeleton;
 }

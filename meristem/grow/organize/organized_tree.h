@@ -47,7 +47,7 @@ class OrganizedTree : public RoomSeeker {
   double resource_of_seed() const { return flow_.resource.empty() ? 0 : flow_.resource[0]; }
   const ResourceFlow& flow() const { return flow_; }
   /// In world space; to be called once.
-  Skeleton take_skeleton();
+  Skeleton take_skeleton(const Progress& progress);
 
   void list_seekers(std::vector<Seeker>& seekers) const override;
   void take_room(std::span<const Room> rooms) override { rooms_.assign(rooms.begin(), rooms.end()); }

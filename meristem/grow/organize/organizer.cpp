@@ -64,10 +64,7 @@ class Organizer : public Grower {
 
   Skeleton take_skeleton(Progress& progress) override {
     Skeleton all;
-    for (OrganizedTree& tree : trees_) {
-      progress.check();
-      all.append(tree.take_skeleton());
-    }
+    for (OrganizedTree& tree : trees_) all.append(tree.take_skeleton(progress));
     return all;
   }
 

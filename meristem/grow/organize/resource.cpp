@@ -130,7 +130,6 @@ void gather_light(const Metamers& metamers, const BudLight& light, ResourceFlow&
   const std::size_t count = metamers.count();
   flow.light.assign(count, 0);
   flow.buds.assign(count, 0);
-  flow.metamers.assign(count, 1);
   for (auto metamer = static_cast<MetamerIndex>(count); metamer-- > 0;) {
     if (metamers.terminal[metamer].is_open()) {
       flow.light[metamer] += light.terminal[metamer];
@@ -144,7 +143,6 @@ void gather_light(const Metamers& metamers, const BudLight& light, ResourceFlow&
     const MetamerIndex parent = metamers.parent[metamer];
     flow.light[parent] += flow.light[metamer];
     flow.buds[parent] += flow.buds[metamer];
-    flow.metamers[parent] += flow.metamers[metamer];
   }
 }
 

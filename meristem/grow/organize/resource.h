@@ -48,12 +48,11 @@ struct BudLight {
 
 /// What all metamers of a tree have in one iteration, by metamer.
 struct ResourceFlow {
-  std::vector<double> light;            ///< of the open buds at its tip and beyond
-  std::vector<std::uint32_t> buds;      ///< open ones, there and beyond
-  std::vector<std::uint32_t> metamers;  ///< itself and those beyond
-  std::vector<double> resource;         ///< that comes to it from below
-  std::vector<double> to_lateral;       ///< the share of it that its lateral bud or branch gets, ...
-  std::vector<double> passed_back;      ///< ... and what that gets besides from above, as a share of the same
+  std::vector<double> light;        ///< of the open buds at its tip and beyond
+  std::vector<std::uint32_t> buds;  ///< open ones, there and beyond
+  std::vector<double> resource;     ///< that comes to it from below
+  std::vector<double> to_lateral;   ///< the share of it that its lateral bud or branch gets, ...
+  std::vector<double> passed_back;  ///< ... and what that gets besides from above, as a share of the same
   double lost = 0;  ///< what damaged buds passed back and nobody took, and what came to forks without light
 
   double terminal(MetamerIndex metamer) const { return resource[metamer] - resource[metamer] * to_lateral[metamer]; }
@@ -62,7 +61,7 @@ struct ResourceFlow {
   }
 };
 
-/// Sums light, buds and metamers toward the root. Cost is linear.
+/// Sums light and buds toward the root. Cost is linear.
 void gather_light(const Metamers& metamers, const BudLight& light, ResourceFlow& flow);
 
 /// Divides the resource of a tree whose light was gathered. `iteration` counts from 1; `age` is its share of maturity,

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// Self-organizing trees grown to a million metamers, by shade and by markers. Counters: `metamers/s`, those living in
+// each iteration summed over the growth; `metamers` at its end; `ns/metamer`, the same as a time; `bytes/metamer`,
+// the most memory in use between two rounds of the growth, with the shade or the markers; the hash of the skeleton,
+// which has to be the same on any number of threads. `far` is a stand of eight trees up to 7 km apart with as many
+// metamers as one: cost goes with the trees and not with the space around them. After the runs it prints how cost grows
+// with the metamers.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+#include <malloc.h>
+
+#include "meristem/base/parallel.h"
+#include "meristem/grow/organize/organize.h"
+
+namespace {
+
+using meristem::BudLightModel;
+using meristem::OrganizeParameters;
+using meristem::Skeleton;
+using meristem::Vec3;
+
+const meristem::Scene kOpenScene;
+
+OrganizeParameters parameters(BudLightModel::Kind kind, int iterations) {
+  OrganizeParameters made;
+  made.iterations = iterations;
+  made.light.kind = kind;
+  if (kind == BudLightModel::Kind::markers) {
+    made.direction = {.persistence = 0.55, .light = 0.3, .up = 0.15};
+  }
+  return made;
+}
+
+double bytes_in_use() {
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks + info.hblkhd);
+}
+
+/// A member of the stand that does nothing but look at the memory in use.
+class MemoryProbe : public meristem::Grower {
+ public:
+  MemoryProbe(int rounds, double& most) : rounds_(rounds), most_(most) {}
+  int step_limit() const override { return rounds_; }
+  bool step(meristem::Progress&) override {
+    most_ = std::max(most_, bytes_in_use());
+    return true;
+  }
+  Skeleton take_skeleton(meristem::Progress&) override { return {}; }
+
+ private:
+  int rounds_;
+  double& most_;
+};
+
+Skeleton grow(const OrganizeParameters& parameters, int trees, float apart, double& most_bytes) {
+  meristem::Progress progress;
+  meristem::Stand stand;
+  std::vector<meristem::OrganizeSeed> seeds(static_cast<std::size_t>(trees));
+  for (std::size_t k = 0; k < seeds.size(); ++k) seeds[k].frame.origin.x = apart * static_cast<float>(k);
+  stand.add(make_organizer(stand, seeds, parameters, meristem::RandomKey(1), kOpenScene, {}, "tree"));
+  stand.add(std::make_unique<MemoryProbe>(parameters.iterations + 1, most_bytes));
+  stand.grow(progress);
+  return std::move(stand.take_skeletons(progress)[0]);
+}
+
+/// The metamers that live in each iteration, summed over all of them; none is shed.
+double living_metamers(const Skeleton& skeleton, int iterations) {
+  double sum = 0;
+  for (const float birth : skeleton.birth) sum += iterations + 1 - static_cast<double>(birth);
+  return sum;
+}
+
+struct Run {
+  std::string hash;
+  double metamers = 0;
+  double nanoseconds = 0;  // for each metamer in each iteration
+};
+std::map<std::pair<int, int>, Run>& runs() {
+  static std::map<std::pair<int, int>, Run> all;
+  return all;
+}
+
+void measure(benchmark::State& state, BudLightModel::Kind kind, int trees, float apart) {
+  const int iterations = static_cast<int>(state.range(0));
+  const meristem::ThreadLimit threads(static_cast<int>(state.range(1)));
+  const OrganizeParameters wanted = parameters(kind, iterations);
+  double bytes = 0;
+  double best = 1e9;
+  double living = 0;
+  Skeleton skeleton;
+  for (auto _ : state) {
+    skeleton = Skeleton();
+    const double before = bytes_in_use();
+    double most = before;
+    const auto begin = std::chrono::steady_clock::now();
+    skeleton = grow(wanted, trees, apart, most);
+    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    living += living_metamers(skeleton, iterations);
+    bytes = most - before;
+  }
+  const auto metamers = static_cast<double>(skeleton.node_count());
+  state.counters["metamers/s"] = benchmark::Counter(living, benchmark::Counter::kIsRate);
+  state.counters["metamers"] = metamers;
+  const double nanoseconds = 1e9 * best / living_metamers(skeleton, iterations);
+  state.counters["ns/metamer"] = nanoseconds;
+  state.counters["bytes/metamer"] = bytes / metamers;
+  const std::string hash = skeleton_hash(skeleton).substr(0, 16);
+  state.SetLabel(hash);
+  if (trees > 1) return;
+  const auto [run, is_new] = runs().try_emplace({static_cast<int>(kind), iterations}, Run{hash, metamers, nanoseconds});
+  if (!is_new && run->second.hash != hash) {
+    std::fprintf(stderr, "%d iterations: another tree on %d threads\n", iterations, static_cast<int>(state.range(1)));
+    std::exit(1);
+  }
+}
+
+void shadow(benchmark::State& state) { measure(state, BudLightModel::Kind::shadow, 1, 0); }
+void far(benchmark::State& state) { measure(state, BudLightModel::Kind::shadow, 8, 1000); }
+void markers(benchmark::State& state) { measure(state, BudLightModel::Kind::markers, 1, 0); }
+
+void sizes(benchmark::internal::Benchmark* bench, const std::vector<int>& iterations) {
+  bench->ArgNames({"iterations", "threads"})->Unit(benchmark::kMillisecond)->UseRealTime();
+  for (const int count : iterations) bench->Args({count, 1});
+  bench->Args({iterations.back(), 2});
+}
+BENCHMARK(shadow)->Apply([](auto* bench) { sizes(bench, {28, 50, 93}); });
+BENCHMARK(far)->Apply([](auto* bench) { sizes(bench, {50}); });
+BENCHMARK(markers)->Apply([](auto* bench) { sizes(bench, {12, 20, 30}); });
+
+void print_growth(const char* name, BudLightModel::Kind kind) {
+  const Run* smallest = nullptr;
+  const Run* largest = nullptr;
+  for (const auto& [key, run] : runs()) {
+    if (key.first != static_cast<int>(kind)) continue;
+    if (smallest == nullptr || run.metamers < smallest->metamers) smallest = &run;
+    if (largest == nullptr || run.metamers > largest->metamers) largest = &run;
+  }
+  if (smallest == largest) return;
+  const double power =
+      1 + std::log(largest->nanoseconds / smallest->nanoseconds) / std::log(largest->metamers / smallest->metamers);
+  std::printf("%s: an iteration's cost grows with metamers^%.2f from %.0f to %.0f\n", name, power, smallest->metamers,
+              largest->metamers);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  print_growth("shadow", BudLightModel::Kind::shadow);
+  print_growth("markers", BudLightModel::Kind::markers);
+  return 0;
+}

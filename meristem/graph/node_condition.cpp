@@ -6,7 +6,7 @@
 namespace meristem {
 
 const std::vector<std::string>& node_variables() {
-  static const std::vector<std::string> names = {"order", "radius", "u", "height", "birth", "age", "tip_distance"};
+  static const std::vector<std::string> names = {"order", "radius", "u", "height", "birth", "tip_distance"};
   return names;
 }
 
@@ -24,7 +24,7 @@ std::vector<std::uint8_t> nodes_where(const Skeleton& skeleton, const Axes& axes
                                       RandomKey key) {
   const std::size_t count = skeleton.node_count();
   const std::vector<float> tip = tip_distance(skeleton);
-  std::vector<double> order(count), radius(count), u(count), height(count), birth(count), age(count), distance(count),
+  std::vector<double> order(count), radius(count), u(count), height(count), birth(count), distance(count),
       result(count);
   for (AxisIndex a = 0; a < axes.count(); ++a) {
     const auto nodes = axes.of(a);
@@ -35,17 +35,14 @@ std::vector<std::uint8_t> nodes_where(const Skeleton& skeleton, const Axes& axes
       u[node] = arc / whole;
     }
   }
-  const float newest = count == 0 ? 0 : *std::ranges::max_element(skeleton.birth);
   for (std::size_t k = 0; k < count; ++k) {
     order[k] = skeleton.order[k];
     radius[k] = skeleton.radius[k];
     height[k] = skeleton.position[k].y;
     birth[k] = skeleton.birth[k];
-    age[k] = newest - skeleton.birth[k];
     distance[k] = tip[k];
   }
-  const double* const columns[] = {order.data(), radius.data(), u.data(),       height.data(),
-                                   birth.data(), age.data(),    distance.data()};
+  const double* const columns[] = {order.data(), radius.data(), u.data(), height.data(), birth.data(), distance.data()};
   std::vector<RandomKey> keys;
   if (condition.expression.is_random()) {
     for (std::size_t k = 0; k < count; ++k) keys.push_back(key.child(k));

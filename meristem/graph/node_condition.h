@@ -13,7 +13,7 @@
 namespace meristem {
 
 /// What such conditions may name: order, radius, u (share of the axis's length from its base), height (y), birth
-/// (growth step), age (steps from there to the newest), tip_distance (to the farthest tip beyond). Lengths in metres.
+/// (growth step), tip_distance (to the farthest tip beyond). Lengths in metres.
 const std::vector<std::string>& node_variables();
 
 /// For every node 1 where the condition holds, else 0. `axes` are the skeleton's; `key` feeds random functions.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/frame.h"
+#include "meristem/base/math.h"
 
 namespace meristem {
 
@@ -61,7 +62,7 @@ MetamerIndex Metamers::grow(MetamerIndex from, bool is_lateral, int iteration) {
   AxisIndex own = axis[from];
   if (is_lateral) {
     own = static_cast<AxisIndex>(axes.size());
-    axes.push_back({axes[axis[from]].key.child(number[from]), made, made});
+    axes.push_back({key_of_shoot(from, true), made, made});
   } else {
     axes[own].last = made;
   }
@@ -86,6 +87,18 @@ Vec3 Metamers::heading(MetamerIndex metamer) const {
 
 float Metamers::length(MetamerIndex metamer) const {
   return metamer == 0 ? 0 : glm::distance(tip[metamer], tip[parent[metamer]]);
+}
+
+Vec3 Metamers::bud_heading(MetamerIndex metamer, bool is_lateral, double branching_angle) const {
+  const Vec3 along = heading(metamer);
+  if (!is_lateral) return along;
+  return static_cast<float>(math::cos(branching_angle)) * along +
+         static_cast<float>(math::sin(branching_angle)) * side[metamer];
+}
+
+RandomKey Metamers::key_of_shoot(MetamerIndex from, bool is_lateral) const {
+  const RandomKey own = axes[axis[from]].key;
+  return is_lateral ? own.child(number[from]) : own;
 }
 
 std::optional<MetamerIndex> Metamers::find(AxisIndex on, std::uint32_t wanted) const {

@@ -84,6 +84,15 @@ struct Metamers {
   /// Unit vector from a metamer's base to its tip; of the seed the way in which it will grow.
   Vec3 heading(MetamerIndex metamer) const;
   float length(MetamerIndex metamer) const;
+  /// Unit vector in which a metamer's terminal or lateral bud points; lateral ones stand off by `branching_angle`.
+  Vec3 bud_heading(MetamerIndex metamer, bool is_lateral, double branching_angle) const;
+  /// Whether a bud has a claim by its light: an open one, or a damaged one at the end of its axis.
+  bool competes(MetamerIndex metamer, bool is_lateral) const {
+    const Bud bud = (is_lateral ? lateral : terminal)[metamer];
+    return bud.is_open() || (!is_lateral && bud.is_damaged());
+  }
+  /// The key of the shoot on which the next metamer from here will stand.
+  RandomKey key_of_shoot(MetamerIndex from, bool is_lateral) const;
   /// Whether the metamer is the first of a lateral axis.
   bool begins_shoot(MetamerIndex metamer) const { return metamer != 0 && axis[metamer] != axis[parent[metamer]]; }
 

@@ -113,8 +113,9 @@ struct OrganizeSeed {
 /// `component` is the id that errors name.
 ///
 /// Columns of the skeleton: `metamer` (number on the axis, 0 for seeds), `light` and `resource` as they would be in the
-/// next iteration, `terminal_bud` and `lateral_bud` (states: 0 open, 1 grown, 2 damaged, 3 dead), `bud_angle` (radians
-/// about the axis from its upper side to the lateral bud, see bud_side), `shed` (tips lost).
+/// next iteration, `lateral_resource` (what of it and of what is passed back the lateral bud or branch would get),
+/// `terminal_bud` and `lateral_bud` (states: 0 open, 1 grown, 2 damaged, 3 dead), `bud_angle` (radians about the axis
+/// from its upper side to the lateral bud, see bud_side), `shed` (tips lost).
 ///
 /// Growth throws InputError where nodes exceed the limits, before it makes them; where a cut names a shoot that is not
 /// there; where a seed stands in an obstacle; and where nothing has grown at all. std::invalid_argument for parameters

@@ -36,7 +36,7 @@ class Organizer : public Grower {
  public:
   Organizer(Stand& stand, std::vector<OrganizeSeed> seeds, const OrganizeParameters& parameters, RandomKey key,
             const Scene& scene, const Limits& limits, std::string component)
-      : species_(parameters, scene, limits, std::move(component)), space_(stand.commons<StandSpace>()) {
+      : species_{parameters, scene, limits, std::move(component)}, space_(stand.commons<StandSpace>()) {
     for (std::size_t k = 0; k < seeds.size(); ++k) {
       require_open(seeds[k].frame.origin);
       trees_.emplace_back(species_, space_, seeds[k], key.child(k));
@@ -87,7 +87,7 @@ class Organizer : public Grower {
     double most = 0;
     for (const OrganizedTree& tree : trees_) {
       if (tree.has_grown()) return;
-      most = std::max(most, tree.resource_of_seed());
+      most = std::max(most, tree.flow().resource[0]);
     }
     if (trees_.empty() || species_.parameters.iterations == 0) return;
     species_.refuse("resource.alpha",

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/organize/bud_sense.h"
+
+#include <algorithm>
+
+#include "meristem/base/math.h"
+#include "meristem/base/parallel.h"
+#include "meristem/scene/brighter_way.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr std::size_t kGrain = 2048;  // metamers
+
+class ShadeSense : public BudSense {
+ public:
+  ShadeSense(const OrganizedSpecies& species, StandSpace& space, Vec3 root, const Metamers& metamers,
+             const SceneLight& light)
+      : species_(species),
+        root_(root),
+        metamers_(metamers),
+        light_(light),
+        shade_(space.shade(form_of(species), species.limits.mesh_bytes, species.path("light.voxel"))) {}
+
+  void sense(BudLight& found, const Progress& progress) override {
+    const BudLightModel& model = species_.parameters.light;
+    const double own_per_metre = model.a / shade_.form().voxel;
+    parallel_for(metamers_.count(), kGrain, [&](std::size_t begin, std::size_t end) {
+      progress.check();
+      for (auto metamer = static_cast<MetamerIndex>(begin); metamer < end; ++metamer) {
+        const bool terminal = metamers_.competes(metamer, false);
+        const bool lateral = metamers_.competes(metamer, true);
+        if (!terminal && !lateral) continue;
+        const double full = model.full * light_.at(metamer);
+        const double of_others = shade_.shade(place(metamer)) - own_per_metre * metamers_.length(metamer);
+        const auto left = static_cast<float>(std::clamp(full - of_others, 0.0, full));
+        if (terminal) found.terminal[metamer] = left;
+        if (lateral) found.lateral[metamer] = left;
+      }
+    });
+  }
+
+  /// Out of the shade of plants, and as far as obstacles take the light also out of theirs.
+  Vec3 way(MetamerIndex metamer, bool) const override {
+    const Vec3 from_plants = normalized_or(shade_.brighter_way(place(metamer)), Vec3(0));
+    const float blocked = 1 - std::min(1.0F, light_.at(metamer));
+    if (blocked <= 0) return from_plants;
+    const Vec3 from_obstacles = normalized_or(Vec3(brighter_way(species_.scene, place(metamer), 1)), Vec3(0));
+    return normalized_or(from_plants + 2 * blocked * from_obstacles, Vec3(0));
+  }
+
+ private:
+  static ShadowForm form_of(const OrganizedSpecies& species) {
+    const BudLightModel& model = species.parameters.light;
+    return {.voxel = model.voxel > 0 ? model.voxel : species.parameters.length,
+            .amount = model.a,
+            .base = model.b,
+            .depth = model.depth,
+            .toward_light = species.scene.light.mean_direction(),
+            .reach = model.reach};
+  }
+  Vec3 place(MetamerIndex metamer) const { return root_ + metamers_.tip[metamer]; }
+
+  const OrganizedSpecies& species_;
+  Vec3 root_;
+  const Metamers& metamers_;
+  const SceneLight& light_;
+  const ShadowGrid& shade_;
+};
+
+class RoomSense : public BudSense, public RoomSeeker {
+ public:
+  RoomSense(const OrganizedSpecies& species, StandSpace& space, const OrganizeSeed& seed, RandomKey key,
+            const Metamers& metamers, const SceneLight& light)
+      : species_(species), root_(seed.frame.origin), metamers_(metamers), light_(light) {
+    const BudLightModel& model = species.parameters.light;
+    const double length = species.parameters.length;
+    const MarkerForm form{.spacing = model.spacing * length, .occupancy = model.occupancy * length};
+    MarkerField& field = space.markers(form, key.child("markers"), species.scene.obstacles, *this,
+                                       species.limits.mesh_bytes, species.path("light.spacing"));
+    volume_ = field.add_volume(seed.room, root_);
+  }
+
+  void list_seekers(std::vector<Seeker>& seekers) const override {
+    const BudLightModel& model = species_.parameters.light;
+    const auto radius = static_cast<float>(model.perception * species_.parameters.length);
+    const auto cosine = static_cast<float>(math::cos(0.5 * model.cone));
+    for_each_bud([&](MetamerIndex metamer, bool is_lateral) {
+      const Vec3 heading = metamers_.bud_heading(metamer, is_lateral, species_.parameters.phyllotaxis.branching_angle);
+      seekers.push_back({root_ + metamers_.tip[metamer], heading, volume_, radius, cosine});
+    });
+  }
+
+  void take_room(std::span<const Room> rooms) override { rooms_.assign(rooms.begin(), rooms.end()); }
+
+  void sense(BudLight& found, const Progress& progress) override {
+    const BudLightModel& model = species_.parameters.light;
+    first_room_.assign(metamers_.count(), 0);
+    std::uint32_t next = 0;
+    for_each_bud([&](MetamerIndex metamer, bool is_lateral) {
+      if (next % kGrain == 0) progress.check();
+      if (!is_lateral || !metamers_.competes(metamer, false)) first_room_[metamer] = next;
+      const std::uint32_t markers = rooms_[next++].count;
+      const double share = model.counts ? markers : (markers > 0 ? 1 : 0);
+      (is_lateral ? found.lateral : found.terminal)[metamer] =
+          static_cast<float>(model.full * light_.at(metamer) * share);
+    });
+  }
+
+  Vec3 way(MetamerIndex metamer, bool is_lateral) const override {
+    const bool is_second = is_lateral && metamers_.competes(metamer, false);
+    return normalized_or(rooms_[first_room_[metamer] + (is_second ? 1 : 0)].way, Vec3(0));
+  }
+
+ private:
+  template <class Visit>
+  void for_each_bud(Visit visit) const {
+    for (MetamerIndex metamer = 0; metamer < metamers_.count(); ++metamer) {
+      if (metamers_.competes(metamer, false)) visit(metamer, false);
+      if (metamers_.competes(metamer, true)) visit(metamer, true);
+    }
+  }
+
+  const OrganizedSpecies& species_;
+  Vec3 root_;
+  const Metamers& metamers_;
+  const SceneLight& light_;
+  std::uint32_t volume_ = 0;
+  std::vector<Room> rooms_;                // of the buds that compete, in order
+  std::vector<std::uint32_t> first_room_;  // of each metamer
+};
+
+}  // namespace
+
+SceneLight::SceneLight(const Scene& scene, Vec3 root)
+    : scene_(scene), is_even_(scene.obstacles.empty() && scene.light.lamps.empty() && !scene.light.is_none()) {
+  add(root);
+}
+
+float SceneLight::reaching(Vec3 place) const {
+  double arrives = 0;
+  scene_.light.for_each_ray(place, [&](const LightRay& ray) {
+    if (!scene_.obstacles.block(place, ray.toward, ray.distance)) arrives += ray.strength;
+  });
+  return static_cast<float>(arrives);
+}
+
+void SceneLight::add(Vec3 place) {
+  if (!is_even_) light_.push_back(reaching(place));
+}
+
+void SceneLight::remove(const std::vector<std::uint8_t>& gone) {
+  std::size_t k = 0;
+  std::erase_if(light_, [&](float) { return gone[k++] != 0; });
+}
+
+std::unique_ptr<BudSense> make_bud_sense(const OrganizedSpecies& species, StandSpace& space, const OrganizeSeed& seed,
+                                         RandomKey key, const Metamers& metamers, const SceneLight& light) {
+  if (species.parameters.light.kind == BudLightModel::Kind::markers) {
+    return std::make_unique<RoomSense>(species, space, seed, key, metamers, light);
+  }
+  return std::make_unique<ShadeSense>(species, space, seed.frame.origin, metamers, light);
+}
+
+}  // namespace meristem

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the buds of a tree perceive what they compete for: the light that the shade of all plants leaves, or the room
+// that markers show. Obstacles and lamps of the scene change either.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "meristem/base/progress.h"
+#include "meristem/grow/organize/metamers.h"
+#include "meristem/grow/organize/resource.h"
+#include "meristem/grow/organize/species.h"
+#include "meristem/grow/stand_space.h"
+
+namespace meristem {
+
+/// The light of the scene that reaches the metamers of a tree past its obstacles: 1 in the open.
+class SceneLight {
+ public:
+  SceneLight(const Scene& scene, Vec3 root);
+  float at(MetamerIndex metamer) const { return is_even_ ? 1 : light_[metamer]; }
+  /// At a place in world space.
+  float reaching(Vec3 place) const;
+
+  /// Follow Metamers::grow() and Metamers::remove().
+  void add(Vec3 place);
+  void remove(const std::vector<std::uint8_t>& gone);
+
+ private:
+  const Scene& scene_;
+  bool is_even_;
+  std::vector<float> light_;  // by metamer
+};
+
+class BudSense {
+ public:
+  virtual ~BudSense() = default;
+  /// The light of all buds that compete, as the stand's space is now.
+  virtual void sense(BudLight& light, const Progress& progress) = 0;
+  /// The unit vector in which a bud finds more of it, after sense(); 0 where that is no way in particular. From many
+  /// threads at once.
+  virtual Vec3 way(MetamerIndex metamer, bool is_lateral) const = 0;
+};
+
+/// That of one tree, whose `metamers` and `light` outlive it. To be called before the first round.
+std::unique_ptr<BudSense> make_bud_sense(const OrganizedSpecies& species, StandSpace& space, const OrganizeSeed& seed,
+                                         RandomKey key, const Metamers& metamers, const SceneLight& light);
+
+}  // namespace meristem

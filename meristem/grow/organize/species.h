@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "meristem/base/limits.h"
+#include "meristem/grow/organize/organize.h"
+#include "meristem/scene/scene.h"
+
+namespace meristem {
+
+/// What all self-organizing trees of one component have in common.
+struct OrganizedSpecies {
+  OrganizeParameters parameters;
+  const Scene& scene;
+  Limits limits;
+  std::string component;
+
+  /// Of a parameter in the document.
+  std::string path(const std::string& parameter) const;
+  /// Throws an InputError at a parameter.
+  [[noreturn]] void refuse(const std::string& parameter, std::string message, std::string expected,
+                           std::string nearest = {}) const;
+};
+
+}  // namespace meristem

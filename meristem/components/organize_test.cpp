@@ -69,7 +69,8 @@ TEST(OrganizeComponent, DefaultsGrowATree) {
   EXPECT_GT(bounds(skeleton).high.y, 2);
   EXPECT_EQ(plant.stems[0].parts[0].component, "tree");
   EXPECT_EQ(warnings({}), "");
-  for (const char* column : {"metamer", "light", "resource", "terminal_bud", "lateral_bud", "bud_angle", "shed"}) {
+  for (const char* column :
+       {"metamer", "light", "resource", "lateral_resource", "terminal_bud", "lateral_bud", "bud_angle", "shed"}) {
     EXPECT_EQ(skeleton.extra.count(column), 1U) << column;
   }
 }

@@ -2,6 +2,7 @@
 #include "meristem/grow/organize/metamers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -50,6 +51,28 @@ TEST(Metamers, ASeedIsAPlaceWithATerminalBudOnly) {
   EXPECT_EQ(metamers.heading(0), Vec3(0, 0, 1));
   EXPECT_EQ(metamers.length(0), 0);
   EXPECT_FALSE(metamers.begins_shoot(0));
+}
+
+TEST(Metamers, LateralBudsPointAsideByTheBranchingAngle) {
+  Metamers metamers({0, 1, 0}, {1, 0, 0}, RandomKey(1));
+  metamers.tip[metamers.grow(0, false, 1)] = {0, 2, 0};
+  EXPECT_EQ(metamers.bud_heading(1, false, radians(30)), Vec3(0, 1, 0));
+  EXPECT_LT(glm::distance(metamers.bud_heading(1, true, radians(30)), Vec3(0.5F, std::sqrt(0.75F), 0)), 1e-6F);
+}
+
+TEST(Metamers, OpenBudsAndDamagedTerminalsCompete) {
+  Metamers metamers = seed();
+  metamers.grow(0, false, 1);
+  EXPECT_FALSE(metamers.competes(0, false));
+  EXPECT_FALSE(metamers.competes(0, true));
+  for (const bool is_lateral : {false, true}) {
+    Bud& bud = bud_of(metamers, 1, is_lateral);
+    EXPECT_TRUE(metamers.competes(1, is_lateral));
+    bud = Bud::damaged();
+    EXPECT_EQ(metamers.competes(1, is_lateral), !is_lateral);
+    bud = Bud::dead();
+    EXPECT_FALSE(metamers.competes(1, is_lateral));
+  }
 }
 
 TEST(Metamers, BudsTellTheirStates) {

@@ -16,9 +16,10 @@
 namespace meristem {
 namespace {
 
-Diagnostic fault_of(const OrganizeParameters& parameters, const Scene& scene = {}, const Limits& limits = {}) {
+Diagnostic fault_of(const OrganizeParameters& parameters, const Scene& scene = {}, const Limits& limits = {},
+                    const Frame& seed = {}) {
   try {
-    grow_organized(parameters, 1, scene, {}, limits);
+    grow_organized(parameters, 1, scene, seed, limits);
   } catch (const InputError& error) {
     EXPECT_EQ(error.diagnostics().size(), 1U);
     EXPECT_FALSE(error.diagnostics()[0].expected.empty());
@@ -334,6 +335,22 @@ TEST(Organize, WhereNothingGrowsIsAFault) {
   EXPECT_EQ(fault_of(full(5), cellar).path, "components.tree.resource.alpha");
 }
 
+TEST(Organize, UnderAFaintSkyAloneTreesGrowLess) {
+  // As at night: all light there is comes from the sky and is less than 1.
+  Scene scene;
+  scene.light.sun.clear();
+  scene.light.sky = even_sky(0.95);
+  const double faint = metamer_count(grow_organized(full(14), 1, scene));
+  scene.light.sky = even_sky(1);
+  EXPECT_LT(faint, 0.9 * metamer_count(grow_organized(full(14), 1, scene)));
+}
+
+TEST(Organize, WhereNoStemHasRoomIsAFaultOfTheRoots) {
+  // Seeds that head into the ground.
+  const Frame down = frame_along(Vec3(0), -kUp, Vec3(0, 0, 1));
+  EXPECT_EQ(fault_of(full(5), {}, {}, down).path, "components.tree.roots");
+}
+
 TEST(Organize, NoIterationsLeaveTheSeed) {
   const Skeleton seed = grow_organized(organized(0, 0));
   EXPECT_EQ(seed.node_count(), 1U);
@@ -354,6 +371,7 @@ TEST(Organize, RejectsParametersOutOfTheirRanges) {
   rejects([](OrganizeParameters& p) { p.length = 0; });
   rejects([](OrganizeParameters& p) { p.length = std::numeric_limits<double>::quiet_NaN(); });
   rejects([](OrganizeParameters& p) { p.light.full = -1; });
+  rejects([](OrganizeParameters& p) { p.cuts = {{.at = 1, .shoot = "main", .above = -1}}; });
   rejects([](OrganizeParameters& p) { p.light.a = -1; });
   rejects([](OrganizeParameters& p) { p.light.b = 0.5; });
 }

@@ -2,6 +2,7 @@
 // Metamers as a tree of pointers, in the plainest form.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -89,7 +90,7 @@ class PlainMetamers {
   static double tips(const Node& node) {
     double sum = 0;
     for (const Side* side : {&node.terminal, &node.lateral}) sum += side->node ? tips(*side->node) : 0;
-    return (sum == 0 ? 1 : sum) + node.lost;
+    return sum == 0 ? std::max(node.lost, 1.0) : sum + node.lost;
   }
 
   void forget(const Node& node) {

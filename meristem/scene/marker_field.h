@@ -44,6 +44,8 @@ struct Room {
   Vec3 way{0};              ///< sum of the unit vectors to them
 };
 
+struct LookedAt;
+
 class MarkerField {
  public:
   /// Obstacles take the markers inside them. Throws std::invalid_argument for a form out of range.
@@ -81,14 +83,16 @@ class MarkerField {
     std::uint32_t volume;
     std::uint32_t next;  // of the same brick
   };
-  struct Contest;
+  struct Tally;
 
-  std::uint64_t find_claim(const MarkerBricks::BrickPlace& brick, std::uint8_t pattern, const Volume& volume) const;
+  std::uint64_t find_claim(const MarkerBricks::Place& brick, std::uint8_t pattern, const Volume& volume) const;
   const Claim* known_claim(const MarkerBricks::Brick& brick, std::uint32_t volume) const;
   std::uint64_t seen_by(const MarkerBricks::Brick& brick, std::uint32_t volume) const;
-  void learn_claims(const Contest& contest, const Progress& progress);
+  void learn_claims(const LookedAt& looked, const Progress& progress);
   void limit(MarkerBricks::Brick& brick);
-  DVec3 position(const MarkerBricks::BrickPlace& brick, std::uint8_t pattern, std::uint32_t marker) const;
+  void share_out_brick(const MarkerBricks::Brick& brick, const LookedAt& looked, std::span<const std::uint32_t> lookers,
+                       std::vector<Tally>& got) const;
+  DVec3 position(const MarkerBricks::Place& brick, std::uint8_t pattern, std::uint32_t marker) const;
 
   MarkerForm form_;
   Obstacles obstacles_;

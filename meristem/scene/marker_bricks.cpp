@@ -1,39 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/scene/marker_bricks.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 
 namespace meristem {
 
 namespace {
 
-constexpr double kFarthest = 4e6;  // voxels; past it 32-bit places do not tell voxels apart
 constexpr std::size_t kPatterns = 64;
 
 void require(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(what);
 }
 
-/// Eight bytes that are 0 or 1 as bits.
-std::uint64_t bits(const std::uint8_t* bytes) {
-  std::uint64_t word = 0;
-  for (int k = 0; k < 8; ++k) word |= std::uint64_t{bytes[k]} << (8 * k);
-  return (word * 0x0102040810204080U) >> 56;
-}
-
-std::uint64_t all_bits(const std::array<std::uint8_t, MarkerBricks::kInBrick>& bytes) {
+/// Bytes that are 0 or 1 as bits.
+std::uint64_t bits(const std::array<std::uint8_t, MarkerBricks::kInBrick>& bytes) {
   std::uint64_t all = 0;
-  for (int k = 0; k < 8; ++k) all |= bits(bytes.data() + 8 * k) << (8 * k);
+  for (std::size_t k = 0; k < 8; ++k) {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, bytes.data() + 8 * k, 8);
+    // The sum of shifts by 7 and its multiples leaves them side by side in the highest byte.
+    all |= (eight * 0x0102040810204080U) >> 56 << (8 * k);
+  }
   return all;
 }
+static_assert(std::endian::native == std::endian::little, "the first byte becomes the lowest bit");
 
-/// The squared distance of a point from the cube [0, kSide]^3.
-float square_from_cube(Vec3 point) {
-  constexpr float kHalf = 0.5F * MarkerBricks::kSide;
-  return squared_length(glm::max(glm::abs(point - kHalf) - kHalf, Vec3(0)));
-}
+/// The bricks of a range along one axis, seen from a place.
+struct BricksAlong {
+  std::array<float, MarkerBricks::kMostAlong> from_corner;  // voxels from the low corner to the place
+  std::array<float, MarkerBricks::kMostAlong> gap;          // squared distance
+
+  BricksAlong(const MarkerBricks::Range& bricks, const MarkerBricks::FinePlace& place, int axis) {
+    constexpr float kHalf = 0.5F * MarkerBricks::kSide;
+    for (std::int32_t k = bricks.low[axis]; k <= bricks.high[axis]; ++k) {
+      const auto i = static_cast<std::size_t>(k - bricks.low[axis]);
+      from_corner[i] = MarkerBricks::from_corner({k, k, k}, place)[axis];
+      const float outside = std::max(std::abs(from_corner[i] - kHalf) - kHalf, 0.0F);
+      gap[i] = outside * outside;
+    }
+  }
+};
 
 }  // namespace
 
@@ -58,16 +69,6 @@ MarkerBricks::MarkerBricks(double spacing, double reach, RandomKey key)
       patterns_[p].z[k] = at(2, k >> 4);
     }
   }
-}
-
-MarkerBricks::FinePlace MarkerBricks::fine(Vec3 place) const {
-  FinePlace at;
-  for (int k = 0; k < 3; ++k) {
-    const double units = place[k] * fine_a_metre_;
-    require(std::abs(units) <= kFarthest * kFine, "a place is too far away for its markers");
-    at[k] = static_cast<std::int64_t>(std::floor(units + 0.5));
-  }
-  return at;
 }
 
 /// Where a block stands in the table, or would.
@@ -128,12 +129,14 @@ MarkerBricks::Place MarkerBricks::place_of(const Brick& brick) const {
 
 void MarkerBricks::find_near(const Pattern& pattern, Vec3 shoot, Near& near) const {
   const float square = reach_ * reach_;
+  Near found;
   for (std::uint32_t k = 0; k < kInBrick; ++k) {
     const float x = pattern.x[k] - shoot.x;
     const float y = pattern.y[k] - shoot.y;
     const float z = pattern.z[k] - shoot.z;
-    near[k] = (x * x + z * z) + y * y <= square ? 1 : 0;
+    found[k] = (x * x + z * z) + y * y <= square ? 1 : 0;
   }
+  near = found;
 }
 
 template <class Visit>
@@ -141,6 +144,10 @@ void MarkerBricks::for_each_near(Vec3 place, Visit visit) {
   const FinePlace shoot = fine(place);
   const Range bricks = holders(voxels(shoot, Vec3(-reach_), Vec3(reach_)));
   const Range blocks = holders(bricks);
+  const BricksAlong along_x(bricks, shoot, 0);
+  const BricksAlong along_y(bricks, shoot, 1);
+  const BricksAlong along_z(bricks, shoot, 2);
+  const float square = reach_ * reach_;
   for (std::int32_t z = blocks.low[2]; z <= blocks.high[2]; ++z) {
     for (std::int32_t y = blocks.low[1]; y <= blocks.high[1]; ++y) {
       for (std::int32_t x = blocks.low[0]; x <= blocks.high[0]; ++x) {
@@ -148,11 +155,15 @@ void MarkerBricks::for_each_near(Vec3 place, Visit visit) {
         const std::uint32_t block = add_block(at);
         for (std::uint64_t touched = held(at, bricks); touched != 0; touched &= touched - 1) {
           const auto k = static_cast<std::uint32_t>(std::countr_zero(touched));
-          const Vec3 in_brick = from_corner(held(at, k), shoot);
-          if (square_from_cube(in_brick) > reach_ * reach_) continue;
+          const Place brick_place = held(at, k);
+          const auto i = static_cast<std::size_t>(brick_place[0] - bricks.low[0]);
+          const auto j = static_cast<std::size_t>(brick_place[1] - bricks.low[1]);
+          const auto l = static_cast<std::size_t>(brick_place[2] - bricks.low[2]);
+          if (along_x.gap[i] + along_y.gap[j] + along_z.gap[l] > square) continue;
           const std::uint32_t brick = add_brick(kInBrick * block + k);
           Near near;
-          find_near(patterns_[bricks_[brick].pattern], in_brick, near);
+          find_near(patterns_[bricks_[brick].pattern],
+                    Vec3(along_x.from_corner[i], along_y.from_corner[j], along_z.from_corner[l]), near);
           visit(brick, near);
         }
       }
@@ -167,7 +178,7 @@ void MarkerBricks::occupy(Vec3 place) {
 void MarkerBricks::vacate(Vec3 place) {
   std::uint64_t not_occupied = 0;
   for_each_near(place,
-                [&](std::uint32_t brick, const Near& near) { not_occupied |= bricks_[brick].free & all_bits(near); });
+                [&](std::uint32_t brick, const Near& near) { not_occupied |= bricks_[brick].free & bits(near); });
   require(not_occupied == 0, "there is no shoot to take away");
   for_each_near(place, [&](std::uint32_t brick, const Near& near) { take(brick, near); });
 }
@@ -179,7 +190,7 @@ void MarkerBricks::add(std::uint32_t brick, const Near& near) {
     at.shoots[k] = static_cast<std::uint8_t>(at.shoots[k] + near[k]);
     carried |= static_cast<std::uint8_t>(at.shoots[k] < near[k] ? 1 : 0);
   }
-  at.free &= ~all_bits(near);
+  at.free &= ~bits(near);
   refresh(at);
   if (carried == 0) return;
   for (std::uint32_t k = 0; k < kInBrick; ++k) {
@@ -201,7 +212,7 @@ void MarkerBricks::take(std::uint32_t brick, const Near& near) {
     at.shoots[k] = static_cast<std::uint8_t>(at.shoots[k] - near[k]);
     is_zero[k] = at.shoots[k] == 0 ? 1 : 0;
   }
-  at.free = all_bits(is_zero);
+  at.free = bits(is_zero);
   if (!carries_.empty()) {
     for (std::uint32_t k = 0; k < kInBrick; ++k) {
       if (carries_.contains(std::uint64_t{brick} * kInBrick + k)) at.free &= ~(1ULL << k);
@@ -225,9 +236,10 @@ void MarkerBricks::limit(Brick& brick, std::uint64_t within) {
 }
 
 std::size_t MarkerBricks::bytes() const {
-  constexpr std::size_t kLinks = 3 * sizeof(void*);  // of the map
+  constexpr std::size_t kLinks = 3 * sizeof(void*);  // of the map, and of what the deque is cut into
   return patterns_.size() * sizeof(Pattern) + blocks_.capacity() * sizeof(Block) + table_.size() * sizeof(Entry) +
-         bricks_.size() * sizeof(Brick) + carries_.size() * (sizeof(decltype(carries_)::value_type) + kLinks);
+         bricks_.size() * (sizeof(Brick) + kLinks) +
+         carries_.size() * (sizeof(decltype(carries_)::value_type) + kLinks);
 }
 
 }  // namespace meristem

@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <deque>
+#include <stdexcept>
 #include <unordered_map>
 #include <vector>
 
@@ -24,6 +26,7 @@ class MarkerBricks {
   static constexpr std::uint32_t kNone = ~0U;    // no brick, no block
   static constexpr std::uint64_t kAll = ~0ULL;   // markers of a brick, or bricks of a block
   static constexpr int kMostReach = 32;          // voxels
+  static constexpr std::size_t kMostAlong = 2 * kMostReach / kSide + 2;  // bricks that this touches along an axis
 
   /// A place in units of 2^-16 voxels: then its way to a marker is exact in floats.
   using FinePlace = std::array<std::int64_t, 3>;
@@ -79,12 +82,12 @@ class MarkerBricks {
   static std::uint32_t number(const Place& place) {
     return static_cast<std::uint32_t>((place[0] & 3) | (place[1] & 3) << 2 | (place[2] & 3) << 4);
   }
-  /// The holder's so manieth.
+  /// Its holder's 64, by their numbers.
   static Place held(const Place& holder, std::uint32_t number) {
     const auto part = [&](int k) { return kSide * holder[k] + static_cast<std::int32_t>(number >> 2 * k & 3); };
     return {part(0), part(1), part(2)};
   }
-  /// Of the holder's 64, those in a range, which is to meet it, as bits.
+  /// Those of them that are in a range, which is to meet the holder, as bits.
   static std::uint64_t held(const Place& holder, const Range& range);
   /// Voxels from a brick's low corner to a place, exact up to 256.
   static Vec3 from_corner(const Place& brick, const FinePlace& place);
@@ -112,9 +115,10 @@ class MarkerBricks {
   std::size_t bytes() const;
 
  private:
-  static constexpr int kVoxelBits = 16;  // of a fine place within its voxel
-  static constexpr int kBrickBits = 18;  // within its brick
-  static constexpr float kFine = 65536;  // a voxel's side
+  static constexpr int kVoxelBits = 16;             // of a fine place within its voxel
+  static constexpr int kBrickBits = 18;             // within its brick
+  static constexpr float kFine = 65536;             // a voxel's side
+  static constexpr double kFarthest = 4e6 * 65536;  // past it 32-bit places do not tell voxels apart
 
   /// For each marker of a brick 1 where it is within reach, else 0.
   using Near = std::array<std::uint8_t, kInBrick>;
@@ -129,7 +133,7 @@ class MarkerBricks {
     return part(0) | part(1) << 21 | part(2) << 42;
   }
   std::uint32_t look_up(const Place& place, Recent& recent) const;
-  void find_near(const Pattern& pattern, Vec3 shoot, Near& near) const;
+  void find_near(const Pattern& pattern, Vec3 shoot, Near& near) const;  // `shoot`: from the corner
   template <class Visit>
   void for_each_near(Vec3 place, Visit visit);
   std::size_t entry_of(std::uint64_t key) const;
@@ -138,8 +142,8 @@ class MarkerBricks {
   void refresh(const Brick& brick);
 
   double spacing_;
-  double fine_a_metre_;
-  float reach_;  // voxels
+  double fine_a_metre_;  // units of fine places
+  float reach_;          // voxels
   RandomKey key_;
   std::vector<Pattern> patterns_;
   std::vector<Block> blocks_;
@@ -148,6 +152,16 @@ class MarkerBricks {
   std::unordered_map<std::uint64_t, std::uint32_t> carries_;  // 256s of shoots, by kInBrick * brick + marker
   Recent recent_;
 };
+
+inline MarkerBricks::FinePlace MarkerBricks::fine(Vec3 place) const {
+  const auto along = [&](float at) {
+    const double units = at * fine_a_metre_ + 0.5;
+    if (!(std::abs(units) <= kFarthest)) throw std::invalid_argument("a place is too far away for its markers");
+    const auto whole = static_cast<std::int64_t>(units);
+    return static_cast<double>(whole) > units ? whole - 1 : whole;
+  };
+  return {along(place.x), along(place.y), along(place.z)};
+}
 
 inline MarkerBricks::Range MarkerBricks::voxels(const FinePlace& place, Vec3 low, Vec3 high) {
   const auto voxel = [&](int k, float way, int more) {

@@ -16,7 +16,7 @@ constexpr float kUnseen = 1e18F;  // where markers are that nobody sees
 
 }  // namespace
 
-LookedAt looked_at(MarkerBricks& bricks, const std::vector<LookAround>& around) {
+LookedAt looked_at(MarkerBricks& bricks, const std::vector<LookAround>& around, const Progress& progress) {
   LookedAt all;
   std::size_t look_count = 0;
   std::size_t sighting_count = 0;
@@ -30,6 +30,7 @@ LookedAt looked_at(MarkerBricks& bricks, const std::vector<LookAround>& around) 
   // Count the lookers of each brick.
   std::vector<std::uint32_t> ranks(MarkerBricks::kInBrick * bricks.block_count(), kNone);
   for (const LookAround& part : around) {
+    progress.check();
     all.looks.insert(all.looks.end(), part.looks.begin(), part.looks.end());
     for (const Sighting& sighting : part.sightings) {
       std::uint32_t& rank = ranks[sighting.slot];
@@ -47,6 +48,7 @@ LookedAt looked_at(MarkerBricks& bricks, const std::vector<LookAround>& around) 
   // Enter them; each begin moves on to the next one's.
   std::uint32_t first_look = 0;
   for (const LookAround& part : around) {
+    progress.check();
     for (const Sighting& sighting : part.sightings) {
       all.lookers[all.begins[ranks[sighting.slot]]++] = first_look + sighting.look;
     }
@@ -89,6 +91,7 @@ void BrickContest::compete(const Look& look, Vec3 place, std::int32_t layer, std
   const std::uint32_t begin = layers_[std::clamp(look.low - layer, 0, MarkerBricks::kSide)] / kLanes * kLanes;
   const std::uint32_t end = layers_[std::clamp(look.high - layer + 1, 0, MarkerBricks::kSide)];
   const std::uint32_t trips = (end - begin + kLanes - 1) / kLanes * kLanes;
+  // The loop is one for vectors of four: no branches, and the absolute value is what GCC sees through.
   const Vec3 to = look.direction;
   const float most = look.square;
   const float slope = look.slope;

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -18,7 +17,7 @@ namespace {
 
 constexpr std::uint32_t kInBrick = MarkerBricks::kInBrick;
 constexpr std::uint32_t kNone = MarkerBricks::kNone;
-constexpr double kOne = 4294967296;  // a unit vector's length as a whole number
+constexpr float kOne = 4294967296;  // a unit vector's length as a whole number
 constexpr std::size_t kBrickGrain = 32;
 
 }  // namespace
@@ -40,6 +39,7 @@ MarkerField::MarkerField(const MarkerForm& form, RandomKey key, Obstacles obstac
 
 std::uint32_t MarkerField::add_volume(CrownPointer crown, Vec3 root) {
   volumes_.push_back({std::move(crown), root});
+  ++openings_;
   for (std::size_t k = 0; k < bricks_.brick_count(); ++k) limit(bricks_.brick(static_cast<std::uint32_t>(k)));
   return static_cast<std::uint32_t>(volumes_.size() - 1);
 }
@@ -95,6 +95,7 @@ void MarkerField::learn_claims(const LookedAt& looked, const Progress& progress)
   };
   std::vector<Question> questions;
   for (std::size_t k = 0; k < looked.bricks.size(); ++k) {
+    progress.check();
     const MarkerBricks::Brick& brick = bricks_.brick(looked.bricks[k]);
     const std::size_t first = questions.size();
     std::uint32_t last = kNone;
@@ -142,15 +143,15 @@ void MarkerField::share_out_brick(const MarkerBricks::Brick& brick, const Looked
     ++got[owner].count;
     if (square == 0) return;
     const Vec3 from = MarkerBricks::from_corner(place, looked.looks[lookers[owner]].place);
-    const DVec3 way(Vec3(pattern.x[marker], pattern.y[marker], pattern.z[marker]) - from);
-    const DVec3 unit = way * (kOne / std::sqrt(static_cast<double>(square)));
-    for (int k = 0; k < 3; ++k) got[owner].way[k] += static_cast<std::int64_t>(unit[k]);
+    const Vec3 way = Vec3(pattern.x[marker], pattern.y[marker], pattern.z[marker]) - from;
+    const Vec3 unit = way / std::sqrt(square);
+    for (int k = 0; k < 3; ++k) got[owner].way[k] += static_cast<std::int64_t>(kOne * unit[k]);
   });
 }
 
 void MarkerField::share_out(std::span<const Seeker> seekers, std::span<Room> rooms, const Progress& progress) {
   if (seekers.size() != rooms.size()) throw std::invalid_argument("share_out: not as many rooms as seekers");
-  const LookedAt looked = looked_at(bricks_, look_around(bricks_, seekers, volumes_.size(), progress));
+  const LookedAt looked = looked_at(bricks_, look_around(bricks_, seekers, volumes_.size(), progress), progress);
   learn_claims(looked, progress);
 
   std::vector<Tally> tallies(looked.looks.size());
@@ -166,12 +167,12 @@ void MarkerField::share_out(std::span<const Seeker> seekers, std::span<Room> roo
     }
   });
 
-  std::fill(rooms.begin(), rooms.end(), Room{});
+  std::fill(rooms.begin(), rooms.end(), Room{.is_closed = true});
   for (std::size_t k = 0; k < tallies.size(); ++k) {
     const Tally& tally = tallies[k];
     const DVec3 way(static_cast<double>(tally.way[0]), static_cast<double>(tally.way[1]),
                     static_cast<double>(tally.way[2]));
-    rooms[looked.looks[k].seeker] = {tally.count, Vec3(way / kOne)};
+    rooms[looked.looks[k].seeker] = {.count = tally.count, .way = Vec3(way / double{kOne})};
   }
 }
 

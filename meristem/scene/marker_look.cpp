@@ -13,7 +13,9 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kGrain = 1024;
-constexpr std::size_t kAtOnce = 16;
+constexpr std::size_t kAtOnce = 16;  // seekers that are fetched
+// Up to so many bricks in the box around a cone it takes longer to test each against the cone than its markers.
+constexpr int kMostUntested = 48;
 constexpr float kMargin = 0.125F;  // voxels, more than any rounding here
 
 using Place = MarkerBricks::Place;
@@ -34,8 +36,7 @@ void check(const Seeker& seeker, double spacing, std::size_t volume_count) {
 class Cone {
  public:
   Cone(const MarkerBricks::FinePlace& tip, Vec3 direction, float radius, float cosine)
-      : tip_(tip),
-        direction_(direction),
+      : direction_(direction),
         square_((radius + kMargin) * (radius + kMargin)),
         cosine_(cosine),
         sine_(std::sqrt(std::max(0.0F, 1 - cosine * cosine))) {
@@ -47,40 +48,68 @@ class Cone {
       high[k] = radius * farthest(direction[k], aside) + kMargin;
     }
     voxels_ = MarkerBricks::voxels(tip, low, high);
+    bricks_ = MarkerBricks::holders(voxels_);
+    first_middle_ = 0.5F * MarkerBricks::kSide - MarkerBricks::from_corner(bricks_.low, tip);
+    int count = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      count *= bricks_.high[axis] - bricks_.low[axis] + 1;
+      for (std::int32_t k = bricks_.low[axis]; k <= bricks_.high[axis]; ++k) {
+        // The voxels of the brick within the box, along this axis alone.
+        const int skipped = std::max(voxels_.low[axis] - MarkerBricks::kSide * k, 0);
+        const int left = std::max(MarkerBricks::kSide * k + MarkerBricks::kSide - 1 - voxels_.high[axis], 0);
+        parts_[axis][k - bricks_.low[axis]] = kOnes[axis] >> kStride[axis] * (skipped + left)
+                                                                 << kStride[axis] * skipped;
+      }
+    }
+    is_large_ = count > kMostUntested;
   }
 
-  /// The voxels that meet the box around the cone.
+  /// The voxels and the bricks that meet the box around the cone.
   const Range& voxels() const { return voxels_; }
+  const Range& bricks() const { return bricks_; }
 
-  /// False only if no marker of the brick can be in the cone.
-  bool may_reach(const Place& brick) const {
-    constexpr float kHalf = 0.5F * MarkerBricks::kSide;
-    const Vec3 middle = kHalf - MarkerBricks::from_corner(brick, tip_);
-    if (squared_length(glm::max(glm::abs(middle) - kHalf, Vec3(0))) > square_) return false;
-    if (cosine_ < 0) return true;
-    // The plane that touches the cone on the brick's side.
-    const float along = glm::dot(direction_, middle);
-    const Vec3 aside = middle - along * direction_;
-    const float distance = std::sqrt(squared_length(aside));
-    if (distance < kMargin) return true;
-    const Vec3 normal = cosine_ / distance * aside - sine_ * direction_;
-    const float reach = kHalf * (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z));
-    return glm::dot(normal, middle) <= reach + kMargin;
+  /// Whether it may see one of the markers of a brick among bricks().
+  bool may_see(std::uint64_t markers, const Place& brick) const {
+    const int x = brick[0] - bricks_.low[0];
+    const int y = brick[1] - bricks_.low[1];
+    const int z = brick[2] - bricks_.low[2];
+    if ((markers & parts_[0][x] * parts_[1][y] * parts_[2][z]) == 0) return false;
+    constexpr auto kStep = static_cast<float>(MarkerBricks::kSide);
+    return !is_large_ || may_reach(first_middle_ + kStep * Vec3(x, y, z));
   }
 
  private:
+  static constexpr std::array<std::uint64_t, 3> kOnes{0xF, 0x1111, 0x0001000100010001};
+  static constexpr std::array<int, 3> kStride{1, 4, 16};
+
+  /// Whether a brick may meet the cone, given the way from its tip to the brick's middle.
+  bool may_reach(Vec3 middle) const {
+    constexpr float kHalf = 0.5F * MarkerBricks::kSide;
+    if (squared_length(glm::max(glm::abs(middle) - kHalf, Vec3(0))) > square_) return false;
+    if (cosine_ < 0) return true;
+    // The plane that touches the cone on the brick's side; its normal times the middle's distance from the axis.
+    const Vec3 aside = middle - glm::dot(direction_, middle) * direction_;
+    const float distance = std::sqrt(squared_length(aside));
+    const Vec3 normal = cosine_ * aside - sine_ * distance * direction_;
+    const float reach = kHalf * (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z));
+    return glm::dot(normal, middle) <= reach + kMargin * (distance + kMargin);
+  }
+
   /// How far a cone of length 1 reaches along an axis: 0 if it leads away. Given the cosine between its direction and
   /// the axis, and their sine times that of half the cone's angle.
   float farthest(float along, float aside) const {
     return along >= cosine_ ? 1 : std::max(0.0F, along * cosine_ + aside);
   }
 
-  MarkerBricks::FinePlace tip_;
   Vec3 direction_;
   float square_;
   float cosine_;
   float sine_;
   Range voxels_;
+  Range bricks_;
+  bool is_large_ = false;
+  Vec3 first_middle_;  // from the tip to that of the first brick, voxels
+  std::array<std::array<std::uint64_t, MarkerBricks::kMostAlong>, 3> parts_;  // voxels of each brick in the box
 };
 
 template <class Visit>
@@ -92,12 +121,13 @@ void for_each_place(const Range& range, Visit visit) {
   }
 }
 
-/// A block that a look would see, if it were there.
+/// A block that a look touches, and that is not there yet.
 struct Missing {
   Place block;
   std::uint32_t look;
 };
 
+/// Looks at bricks that do not change meanwhile.
 class Looker {
  public:
   explicit Looker(const MarkerBricks& bricks) : bricks_(bricks) {}
@@ -108,7 +138,7 @@ class Looker {
     const Cone cone(place, seeker.direction, radius, seeker.cosine);
     const auto look = static_cast<std::uint32_t>(around.looks.size());
     const std::size_t before = around.sightings.size() + missing.size();
-    for_each_place(MarkerBricks::holders(MarkerBricks::holders(cone.voxels())), [&](const Place& at) {
+    for_each_place(MarkerBricks::holders(cone.bricks()), [&](const Place& at) {
       const std::uint32_t block = bricks_.find_block(at, recent_);
       if (block == MarkerBricks::kNone) {
         missing.push_back({at, look});
@@ -124,11 +154,10 @@ class Looker {
   /// The sightings in a block.
   void look_into(std::uint32_t number, const Cone& cone, std::uint32_t look, std::vector<Sighting>& sightings) const {
     const MarkerBricks::Block& block = bricks_.block(number);
-    std::uint64_t open = block.open & MarkerBricks::held(block.place, MarkerBricks::holders(cone.voxels()));
+    std::uint64_t open = block.open & MarkerBricks::held(block.place, cone.bricks());
     for (; open != 0; open &= open - 1) {
       const auto k = static_cast<std::uint32_t>(std::countr_zero(open));
-      const Place brick = MarkerBricks::held(block.place, k);
-      if ((block.markers[k] & MarkerBricks::held(brick, cone.voxels())) == 0 || !cone.may_reach(brick)) continue;
+      if (!cone.may_see(block.markers[k], MarkerBricks::held(block.place, k))) continue;
       sightings.push_back({MarkerBricks::kInBrick * number + k, look});
     }
   }
@@ -192,7 +221,9 @@ std::vector<LookAround> look_around(MarkerBricks& bricks, std::span<const Seeker
     }
   });
 
+  // Blocks that a cone touches, but nobody before.
   for (std::size_t part = 0; part < parts; ++part) {
+    progress.check();
     for (const Missing& each : missing[part]) {
       const std::uint32_t block = bricks.add_block(each.block);
       const Look& look = around[part].looks[each.look];

@@ -129,7 +129,7 @@ class MarkerBricks {
 
   /// Three times 21 bits, which hold every brick that is not too far away.
   static std::uint64_t packed(const Place& place) {
-    const auto part = [&](int k) { return static_cast<std::uint64_t>(place[k] + (1 << 20)); };
+    const auto part = [&](int k) { return std::uint64_t{static_cast<std::uint32_t>(place[k] + (1 << 20))}; };
     return part(0) | part(1) << 21 | part(2) << 42;
   }
   std::uint32_t look_up(const Place& place, Recent& recent) const;

@@ -250,6 +250,22 @@ TEST(MarkerField, IsTheSameFarFromTheOrigin) {
   expect_like_plain(rooms, plain.share_out(seekers));
 }
 
+TEST(MarkerField, IsTheSameAtTheLongestReach) {
+  MarkerField field({.spacing = 0.0625, .occupancy = 2}, RandomKey(2));
+  field.add_volume(ball(1.7F), Vec3(0));
+  PlainField plain(field, {kUp - 1.75F, kUp + 1.75F}, 1);
+  field.occupy({1.5F, 0, 0});
+  plain.occupy({1.5F, 0, 0});
+  std::vector<Seeker> seekers = buds_at(crowd(8, {-0.5F, 1, 0}, 1), 1);
+  for (std::size_t k = 0; k < seekers.size(); ++k) {
+    seekers[k].radius = 2;
+    seekers[k].cosine = 1 - static_cast<float>(k * k) / 128;
+  }
+  const std::vector<Room> rooms = share_out(field, seekers);
+  EXPECT_GT(total(rooms), 10'000U);
+  expect_like_plain(rooms, plain.share_out(seekers));
+}
+
 TEST(MarkerField, EachMarkerGoesToOneBud) {
   MarkerField field(kForm, RandomKey(2));
   field.add_volume(nullptr, Vec3(0));

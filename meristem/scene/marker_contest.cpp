@@ -12,6 +12,10 @@ namespace meristem {
 namespace {
 
 constexpr std::uint32_t kNone = MarkerBricks::kNone;
+/// Both and either without branches, which would keep loops from working on vectors.
+constexpr bool both(bool a, bool b) { return a & b; }
+constexpr bool either(bool a, bool b) { return a | b; }
+
 constexpr float kUnseen = 1e18F;  // where markers are that nobody sees
 
 }  // namespace
@@ -91,7 +95,7 @@ void BrickContest::compete(const Look& look, Vec3 place, std::int32_t layer, std
   const std::uint32_t begin = layers_[std::clamp(look.low - layer, 0, MarkerBricks::kSide)] / kLanes * kLanes;
   const std::uint32_t end = layers_[std::clamp(look.high - layer + 1, 0, MarkerBricks::kSide)];
   const std::uint32_t trips = (end - begin + kLanes - 1) / kLanes * kLanes;
-  // The loop is one for vectors of four: no branches, and the absolute value is what GCC sees through.
+  // GCC makes vectors of four of this, as long as signs are not chosen by a condition.
   const Vec3 to = look.direction;
   const float most = look.square;
   const float slope = look.slope;
@@ -102,9 +106,9 @@ void BrickContest::compete(const Look& look, Vec3 place, std::int32_t layer, std
     const float z = z_[k] - place.z;
     const float square = (x * x + z * z) + y * y;
     const float along = to.x * x + to.y * y + to.z * z;
-    const bool is_seen = (square <= most) & (along * std::abs(along) >= slope * square);
-    const bool is_first = (square == nearest_[k]) & (seeker < seeker_[k]);
-    const bool is_owner = is_seen & ((square < nearest_[k]) | is_first);
+    const bool is_seen = both(square <= most, along * std::abs(along) >= slope * square);
+    const bool is_first = both(square == nearest_[k], seeker < seeker_[k]);
+    const bool is_owner = both(is_seen, either(square < nearest_[k], is_first));
     nearest_[k] = is_owner ? square : nearest_[k];
     seeker_[k] = is_owner ? seeker : seeker_[k];
     owner_[k] = is_owner ? looker : owner_[k];

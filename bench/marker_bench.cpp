@@ -109,9 +109,7 @@ class PlainField {
 /// Each bud with room enough makes a metamer toward it; this bears the terminal bud and a lateral one.
 template <class AnyField>
 struct Tree {
-  explicit Tree(const CrownPointer& crown, bool forgetful = false) : field(crown), is_forgetful(forgetful) {
-    buds.push_back({.radius = 4 * kLength});
-  }
+  explicit Tree(const CrownPointer& crown) : field(crown) { buds.push_back({.radius = 4 * kLength}); }
 
   void grow(std::size_t metamers) {
     while (shoots.size() < metamers && grow_once(metamers)) {
@@ -136,14 +134,6 @@ struct Tree {
     }
     for (std::size_t k = before; k < shoots.size(); ++k) field.occupy(shoots[k]);
     ++rounds;
-    // Nothing is ever vacated: who has no room left gets none.
-    if (is_forgetful) {
-      std::size_t kept = 0;
-      for (std::size_t k = 0; k < buds.size(); ++k) {
-        if (k >= rooms.size() || !rooms[k].is_closed) buds[kept++] = buds[k];
-      }
-      buds.resize(kept);
-    }
     return shoots.size() > before;
   }
 
@@ -152,7 +142,6 @@ struct Tree {
   std::vector<Seeker> buds;
   std::vector<Vec3> shoots;
   std::size_t looks = 0;
-  bool is_forgetful;
   int rounds = 0;
 };
 
@@ -168,8 +157,7 @@ void rate(benchmark::State& state, const char* what, std::size_t count) {
   state.counters[what] = benchmark::Counter(static_cast<double>(count), benchmark::Counter::kIsIterationInvariantRate);
 }
 
-/// A tree from its first bud on one thread; `crown` in metres, 0 for all of space; all buds look in each round, or
-/// those alone that may have room.
+/// A tree from its first bud on one thread; `crown` in metres, 0 for all of space.
 void grow(benchmark::State& state) {
   const meristem::ThreadLimit limit(1);
   const CrownPointer crown = crown_of(state.range(1));
@@ -177,7 +165,7 @@ void grow(benchmark::State& state) {
   double bytes = 0;
   std::size_t count = 0;
   for (auto _ : state) {
-    Tree<Field> tree(crown, state.range(2) == 0);
+    Tree<Field> tree(crown);
     tree.grow(metamers);
     count = tree.shoots.size();
     bytes = static_cast<double>(tree.field.bytes());
@@ -187,15 +175,15 @@ void grow(benchmark::State& state) {
   rate(state, "metamers/s", count);
   state.counters["metamers"] = static_cast<double>(count);
   state.counters["bytes/metamer"] = bytes / static_cast<double>(count);
-  if (metamers <= 20'000 && state.range(2) != 0) {
+  if (metamers <= 20'000) {
     const double plain = seconds_of_growing<PlainField>(crown, metamers);
     state.counters["to_plain"] = plain / seconds_of_growing<Field>(crown, metamers);
   }
 }
 BENCHMARK(grow)
-    ->ArgNames({"metamers", "crown", "all"})
-    ->ArgsProduct({{1'000, 20'000}, {0, 8}, {0, 1}})
-    ->ArgsProduct({{1'000'000}, {0, 20}, {0, 1}})
+    ->ArgNames({"metamers", "crown"})
+    ->ArgsProduct({{1'000, 20'000}, {0, 8}})
+    ->ArgsProduct({{1'000'000}, {0, 20}})
     ->Unit(benchmark::kMillisecond);
 
 /// The shoots of a tree into an empty field.

@@ -15,7 +15,8 @@ namespace meristem {
 
 namespace {
 
-constexpr double kEdge = 0.05;  // share by which a knife edge is too near
+constexpr double kMostVoxels = 16;  // over which a bud looks; memory in a round goes with its cube
+constexpr double kEdge = 0.05;      // share by which a knife edge is too near
 
 OrganizeParameters growth_of(const Organize& tree) {
   OrganizeParameters growth = tree.growth;
@@ -98,9 +99,9 @@ void check_organize(const Organize& tree, const Place& place, ParameterReader& r
                       "");
   }
   const double voxels = (std::max(light.perception, light.occupancy)) / light.spacing;
-  if (light.kind == BudLightModel::Kind::markers && voxels > 32) {
+  if (light.kind == BudLightModel::Kind::markers && voxels > kMostVoxels) {
     reader.fault(Place(light_place, "spacing"), fmt::format("buds would look over {:.3g} markers each way", voxels),
-                 fmt::format("a number of at least {:.4g}", std::max(light.perception, light.occupancy) / 32));
+                 fmt::format("a number of at least {:.4g}", std::max(light.perception, light.occupancy) / kMostVoxels));
   }
   const Place operations(place, "operations");
   for (std::size_t k = 0; k < tree.operations.size(); ++k) {

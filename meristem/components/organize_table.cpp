@@ -111,7 +111,7 @@ const ParameterTable& light_model_table() {
                   "Between markers, in lengths of a metamer; lowered, finer and slower.")
           .number("occupancy", &BudLightModel::occupancy, {.min = 0, .max = 100},
                   "Around a metamer, where it takes the markers, in lengths; raised, sparser crowns.")
-          .number("perception", &BudLightModel::perception, {.min = 0.1, .max = 100, .above_min = false},
+          .number("perception", &BudLightModel::perception, {.min = 0.1, .max = 100},
                   "How far buds see markers, in lengths of a metamer.")
           .number("cone", &BudLightModel::cone, {.unit = Unit::degree, .min = 1, .max = 360},
                   "Full angle of what a bud sees.")

@@ -39,7 +39,6 @@ MarkerField::MarkerField(const MarkerForm& form, RandomKey key, Obstacles obstac
 
 std::uint32_t MarkerField::add_volume(CrownPointer crown, Vec3 root) {
   volumes_.push_back({std::move(crown), root});
-  ++openings_;
   for (std::size_t k = 0; k < bricks_.brick_count(); ++k) limit(bricks_.brick(static_cast<std::uint32_t>(k)));
   return static_cast<std::uint32_t>(volumes_.size() - 1);
 }
@@ -167,7 +166,7 @@ void MarkerField::share_out(std::span<const Seeker> seekers, std::span<Room> roo
     }
   });
 
-  std::fill(rooms.begin(), rooms.end(), Room{.is_closed = true});
+  std::fill(rooms.begin(), rooms.end(), Room());
   for (std::size_t k = 0; k < tallies.size(); ++k) {
     const Tally& tally = tallies[k];
     const DVec3 way(static_cast<double>(tally.way[0]), static_cast<double>(tally.way[1]),

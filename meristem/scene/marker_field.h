@@ -42,7 +42,6 @@ struct Seeker {
 struct Room {
   std::uint32_t count = 0;  ///< of markers
   Vec3 way{0};              ///< sum of the unit vectors to them
-  bool is_closed = false;  ///< there are none around; so it stays while openings() does: the bud need not ask till then
 };
 
 struct LookedAt;  // the lookers at each brick, in a round
@@ -60,12 +59,7 @@ class MarkerField {
   /// std::invalid_argument for places that are not finite or farther than 4 million spacings from the origin, and for
   /// vacating where nothing was occupied.
   void occupy(Vec3 place) { bricks_.occupy(place); }
-  void vacate(Vec3 place) {
-    bricks_.vacate(place);
-    ++openings_;
-  }
-  /// How often room was made: by vacating or a new volume.
-  std::uint64_t openings() const { return openings_; }
+  void vacate(Vec3 place) { bricks_.vacate(place); }
 
   /// Gives each free marker to the nearest seeker that sees it, of equally near ones the first, and writes to `rooms`,
   /// as many as seekers, what each got. The same on any number of threads. Throws std::invalid_argument for seekers out
@@ -108,7 +102,6 @@ class MarkerField {
   MarkerBricks bricks_;
   std::vector<Volume> volumes_;
   std::deque<Claim> claims_;
-  std::uint64_t openings_ = 0;
 };
 
 }  // namespace meristem

@@ -411,29 +411,6 @@ TEST(MarkerField, TakesMemoryForShootsAndBudsAlone) {
   EXPECT_EQ(bytes_in(3), bytes_in(500)) << "metres each way";
 }
 
-TEST(MarkerField, ClosedBudsFindNothingUntilRoomIsMade) {
-  MarkerField field(kForm, RandomKey(3));
-  field.add_volume(ball(1), Vec3(0));
-  const std::vector<Vec3> shoots = crowd(1200, kUp, 1.1F, 4);
-  for (const Vec3 place : shoots) field.occupy(place);
-  const std::vector<Seeker> seekers = buds_at(crowd(300, kUp, 1, 5), 1);
-  const std::uint64_t openings = field.openings();
-  const std::vector<Room> before = share_out(field, seekers);
-  const auto is_closed = [](const Room& room) { return room.is_closed; };
-  EXPECT_GT(std::count_if(before.begin(), before.end(), is_closed), 200);
-  EXPECT_LT(std::count_if(before.begin(), before.end(), is_closed), 600);
-  for (const Vec3 place : crowd(50, kUp, 1, 6)) field.occupy(place);
-  const std::vector<Room> after = share_out(field, seekers);
-  for (std::size_t k = 0; k < before.size(); ++k) {
-    ASSERT_TRUE(!before[k].is_closed || (before[k].count == 0 && after[k].is_closed));
-  }
-  EXPECT_EQ(field.openings(), openings);
-  for (const Vec3 place : shoots) field.vacate(place);
-  EXPECT_NE(field.openings(), openings);
-  const std::vector<Room> open = share_out(field, seekers);
-  EXPECT_LT(std::count_if(open.begin(), open.end(), is_closed), 200);
-}
-
 TEST(MarkerField, StopsWhenAsked) {
   MarkerField field(kForm, RandomKey(3));
   field.add_volume(ball(1), Vec3(0));

@@ -93,8 +93,10 @@ float Metamers::length(MetamerIndex metamer) const {
 Vec3 Metamers::bud_heading(MetamerIndex metamer, bool is_lateral, double branching_angle) const {
   const Vec3 along = heading(metamer);
   if (!is_lateral) return along;
-  return static_cast<float>(math::cos(branching_angle)) * along +
-         static_cast<float>(math::sin(branching_angle)) * side[metamer];
+  // Far from the root, rounding turns headings a little out of the right angle to their sides.
+  return normalized_or(static_cast<float>(math::cos(branching_angle)) * along +
+                           static_cast<float>(math::sin(branching_angle)) * side[metamer],
+                       along);
 }
 
 RandomKey Metamers::key_of_shoot(MetamerIndex from, bool is_lateral) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Binary glTF of a million triangles and of a crown of leaves, on the memory's file system. The reference is the least
-// that anybody could do: the finished bytes of the same file, written by fwrite. Ratios are to be read within a run.
+// that anybody could do: the finished bytes of the same file, written by fwrite. And a skeleton of a million nodes as
+// MTG, beside the same as CSV. Ratios are to be read within a run.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -12,6 +13,8 @@
 
 #include "meristem/base/random.h"
 #include "meristem/output/gltf.h"
+#include "meristem/output/skeleton_csv.h"
+#include "meristem/output/skeleton_mtg.h"
 #include "meristem/plant/plant.h"
 #include "meristem/shape/leaf_blade.h"
 #include "meristem/shape/mesh_scene.h"
@@ -101,6 +104,52 @@ void place_and_write_leaves(benchmark::State& state) {
   state.counters["bytes"] = static_cast<double>(std::filesystem::file_size(file.path()));
 }
 BENCHMARK(place_and_write_leaves)->ArgName("instanced")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// A stem of a tree: axes fork at random nodes and go on for some forty.
+Plant twiggy_plant(NodeIndex nodes) {
+  const RandomKey key(7);
+  Plant plant;
+  Stem& stem = plant.stems.emplace_back();
+  stem.parts[0].component = "tree";
+  Skeleton& skeleton = stem.skeleton;
+  skeleton.add_node(kNoNode, Vec3(0), 0);
+  AxisIndex axis = 0;
+  for (NodeIndex node = 1; node < nodes; ++node) {
+    const bool forks = node % 40 == 0;
+    const NodeIndex parent = forks ? static_cast<NodeIndex>(key.uniform(node, 0, node)) : node - 1;
+    skeleton.add_node(parent, skeleton.position[parent] + 0.05F * key.child(1).direction(node), node / 1000);
+    skeleton.radius[node] = static_cast<float>(key.child(2).uniform(node, 0.001, 0.1));
+    skeleton.axis[node] = forks ? ++axis : axis;
+    skeleton.order[node] = static_cast<std::uint16_t>(skeleton.order[parent] + (forks ? 1 : 0));
+  }
+  return plant;
+}
+
+template <class Write>
+void write_skeleton(benchmark::State& state, Write write) {
+  const Plant plant = twiggy_plant(1'000'000);
+  const OutputFile file;
+  for (auto _ : state) {
+    Progress progress;
+    write(plant, file.path(), progress);
+  }
+  const auto bytes = static_cast<double>(std::filesystem::file_size(file.path()));
+  const auto runs = static_cast<double>(state.iterations());
+  state.counters["bytes"] = bytes;
+  state.counters["MB/s"] = benchmark::Counter(1e-6 * bytes * runs, benchmark::Counter::kIsRate);
+  state.counters["nodes/s"] =
+      benchmark::Counter(static_cast<double>(plant.node_count()) * runs, benchmark::Counter::kIsRate);
+}
+
+void write_mtg(benchmark::State& state) {
+  write_skeleton(state, [](const Plant& plant, const std::string& path, Progress& progress) {
+    write_skeleton_mtg(plant, path, {}, progress);
+  });
+}
+BENCHMARK(write_mtg)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void write_csv(benchmark::State& state) { write_skeleton(state, write_skeleton_csv); }
+BENCHMARK(write_csv)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// The reference: the bytes of the same files, which nobody has to make.
 void write_finished_bytes(benchmark::State& state, const MeshScene& scene) {

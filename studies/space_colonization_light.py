@@ -11,11 +11,9 @@ chapter 5.
 from __future__ import annotations
 
 import argparse
-import csv
 import os
 import sys
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import astuple
 from pathlib import Path
 from typing import Iterable, Sequence
 
@@ -29,7 +27,8 @@ except ModuleNotFoundError as missing:
         "PYTHONPATH=build/python/python /usr/bin/python3 studies/space_colonization_light.py"
     )
 
-from light_study.expectations import SHIFTS, Finding, check_expectations
+from common.tables import positive_number, print_findings, write_findings, write_table
+from light_study.expectations import SHIFTS, check_expectations
 from light_study.trees import (
     MEASURES,
     Mean,
@@ -95,15 +94,6 @@ def grow_on_threads(treatments: Sequence[Treatment], clouds: int, threads: int) 
         pool.shutdown(cancel_futures=True)
 
 
-def write_table(path: Path, head: Iterable[str], rows: Iterable[Iterable[object]]) -> None:
-    """A CSV file; numbers with seven digits, which is what single precision carries."""
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(head)
-        for row in rows:
-            writer.writerow([f"{cell:.7g}" if isinstance(cell, float) else cell for cell in row])
-
-
 def write_trees(path: Path, trees: Sequence[Tree]) -> None:
     head = (*KEYS, *Plan._fields[1:], *MEASURES)
     rows = ((*tree.plan.treatment, *tree.plan[1:], *(tree.measures[name] for name in MEASURES)) for tree in trees)
@@ -125,10 +115,6 @@ def write_means(path: Path, means: Iterable[Mean]) -> None:
     write_table(path, head, rows)
 
 
-def write_findings(path: Path, findings: Iterable[Finding]) -> None:
-    write_table(path, ("what", "expected", "found", "holds"), (astuple(finding) for finding in findings))
-
-
 def print_means(means: Iterable[Mean]) -> None:
     """A line a treatment, for eyes."""
     print("response     scene strength  height  azimuth spread altitude  centroid at   sun %  day %")
@@ -141,12 +127,6 @@ def print_means(means: Iterable[Mean]) -> None:
             f"{m['centroid_radius']:6.2f} m {m['centroid_azimuth']:5.0f} "
             f"{100 * m['lit_share_still']:6.1f} {100 * m['lit_share_day']:6.1f}"
         )
-
-
-def print_findings(findings: Iterable[Finding], clouds: int) -> None:
-    print(f"\nexpected of means over {CLOUDS} clouds; these are over {clouds}:")
-    for finding in findings:
-        print(f"{'yes' if finding.holds else 'NO ':<4}{finding.what}: {finding.expected}; found {finding.found}")
 
 
 def run_study(folder: Path, quick: bool, threads: int) -> None:
@@ -163,14 +143,8 @@ def run_study(folder: Path, quick: bool, threads: int) -> None:
     write_findings(folder / "expectations.csv", findings)
     draw_figures(folder, trees, means)
     print_means(means.values())
-    print_findings(findings, clouds)
-
-
-def positive_number(text: str) -> int:
-    number = int(text)
-    if number < 1:
-        raise argparse.ArgumentTypeError("at least 1")
-    return number
+    print(f"\nexpected of means over {CLOUDS} clouds; these are over {clouds}:")
+    print_findings(findings)
 
 
 def main() -> int:

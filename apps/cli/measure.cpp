@@ -116,7 +116,8 @@ StandMeasures measure_mtg(const MeasureCommand& command) {
   geometry.diameter_unit = command.diameter_unit.empty() ? geometry.length_unit : units().at(command.diameter_unit);
   const std::string& path = command.document.path;
   const Limits limits;
-  const MtgSkeleton read = skeleton_of(read_mtg(read_file(path, limits.file_bytes), path, limits), path, geometry);
+  const MtgSkeleton read =
+      skeleton_of(read_mtg(read_file(path, limits.file_bytes), path, limits), path, geometry, limits);
   check_output(command.output, std::span(&path, 1));
 
   const ThreadLimit threads(command.document.threads);

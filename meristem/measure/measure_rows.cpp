@@ -54,8 +54,7 @@ MeasureValue count_of(const Measures& measures) {
 constexpr std::array kRows = {
     MeasureRow{"trees", "", "Roots of skeletons: each is a tree.", member<&Measures::trees>},
     MeasureRow{"nodes", "", "Points of the skeletons, roots included.", member<&Measures::nodes>},
-    MeasureRow{"metamers", "",
-               "Internodes: the segments between nodes, unless the growth model labels the metamers of its nodes.",
+    MeasureRow{"metamers", "", "Internodes: the segments between nodes, unless the growth model numbers its metamers.",
                member<&Measures::metamers>},
     MeasureRow{"tips", "", "Nodes without children.", member<&Measures::tips>},
     MeasureRow{"forks", "", "Nodes with more than one child.", member<&Measures::forks>},

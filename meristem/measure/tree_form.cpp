@@ -4,11 +4,10 @@
 #include <algorithm>
 
 #include "meristem/measure/convex_hull.h"
+#include "meristem/plant/axis_labels.h"
 
 namespace meristem {
 namespace {
-
-constexpr const char* kMetamerColumn = "metamer";
 
 /// Sums and counts that one pass over the nodes gives.
 void count_nodes(const Skeleton& skeleton, const Children& children, TreeForm& form) {
@@ -38,11 +37,15 @@ void count_nodes(const Skeleton& skeleton, const Children& children, TreeForm& f
 std::uint64_t count_metamers(const Skeleton& skeleton) {
   const auto column = skeleton.extra.find(kMetamerColumn);
   if (column == skeleton.extra.end()) return skeleton.node_count() - 1;
-  std::vector<float> labels;
-  std::copy_if(column->second.begin(), column->second.end(), std::back_inserter(labels),
-               [](float label) { return label >= 0; });
-  std::sort(labels.begin(), labels.end());
-  return static_cast<std::uint64_t>(std::unique(labels.begin(), labels.end()) - labels.begin());
+  const std::vector<float>& metamer = column->second;
+  std::uint64_t count = 0;
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    if (!(metamer[node] >= 1)) continue;
+    const NodeIndex parent = skeleton.parent[node];
+    const bool goes_on = parent != kNoNode && skeleton.axis[parent] == skeleton.axis[node];
+    if (!goes_on || metamer[parent] != metamer[node]) ++count;
+  }
+  return count;
 }
 
 /// Where the main axis first passes breast height, its diameter there, linear between the nodes.

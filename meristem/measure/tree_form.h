@@ -18,7 +18,7 @@ std::vector<Skeleton> split_trees(const Skeleton& skeleton);
 /// Size, shape and order of one tree. Lengths in metres.
 struct TreeForm {
   std::uint64_t nodes = 0;
-  std::uint64_t metamers = 0;  ///< distinct values from 0 of the column "metamer" if there is one, else segments
+  std::uint64_t metamers = 0;  ///< those that the column "metamer" numbers on each axis if there is one, else segments
   std::uint64_t tips = 0;
   std::uint64_t forks = 0;
   std::vector<std::uint64_t> axes_by_order;

@@ -94,9 +94,13 @@ TEST(TreeForm, ACrownInAPlaneHasNoVolume) {
   EXPECT_DOUBLE_EQ(form.crown_width, 2);
 }
 
-TEST(TreeForm, LabelsSayWhatAMetamerIs) {
-  Skeleton skeleton = candelabra();
-  skeleton.extra["metamer"] = {-1, 0, 0, 1, 2, 1, 2};
+TEST(TreeForm, MetamersAreThoseThatAreNumberedOnEachAxis) {
+  Skeleton skeleton;
+  for (NodeIndex node = 0; node < 7; ++node) skeleton.add_node(node == 0 ? kNoNode : node - 1, Vec3(0, node, 0), 0);
+  skeleton.axis = {0, 0, 0, 0, 1, 1, 1};
+  skeleton.order = {0, 0, 0, 0, 1, 1, 1};
+  // The stem's second metamer has two nodes, the branch's first as well; the last node is of none.
+  skeleton.extra["metamer"] = {0, 1, 2, 2, 1, 1, -1};
   EXPECT_EQ(form_of(skeleton).metamers, 3U);
 }
 

@@ -9,6 +9,7 @@
 #include "meristem/output/obj.h"
 #include "meristem/output/ply.h"
 #include "meristem/output/skeleton_csv.h"
+#include "meristem/output/skeleton_mtg.h"
 
 namespace meristem {
 
@@ -52,6 +53,9 @@ constexpr Format kFormats[] = {
     {".csv", "the skeletons as a table, one row a node",
      [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_skeleton_csv(grown.plant, path, progress); }},
+    {".mtg", "the skeletons as a multiscale tree graph, for OpenAlea and MultiScaleTreeGraph.jl",
+     [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+        Progress& progress) { write_skeleton_mtg(grown.plant, path, {provenance_of(document)}, progress); }},
 };
 
 std::vector<std::string> endings() {

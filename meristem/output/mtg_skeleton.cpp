@@ -8,6 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "meristem/output/mtg_columns.h"
+#include "meristem/output/mtg_text.h"
+
 namespace meristem {
 namespace {
 
@@ -18,9 +21,11 @@ class SkeletonReader {
   SkeletonReader(const MtgTree& tree, const std::string& file, const MtgGeometry& geometry)
       : tree_(tree), file_(file), geometry_(geometry) {}
 
-  MtgSkeleton read() {
-    for (std::size_t k = 0; k < 3; ++k) position_.at(k) = column(geometry_.position.at(k));
-    diameter_ = diameters();
+  MtgSkeleton read(const Limits& limits) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      position_.at(k) = metres(feature_of(geometry_.position.at(k)), geometry_.length_unit);
+    }
+    read_diameters();
     const int finest = tree_.finest_scale();
     node_.assign(tree_.vertex_count(), kNoNode);
     continued_.assign(tree_.vertex_count(), false);
@@ -34,13 +39,16 @@ class SkeletonReader {
       }
       begun[tree_.complex[vertex]] = true;
     }
+    read_mtg_columns(tree_, file_, node_, taken_, limits, made_);
     return std::move(made_);
   }
 
  private:
-  std::vector<double> column(const std::string& name) const {
+  /// The feature, which is no further column then.
+  std::uint32_t feature_of(const std::string& name) {
     const auto feature = tree_.find_feature(name);
-    if (feature) return tree_.numbers(*feature);
+    taken_.push_back(name);
+    if (feature) return *feature;
     std::vector<std::string> names;
     for (const MtgFeature& declared : tree_.features) names.push_back(declared.name);
     const std::string nearest = names.size() > 1000 ? "" : nearest_name(name, names);
@@ -51,12 +59,29 @@ class SkeletonReader {
                                 .file = file_});
   }
 
-  std::vector<double> diameters() const {
-    if (!geometry_.diameter.empty()) return column(geometry_.diameter);
-    for (const char* const usual : {"TopDia", "TopDiameter"}) {
-      if (const auto feature = tree_.find_feature(usual)) return tree_.numbers(*feature);
+  /// Lengths of all vertices, NaN where there is none. Those that are metres already are rounded once.
+  std::vector<double> metres(std::uint32_t feature, double unit) const {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> lengths;
+    lengths.reserve(tree_.vertex_count());
+    for (const std::string_view text : tree_.texts(feature)) {
+      const auto exact = unit == 1 ? to_float(text) : std::nullopt;
+      lengths.push_back(exact ? *exact : unit * to_number(text).value_or(kNan));
     }
-    return std::vector<double>(tree_.vertex_count(), std::numeric_limits<double>::quiet_NaN());
+    return lengths;
+  }
+
+  void read_diameters() {
+    if (!geometry_.diameter.empty()) {
+      diameter_ = metres(feature_of(geometry_.diameter), geometry_.diameter_unit);
+      return;
+    }
+    for (const char* const usual : {"TopDia", "TopDiameter"}) {
+      if (!tree_.find_feature(usual)) continue;
+      diameter_ = metres(feature_of(usual), geometry_.diameter_unit);
+      return;
+    }
+    diameter_.assign(tree_.vertex_count(), std::numeric_limits<double>::quiet_NaN());
   }
 
   [[noreturn]] void fail(MtgVertex vertex, std::string message, std::string expected) const {
@@ -69,7 +94,7 @@ class SkeletonReader {
   /// None unless all three coordinates are there.
   std::optional<Vec3> position(MtgVertex vertex) const {
     DVec3 given;
-    for (int k = 0; k < 3; ++k) given[k] = geometry_.length_unit * position_.at(static_cast<std::size_t>(k))[vertex];
+    for (int k = 0; k < 3; ++k) given[k] = position_.at(static_cast<std::size_t>(k))[vertex];
     if (std::isnan(given.x + given.y + given.z)) return {};
     if (std::abs(given.x) > kFarthest || std::abs(given.y) > kFarthest || std::abs(given.z) > kFarthest) {
       fail(vertex, fmt::format("{} is too far away", tree_.label(vertex)),
@@ -79,7 +104,7 @@ class SkeletonReader {
   }
 
   std::optional<float> radius(MtgVertex vertex) const {
-    const double diameter = geometry_.diameter_unit * diameter_[vertex];
+    const double diameter = diameter_[vertex];
     if (std::isnan(diameter)) return {};
     if (diameter < 0 || diameter > kFarthest) {
       fail(vertex, fmt::format("{} has a diameter of {:.4g} m", tree_.label(vertex), diameter),
@@ -145,21 +170,23 @@ class SkeletonReader {
   const MtgTree& tree_;
   const std::string& file_;
   const MtgGeometry& geometry_;
-  std::array<std::vector<double>, 3> position_;
-  std::vector<double> diameter_;
-  std::vector<NodeIndex> node_;  // of each vertex
-  std::vector<bool> continued_;  // whether an axis goes on from a vertex
+  std::array<std::vector<double>, 3> position_;  // metres
+  std::vector<double> diameter_;                 // metres
+  std::vector<std::string> taken_;               // the features of both
+  std::vector<NodeIndex> node_;                  // of each vertex
+  std::vector<bool> continued_;                  // whether an axis goes on from a vertex
   AxisIndex axes_ = 0;
   MtgSkeleton made_;
 };
 
 }  // namespace
 
-MtgSkeleton skeleton_of(const MtgTree& tree, const std::string& file, const MtgGeometry& geometry) {
+MtgSkeleton skeleton_of(const MtgTree& tree, const std::string& file, const MtgGeometry& geometry,
+                        const Limits& limits) {
   if (!(geometry.length_unit > 0) || !(geometry.diameter_unit > 0)) {
     throw std::invalid_argument("the units of an MTG's geometry are above 0");
   }
-  return SkeletonReader(tree, file, geometry).read();
+  return SkeletonReader(tree, file, geometry).read(limits);
 }
 
 }  // namespace meristem

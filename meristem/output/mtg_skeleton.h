@@ -28,11 +28,20 @@ struct MtgSkeleton {
 
 /// The entities of the finest scale as a skeleton: each is a segment from its parent's end to its own. Where the axis
 /// or plant that an entity begins has coordinates of its own, these are where the root's segment begins; else the
-/// root's end is a node alone. An entity without coordinates or diameter has its parent's. The first successor
+/// root's end is a node alone. An entity without coordinates, diameter or `birth` has its parent's. The first successor
 /// continues an axis, all else begins a lateral one of the next order. Coordinates turn to y up and north -z.
 /// Segments may have no length, and radii may rise toward the tips, as they were digitised.
+///
+/// Features that are numbers and that nodes have become further columns, NaN where one has none; those by the names of
+/// other columns and of what `write_skeleton_mtg` writes for every skeleton do not. Where no feature is the `metamer`,
+/// and the entities' own numbers count every axis from 1, these do. Where a feature `node` numbers the nodes, each once
+/// and parents first, they have that order and, beside it, what features `axis` and `order` say, if they can: so what
+/// `write_skeleton_mtg` has written comes back as it was.
+///
 /// Throws InputError, with the line in `file`, for features that are not there, roots without coordinates, coordinates
-/// beyond 1000 km and negative diameters; std::invalid_argument for units that are not positive.
-MtgSkeleton skeleton_of(const MtgTree& tree, const std::string& file, const MtgGeometry& geometry = {});
+/// beyond 1000 km and negative diameters, and for more than 16 numbers for each node that `limits` allow;
+/// std::invalid_argument for units that are not positive. Cost linear, but for the sorting of nodes.
+MtgSkeleton skeleton_of(const MtgTree& tree, const std::string& file, const MtgGeometry& geometry = {},
+                        const Limits& limits = {});
 
 }  // namespace meristem

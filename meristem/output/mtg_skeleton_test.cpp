@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/output/mtg_skeleton.h"
 
+#include <array>
+#include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -102,6 +105,131 @@ TEST(MtgSkeleton, FaultsNameTheFeatureOrTheLine) {
   EXPECT_EQ(fault("/P1/A1\n^/S1\t\t0\t0\t1\t-2\n"),
             "plant.mtg:14: S1 has a diameter of -2 m; expected one from 0 to 1000000 m");
   EXPECT_THROW(read(kForked, {.length_unit = 0}), std::invalid_argument);
+}
+
+/// A file with these features beside the places, `columns` of their names, and codes that begin on line 11 or later.
+std::string file_with(const std::vector<std::string>& features, const std::string& codes) {
+  std::string text = "CODE:\tFORM-A\nCLASSES:\nP 1 FREE\nA 2 FREE\nS 3 FREE\nFEATURES:\nXX REAL\nYY REAL\nZZ REAL\n";
+  std::string names = "TOPO\t\tXX\tYY\tZZ";
+  for (const std::string& feature : features) {
+    text += feature + '\n';
+    names += '\t' + feature.substr(0, feature.find(' '));
+  }
+  return text + "MTG:\n" + names + '\n' + codes;
+}
+
+Skeleton read_with(const std::vector<std::string>& features, const std::string& codes, const Limits& limits = {}) {
+  return skeleton_of(read_mtg(file_with(features, codes), "plant.mtg"), "plant.mtg", {}, limits).skeleton;
+}
+
+/// A stem of three segments from a base, with a lateral of one.
+std::string forked_with(const std::array<std::string, 5>& values) {
+  return "/P1\n^/A1\t\t0\t0\t0\t" + values[0] + "\n^/S1\t\t0\t0\t1\t" + values[1] + "\n\t+A1/S1\t1\t0\t1\t" +
+         values[2] + "\n^<S2\t\t0\t0\t2\t" + values[3] + "\n^<S3\t\t0\t0\t3\t" + values[4] + '\n';
+}
+
+TEST(MtgSkeleton, FeaturesThatAreNumbersAreColumns) {
+  Skeleton skeleton = read_with({"light REAL", "leaves INT", "kind ALPHA", "empty REAL"},
+                                forked_with({"0.1\t2\tx", "0.3", "", "\t7", "1e39\t-1"}));
+  ASSERT_EQ(skeleton.extra.size(), 3U) << "and the numbers of metamers";
+  const std::vector<float>& light = skeleton.extra["light"];
+  EXPECT_EQ(light[0], 0.1F) << "the base is the axis's";
+  EXPECT_EQ(light[1], 0.3F);
+  for (const std::size_t unknown : {2, 3, 4}) EXPECT_TRUE(std::isnan(light[unknown])) << "1e39 is no float";
+  EXPECT_EQ(skeleton.extra["leaves"][3], 7);
+  EXPECT_EQ(skeleton.extra["leaves"][4], -1);
+}
+
+TEST(MtgSkeleton, AgesAreTheParentsWhereTheyAreMissing) {
+  const Skeleton skeleton = read_with({"birth REAL"}, forked_with({"", "2", "5.5", "", "4"}));
+  EXPECT_EQ(skeleton.birth, (std::vector<float>{0, 2, 5.5F, 2, 4}));
+  EXPECT_FALSE(skeleton.extra.contains("birth"));
+}
+
+TEST(MtgSkeleton, ColumnsOfOtherMeaningAreNotTaken) {
+  const Skeleton skeleton = read_with({"axis INT", "radius REAL", "instance INT", "TopDia REAL"},
+                                      forked_with({"1\t1\t1\t1", "", "", "", ""}));
+  EXPECT_EQ(skeleton.extra.size(), 1U) << "the numbers of metamers";
+  EXPECT_EQ(skeleton.axis, (std::vector<AxisIndex>{0, 0, 1, 0, 0})) << "axes are those of the codes";
+}
+
+TEST(MtgSkeleton, EntitiesThatCountTheirAxesNumberMetamers) {
+  using Numbers = std::vector<float>;
+  const auto numbers = [](const std::string& codes) {
+    const Skeleton skeleton = read_with({"note ALPHA"}, codes);
+    const auto column = skeleton.extra.find("metamer");
+    return column == skeleton.extra.end() ? Numbers{} : column->second;
+  };
+  const std::string codes = forked_with({});
+  EXPECT_EQ(numbers(codes), (Numbers{0, 1, 1, 2, 3}));
+  for (const auto& [from, to] : {std::pair("^<S3", "^<S4"), {"+A1/S1", "+A1/S0"}, {"^<S2", "^<S"}, {"^<S3", "^<S2"}}) {
+    std::string other = codes;
+    other.replace(other.find(from), std::string(from).size(), to);
+    EXPECT_EQ(numbers(other), Numbers{}) << to;
+  }
+  EXPECT_EQ(numbers("/P1/A1/S1\t\t0\t0\t1\n^<S2\t\t0\t0\t2\n"), (Numbers{1, 2})) << "a root that is a segment's end";
+}
+
+TEST(MtgSkeleton, AFeatureMetamerGoesBeforeTheNumbersOfEntities) {
+  Skeleton skeleton = read_with({"metamer INT"}, forked_with({"0", "4", "1", "5", "6"}));
+  EXPECT_EQ(skeleton.extra["metamer"], (std::vector<float>{0, 4, 1, 5, 6}));
+}
+
+TEST(MtgSkeleton, NodesHaveTheOrderInWhichTheyAreNumbered) {
+  const Skeleton plain = read_with({"node INT"}, forked_with({}));
+  const Skeleton numbered =
+      read_with({"node INT", "light REAL"}, forked_with({"0\t5", "10\t6", "40\t7", "20\t8", "30\t9"}));
+  EXPECT_EQ(numbered.parent, (std::vector<NodeIndex>{kNoNode, 0, 1, 2, 1}));
+  EXPECT_EQ(numbered.position[4], plain.position[2]);
+  EXPECT_EQ(numbered.axis, (std::vector<AxisIndex>{0, 0, 0, 0, 1}));
+  EXPECT_EQ(numbered.order, (std::vector<std::uint16_t>{0, 0, 0, 0, 1}));
+  EXPECT_EQ(numbered.extra.find("light")->second, (std::vector<float>{5, 6, 8, 9, 7}));
+  EXPECT_FALSE(numbered.extra.contains("node"));
+  EXPECT_FALSE(numbered.extra.contains("metamer")) << "what numbers its nodes says all it knows";
+  // A child before its parent, twins, none, a fraction.
+  for (const std::array<std::string, 5>& wrong : {std::array<std::string, 5>{"0", "4", "3", "2", "1"},
+                                                  {"0", "1", "2", "2", "3"},
+                                                  {"0", "1", "", "2", "3"},
+                                                  {"0", "1", "2", "2.5", "3"}}) {
+    EXPECT_EQ(read_with({"node REAL"}, forked_with(wrong)).parent, plain.parent);
+  }
+}
+
+TEST(MtgSkeleton, NumberedNodesMayHaveAxesAndOrdersOfTheirOwn) {
+  const std::vector<std::string> features{"node INT", "axis INT", "order INT"};
+  Skeleton skeleton = read_with(features, forked_with({"0\t0\t0", "1\t0\t0", "2\t0\t3", "3\t1\t2", "4\t1\t2"}));
+  EXPECT_EQ(skeleton.axis, (std::vector<AxisIndex>{0, 0, 0, 1, 1}));
+  EXPECT_EQ(skeleton.order, (std::vector<std::uint16_t>{0, 0, 3, 2, 2}));
+  skeleton = read_with(features, forked_with({"0\t0\t0", "1\t0\t0", "2\t2\t3", "3\t1\t2", "4\t1\t2"}));
+  EXPECT_EQ(skeleton.axis, (std::vector<AxisIndex>{0, 0, 1, 0, 0})) << "axis 2 would come before axis 1";
+}
+
+TEST(MtgSkeleton, MoreNumbersThanTheLimitAllowsAreRefused) {
+  std::vector<std::string> features;
+  std::string values;
+  for (int k = 0; k < 17; ++k) {
+    features.push_back("f" + std::to_string(k) + "x REAL");
+    values += "1\t";
+  }
+  Limits limits;
+  limits.nodes = 5;
+  try {
+    read_with(features, forked_with({values, "", "", "", ""}), limits);
+    ADD_FAILURE() << "85 numbers are read";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.diagnostics()[0].message, "85 numbers of nodes are too many");
+    EXPECT_EQ(error.diagnostics()[0].file, "plant.mtg");
+  }
+  limits.nodes = 6;
+  EXPECT_EQ(read_with(features, forked_with({values, "", "", "", ""}), limits).extra.size(), 18U);
+}
+
+TEST(MtgSkeleton, MetresAreRoundedToFloatsOnce) {
+  // Nearer to the float above, by less than a double can tell.
+  const std::string tie = "1.00000005960464477540";
+  const Skeleton skeleton = read_with({"light REAL"}, "/P1/A1/S1\t\t" + tie + "\t0\t1\t" + tie + "\n");
+  EXPECT_EQ(skeleton.position[0].x, std::nextafter(1.0F, 2.0F));
+  EXPECT_EQ(skeleton.extra.find("light")->second[0], std::nextafter(1.0F, 2.0F));
 }
 
 TEST(MtgSkeleton, AFileWithoutEntitiesHasNoNodes) { EXPECT_EQ(read("").skeleton.node_count(), 0U); }

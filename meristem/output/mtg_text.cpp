@@ -20,6 +20,16 @@ MtgWord trimmed(std::string_view line, std::size_t begin, std::size_t end) {
   return {line.substr(begin, end - begin), begin};
 }
 
+template <class Number>
+std::optional<Number> number_of(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  Number number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (text.empty() || error != std::errc() || stop != end || !std::isfinite(number)) return {};
+  return number;
+}
+
 }  // namespace
 
 std::vector<MtgWord> MtgLine::words() const {
@@ -83,13 +93,13 @@ std::string shown(std::string_view text) {
   return fmt::format("'{}...'", text.substr(0, kLongestShown));
 }
 
-std::optional<double> to_number(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (text.empty() || error != std::errc() || stop != end || !std::isfinite(number)) return {};
-  return number;
+std::optional<double> to_number(std::string_view text) { return number_of<double>(text); }
+
+std::optional<float> to_float(std::string_view text) {
+  if (const auto number = number_of<float>(text)) return number;
+  // What is too small for 32 bits is 0 or nearly so.
+  const auto number = to_number(text);
+  return number && std::abs(*number) < 1 ? std::optional(static_cast<float>(*number)) : std::nullopt;
 }
 
 }  // namespace meristem

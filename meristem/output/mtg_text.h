@@ -64,4 +64,7 @@ std::string shown(std::string_view text);
 /// The whole text as a finite number.
 std::optional<double> to_number(std::string_view text);
 
+/// The same, rounded once to 32 bits: so a float's shortest digits give that float.
+std::optional<float> to_float(std::string_view text);
+
 }  // namespace meristem

@@ -151,7 +151,7 @@ class MeshPly {
 };
 
 /// Columns in the order of the file, indices into the table's: places first, as viewers expect, and without the row's
-/// own number.
+/// own number and the label, which is a text.
 std::vector<std::size_t> ply_columns(const SkeletonTable& table) {
   static constexpr std::array<std::string_view, 8> kFirst{"x", "y", "z", "radius", "parent", "axis", "order", "birth"};
   const auto rank = [&](std::size_t column) {
@@ -159,7 +159,8 @@ std::vector<std::size_t> ply_columns(const SkeletonTable& table) {
   };
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < table.columns().size(); ++k) {
-    if (table.columns()[k].name != "node") order.push_back(k);
+    const SkeletonColumn& column = table.columns()[k];
+    if (column.name != "node" && column.kind != SkeletonColumn::Kind::label) order.push_back(k);
   }
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
   return order;

@@ -23,9 +23,9 @@ struct PlyOptions {
 void write_mesh_ply(const MeshScene& scene, const std::string& path, const PlyOptions& options, Progress& progress);
 
 /// Writes the skeletons of `plant` as points and edges in binary little-endian PLY: metres, y up. A vertex has the
-/// columns of SkeletonTable, `x y z radius` first and without `node`, which is its number: `parent` is a vertex or -1,
-/// `component` an index as above, NaN what is not known. An edge is `vertex1 vertex2`, from parent to child.
-/// Streams, throws and appears as write_mesh_ply does.
+/// columns of SkeletonTable, `x y z radius` first and without `node`, which is its number, and `label`, a text:
+/// `parent` is a vertex or -1, `component` an index as above, NaN what is not known. An edge is `vertex1 vertex2`, from
+/// parent to child. Streams, throws and appears as write_mesh_ply does.
 void write_skeleton_ply(const Plant& plant, const std::string& path, const PlyOptions& options, Progress& progress);
 
 }  // namespace meristem

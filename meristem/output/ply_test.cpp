@@ -291,6 +291,14 @@ TEST(SkeletonPly, HasAnEdgeFromEveryParentToItsChild) {
   EXPECT_EQ(ply.columns.at("edge.vertex2"), (std::vector<double>{1, 2, 3, 5, 6}));
 }
 
+TEST(SkeletonPly, LeavesLabelsOutWhichAreTexts) {
+  Plant plant = two_stems();
+  plant.stems[0].skeleton.extra["metamer"] = {0, 1, 2, 1};
+  const Ply ply = written(plant);
+  EXPECT_EQ(ply.columns.at("vertex.metamer")[3], 1);
+  EXPECT_FALSE(ply.columns.contains("vertex.label"));
+}
+
 TEST(SkeletonPly, NamesOfColumnsStayWords) {
   Plant plant = two_stems();
   plant.stems[0].skeleton.extra = {{"red light", {1, 2, 3, 4}}};

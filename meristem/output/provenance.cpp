@@ -7,7 +7,7 @@
 
 namespace meristem {
 
-std::vector<std::string> provenance_lines(const Provenance& provenance) {
+std::vector<std::string> provenance_lines(const Provenance& provenance, std::string_view units) {
   std::vector<std::string> lines{single_line("Meristem " + provenance.version)};
   const auto add = [&](std::string_view what, const std::string& text) {
     if (!text.empty()) lines.push_back(fmt::format("{}: {}", what, single_line(text)));
@@ -17,7 +17,7 @@ std::vector<std::string> provenance_lines(const Provenance& provenance) {
   add("licence", provenance.licence);
   lines.push_back(fmt::format("seed: {}", provenance.seed));
   lines.push_back(fmt::format("to grow it again: meristem grow DOCUMENT -o FILE --seed {}", provenance.seed));
-  lines.emplace_back("units: metres, y up");
+  lines.push_back(fmt::format("units: {}", units));
   return lines;
 }
 

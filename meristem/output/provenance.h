@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace meristem {
@@ -17,6 +18,6 @@ struct Provenance {
 };
 
 /// The same for people, and the units, as comments of a file: one line each, without a mark of a comment.
-std::vector<std::string> provenance_lines(const Provenance& provenance);
+std::vector<std::string> provenance_lines(const Provenance& provenance, std::string_view units = "metres, y up");
 
 }  // namespace meristem

@@ -27,9 +27,7 @@ class CsvRows {
   }
 
   std::size_t most_row_bytes() const {
-    std::size_t longest = 0;
-    for (const std::string& component : components_) longest = std::max(longest, component.size());
-    return longest + table_.columns().size() * kCsvNumberBytes;
+    return longest(components_) + longest(table_.labels()) + table_.columns().size() * kCsvNumberBytes;
   }
 
   void append(const SkeletonRow& row, std::string& out) const {
@@ -41,9 +39,17 @@ class CsvRows {
   }
 
  private:
+  static std::size_t longest(const std::vector<std::string>& texts) {
+    std::size_t bytes = 0;
+    for (const std::string& text : texts) bytes = std::max(bytes, text.size());
+    return bytes;
+  }
+
   void append_field(SkeletonColumn::Kind kind, double value, std::string& out) const {
-    if (kind == SkeletonColumn::Kind::label) {
+    if (kind == SkeletonColumn::Kind::component) {
       out += components_[static_cast<std::size_t>(value)];
+    } else if (kind == SkeletonColumn::Kind::label) {
+      out += table_.labels()[static_cast<std::size_t>(value)];
     } else if (kind == SkeletonColumn::Kind::index) {
       if (value != SkeletonTable::kNoRow) append_csv_number(static_cast<std::uint64_t>(value), out);
     } else if (!std::isnan(value)) {

@@ -38,6 +38,18 @@ TEST(SkeletonCsv, IsOneRowANodeWithEmptyFieldsForWhatIsNotThere) {
             "vine,3,6,5,3,0.33333334,0,1e-07,2,0,2.5,\n");
 }
 
+TEST(SkeletonCsv, LabelsOfAxesComeLast) {
+  Plant plant = two_stems();
+  plant.stems.resize(1);
+  plant.stems[0].skeleton.extra = {{"metamer", {0, 1, 2, 1}}};
+  EXPECT_EQ(written(plant),
+            "component,instance,node,parent,x,y,z,radius,axis,order,birth,metamer,label\n"
+            "tree,0,0,,0,0,0,0.1,0,0,0,0,main\n"
+            "tree,0,1,0,0,1,0,0.09,0,0,1,1,main\n"
+            "tree,0,2,1,0,2,0,0.05,0,0,2,2,main\n"
+            "tree,0,3,1,0.5,1.5,0,0.04,1,1,2,1,main.1\n");
+}
+
 TEST(SkeletonCsv, QuotesNamesThatHoldSeparators) {
   Plant plant = two_stems();
   plant.stems.resize(1);

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
 #include <string_view>
 #include <utility>
+
+#include "meristem/plant/axis_labels.h"
 
 namespace meristem {
 
@@ -17,7 +20,7 @@ using Kind = SkeletonColumn::Kind;
 
 enum Column : std::size_t { component, instance, node, parent, x, y, z, radius, axis, order, birth, first_extra };
 
-constexpr std::array<std::pair<const char*, Kind>, first_extra> kColumns{{{"component", Kind::label},
+constexpr std::array<std::pair<const char*, Kind>, first_extra> kColumns{{{"component", Kind::component},
                                                                           {"instance", Kind::index},
                                                                           {"node", Kind::index},
                                                                           {"parent", Kind::index},
@@ -43,6 +46,8 @@ SkeletonTable::SkeletonTable(const Plant& plant) : plant_(plant) {
     for (const auto& [name, values] : stem.skeleton.extra) names.insert(name);
   }
   for (const std::string& name : names) columns_.push_back({name, Kind::number});
+  const bool has_labels = names.contains(std::string(kMetamerColumn));
+  if (has_labels) columns_.push_back({"label", Kind::label});
 
   std::map<std::string_view, std::size_t> component_indices;
   first_row_.push_back(0);
@@ -57,6 +62,10 @@ SkeletonTable::SkeletonTable(const Plant& plant) : plant_(plant) {
     first_row_.push_back(first_row_.back() + stem.skeleton.node_count());
     first_axis_.push_back(axes);
     axes += axis_count(stem.skeleton);
+    if (has_labels) {
+      std::vector<std::string> labels = axis_labels(stem.skeleton);
+      std::move(labels.begin(), labels.end(), std::back_inserter(labels_));
+    }
     std::vector<const std::vector<float>*>& extra = extra_.emplace_back();
     for (const std::string& name : names) {
       const auto column = stem.skeleton.extra.find(name);
@@ -106,6 +115,7 @@ double SkeletonTable::value(const SkeletonRow& row, std::size_t column) const {
     default:
       break;
   }
+  if (columns_[column].kind == Kind::label) return value(row, Column::axis);
   const std::vector<float>* const values = extra_[row.stem][column - Column::first_extra];
   return values == nullptr ? std::numeric_limits<double>::quiet_NaN() : (*values)[row.node];
 }

@@ -20,9 +20,10 @@ struct SkeletonRow {
 
 struct SkeletonColumn {
   enum class Kind {
-    label,   ///< a whole number that indexes SkeletonTable::components()
-    index,   ///< a whole number; kNoRow where there is none
-    number,  ///< a float; NaN where not known
+    component,  ///< a whole number that indexes SkeletonTable::components()
+    label,      ///< one that indexes SkeletonTable::labels()
+    index,      ///< a whole number; kNoRow where there is none
+    number,     ///< a float; NaN where not known
   };
   std::string name;
   Kind kind = Kind::number;
@@ -38,6 +39,7 @@ struct SkeletonColumn {
 /// | `axis` | counted on through the stems, so that no two stems share one |
 /// | `order`, `birth` | branching order, growth step |
 /// | others | what some skeleton has in `extra`, by name |
+/// | `label` | that of the axis (axis_labels), where some skeleton numbers its metamers |
 class SkeletonTable {
  public:
   static constexpr double kNoRow = -1;
@@ -49,6 +51,9 @@ class SkeletonTable {
   const std::vector<SkeletonColumn>& columns() const { return columns_; }
   /// Ids of components with stems, in the plant's order.
   const std::vector<std::string>& components() const { return components_; }
+
+  /// The label of each axis; empty where there is no column of them.
+  const std::vector<std::string>& labels() const { return labels_; }
 
   SkeletonRow row(std::size_t number) const;
   /// Calls `body(row)` for each row from number `begin` to `end`.
@@ -69,6 +74,7 @@ class SkeletonTable {
   const Plant& plant_;
   std::vector<SkeletonColumn> columns_;
   std::vector<std::string> components_;
+  std::vector<std::string> labels_;
   std::vector<std::vector<std::size_t>> component_;            // of each stem's parts, indices into components_
   std::vector<std::size_t> first_row_;                         // of each stem, and the end
   std::vector<std::size_t> first_axis_;                        // of each stem

@@ -49,6 +49,17 @@ TEST(SkeletonTable, KnowsNotWhatAStemDoesNotHave) {
   EXPECT_TRUE(std::isnan(light[4]));
 }
 
+TEST(SkeletonTable, LabelsAxesWhereMetamersAreNumbered) {
+  Plant plant = two_stems();
+  EXPECT_TRUE(SkeletonTable(plant).labels().empty());
+  plant.stems[0].skeleton.extra["metamer"] = {0, 3, 4, 1};
+  const SkeletonTable table(plant);
+  EXPECT_EQ(table.labels(), (std::vector<std::string>{"main", "main.3", "main"}));
+  EXPECT_EQ(table.columns().back().name, "label");
+  EXPECT_EQ(column(table, "label"), (std::vector<double>{0, 0, 0, 1, 2, 2, 2}));
+  EXPECT_EQ(column(table, "metamer")[3], 1);
+}
+
 TEST(SkeletonTable, AnyPartOfTheRowsIsThatPartOfAll) {
   Plant plant = two_stems();
   plant.stems.insert(plant.stems.begin() + 1, Stem{});  // without nodes

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "meristem/base/curve.h"
+#include "meristem/plant/axis_labels.h"
 #include "meristem/plant/finish.h"
 
 namespace meristem {
@@ -96,7 +97,11 @@ struct Subdivision {
       return std::clamp(column[low] + share * (column[high] - column[low]), least, most);
     };
     const NodeIndex node = result.add_node(parent, position, mixed(old.birth));
-    for (auto& [name, values] : result.extra) values.back() = mixed(old.extra.find(name)->second);
+    for (auto& [name, values] : result.extra) {
+      const std::vector<float>& column = old.extra.find(name)->second;
+      // A segment is part of the metamer that it ends with.
+      values.back() = name == kMetamerColumn ? column[high] : mixed(column);
+    }
     return node;
   }
 

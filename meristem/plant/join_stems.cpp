@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "meristem/plant/axis_labels.h"
+
 namespace meristem {
 
 namespace {
@@ -106,8 +108,11 @@ class TreeJoiner {
     const bool is_start = from.axis[begin] != from.axis[node];
     tree_.skeleton.radius[made] = is_start ? from.radius[node] : between(from.radius);
     place_on_axis(from, node, made);
-    // A mark of single nodes is not one of those between them.
-    for (const auto& [name, values] : from.extra) column(name)[made] = name == "end" ? 0 : between(values);
+    for (const auto& [name, values] : from.extra) {
+      // A mark of single nodes is not one of those between them, and a segment is part of the metamer that it ends
+      // with.
+      column(name)[made] = name == "end" ? 0 : name == kMetamerColumn ? values[node] : between(values);
+    }
     return made;
   }
 

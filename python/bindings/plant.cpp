@@ -128,9 +128,11 @@ py::dict table_of(const PlantInPython& plant) {
     values.reserve(table.row_count());
     table.for_each_row(0, table.row_count(), [&](const SkeletonRow& row) { values.push_back(table.value(row, c)); });
     py::object array = array_of(std::move(values));
-    if (column.kind == SkeletonColumn::Kind::label) {
+    const bool is_component = column.kind == SkeletonColumn::Kind::component;
+    if (is_component || column.kind == SkeletonColumn::Kind::label) {
       // As fixed-width texts, so that comparing them needs no table.
-      const py::object names = py::module_::import("numpy").attr("array")(table.components());
+      const std::vector<std::string>& texts = is_component ? table.components() : table.labels();
+      const py::object names = py::module_::import("numpy").attr("array")(texts);
       array = names.attr("take")(array.attr("astype")("int64"));
     } else if (column.kind == SkeletonColumn::Kind::index) {
       array = array.attr("astype")("int64");
@@ -338,7 +340,7 @@ tree. Area ratios count from forks of `fork_diameter` metres; the lit share take
 the cosine to the surface), both 0 to 1.)")
       .def("save", &save, py::arg("path"), py::kw_only(), py::arg("instanced") = false, py::arg("lod") = 0,
            py::arg("threads") = 0, py::arg("progress") = py::none(),
-           R"(Writes the plant to a file, its format by its ending: .glb, .obj, .ply, .skeleton.ply, .csv.
+           R"(Writes the plant to a file, its format by its ending: .glb, .obj, .ply, .skeleton.ply, .csv, .mtg.
 
 `instanced` writes leaves to .glb as places of one mesh: small files, that not every program reads. `lod` (0 to 8) is
 the level of detail: each has about a quarter of the triangles of the one before. The file is there whole or not at all.

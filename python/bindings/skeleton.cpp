@@ -13,6 +13,8 @@
 #include "meristem/base/read_file.h"
 #include "meristem/measure/tree_form.h"
 #include "meristem/output/mtg_skeleton.h"
+#include "meristem/output/skeleton_mtg.h"
+#include "meristem/plant/axis_labels.h"
 #include "meristem/plant/pipe_radii.h"
 #include "values.h"
 
@@ -146,8 +148,18 @@ SkeletonPointer read_mtg_file(const py::object& file, const std::array<std::stri
                                  {.position = coordinates,
                                   .diameter = diameter,
                                   .length_unit = unit,
-                                  .diameter_unit = diameter_unit.value_or(unit)});
+                                  .diameter_unit = diameter_unit.value_or(unit)},
+                                 limits);
   return std::make_shared<Skeleton>(std::move(read.skeleton));
+}
+
+void save_mtg(const SkeletonPointer& skeleton, const py::object& path, int threads, const py::object& progress) {
+  const std::string target = file_of(path);
+  watch_of(progress)->run(threads, [&](Progress& inner) {
+    Plant plant;
+    plant.stems.emplace_back().skeleton = *skeleton;
+    write_skeleton_mtg(plant, target, {}, inner);
+  });
 }
 
 }  // namespace
@@ -199,7 +211,19 @@ wrong shapes and values.)")
                              "(2, 3) float32: low and high corner, radii included; None if empty.")
       .def_property_readonly(
           "hash", [](const SkeletonPointer& s) { return skeleton_hash(*s); },
-          "32 hexadecimal digits, equal for skeletons of equal bytes.");
+          "32 hexadecimal digits, equal for skeletons of equal bytes.")
+      .def_property_readonly(
+          "labels", [](const SkeletonPointer& s) { return axis_labels(*s); },
+          "The label of each axis, a list of str: \"main\" for those from a root, else the mother's label, a dot and "
+          "the "
+          "number of the node that bears it, from the column \"metamer\" if there is one.")
+      .def(
+          "save_mtg", &save_mtg, py::arg("path"), py::kw_only(), py::arg("threads") = 0,
+          py::arg("progress") = py::none(),
+          R"(Writes the skeleton to an .mtg file, a multiscale tree graph in metres, from which read_mtg gives an equal one.
+
+The file is there whole or not at all. Raises InputError for further columns whose names a file cannot have,
+MachineError.)");
 
   module.def("read_mtg", &read_mtg_file, py::arg("path"), py::kw_only(),
              py::arg("coordinates") = std::array<std::string, 3>{"XX", "YY", "ZZ"}, py::arg("diameter") = "",
@@ -207,7 +231,8 @@ wrong shapes and values.)")
              R"(Reads a plant that was coded and digitised as a Skeleton from an MTG file.
 
 `coordinates` are the features with the coordinates to the east, to the north and up, `diameter` that with diameters
-(TopDia or TopDiameter if empty), `unit` and `diameter_unit` the metres that 1 means. Raises InputError with the line.)");
+(TopDia or TopDiameter if empty), `unit` and `diameter_unit` the metres that 1 means. Other features that are numbers
+become columns, `birth` the ages. Raises InputError with the line.)");
 }
 
 }  // namespace meristem::python

@@ -12,7 +12,7 @@ import meristem
 
 bush = meristem.read("bush").grow()
 with tempfile.TemporaryDirectory() as folder:
-    for name in ("bush.glb", "bush.obj", "bush.ply", "bush.skeleton.ply", "bush.csv"):
+    for name in ("bush.glb", "bush.obj", "bush.ply", "bush.skeleton.ply", "bush.csv", "bush.mtg"):
         bush.save(Path(folder) / name)
     bush.save(Path(folder) / "instanced.glb", instanced=True)
     for path in sorted(Path(folder).iterdir()):

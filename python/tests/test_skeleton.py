@@ -164,6 +164,44 @@ def test_digitised_trees_can_be_read() -> None:
     assert 5 < walnut.measure()["height"] < 12
 
 
+def test_digitised_trees_come_back_from_files_of_ours(tmp_path: Path) -> None:
+    file = TREES / "noylum2.mtg"
+    if not file.is_file():
+        pytest.skip(f"{file} is not there")
+    walnut = meristem.read_mtg(file, unit=0.01, diameter_unit=0.001)
+    walnut.save_mtg(tmp_path / "walnut.mtg")
+    again = meristem.read_mtg(tmp_path / "walnut.mtg")
+    assert again.hash == walnut.hash
+    assert again.labels == walnut.labels and len(again.labels) == 1875
+    again.save_mtg(tmp_path / "again.mtg", threads=1)
+    assert (tmp_path / "again.mtg").read_bytes() == (tmp_path / "walnut.mtg").read_bytes()
+    assert walnut["NFe"].dtype == np.float32
+
+
+def test_grown_plants_come_back_from_mtg_files(tmp_path: Path) -> None:
+    plant = grown_small_tree()
+    plant.save(tmp_path / "tree.mtg")
+    skeleton = plant.stems[0].skeleton
+    assert meristem.read_mtg(tmp_path / "tree.mtg").hash == skeleton.hash
+    skeleton.save_mtg(tmp_path / "skeleton.mtg")
+    assert meristem.read_mtg(tmp_path / "skeleton.mtg").hash == skeleton.hash
+
+
+def test_labels_name_the_metamers_that_bear_axes() -> None:
+    columns: dict[str, Any] = {"axis": [0, 0, 1, 0], "order": [0, 0, 1, 0]}
+    position = [[0, 0, 0], [0, 1, 0], [0.5, 1, 0], [0, 1.5, 0]]
+    assert meristem.Skeleton([-1, 0, 1, 1], position, **columns).labels == ["main", "main.1"]
+    numbered = meristem.Skeleton([-1, 0, 1, 1], position, **columns, extra={"metamer": [0, 7, 1, 8]})
+    assert numbered.labels == ["main", "main.7"]
+
+
+def test_columns_that_no_file_can_have_are_named(tmp_path: Path) -> None:
+    skeleton = meristem.Skeleton([-1], [[0, 0, 0]], extra={"red light": [1]})
+    with pytest.raises(meristem.InputError, match="a file cannot have the column 'red light'"):
+        skeleton.save_mtg(tmp_path / "a.mtg")
+    assert not list(tmp_path.iterdir())
+
+
 def test_masked_numbers_are_refused() -> None:
     masked = np.ma.array([[0.0, 0, 0], [0, 999, 0]], mask=[[False] * 3, [False, True, False]])
     with pytest.raises(ValueError, match="position has masked numbers"):

@@ -11,6 +11,8 @@ from typing import Mapping, Sequence
 
 import numpy as np
 
+from common.tables import Finding
+
 from .trees import AZIMUTHS, Mean, Treatment
 
 SHIFTS = tuple(round(0.001 * k, 3) for k in range(11))
@@ -74,16 +76,6 @@ EXTREMES = (
     Extreme("B", "inclination_azimuth", True, SHIFTS[7:9], SHIFTS[1:], spread=True),
     Extreme("B", "centroid_radius", True, SHIFTS[6:9], SHIFTS),
 )
-
-
-@dataclass(frozen=True)
-class Finding:
-    """An expectation and what came out."""
-
-    what: str
-    expected: str
-    found: str
-    holds: bool
 
 
 def value_of(mean: Mean, measure: str, spread: bool = False) -> float:

@@ -11,23 +11,17 @@ import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
+from common.style import BLUE, DOTS_PER_INCH, GREEN, ORANGE, RED, STYLE, new_figure, save_figure
+
 from .expectations import ANY, BANDS, Band, change_of
 from .panels import (
-    BLUE,
-    DOTS_PER_INCH,
-    GREEN,
-    ORANGE,
-    RED,
     STRENGTH_NAMES,
-    STYLE,
     Floats,
     Means,
     Panel,
     draw_grid,
     label_azimuths,
     name_columns,
-    new_figure,
-    save_figure,
     series_of,
     wrap_azimuths,
 )

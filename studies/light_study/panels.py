@@ -3,41 +3,21 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Mapping, Sequence
 
 import numpy as np
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 from numpy.typing import NDArray
+
+from common.style import new_figure, save_figure
 
 from .trees import AZIMUTHS, LIT_SHARES, Mean, Tree, Treatment
 
 Floats = NDArray[np.float64]
 Means = Mapping[Treatment, Mean]
 
-# Colours that stay apart for all kinds of sight (Okabe and Ito).
-BLUE = "#0072B2"
-RED = "#D55E00"
-GREEN = "#009E73"
-ORANGE = "#E69F00"
-DOTS_PER_INCH = 110
-STYLE = {
-    "font.family": "DejaVu Sans",
-    "font.size": 10,
-    "axes.titlesize": 11,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.grid": True,
-    "grid.color": "#e4e4e4",
-    "grid.linewidth": 0.8,
-    "axes.axisbelow": True,
-    "legend.frameon": False,
-    "legend.fontsize": 9.5,
-}
 FIRST_AZIMUTH = -45.0  #: axes of azimuths begin here, as the published ones, so that north is not torn apart
 WIDEST_SPREAD = 90.0  #: degrees; azimuths that scatter more have no mean worth drawing
 
@@ -131,20 +111,6 @@ def share_scales(grid: Sequence[Sequence[Axes]], panels: Sequence[Sequence[Panel
         high = max(axes.get_ylim()[1] for axes in same)
         for axes in same:
             axes.set_ylim(low, high)
-
-
-def new_figure(rows: int, columns: int, height: float) -> tuple[Figure, list[list[Axes]]]:
-    figure = Figure(figsize=(9, height), layout="constrained")
-    return figure, [list(row) for row in figure.subplots(rows, columns, squeeze=False)]
-
-
-def save_figure(figure: Figure, handles: Sequence[Artist], columns: int, path: Path) -> None:
-    """Writes a PNG, with a legend below all of its axes."""
-    inches = 0.1 + 0.23 * math.ceil(len(handles) / columns)
-    bottom = inches / figure.get_figheight()
-    figure.get_layout_engine().set(rect=(0, bottom, 1, 1 - bottom))
-    figure.legend(handles=handles, loc="lower center", ncol=columns)
-    figure.savefig(path, dpi=DOTS_PER_INCH)
 
 
 def draw_grid(

@@ -373,7 +373,7 @@ class Output(Case):
 class Formats(Case):
     """What the files of one plant say must be the same; they are read with Python's own means."""
 
-    FILES = ["a.glb", "a.obj", "a.ply", "a.skeleton.ply", "a.csv"]
+    FILES = ["a.glb", "a.obj", "a.ply", "a.skeleton.ply", "a.csv", "a.mtg"]
 
     def setUp(self):
         super().setUp()

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes as an MTG file: either faults that have their place in it, or entities in which all that something hangs on
-// comes before it, as a skeleton whose measures can be taken.
+// comes before it, as a skeleton whose measures can be taken, and which is the same when it is written and read again.
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
+#include <unistd.h>
+
+#include "meristem/base/read_file.h"
 #include "meristem/measure/measures.h"
 #include "meristem/output/mtg_skeleton.h"
+#include "meristem/output/skeleton_mtg.h"
+#include "meristem/plant/axis_labels.h"
 #include "tests/fuzz/require.h"
 
 namespace {
@@ -22,6 +28,30 @@ void check_tree(const MtgTree& tree) {
   }
 }
 
+Plant plant_of(const Skeleton& skeleton) {
+  Plant plant;
+  plant.stems.emplace_back().skeleton = skeleton;
+  return plant;
+}
+
+/// The text of its file, on the memory's file system.
+std::string written(const Skeleton& skeleton) {
+  static const std::string kPath = "/dev/shm/mtg_fuzz_" + std::to_string(getpid());
+  Progress progress;
+  write_skeleton_mtg(plant_of(skeleton), kPath, {}, progress);
+  std::string text = read_file(kPath, Limits{}.file_bytes);
+  unlink(kPath.c_str());
+  return text;
+}
+
+void check_round_trip(const Skeleton& skeleton) {
+  const std::string text = written(skeleton);
+  const Skeleton again = skeleton_of(read_mtg(text, "again"), "again").skeleton;
+  require(skeleton_hash(again) == skeleton_hash(skeleton));
+  require(axis_labels(again) == axis_labels(skeleton));
+  require(written(again) == text);
+}
+
 }  // namespace
 
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer looks for this name.
@@ -32,7 +62,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const MtgTree tree = read_mtg(text, "fuzz", limits);
     check_tree(tree);
-    const MtgSkeleton plant = skeleton_of(tree, "fuzz");
+    const MtgSkeleton plant = skeleton_of(tree, "fuzz", {}, limits);
+    check_round_trip(plant.skeleton);
     Progress progress;
     const Skeleton* const skeleton = &plant.skeleton;
     const StandMeasures measures = measure_skeletons(std::span(&skeleton, 1), nullptr, {}, progress);

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Names for shoots that stay with them: the path of numbers at which axes branch off.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meristem/plant/skeleton.h"
+
+namespace meristem {
+
+/// The further column in which a growth model numbers its metamers: those of an axis from 1 at its base, 0 at a root.
+/// All nodes of one metamer have its number. Numbers stay when others are shed.
+inline constexpr std::string_view kMetamerColumn = "metamer";
+
+/// The number of each node on its axis: what `metamer` says where that is a whole number from 1 to 2^24, else counted
+/// on along the axis, from 1 at its base; 0 at a root.
+std::vector<std::uint32_t> axis_numbers(const Skeleton& skeleton);
+
+/// The label of each axis. An axis that begins at a root is `main`; any other has the label of the axis that bears it,
+/// a dot, and the number of the node that bears it: `main.4` comes from the fourth metamer of the stem, `main.4.2` from
+/// the second one of that branch, `main.0` from the root itself. Further axes from one number have letters behind it,
+/// in the order of the axes: `main.4`, `main.4b`, ..., `main.4z`, `main.4aa`. So labels differ within a tree. An axis
+/// on which no node lies has an empty one. Cost linear in nodes and in the letters of all labels.
+std::vector<std::string> axis_labels(const Skeleton& skeleton);
+
+}  // namespace meristem

@@ -13,6 +13,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -128,6 +129,78 @@ void shadow(benchmark::State& state) { measure(state, BudLightModel::Kind::shado
 void far(benchmark::State& state) { measure(state, BudLightModel::Kind::shadow, 8, 1000); }
 void markers(benchmark::State& state) { measure(state, BudLightModel::Kind::markers, 1, 0); }
 
+/// Shade from the zenith, an entry a voxel, as the defaults cast it.
+class PlainShade {
+ public:
+  explicit PlainShade(const OrganizeParameters& parameters) : parameters_(parameters) {}
+  void add(Vec3 place) {
+    double shade = parameters_.light.a;
+    for (int q = 0; q <= parameters_.light.depth; ++q, shade /= parameters_.light.b) {
+      for (int x = -q; x <= q; ++x) {
+        for (int z = -q; z <= q; ++z) voxels_[key(place, x, -q, z)] += shade;
+      }
+    }
+  }
+  double at(Vec3 place) const {
+    const auto found = voxels_.find(key(place, 0, 0, 0));
+    return found == voxels_.end() ? 0 : found->second;
+  }
+
+ private:
+  std::uint64_t key(Vec3 place, int x, int y, int z) const {
+    const auto part = [&](float at, int aside) {
+      return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(at / parameters_.length)) + aside) &
+             0x1FFFFF;
+    };
+    return part(place.x, x) | part(place.y, y) << 21 | part(place.z, z) << 42;
+  }
+  const OrganizeParameters& parameters_;
+  std::unordered_map<std::uint64_t, double> voxels_;
+};
+
+/// The light of all open buds of those metamers that are there after `iteration`.
+double plain_light_of(const Skeleton& skeleton, const OrganizeParameters& parameters, int iteration) {
+  PlainShade shade(parameters);
+  const auto is_there = [&](meristem::NodeIndex node) { return skeleton.birth[node] <= static_cast<float>(iteration); };
+  for (meristem::NodeIndex node = 1; node < skeleton.node_count(); ++node) {
+    if (is_there(node)) shade.add(skeleton.position[node]);
+  }
+  const std::vector<float>& terminal = skeleton.extra.find("terminal_bud")->second;
+  const std::vector<float>& lateral = skeleton.extra.find("lateral_bud")->second;
+  double sum = 0;
+  for (meristem::NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    if (!is_there(node)) continue;
+    const double own = node == 0 ? 0 : parameters.light.a;
+    const double light = std::clamp(1 - shade.at(skeleton.position[node]) + own, 0.0, 1.0);
+    sum += light * ((terminal[node] == 0 ? 1 : 0) + (lateral[node] == 0 ? 1 : 0));
+  }
+  return sum;
+}
+
+void plain_light(benchmark::State& state) {
+  const int iterations = static_cast<int>(state.range(0));
+  const OrganizeParameters wanted = parameters(BudLightModel::Kind::shadow, iterations);
+  double unused = 0;
+  const Skeleton skeleton = grow(wanted, 1, 0, unused);
+  double last = 0;
+  double best = 1e9;
+  for (auto _ : state) {
+    const auto begin = std::chrono::steady_clock::now();
+    for (int iteration = 0; iteration <= iterations; ++iteration) last = plain_light_of(skeleton, wanted, iteration);
+    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  }
+  const double ours = skeleton.extra.find("light")->second[0];
+  if (std::abs(last - ours) > 1e-4 * ours) {
+    std::fprintf(stderr, "the plain light is %g, ours %g\n", last, ours);
+    std::exit(1);
+  }
+  const double nanoseconds = 1e9 * best / living_metamers(skeleton, iterations);
+  state.counters["ns/metamer"] = nanoseconds;
+  state.counters["metamers"] = static_cast<double>(skeleton.node_count());
+  const auto growth = runs().find({static_cast<int>(BudLightModel::Kind::shadow), iterations});
+  if (growth != runs().end()) state.counters["to_growth"] = nanoseconds / growth->second.nanoseconds;
+}
+
 void sizes(benchmark::internal::Benchmark* bench, const std::vector<int>& iterations) {
   bench->ArgNames({"iterations", "threads"})->Unit(benchmark::kMillisecond)->UseRealTime();
   for (const int count : iterations) bench->Args({count, 1});
@@ -135,7 +208,8 @@ void sizes(benchmark::internal::Benchmark* bench, const std::vector<int>& iterat
 }
 BENCHMARK(shadow)->Apply([](auto* bench) { sizes(bench, {28, 50, 93}); });
 BENCHMARK(far)->Apply([](auto* bench) { sizes(bench, {50}); });
-BENCHMARK(markers)->Apply([](auto* bench) { sizes(bench, {12, 20, 30}); });
+BENCHMARK(plain_light)->ArgName("iterations")->Arg(28)->Arg(50)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(markers)->Apply([](auto* bench) { sizes(bench, {12, 25, 45}); });
 
 void print_growth(const char* name, BudLightModel::Kind kind) {
   const Run* smallest = nullptr;

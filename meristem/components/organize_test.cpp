@@ -1,1 +1,329 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/organize.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/parallel.h"
+#include "meristem/components/organize_table.h"
+#include "meristem/components/registry.h"
+#include "meristem/graph/expansion_cache.h"
+#include "tests/support/build_graph.h"
+#include "tests/support/check_skeleton.h"
+
+namespace meristem {
+namespace {
+
+GraphBuilder tree(const Value::Object& parameters) {
+  GraphBuilder builder(builtin_components());
+  return builder.component("view", "camera").component("tree", "organize", parameters).link("view", "tree");
+}
+
+/// The tree with something in place of its leaves.
+GraphBuilder leafy(const Value::Object& parameters, const Value::Object& placement = {}) {
+  return tree(parameters)
+      .component("leaf", "simple", {{"size", Value::List{1, 1, 1}}})
+      .link("tree", "leaf", LinkKind::branch, placement);
+}
+
+Skeleton skeleton_of(const Value::Object& parameters) { return tree(parameters).grow().stems.at(0).skeleton; }
+
+/// The only fault of reading and growing.
+Diagnostic fault(const Value::Object& parameters) {
+  const auto faults = faults_of([&] { tree(parameters).grow(); });
+  EXPECT_EQ(faults.size(), 1U);
+  return faults.empty() ? Diagnostic{} : faults[0];
+}
+
+/// What reading warns of, one a line.
+std::string warnings(const Value::Object& parameters) {
+  const ComponentType type = organize_component();
+  const auto read = type.make_parameters();
+  ParameterReader reader({}, Limits());
+  const Place top;
+  reader.read_varying(type.parameters, read.get(), type.size, parameters, Place(top, "tree"));
+  EXPECT_EQ(reader.fault_count(), 0U);
+  std::string texts;
+  for (const Diagnostic& found : reader.diagnostics()) texts += found.text() + "\n";
+  return texts;
+}
+
+Value::Object operation(Value::Object more) {
+  Value::Object whole{{"at", 5}, {"do", "cut"}, {"shoot", "main"}};
+  for (auto& [key, value] : more) {
+    std::erase_if(whole, [&](const auto& member) { return member.first == key; });
+    whole.emplace_back(key, value);
+  }
+  return {{"operations", Value::List{Value(std::move(whole))}}};
+}
+
+TEST(OrganizeComponent, DefaultsGrowATree) {
+  const Plant plant = tree({}).grow();
+  ASSERT_EQ(plant.stems.size(), 1U);
+  const Skeleton& skeleton = plant.stems[0].skeleton;
+  EXPECT_TRUE(check_skeleton(skeleton));
+  EXPECT_GT(skeleton.node_count(), 1000U);
+  EXPECT_LT(skeleton.node_count(), 10'000U);
+  EXPECT_GT(bounds(skeleton).high.y, 2);
+  EXPECT_EQ(plant.stems[0].parts[0].component, "tree");
+  EXPECT_EQ(warnings({}), "");
+  for (const char* column :
+       {"metamer", "light", "resource", "lateral_resource", "terminal_bud", "lateral_bud", "bud_angle", "shed"}) {
+    EXPECT_EQ(skeleton.extra.count(column), 1U) << column;
+  }
+}
+
+TEST(OrganizeComponent, ParametersReachTheGrowth) {
+  const Skeleton small = skeleton_of({{"iterations", 8}, {"length", 0.2}, {"tip_radius", 0.003}});
+  EXPECT_EQ(std::ranges::max(small.birth), 8);
+  EXPECT_FLOAT_EQ(std::ranges::min(small.radius), 0.003F);
+  EXPECT_NEAR(glm::distance(small.position[1], small.position[0]), 0.2, 1e-6);
+}
+
+TEST(OrganizeComponent, EachOfItsParametersChangesHowItGrows) {
+  const auto grown = [](Value::Object parameters) {
+    parameters.emplace_back("iterations", 14);
+    return hash_of(tree(parameters).grow());
+  };
+  const std::string plain = grown({});
+  const auto object = [](const char* key, Value value) { return Value::Object{{key, std::move(value)}}; };
+  for (const Value::Object& change : std::vector<Value::Object>{
+           {{"longest_shoot", 1}},
+           {{"stretch", true}},
+           {{"terminal_threshold", 1.2}},
+           {{"lateral_threshold", 1.2}},
+           {{"phyllotaxis", "alternate"}},
+           {{"phyllotaxis", "decussate"}},
+           {{"branching_angle", 40}},
+           {{"divergence", 120}},
+           {{"jitter", 1}},
+           {{"resource", object("alpha", 2.2)}},
+           {{"resource", object("alpha0", 1)}},
+           {{"resource", object("lambda", 0.55)}},
+           {{"resource", object("lambda_curve",
+                                object("curve", Value::List{Value(Value::List{0, 1}), Value(Value::List{1, 0.9})}))}},
+           {{"resource", Value::Object{{"model", "priority"}, {"until", 6}}}},
+           {{"light", object("full", 1.1)}},
+           {{"light", object("a", 0.1)}},
+           {{"light", object("b", 1.5)}},
+           {{"light", object("depth", 5)}},
+           {{"light", object("reach", 1)}},
+           {{"light", object("voxel", 0.2)}},
+           {{"direction", object("persistence", 1)}},
+           {{"direction", object("light", 0.2)}},
+           {{"direction", object("up", 0.2)}},
+           {{"stem", object("persistence", 3)}},
+           {{"shedding", object("below", 0.3)}},
+           {{"sag", object("stiffness", 5)}},
+       }) {
+    EXPECT_NE(grown(change), plain) << change[0].first;
+  }
+  EXPECT_EQ(grown({{"every", 4}}), plain);  // alone
+}
+
+TEST(OrganizeComponent, GrowsFromItsSiteTheWayThatItHeads) {
+  const Value frame = Value::Object{{"translate", Value::List{8, 1, 0}}, {"rotate", Value::List{0, 0, -45}}};
+  const Skeleton there = skeleton_of({{"iterations", 6}, {"jitter", 0}, {"frame", frame}});
+  EXPECT_EQ(there.position[0], Vec3(8, 1, 0));
+  EXPECT_GT(there.position[1].x, 8.05F);
+}
+
+TEST(OrganizeComponent, RootsMakeAGroveThatCompetes) {
+  const auto grove = [](double apart) {
+    const Value::List roots{Value(Value::List{0, 0, 0}), Value(Value::List{apart, 0, 0})};
+    return skeleton_of({{"iterations", 16}, {"roots", roots}});
+  };
+  const Skeleton far = grove(50);
+  EXPECT_TRUE(check_skeleton(far));
+  EXPECT_EQ(std::ranges::count(far.parent, kNoNode), 2);
+  EXPECT_LT(static_cast<double>(grove(0.3).node_count()), 0.9 * static_cast<double>(far.node_count()));
+}
+
+TEST(OrganizeComponent, LeavesStandAtTheLateralBudsOfYoungMetamers) {
+  for (const int age : {1, 3}) {
+    const Value::Object parameters{{"iterations", 10}, {"leaf_age", age}, {"leaf_angle", 60}, {"tip_radius", 0.01}};
+    const Plant plant = leafy(parameters).grow();
+    const Skeleton& stem = plant.stems.at(0).skeleton;
+    const std::vector<Organ> leaves = organs_of(plant, "leaf");
+    std::size_t k = 0;
+    for (NodeIndex node = 1; node < stem.node_count(); ++node) {
+      if (stem.birth[node] <= static_cast<float>(10 - age)) continue;
+      ASSERT_LT(k, leaves.size());
+      const Frame& leaf = leaves[k++].frame;
+      const Vec3 axis = glm::normalize(stem.position[node] - stem.position[stem.parent[node]]);
+      const Vec3 side = bud_side(axis, stem.extra.find("bud_angle")->second[node]);
+      // On the bark, toward the bud, and at its angle to the shoot, with the upper face to the shoot.
+      EXPECT_LT(glm::distance(leaf.origin, stem.position[node] + stem.radius[node] * side), 1e-5F);
+      EXPECT_NEAR(glm::dot(leaf.heading(), axis), 0.5, 1e-4);
+      EXPECT_NEAR(glm::dot(leaf.heading(), side), std::sqrt(0.75), 1e-4);
+      EXPECT_GT(glm::dot(leaf.upper(), axis), 0.5F);
+    }
+    EXPECT_EQ(k, leaves.size());
+    EXPECT_GT(k, 20U);
+  }
+}
+
+TEST(OrganizeComponent, LeavesGoTheWayThatTheirBudsGrow) {
+  // A lateral shoot leaves its metamer on the side where its leaf was.
+  const Value::Object parameters{{"iterations", 8},
+                                 {"leaf_age", 100},
+                                 {"leaf_angle", 90},
+                                 {"direction", Value::Object{{"persistence", 1}, {"light", 0}}}};
+  const Plant plant = leafy(parameters).grow();
+  const Skeleton& stem = plant.stems.at(0).skeleton;
+  const std::vector<Organ> leaves = organs_of(plant, "leaf");
+  ASSERT_EQ(leaves.size(), stem.node_count() - 1);
+  int laterals = 0;
+  for (NodeIndex node = 1; node < stem.node_count(); ++node) {
+    const NodeIndex parent = stem.parent[node];
+    if (stem.axis[node] == stem.axis[parent]) continue;
+    const Vec3 way = glm::normalize(stem.position[node] - stem.position[parent]);
+    EXPECT_GT(glm::dot(way, leaves[parent - 1].frame.heading()), 0.6F);
+    ++laterals;
+  }
+  EXPECT_GT(laterals, 5);
+}
+
+TEST(OrganizeComponent, WithoutAnAgeThereAreNoLeaves) {
+  EXPECT_TRUE(organs_of(leafy({{"iterations", 6}, {"leaf_age", 0}}).grow(), "leaf").empty());
+}
+
+TEST(OrganizeComponent, PlacementKeysPutLeavesAlongTheStems) {
+  EXPECT_EQ(organs_of(leafy({{"iterations", 8}}, {{"count", 77}}).grow(), "leaf").size(), 77U);
+}
+
+TEST(OrganizeComponent, LeafLinksStandAtTheTips) {
+  auto builder = tree({{"iterations", 8}}).component("bud", "simple").link("tree", "bud", LinkKind::leaf);
+  const Plant plant = builder.grow();
+  EXPECT_EQ(organs_of(plant, "bud").size(), Axes(plant.stems.at(0).skeleton).count());
+}
+
+TEST(OrganizeComponent, WhatOnlyDressesItDoesNotGrowItAnew) {
+  Scene scene;
+  scene.fingerprint = 1;
+  const Value::Object parameters{{"iterations", 10}};
+  for (const auto& [change, made] : std::vector<std::pair<Value::Object, std::uint64_t>>{
+           {{{"leaf_age", 4}}, 0},
+           {{{"leaf_angle", 20}}, 0},
+           {{{"surface", Value::Object{{"sides", 5}}}}, 0},
+           {{{"jitter", 2}}, 1},
+           {{{"resource", Value::Object{{"alpha", 2.3}}}}, 1},
+           {operation({{"above", 4}}), 1},
+       }) {
+    ExpansionCache cache;
+    leafy(parameters).grow(0, scene, &cache);
+    EXPECT_EQ(cache.grown().made, 1U);
+    Value::Object changed = parameters;
+    changed.insert(changed.end(), change.begin(), change.end());
+    const Plant again = leafy(changed).grow(0, scene, &cache);
+    EXPECT_EQ(cache.grown().made, made) << change[0].first;
+    EXPECT_EQ(hash_of(again), hash_of(leafy(changed).grow(0, scene))) << change[0].first;
+  }
+}
+
+TEST(OrganizeComponent, TheSameBytesOnAnyNumberOfThreads) {
+  std::vector<std::string> hashes;
+  for (const int threads : {1, 2, 3, 8}) {
+    const ThreadLimit limit(threads);
+    hashes.push_back(hash_of(leafy({{"iterations", 22}, {"leaf_age", 3}}).grow()));
+  }
+  for (const std::string& hash : hashes) EXPECT_EQ(hash, hashes[0]);
+}
+
+TEST(OrganizeComponent, WarnsOfTheKnifeEdge) {
+  const auto at = [](double alpha) { return warnings({{"resource", Value::Object{{"alpha", alpha}}}}); };
+  EXPECT_NE(at(1.8).find("tree.resource.alpha: growth stands on a knife edge"), std::string::npos) << at(1.8);
+  EXPECT_NE(at(1.85), "");
+  EXPECT_NE(at(1.75), "");
+  EXPECT_EQ(at(1.95), "");
+  EXPECT_EQ(at(1.6), "");
+  // It is where the light of a bud makes as much as a lateral one needs.
+  EXPECT_NE(warnings({{"resource", Value::Object{{"alpha", 3.6}}}, {"light", Value::Object{{"full", 0.5}}}}), "");
+  EXPECT_NE(warnings({{"lateral_threshold", 2}}), "");
+  // The priority model has none.
+  EXPECT_EQ(warnings({{"resource", Value::Object{{"alpha", 1.8}, {"model", "priority"}}}}), "");
+}
+
+TEST(OrganizeComponent, WarnsWhereNothingCanGrow) {
+  const std::string found = warnings({{"resource", Value::Object{{"alpha", 0.9}}}});
+  EXPECT_NE(found.find("nothing will grow"), std::string::npos) << found;
+  EXPECT_EQ(fault({{"resource", Value::Object{{"alpha", 0.9}}}}).path, "components.tree.resource.alpha");
+  EXPECT_EQ(warnings({{"resource", Value::Object{{"alpha", 0.9}, {"alpha0", 0.5}}}}), "");
+}
+
+TEST(OrganizeComponent, KnowsShootsNamesByTheirForm) {
+  for (const char* name : {"main", "main.4", "main.4.12", "main.123456789"}) EXPECT_TRUE(is_shoot_name(name)) << name;
+  for (const char* name : {"", "mai", "mains", "main.", "main.4.", "main..4", "main.x", "main.-4", "main. 4", "Main",
+                           "leader", "main.1234567890"}) {
+    EXPECT_FALSE(is_shoot_name(name)) << name;
+  }
+}
+
+TEST(OrganizeComponent, CutsAShoot) {
+  Value::Object cut = operation({{"above", 4}});
+  cut.emplace_back("iterations", 6);
+  EXPECT_LT(skeleton_of(cut).node_count(), skeleton_of({{"iterations", 6}}).node_count());
+}
+
+TEST(OrganizeComponent, OperationsAreChecked) {
+  EXPECT_EQ(fault(operation({{"shoot", "mian"}})).path, "components.tree.operations[0].shoot");
+  EXPECT_EQ(fault(operation({{"shoot", "main.4.x"}, {"above", 2}})).path, "components.tree.operations[0].shoot");
+  EXPECT_EQ(fault(operation({{"above", 0}})).path, "components.tree.operations[0].above");
+  EXPECT_EQ(fault(operation({{"at", 0}, {"above", 4}})).path, "components.tree.operations[0].at");
+  EXPECT_EQ(fault(operation({{"do", "prune"}, {"above", 4}})).path, "components.tree.operations[0].do");
+  const Value::Object bare{{"at", 5}, {"shoot", "main"}, {"above", 3}};
+  EXPECT_NE(fault({{"operations", Value::List{Value(bare)}}}).message.find("'do'"), std::string::npos);
+}
+
+TEST(OrganizeComponent, AShootThatHasNotGrownIsNamedWithTheNearest) {
+  const Diagnostic found = fault(operation({{"at", 3}, {"shoot", "main.3000"}, {"above", 1}}));
+  EXPECT_EQ(found.path, "components.tree.operations[0].shoot");
+  EXPECT_NE(found.message.find("'main.3000'"), std::string::npos) << found.message;
+  EXPECT_NE(found.expected.find("main"), std::string::npos);
+}
+
+TEST(OrganizeComponent, ParametersAreCheckedInTheirRanges) {
+  const auto path_of = [](const char* key, Value value) { return fault({{key, std::move(value)}}).path; };
+  const auto path_in = [](const char* object, const char* key, Value value) {
+    return fault({{object, Value::Object{{key, std::move(value)}}}}).path;
+  };
+  EXPECT_EQ(path_of("iterations", -1), "components.tree.iterations");
+  EXPECT_EQ(path_of("iterations", 65536), "components.tree.iterations");
+  EXPECT_EQ(path_of("every", 0), "components.tree.every");
+  EXPECT_EQ(path_of("length", 0), "components.tree.length");
+  EXPECT_EQ(path_of("longest_shoot", 0), "components.tree.longest_shoot");
+  EXPECT_EQ(path_of("maturity", 0), "components.tree.maturity");
+  EXPECT_EQ(path_of("terminal_threshold", -1), "components.tree.terminal_threshold");
+  EXPECT_EQ(path_of("takeover", -1), "components.tree.takeover");
+  EXPECT_EQ(path_of("branching_angle", 181), "components.tree.branching_angle");
+  EXPECT_EQ(path_of("phyllotaxis", "oposite"), "components.tree.phyllotaxis");
+  EXPECT_EQ(path_of("leaf_age", -1), "components.tree.leaf_age");
+  EXPECT_EQ(path_of("tip_radius", 0), "components.tree.tip_radius");
+  EXPECT_EQ(path_of("roots", Value::List{}), "components.tree.roots");
+  EXPECT_EQ(path_in("light", "depth", 65), "components.tree.light.depth");
+  EXPECT_EQ(path_in("light", "b", 0.9), "components.tree.light.b");
+  EXPECT_EQ(path_in("light", "reach", 5), "components.tree.light.reach");
+  EXPECT_EQ(path_in("light", "model", "shade"), "components.tree.light.model");
+  EXPECT_EQ(path_in("resource", "lambda", 1.1), "components.tree.resource.lambda");
+  EXPECT_EQ(path_in("resource", "pass_back", -0.1), "components.tree.resource.pass_back");
+  EXPECT_EQ(path_in("resource", "alpha", -1), "components.tree.resource.alpha");
+  EXPECT_EQ(path_in("direction", "up_fade", 2), "components.tree.direction.up_fade");
+  EXPECT_EQ(path_in("shedding", "below", -1), "components.tree.shedding.below");
+  EXPECT_EQ(path_in("sag", "stiffness", 0), "components.tree.sag.stiffness");
+}
+
+TEST(OrganizeComponent, RoomMeansNothingToShade) {
+  const Value crown = Value::Object{{"profile", Value::List{Value(Value::List{1, 0}), Value(Value::List{0, 2})}}};
+  EXPECT_EQ(fault({{"light", Value::Object{{"room", crown}}}}).path, "components.tree.light.room");
+}
+
+TEST(OrganizeComponent, GrowthThatExplodesStopsAtTheLimit) {
+  const auto faults = faults_of([] { tree({{"resource", Value::Object{{"alpha", 900}}}}).node_limit(20'000).grow(); });
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].path, "components.tree.resource.alpha");
+}
+
+}  // namespace
+}  // namespace meristem

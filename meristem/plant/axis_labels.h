@@ -4,16 +4,12 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "meristem/plant/further_columns.h"
 #include "meristem/plant/skeleton.h"
 
 namespace meristem {
-
-/// The further column in which a growth model numbers its metamers: those of an axis from 1 at its base, 0 at a root.
-/// All nodes of one metamer have its number. Numbers stay when others are shed.
-inline constexpr std::string_view kMetamerColumn = "metamer";
 
 /// The number of each node on its axis: what `metamer` says where that is a whole number from 1 to 2^24, else counted
 /// on along the axis, from 1 at its base; 0 at a root.

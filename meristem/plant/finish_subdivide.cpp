@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "meristem/base/curve.h"
-#include "meristem/plant/axis_labels.h"
 #include "meristem/plant/finish.h"
+#include "meristem/plant/further_columns.h"
 
 namespace meristem {
 namespace {
@@ -92,15 +92,12 @@ struct Subdivision {
 
   // A node between two old ones of which it takes `share` of the second.
   NodeIndex add_between(NodeIndex parent, Vec3 position, NodeIndex low, NodeIndex high, float share) {
-    const auto mixed = [&](const std::vector<float>& column) {
-      const auto [least, most] = std::minmax(column[low], column[high]);
-      return std::clamp(column[low] + share * (column[high] - column[low]), least, most);
-    };
-    const NodeIndex node = result.add_node(parent, position, mixed(old.birth));
+    const auto [least, most] = std::minmax(old.birth[low], old.birth[high]);
+    const float birth = std::clamp(old.birth[low] + share * (old.birth[high] - old.birth[low]), least, most);
+    const NodeIndex node = result.add_node(parent, position, birth);
     for (auto& [name, values] : result.extra) {
       const std::vector<float>& column = old.extra.find(name)->second;
-      // A segment is part of the metamer that it ends with.
-      values.back() = name == kMetamerColumn ? column[high] : mixed(column);
+      values.back() = low == high ? column[low] : inner_value(old, name, column[low], column[high], share);
     }
     return node;
   }

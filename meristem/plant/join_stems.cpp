@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "meristem/plant/axis_labels.h"
+#include "meristem/plant/further_columns.h"
 
 namespace meristem {
 
@@ -109,9 +109,7 @@ class TreeJoiner {
     tree_.skeleton.radius[made] = is_start ? from.radius[node] : between(from.radius);
     place_on_axis(from, node, made);
     for (const auto& [name, values] : from.extra) {
-      // A mark of single nodes is not one of those between them, and a segment is part of the metamer that it ends
-      // with.
-      column(name)[made] = name == "end" ? 0 : name == kMetamerColumn ? values[node] : between(values);
+      column(name)[made] = inner_value(from, name, values[begin], values[node], along);
     }
     return made;
   }

@@ -4,6 +4,7 @@
 // that do not fork take their child's radius unchanged.
 #include "meristem/plant/pipe_radii.h"
 
+#include <algorithm>
 #include <cassert>
 #include <limits>
 #include <stdexcept>
@@ -11,35 +12,36 @@
 #include "meristem/base/math.h"
 
 namespace meristem {
-namespace {
-
-/// Those at or beyond each node, with the remembered part of those that were shed.
-std::vector<double> count_tips(const Skeleton& skeleton, double memory) {
-  const auto shed = skeleton.extra.find("shed");
-  std::vector<double> tips(skeleton.node_count(), 0);
-  for (std::size_t node = skeleton.node_count(); node-- > 0;) {
-    if (tips[node] == 0) tips[node] = 1;
-    if (shed != skeleton.extra.end()) tips[node] += memory * shed->second[node];
-    const NodeIndex parent = skeleton.parent[node];
-    if (parent != kNoNode) tips[parent] += tips[node];
+std::vector<double> count_tips(std::span<const NodeIndex> parent, std::span<const float> lost, double memory) {
+  std::vector<double> tips(parent.size(), 0);
+  for (std::size_t node = parent.size(); node-- > 0;) {
+    const bool bears = tips[node] > 0;
+    if (!lost.empty()) tips[node] += memory * lost[node];
+    if (!bears) tips[node] = std::max(tips[node], 1.0);
+    if (parent[node] != kNoNode) tips[parent[node]] += tips[node];
   }
   return tips;
 }
 
-}  // namespace
-
-void assign_pipe_radii(Skeleton& skeleton, const PipeModel& model) {
+std::vector<float> pipe_radii(std::span<const NodeIndex> parent, std::span<const float> lost, const PipeModel& model) {
   if (!(model.tip_radius > 0 && model.exponent > 0)) throw std::invalid_argument("pipe model: numbers above 0 wanted");
-  const std::vector<double> tips = count_tips(skeleton, model.memory);
+  const std::vector<double> tips = count_tips(parent, lost, model.memory);
+  std::vector<float> radius(parent.size());
   // Parents come first, and most nodes continue theirs without a fork.
-  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
-    const NodeIndex parent = skeleton.parent[node];
-    if (parent != kNoNode && tips[node] == tips[parent]) {
-      skeleton.radius[node] = skeleton.radius[parent];
+  for (NodeIndex node = 0; node < parent.size(); ++node) {
+    if (parent[node] != kNoNode && tips[node] == tips[parent[node]]) {
+      radius[node] = radius[parent[node]];
     } else {
-      skeleton.radius[node] = static_cast<float>(model.tip_radius * math::pow(tips[node], 1 / model.exponent));
+      radius[node] = static_cast<float>(model.tip_radius * math::pow(tips[node], 1 / model.exponent));
     }
   }
+  return radius;
+}
+
+void assign_pipe_radii(Skeleton& skeleton, const PipeModel& model) {
+  const auto shed = skeleton.extra.find("shed");
+  const std::span<const float> lost = shed == skeleton.extra.end() ? std::span<const float>() : shed->second;
+  skeleton.radius = pipe_radii(skeleton.parent, lost, model);
 }
 
 void assign_axes(Skeleton& skeleton) {

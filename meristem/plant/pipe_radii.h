@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "meristem/plant/skeleton.h"
 
 namespace meristem {
@@ -10,6 +13,14 @@ struct PipeModel {
   double exponent = 2.4;      ///< raised, trunks get thinner; 2 keeps the cross-section's area, 3 its cube
   double memory = 1;          ///< 0 to 1: how far wood keeps the share of branches it has shed; raised, thicker
 };
+
+/// The tips at or beyond each node of a forest, by its parents. `lost` says how many are lost at each node, or is
+/// empty; wood remembers `memory` of them. What bears nothing is a tip itself, or all of which it remembers.
+std::vector<double> count_tips(std::span<const NodeIndex> parent, std::span<const float> lost, double memory = 1);
+
+/// The radius at each node of a forest by the pipe model, from its parents and lost tips as in count_tips(). Throws
+/// std::invalid_argument unless tip radius and exponent are above 0.
+std::vector<float> pipe_radii(std::span<const NodeIndex> parent, std::span<const float> lost, const PipeModel& model);
 
 /// Sets all radii by the pipe model: at a fork the parent's radius to the power of the exponent is the sum of its
 /// children's; tips have the tip radius. Tips that the column `shed` counts are borne as far as memory goes. Throws

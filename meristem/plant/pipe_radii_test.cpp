@@ -94,5 +94,17 @@ TEST(Axes, EveryRootBeginsAStem) {
   EXPECT_EQ(skeleton.order, (std::vector<std::uint16_t>{0, 0, 0}));
 }
 
+TEST(PipeRadii, AStumpStaysAsThickAsWhenItBoreWhatItLost) {
+  // A stem with three tips, and what is left of it when the upper two are cut.
+  const std::vector<NodeIndex> whole{kNoNode, 0, 1, 1, 0};
+  const std::vector<NodeIndex> cut{kNoNode, 0, 0};
+  const std::vector<float> lost{0, 2, 0};
+  EXPECT_EQ(count_tips(whole, {}), (std::vector<double>{3, 2, 1, 1, 1}));
+  EXPECT_EQ(count_tips(cut, lost), (std::vector<double>{3, 2, 1}));
+  EXPECT_EQ(count_tips(cut, lost, 0), (std::vector<double>{2, 1, 1}));
+  const PipeModel model;
+  EXPECT_EQ(pipe_radii(whole, {}, model)[0], pipe_radii(cut, lost, model)[0]);
+}
+
 }  // namespace
 }  // namespace meristem

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "meristem/plant/pipe_radii.h"
+
 namespace meristem {
 namespace {
 
@@ -21,23 +23,13 @@ std::vector<NodeIndex> place_survivors(const Skeleton& skeleton, std::span<const
   return place;
 }
 
-/// The tips at or beyond each node, with those lost there before.
-std::vector<float> count_tips(const Skeleton& skeleton) {
-  const auto before = skeleton.extra.find("shed");
-  std::vector<float> tips(skeleton.node_count(), 0);
-  for (std::size_t node = skeleton.node_count(); node-- > 0;) {
-    if (tips[node] == 0) tips[node] = 1;
-    if (before != skeleton.extra.end()) tips[node] += before->second[node];
-    if (skeleton.parent[node] != kNoNode) tips[skeleton.parent[node]] += tips[node];
-  }
-  return tips;
-}
-
 }  // namespace
 
 Skeleton shed_branches(const Skeleton& skeleton, std::span<const std::uint8_t> marked) {
   const std::vector<NodeIndex> place = place_survivors(skeleton, marked);
-  const std::vector<float> tips = count_tips(skeleton);
+  const auto before = skeleton.extra.find("shed");
+  const std::vector<double> tips =
+      count_tips(skeleton.parent, before == skeleton.extra.end() ? std::span<const float>() : before->second);
   Skeleton kept;
   kept.extra["shed"];
   for (const auto& [name, values] : skeleton.extra) kept.extra[name];
@@ -46,7 +38,9 @@ Skeleton shed_branches(const Skeleton& skeleton, std::span<const std::uint8_t> m
     const NodeIndex parent = skeleton.parent[node];
     if (place[node] == kNoNode) {
       // The node where a branch was keeps count of it.
-      if (parent != kNoNode && place[parent] != kNoNode) kept.extra["shed"][place[parent]] += tips[node];
+      if (parent != kNoNode && place[parent] != kNoNode) {
+        kept.extra["shed"][place[parent]] += static_cast<float>(tips[node]);
+      }
       continue;
     }
     const NodeIndex copy =

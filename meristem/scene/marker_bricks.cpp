@@ -2,67 +2,67 @@
 #include "meristem/scene/marker_bricks.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 
 namespace meristem {
 
 namespace {
 
-constexpr double kFine = 65536;    // a voxel as a whole number
-constexpr int kBrickBits = 18;     // of a fine place within its brick
-constexpr double kFarthest = 4e6;  // voxels; past it 32-bit places do not tell voxels apart
 constexpr std::size_t kPatterns = 64;
-constexpr double kJitters = 256;  // places along each side of a voxel
 
 void require(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(what);
 }
 
-/// Three times 21 bits, which hold every brick that is not too far away.
-std::uint64_t packed(const MarkerBricks::BrickPlace& place) {
-  const auto part = [&](int k) { return static_cast<std::uint64_t>(place[k] + (1 << 20)); };
-  return part(0) | part(1) << 21 | part(2) << 42;
-}
-
-std::size_t hash(std::uint64_t place) {
-  place *= 0x9E3779B97F4A7C15U;
-  return static_cast<std::size_t>(place ^ place >> 32);
-}
-
-/// Eight bytes that are 0 or 1 as bits.
-std::uint64_t bits(const std::uint8_t* bytes) {
-  std::uint64_t word = 0;
-  for (int k = 0; k < 8; ++k) word |= std::uint64_t{bytes[k]} << (8 * k);
-  return (word * 0x0102040810204080U) >> 56;
-}
-
-std::uint64_t all_bits(const std::array<std::uint8_t, MarkerBricks::kInBrick>& bytes) {
+/// Bytes that are 0 or 1 as bits.
+std::uint64_t bits(const std::array<std::uint8_t, MarkerBricks::kInBrick>& bytes) {
   std::uint64_t all = 0;
-  for (int k = 0; k < 8; ++k) all |= bits(bytes.data() + 8 * k) << (8 * k);
+  for (std::size_t k = 0; k < 8; ++k) {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, bytes.data() + 8 * k, 8);
+    // The sum of shifts by 7 and its multiples leaves them side by side in the highest byte.
+    all |= (eight * 0x0102040810204080U) >> 56 << (8 * k);
+  }
   return all;
 }
+static_assert(std::endian::native == std::endian::little, "the first byte becomes the lowest bit");
 
-/// The squared distance of a point from the cube [0, kSide]^3.
-float square_from_cube(Vec3 point) {
-  constexpr float kHalf = 0.5F * MarkerBricks::kSide;
-  const Vec3 outside = glm::max(glm::abs(point - kHalf) - kHalf, Vec3(0));
-  return squared_length(outside);
-}
+/// The bricks of a range along one axis, seen from a place.
+struct BricksAlong {
+  std::array<float, MarkerBricks::kMostAlong> from_corner;  // voxels from the low corner to the place
+  std::array<float, MarkerBricks::kMostAlong> gap;          // squared distance
+
+  BricksAlong(const MarkerBricks::Range& bricks, const MarkerBricks::FinePlace& place, int axis) {
+    constexpr float kHalf = 0.5F * MarkerBricks::kSide;
+    for (std::int32_t k = bricks.low[axis]; k <= bricks.high[axis]; ++k) {
+      const auto i = static_cast<std::size_t>(k - bricks.low[axis]);
+      from_corner[i] = MarkerBricks::from_corner({k, k, k}, place)[axis];
+      const float outside = std::max(std::abs(from_corner[i] - kHalf) - kHalf, 0.0F);
+      gap[i] = outside * outside;
+    }
+  }
+};
 
 }  // namespace
 
 MarkerBricks::MarkerBricks(double spacing, double reach, RandomKey key)
-    : spacing_(spacing), reach_(static_cast<float>(reach / spacing)), key_(key.child("bricks")), table_(16, kNone) {
+    : spacing_(spacing),
+      fine_a_metre_(kFine / spacing),
+      reach_(static_cast<float>(reach / spacing)),
+      key_(key.child("bricks")),
+      patterns_(kPatterns),
+      table_(16) {
   require(spacing > 0 && std::isfinite(spacing), "MarkerForm::spacing is not above 0");
   require(reach >= 0 && reach <= kMostReach * spacing, "MarkerForm::occupancy is out of range");
   const RandomKey jitter = key.child("patterns");
-  patterns_.resize(kPatterns);
   for (std::size_t p = 0; p < kPatterns; ++p) {
     for (std::uint32_t k = 0; k < kInBrick; ++k) {
-      const auto at = [&](std::uint64_t axis, std::uint32_t voxel) {
-        const double step = std::floor(kJitters * jitter.uniform(3 * (kInBrick * p + k) + axis));
-        return static_cast<float>(voxel + (step + 0.5) / kJitters);
+      const auto dice = static_cast<std::uint32_t>(0x1p24 * jitter.uniform(kInBrick * p + k));
+      const auto at = [&](std::uint32_t axis, std::uint32_t voxel) {
+        return static_cast<float>(voxel) + (static_cast<float>(dice >> 8 * axis & 255) + 0.5F) / 256;
       };
       patterns_[p].x[k] = at(0, k & 3);
       patterns_[p].y[k] = at(1, k >> 2 & 3);
@@ -71,89 +71,41 @@ MarkerBricks::MarkerBricks(double spacing, double reach, RandomKey key)
   }
 }
 
-MarkerBricks::FinePlace MarkerBricks::fine(Vec3 place) const {
-  FinePlace at;
-  for (int k = 0; k < 3; ++k) {
-    const double voxels = static_cast<double>(place[k]) / spacing_;
-    require(std::abs(voxels) <= kFarthest, "a place is too far away for its markers");
-    at[k] = static_cast<std::int64_t>(std::floor(voxels * kFine + 0.5));
-  }
+/// Where a block stands in the table, or would.
+std::size_t MarkerBricks::entry_of(std::uint64_t key) const {
+  const std::uint64_t mixed = key * 0x9E3779B97F4A7C15U;
+  std::size_t at = (mixed ^ mixed >> 32) & (table_.size() - 1);
+  while (table_[at].key != key && table_[at].key != kAll) at = (at + 1) & (table_.size() - 1);
   return at;
 }
 
-MarkerBricks::BrickRange MarkerBricks::around(const FinePlace& place, float voxels) {
-  const auto reach = static_cast<std::int64_t>(voxels * static_cast<float>(kFine)) + 1;
-  BrickRange range;
-  for (int k = 0; k < 3; ++k) {
-    range.low[k] = static_cast<std::int32_t>((place[k] - reach) >> kBrickBits);
-    range.high[k] = static_cast<std::int32_t>((place[k] + reach) >> kBrickBits);
+std::uint32_t MarkerBricks::look_up(const Place& place, Recent& recent) const {
+  const std::uint64_t key = packed(place);
+  const std::uint32_t block = table_[entry_of(key)].block;
+  if (block != kNone) {
+    recent.keys[number(place)] = key;
+    recent.blocks[number(place)] = block;
   }
-  return range;
+  return block;
 }
 
-Vec3 MarkerBricks::from_corner(const BrickPlace& brick, const FinePlace& place) {
-  const auto along = [&](int k) {
-    const std::int64_t way = place[k] - (std::int64_t{brick[k]} << kBrickBits);
-    return static_cast<float>(static_cast<std::int32_t>(way)) * static_cast<float>(1 / kFine);
-  };
-  return {along(0), along(1), along(2)};
-}
-
-std::uint64_t MarkerBricks::bits_of(const BrickRange& range, const BrickPlace& block) {
-  std::array<unsigned, 3> first;
-  std::array<unsigned, 3> count;
-  for (int k = 0; k < 3; ++k) {
-    const int from = std::max(range.low[k] - kSide * block[k], 0);
-    first[k] = static_cast<unsigned>(from);
-    count[k] = static_cast<unsigned>(std::min(range.high[k] - kSide * block[k], kSide - 1) - from + 1);
-  }
-  // A bit for each x; for each y such a row; for each z such a layer.
-  const std::uint64_t row = 0xFU >> (4 - count[0]) << first[0];
-  const std::uint64_t rows = 0x1111U >> 4 * (4 - count[1]) << 4 * first[1];
-  const std::uint64_t layers = 0x0001000100010001U >> 16 * (4 - count[2]) << 16 * first[2];
-  return row * rows * layers;
-}
-
-MarkerBricks::BrickPlace MarkerBricks::brick_in(const BrickPlace& block, std::uint32_t k) {
-  const auto part = [&](int axis) { return kSide * block[axis] + static_cast<std::int32_t>(k >> (2 * axis) & 3); };
-  return {part(0), part(1), part(2)};
-}
-
-std::uint32_t MarkerBricks::find_block(const BrickPlace& place, Recent& recent) const {
-  const std::uint64_t wanted = packed(place);
-  const int lane = (place[0] & 1) | (place[1] & 1) << 1 | (place[2] & 1) << 2;
-  if (recent.places[lane] == wanted) return recent.blocks[lane];
-  std::size_t at = hash(wanted) & (table_.size() - 1);
-  while (table_[at] != kNone && blocks_[table_[at]].place != place) at = (at + 1) & (table_.size() - 1);
-  if (table_[at] != kNone) {
-    recent.places[lane] = wanted;
-    recent.blocks[lane] = table_[at];
-  }
-  return table_[at];
-}
-
-std::uint32_t MarkerBricks::add_block(const BrickPlace& place) {
+std::uint32_t MarkerBricks::add_block(const Place& place) {
   const std::uint32_t found = find_block(place, recent_);
   if (found != kNone) return found;
   Block& block = blocks_.emplace_back();
   block.place = place;
+  block.markers.fill(kAll);
   block.bricks.fill(kNone);
-  grow_table();
-  return static_cast<std::uint32_t>(blocks_.size() - 1);
-}
 
-/// Enters the last block, and all others anew where the table is half full.
-void MarkerBricks::grow_table() {
-  auto first = static_cast<std::uint32_t>(blocks_.size() - 1);
-  if (2 * blocks_.size() > table_.size()) {
-    table_.assign(2 * table_.size(), kNone);
-    first = 0;
+  // Enter it, and all others anew where the table is half full.
+  const auto added = static_cast<std::uint32_t>(blocks_.size() - 1);
+  const bool is_full = 2 * blocks_.size() > table_.size();
+  if (is_full) table_.assign(2 * table_.size(), {});
+  for (std::uint32_t k = is_full ? 0 : added; k <= added; ++k) {
+    const std::uint64_t key = packed(blocks_[k].place);
+    table_[entry_of(key)] = {key, k};
   }
-  for (std::uint32_t k = first; k < blocks_.size(); ++k) {
-    std::size_t at = hash(packed(blocks_[k].place)) & (table_.size() - 1);
-    while (table_[at] != kNone) at = (at + 1) & (table_.size() - 1);
-    table_[at] = k;
-  }
+  return added;
 }
 
 std::uint32_t MarkerBricks::add_brick(std::uint32_t slot) {
@@ -162,57 +114,61 @@ std::uint32_t MarkerBricks::add_brick(std::uint32_t slot) {
   if (brick != kNone) return brick;
   Brick& added = bricks_.emplace_back();
   added.slot = slot;
-  added.pattern = pattern_at(brick_in(block.place, slot % kInBrick));
+  added.pattern = pattern_at(held(block.place, slot % kInBrick));
   brick = static_cast<std::uint32_t>(bricks_.size() - 1);
   return brick;
 }
 
-std::uint8_t MarkerBricks::pattern_at(const BrickPlace& brick) const {
+std::uint8_t MarkerBricks::pattern_at(const Place& brick) const {
   return static_cast<std::uint8_t>(kPatterns * key_.uniform(packed(brick)));
 }
 
-MarkerBricks::BrickPlace MarkerBricks::place_of(const Brick& brick) const {
-  return brick_in(blocks_[brick.slot / kInBrick].place, brick.slot % kInBrick);
+MarkerBricks::Place MarkerBricks::place_of(const Brick& brick) const {
+  return held(blocks_[brick.slot / kInBrick].place, brick.slot % kInBrick);
 }
 
 void MarkerBricks::find_near(const Pattern& pattern, Vec3 shoot, Near& near) const {
   const float square = reach_ * reach_;
-  for (std::uint32_t layer = 0; layer < kInBrick; layer += 16) {
-    const auto low = static_cast<float>(layer / 16);
-    if (low > shoot.z + reach_ || low + 1 < shoot.z - reach_) {
-      std::fill_n(near.data() + layer, 16, std::uint8_t{0});
-      continue;
-    }
-    for (std::uint32_t k = layer; k < layer + 16; ++k) {
-      const Vec3 way(pattern.x[k] - shoot.x, pattern.y[k] - shoot.y, pattern.z[k] - shoot.z);
-      near[k] = squared_length(way) <= square ? 1 : 0;
-    }
+  Near found;
+  for (std::uint32_t k = 0; k < kInBrick; ++k) {
+    const float x = pattern.x[k] - shoot.x;
+    const float y = pattern.y[k] - shoot.y;
+    const float z = pattern.z[k] - shoot.z;
+    found[k] = (x * x + z * z) + y * y <= square ? 1 : 0;
   }
+  near = found;
 }
 
 template <class Visit>
 void MarkerBricks::for_each_near(Vec3 place, Visit visit) {
   const FinePlace shoot = fine(place);
-  const BrickRange range = around(shoot, reach_);
-  Near near;
-  for (std::int32_t z = range.low[2]; z <= range.high[2]; ++z) {
-    for (std::int32_t y = range.low[1]; y <= range.high[1]; ++y) {
-      for (std::int32_t x = range.low[0]; x <= range.high[0]; ++x) {
-        const Vec3 in_brick = from_corner({x, y, z}, shoot);
-        if (square_from_cube(in_brick) > reach_ * reach_) continue;
-        const std::uint32_t brick = brick_at({x, y, z});
-        find_near(pattern_of(bricks_[brick]), in_brick, near);
-        visit(brick, near);
+  const Range bricks = holders(voxels(shoot, Vec3(-reach_), Vec3(reach_)));
+  const Range blocks = holders(bricks);
+  const BricksAlong along_x(bricks, shoot, 0);
+  const BricksAlong along_y(bricks, shoot, 1);
+  const BricksAlong along_z(bricks, shoot, 2);
+  const float square = reach_ * reach_;
+  for (std::int32_t z = blocks.low[2]; z <= blocks.high[2]; ++z) {
+    for (std::int32_t y = blocks.low[1]; y <= blocks.high[1]; ++y) {
+      for (std::int32_t x = blocks.low[0]; x <= blocks.high[0]; ++x) {
+        const Place at{x, y, z};
+        const std::uint32_t block = add_block(at);
+        for (std::uint64_t touched = held(at, bricks); touched != 0; touched &= touched - 1) {
+          const auto k = static_cast<std::uint32_t>(std::countr_zero(touched));
+          const Place brick_place = held(at, k);
+          const auto i = static_cast<std::size_t>(brick_place[0] - bricks.low[0]);
+          const auto j = static_cast<std::size_t>(brick_place[1] - bricks.low[1]);
+          const auto l = static_cast<std::size_t>(brick_place[2] - bricks.low[2]);
+          if (along_x.gap[i] + along_y.gap[j] + along_z.gap[l] > square) continue;
+          const std::uint32_t brick = add_brick(kInBrick * block + k);
+          Near near;
+          find_near(patterns_[bricks_[brick].pattern],
+                    Vec3(along_x.from_corner[i], along_y.from_corner[j], along_z.from_corner[l]), near);
+          visit(brick, near);
+        }
       }
     }
   }
-}
-
-std::uint32_t MarkerBricks::brick_at(const BrickPlace& place) {
-  const std::uint32_t block = add_block(block_of(place));
-  const auto k = static_cast<std::uint32_t>((place[0] & 3) | (place[1] & 3) << 2 | (place[2] & 3) << 4);
-  const std::uint32_t brick = blocks_[block].bricks[k];
-  return brick != kNone ? brick : add_brick(kInBrick * block + k);
 }
 
 void MarkerBricks::occupy(Vec3 place) {
@@ -220,44 +176,43 @@ void MarkerBricks::occupy(Vec3 place) {
 }
 
 void MarkerBricks::vacate(Vec3 place) {
-  bool is_occupied = true;
+  std::uint64_t not_occupied = 0;
   for_each_near(place,
-                [&](std::uint32_t brick, const Near& near) { is_occupied = is_occupied && may_take(brick, near); });
-  require(is_occupied, "there is no shoot to take away");
+                [&](std::uint32_t brick, const Near& near) { not_occupied |= bricks_[brick].free & bits(near); });
+  require(not_occupied == 0, "there is no shoot to take away");
   for_each_near(place, [&](std::uint32_t brick, const Near& near) { take(brick, near); });
 }
 
 void MarkerBricks::add(std::uint32_t brick, const Near& near) {
   Brick& at = bricks_[brick];
-  bool is_carried = false;
+  std::uint8_t carried = 0;
   for (std::uint32_t k = 0; k < kInBrick; ++k) {
     at.shoots[k] = static_cast<std::uint8_t>(at.shoots[k] + near[k]);
-    is_carried |= at.shoots[k] < near[k];
+    carried |= static_cast<std::uint8_t>(at.shoots[k] < near[k] ? 1 : 0);
   }
-  at.free &= ~all_bits(near);
+  at.free &= ~bits(near);
   refresh(at);
-  if (!is_carried) return;
+  if (carried == 0) return;
   for (std::uint32_t k = 0; k < kInBrick; ++k) {
-    if (near[k] != 0 && at.shoots[k] == 0) ++carries_[std::uint64_t{brick} * kInBrick + k];
+    if (at.shoots[k] < near[k]) ++carries_[std::uint64_t{brick} * kInBrick + k];
   }
-}
-
-bool MarkerBricks::may_take(std::uint32_t brick, const Near& near) const {
-  return (bricks_[brick].free & all_bits(near)) == 0;
 }
 
 void MarkerBricks::take(std::uint32_t brick, const Near& near) {
   Brick& at = bricks_[brick];
-  std::array<std::uint8_t, kInBrick> is_free;
-  for (std::uint32_t k = 0; k < kInBrick; ++k) {
-    if (at.shoots[k] < near[k]) {
+  if (!carries_.empty()) {
+    for (std::uint32_t k = 0; k < kInBrick; ++k) {
+      if (at.shoots[k] >= near[k]) continue;
       const auto carry = carries_.find(std::uint64_t{brick} * kInBrick + k);
       if (--carry->second == 0) carries_.erase(carry);
     }
-    at.shoots[k] = static_cast<std::uint8_t>(at.shoots[k] - near[k]);
-    is_free[k] = at.shoots[k] == 0 ? 1 : 0;
   }
-  at.free = all_bits(is_free);
+  Near is_zero;
+  for (std::uint32_t k = 0; k < kInBrick; ++k) {
+    at.shoots[k] = static_cast<std::uint8_t>(at.shoots[k] - near[k]);
+    is_zero[k] = at.shoots[k] == 0 ? 1 : 0;
+  }
+  at.free = bits(is_zero);
   if (!carries_.empty()) {
     for (std::uint32_t k = 0; k < kInBrick; ++k) {
       if (carries_.contains(std::uint64_t{brick} * kInBrick + k)) at.free &= ~(1ULL << k);
@@ -266,10 +221,13 @@ void MarkerBricks::take(std::uint32_t brick, const Near& near) {
   refresh(at);
 }
 
+/// What is to be had in a brick, as its block has it.
 void MarkerBricks::refresh(const Brick& brick) {
-  const std::uint64_t bit = 1ULL << (brick.slot % kInBrick);
-  std::uint64_t& open = blocks_[brick.slot / kInBrick].open;
-  open = (brick.free & brick.within) != 0 ? open | bit : open & ~bit;
+  Block& block = blocks_[brick.slot / kInBrick];
+  const std::uint32_t k = brick.slot % kInBrick;
+  block.markers[k] = brick.free & brick.within;
+  const std::uint64_t bit = 1ULL << k;
+  block.open = block.markers[k] != 0 ? block.open | bit : block.open & ~bit;
 }
 
 void MarkerBricks::limit(Brick& brick, std::uint64_t within) {
@@ -278,9 +236,9 @@ void MarkerBricks::limit(Brick& brick, std::uint64_t within) {
 }
 
 std::size_t MarkerBricks::bytes() const {
-  constexpr std::size_t kLinks = 3 * sizeof(void*);  // of the map
-  return patterns_.size() * sizeof(Pattern) + blocks_.capacity() * sizeof(Block) +
-         table_.size() * sizeof(std::uint32_t) + bricks_.size() * sizeof(Brick) +
+  constexpr std::size_t kLinks = 3 * sizeof(void*);  // of the map, and of what the deque is cut into
+  return patterns_.size() * sizeof(Pattern) + blocks_.capacity() * sizeof(Block) + table_.size() * sizeof(Entry) +
+         bricks_.size() * (sizeof(Brick) + kLinks) +
          carries_.size() * (sizeof(decltype(carries_)::value_type) + kLinks);
 }
 

@@ -5,9 +5,12 @@
 // which one is drawn from the key and the brick's place.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <deque>
+#include <stdexcept>
 #include <unordered_map>
 #include <vector>
 
@@ -18,19 +21,20 @@ namespace meristem {
 
 class MarkerBricks {
  public:
-  static constexpr int kSide = 4;                // voxels of a brick, bricks of a block
+  static constexpr std::int32_t kSide = 4;       // voxels of a brick, bricks of a block
   static constexpr std::uint32_t kInBrick = 64;  // markers, or bricks in a block: x + 4 y + 16 z
   static constexpr std::uint32_t kNone = ~0U;    // no brick, no block
   static constexpr std::uint64_t kAll = ~0ULL;   // markers of a brick, or bricks of a block
   static constexpr int kMostReach = 32;          // voxels
+  static constexpr std::size_t kMostAlong = 2 * kMostReach / kSide + 2;  // bricks that this touches along an axis
 
   /// A place in units of 2^-16 voxels: then its way to a marker is exact in floats.
   using FinePlace = std::array<std::int64_t, 3>;
-  /// Which brick (or block) this is in a row along each axis.
-  using BrickPlace = std::array<std::int32_t, 3>;
-  struct BrickRange {
-    BrickPlace low;   ///< the first
-    BrickPlace high;  ///< the last
+  /// Which voxel, brick or block this is along each axis; four times as many of each as of the next.
+  using Place = std::array<std::int32_t, 3>;
+  struct Range {
+    Place low;   ///< the first
+    Place high;  ///< the last
   };
   /// Where the markers of a brick stand: voxels from its low corner.
   struct Pattern {
@@ -47,15 +51,16 @@ class MarkerBricks {
     std::uint8_t pattern = 0;
   };
   struct Block {
-    BrickPlace place;
-    std::uint64_t open = kAll;  ///< bricks that may have a free marker within a volume
+    Place place;
+    std::uint64_t open = kAll;                    ///< bricks with markers to be had
+    std::array<std::uint64_t, kInBrick> markers;  ///< to be had in each brick: free and within a volume
     std::array<std::uint32_t, kInBrick> bricks;
   };
-  /// The blocks that were asked for last. Eight neighbours fit.
+  /// Blocks that were asked for before; all neighbours of one fit.
   struct Recent {
-    Recent() { places.fill(kAll); }
-    std::array<std::uint64_t, 8> places;
-    std::array<std::uint32_t, 8> blocks;
+    Recent() { keys.fill(kAll); }
+    std::array<std::uint64_t, 64> keys;
+    std::array<std::uint32_t, 64> blocks;
   };
 
   /// Throws std::invalid_argument unless `spacing` (metres) is above 0 and `reach` in [0, kMostReach] spacings.
@@ -68,28 +73,41 @@ class MarkerBricks {
 
   /// Throws std::invalid_argument for places that are not finite or farther than 4 million voxels from the origin.
   FinePlace fine(Vec3 place) const;
-  /// The bricks that a ball of so many voxels touches.
-  static BrickRange around(const FinePlace& place, float voxels);
+  /// The voxels that a box touches, given by its corners' distance in voxels from a place.
+  static Range voxels(const FinePlace& place, Vec3 low, Vec3 high);
+  /// Bricks that hold these voxels, or blocks that hold these bricks.
+  static Place holder(const Place& place) { return {place[0] >> 2, place[1] >> 2, place[2] >> 2}; }
+  static Range holders(const Range& range) { return {holder(range.low), holder(range.high)}; }
+  /// Which of its holder's 64 this is.
+  static std::uint32_t number(const Place& place) {
+    return static_cast<std::uint32_t>((place[0] & 3) | (place[1] & 3) << 2 | (place[2] & 3) << 4);
+  }
+  /// Its holder's 64, by their numbers.
+  static Place held(const Place& holder, std::uint32_t number) {
+    const auto part = [&](int k) { return kSide * holder[k] + static_cast<std::int32_t>(number >> 2 * k & 3); };
+    return {part(0), part(1), part(2)};
+  }
+  /// Those of them that are in a range, which is to meet the holder, as bits.
+  static std::uint64_t held(const Place& holder, const Range& range);
   /// Voxels from a brick's low corner to a place, exact up to 256.
-  static Vec3 from_corner(const BrickPlace& brick, const FinePlace& place);
-  /// Those bricks of a block that lie in a range, as bits.
-  static std::uint64_t bits_of(const BrickRange& range, const BrickPlace& block);
-  /// The block that holds a brick.
-  static BrickPlace block_of(const BrickPlace& brick) { return {brick[0] >> 2, brick[1] >> 2, brick[2] >> 2}; }
-  static BrickPlace brick_in(const BrickPlace& block, std::uint32_t k);
+  static Vec3 from_corner(const Place& brick, const FinePlace& place);
 
-  std::uint32_t find_block(const BrickPlace& place, Recent& recent) const;  ///< kNone where there is none
-  std::uint32_t add_block(const BrickPlace& place);                         ///< the one that is there, or a new one
-  std::uint32_t add_brick(std::uint32_t slot);                              ///< the one that is there, or a new one
+  /// kNone where there is none.
+  std::uint32_t find_block(const Place& place, Recent& recent) const {
+    const std::uint32_t lane = number(place);
+    return recent.keys[lane] == packed(place) ? recent.blocks[lane] : look_up(place, recent);
+  }
+  std::uint32_t add_block(const Place& place);  ///< the one that is there, or a new one
+  std::uint32_t add_brick(std::uint32_t slot);  ///< the one that is there, or a new one
   const Block& block(std::uint32_t k) const { return blocks_[k]; }
+  std::size_t block_count() const { return blocks_.size(); }
   Brick& brick(std::uint32_t k) { return bricks_[k]; }
   const Brick& brick(std::uint32_t k) const { return bricks_[k]; }
   std::size_t brick_count() const { return bricks_.size(); }
-  BrickPlace place_of(const Brick& brick) const;
-  const Pattern& pattern_of(const Brick& brick) const { return patterns_[brick.pattern]; }
-  /// The pattern of a brick that need not be there yet.
-  std::uint8_t pattern_at(const BrickPlace& brick) const;
+  Place place_of(const Brick& brick) const;
   const Pattern& pattern(std::uint8_t k) const { return patterns_[k]; }
+  /// The pattern of a brick, which need not be there yet.
+  std::uint8_t pattern_at(const Place& brick) const;
   /// Says which of a brick's markers a volume may hold.
   void limit(Brick& brick, std::uint64_t within);
 
@@ -97,28 +115,78 @@ class MarkerBricks {
   std::size_t bytes() const;
 
  private:
+  static constexpr int kVoxelBits = 16;             // of a fine place within its voxel
+  static constexpr int kBrickBits = 18;             // within its brick
+  static constexpr float kFine = 65536;             // a voxel's side
+  static constexpr double kFarthest = 4e6 * 65536;  // past it 32-bit places do not tell voxels apart
+
   /// For each marker of a brick 1 where it is within reach, else 0.
   using Near = std::array<std::uint8_t, kInBrick>;
+  struct Entry {
+    std::uint64_t key = kAll;
+    std::uint32_t block = kNone;
+  };
 
-  void find_near(const Pattern& pattern, Vec3 shoot, Near& near) const;
+  /// Three times 21 bits, which hold every brick that is not too far away.
+  static std::uint64_t packed(const Place& place) {
+    const auto part = [&](int k) { return std::uint64_t{static_cast<std::uint32_t>(place[k] + (1 << 20))}; };
+    return part(0) | part(1) << 21 | part(2) << 42;
+  }
+  std::uint32_t look_up(const Place& place, Recent& recent) const;
+  void find_near(const Pattern& pattern, Vec3 shoot, Near& near) const;  // `shoot`: from the corner
   template <class Visit>
   void for_each_near(Vec3 place, Visit visit);
-  std::uint32_t brick_at(const BrickPlace& place);
+  std::size_t entry_of(std::uint64_t key) const;
   void add(std::uint32_t brick, const Near& near);
   void take(std::uint32_t brick, const Near& near);
-  bool may_take(std::uint32_t brick, const Near& near) const;
   void refresh(const Brick& brick);
-  void grow_table();
 
   double spacing_;
-  float reach_;
+  double fine_a_metre_;  // units of fine places
+  float reach_;          // voxels
   RandomKey key_;
   std::vector<Pattern> patterns_;
   std::vector<Block> blocks_;
-  std::vector<std::uint32_t> table_;  // blocks by the hash of their place, linear probing
+  std::vector<Entry> table_;  // blocks by the hash of their place, linear probing
   std::deque<Brick> bricks_;
   std::unordered_map<std::uint64_t, std::uint32_t> carries_;  // 256s of shoots, by kInBrick * brick + marker
   Recent recent_;
 };
+
+inline MarkerBricks::FinePlace MarkerBricks::fine(Vec3 place) const {
+  const auto along = [&](float at) {
+    const double units = at * fine_a_metre_ + 0.5;
+    if (!(std::abs(units) <= kFarthest)) throw std::invalid_argument("a place is too far away for its markers");
+    const auto whole = static_cast<std::int64_t>(units);
+    return static_cast<double>(whole) > units ? whole - 1 : whole;
+  };
+  return {along(place.x), along(place.y), along(place.z)};
+}
+
+inline MarkerBricks::Range MarkerBricks::voxels(const FinePlace& place, Vec3 low, Vec3 high) {
+  const auto voxel = [&](int k, float way, int more) {
+    return static_cast<std::int32_t>((place[k] + static_cast<std::int64_t>(way * kFine) + more) >> kVoxelBits);
+  };
+  return {{voxel(0, low.x, -1), voxel(1, low.y, -1), voxel(2, low.z, -1)},
+          {voxel(0, high.x, 1), voxel(1, high.y, 1), voxel(2, high.z, 1)}};
+}
+
+inline std::uint64_t MarkerBricks::held(const Place& holder, const Range& range) {
+  const auto first = [&](int k) { return std::max(range.low[k] - kSide * holder[k], 0); };
+  const auto after_last = [&](int k) { return std::max(kSide - 1 - (range.high[k] - kSide * holder[k]), 0); };
+  // A bit for each x; for each y such a row; for each z such a layer.
+  const std::uint64_t row = 0xFU >> (first(0) + after_last(0)) << first(0);
+  const std::uint64_t rows = 0x1111U >> 4 * (first(1) + after_last(1)) << 4 * first(1);
+  const std::uint64_t layers = 0x0001000100010001U >> 16 * (first(2) + after_last(2)) << 16 * first(2);
+  return row * rows * layers;
+}
+
+inline Vec3 MarkerBricks::from_corner(const Place& brick, const FinePlace& place) {
+  const auto along = [&](int k) {
+    const std::int64_t way = place[k] - (std::int64_t{brick[k]} << kBrickBits);
+    return static_cast<float>(static_cast<std::int32_t>(way)) * (1 / kFine);
+  };
+  return {along(0), along(1), along(2)};
+}
 
 }  // namespace meristem

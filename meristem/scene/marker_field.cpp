@@ -5,12 +5,11 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include "meristem/base/parallel.h"
-#include "meristem/scene/marker_look.h"
+#include "meristem/scene/marker_contest.h"
 
 namespace meristem {
 
@@ -18,156 +17,40 @@ namespace {
 
 constexpr std::uint32_t kInBrick = MarkerBricks::kInBrick;
 constexpr std::uint32_t kNone = MarkerBricks::kNone;
-constexpr double kOne = 4294967296;  // a unit vector's length as a whole number
+constexpr float kOne = 4294967296;  // a unit vector's length as a whole number
 constexpr std::size_t kBrickGrain = 32;
-constexpr std::size_t kLookGrain = 4096;
 
-/// What a look has got; whole numbers, so that the order of adding does not matter.
-struct Tally {
+}  // namespace
+
+/// What a look has got. Whole numbers, so that the order of raises, on many threads, does not matter.
+struct MarkerField::Tally {
   std::uint32_t count = 0;
-  std::array<std::int64_t, 3> way{};
+  std::array<std::int64_t, 3> way{};  // in 2^-32
+
+  void raise(const Tally& more) {
+    const auto add = [](auto& number, auto by) { std::atomic_ref(number).fetch_add(by, std::memory_order_relaxed); };
+    add(count, more.count);
+    for (int k = 0; k < 3; ++k) add(way[k], more.way[k]);
+  }
 };
-
-void add(Tally& sum, const Tally& more) {
-  const auto raise = [](auto& number, auto by) { std::atomic_ref(number).fetch_add(by, std::memory_order_relaxed); };
-  raise(sum.count, more.count);
-  for (int k = 0; k < 3; ++k) raise(sum.way[k], more.way[k]);
-}
-
-}  // namespace
-
-/// Who looks at which bricks, in one round.
-struct MarkerField::Contest {
-  Contest(MarkerBricks& bricks, const std::vector<LookAround>& around);
-
-  std::vector<Look> looks;
-  std::vector<std::uint32_t> bricks;   // that are looked at, in the order of the first look
-  std::vector<std::uint32_t> begins;   // of each one's lookers, and an end
-  std::vector<std::uint32_t> lookers;  // by brick, in the order of the looks
-};
-
-MarkerField::Contest::Contest(MarkerBricks& all, const std::vector<LookAround>& around) {
-  std::size_t look_count = 0;
-  std::size_t sighting_count = 0;
-  for (const LookAround& part : around) {
-    look_count += part.looks.size();
-    sighting_count += part.sightings.size();
-  }
-  looks.reserve(look_count);
-  lookers.resize(sighting_count);
-
-  // Count the lookers of each brick.
-  std::vector<std::uint32_t> rank;
-  for (const LookAround& part : around) {
-    looks.insert(looks.end(), part.looks.begin(), part.looks.end());
-    for (const Sighting& sighting : part.sightings) {
-      const std::uint32_t brick = all.add_brick(sighting.slot);
-      if (brick >= rank.size()) rank.resize(std::max<std::size_t>(all.brick_count(), 2 * rank.size()), kNone);
-      if (rank[brick] == kNone) {
-        rank[brick] = static_cast<std::uint32_t>(bricks.size());
-        bricks.push_back(brick);
-        begins.push_back(0);
-      }
-      ++begins[rank[brick]];
-    }
-  }
-  std::uint32_t end = 0;
-  for (std::uint32_t& begin : begins) begin = std::exchange(end, end + begin);
-
-  // Enter them; each begin moves on to the next one's.
-  std::uint32_t first_look = 0;
-  for (const LookAround& part : around) {
-    for (const Sighting& sighting : part.sightings) {
-      const std::uint32_t brick = all.add_brick(sighting.slot);
-      lookers[begins[rank[brick]]++] = first_look + sighting.look;
-    }
-    first_look += static_cast<std::uint32_t>(part.looks.size());
-  }
-  begins.insert(begins.begin(), 0);
-}
-
-namespace {
-
-/// The markers of one brick and the nearest looker to each so far.
-class BrickContest {
- public:
-  /// Of the markers `open`, those in `seen(volume)` can be seen by the lookers of a volume.
-  void begin(const MarkerBricks::Pattern& pattern, std::uint64_t open) {
-    count_ = 0;
-    for (; open != 0; open &= open - 1) {
-      const auto k = static_cast<std::uint32_t>(std::countr_zero(open));
-      marker_[count_] = k;
-      x_[count_] = pattern.x[k];
-      y_[count_] = pattern.y[k];
-      z_[count_] = pattern.z[k];
-      ++count_;
-    }
-    padded_ = (count_ + 7) / 8 * 8;
-    for (std::uint32_t k = 0; k < padded_; ++k) {
-      nearest_[k] = k < count_ ? std::numeric_limits<float>::infinity() : -1;
-      owner_[k] = kNone;
-    }
-  }
-
-  /// Of those from now on only these are to be seen.
-  void show(std::uint64_t seen) {
-    for (std::uint32_t k = 0; k < count_; ++k) limit_[k] = (seen >> marker_[k] & 1) != 0 ? kFar : -1;
-    for (std::uint32_t k = count_; k < padded_; ++k) limit_[k] = -1;
-  }
-
-  void compete(const Look& look, Vec3 from, std::uint32_t looker) {
-    const Vec3 to = look.direction;
-    for (std::uint32_t k = 0; k < padded_; ++k) {
-      const float x = x_[k] - from.x;
-      const float y = y_[k] - from.y;
-      const float z = z_[k] - from.z;
-      const float square = (x * x + z * z) + y * y;
-      const float along = to.x * x + to.y * y + to.z * z;
-      const bool is_in = (square <= look.square) & (along * std::abs(along) >= look.slope * square);
-      const bool is_nearer = is_in & (square < nearest_[k]) & (square < limit_[k]);
-      nearest_[k] = is_nearer ? square : nearest_[k];
-      owner_[k] = is_nearer ? looker : owner_[k];
-    }
-  }
-
-  template <class Visit>
-  void for_each_owned(Visit visit) const {
-    for (std::uint32_t k = 0; k < count_; ++k) {
-      if (owner_[k] != kNone) visit(owner_[k], Vec3(x_[k], y_[k], z_[k]), nearest_[k]);
-    }
-  }
-
- private:
-  static constexpr float kFar = 1e9F;
-  std::uint32_t count_ = 0;
-  std::uint32_t padded_ = 0;
-  std::array<std::uint32_t, kInBrick> marker_;
-  alignas(16) std::array<float, kInBrick> x_{};
-  alignas(16) std::array<float, kInBrick> y_{};
-  alignas(16) std::array<float, kInBrick> z_{};
-  alignas(16) std::array<float, kInBrick> nearest_;
-  alignas(16) std::array<float, kInBrick> limit_;
-  alignas(16) std::array<std::uint32_t, kInBrick> owner_;
-};
-
-}  // namespace
 
 MarkerField::MarkerField(const MarkerForm& form, RandomKey key, Obstacles obstacles)
     : form_(form), obstacles_(std::move(obstacles)), bricks_(form.spacing, form.occupancy, key) {}
 
 std::uint32_t MarkerField::add_volume(CrownPointer crown, Vec3 root) {
   volumes_.push_back({std::move(crown), root});
+  ++openings_;
   for (std::size_t k = 0; k < bricks_.brick_count(); ++k) limit(bricks_.brick(static_cast<std::uint32_t>(k)));
   return static_cast<std::uint32_t>(volumes_.size() - 1);
 }
 
-DVec3 MarkerField::position(const MarkerBricks::BrickPlace& brick, std::uint8_t pattern, std::uint32_t marker) const {
+DVec3 MarkerField::position(const MarkerBricks::Place& brick, std::uint8_t pattern, std::uint32_t marker) const {
   const MarkerBricks::Pattern& at = bricks_.pattern(pattern);
   const DVec3 corner(brick[0], brick[1], brick[2]);
   return form_.spacing * (double{MarkerBricks::kSide} * corner + DVec3(at.x[marker], at.y[marker], at.z[marker]));
 }
 
-std::uint64_t MarkerField::find_claim(const MarkerBricks::BrickPlace& brick, std::uint8_t pattern,
+std::uint64_t MarkerField::find_claim(const MarkerBricks::Place& brick, std::uint8_t pattern,
                                       const Volume& volume) const {
   const Box crown = volume.crown ? volume.crown->bounds() : Box{};
   const Box bodies = obstacles_.bounds();
@@ -204,24 +87,25 @@ void MarkerField::limit(MarkerBricks::Brick& brick) {
 }
 
 /// Finds out, for each brick and the volumes of those who look at it, which markers are in the volume.
-void MarkerField::learn_claims(const Contest& contest, const Progress& progress) {
+void MarkerField::learn_claims(const LookedAt& looked, const Progress& progress) {
   struct Question {
     std::uint32_t brick;
     std::uint32_t volume;
     std::uint64_t markers = 0;
   };
   std::vector<Question> questions;
-  for (std::size_t k = 0; k < contest.bricks.size(); ++k) {
-    const MarkerBricks::Brick& brick = bricks_.brick(contest.bricks[k]);
+  for (std::size_t k = 0; k < looked.bricks.size(); ++k) {
+    progress.check();
+    const MarkerBricks::Brick& brick = bricks_.brick(looked.bricks[k]);
     const std::size_t first = questions.size();
     std::uint32_t last = kNone;
-    for (std::uint32_t i = contest.begins[k]; i < contest.begins[k + 1]; ++i) {
-      const std::uint32_t volume = contest.looks[contest.lookers[i]].volume;
+    for (const std::uint32_t looker : looked.lookers_at(k)) {
+      const std::uint32_t volume = looked.looks[looker].volume;
       if (volume == std::exchange(last, volume)) continue;
       if ((!volumes_[volume].crown && obstacles_.empty()) || known_claim(brick, volume) != nullptr) continue;
       const auto is_same = [&](const Question& question) { return question.volume == volume; };
       if (std::none_of(questions.begin() + static_cast<std::ptrdiff_t>(first), questions.end(), is_same)) {
-        questions.push_back({contest.bricks[k], volume});
+        questions.push_back({looked.bricks[k], volume});
       }
     }
   }
@@ -240,75 +124,75 @@ void MarkerField::learn_claims(const Contest& contest, const Progress& progress)
   }
 }
 
+/// Each of a brick's markers to the nearest of its lookers; what these got, in their order.
+void MarkerField::share_out_brick(const MarkerBricks::Brick& brick, const LookedAt& looked,
+                                  std::span<const std::uint32_t> lookers, std::vector<Tally>& got) const {
+  got.assign(lookers.size(), {});
+  if ((brick.free & brick.within) == 0) return;
+  const MarkerBricks::Place place = bricks_.place_of(brick);
+  const MarkerBricks::Pattern& pattern = bricks_.pattern(brick.pattern);
+  BrickContest contest;
+  contest.begin(pattern, brick.free & brick.within);
+  std::uint32_t volume = kNone;
+  for (std::uint32_t k = 0; k < lookers.size(); ++k) {
+    const Look& look = looked.looks[lookers[k]];
+    if (look.volume != std::exchange(volume, look.volume)) contest.show(pattern, seen_by(brick, volume));
+    contest.compete(look, MarkerBricks::from_corner(place, look.place), MarkerBricks::kSide * place[2], k);
+  }
+  contest.for_each_owner([&](std::uint32_t owner, std::uint32_t marker, float square) {
+    ++got[owner].count;
+    if (square == 0) return;
+    const Vec3 from = MarkerBricks::from_corner(place, looked.looks[lookers[owner]].place);
+    const Vec3 way = Vec3(pattern.x[marker], pattern.y[marker], pattern.z[marker]) - from;
+    const Vec3 unit = way / std::sqrt(square);
+    for (int k = 0; k < 3; ++k) got[owner].way[k] += static_cast<std::int64_t>(kOne * unit[k]);
+  });
+}
+
 void MarkerField::share_out(std::span<const Seeker> seekers, std::span<Room> rooms, const Progress& progress) {
   if (seekers.size() != rooms.size()) throw std::invalid_argument("share_out: not as many rooms as seekers");
-  const Contest contest(bricks_, look_around(bricks_, seekers, volumes_.size(), progress));
-  learn_claims(contest, progress);
+  const LookedAt looked = looked_at(bricks_, look_around(bricks_, seekers, volumes_.size(), progress), progress);
+  learn_claims(looked, progress);
 
-  // Brick by brick each marker to the nearest.
-  std::vector<Tally> tallies(contest.looks.size());
-  parallel_for(contest.bricks.size(), kBrickGrain, [&](std::size_t begin, std::size_t end) {
+  std::vector<Tally> tallies(looked.looks.size());
+  parallel_for(looked.bricks.size(), kBrickGrain, [&](std::size_t begin, std::size_t end) {
     progress.check();
-    BrickContest here;
     std::vector<Tally> got;
     for (std::size_t k = begin; k < end; ++k) {
-      const MarkerBricks::Brick& brick = bricks_.brick(contest.bricks[k]);
-      if ((brick.free & brick.within) == 0) continue;
-      const MarkerBricks::BrickPlace place = bricks_.place_of(brick);
-      const std::span lookers(contest.lookers.data() + contest.begins[k], contest.begins[k + 1] - contest.begins[k]);
-      here.begin(bricks_.pattern_of(brick), brick.free & brick.within);
-      std::uint32_t volume = kNone;
-      std::uint64_t seen = 0;
-      for (std::uint32_t i = 0; i < lookers.size(); ++i) {
-        const Look& look = contest.looks[lookers[i]];
-        if (look.volume != volume) {
-          volume = look.volume;
-          seen = seen_by(brick, volume);
-          here.show(seen);
-        }
-        if (seen != 0) here.compete(look, MarkerBricks::from_corner(place, look.place), i);
-      }
-
-      got.assign(lookers.size(), {});
-      here.for_each_owned([&](std::uint32_t owner, Vec3 marker, float square) {
-        const Look& look = contest.looks[lookers[owner]];
-        Tally& tally = got[owner];
-        ++tally.count;
-        if (square == 0) return;
-        const DVec3 way(marker - MarkerBricks::from_corner(place, look.place));
-        const DVec3 unit = way * (kOne / std::sqrt(static_cast<double>(square)));
-        for (int axis = 0; axis < 3; ++axis) tally.way[axis] += static_cast<std::int64_t>(unit[axis]);
-      });
+      const std::span<const std::uint32_t> lookers = looked.lookers_at(k);
+      share_out_brick(bricks_.brick(looked.bricks[k]), looked, lookers, got);
       for (std::size_t i = 0; i < lookers.size(); ++i) {
-        if (got[i].count > 0) add(tallies[lookers[i]], got[i]);
+        if (got[i].count > 0) tallies[lookers[i]].raise(got[i]);
       }
     }
   });
 
-  std::fill(rooms.begin(), rooms.end(), Room{});
+  std::fill(rooms.begin(), rooms.end(), Room{.is_closed = true});
   for (std::size_t k = 0; k < tallies.size(); ++k) {
     const Tally& tally = tallies[k];
     const DVec3 way(static_cast<double>(tally.way[0]), static_cast<double>(tally.way[1]),
                     static_cast<double>(tally.way[2]));
-    rooms[contest.looks[k].seeker] = {tally.count, Vec3(way / kOne)};
+    rooms[looked.looks[k].seeker] = {.count = tally.count, .way = Vec3(way / double{kOne})};
   }
 }
 
 std::vector<DVec3> MarkerField::free_markers(const Box& box, std::uint32_t volume) const {
   std::vector<DVec3> markers;
   const Volume& own = volumes_.at(volume);
-  const MarkerBricks::BrickRange range{MarkerBricks::around(bricks_.fine(box.low), 0).low,
-                                       MarkerBricks::around(bricks_.fine(box.high), 0).high};
+  const auto brick_at = [&](Vec3 corner) {
+    return MarkerBricks::holder(MarkerBricks::voxels(bricks_.fine(corner), Vec3(0), Vec3(0)).low);
+  };
+  const MarkerBricks::Range range{brick_at(box.low), brick_at(box.high)};
   MarkerBricks::Recent recent;
   for (std::int32_t z = range.low[2]; z <= range.high[2]; ++z) {
     for (std::int32_t y = range.low[1]; y <= range.high[1]; ++y) {
       for (std::int32_t x = range.low[0]; x <= range.high[0]; ++x) {
-        const MarkerBricks::BrickPlace place{x, y, z};
+        const MarkerBricks::Place place{x, y, z};
         const std::uint8_t pattern = bricks_.pattern_at(place);
         std::uint64_t free = find_claim(place, pattern, own);
-        const std::uint32_t block = bricks_.find_block(MarkerBricks::block_of(place), recent);
+        const std::uint32_t block = bricks_.find_block(MarkerBricks::holder(place), recent);
         if (block != kNone) {
-          const std::uint32_t brick = bricks_.block(block).bricks[(x & 3) | (y & 3) << 2 | (z & 3) << 4];
+          const std::uint32_t brick = bricks_.block(block).bricks[MarkerBricks::number(place)];
           if (brick != kNone) free &= bricks_.brick(brick).free;
         }
         for (; free != 0; free &= free - 1) {

@@ -39,9 +39,10 @@ Obstacles wall() { return Obstacles(std::vector<Obstacle>{{.mesh = box_mesh({0.3
 /// `count` places in a ball about `middle`.
 std::vector<Vec3> crowd(int count, Vec3 middle, float radius, std::uint64_t seed = 1) {
   const RandomKey key = RandomKey(seed).child("crowd");
+  const RandomKey ways = key.child("ways");
   std::vector<Vec3> places;
   for (std::uint64_t k = 0; k < static_cast<std::uint64_t>(count); ++k) {
-    places.push_back(middle + radius * static_cast<float>(std::cbrt(key.uniform(k))) * key.direction(k));
+    places.push_back(middle + radius * static_cast<float>(std::cbrt(key.uniform(k))) * ways.direction(k));
   }
   return places;
 }
@@ -108,7 +109,6 @@ class PlainField {
     std::vector<Claim> claims(markers_.size());
     for (std::size_t k = 0; k < seekers.size(); ++k) {
       const DVec3 bud = fine(seekers[k].place);
-      const Vec3 direction = seekers[k].direction / glm::length(seekers[k].direction);
       const float radius = seekers[k].radius / static_cast<float>(spacing_);
       const float slope = seekers[k].cosine * std::abs(seekers[k].cosine);
       for (std::size_t i = 0; i < markers_.size(); ++i) {
@@ -116,7 +116,7 @@ class PlainField {
         const Vec3 to = way(bud, markers_[i]);
         const float square = squared_length(to);
         if (square > radius * radius || square >= claims[i].square) continue;
-        const float along = glm::dot(direction, to);
+        const float along = glm::dot(seekers[k].direction, to);
         if (along * std::abs(along) >= slope * square) claims[i] = {square, k};
       }
     }
@@ -139,7 +139,7 @@ class PlainField {
     bool is_free = true;
   };
 
-  DVec3 fine(Vec3 place) const { return glm::floor(DVec3(place) / spacing_ * 65536.0 + 0.5) / 65536.0; }
+  DVec3 fine(Vec3 place) const { return glm::floor(DVec3(place) * (65536 / spacing_) + 0.5) / 65536.0; }
   static Vec3 way(DVec3 from, const Marker& marker) {
     return Vec3(glm::round((marker.place - from) * 65536.0) / 65536.0);
   }
@@ -226,6 +226,7 @@ TEST(MarkerField, IsTheSameAsEveryMarkerAgainstEveryBud) {
       std::vector<Seeker> seekers = buds_at(crowd(60, middle, 0.8F, 10 * seed + round + 5), volumes, seed);
       for (std::size_t k = 0; k < seekers.size(); k += 7) seekers[k].radius = 0.1F * static_cast<float>(k % 5);
       for (std::size_t k = 0; k < seekers.size(); k += 5) seekers[k].cosine = -1 + 0.2F * static_cast<float>(k % 11);
+      for (std::size_t k = 0; k < seekers.size(); k += 13) seekers[k].radius = seekers[k].volume < 2 ? 1.2F : 0.4F;
       const std::vector<Room> rooms = share_out(field, seekers);
       EXPECT_GT(total(rooms), 300U);
       expect_like_plain(rooms, plain.share_out(seekers));
@@ -246,6 +247,22 @@ TEST(MarkerField, IsTheSameFarFromTheOrigin) {
   const std::vector<Seeker> seekers = buds_at(crowd(100, far + kUp, 1), 1);
   const std::vector<Room> rooms = share_out(field, seekers);
   EXPECT_GT(total(rooms), 500U);
+  expect_like_plain(rooms, plain.share_out(seekers));
+}
+
+TEST(MarkerField, IsTheSameAtTheLongestReach) {
+  MarkerField field({.spacing = 0.0625, .occupancy = 2}, RandomKey(2));
+  field.add_volume(ball(1.7F), Vec3(0));
+  PlainField plain(field, {kUp - 1.75F, kUp + 1.75F}, 1);
+  field.occupy({1.5F, 0, 0});
+  plain.occupy({1.5F, 0, 0});
+  std::vector<Seeker> seekers = buds_at(crowd(8, {-0.5F, 1, 0}, 1), 1);
+  for (std::size_t k = 0; k < seekers.size(); ++k) {
+    seekers[k].radius = 2;
+    seekers[k].cosine = 1 - static_cast<float>(k * k) / 128;
+  }
+  const std::vector<Room> rooms = share_out(field, seekers);
+  EXPECT_GT(total(rooms), 10'000U);
   expect_like_plain(rooms, plain.share_out(seekers));
 }
 
@@ -394,6 +411,29 @@ TEST(MarkerField, TakesMemoryForShootsAndBudsAlone) {
   EXPECT_EQ(bytes_in(3), bytes_in(500)) << "metres each way";
 }
 
+TEST(MarkerField, ClosedBudsFindNothingUntilRoomIsMade) {
+  MarkerField field(kForm, RandomKey(3));
+  field.add_volume(ball(1), Vec3(0));
+  const std::vector<Vec3> shoots = crowd(1200, kUp, 1.1F, 4);
+  for (const Vec3 place : shoots) field.occupy(place);
+  const std::vector<Seeker> seekers = buds_at(crowd(300, kUp, 1, 5), 1);
+  const std::uint64_t openings = field.openings();
+  const std::vector<Room> before = share_out(field, seekers);
+  const auto is_closed = [](const Room& room) { return room.is_closed; };
+  EXPECT_GT(std::count_if(before.begin(), before.end(), is_closed), 200);
+  EXPECT_LT(std::count_if(before.begin(), before.end(), is_closed), 600);
+  for (const Vec3 place : crowd(50, kUp, 1, 6)) field.occupy(place);
+  const std::vector<Room> after = share_out(field, seekers);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    ASSERT_TRUE(!before[k].is_closed || (before[k].count == 0 && after[k].is_closed));
+  }
+  EXPECT_EQ(field.openings(), openings);
+  for (const Vec3 place : shoots) field.vacate(place);
+  EXPECT_NE(field.openings(), openings);
+  const std::vector<Room> open = share_out(field, seekers);
+  EXPECT_LT(std::count_if(open.begin(), open.end(), is_closed), 200);
+}
+
 TEST(MarkerField, StopsWhenAsked) {
   MarkerField field(kForm, RandomKey(3));
   field.add_volume(ball(1), Vec3(0));
@@ -438,6 +478,7 @@ TEST(MarkerField, RefusesWhatIsOutOfRange) {
   EXPECT_TRUE(is_refused({.radius = no_number}));
   EXPECT_TRUE(is_refused({.place = {no_number, 0, 0}}));
   EXPECT_TRUE(is_refused({.direction = {0, 0, 0}}));
+  EXPECT_TRUE(is_refused({.direction = {0, 0, 1.001F}}));
   EXPECT_TRUE(is_refused({.direction = {0, no_number, 0}}));
   EXPECT_TRUE(is_refused({.cosine = 1.1F}));
   EXPECT_TRUE(is_refused({.volume = 1}));

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which bricks of markers each bud may see: those that touch its perception cone and may have a free marker. Buds
-// amid full bricks, the most in an old crown, cost a few lookups of blocks.
+// Which bricks of markers each bud may see: those that touch its perception cone and have markers to be had there. Buds
+// are taken by the bricks that they are in, so that those that follow each other look at the same memory; the many amid
+// full bricks in an old crown cost the least.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,17 +18,13 @@ namespace meristem {
 /// A seeker that may see something.
 struct Look {
   MarkerBricks::FinePlace place;
-  Vec3 direction;  ///< unit
-  float square;    ///< of the radius, voxels
-  float slope;     ///< the cosine times its absolute value
+  Vec3 direction;    ///< unit
+  float square;      ///< of the radius, voxels
+  float slope;       ///< the cosine times its absolute value
+  std::int32_t low;  ///< first and last layer of voxels along z that the cone touches
+  std::int32_t high;
   std::uint32_t volume;
   std::uint32_t seeker;
-
-  /// Whether it sees a marker at the end of `way`, in voxels, whose squared length is given.
-  bool reaches(Vec3 way, float squared) const {
-    const float along = glm::dot(direction, way);
-    return squared <= square && along * std::abs(along) >= slope * squared;
-  }
 };
 
 /// That a look may see markers of a brick.
@@ -35,7 +33,7 @@ struct Sighting {
   std::uint32_t look;
 };
 
-/// What some seekers that follow each other may see, in their order: so are the sightings of every one slot.
+/// What some of the seekers may see.
 struct LookAround {
   std::vector<Look> looks;
   std::vector<Sighting> sightings;

@@ -2,6 +2,7 @@
 #include "meristem/grow/organize/bud_sense.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
@@ -12,6 +13,14 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kGrain = 2048;  // metamers
+
+/// Whether there are no lamps, and sun and sky have all of their strength, as they do unless the sun never rises.
+bool is_full_everywhere(const Light& light) {
+  double strength = 0;
+  for (const FarLight& far : light.sun) strength += far.strength;
+  for (const FarLight& far : light.sky) strength += far.strength;
+  return light.lamps.empty() && std::abs(strength - 1) < 1e-6;
+}
 
 class ShadeSense : public BudSense {
  public:
@@ -134,7 +143,7 @@ class RoomSense : public BudSense, public RoomSeeker {
 }  // namespace
 
 SceneLight::SceneLight(const Scene& scene, Vec3 root)
-    : scene_(scene), is_even_(scene.obstacles.empty() && scene.light.lamps.empty() && !scene.light.is_none()) {
+    : scene_(scene), is_even_(scene.obstacles.empty() && is_full_everywhere(scene.light)) {
   add(root);
 }
 

@@ -8,6 +8,7 @@
 
 #include "meristem/base/frame.h"
 #include "meristem/base/math.h"
+#include "meristem/plant/pipe_radii.h"
 
 namespace meristem {
 
@@ -153,13 +154,11 @@ void Metamers::remove(std::vector<std::uint8_t>& gone, Bud after) {
     place[metamer] = kept;
     if (gone[metamer] == 0) ++kept;
   }
-  // Count the tips that are lost, with those that were lost there before, down to what stays.
-  std::vector<float> tips(before, 0);
-  for (MetamerIndex metamer = static_cast<MetamerIndex>(before); metamer-- > 1;) {
-    if (gone[metamer] == 0) continue;
-    if (tips[metamer] == 0) tips[metamer] = 1;
-    tips[metamer] += lost_tips[metamer];
-    (gone[parent[metamer]] != 0 ? tips : lost_tips)[parent[metamer]] += tips[metamer];
+  // What goes leaves its tips as lost ones where it stood.
+  const std::vector<double> tips = count_tips(parent, lost_tips);
+  for (MetamerIndex metamer = 1; metamer < before; ++metamer) {
+    if (gone[metamer] == 0 || gone[parent[metamer]] != 0) continue;
+    lost_tips[parent[metamer]] += static_cast<float>(tips[metamer]);
   }
   const auto renumber = [&](Bud& bud) {
     if (bud.is_grown()) bud = gone[bud.metamer()] != 0 ? after : Bud::grown(place[bud.metamer()]);

@@ -52,7 +52,8 @@ class Bud {
 /// bud. What a metamer bears has a larger index, so that loops run from seed to tips and back.
 ///
 /// A metamer has a number on its axis, from 1 at the base. Shoots are named by the numbers of the metamers where they
-/// branch off: `main`, `main.4`, `main.4.2`. Numbers and names never change and are never used again.
+/// branch off: `main`, `main.4`, `main.4.2`. Numbers and names never change, and are never used again unless an open
+/// bud is left where something was removed.
 struct Metamers {
   std::vector<MetamerIndex> parent;  ///< kNoNode for the seed
   std::vector<Bud> terminal;

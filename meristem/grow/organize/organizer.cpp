@@ -29,6 +29,7 @@ void check_parameters(const OrganizeParameters& parameters) {
   require(parameters.every >= 1 && parameters.longest_shoot >= 1 && parameters.maturity >= 1,
           "organize: every, longest_shoot and maturity are at least 1");
   require(parameters.length > 0 && std::isfinite(parameters.length), "organize: length is above 0");
+  for (const Cut& cut : parameters.cuts) require(cut.at >= 1 && cut.above >= 0, "organize: a cut has negative numbers");
   require(parameters.light.voxel >= 0 && parameters.light.full >= 0, "organize: light has no negative numbers");
 }
 
@@ -90,6 +91,10 @@ class Organizer : public Grower {
       most = std::max(most, tree.flow().resource[0]);
     }
     if (trees_.empty() || species_.parameters.iterations == 0) return;
+    if (most >= species_.parameters.terminal_threshold) {
+      species_.refuse("roots", "nothing grows: obstacles or the ground stand in the way of every stem",
+                      "roots with room above them, or shorter metamers");
+    }
     species_.refuse("resource.alpha",
                     fmt::format("nothing grows: the light of the seed's bud makes a resource of {:.4g} at most, and it "
                                 "opens at {:.4g}",

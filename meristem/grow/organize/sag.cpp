@@ -15,30 +15,12 @@ constexpr double kGravity = 9.81;
 // An internode turns by no more in one iteration: beyond that it would break, and beam theory does not hold.
 constexpr double kMostTurn = 0.35;
 
-/// The radius of every metamer by the pipe model.
-std::vector<float> pipe_radii(const Metamers& metamers, const PipeModel& model) {
-  const std::size_t count = metamers.count();
-  std::vector<double> tips(count, 0);
-  for (std::size_t metamer = count; metamer-- > 0;) {
-    if (tips[metamer] == 0) tips[metamer] = 1;
-    tips[metamer] += model.memory * metamers.lost_tips[metamer];
-    if (metamer != 0) tips[metamers.parent[metamer]] += tips[metamer];
-  }
-  std::vector<float> radius(count);
-  for (std::size_t metamer = 0; metamer < count; ++metamer) {
-    const bool goes_on = metamer != 0 && tips[metamer] == tips[metamers.parent[metamer]];
-    radius[metamer] = goes_on ? radius[metamers.parent[metamer]]
-                              : static_cast<float>(model.tip_radius * math::pow(tips[metamer], 1 / model.exponent));
-  }
-  return radius;
-}
-
 }  // namespace
 
 void BranchLoad::bend(Metamers& metamers, int iteration) {
   const std::size_t count = metamers.count();
   moment_.resize(count, Vec2(0));
-  const std::vector<float> radius = pipe_radii(metamers, radii_);
+  const std::vector<float> radius = pipe_radii(metamers.parent, metamers.lost_tips, radii_);
 
   // Mass and first moment of what each metamer carries, itself included.
   std::vector<double> mass(count, 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Branches bend under what they carry. Each internode is an elastic beam; what it bends under the load of an iteration
-// stays when new wood is laid on, and only further load bends it further.
+// stays when new wood is laid on, and only a change of the load bends it again, as stiff as it is then: more load
+// further down, less of it back up.
 #pragma once
 
 #include <vector>

@@ -107,6 +107,9 @@ const ParameterTable& light_model_table() {
           .integer("depth", &BudLightModel::depth, {.min = 0, .max = 64}, "How many cells below a metamer are shaded.")
           .integer("reach", &BudLightModel::reach, {.min = 1, .max = 4},
                    "Cells around a bud in which it feels where it gets brighter.")
+          .number(
+              "lean", &BudLightModel::lean, {.min = 0, .max = 1},
+              "Whether shade falls as the light of the scene does (1) or straight down (0); lowered, trees lean less.")
           .number("spacing", &BudLightModel::spacing, {.min = 0.05, .max = 100},
                   "Between markers, in lengths of a metamer; lowered, finer and slower.")
           .number("occupancy", &BudLightModel::occupancy, {.min = 0, .max = 100},

@@ -56,7 +56,7 @@ class ShadowGrid {
   using BrickPlace = std::array<std::int32_t, 3>;
   /// The whole numbers are in 2^-32 of a shade, and wrap.
   struct Brick {
-    std::array<std::uint64_t, kSide * kSide * kSide> shade{};
+    std::array<std::uint64_t, std::size_t{kSide} * kSide * kSide> shade{};
     std::uint64_t sum = 0;
   };
   struct Hash {

@@ -22,6 +22,12 @@ bool is_full_everywhere(const Light& light) {
   return light.lamps.empty() && std::abs(strength - 1) < 1e-6;
 }
 
+/// From straight up to the light.
+Vec3 leaning(Vec3 toward_light, double lean) {
+  const auto share = static_cast<float>(lean);
+  return normalized_or(share * toward_light + (1 - share) * kUp, kUp);
+}
+
 class ShadeSense : public BudSense {
  public:
   ShadeSense(const OrganizedSpecies& species, StandSpace& space, Vec3 root, const Metamers& metamers,
@@ -66,7 +72,7 @@ class ShadeSense : public BudSense {
             .amount = model.a,
             .base = model.b,
             .depth = model.depth,
-            .toward_light = species.scene.light.mean_direction(),
+            .toward_light = leaning(species.scene.light.mean_direction(), model.lean),
             .reach = model.reach};
   }
   Vec3 place(MetamerIndex metamer) const { return root_ + metamers_.tip[metamer]; }

@@ -132,8 +132,9 @@ std::string Metamers::name_of(AxisIndex of) const {
   for (MetamerIndex first = axes[of].first; axis[first] != 0; first = axes[axis[parent[first]]].first) {
     numbers.push_back(number[parent[first]]);
   }
+  std::ranges::reverse(numbers);
   std::string name(kMain);
-  for (auto place = numbers.rbegin(); place != numbers.rend(); ++place) name += fmt::format(".{}", *place);
+  for (const std::uint32_t place : numbers) name += fmt::format(".{}", place);
   return name;
 }
 

@@ -78,8 +78,8 @@ struct Metamers {
 
   std::size_t count() const { return parent.size(); }
   void reserve(std::size_t metamers);
-  /// Grows the terminal or lateral bud of `parent`, which is open. Side and tip are yet to be set.
-  MetamerIndex grow(MetamerIndex parent, bool is_lateral, int iteration);
+  /// Grows the terminal or lateral bud of a metamer, which is open. Side and tip are yet to be set.
+  MetamerIndex grow(MetamerIndex from, bool is_lateral, int iteration);
 
   /// Unit vector from a metamer's base to its tip; of the seed the way in which it will grow.
   Vec3 heading(MetamerIndex metamer) const;
@@ -99,10 +99,10 @@ struct Metamers {
   /// The axis of a shoot by name; nothing where there is none.
   std::optional<AxisIndex> find_shoot(std::string_view name) const;
   /// The metamer of that number on an axis, if it is there.
-  std::optional<MetamerIndex> find(AxisIndex axis, std::uint32_t number) const;
-  std::string name_of(AxisIndex axis) const;
+  std::optional<MetamerIndex> find(AxisIndex on, std::uint32_t wanted) const;
+  std::string name_of(AxisIndex of) const;
   /// The names of the shoots on an axis, from its base on.
-  std::vector<std::string> shoots_on(AxisIndex axis) const;
+  std::vector<std::string> shoots_on(AxisIndex on) const;
 
   /// Takes metamers away with all that they bear: those whose entry in `gone`, one a metamer, is not 0. The buds that
   /// had grown them become `after`. Tells the metamer that bore them how many tips it has lost. `gone` then marks all

@@ -39,6 +39,7 @@ struct BudLightModel {
   double b = 2;      ///< by which shade fades from voxel to voxel
   int depth = 3;     ///< voxels below a metamer that it shades
   int reach = 2;     ///< voxels around a bud in which it feels where it gets brighter
+  double lean = 1;   ///< 0 to 1: from shade that falls straight down to shade that falls as the scene's light does
 
   // Markers, their distances in lengths of a metamer.
   double spacing = 0.7;

@@ -233,5 +233,25 @@ TEST(OrganizeForm, ACordonGathersMoreLightThatComesAcrossItAndBranchesMore) {
   EXPECT_GT(branches_across, 1.4 * branches);
 }
 
+TEST(OrganizeForm, TreesLeanToALowSunAsFarAsTheirShadeDoes) {
+  Scene scene;
+  scene.light.sun = {{.toward = unit_vector({.azimuth = kPi / 2, .altitude = kPi / 6})}};
+  const auto lean = [&](double share) {
+    OrganizeParameters parameters = full(14);
+    parameters.light.lean = share;
+    const Skeleton tree = grow_organized(parameters, 1, scene);
+    double sum = 0;
+    for (const Vec3 place : tree.position) sum += place.x;
+    return sum / static_cast<double>(tree.node_count());
+  };
+  EXPECT_GT(lean(1), lean(0.5) + 1);
+  EXPECT_GT(lean(0.5), lean(0) + 1);
+  EXPECT_EQ(skeleton_hash(grow_organized(full(14), 1)), [&] {
+    OrganizeParameters parameters = full(14);
+    parameters.light.lean = 0;
+    return skeleton_hash(grow_organized(parameters, 1, scene));
+  }());
+}
+
 }  // namespace
 }  // namespace meristem

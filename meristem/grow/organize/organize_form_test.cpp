@@ -152,6 +152,22 @@ TEST(OrganizeForm, NothingGrowsBelowTheGround) {
   for (const Vec3 place : tree.position) EXPECT_GE(place.y, 2);
 }
 
+TEST(OrganizeForm, HangingShootsEndWhereTheyReachTheGround) {
+  OrganizeParameters parameters = full(20);
+  parameters.light.a = 0.02;
+  parameters.stem = DirectionWeights{.persistence = 0.5, .light = 0, .up = 0.5, .up_fade = 1};
+  parameters.direction = {.persistence = 0.5, .light = 0, .up = -0.5, .up_fade = 1};
+  const Skeleton tree = grow_organized(parameters);
+  int near_the_ground = 0;
+  for (NodeIndex node = 1; node < tree.node_count(); ++node) {
+    if (tree.order[node] == 0 || tree.position[node].y > 0.6F) continue;
+    ++near_the_ground;
+    // They come down, and do not creep.
+    EXPECT_LT(tree.position[node].y - tree.position[tree.parent[node]].y, -0.3F) << node;
+  }
+  EXPECT_GT(near_the_ground, 5);
+}
+
 TEST(OrganizeForm, NothingGrowsIntoObstaclesOrThroughThem) {
   Scene scene;
   Obstacle beam;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kGrain = 2048;         // metamers
 constexpr std::size_t kSproutsAtOnce = 128;  // that look for light
-constexpr int kTries = 4;                    // headings that a bud tries where obstacles or the ground stand in its way
+constexpr int kTries = 4;                    // headings that a bud tries where obstacles stand in its way
 constexpr double kTryTurn = 0.5;             // radians from the one it wants, more with each of them
 // Opposite buds are two metamers, of which the second has this share of the length of both.
 constexpr float kPairGap = 0.04F;
@@ -134,14 +134,20 @@ Vec3 OrganizedTree::wanted_heading(const Sprout& sprout, MetamerIndex from, Vec3
   return normalized_or(Vec3(sum), bud);
 }
 
-/// The wanted heading with its jitter, or where that leads into something another one near it; none if all do.
+/// The wanted heading with its jitter, or where that leads into an obstacle another one near it; none if all do, nor
+/// where it leads into the ground: there shoots end.
 std::optional<Vec3> OrganizedTree::free_heading(MetamerIndex from, Vec3 wanted, float length, RandomKey key) const {
   const Vec3 across = any_perpendicular(wanted);
   for (int k = 0; k < kTries; ++k) {
     const double turn = k == 0 ? species_->parameters.phyllotaxis.jitter * key.normal(0) : kTryTurn * k;
     const double about = 2 * kPi * key.uniform(1 + static_cast<std::uint64_t>(k));
     const Vec3 heading = rotation(rotation(wanted, about) * across, turn) * wanted;
-    if (is_open(metamers_.tip[from], metamers_.tip[from] + length * heading)) return heading;
+    const Vec3 to = metamers_.tip[from] + length * heading;
+    if (to.y < 0 && to.y < metamers_.tip[from].y) {
+      if (from != 0) return std::nullopt;
+      continue;  // a seed may lie on its side
+    }
+    if (is_open(metamers_.tip[from], to)) return heading;
   }
   return std::nullopt;
 }
@@ -164,9 +170,8 @@ Vec3 OrganizedTree::next_side(MetamerIndex from, bool is_lateral, std::uint32_t 
   return rotation(heading, turn + phyllotaxis.jitter * key.child("side").normal(0)) * side;
 }
 
-/// Whether nothing stands at `to` or on the way there, both relative to the root, nor the ground.
+/// Whether no obstacle stands at `to` or on the way there, both relative to the root.
 bool OrganizedTree::is_open(Vec3 from, Vec3 to) const {
-  if (to.y < 0 && to.y < from.y) return false;
   const Obstacles& obstacles = species_->scene.obstacles;
   if (obstacles.empty()) return true;
   const Vec3 begin = from == Vec3(0) ? 0.001F * to : from;

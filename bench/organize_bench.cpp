@@ -2,9 +2,10 @@
 // Self-organizing trees grown to a million metamers, by shade and by markers. Counters: `metamers/s`, those living in
 // each iteration summed over the growth; `metamers` at its end; `ns/metamer`, the same as a time; `bytes/metamer`,
 // the most memory in use between two rounds of the growth, with the shade or the markers; the hash of the skeleton,
-// which has to be the same on any number of threads. `far` is a stand of eight trees up to 7 km apart with as many
-// metamers as one: cost goes with the trees and not with the space around them. After the runs it prints how cost grows
-// with the metamers.
+// which has to be the same on any number of threads. `far` is a stand of eight trees up to 7 km apart: cost goes with
+// the trees and not with the space around them. `plain_light` counts the light of a growth anew in each iteration, in a
+// map with an entry a voxel, and grows nothing; its light must be ours, and `to_growth` is its time over that of our
+// whole growth. After the runs it prints how cost grows with the metamers.
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -15,6 +15,7 @@ namespace meristem {
 
 namespace {
 
+constexpr double kMostVoxelsAMetamer = 100;
 constexpr double kMostVoxels = 16;  // over which a bud looks; memory in a round goes with its cube
 constexpr double kEdge = 0.05;      // share by which a knife edge is too near
 
@@ -40,11 +41,11 @@ std::unique_ptr<Grower> grow(const Organize& tree, const Site& site, const GrowC
                         context.limits, context.component);
 }
 
-/// A place for a leaf beside each lateral bud of the young metamers.
+/// A place for a leaf beside each lateral bud of the young metamers. A tree that no longer grows has none.
 void offer_leaves(const Organize& tree, const Skeleton& skeleton, Emitter& out) {
   const std::vector<float>& angle = skeleton.extra.find("bud_angle")->second;
   const std::vector<float>& number = skeleton.extra.find("metamer")->second;
-  const float newest = skeleton.birth.empty() ? 0 : *std::ranges::max_element(skeleton.birth);
+  const int youngest_bare = tree.growth.iterations - tree.leaf_age;
   const auto along = static_cast<float>(math::cos(tree.leaf_angle));
   const auto aside = static_cast<float>(math::sin(tree.leaf_angle));
   std::vector<std::uint32_t> last(skeleton.axis.empty() ? 0 : *std::ranges::max_element(skeleton.axis) + 1, 1);
@@ -52,7 +53,7 @@ void offer_leaves(const Organize& tree, const Skeleton& skeleton, Emitter& out) 
     last[skeleton.axis[node]] = std::max(last[skeleton.axis[node]], static_cast<std::uint32_t>(number[node]));
   }
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
-    if (skeleton.is_root(node) || newest - skeleton.birth[node] >= static_cast<float>(tree.leaf_age)) continue;
+    if (skeleton.is_root(node) || skeleton.birth[node] <= static_cast<float>(youngest_bare)) continue;
     const Vec3 internode = skeleton.position[node] - skeleton.position[skeleton.parent[node]];
     const Vec3 axis = normalized_or(internode, kUp);
     const Vec3 side = bud_side(axis, angle[node]);
@@ -97,6 +98,10 @@ void check_organize(const Organize& tree, const Place& place, ParameterReader& r
   if (light.kind == BudLightModel::Kind::shadow && tree.light.room) {
     reader.fault_name(Place(light_place, "room"), "'room' means nothing to light by shadow", "\"model\": \"markers\"",
                       "");
+  }
+  if (light.voxel > 0 && light.voxel * kMostVoxelsAMetamer < tree.growth.length) {
+    reader.fault(Place(light_place, "voxel"), "cells are too small for metamers so long",
+                 fmt::format("0, or a number (m) of at least {:.4g}", tree.growth.length / kMostVoxelsAMetamer));
   }
   const double voxels = (std::max(light.perception, light.occupancy)) / light.spacing;
   if (light.kind == BudLightModel::Kind::markers && voxels > kMostVoxels) {

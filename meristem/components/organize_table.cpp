@@ -77,7 +77,8 @@ const ParameterTable& shedding_table() {
       Table<Shedding>("shedding", "Which shoots die for lack of light.")
           .number("below", &Shedding::below, {.min = 0, .max = 1000},
                   "Light of a shoot, a metamer, below which it is shed; raised, clearer stems. 0: none is.")
-          .integer("after", &Shedding::after, {.min = 0, .max = 65535}, "Iterations for which no shoot is shed.");
+          .integer("after", &Shedding::after, {.min = 0, .max = 65535},
+                   "Only shoots older than so many iterations are shed.");
   return table;
 }
 
@@ -153,12 +154,12 @@ const ParameterTable& organize_growth_table() {
       Table<OrganizeParameters>("growth", "How trees organize themselves.")
           .integer("iterations", &OrganizeParameters::iterations, {.min = 0, .max = 65535},
                    "How long they grow; each lets a bud grow one shoot.")
-          .integer("every", &OrganizeParameters::every, {.min = 1, .max = 65535},
+          .integer("every", &OrganizeParameters::every, {.min = 1, .max = 10000},
                    "Steps that other plants of the stand take in one iteration.")
-          .number("length", &OrganizeParameters::length,
-                  {.unit = Unit::metre, .min = 0, .max = 1000, .above_min = true}, "Of a metamer.")
+          .number("length", &OrganizeParameters::length, {.unit = Unit::metre, .min = 1e-4, .max = 1000},
+                  "Of a metamer.")
           .boolean("stretch", &OrganizeParameters::stretch,
-                   "Metamers are longer the more resource their shoot has over whole numbers of them.")
+                   "Metamers are longer the more resource their shoot has over whole numbers of them, up to ten times.")
           .integer("longest_shoot", &OrganizeParameters::longest_shoot, {.min = 1, .max = 1000},
                    "Metamers that a bud grows in an iteration at most.")
           .integer("maturity", &OrganizeParameters::maturity, {.min = 1, .max = 65535},
@@ -180,7 +181,7 @@ const ParameterTable& organize_growth_table() {
           .members(&OrganizeParameters::phyllotaxis, phyllotaxis_table())
           .object("shedding", &OrganizeParameters::shedding, shedding_table, "Which shoots die for lack of light.")
           .object("sag", &OrganizeParameters::sag, sag_table,
-                  "Lets branches bend under their weight; if not given, they do not.");
+                  "Lets branches bend under their weight, also into obstacles; if not given, they do not.");
   return table;
 }
 

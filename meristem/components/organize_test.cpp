@@ -53,7 +53,7 @@ std::string warnings(const Value::Object& parameters) {
 Value::Object operation(Value::Object more) {
   Value::Object whole{{"at", 5}, {"do", "cut"}, {"shoot", "main"}};
   for (auto& [key, value] : more) {
-    std::erase_if(whole, [&](const auto& member) { return member.first == key; });
+    std::erase_if(whole, [&name = key](const auto& member) { return member.first == name; });
     whole.emplace_back(key, value);
   }
   return {{"operations", Value::List{Value(std::move(whole))}}};
@@ -163,6 +163,14 @@ TEST(OrganizeComponent, LeavesStandAtTheLateralBudsOfYoungMetamers) {
     EXPECT_EQ(k, leaves.size());
     EXPECT_GT(k, 20U);
   }
+}
+
+TEST(OrganizeComponent, ATreeThatWasCutBackHasNoLeavesOnOldWood) {
+  Value::Object parameters = operation({{"at", 10}, {"above", 1}});
+  parameters.emplace_back("iterations", 10);
+  const Plant plant = leafy(parameters).grow();
+  EXPECT_EQ(plant.stems.at(0).skeleton.node_count(), 2U);
+  EXPECT_TRUE(organs_of(plant, "leaf").empty());
 }
 
 TEST(OrganizeComponent, LeavesGoTheWayThatTheirBudsGrow) {

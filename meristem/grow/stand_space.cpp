@@ -13,6 +13,7 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kShootsPerCheck = 16;  // the deepest pyramids take a millisecond each
+constexpr double kLongestShoot = 1e5;        // voxels; longer ones cast no more shade
 
 void require_bytes(const char* what, std::size_t bytes, std::uint64_t most, const std::string& path) {
   if (bytes > most) throw_limit(what, static_cast<double>(bytes), most, "mesh_bytes", path);
@@ -57,7 +58,10 @@ void StandSpace::cast_shade(Grid& felt, const Progress& progress) const {
       progress.check();
       require_bytes("bytes of shade", felt.grid.bytes(), felt.most_bytes, felt.path);
     }
-    felt.grid.add(shoots_[k].place, shoots_[k].length / felt.grid.form().voxel);
+    // What is too far away for a fine grid is too far away to matter.
+    if (!felt.grid.reaches(shoots_[k].place)) continue;
+    const double weight = std::min(shoots_[k].length / felt.grid.form().voxel, kLongestShoot);
+    felt.grid.add(shoots_[k].place, shoots_[k].is_lost ? -weight : weight);
   }
 }
 
@@ -67,16 +71,20 @@ void StandSpace::take_markers(Field& felt, const Progress& progress) const {
       progress.check();
       require_bytes("bytes of markers", felt.field.bytes(), felt.most_bytes, felt.path);
     }
-    if (shoots_[k].length > 0) {
-      felt.field.occupy(shoots_[k].place);
-    } else {
+    if (!felt.field.reaches(shoots_[k].place)) continue;
+    if (shoots_[k].is_lost) {
       felt.field.vacate(shoots_[k].place);
+    } else {
+      felt.field.occupy(shoots_[k].place);
     }
   }
 }
 
 /// Gives each marker to one of the buds of all plants that look for room in a field.
 void StandSpace::share_out(Field& felt, Progress& progress) {
+  bool any_looks = false;
+  for (RoomSeeker* const plant : felt.seekers) any_looks = plant->begin_round() || any_looks;
+  if (!any_looks) return;
   std::vector<Seeker> seekers;
   std::vector<std::size_t> first{0};
   for (const RoomSeeker* plant : felt.seekers) {
@@ -84,8 +92,12 @@ void StandSpace::share_out(Field& felt, Progress& progress) {
     first.push_back(seekers.size());
   }
   std::vector<Room> rooms(seekers.size());
-  felt.field.share_out(seekers, rooms, progress);
-  require_bytes("bytes of markers", felt.field.bytes(), felt.most_bytes, felt.path);
+  try {
+    felt.field.share_out(seekers, rooms, progress, felt.most_bytes);
+  } catch (const MarkerField::TooMuchMemory&) {
+    throw_limit("bytes of markers in a round", static_cast<double>(felt.most_bytes) + 1, felt.most_bytes, "mesh_bytes",
+                felt.path);
+  }
   for (std::size_t k = 0; k < felt.seekers.size(); ++k) {
     felt.seekers[k]->take_room(std::span(rooms).subspan(first[k], first[k + 1] - first[k]));
   }

@@ -20,6 +20,9 @@ namespace meristem {
 class RoomSeeker {
  public:
   virtual ~RoomSeeker() = default;
+  /// Told once when a round begins. Returns whether the plant looks for room in it; where none does, none is shared
+  /// out.
+  virtual bool begin_round() = 0;
   /// Adds its buds as they are now. It gets as many answers, in this order, by take_room().
   virtual void list_seekers(std::vector<Seeker>& seekers) const = 0;
   virtual void take_room(std::span<const Room> rooms) = 0;
@@ -39,16 +42,17 @@ class StandSpace : public Commons {
   bool is_felt() const { return !grids_.empty() || !fields_.empty(); }
 
   /// A leafy shoot of `length` metres ends at a place (world space). One as long as a voxel casts one shade.
-  void grow_shoot(Vec3 place, double length) { shoots_.push_back({place, length}); }
+  void grow_shoot(Vec3 place, double length) { shoots_.push_back({place, length, false}); }
   /// One that was told of is gone: light and room are as if it had never been.
-  void lose_shoot(Vec3 place, double length) { shoots_.push_back({place, -length}); }
+  void lose_shoot(Vec3 place, double length) { shoots_.push_back({place, length, true}); }
 
   void begin_round(Progress& progress) override;
 
  private:
   struct Shoot {
     Vec3 place{0};
-    double length = 0;  // negative: lost
+    double length = 0;
+    bool is_lost = false;
   };
   struct Grid {
     ShadowGrid grid;

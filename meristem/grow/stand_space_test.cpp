@@ -107,5 +107,88 @@ TEST(StandSpace, StopsWhenAsked) {
   EXPECT_THROW(space.begin_round(progress), Cancelled);
 }
 
+TEST(StandSpace, WhatIsTooFarAwayForAFineGridDoesNotMatterToIt) {
+  Stand stand;
+  auto& space = stand.commons<StandSpace>();
+  const ShadowGrid& fine = space.shade({.voxel = 1e-6}, 1'000'000, "fine");
+  space.grow_shoot({1e5F, 0, 0}, 1);
+  space.grow_shoot({0, 0, 0}, 1e-6);
+  Progress progress;
+  space.begin_round(progress);
+  EXPECT_FALSE(fine.reaches({1e5F, 0, 0}));
+  EXPECT_GT(fine.shade(Vec3(0)), 0);
+}
+
+/// Looks for room in every other round.
+class SecondRoundSeeker : public RoomSeeker {
+ public:
+  bool begin_round() override { return round_++ % 2 == 0; }
+  void list_seekers(std::vector<Seeker>& seekers) const override { seekers.push_back({.radius = 2}); }
+  void take_room(std::span<const Room> rooms) override {
+    ++answers_;
+    count_ = rooms[0].count;
+  }
+  int answers() const { return answers_; }
+  std::uint32_t count() const { return count_; }
+
+ private:
+  int round_ = 0;
+  int answers_ = 0;
+  std::uint32_t count_ = 0;
+};
+
+TEST(StandSpace, RoomIsSharedOutWhereSomebodyLooks) {
+  StandSpace space;
+  SecondRoundSeeker seeker;
+  space.markers({.spacing = 0.5, .occupancy = 1}, RandomKey(1), Obstacles(), seeker, kMuch, "a")
+      .add_volume(nullptr, Vec3(0));
+  for (int round = 0; round < 5; ++round) next_round(space);
+  EXPECT_EQ(seeker.answers(), 3);
+  EXPECT_GT(seeker.count(), 0U);
+}
+
+TEST(StandSpace, ShootsTakeRoomAndGiveItBackHoweverShortTheyAre) {
+  StandSpace space;
+  SecondRoundSeeker seeker;
+  space.markers({.spacing = 0.5, .occupancy = 1}, RandomKey(1), Obstacles(), seeker, kMuch, "a")
+      .add_volume(nullptr, Vec3(0));
+  next_round(space);
+  const std::uint32_t free = seeker.count();
+  const auto look_again = [&] {
+    next_round(space);
+    next_round(space);
+    return seeker.count();
+  };
+  space.grow_shoot({0, 1, 0}, 0);
+  space.grow_shoot({0, 1.5F, 0}, 1);
+  EXPECT_LT(look_again(), free);
+  space.lose_shoot({0, 1.5F, 0}, 1);
+  space.lose_shoot({0, 1, 0}, 0);
+  EXPECT_EQ(look_again(), free);
+}
+
+TEST(StandSpace, MemoryOfARoundIsLimitedAtTheParameterToChange) {
+  StandSpace space;
+  SecondRoundSeeker seeker;
+  space.markers({.spacing = 0.5, .occupancy = 1}, RandomKey(1), Obstacles(), seeker, 20, "light.spacing")
+      .add_volume(nullptr, Vec3(0));
+  try {
+    next_round(space);
+    FAIL() << "it fits";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.diagnostics()[0].path, "light.spacing");
+  }
+}
+
+TEST(StandSpace, AShootOfManyVoxelsCastsNoEndlessShade) {
+  StandSpace space;
+  const ShadowGrid& fine = space.shade({.voxel = 1e-3}, kMuch, "a");
+  space.grow_shoot(Vec3(0), 1e6);
+  next_round(space);
+  space.lose_shoot(Vec3(0), 1e6);
+  next_round(space);
+  EXPECT_TRUE(fine.empty());
+}
+
 }  // namespace
 }  // namespace meristem

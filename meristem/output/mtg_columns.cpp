@@ -208,7 +208,7 @@ class ColumnReader {
 
 bool is_mtg_column_name(std::string_view name) {
   const auto is_in = [name](const auto& names) { return std::find(names.begin(), names.end(), name) != names.end(); };
-  const auto ends_word = [](char c) { return (c >= 0 && c <= ' ') || c == '\x7f' || c == '#'; };
+  const auto ends_word = [](char c) { return (c >= 0 && c <= ' ') || c == '\x7f' || is_mtg_sign(c); };
   return !name.empty() && std::none_of(name.begin(), name.end(), ends_word) && !is_in(kTakenNames) && !is_in(kNoNames);
 }
 

@@ -16,6 +16,11 @@ namespace meristem {
 /// its own names, and some texts are no names of features.
 bool is_mtg_column_name(std::string_view name);
 
+/// Whether programs that read MTG take words apart at a sign.
+inline bool is_mtg_sign(char c) {
+  return std::string_view("+<>/\\[](){},=:;*^#\"' ").find(c) != std::string_view::npos;
+}
+
 /// Gives a skeleton, whose places, axes and orders are known, what else the entities of its nodes have: ages, further
 /// columns, the numbers of metamers, and the order of its nodes. `node_of` has the node of each vertex or kNoNode;
 /// `geometry` are the features that are no further columns. Throws InputError for more than 16 numbers for each node of

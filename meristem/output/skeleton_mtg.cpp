@@ -49,11 +49,8 @@ constexpr const char* kClasses =
 
 /// A text that no reader takes apart.
 std::string mtg_word(const std::string& text) {
-  const auto is_taken_apart = [](char c) {
-    return std::string_view("+<>/\\[](){},=:;*^#\"' ").find(c) != std::string_view::npos;
-  };
   std::string word = text;
-  std::replace_if(word.begin(), word.end(), is_taken_apart, '_');
+  std::replace_if(word.begin(), word.end(), is_mtg_sign, '_');
   return word;
 }
 

@@ -97,7 +97,7 @@ struct Subdivision {
     const NodeIndex node = result.add_node(parent, position, birth);
     for (auto& [name, values] : result.extra) {
       const std::vector<float>& column = old.extra.find(name)->second;
-      values.back() = low == high ? column[low] : inner_value(old, name, column[low], column[high], share);
+      values.back() = low == high ? column[low] : inner_value(old, name, low, high, share);
     }
     return node;
   }

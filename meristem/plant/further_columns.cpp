@@ -5,11 +5,13 @@
 
 namespace meristem {
 
-float inner_value(const Skeleton& skeleton, std::string_view column, float begin, float end, float share) {
-  if (column == "end" || column == "shed") return 0;
-  if (skeleton.extra.contains(kMetamerColumn)) return end;
-  const auto [least, most] = std::minmax(begin, end);
-  return std::clamp(begin + share * (end - begin), least, most);
+float inner_value(const Skeleton& skeleton, std::string_view column, NodeIndex begin, NodeIndex end, float share) {
+  if (column == kEndColumn || column == kShedColumn) return 0;
+  const std::vector<float>& values = skeleton.extra.find(column)->second;
+  const auto metamer = skeleton.extra.find(kMetamerColumn);
+  if (metamer != skeleton.extra.end() && metamer->second[end] >= 1) return values[end];
+  const auto [least, most] = std::minmax(values[begin], values[end]);
+  return std::clamp(values[begin] + share * (values[end] - values[begin]), least, most);
 }
 
 }  // namespace meristem

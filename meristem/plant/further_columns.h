@@ -11,10 +11,14 @@ namespace meristem {
 /// All nodes of one metamer have its number. Numbers stay when others are shed.
 inline constexpr std::string_view kMetamerColumn = "metamer";
 
-/// What a node that is set into a segment of `skeleton` has in a further column: `begin` and `end` are the values at
-/// the segment's ends, `share` of the way from one to the other. Marks and counts of single nodes (`end`, `shed`) are 0
-/// there; where metamers are numbered, all else is said of the metamer that the segment ends with; other quantities go
-/// evenly from node to node.
-float inner_value(const Skeleton& skeleton, std::string_view column, float begin, float end, float share);
+/// The one that counts the tips which each node has lost: what stood on them was shed or cut.
+inline constexpr std::string_view kShedColumn = "shed";
+/// The one that marks, with 1, where a branch was said to end.
+inline constexpr std::string_view kEndColumn = "end";
+
+/// What a node that is set into the segment of `skeleton` from `begin` to `end`, `share` of the way, has in a further
+/// column. Marks and counts of single nodes (`end`, `shed`) are 0 there; of a metamer that has a number all else is
+/// said of it as a whole; other quantities go evenly from node to node.
+float inner_value(const Skeleton& skeleton, std::string_view column, NodeIndex begin, NodeIndex end, float share);
 
 }  // namespace meristem

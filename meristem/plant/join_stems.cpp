@@ -109,7 +109,7 @@ class TreeJoiner {
     tree_.skeleton.radius[made] = is_start ? from.radius[node] : between(from.radius);
     place_on_axis(from, node, made);
     for (const auto& [name, values] : from.extra) {
-      column(name)[made] = inner_value(from, name, values[begin], values[node], along);
+      column(name)[made] = inner_value(from, name, begin, node, along);
     }
     return made;
   }

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "meristem/base/math.h"
+#include "meristem/plant/further_columns.h"
 
 namespace meristem {
 std::vector<double> count_tips(std::span<const NodeIndex> parent, std::span<const float> lost, double memory) {
@@ -39,7 +40,7 @@ std::vector<float> pipe_radii(std::span<const NodeIndex> parent, std::span<const
 }
 
 void assign_pipe_radii(Skeleton& skeleton, const PipeModel& model) {
-  const auto shed = skeleton.extra.find("shed");
+  const auto shed = skeleton.extra.find(kShedColumn);
   const std::span<const float> lost = shed == skeleton.extra.end() ? std::span<const float>() : shed->second;
   skeleton.radius = pipe_radii(skeleton.parent, lost, model);
 }

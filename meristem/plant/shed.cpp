@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "meristem/plant/further_columns.h"
 #include "meristem/plant/pipe_radii.h"
 
 namespace meristem {
@@ -27,11 +28,11 @@ std::vector<NodeIndex> place_survivors(const Skeleton& skeleton, std::span<const
 
 Skeleton shed_branches(const Skeleton& skeleton, std::span<const std::uint8_t> marked) {
   const std::vector<NodeIndex> place = place_survivors(skeleton, marked);
-  const auto before = skeleton.extra.find("shed");
+  const auto before = skeleton.extra.find(kShedColumn);
   const std::vector<double> tips =
       count_tips(skeleton.parent, before == skeleton.extra.end() ? std::span<const float>() : before->second);
   Skeleton kept;
-  kept.extra["shed"];
+  std::vector<float>& lost = kept.extra[std::string(kShedColumn)];
   for (const auto& [name, values] : skeleton.extra) kept.extra[name];
   std::map<AxisIndex, AxisIndex> axes;  // the numbers of those that stay
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
@@ -39,7 +40,7 @@ Skeleton shed_branches(const Skeleton& skeleton, std::span<const std::uint8_t> m
     if (place[node] == kNoNode) {
       // The node where a branch was keeps count of it.
       if (parent != kNoNode && place[parent] != kNoNode) {
-        kept.extra["shed"][place[parent]] += static_cast<float>(tips[node]);
+        lost[place[parent]] += static_cast<float>(tips[node]);
       }
       continue;
     }

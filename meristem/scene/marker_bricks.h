@@ -71,7 +71,12 @@ class MarkerBricks {
   void occupy(Vec3 place);
   void vacate(Vec3 place);
 
-  /// Throws std::invalid_argument for places that are not finite or farther than 4 million voxels from the origin.
+  /// Whether a place is finite and at most 4 million voxels away from the origin, along each axis.
+  bool reaches(Vec3 place) const {
+    const double farthest = kFarthest / fine_a_metre_;
+    return std::abs(place.x) < farthest && std::abs(place.y) < farthest && std::abs(place.z) < farthest;
+  }
+  /// Throws std::invalid_argument for places out of reach.
   FinePlace fine(Vec3 place) const;
   /// The voxels that a box touches, given by its corners' distance in voxels from a place.
   static Range voxels(const FinePlace& place, Vec3 low, Vec3 high);

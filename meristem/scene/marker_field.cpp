@@ -19,6 +19,8 @@ constexpr std::uint32_t kInBrick = MarkerBricks::kInBrick;
 constexpr std::uint32_t kNone = MarkerBricks::kNone;
 constexpr float kOne = 4294967296;  // a unit vector's length as a whole number
 constexpr std::size_t kBrickGrain = 32;
+constexpr std::uint64_t kBytesASighting = 16;          // of a brick by a seeker, in a round
+constexpr std::uint64_t kMostSightings = 0xffffffffU;  // that whole numbers of 32 bits count
 
 }  // namespace
 
@@ -148,9 +150,13 @@ void MarkerField::share_out_brick(const MarkerBricks::Brick& brick, const Looked
   });
 }
 
-void MarkerField::share_out(std::span<const Seeker> seekers, std::span<Room> rooms, const Progress& progress) {
+void MarkerField::share_out(std::span<const Seeker> seekers, std::span<Room> rooms, const Progress& progress,
+                            std::uint64_t most_bytes) {
   if (seekers.size() != rooms.size()) throw std::invalid_argument("share_out: not as many rooms as seekers");
-  const LookedAt looked = looked_at(bricks_, look_around(bricks_, seekers, volumes_.size(), progress), progress);
+  const std::uint64_t most_sightings = std::min<std::uint64_t>(most_bytes / kBytesASighting, kMostSightings);
+  const auto around = look_around(bricks_, seekers, volumes_.size(), most_sightings, progress);
+  if (!around) throw TooMuchMemory();
+  const LookedAt looked = looked_at(bricks_, *around, progress);
   learn_claims(looked, progress);
 
   std::vector<Tally> tallies(looked.looks.size());

@@ -55,16 +55,20 @@ class MarkerField {
   /// several may go to the buds of any.
   std::uint32_t add_volume(CrownPointer crown, Vec3 root);
 
+  /// Whether a place is finite and at most 4 million spacings away from the origin, along each axis.
+  bool reaches(Vec3 place) const { return bricks_.reaches(place); }
   /// A shoot at `place` takes the markers around it; vacate() of the same place gives them back exactly. Throws
-  /// std::invalid_argument for places that are not finite or farther than 4 million spacings from the origin, and for
-  /// vacating where nothing was occupied.
+  /// std::invalid_argument for places out of reach, and for vacating where nothing was occupied.
   void occupy(Vec3 place) { bricks_.occupy(place); }
   void vacate(Vec3 place) { bricks_.vacate(place); }
 
   /// Gives each free marker to the nearest seeker that sees it, of equally near ones the first, and writes to `rooms`,
   /// as many as seekers, what each got. The same on any number of threads. Throws std::invalid_argument for seekers out
-  /// of range, and Cancelled; then `rooms` is untouched.
-  void share_out(std::span<const Seeker> seekers, std::span<Room> rooms, const Progress& progress);
+  /// of range, TooMuchMemory where that would take more than `most_bytes` beside the field's own, and Cancelled; then
+  /// `rooms` is untouched.
+  void share_out(std::span<const Seeker> seekers, std::span<Room> rooms, const Progress& progress,
+                 std::uint64_t most_bytes = ~std::uint64_t{0});
+  struct TooMuchMemory {};
 
   /// The free markers of a volume in a box, in no special order; for pictures and tests. Time goes with the box.
   std::vector<DVec3> free_markers(const Box& box, std::uint32_t volume) const;

@@ -2,6 +2,7 @@
 #include "meristem/scene/marker_look.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <stdexcept>
 #include <utility>
@@ -202,14 +203,17 @@ std::vector<std::uint32_t> spatial_order(MarkerBricks& bricks, std::span<const S
 
 }  // namespace
 
-std::vector<LookAround> look_around(MarkerBricks& bricks, std::span<const Seeker> seekers, std::size_t volume_count,
-                                    const Progress& progress) {
+std::optional<std::vector<LookAround>> look_around(MarkerBricks& bricks, std::span<const Seeker> seekers,
+                                                   std::size_t volume_count, std::uint64_t most_sightings,
+                                                   const Progress& progress) {
   const std::vector<std::uint32_t> order = spatial_order(bricks, seekers, volume_count, progress);
   const std::size_t parts = (seekers.size() + kGrain - 1) / kGrain;
   std::vector<LookAround> around(parts);
   std::vector<std::vector<Missing>> missing(parts);
+  std::atomic<std::uint64_t> sightings{0};
   parallel_for(seekers.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     progress.check();
+    if (sightings > most_sightings) return;
     Looker looker(bricks);
     const std::size_t part = begin / kGrain;
     // Fetched some at once, because each may have to come from afar.
@@ -219,7 +223,9 @@ std::vector<LookAround> look_around(MarkerBricks& bricks, std::span<const Seeker
       for (std::size_t k = 0; k < count; ++k) fetched[k] = seekers[order[first + k]];
       for (std::size_t k = 0; k < count; ++k) looker.look(fetched[k], order[first + k], around[part], missing[part]);
     }
+    sightings += around[part].sightings.size() + missing[part].size();
   });
+  if (sightings > most_sightings) return std::nullopt;
 
   // Blocks that a cone touches, but nobody before.
   for (std::size_t part = 0; part < parts; ++part) {

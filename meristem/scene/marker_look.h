@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,9 +40,11 @@ struct LookAround {
   std::vector<Sighting> sightings;
 };
 
-/// Adds blocks to the bricks where there is none yet. Throws std::invalid_argument for seekers out of range, and
-/// Cancelled.
-std::vector<LookAround> look_around(MarkerBricks& bricks, std::span<const Seeker> seekers, std::size_t volume_count,
-                                    const Progress& progress);
+/// Adds blocks to the bricks where there is none yet. Nothing where the seekers would see bricks more than
+/// `most_sightings` times, a little memory beyond which may be spent. Throws std::invalid_argument for seekers out of
+/// range, and Cancelled.
+std::optional<std::vector<LookAround>> look_around(MarkerBricks& bricks, std::span<const Seeker> seekers,
+                                                   std::size_t volume_count, std::uint64_t most_sightings,
+                                                   const Progress& progress);
 
 }  // namespace meristem

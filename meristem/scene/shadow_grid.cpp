@@ -108,6 +108,11 @@ ShadowGrid::Voxel ShadowGrid::voxel_at(Vec3 place) const {
   return voxel;
 }
 
+bool ShadowGrid::reaches(Vec3 place) const {
+  const double farthest = kFarthest * form_.voxel;
+  return std::abs(place.x) <= farthest && std::abs(place.y) <= farthest && std::abs(place.z) <= farthest;
+}
+
 void ShadowGrid::change(Vec3 place, double weight, int sign) {
   require(std::abs(weight) * form_.amount <= kMostShade, "the weight of a shader is out of range");
   const Voxel shader = voxel_at(place);

@@ -39,6 +39,8 @@ class ShadowGrid {
   /// than 10^10 voxels away, and for weights that are not finite or cast over 10^6 shades.
   void add(Vec3 place, double weight = 1) { change(place, weight, 1); }
   void remove(Vec3 place, double weight = 1) { change(place, weight, -1); }
+  /// Whether a place is not too far away to cast and to ask.
+  bool reaches(Vec3 place) const;
 
   /// The sum of what was cast on the place's voxel. From many threads at once, as brighter_way.
   double shade(Vec3 place) const;

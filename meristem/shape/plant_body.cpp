@@ -5,6 +5,7 @@
 #include <array>
 
 #include "meristem/base/frame.h"
+#include "meristem/plant/further_columns.h"
 #include "meristem/shape/tube_plan.h"
 
 namespace meristem {
@@ -153,7 +154,7 @@ Thickening find_thickening(const Skeleton& skeleton, std::span<const AxisIndex> 
 
 std::vector<NodeIndex> branch_ends(const Skeleton& skeleton, std::span<const AxisIndex> axes) {
   const Axes nodes(skeleton);
-  const auto column = skeleton.extra.find("end");
+  const auto column = skeleton.extra.find(kEndColumn);
   std::vector<NodeIndex> ends;
   std::vector<NodeIndex> tips;
   for (const AxisIndex axis : axes) {

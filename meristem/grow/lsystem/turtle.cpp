@@ -14,6 +14,7 @@
 #include "meristem/base/math.h"
 #include "meristem/grow/lsystem/apical_axes.h"
 #include "meristem/grow/lsystem/turtle_letters.h"
+#include "meristem/plant/further_columns.h"
 
 namespace meristem {
 
@@ -96,7 +97,7 @@ class Turtle {
     }
     if (!open_.empty()) throw_fault("the word leaves a polygon open", "a } for each {");
     assign_apical_axes(drawing_.skeleton, begins_branch_);
-    drawing_.skeleton.extra.emplace("end", std::move(ends_));
+    drawing_.skeleton.extra.emplace(kEndColumn, std::move(ends_));
     return std::move(drawing_);
   }
 

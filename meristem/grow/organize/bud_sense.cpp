@@ -56,6 +56,8 @@ class ShadeSense : public BudSense {
     });
   }
 
+  bool reaches(Vec3 place) const override { return shade_.reaches(place); }
+
   /// Out of the shade of plants, and as far as obstacles take the light also out of theirs.
   Vec3 way(MetamerIndex metamer, bool) const override {
     const Vec3 from_plants = normalized_or(shade_.brighter_way(place(metamer)), Vec3(0));
@@ -92,10 +94,12 @@ class RoomSense : public BudSense, public RoomSeeker {
     const BudLightModel& model = species.parameters.light;
     const double length = species.parameters.length;
     const MarkerForm form{.spacing = model.spacing * length, .occupancy = model.occupancy * length};
-    MarkerField& field = space.markers(form, key.child("markers"), species.scene.obstacles, *this,
-                                       species.limits.mesh_bytes, species.path("light.spacing"));
-    volume_ = field.add_volume(seed.room, root_);
+    field_ = &space.markers(form, key.child("markers"), species.scene.obstacles, *this, species.limits.mesh_bytes,
+                            species.path("light.spacing"));
+    volume_ = field_->add_volume(seed.room, root_);
   }
+
+  bool begin_round() override { return round_++ % species_.parameters.every == 0; }
 
   void list_seekers(std::vector<Seeker>& seekers) const override {
     const BudLightModel& model = species_.parameters.light;
@@ -123,6 +127,8 @@ class RoomSense : public BudSense, public RoomSeeker {
     });
   }
 
+  bool reaches(Vec3 place) const override { return field_->reaches(place); }
+
   Vec3 way(MetamerIndex metamer, bool is_lateral) const override {
     const bool is_second = is_lateral && metamers_.competes(metamer, false);
     return normalized_or(rooms_[first_room_[metamer] + (is_second ? 1 : 0)].way, Vec3(0));
@@ -141,7 +147,9 @@ class RoomSense : public BudSense, public RoomSeeker {
   Vec3 root_;
   const Metamers& metamers_;
   const SceneLight& light_;
+  MarkerField* field_ = nullptr;
   std::uint32_t volume_ = 0;
+  int round_ = 0;
   std::vector<Room> rooms_;                // of the buds that compete, in order
   std::vector<std::uint32_t> first_room_;  // of each metamer
 };
@@ -165,9 +173,12 @@ void SceneLight::add(Vec3 place) {
   if (!is_even_) light_.push_back(reaching(place));
 }
 
+void SceneLight::move(MetamerIndex metamer, Vec3 place) {
+  if (!is_even_) light_[metamer] = reaching(place);
+}
+
 void SceneLight::remove(const std::vector<std::uint8_t>& gone) {
-  std::size_t k = 0;
-  std::erase_if(light_, [&](float) { return gone[k++] != 0; });
+  if (!is_even_) erase_marked(light_, gone);
 }
 
 std::unique_ptr<BudSense> make_bud_sense(const OrganizedSpecies& species, StandSpace& space, const OrganizeSeed& seed,

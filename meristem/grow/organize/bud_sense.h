@@ -23,8 +23,9 @@ class SceneLight {
   /// At a place in world space.
   float reaching(Vec3 place) const;
 
-  /// Follow Metamers::grow() and Metamers::remove().
+  /// Follow Metamers::grow(), what moves, and Metamers::remove().
   void add(Vec3 place);
+  void move(MetamerIndex metamer, Vec3 place);
   void remove(const std::vector<std::uint8_t>& gone);
 
  private:
@@ -41,6 +42,8 @@ class BudSense {
   /// The unit vector in which a bud finds more of it, after sense(); 0 where that is no way in particular. From many
   /// threads at once.
   virtual Vec3 way(MetamerIndex metamer, bool is_lateral) const = 0;
+  /// Whether buds at a place in world space can perceive anything; if not, it is too far from the world's origin.
+  virtual bool reaches(Vec3 place) const = 0;
 };
 
 /// That of one tree, whose `metamers` and `light` outlive it. To be called before the first round.

@@ -43,7 +43,7 @@ MetamerIndex find_cut(const Metamers& metamers, const OrganizedSpecies& species,
     species.refuse(path + ".above",
                    fmt::format("'{}' has {} metamers after iteration {}, and none above that", cut.shoot,
                                metamers.number[metamers.axes[*shoot].last], iteration),
-                   fmt::format("a whole number below {}", metamers.number[metamers.axes[*shoot].last]));
+                   "fewer metamers that stay, or a later iteration");
   }
   return *first;
 }

@@ -16,16 +16,6 @@ namespace {
 
 constexpr std::string_view kMain = "main";
 
-/// Keeps those elements of a column whose `gone` is 0.
-template <class T>
-void keep(std::vector<T>& column, const std::vector<std::uint8_t>& gone) {
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < column.size(); ++k) {
-    if (gone[k] == 0) column[kept++] = column[k];
-  }
-  column.resize(kept);
-}
-
 }  // namespace
 
 Metamers::Metamers(Vec3 heading, Vec3 side_of_seed, RandomKey key) : seed_heading_(heading) {
@@ -183,16 +173,16 @@ void Metamers::remove(std::vector<std::uint8_t>& gone, Bud after) {
     axis[metamer] = axis_place[axis[metamer]];
   }
   axes = std::move(axes_kept);
-  keep(parent, gone);
-  keep(terminal, gone);
-  keep(lateral, gone);
-  keep(tip, gone);
-  keep(side, gone);
-  keep(axis, gone);
-  keep(number, gone);
-  keep(order, gone);
-  keep(birth, gone);
-  keep(lost_tips, gone);
+  erase_marked(parent, gone);
+  erase_marked(terminal, gone);
+  erase_marked(lateral, gone);
+  erase_marked(tip, gone);
+  erase_marked(side, gone);
+  erase_marked(axis, gone);
+  erase_marked(number, gone);
+  erase_marked(order, gone);
+  erase_marked(birth, gone);
+  erase_marked(lost_tips, gone);
 }
 
 }  // namespace meristem

@@ -48,6 +48,16 @@ class Bud {
   std::uint32_t bits_ = kOpen;
 };
 
+/// Keeps those elements of a column by metamer whose mark is 0.
+template <class T>
+void erase_marked(std::vector<T>& column, const std::vector<std::uint8_t>& marks) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < column.size(); ++k) {
+    if (marks[k] == 0) column[kept++] = column[k];
+  }
+  column.resize(kept);
+}
+
 /// The metamers of one tree, structure of arrays. Metamer 0 is the seed: a place without length and without a lateral
 /// bud. What a metamer bears has a larger index, so that loops run from seed to tips and back.
 ///

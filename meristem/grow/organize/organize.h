@@ -71,7 +71,7 @@ struct Phyllotaxis {
 /// Branches without light are shed.
 struct Shedding {
   double below = 0;  ///< mean light a metamer below which a shoot is shed; 0: none is
-  int after = 3;     ///< iterations in which no shoot is
+  int after = 3;     ///< only shoots older than so many iterations are
 };
 
 /// A cut just above a bud, after the growth of an iteration.
@@ -85,7 +85,7 @@ struct OrganizeParameters {
   int iterations = 20;
   int every = 1;           ///< rounds of the stand for each of them
   double length = 0.1;     ///< metres, of a metamer
-  bool stretch = false;    ///< a shoot of n metamers is as long as its resource says, and not n lengths
+  bool stretch = false;    ///< a shoot of n metamers is as long as its resource says, up to 10 n lengths, and not n
   int longest_shoot = 10;  ///< metamers that a bud grows in an iteration at most
   int maturity = 25;       ///< iterations at which curves over the age end
   BudLightModel light;

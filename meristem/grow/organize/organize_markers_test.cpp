@@ -143,5 +143,16 @@ TEST(OrganizeAmongMarkers, ASeedWithoutRoomIsAFault) {
   EXPECT_THROW(stand.grow(progress), InputError);
 }
 
+TEST(OrganizeAmongMarkers, ARootTooFarAwayIsAFault) {
+  Stand stand;
+  const Scene scene;
+  try {
+    add_organizer(stand, among_markers(3), 1, scene, at(1e7F));
+    FAIL() << "it stands there";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.diagnostics()[0].path, "components.tree.roots");
+  }
+}
+
 }  // namespace
 }  // namespace meristem

@@ -327,12 +327,17 @@ TEST(Organize, WhereNothingGrowsIsAFault) {
   EXPECT_EQ(fault_of(organized(0.9, 5)).path, "components.tree.resource.alpha");
   Scene night;
   night.light.sun.clear();
-  EXPECT_EQ(fault_of(full(5), night).path, "components.tree.resource.alpha");
+  EXPECT_EQ(fault_of(full(5), night).path, "components.tree.light");
   Scene cellar;
   Obstacle lid;
   lid.mesh = box_mesh({-50, 20, -50}, {50, 21, 50});
   cellar.obstacles = Obstacles({lid});
-  EXPECT_EQ(fault_of(full(5), cellar).path, "components.tree.resource.alpha");
+  EXPECT_EQ(fault_of(full(5), cellar).path, "components.tree.light");
+  // However little a bud needs, it does not open in the dark.
+  OrganizeParameters undemanding = full(5);
+  undemanding.terminal_threshold = 0;
+  undemanding.resource.alpha0 = 2;
+  EXPECT_EQ(fault_of(undemanding, night).path, "components.tree.light");
 }
 
 TEST(Organize, UnderAFaintSkyAloneTreesGrowLess) {

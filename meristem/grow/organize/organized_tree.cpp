@@ -10,6 +10,7 @@
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
 #include "meristem/grow/organize/cut.h"
+#include "meristem/plant/further_columns.h"
 
 namespace meristem {
 
@@ -32,13 +33,19 @@ OrganizedTree::OrganizedTree(const OrganizedSpecies& species, StandSpace& space,
       metamers_(normalized_or(seed.frame.heading(), kUp), normalized_or(seed.frame.right(), Vec3(1, 0, 0)), key),
       scene_light_(species.scene, root_),
       senses_(make_bud_sense(species, space, seed, key, metamers_, scene_light_)) {
+  if (!senses_->reaches(root_)) {
+    species.refuse("roots", "a root is too far away from the origin for metamers so short",
+                   "a place nearer to the origin, or a larger 'length'");
+  }
   if (species.parameters.sag) load_.emplace(*species.parameters.sag, species.parameters.radii);
 }
 
 void OrganizedTree::sense(int iteration, const Progress& progress) {
   light_.resize(metamers_.count());
   senses_->sense(light_, progress);
+  progress.check();
   gather_light(metamers_, light_, flow_);
+  progress.check();
   const OrganizeParameters& parameters = species_->parameters;
   const double age = std::min(1.0, static_cast<double>(iteration - 1) / parameters.maturity);
   divide_resource(metamers_, light_, parameters.resource, iteration, age, flow_);
@@ -63,9 +70,11 @@ void OrganizedTree::iterate(int iteration, std::uint64_t metamers, const Progres
     if (k % kGrain == 0) progress.check();
     grow(sprouts[k], iteration);
   }
+  progress.check();
   if (load_) sag(iteration);
+  progress.check();
   shed(iteration);
-  cut(iteration);
+  cut(iteration, progress);
 }
 
 std::vector<OrganizedTree::Sprout> OrganizedTree::find_sprouts() const {
@@ -170,8 +179,9 @@ Vec3 OrganizedTree::next_side(MetamerIndex from, bool is_lateral, std::uint32_t 
   return rotation(heading, turn + phyllotaxis.jitter * key.child("side").normal(0)) * side;
 }
 
-/// Whether no obstacle stands at `to` or on the way there, both relative to the root.
+/// Whether no obstacle stands at `to` or on the way there, both relative to the root, and buds can live there.
 bool OrganizedTree::is_open(Vec3 from, Vec3 to) const {
+  if (!senses_->reaches(root_ + to)) return false;
   const Obstacles& obstacles = species_->scene.obstacles;
   if (obstacles.empty()) return true;
   const Vec3 begin = from == Vec3(0) ? 0.001F * to : from;
@@ -181,10 +191,12 @@ bool OrganizedTree::is_open(Vec3 from, Vec3 to) const {
 void OrganizedTree::sag(int iteration) {
   const std::vector<Vec3> before = metamers_.tip;
   load_->bend(metamers_, iteration);
-  if (!space_->is_felt()) return;
   for (MetamerIndex metamer = 1; metamer < metamers_.count(); ++metamer) {
-    if (metamers_.tip[metamer] == before[metamer]) continue;
-    space_->lose_shoot(root_ + before[metamer], glm::distance(before[metamer], before[metamers_.parent[metamer]]));
+    const MetamerIndex parent = metamers_.parent[metamer];
+    if (metamers_.tip[metamer] == before[metamer] && metamers_.tip[parent] == before[parent]) continue;
+    scene_light_.move(metamer, world(metamer));
+    if (!space_->is_felt()) continue;
+    space_->lose_shoot(root_ + before[metamer], glm::distance(before[metamer], before[parent]));
     space_->grow_shoot(world(metamer), metamers_.length(metamer));
   }
 }
@@ -207,9 +219,10 @@ void OrganizedTree::shed(int iteration) {
   if (any) remove(gone, Bud::dead());
 }
 
-void OrganizedTree::cut(int iteration) {
+void OrganizedTree::cut(int iteration, const Progress& progress) {
   for (std::size_t k = 0; k < species_->parameters.cuts.size(); ++k) {
     if (species_->parameters.cuts[k].at != iteration) continue;
+    progress.check();
     std::vector<std::uint8_t> gone(metamers_.count(), 0);
     gone[find_cut(metamers_, *species_, k, iteration)] = 1;
     remove(gone, species_->parameters.damage ? Bud::damaged() : Bud());
@@ -247,7 +260,7 @@ Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
   skeleton.axis = std::move(metamers_.axis);
   skeleton.order = std::move(metamers_.order);
   skeleton.birth.assign(metamers_.birth.begin(), metamers_.birth.end());
-  skeleton.extra["metamer"].assign(metamers_.number.begin(), metamers_.number.end());
+  skeleton.extra[std::string(kMetamerColumn)].assign(metamers_.number.begin(), metamers_.number.end());
   skeleton.extra["light"].assign(flow_.light.begin(), flow_.light.end());
   skeleton.extra["resource"].assign(flow_.resource.begin(), flow_.resource.end());
   std::vector<float>& to_lateral = skeleton.extra["lateral_resource"];
@@ -262,7 +275,7 @@ Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
   };
   skeleton.extra["terminal_bud"] = states(metamers_.terminal);
   skeleton.extra["lateral_bud"] = states(metamers_.lateral);
-  skeleton.extra["shed"] = std::move(metamers_.lost_tips);
+  skeleton.extra[std::string(kShedColumn)] = std::move(metamers_.lost_tips);
   progress.check();
   assign_pipe_radii(skeleton, species_->parameters.radii);
   return skeleton;

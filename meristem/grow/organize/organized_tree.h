@@ -52,7 +52,7 @@ class OrganizedTree {
   bool is_open(Vec3 from, Vec3 to) const;
   void sag(int iteration);
   void shed(int iteration);
-  void cut(int iteration);
+  void cut(int iteration, const Progress& progress);
   void remove(std::vector<std::uint8_t>& gone, Bud after);
   Vec3 world(MetamerIndex metamer) const { return root_ + metamers_.tip[metamer]; }
 

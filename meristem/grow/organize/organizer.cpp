@@ -86,11 +86,16 @@ class Organizer : public Grower {
   /// Says so where no tree has ever grown a metamer.
   void require_growth() const {
     double most = 0;
+    double light = 0;
     for (const OrganizedTree& tree : trees_) {
       if (tree.has_grown()) return;
       most = std::max(most, tree.flow().resource[0]);
+      light = std::max(light, tree.flow().light[0]);
     }
     if (trees_.empty() || species_.parameters.iterations == 0) return;
+    if (!(light > 0)) {
+      species_.refuse("light", "nothing grows: the seed's bud has no light", "more light or room at the roots");
+    }
     if (most >= species_.parameters.terminal_threshold) {
       species_.refuse("roots", "nothing grows: obstacles or the ground stand in the way of every stem",
                       "roots with room above them, or shorter metamers");

@@ -62,12 +62,6 @@ void BranchLoad::bend(Metamers& metamers, int iteration) {
   metamers.tip = std::move(moved);
 }
 
-void BranchLoad::remove(const std::vector<std::uint8_t>& gone) {
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < moment_.size(); ++k) {
-    if (gone[k] == 0) moment_[kept++] = moment_[k];
-  }
-  moment_.resize(kept);
-}
+void BranchLoad::remove(const std::vector<std::uint8_t>& gone) { erase_marked(moment_, gone); }
 
 }  // namespace meristem

@@ -23,7 +23,7 @@ class BranchLoad {
   BranchLoad(const Sag& sag, const PipeModel& radii) : sag_(sag), radii_(radii) {}
 
   /// Bends all internodes by what their load has grown since the last time; what goes on them moves and turns along.
-  /// Nothing comes below the ground, which is level at the root. `iteration` is the newest.
+  /// Nothing comes below the ground, which is level at the root; obstacles are not asked. `iteration` is the newest.
   void bend(Metamers& metamers, int iteration);
   /// Follows Metamers::remove().
   void remove(const std::vector<std::uint8_t>& gone);

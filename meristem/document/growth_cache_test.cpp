@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Documents that grow after one another with one cache: the same bytes as without, and no more work than there must be.
-#include <filesystem>
 #include <fstream>
 #include <span>
 
@@ -11,6 +10,7 @@
 #include "meristem/document/grow.h"
 #include "meristem/document/models.h"
 #include "tests/support/build_graph.h"
+#include "tests/support/temporary_folder.h"
 
 namespace meristem {
 namespace {
@@ -117,28 +117,18 @@ TEST(GrowthCache, TheSceneAndItsVariablesGrowAllAnew) {
   EXPECT_EQ(cache.expansion.instances().reused, 0U);
 }
 
-/// A folder that goes when the test ends.
-struct Folder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / "meristem_growth_cache_test";
-
-  Folder() { std::filesystem::create_directories(path); }
-  ~Folder() { std::filesystem::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  void write(const std::string& name, const std::string& text) const { std::ofstream(path / name) << text; }
-};
-
 TEST(GrowthCache, WhatStandsInFilesCountsNotTheirNames) {
-  const Folder folder;
-  folder.write("plant.l", "#axiom A\n#rules\nA -> F[+A]F\n");
+  const TemporaryFolder folder;
+  const auto write = [&](const std::string& text) { std::ofstream(folder / "plant.l") << text; };
+  write("#axiom A\n#rules\nA -> F[+A]F\n");
   const std::string text =
       R"j({"meristem": 1, "components": {"weed": {"type": "lsystem", "file": "plant.l", "steps": 3}}})j";
-  const std::string file = (folder.path / "weed.json").string();
+  const std::string file = (folder / "weed.json").string();
   GrowthCache cache;
   const std::string first = hash_of(grow(read(text, {}, file), &cache));
   EXPECT_EQ(hash_of(grow(read(text, {}, file), &cache)), first);
   EXPECT_EQ(cache.expansion.instances().made, 0U);
-  folder.write("plant.l", "#axiom A\n#rules\nA -> F[-A]F\n");
+  write("#axiom A\n#rules\nA -> F[-A]F\n");
   const std::string second = hash_of(grow(read(text, {}, file), &cache));
   EXPECT_NE(second, first);
   EXPECT_EQ(second, hash_of(grow(read(text, {}, file))));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Grammars in documents: where their faults are, and the components that they place.
-#include <filesystem>
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -10,6 +9,7 @@
 #include "meristem/document/document.h"
 #include "meristem/document/grow.h"
 #include "tests/support/build_graph.h"
+#include "tests/support/temporary_folder.h"
 
 namespace meristem {
 namespace {
@@ -74,15 +74,10 @@ TEST(LsystemDocument, FaultsOfATextStandAtTheirPlaces) {
 
 class GrammarFile : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = testing::TempDir() + "lsystem_document_test";
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ + "/" + name) << text; }
-  std::string document() const { return folder_ + "/plant.json"; }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+  std::string document() const { return (folder_ / "plant.json").string(); }
 
-  std::string folder_;
+  TemporaryFolder folder_;
 };
 
 constexpr const char* kWithFile =
@@ -92,7 +87,8 @@ TEST_F(GrammarFile, IsReadWithWhatItIncludes) {
   write("plant.lsys", "#axiom\nFX\n#include top.lsys as X\n");
   write("top.lsys", "#steps 1\nF\n#rules\nF -> FF\n");
   const Document document = read(kWithFile, this->document());
-  EXPECT_THAT(document.source.named_files, testing::ElementsAre(folder_ + "/plant.lsys", folder_ + "/top.lsys"));
+  EXPECT_THAT(document.source.named_files,
+              testing::ElementsAre((folder_ / "plant.lsys").string(), (folder_ / "top.lsys").string()));
   Progress progress;
   EXPECT_EQ(grow_document(document, progress).plant.stems.at(0).skeleton.node_count(), 4U);
 }

@@ -1,43 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/document/models.h"
 
-#include <filesystem>
 #include <fstream>
 
 #include <gtest/gtest.h>
 
 #include "meristem/base/diagnostic.h"
+#include "tests/support/temporary_folder.h"
 
 namespace meristem {
 namespace {
 
-namespace fs = std::filesystem;
-
 class ModelsTest : public testing::Test {
  protected:
-  ModelsTest() : folder_(fs::path(testing::TempDir()) / "models_test") {
-    fs::create_directories(folder_);
+  ModelsTest() {
     for (const char* name : {"oak.json", "birch.json", "house.obj"}) std::ofstream(folder_ / name) << "{}";
   }
-  ~ModelsTest() override { fs::remove_all(folder_); }
+  std::string folder() const { return folder_.path().string(); }
 
-  const fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(ModelsTest, AreTheDocumentsOfTheirFolderInOrder) {
-  EXPECT_EQ(model_names(folder_.string()), (std::vector<std::string>{"birch", "oak"}));
+  EXPECT_EQ(model_names(folder()), (std::vector<std::string>{"birch", "oak"}));
   EXPECT_TRUE(model_names("/no/such/folder").empty());
 }
 
 TEST_F(ModelsTest, AreFoundByTheirNamesAndFilesByTheirPaths) {
-  EXPECT_EQ(find_document("oak", folder_.string()), (folder_ / "oak.json").string());
-  EXPECT_EQ(find_document("./oak", folder_.string()), "./oak");
-  EXPECT_EQ(find_document("nowhere.json", folder_.string()), "nowhere.json");
+  EXPECT_EQ(find_document("oak", folder()), (folder_ / "oak.json").string());
+  EXPECT_EQ(find_document("./oak", folder()), "./oak");
+  EXPECT_EQ(find_document("nowhere.json", folder()), "nowhere.json");
 }
 
 TEST_F(ModelsTest, SuggestTheNearestName) {
   try {
-    find_document("oka", folder_.string());
+    find_document("oka", folder());
     FAIL() << "found";
   } catch (const InputError& error) {
     EXPECT_STREQ(

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <numeric>
@@ -11,20 +10,20 @@
 #include <gtest/gtest.h>
 
 #include "meristem/base/parallel.h"
+#include "tests/support/temporary_folder.h"
 
 namespace meristem {
 namespace {
 
 std::string written(std::size_t count, std::size_t element_bytes, BlockWriter::Fill fill) {
-  const std::string path = testing::TempDir() + "block_writer";
+  const TemporaryFolder folder;
+  const std::string path = folder / "written";
   Progress progress;
   AtomicFile file(path);
   BlockWriter(file, progress).write(count, element_bytes, fill);
   file.commit();
   std::ifstream in(path, std::ios::binary);
-  std::string bytes(std::istreambuf_iterator<char>(in), {});
-  std::filesystem::remove(path);
-  return bytes;
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 TEST(BlockWriter, WritesEveryElementInOrderOnAnyNumberOfThreads) {

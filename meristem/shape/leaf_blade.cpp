@@ -14,6 +14,7 @@
 #include <glm/geometric.hpp>
 
 #include "meristem/base/math.h"
+#include "meristem/shape/arc.h"
 #include "meristem/shape/cut_polygon.h"
 #include "meristem/shape/leaf_outline.h"
 
@@ -22,7 +23,6 @@ namespace {
 
 constexpr double kRunOut = 0.2;            // of the length: how far a stalk can be seen on the midrib, at most
 constexpr double kRunOutRadii = 8;         // the same in radii of the stalk
-constexpr double kStraight = 1e-6;         // radians: arcs that bend less are lines
 constexpr double kRowTolerance = 1e-3;     // of the length: corners nearer to a row are on it
 constexpr double kColumnTolerance = 0.02;  // of half the width: corners nearer to a column are on it
 constexpr double kLeastLength = 0.1;       // of the surface along where it is bent back upon itself
@@ -49,22 +49,6 @@ void check(const LeafBlade& blade) {
   require(blade.polygon.empty() || is_right_edge(blade.polygon), "a leaf's polygon lies beside the midrib");
   require(blade.rows >= 1, "a leaf blade has at least 1 row");
   require(blade.across >= 2 && blade.across % 2 == 0, "a leaf blade has an even number of quads across");
-}
-
-/// A point of an arc in its own plane, which begins at the origin in a given direction and sinks.
-struct ArcPoint {
-  double forward, up, angle;
-};
-
-ArcPoint along_arc(double start_angle, double turn, double length) {
-  const double end_angle = start_angle - turn;
-  if (std::abs(turn) < kStraight) {
-    const double middle = 0.5 * (start_angle + end_angle);
-    return {length * math::cos(middle), length * math::sin(middle), end_angle};
-  }
-  const double radius = length / turn;
-  return {radius * (math::sin(start_angle) - math::sin(end_angle)),
-          radius * (math::cos(end_angle) - math::cos(start_angle)), end_angle};
 }
 
 /// Places on the flat half blade, x metres from the midrib and y shares of the length from the joint, to the surface.

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/base/read_columns.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "meristem/base/in_quotes.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+constexpr std::size_t kLongestShown = 40;
+
+struct Cell {
+  std::string_view text;
+  std::size_t offset = 0;  // bytes from the line's begin
+};
+
+std::string_view without_blanks(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// Without the quotes about it, if it has them.
+std::string_view unquoted(std::string_view text) {
+  const bool has_quotes = text.size() >= 2 && text.front() == '"' && text.back() == '"';
+  return has_quotes ? text.substr(1, text.size() - 2) : text;
+}
+
+/// What the separator parts, outside of quotes.
+void split(std::string_view line, char separator, std::vector<Cell>& cells) {
+  cells.clear();
+  std::size_t begin = 0;
+  bool is_quoted = false;
+  for (std::size_t at = 0; at <= line.size(); ++at) {
+    if (at < line.size() && line[at] == '"') is_quoted = !is_quoted;
+    if (at < line.size() && (is_quoted || line[at] != separator)) continue;
+    cells.push_back({unquoted(without_blanks(line.substr(begin, at - begin))), begin});
+    begin = at + 1;
+  }
+}
+
+/// What of these is in the line most often; the first if none is.
+char separator_of(std::string_view line) {
+  char found = ',';
+  for (const char candidate : {';', '\t'}) {
+    if (std::ranges::count(line, candidate) > std::ranges::count(line, found)) found = candidate;
+  }
+  return found;
+}
+
+std::optional<double> number_of(std::string_view text, bool may_have_comma) {
+  std::string with_point;
+  if (may_have_comma && text.find(',') != std::string_view::npos) {
+    with_point = text;
+    std::ranges::replace(with_point, ',', '.');
+    text = with_point;
+  }
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_whole = error == std::errc() && end == text.data() + text.size();
+  return is_whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+/// UTF-8's continuation bytes do not count.
+int column_at(std::string_view line, std::size_t offset) {
+  const auto is_first = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; };
+  return 1 + static_cast<int>(std::ranges::count_if(line.substr(0, offset), is_first));
+}
+
+class ColumnReader {
+ public:
+  ColumnReader(std::string_view text, const std::vector<ColumnForm>& forms, const Limits& limits)
+      : rest_(text), forms_(forms), limits_(limits) {
+    if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
+  }
+
+  Columns run() {
+    found_.numbers.resize(forms_.size());
+    if (!next_line())
+      throw InputError(Diagnostic{.message = "the file has no lines", .expected = "a head line and rows"});
+    separator_ = separator_of(line_);
+    read_head();
+    throw_if_any();
+    while (next_line() && !is_full()) read_row();
+    throw_if_any();
+    if (found_.row_count() == 0) fault(0, {.message = "the file has no rows below its head line"});
+    throw_if_any();
+    return std::move(found_);
+  }
+
+ private:
+  bool is_full() const { return faults_.size() >= limits_.diagnostics; }
+
+  bool next_line() {
+    while (!rest_.empty()) {
+      const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+      line_ = rest_.substr(0, end);
+      rest_.remove_prefix(std::min(end + 1, rest_.size()));
+      ++number_;
+      if (!without_blanks(line_).empty()) return true;
+    }
+    return false;
+  }
+
+  void fault(std::size_t offset, Diagnostic diagnostic) {
+    diagnostic.line = number_;
+    diagnostic.column = column_at(line_, offset);
+    faults_.push_back(std::move(diagnostic));
+  }
+
+  void throw_if_any() {
+    if (!faults_.empty()) throw InputError(std::move(faults_));
+  }
+
+  void read_head() {
+    split(line_, separator_, cells_);
+    width_ = cells_.size();
+    std::vector<std::string> names;
+    for (const Cell& cell : cells_) names.emplace_back(cell.text);
+    for (const ColumnForm& form : forms_) {
+      const auto at = std::ranges::find(names, form.name);
+      places_.push_back(at == names.end() ? kNone : static_cast<std::size_t>(at - names.begin()));
+      if (at == names.end()) {
+        if (!form.is_needed) continue;
+        fault(0, {.message = fmt::format("there is no column '{}'", form.name),
+                  .expected = "a head line that names it",
+                  .nearest = nearest_name(form.name, names)});
+      } else if (const auto again = std::find(at + 1, names.end(), form.name); again != names.end()) {
+        fault(cells_[static_cast<std::size_t>(again - names.begin())].offset,
+              {.message = fmt::format("the column '{}' is there twice", form.name)});
+      }
+    }
+  }
+
+  void read_row() {
+    split(line_, separator_, cells_);
+    if (cells_.size() != width_) {
+      fault(0, {.message = fmt::format("the row has {} cells", cells_.size()),
+                .expected = fmt::format("{}, as the head line", width_)});
+      return;
+    }
+    found_.lines.push_back(number_);
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      if (places_[k] == kNone) continue;
+      const Cell& cell = cells_[places_[k]];
+      const std::optional<double> number = number_of(cell.text, separator_ != ',');
+      if (!number) {
+        fault(cell.offset, {.message = fmt::format("{} in the column '{}' is not a number",
+                                                   in_quotes(cell.text.substr(0, kLongestShown)), forms_[k].name),
+                            .expected = "a finite number"});
+      }
+      found_.numbers[k].push_back(number.value_or(0));
+    }
+  }
+
+  std::string_view rest_;
+  const std::vector<ColumnForm>& forms_;
+  const Limits& limits_;
+  std::string_view line_;
+  int number_ = 0;
+  char separator_ = ',';
+  std::size_t width_ = 0;
+  std::vector<Cell> cells_;
+  std::vector<std::size_t> places_;  // of each form among the cells, or kNone
+  Columns found_;
+  std::vector<Diagnostic> faults_;
+};
+
+}  // namespace
+
+Columns read_columns(std::string_view text, const std::vector<ColumnForm>& forms, const Limits& limits) {
+  return ColumnReader(text, forms, limits).run();
+}
+
+}  // namespace meristem

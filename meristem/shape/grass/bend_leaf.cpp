@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/shape/grass/bend_leaf.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "meristem/base/math.h"
+
+namespace meristem {
+
+GrassLeaf turned(const GrassLeaf& leaf, const std::vector<LocalTurn>& turns) {
+  for (const LocalTurn& turn : turns) {
+    if (!(turn.from >= 0 && turn.to >= turn.from && turn.to <= 1)) {
+      throw std::invalid_argument("a turn of a leaf lies between two places from 0 to 1");
+    }
+  }
+  GrassLeaf now = leaf;
+  std::vector<double> angles = piece_angles(leaf);
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    const double middle = 0.5 * (leaf.s[k] + leaf.s[k + 1]);
+    for (const LocalTurn& turn : turns) {
+      const double length = turn.to - turn.from;
+      const double share = length > 0           ? std::clamp((middle - turn.from) / length, 0.0, 1.0)
+                           : middle > turn.from ? 1
+                                                : 0;
+      angles[k] += share * turn.angle;
+    }
+  }
+  set_piece_angles(now, angles);
+  return now;
+}
+
+double inclination(const GrassLeaf& leaf) { return math::atan2(leaf.x[1] - leaf.x[0], leaf.y[1] - leaf.y[0]); }
+
+GrassLeaf inclined(const GrassLeaf& leaf, double angle) {
+  GrassLeaf now = leaf;
+  const double turn = angle - inclination(leaf);
+  const double sine = math::sin(turn), cosine = math::cos(turn);
+  for (std::size_t k = 0; k < leaf.point_count(); ++k) {
+    now.x[k] = cosine * leaf.x[k] + sine * leaf.y[k];
+    now.y[k] = cosine * leaf.y[k] - sine * leaf.x[k];
+  }
+  return now;
+}
+
+}  // namespace meristem

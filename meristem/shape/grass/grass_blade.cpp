@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows of points across the midrib. A section is an arc on either side, turned about the midrib's tangent by the
+// torsion: its vector is cos t * j + sin t * n, with j level across and n the midrib's normal, so it keeps its length.
+// The source adds (cos t, 1, sin t), which does not, and widens the leaf.
+// Based on: Fournier and Pradal (2012), equations 3 to 7.
+#include "meristem/shape/grass/grass_blade.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+
+#include <glm/geometric.hpp>
+
+#include "meristem/base/math.h"
+#include "meristem/shape/arc.h"
+#include "meristem/shape/shading.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr double kNoWidth = 1e-3;     // of the largest: a blade that ends so narrow ends in a point
+constexpr double kLeastWidth = 1e-3;  // elsewhere
+constexpr double kMostClasp = 2.8;    // radians by which a half may bend about a sheath
+constexpr int kSheathSides = 14;
+constexpr int kLiguleSides = 6;
+constexpr double kLiguleArc = 2.4;    // radians
+constexpr double kSheathFoot = 0.94;  // of the radius, at the lower end
+
+class BladeRows {
+ public:
+  BladeRows(const GrassLeaf& leaf, const GrassBlade& blade) : leaf_(leaf), blade_(blade) {}
+
+  Mesh run() {
+    const std::size_t last = leaf_.point_count() - 1;
+    const auto columns = static_cast<std::size_t>(blade_.across) + 1;
+    mesh_.positions.reserve((last + 1) * columns);
+    mesh_.uvs.reserve((last + 1) * columns);
+    mesh_.triangles.reserve(2 * last * (columns - 1));
+    Row below = add_row(0);
+    for (std::size_t k = 1; k <= last; ++k) {
+      const Row row = add_row(k);
+      join(below, row);
+      below = row;
+    }
+    return smooth_shaded(mesh_);
+  }
+
+ private:
+  struct Row {
+    std::uint32_t first = 0;
+    bool is_point = false;
+  };
+
+  /// The direction of the midrib at a point: between those of the pieces about it.
+  glm::dvec2 tangent(std::size_t k) const {
+    const auto piece = [&](std::size_t i) {
+      return glm::normalize(glm::dvec2(leaf_.x[i + 1] - leaf_.x[i], leaf_.y[i + 1] - leaf_.y[i]));
+    };
+    if (k == 0) return piece(0);
+    if (k + 1 == leaf_.point_count()) return piece(k - 1);
+    const glm::dvec2 sum = piece(k - 1) + piece(k);
+    const double length = glm::length(sum);
+    return length > 1e-6 ? sum / length : piece(k);
+  }
+
+  /// By which a section bends a metre of its width.
+  double curvature(double place) const {
+    double curvature = blade_.roll / leaf_.width;
+    if (blade_.clasp_radius > 0 && place < blade_.clasp) {
+      const double left = 1 - place / blade_.clasp;
+      curvature += left * left * (3 - 2 * left) / blade_.clasp_radius;
+    }
+    return curvature;
+  }
+
+  double wave(double place, double u) const {
+    const EdgeWaves& waves = blade_.waves;
+    if (waves.number == 0 || waves.depth == 0) return 0;
+    const double phase = u < 0 ? waves.left : waves.right;
+    return waves.depth * 4 * u * u * math::sin(2 * kPi * waves.number * place + phase);
+  }
+
+  Row add_row(std::size_t k) {
+    const bool is_end = k == 0 || k + 1 == leaf_.point_count();
+    const double share = leaf_.r[k];
+    const Row row{static_cast<std::uint32_t>(mesh_.positions.size()), is_end && share < kNoWidth};
+    const glm::dvec2 along = tangent(k);
+    DVec3 across(1, 0, 0), up(0, along.x, along.y);
+    if (blade_.twist != 0) {
+      const double turn = torsion(blade_, leaf_.s[k]);
+      const double sine = math::sin(turn), cosine = math::cos(turn);
+      const DVec3 level = across;
+      across = cosine * level + sine * up;
+      up = cosine * up - sine * level;
+    }
+    const DVec3 midrib = leaf_.length * DVec3(0, leaf_.y[k], -leaf_.x[k]);
+    if (row.is_point) {
+      add_vertex(midrib, 0.5, leaf_.s[k]);
+      return row;
+    }
+    const double width = leaf_.width * std::max(share, kLeastWidth);
+    const double bend = std::clamp(curvature(leaf_.s[k]), -2 * kMostClasp / width, 2 * kMostClasp / width);
+    for (int c = 0; c <= blade_.across; ++c) {
+      const double u = static_cast<double>(c) / blade_.across - 0.5;
+      const double away = std::abs(u) * width;
+      double forward = away, height = 0;
+      if (bend != 0 || blade_.fold != 0) {
+        const ArcPoint arc = along_arc(blade_.fold, -bend * away, away);
+        forward = arc.forward;
+        height = arc.up;
+      }
+      height += wave(leaf_.s[k], u) * 0.5 * width;
+      DVec3 point = midrib + (u < 0 ? -forward : forward) * across + height * up;
+      if (blade_.displace) {
+        const DVec3 moved = leaf_.width * blade_.displace(leaf_.s[k], u);
+        point += DVec3(moved.z, moved.y, -moved.x);
+      }
+      add_vertex(point, 0.5 + u * share, leaf_.s[k]);
+    }
+    return row;
+  }
+
+  void join(const Row& below, const Row& above) {
+    const auto columns = static_cast<std::uint32_t>(blade_.across);
+    for (std::uint32_t c = 0; c < columns; ++c) {
+      const std::uint32_t a = below.first + (below.is_point ? 0 : c), b = below.first + (below.is_point ? 0 : c + 1);
+      const std::uint32_t d = above.first + (above.is_point ? 0 : c), e = above.first + (above.is_point ? 0 : c + 1);
+      // Diagonals lie alike on both sides of the midrib.
+      const bool is_left = 2 * c < columns;
+      if (!below.is_point) mesh_.triangles.push_back({a, b, above.is_point || is_left ? e : d});
+      if (!above.is_point) mesh_.triangles.push_back({below.is_point || is_left ? a : b, e, d});
+    }
+  }
+
+  void add_vertex(DVec3 position, double u, double v) {
+    mesh_.positions.emplace_back(position);
+    mesh_.uvs.emplace_back(static_cast<float>(u), static_cast<float>(v));
+  }
+
+  const GrassLeaf& leaf_;
+  const GrassBlade& blade_;
+  Mesh mesh_;
+};
+
+/// A strip about the y axis, from `middle - arc / 2` to `middle + arc / 2` from +z toward +x, seen from outside.
+template <class Point>
+Mesh make_strip(double arc, int sides, Point point) {
+  Mesh mesh;
+  for (int row = 0; row < 2; ++row) {
+    for (int k = 0; k <= sides; ++k) {
+      const double share = static_cast<double>(k) / sides;
+      const double turn = kPi + arc * (share - 0.5);
+      mesh.positions.emplace_back(point(row, share, math::sin(turn), math::cos(turn)));
+      mesh.uvs.emplace_back(static_cast<float>(share), static_cast<float>(row));
+    }
+  }
+  const auto columns = static_cast<std::uint32_t>(sides) + 1;
+  for (std::uint32_t k = 0; k + 1 < columns; ++k) {
+    mesh.triangles.push_back({k, k + 1, columns + k + 1});
+    mesh.triangles.push_back({k, columns + k + 1, columns + k});
+  }
+  return smooth_shaded(mesh);
+}
+
+}  // namespace
+
+double torsion(const GrassBlade& blade, double place) { return blade.twist * blade.twist_along(place); }
+
+Mesh make_grass_blade(const GrassLeaf& leaf, const GrassBlade& blade) {
+  check_grass_leaf(leaf);
+  if (blade.across < 2 || blade.across % 2 != 0) {
+    throw std::invalid_argument("a grass blade has an even number of quads across");
+  }
+  const EdgeWaves& waves = blade.waves;
+  if (!std::isfinite(blade.twist + blade.fold + blade.roll + blade.clasp + blade.clasp_radius + waves.number +
+                     waves.depth + waves.left + waves.right)) {
+    throw std::invalid_argument("the numbers of a grass blade are finite");
+  }
+  return BladeRows(leaf, blade).run();
+}
+
+Mesh make_sheath(double open) {
+  return make_strip(2 * kPi - open, kSheathSides, [](int row, double, double sine, double cosine) {
+    const double radius = row == 0 ? kSheathFoot : 1;
+    return DVec3(radius * sine, row - 1, radius * cosine);
+  });
+}
+
+Mesh make_ligule() {
+  return make_strip(kLiguleArc, kLiguleSides, [](int row, double share, double sine, double cosine) {
+    const double height = row * (1 - (2 * share - 1) * (2 * share - 1));
+    return DVec3(sine, height, cosine);
+  });
+}
+
+}  // namespace meristem

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/shape/grass/measured_leaves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <set>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "meristem/base/read_columns.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr std::size_t kLeastPoints = 3;
+constexpr double kEnd = 0.1;          // of the rows at either end, whose mean widths tell base from tip
+constexpr double kTipOverBase = 0.5;  // a first end this much narrower than the last is the tip
+constexpr double kMostNumber = 1e6;   // a rank or lindex
+
+/// Collects what is wrong with one curve.
+class CurveFaults {
+ public:
+  explicit CurveFaults(const MeasuredCurve& curve) : curve_(curve) {}
+
+  void add(std::size_t point, std::string message, std::string expected) {
+    Diagnostic found{.message = std::move(message), .expected = std::move(expected)};
+    if (point < curve_.lines.size()) found.line = curve_.lines[point];
+    if (curve_.lines.empty()) found.message = fmt::format("row {}: {}", point, found.message);
+    faults_.push_back(std::move(found));
+  }
+  void throw_if_any() {
+    if (!faults_.empty()) throw InputError(std::move(faults_));
+  }
+
+ private:
+  const MeasuredCurve& curve_;
+  std::vector<Diagnostic> faults_;
+};
+
+void check_points(const MeasuredCurve& curve, const char* what, CurveFaults& faults) {
+  if (curve.points.size() < kLeastPoints) {
+    faults.add(0, fmt::format("{} have {} points", what, curve.points.size()),
+               fmt::format("at least {}", kLeastPoints));
+  }
+  for (std::size_t k = 0; k < curve.points.size(); ++k) {
+    if (!std::isfinite(curve.points[k].x + curve.points[k].y)) {
+      faults.add(k, fmt::format("a point of {} is not finite", what), "two finite numbers");
+    }
+  }
+  faults.throw_if_any();
+}
+
+/// What tells curves of one file apart.
+using Name = std::tuple<std::optional<int>, std::optional<int>, std::optional<double>>;
+
+struct CurveColumns {
+  std::size_t rank, lindex, age, first, second;
+};
+
+std::string shown(const Name& name) {
+  std::string text;
+  const auto add = [&](const char* word, const auto& number) {
+    if (number) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", word, *number);
+  };
+  add("rank", std::get<0>(name));
+  add("lindex", std::get<1>(name));
+  add("age", std::get<2>(name));
+  return text;
+}
+
+std::optional<int> whole(const Columns& columns, std::size_t column, std::size_t row, std::vector<Diagnostic>& faults) {
+  if (!columns.has(column)) return std::nullopt;
+  const double number = columns.numbers[column][row];
+  if (number == std::floor(number) && std::abs(number) <= kMostNumber) return static_cast<int>(number);
+  faults.push_back({.message = fmt::format("{} is no whole number", number),
+                    .expected = "the number of a rank or leaf",
+                    .line = columns.lines[row]});
+  return 0;
+}
+
+/// Parts the rows into curves.
+std::vector<MeasuredCurve> curves_of(const Columns& columns, const CurveColumns& at, std::vector<Diagnostic>& faults) {
+  std::vector<MeasuredCurve> curves;
+  std::set<Name> known;
+  Name last;
+  for (std::size_t row = 0; row < columns.row_count(); ++row) {
+    const Name name{whole(columns, at.rank, row, faults), whole(columns, at.lindex, row, faults),
+                    columns.has(at.age) ? std::optional(columns.numbers[at.age][row]) : std::nullopt};
+    if (curves.empty() || name != last) {
+      if (!known.insert(name).second) {
+        faults.push_back({.message = fmt::format("{} comes a second time", shown(name)),
+                          .expected = "all rows of a leaf together",
+                          .line = columns.lines[row]});
+      }
+      curves.push_back({std::get<0>(name), std::get<1>(name), std::get<2>(name), {}, {}});
+      last = name;
+    }
+    curves.back().points.emplace_back(columns.numbers[at.first][row], columns.numbers[at.second][row]);
+    curves.back().lines.push_back(columns.lines[row]);
+  }
+  return curves;
+}
+
+/// Calls `check` for each curve and collects what it throws.
+template <class Check>
+void check_all(std::vector<MeasuredCurve>& curves, const Limits& limits, std::vector<Diagnostic>& faults, Check check) {
+  for (MeasuredCurve& curve : curves) {
+    if (faults.size() >= limits.diagnostics) break;
+    try {
+      check(curve);
+    } catch (const InputError& error) {
+      faults.insert(faults.end(), error.diagnostics().begin(), error.diagnostics().end());
+    }
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+double mean_width(const std::vector<glm::dvec2>& points, std::size_t first, std::size_t count) {
+  double sum = 0;
+  for (std::size_t k = first; k < first + count; ++k) sum += points[k].y;
+  return sum / static_cast<double>(count);
+}
+
+}  // namespace
+
+void check_midrib(const MeasuredCurve& midrib) {
+  CurveFaults faults(midrib);
+  check_points(midrib, "midribs", faults);
+  for (std::size_t k = 1; k < midrib.points.size(); ++k) {
+    if (midrib.points[k] == midrib.points[k - 1]) {
+      faults.add(k, "the point of the midrib is that of the row before", "another one");
+    }
+  }
+  faults.throw_if_any();
+}
+
+void check_widths(const MeasuredCurve& widths) {
+  CurveFaults faults(widths);
+  check_points(widths, "widths", faults);
+  const std::vector<glm::dvec2>& points = widths.points;
+  const double direction = points.back().x > points.front().x ? 1 : -1;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double step = k == 0 ? direction : points[k].x - points[k - 1].x;
+    if (step == 0) {
+      faults.add(k, fmt::format("the place s = {} is that of the row before", points[k].x), "another one");
+    } else if (step * direction < 0) {
+      faults.add(k, fmt::format("the places s are not sorted: {} after {}", points[k].x, points[k - 1].x),
+                 "places that rise from base to tip");
+    }
+    if (points[k].x < 0) faults.add(k, fmt::format("the place s = {} is negative", points[k].x), "0 or more");
+    if (points[k].y < 0) faults.add(k, fmt::format("the width {} is negative", points[k].y), "0 or more");
+  }
+  const bool has_width = std::ranges::any_of(points, [](glm::dvec2 point) { return point.y > 0; });
+  if (!has_width) faults.add(0, "no width is above 0", "a blade");
+  faults.throw_if_any();
+}
+
+bool turn_to_base(MeasuredCurve& widths) {
+  std::vector<glm::dvec2>& points = widths.points;
+  const bool falls = points.front().x > points.back().x;
+  if (falls) {
+    std::ranges::reverse(points);
+    std::ranges::reverse(widths.lines);
+  }
+  const auto count = std::max<std::size_t>(1, static_cast<std::size_t>(kEnd * static_cast<double>(points.size())));
+  if (mean_width(points, 0, count) >= kTipOverBase * mean_width(points, points.size() - count, count)) return falls;
+  const double ends = points.front().x + points.back().x;
+  for (glm::dvec2& point : points) point.x = ends - point.x;
+  std::ranges::reverse(points);
+  std::ranges::reverse(widths.lines);
+  return true;
+}
+
+std::vector<MeasuredCurve> read_midribs(std::string_view text, const Limits& limits) {
+  const Columns columns =
+      read_columns(text, {{"rank", false}, {"lindex", false}, {"age", false}, {"x"}, {"y"}}, limits);
+  std::vector<Diagnostic> faults;
+  std::vector<MeasuredCurve> midribs =
+      curves_of(columns, {.rank = 0, .lindex = 1, .age = 2, .first = 3, .second = 4}, faults);
+  check_all(midribs, limits, faults, check_midrib);
+  return midribs;
+}
+
+std::vector<MeasuredCurve> read_widths(std::string_view text, const Limits& limits, std::vector<Diagnostic>& warnings) {
+  Columns columns = read_columns(
+      text, {{"rank", false}, {"rankclass", false}, {"lindex", false}, {"age", false}, {"s"}, {"r"}}, limits);
+  const std::size_t rank = columns.has(0) ? 0 : 1;
+  std::vector<Diagnostic> faults;
+  std::vector<MeasuredCurve> all =
+      curves_of(columns, {.rank = rank, .lindex = 2, .age = 3, .first = 4, .second = 5}, faults);
+  check_all(all, limits, faults, [&](MeasuredCurve& widths) {
+    check_widths(widths);
+    const int line = widths.lines.front();
+    if (turn_to_base(widths)) {
+      warnings.push_back({.severity = Severity::warning,
+                          .message = "the widths run from the tip to the base; they are turned about",
+                          .line = line});
+    }
+  });
+  return all;
+}
+
+}  // namespace meristem

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Leaves as they were measured: midribs that somebody digitised, and widths along blades.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/limits.h"
+
+namespace meristem {
+
+/// A list of points with the lines of a file on which they stand; `lines` may be empty.
+struct MeasuredCurve {
+  std::optional<int> rank;    ///< of the leaf on its stem, or of a class of ranks
+  std::optional<int> lindex;  ///< which one among the leaves of that rank
+  std::optional<double> age;
+  std::vector<glm::dvec2> points;
+  std::vector<int> lines;
+};
+
+/// Reads a text with the columns x and y (away from the stem and up, of any unit) and, if there, rank, lindex and age;
+/// a midrib is what stands together with equal ones of these. Throws an InputError with all faults, also those of
+/// check_midrib, by their lines.
+std::vector<MeasuredCurve> read_midribs(std::string_view text, const Limits& limits);
+
+/// The same with the columns s (place from the base) and r (width, or share of the widest) and, if there, rank or
+/// rankclass, and lindex; faults as of check_widths. What runs from the tip to the base is turned about, with a warning
+/// each.
+std::vector<MeasuredCurve> read_widths(std::string_view text, const Limits& limits, std::vector<Diagnostic>& warnings);
+
+/// Throws an InputError if a midrib has fewer than 3 points, two equal ones in a row, or numbers that are not finite.
+void check_midrib(const MeasuredCurve& midrib);
+
+/// Throws an InputError if widths have fewer than 3 rows, places that neither rise nor fall all along, two equal
+/// places, numbers that are not finite, a place below 0, a width below 0, or no width above 0.
+void check_widths(const MeasuredCurve& widths);
+
+/// Whether widths are listed from the tip to the base (falling s), or measured from the tip (narrow where s begins and
+/// wide where it ends); turns them about.
+bool turn_to_base(MeasuredCurve& widths);
+
+}  // namespace meristem

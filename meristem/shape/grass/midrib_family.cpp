@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/shape/grass/midrib_family.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "meristem/base/math.h"
+#include "meristem/base/vec.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr double kMostSteps = 100'000;
+constexpr double kLeastShare = 1e-6;  // of the length, that can be seen
+
+/// The leaf's even pieces put together from their angles; nothing is said of its widths.
+void lay_pieces(GrassLeaf& leaf, const std::vector<double>& angles) {
+  const double piece = 1 / static_cast<double>(angles.size());
+  double x = 0, y = 0;
+  leaf.x.assign(1, 0);
+  leaf.y.assign(1, 0);
+  for (const double angle : angles) {
+    x += piece * math::sin(angle);
+    y += piece * math::cos(angle);
+    leaf.x.push_back(x);
+    leaf.y.push_back(y);
+  }
+}
+
+/// From a list with a number for the middle of each equal piece: the number at `place`, the same beyond the ends.
+double at_middles(const std::vector<double>& list, double place) {
+  const double at = place * static_cast<double>(list.size()) - 0.5;
+  if (at <= 0) return list.front();
+  const auto k = static_cast<std::size_t>(at);
+  if (k + 1 >= list.size()) return list.back();
+  return list[k] + (at - static_cast<double>(k)) * (list[k + 1] - list[k]);
+}
+
+GrassLeaf unseen(const GrassLeaf& leaf) {
+  return {.length = 0, .width = leaf.width, .s = {0, 1}, .x = {0, 0}, .y = {0, 1}, .r = {0, 0}};
+}
+
+}  // namespace
+
+MidribFamily::MidribFamily(const GrassLeaf& leaf) : ages_{0, 1} {
+  const std::vector<double> own = piece_angles(resampled(leaf, leaf.point_count() - 1));
+  angles_ = {std::vector<double>(own.size(), 0), own};
+}
+
+MidribFamily::MidribFamily(const std::vector<std::pair<double, GrassLeaf>>& midribs) {
+  if (midribs.size() < 2) throw std::invalid_argument("a family of midribs has at least 2 ages");
+  const std::size_t pieces = midribs.front().second.point_count() - 1;
+  for (const auto& [age, leaf] : midribs) {
+    if (!ages_.empty() && !(age > ages_.back())) throw std::invalid_argument("the ages of a family rise");
+    ages_.push_back(age);
+    angles_.push_back(piece_angles(resampled(leaf, pieces)));
+  }
+}
+
+std::vector<double> MidribFamily::angles(double age) const {
+  const auto above = std::upper_bound(ages_.begin(), ages_.end(), age);
+  if (above == ages_.begin()) return angles_.front();
+  if (above == ages_.end()) return angles_.back();
+  const auto k = static_cast<std::size_t>(above - ages_.begin());
+  const double share = (age - ages_[k - 1]) / (ages_[k] - ages_[k - 1]);
+  std::vector<double> between = angles_[k - 1];
+  for (std::size_t i = 0; i < between.size(); ++i) between[i] += share * (angles_[k][i] - between[i]);
+  return between;
+}
+
+double visible_share(double age, double full_age) { return std::clamp(age / full_age, 0.0, 1.0); }
+
+GrassLeaf aged(const GrassLeaf& leaf, const MidribFamily& family, double age, double full_age) {
+  const double visible = visible_share(age, full_age);
+  if (visible < kLeastShare) return unseen(leaf);
+  const std::size_t pieces = family.piece_count();
+  const std::vector<double> whole = family.angles(age);
+  GrassLeaf now{.length = visible * leaf.length, .width = leaf.width, .s = {}, .x = {}, .y = {}, .r = {}};
+  std::vector<double> angles;
+  for (std::size_t k = 0; k <= pieces; ++k) {
+    const double place = k == pieces ? 1 : static_cast<double>(k) / static_cast<double>(pieces);
+    now.s.push_back(place);
+    now.r.push_back(along_leaf(leaf, leaf.r, visible == 1 ? place : visible * place + 1 - visible));
+    if (k == pieces) break;
+    angles.push_back(at_middles(whole, visible * (static_cast<double>(k) + 0.5) / static_cast<double>(pieces)));
+  }
+  lay_pieces(now, angles);
+  return now;
+}
+
+// The leaf's tissue is told by when it came out: by its distance from the tip in the plain leaf, `visible` at that
+// moment. Steps of a life note how long and how wide it has become by then; pieces of the plain leaf keep their angles.
+GrassLeaf lived(const GrassLeaf& leaf, const MidribFamily& family, double time, double step, RatesOf rates,
+                double full_age) {
+  if (!(step > 0) || !(time / step <= kMostSteps)) {
+    throw std::invalid_argument("a leaf lives in steps above 0, at most 100,000 of them");
+  }
+  struct Tissue {
+    double from_tip;  // in plain lengths
+    double length;    // from there to the tip, grown
+    double width;
+  };
+  std::vector<Tissue> tissue{{0, 0, 1}};
+  double age = 0;
+  std::vector<double> plain = family.angles(age), angles = plain;
+
+  // Live.
+  const auto steps = static_cast<int>(std::ceil(time / step - 1e-9));
+  for (int k = 0; k < steps; ++k) {
+    const double begin = k * step, end = std::min(time, begin + step);
+    const GrowthRates now = rates(begin, tissue.back().from_tip);
+    age += (end - begin) * std::max(0.0, now.age);
+    const std::vector<double> next = family.angles(age);
+    for (std::size_t i = 0; i < angles.size(); ++i) angles[i] += now.bend * (next[i] - plain[i]);
+    plain = next;
+    const double more = visible_share(age, full_age) - tissue.back().from_tip;
+    if (tissue.size() == 1) tissue.front().width = std::max(0.0, now.width);
+    if (more > 0) {
+      tissue.push_back({tissue.back().from_tip + more, tissue.back().length + more * std::max(0.0, now.length),
+                        std::max(0.0, now.width)});
+    }
+  }
+  const double visible = tissue.back().from_tip, grown = tissue.back().length;
+  if (visible < kLeastShare || grown < kLeastShare) return unseen(leaf);
+
+  // Lay out what has come out, from the base to the tip.
+  const std::size_t pieces = family.piece_count();
+  GrassLeaf now{.length = grown * leaf.length, .width = leaf.width, .s = {}, .x = {}, .y = {}, .r = {}};
+  std::vector<double> laid;
+  std::size_t at = tissue.size() - 1;
+  const auto plain_place = [&](double place, double& width) {
+    const double to_tip = (1 - place) * grown;
+    while (at > 1 && tissue[at - 1].length >= to_tip) --at;
+    const Tissue& old = tissue[at - 1];
+    const Tissue& young = tissue[at];
+    const double made = young.length - old.length;
+    const double share = made > 0 ? std::clamp((to_tip - old.length) / made, 0.0, 1.0) : 1;
+    width = old.width + share * (young.width - old.width);
+    return visible - (old.from_tip + share * (young.from_tip - old.from_tip));
+  };
+  double widest = 0;
+  for (std::size_t k = 0; k <= pieces; ++k) {
+    const double place = k == pieces ? 1 : static_cast<double>(k) / static_cast<double>(pieces);
+    double width = 1;
+    const double from_base = plain_place(place, width);
+    now.s.push_back(place);
+    now.r.push_back(width * along_leaf(leaf, leaf.r, std::clamp(from_base + 1 - visible, 0.0, 1.0)));
+    widest = std::max(widest, now.r.back());
+    if (k == pieces) break;
+    laid.push_back(
+        at_middles(angles, plain_place((static_cast<double>(k) + 0.5) / static_cast<double>(pieces), width)));
+  }
+  lay_pieces(now, laid);
+  if (widest > 1) {
+    now.width *= widest;
+    for (double& share : now.r) share /= widest;
+  }
+  return now;
+}
+
+}  // namespace meristem

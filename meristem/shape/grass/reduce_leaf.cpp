@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// The heap is a tree of pairwise comparisons over all points: the least error stands at its root, and a changed one
+// asks only for the comparisons above it, without a branch that a processor could guess wrong.
+#include "meristem/shape/grass/reduce_leaf.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace meristem {
+
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// Squared distance of (px, py) from the segment between a and b.
+double squared_distance(double px, double py, double ax, double ay, double bx, double by) {
+  const double ux = bx - ax, uy = by - ay, vx = px - ax, vy = py - ay;
+  const double square = ux * ux + uy * uy;
+  const double share = square > 0 ? std::clamp((ux * vx + uy * vy) / square, 0.0, 1.0) : 0;
+  const double dx = vx - share * ux, dy = vy - share * uy;
+  return dx * dx + dy * dy;
+}
+
+/// Which of many numbers is the least; ties go to the lower index.
+class LeastOf {
+ public:
+  explicit LeastOf(std::size_t count) : leaves_(std::bit_ceil(count)), numbers_(leaves_, kNever), best_(2 * leaves_) {
+    for (std::size_t k = 0; k < leaves_; ++k) best_[leaves_ + k] = static_cast<std::uint32_t>(k);
+  }
+
+  /// Before `compare_all`.
+  void place(std::size_t index, double number) { numbers_[index] = number; }
+  void compare_all() {
+    for (std::size_t node = leaves_; --node > 0;) compare(node);
+  }
+  void set(std::size_t index, double number) {
+    numbers_[index] = number;
+    for (std::size_t node = (leaves_ + index) / 2; node > 0; node /= 2) compare(node);
+  }
+  std::uint32_t index() const { return best_[1]; }
+  double least() const { return numbers_[best_[1]]; }
+
+ private:
+  void compare(std::size_t node) {
+    const std::uint32_t left = best_[2 * node], right = best_[2 * node + 1];
+    best_[node] = numbers_[right] < numbers_[left] ? right : left;
+  }
+
+  std::size_t leaves_;
+  std::vector<double> numbers_;
+  std::vector<std::uint32_t> best_;
+};
+
+}  // namespace
+
+ReductionOrder reduction_order(const GrassLeaf& leaf, const std::vector<std::vector<double>>& also) {
+  const std::size_t count = leaf.point_count();
+  for (const std::vector<double>& list : also) {
+    if (list.size() != count) throw std::invalid_argument("each list of a reduction has a number a point");
+  }
+  std::vector<std::uint32_t> before(count), after(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    before[k] = static_cast<std::uint32_t>(k - 1);
+    after[k] = static_cast<std::uint32_t>(k + 1);
+  }
+  const auto squared_error = [&](std::size_t k) {
+    const std::size_t a = before[k], b = after[k];
+    double square = squared_distance(leaf.x[k], leaf.y[k], leaf.x[a], leaf.y[a], leaf.x[b], leaf.y[b]) +
+                    squared_distance(leaf.s[k], leaf.r[k], leaf.s[a], leaf.r[a], leaf.s[b], leaf.r[b]);
+    for (const std::vector<double>& list : also) {
+      square += squared_distance(leaf.s[k], list[k], leaf.s[a], list[a], leaf.s[b], list[b]);
+    }
+    return square;
+  };
+
+  LeastOf errors(count);
+  for (std::size_t k = 1; k + 1 < count; ++k) errors.place(k, squared_error(k));
+  errors.compare_all();
+  ReductionOrder order;
+  order.points.reserve(count - 2);
+  order.errors.reserve(count - 2);
+  double largest = 0;
+  for (std::size_t step = 2; step < count; ++step) {
+    const std::uint32_t gone = errors.index();
+    largest = std::max(largest, errors.least());
+    order.points.push_back(gone);
+    order.errors.push_back(std::sqrt(largest));
+    errors.set(gone, kNever);
+    const std::uint32_t a = before[gone], b = after[gone];
+    after[a] = b;
+    before[b] = a;
+    if (a > 0) errors.set(a, squared_error(a));
+    if (b + 1 < count) errors.set(b, squared_error(b));
+  }
+  return order;
+}
+
+namespace {
+
+std::vector<std::uint32_t> all_but(const ReductionOrder& order, std::size_t gone) {
+  std::vector<bool> stays(order.points.size() + 2, true);
+  for (std::size_t k = 0; k < gone; ++k) stays[order.points[k]] = false;
+  std::vector<std::uint32_t> kept;
+  for (std::size_t k = 0; k < stays.size(); ++k) {
+    if (stays[k]) kept.push_back(static_cast<std::uint32_t>(k));
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> points_kept(const ReductionOrder& order, std::size_t pieces) {
+  const std::size_t inner = std::max<std::size_t>(pieces, 1) - 1;
+  return all_but(order, order.points.size() - std::min(inner, order.points.size()));
+}
+
+std::vector<std::uint32_t> points_within(const ReductionOrder& order, double error) {
+  const auto above = std::upper_bound(order.errors.begin(), order.errors.end(), error);
+  return all_but(order, static_cast<std::size_t>(above - order.errors.begin()));
+}
+
+GrassLeaf reduced(const GrassLeaf& leaf, const std::vector<std::uint32_t>& points) {
+  GrassLeaf now{.length = leaf.length, .width = leaf.width, .s = {}, .x = {}, .y = {}, .r = {}};
+  for (std::vector<double>* list : {&now.s, &now.x, &now.y, &now.r}) list->reserve(points.size());
+  for (const std::uint32_t k : points) {
+    now.s.push_back(leaf.s[k]);
+    now.x.push_back(leaf.x[k]);
+    now.y.push_back(leaf.y[k]);
+    now.r.push_back(leaf.r[k]);
+  }
+  const double left = area(now);
+  if (left > 0) now.width *= area(leaf) / left;
+  return now;
+}
+
+}  // namespace meristem

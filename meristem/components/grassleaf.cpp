@@ -30,7 +30,7 @@ constexpr double kErrorSteps = 4;       // an octave
 constexpr double kAirDensity = 1.2;     // kg/m3
 constexpr double kAgeTolerance = 1e-9;
 constexpr int kPiecesAWave = 4;
-constexpr double kUpright = -1;  // stands for an inclination that is the midrib's own
+constexpr double kOwnInclination = -1;  // stands for an inclination that is the midrib's own
 
 /// Where a leaf's curves come from.
 struct Choice {
@@ -146,7 +146,7 @@ ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choic
   numbers.age = round.step(age, grass.full_age / kAgeSteps);
   // Rounded up, a young leaf must not get older than its midribs.
   numbers.age = std::min(numbers.age, grass.stock->midribs[choice.midrib].family.last_age());
-  numbers.inclination = kUpright;
+  numbers.inclination = kOwnInclination;
   if (grass.inclination && grass.stages.bend) numbers.inclination = round.step(*grass.inclination, kShapeAngleStep);
   note_forces(grass, site, out, round, numbers);
   if (grass.stages.blade) {
@@ -209,7 +209,7 @@ GrassLeaf grown_leaf(const Grassleaf& grass, const ShapeNumbers& numbers) {
 
 GrassLeaf bent_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, GrassLeaf leaf) {
   if (!grass.stages.bend) return leaf;
-  if (numbers.inclination != kUpright) leaf = inclined(leaf, numbers.inclination);
+  if (numbers.inclination != kOwnInclination) leaf = inclined(leaf, numbers.inclination);
   if (!grass.turns.empty()) leaf = turned(leaf, grass.turns);
   if (!grass.forces) return leaf;
   return loaded(leaf, {.stiffness = numbers.stiffness, .tip_thickness = numbers.tip_thickness},
@@ -308,8 +308,8 @@ double distance_from_axis(const Grassleaf& grass, const Site& site) {
 }
 
 void expand(const Grassleaf& grass, const Site& site, Emitter& out) {
-  if (grass.sheath.length > 0 && grass.stages.blade) emit_sheath(grass.sheath, out);
   if (grass.stages.age && !(grass.age > 0)) return;
+  if (grass.sheath.length > 0 && grass.stages.blade) emit_sheath(grass.sheath, out);
   const Choice choice = choose(grass, site, out);
   const double length = full_length(grass, choice);
   const double width = full_width(grass, choice, length);
@@ -345,7 +345,7 @@ ComponentType grassleaf_component() {
       .parameters = grassleaf_table(),
       .material = {.colour = {0.30F, 0.46F, 0.17F}, .roughness = 0.55F, .translucency = 0.3F, .two_sided = true},
       .variety = 0.08,
-      .blades = {.colour = {0.38F, 0.5F, 0.24F}, .roughness = 0.6F, .translucency = 0.1F, .two_sided = true},
+      .blades = {.colour = {0.38F, 0.5F, 0.24F}, .roughness = 0.6F},
       .stands_on_axis = true,
       .expand = expand,
       .texture_shape = texture_shape,

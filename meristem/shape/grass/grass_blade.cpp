@@ -189,10 +189,23 @@ Mesh make_sheath(double open) {
 }
 
 Mesh make_ligule() {
-  return make_strip(kLiguleArc, kLiguleSides, [](int row, double share, double sine, double cosine) {
+  Mesh mesh = make_strip(kLiguleArc, kLiguleSides, [](int row, double share, double sine, double cosine) {
     const double height = row * (1 - (2 * share - 1) * (2 * share - 1));
     return DVec3(sine, height, cosine);
   });
+  // Its inner face.
+  const auto vertices = static_cast<std::uint32_t>(mesh.vertex_count());
+  const std::size_t triangles = mesh.triangle_count();
+  for (std::uint32_t v = 0; v < vertices; ++v) {
+    mesh.positions.push_back(mesh.positions[v]);
+    mesh.normals.push_back(-mesh.normals[v]);
+    mesh.uvs.push_back(mesh.uvs[v]);
+  }
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const auto [a, b, c] = mesh.triangles[t];
+    mesh.triangles.push_back({vertices + a, vertices + c, vertices + b});
+  }
+  return mesh;
 }
 
 }  // namespace meristem

@@ -8,8 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <string>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "meristem/base/hash.h"
 #include "meristem/base/math.h"
@@ -43,18 +46,31 @@ struct Choice {
                               .path = fmt::format("components.{}.{}", out.component(), parameter)});
 }
 
+/// "one of 1, 2, 3".
+std::string ranks_text(const StockIndex& index) {
+  constexpr std::size_t kMostShown = 20;
+  const std::span<const int> shown = std::span(index.ranks()).first(std::min(index.ranks().size(), kMostShown));
+  return fmt::format("one of {}{}", fmt::join(shown, ", "), shown.size() < index.ranks().size() ? ", ..." : "");
+}
+
 Choice choose(const Grassleaf& grass, const Site& site, const Emitter& out) {
-  const std::vector<std::uint32_t> midribs = grass.stock->midribs_of(grass.rank, grass.leaf);
+  const GrassStock& stock = *grass.stock;
+  const std::span<const std::uint32_t> midribs = stock.midrib_index.find(grass.rank, grass.leaf);
   if (midribs.empty()) {
-    throw_at(out, "rank", fmt::format("there is no midrib of rank {}", grass.rank), "one of " + grass.stock->ranks());
+    throw_at(out, "rank",
+             fmt::format("there is no midrib of rank {}{}", grass.rank,
+                         grass.leaf ? fmt::format(" and lindex {}", *grass.leaf) : std::string()),
+             ranks_text(stock.midrib_index));
   }
   const double drawn = site.key.child("leaf").uniform(0) * static_cast<double>(midribs.size());
   Choice choice{.midrib = midribs[std::min(static_cast<std::size_t>(drawn), midribs.size() - 1)]};
-  const StockedMidrib& midrib = grass.stock->midribs[choice.midrib];
-  const auto widths = grass.stock->widths_of(grass.rank, midrib.leaf);
-  if (!widths)
-    throw_at(out, "rank", fmt::format("there are no widths of rank {}", grass.rank), "one that the file has");
-  choice.widths = *widths;
+  const StockedMidrib& midrib = stock.midribs[choice.midrib];
+  std::span<const std::uint32_t> widths = stock.width_index.find(grass.rank, midrib.leaf);
+  if (widths.empty()) widths = stock.width_index.find(grass.rank);
+  if (widths.empty()) {
+    throw_at(out, "rank", fmt::format("there are no widths of rank {}", grass.rank), ranks_text(stock.width_index));
+  }
+  choice.widths = widths.front();
   if (grass.stages.age && grass.age > midrib.family.last_age() + kAgeTolerance) {
     throw_at(out, "age", fmt::format("the age {} is outside of the midribs' ages", grass.age),
              fmt::format("at most {}, such as \"min({}, ...)\"", midrib.family.last_age(), midrib.family.last_age()));

@@ -29,6 +29,7 @@ constexpr double kProportionSteps = 8;  // an octave
 constexpr double kRadiusSteps = 2;      // an octave
 constexpr double kForceStep = 0.25;     // of the leaf's weight
 constexpr double kWaveStep = 0.05;      // of their depth
+constexpr double kFactorStep = 0.05;    // of an inclination
 constexpr double kErrorSteps = 4;       // an octave
 constexpr double kAirDensity = 1.2;     // kg/m3
 constexpr double kAgeTolerance = 1e-9;
@@ -99,7 +100,7 @@ struct ShapeNumbers {
   double midrib, widths, variant;
   double width;
   double age, full_age;
-  double inclination;
+  double inclination, inclination_factor;
   double pull_x = 0, pull_y = 0, wind_x = 0, wind_y = 0, gravity_x = 0, gravity_y = -1;
   double stiffness = 1, tip_thickness = 1;
   double twist, fold, roll;
@@ -163,7 +164,14 @@ ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choic
   // Rounded up, a young leaf must not get older than its midribs.
   numbers.age = std::min(numbers.age, grass.stock->midribs[choice.midrib].family.last_age());
   numbers.inclination = kOwnInclination;
-  if (grass.inclination && grass.stages.bend) numbers.inclination = round.step(*grass.inclination, kShapeAngleStep);
+  numbers.inclination_factor = 1;
+  if (grass.stages.bend) {
+    if (grass.inclination) {
+      numbers.inclination = round.step(*grass.inclination * grass.inclination_factor, kShapeAngleStep);
+    } else {
+      numbers.inclination_factor = round.step(grass.inclination_factor, kFactorStep);
+    }
+  }
   note_forces(grass, site, out, round, numbers);
   if (grass.stages.blade) {
     const GrassBlade& blade = grass.blade;
@@ -225,7 +233,11 @@ GrassLeaf grown_leaf(const Grassleaf& grass, const ShapeNumbers& numbers) {
 
 GrassLeaf bent_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, GrassLeaf leaf) {
   if (!grass.stages.bend) return leaf;
-  if (numbers.inclination != kOwnInclination) leaf = inclined(leaf, numbers.inclination);
+  if (numbers.inclination != kOwnInclination) {
+    leaf = inclined(leaf, numbers.inclination);
+  } else if (numbers.inclination_factor != 1) {
+    leaf = inclined(leaf, numbers.inclination_factor * inclination(leaf));
+  }
   if (!grass.turns.empty()) leaf = turned(leaf, grass.turns);
   if (!grass.forces) return leaf;
   return loaded(leaf, {.stiffness = numbers.stiffness, .tip_thickness = numbers.tip_thickness},

@@ -84,6 +84,17 @@ TEST(Grassleaf, LeavesTheStemByItsInclination) {
   }
 }
 
+TEST(Grassleaf, AFactorMultipliesTheInclination) {
+  const auto angle_of = [](const Object& more) {
+    const Plant plant = field_of(1, strip(more));
+    const Vec3 tip = tip_of(plant, plant.organs[0]);
+    return degrees(math::atan2(-tip.z, tip.y));
+  };
+  EXPECT_NEAR(angle_of({{"inclination", 40}, {"inclination_factor", 1.5}}), 60, 1e-3);
+  const List leaning{Value(List{0, 0}), Value(List{1, 1}), Value(List{2, 2})};
+  EXPECT_NEAR(angle_of({{"midrib_points", leaning}, {"inclination_factor", 0.5}}), 22.5, 1e-3);
+}
+
 TEST(Grassleaf, AnEvenStripKeepsItsAreaHoweverItIsTwisted) {
   const double area = area_of(field_of(1, strip()), field_of(1, strip()).organs[0]);
   const Plant twisted = field_of(1, strip({{"twist", 180}, {"polygons", 48}, {"exact", true}}));

@@ -34,6 +34,7 @@ constexpr double kErrorSteps = 4;       // an octave
 constexpr double kAirDensity = 1.2;     // kg/m3
 constexpr double kAgeTolerance = 1e-9;
 constexpr int kPiecesAWave = 4;
+constexpr double kUsualAspect = 0.06;   // width over length where a leaf's own is not known
 constexpr double kOwnInclination = -1;  // stands for an inclination that is the midrib's own
 
 /// Where a leaf's curves come from.
@@ -91,7 +92,7 @@ double full_width(const Grassleaf& grass, const Choice& choice, double length) {
   const FittedWidths& widths = grass.stock->widths[choice.widths].fitted;
   const double as_measured = grass.source.unit * widths.width;
   // Widths as shares of the largest say nothing of it.
-  return widths.are_shares ? 0.06 * length : as_measured;
+  return widths.are_shares ? kUsualAspect * length : as_measured;
 }
 
 /// What of a leaf's shape varies from instance to instance, rounded, for a length of 1. All of them numbers, so that
@@ -359,8 +360,10 @@ TextureShape texture_shape(const Grassleaf& grass) {
   for (int k = kRows; k >= 0; --k) {
     if (half(k) > 0) shape.outline.emplace_back(0.5 - half(k), static_cast<double>(k) / kRows);
   }
-  const double length = grass.length.value_or(0.3);
-  shape.aspect = grass.width.value_or(0.06 * length) / length;
+  // Numbers that differ from leaf to leaf are 0 here.
+  const double length = grass.length.value_or(0);
+  const double width = grass.width.value_or(0);
+  shape.aspect = length > 0 && width > 0 ? width / length : kUsualAspect;
   return shape;
 }
 

@@ -11,6 +11,7 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "meristem/base/curve.h"
 #include "meristem/base/smoothing_spline.h"
@@ -144,38 +145,34 @@ GrassLeaf leaf_through(const Points& points) {
   return resampled(leaf, pieces);
 }
 
-struct FittedWidths {
-  Curve shares{};  // of the largest, over the share of the length
-  double largest = 0;
-  double widest = 0;  // the share of the length where that is
-  double length = 0;  // of the blade, in the unit of the places
+/// Smoothed widths as shares of the largest measured one, over the share of the length.
+struct WidthCurve {
+  Curve shares{};
+  double widest = 0;   // the share of the length where the smoothed ones are largest
+  double largest = 0;  // measured one
 };
 
-FittedWidths fit_widths(const Points& points, double smoothing, CurveKind kind) {
-  FittedWidths fitted;
-  fitted.length = points.back().x;
+WidthCurve smooth_widths(const Points& points, double smoothing) {
+  WidthCurve smoothed;
   std::vector<double> places, widths;
-  double largest = 0;
   // A place that is not measured has the width of the next one.
-  if (points.front().x > kWhole * fitted.length) {
+  if (points.front().x > kWhole * points.back().x) {
     places.push_back(0);
     widths.push_back(points.front().y);
   }
   for (const glm::dvec2 point : points) {
-    places.push_back(point.x / fitted.length);
+    places.push_back(point.x / points.back().x);
     widths.push_back(point.y);
-    largest = std::max(largest, point.y);
+    smoothed.largest = std::max(smoothed.largest, point.y);
   }
   std::vector<double> weights(places.size(), 1);
   weights.front() = weights.back() = kEndWeight;
-  std::vector<double> smooth = smooth_values(places, {widths}, weighted(smoothing * largest, weights), weights)[0];
-  for (double& width : smooth) width = std::max(0.0, width);
-  const auto widest = std::max_element(smooth.begin(), smooth.end());
-  fitted.largest = *widest;
-  fitted.widest = places[static_cast<std::size_t>(widest - smooth.begin())];
-  for (double& width : smooth) width /= fitted.largest;
-  fitted.shares = through(places, smooth, kind);
-  return fitted;
+  const double distance = weighted(smoothing * smoothed.largest, weights);
+  std::vector<double> smooth = smooth_values(places, {widths}, distance, weights)[0];
+  for (double& width : smooth) width = std::max(0.0, width / smoothed.largest);
+  smoothed.widest = places[static_cast<std::size_t>(std::ranges::max_element(smooth) - smooth.begin())];
+  smoothed.shares = through(places, smooth, smoothing > 0 ? CurveKind::spline : CurveKind::linear);
+  return smoothed;
 }
 
 void check_options(const FitOptions& options) {
@@ -188,41 +185,51 @@ void check_options(const FitOptions& options) {
 
 }  // namespace
 
-FittedLeaf fit_leaf(const MeasuredCurve& midrib, const MeasuredCurve& widths, const FitOptions& options) {
+FittedMidrib fit_midrib(const MeasuredCurve& midrib, const FitOptions& options) {
   check_options(options);
   check_midrib(midrib);
-  check_widths(widths);
-  FittedLeaf fitted;
-
-  // The midrib.
+  FittedMidrib fitted;
   const std::vector<double> lengths = chord_lengths(midrib.points);
   fitted.polyline_length = lengths.back();
   Points points =
       equal_chords(follow_midrib(midrib.points, lengths, options), static_cast<std::size_t>(options.pieces));
   for (glm::dvec2& point : points) point = midrib.points[0] + fitted.polyline_length * point;
-  fitted.midrib_length = chord_lengths(points).back();
+  fitted.length = chord_lengths(points).back();
   fitted.distance = mean_distance(midrib.points, points);
   fitted.leaf = leaf_through(points);
+  return fitted;
+}
 
-  // The widths, with the largest at one of the leaf's points.
+FittedWidths fit_widths(const MeasuredCurve& widths, const FitOptions& options) {
+  check_options(options);
+  check_widths(widths);
+  FittedWidths fitted;
   MeasuredCurve from_base = widths;
   fitted.was_turned = turn_to_base(from_base);
-  const bool is_spline = options.width_smoothing > 0;
-  const FittedWidths profile =
-      fit_widths(from_base.points, options.width_smoothing, is_spline ? CurveKind::spline : CurveKind::linear);
-  GrassLeaf& leaf = fitted.leaf;
+  fitted.length = from_base.points.back().x;
+  fitted.are_shares = std::abs(fitted.length - 1) < kWhole;
+  const WidthCurve smooth = smooth_widths(from_base.points, options.width_smoothing);
   double largest = 0;
-  for (std::size_t k = 0; k < leaf.point_count(); ++k) {
-    leaf.r[k] = std::max(0.0, profile.shares(leaf.s[k]));
-    largest = std::max(largest, leaf.r[k]);
+  for (int k = 0; k <= options.pieces; ++k) {
+    fitted.r.push_back(std::max(0.0, smooth.shares(static_cast<double>(k) / options.pieces)));
+    largest = std::max(largest, fitted.r.back());
   }
   if (largest == 0) {
     // A blade that is narrower than a piece and lies between two points.
-    leaf.r[static_cast<std::size_t>(profile.widest * options.pieces + 0.5)] = largest = 1;
+    fitted.r[static_cast<std::size_t>(smooth.widest * options.pieces + 0.5)] = largest = 1;
   }
-  for (double& share : leaf.r) share = std::min(1.0, share / largest);
-  leaf.width = largest * profile.largest;
-  leaf.length = std::abs(profile.length - 1) < kWhole ? fitted.midrib_length : profile.length;
+  for (double& share : fitted.r) share = std::min(1.0, share / largest);
+  fitted.width = largest * smooth.largest;
+  return fitted;
+}
+
+FittedLeaf fit_leaf(const MeasuredCurve& midrib, const MeasuredCurve& widths, const FitOptions& options) {
+  FittedMidrib along = fit_midrib(midrib, options);
+  FittedWidths across = fit_widths(widths, options);
+  FittedLeaf fitted{std::move(along.leaf), along.length, along.polyline_length, along.distance, across.was_turned};
+  fitted.leaf.r = std::move(across.r);
+  fitted.leaf.width = across.width;
+  fitted.leaf.length = across.are_shares ? along.length : across.length;
   return fitted;
 }
 

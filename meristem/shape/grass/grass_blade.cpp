@@ -25,9 +25,10 @@ constexpr double kLeastWidth = 1e-3;  // elsewhere
 constexpr double kMostClasp = 2.8;    // radians by which a half may bend about a sheath
 constexpr int kSheathSides = 14;
 constexpr int kLiguleSides = 6;
-constexpr double kLiguleArc = 2.4;    // radians
-constexpr double kLiguleEnds = 0.1;   // of the height in its middle
-constexpr double kSheathFoot = 0.94;  // of the radius, at the lower end
+constexpr double kLiguleArc = 2.4;      // radians
+constexpr double kLiguleEnds = 0.1;     // of the height in its middle
+constexpr float kLiguleInside = 0.97F;  // radius of its inner face
+constexpr double kSheathFoot = 0.94;    // of the radius, at the lower end
 
 class BladeRows {
  public:
@@ -192,10 +193,24 @@ Mesh make_sheath(double open) {
 }
 
 Mesh make_ligule() {
-  return make_strip(kLiguleArc, kLiguleSides, [](int row, double share, double sine, double cosine) {
+  Mesh mesh = make_strip(kLiguleArc, kLiguleSides, [](int row, double share, double sine, double cosine) {
     const double height = row * (1 - (1 - kLiguleEnds) * (2 * share - 1) * (2 * share - 1));
     return DVec3(sine, height, cosine);
   });
+  // Its inner face, a little way in, so that no two triangles lie in one place.
+  const auto vertices = static_cast<std::uint32_t>(mesh.vertex_count());
+  const std::size_t triangles = mesh.triangle_count();
+  for (std::uint32_t v = 0; v < vertices; ++v) {
+    const Vec3 outer = mesh.positions[v];
+    mesh.positions.emplace_back(kLiguleInside * outer.x, outer.y, kLiguleInside * outer.z);
+    mesh.normals.push_back(-mesh.normals[v]);
+    mesh.uvs.push_back(mesh.uvs[v]);
+  }
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const auto [a, b, c] = mesh.triangles[t];
+    mesh.triangles.push_back({vertices + a, vertices + c, vertices + b});
+  }
+  return mesh;
 }
 
 }  // namespace meristem

@@ -153,6 +153,14 @@ TEST(Grassleaf, ExactLeavesAreAsTheyAreAsked) {
   EXPECT_NEAR(math::atan2(-tip.z, tip.y), radians(12.3), 1e-5);
 }
 
+TEST(Grassleaf, NumbersThatVaryDoNotSpoilItsTexture) {
+  const Object veins{{"leaf", Object{{"veins", "parallel"}}}, {"pixels", 32}};
+  const auto normals_of = [&](const Object& leaf) { return field_of(1, leaf).materials[0].texture->normals.rgba; };
+  const Object plain = strip({{"length", 0.3}, {"width", 0.018}, {"texture", veins}});
+  const Object varied = strip({{"length", "0.3 + 0*i"}, {"width", "0.018 + 0*i"}, {"texture", veins}});
+  EXPECT_EQ(normals_of(varied), normals_of(plain));
+}
+
 TEST(Grassleaf, AFieldShowsTheSpreadThatIsAskedFor) {
   const Object lives{{"length", "1 + 0.1*gauss(0, 1)"}, {"width", "1 + 0.05*gauss(0, 1)"}, {"variants", 0}};
   const Plant plant = field_of(4000, strip({{"vary", lives}}));

@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kNoWidth = 1e-3;     // of the largest: a blade that ends so narrow ends in a point
 constexpr double kLeastWidth = 1e-3;  // elsewhere
+constexpr double kNoLength = 1e-6;    // in lengths: a shorter piece has no direction
 constexpr double kMostClasp = 2.8;    // radians by which a half may bend about a sheath
 constexpr int kSheathSides = 14;
 constexpr int kLiguleSides = 6;
@@ -55,16 +56,22 @@ class BladeRows {
     bool is_point = false;
   };
 
-  /// The direction of the midrib at a point: between those of the pieces about it.
+  /// The direction of a piece; 0 where a midrib comes back to the same place.
+  glm::dvec2 direction(std::size_t piece) const {
+    const glm::dvec2 along(leaf_.x[piece + 1] - leaf_.x[piece], leaf_.y[piece + 1] - leaf_.y[piece]);
+    const double length = glm::length(along);
+    return length > kNoLength ? along / length : glm::dvec2(0);
+  }
+
+  /// The direction of the midrib at a point: between those of the pieces about it, of one that there is, or up.
   glm::dvec2 tangent(std::size_t k) const {
-    const auto piece = [&](std::size_t i) {
-      return glm::normalize(glm::dvec2(leaf_.x[i + 1] - leaf_.x[i], leaf_.y[i + 1] - leaf_.y[i]));
-    };
-    if (k == 0) return piece(0);
-    if (k + 1 == leaf_.point_count()) return piece(k - 1);
-    const glm::dvec2 sum = piece(k - 1) + piece(k);
-    const double length = glm::length(sum);
-    return length > 1e-6 ? sum / length : piece(k);
+    const glm::dvec2 before = k > 0 ? direction(k - 1) : glm::dvec2(0);
+    const glm::dvec2 after = k + 1 < leaf_.point_count() ? direction(k) : glm::dvec2(0);
+    for (const glm::dvec2 along : {before + after, after, before}) {
+      const double length = glm::length(along);
+      if (length > kNoLength) return along / length;
+    }
+    return {0, 1};
   }
 
   /// By which a section bends a metre of its width.

@@ -48,8 +48,8 @@ Mesh make_grass_blade(const GrassLeaf& leaf, const GrassBlade& blade);
 /// by `open` radians. Its front is outside. u goes around, v up.
 Mesh make_sheath(double open);
 
-/// A ligule: a membrane that goes on from the upper rim of such a sheath on the blade's side, 1 high in its middle, with
-/// a front to either side.
+/// A ligule: a membrane that goes on from the upper rim of such a sheath on the blade's side, 1 high in its middle,
+/// with a front to either side.
 Mesh make_ligule();
 
 }  // namespace meristem

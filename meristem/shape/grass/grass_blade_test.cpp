@@ -228,6 +228,14 @@ TEST(GrassBlade, NarrowPlacesBetweenKeepTheBladeInOnePart) {
   EXPECT_EQ(mesh.triangle_count(), 38U);
 }
 
+TEST(GrassBlade, AMidribThatComesBackToAPlaceStaysFinite) {
+  GrassLeaf leaf = arching_leaf(4, 0.5, 0.5);
+  for (const std::size_t k : {2, 3}) leaf.x[k] = leaf.x[1], leaf.y[k] = leaf.y[1];
+  const Mesh mesh = make_grass_blade(leaf, {.twist = 1});
+  for (const Vec3 position : mesh.positions) EXPECT_TRUE(std::isfinite(position.x + position.y + position.z));
+  for (const Vec3 normal : mesh.normals) EXPECT_NEAR(glm::length(normal), 1, 1e-5);
+}
+
 TEST(GrassBlade, WithAllEffectsTheMeshIsSound) {
   const GrassBlade blade{.twist = 2,
                          .fold = 0.3,

@@ -4,6 +4,8 @@
 #include "meristem/components/camera.h"
 #include "meristem/components/cloud.h"
 #include "meristem/components/colonize.h"
+#include "meristem/components/field.h"
+#include "meristem/components/grassleaf.h"
 #include "meristem/components/horn.h"
 #include "meristem/components/hydra.h"
 #include "meristem/components/leaf.h"
@@ -25,11 +27,13 @@ const Registry& builtin_components() {
       revolution_component(),
       leaf_component(),
       needles_component(),
+      grassleaf_component(),
       tree_component(),
       horn_component(),
       hydra_component(),
       wreath_component(),
       phiball_component(),
+      field_component(),
       colonize_component(),
       organize_component(),
       cloud_component(),

@@ -141,6 +141,8 @@ class SchemaWriter {
       case ParameterKind::file:
       case ParameterKind::condition:
         return typed("string");
+      case ParameterKind::formula:
+        return any_of({typed("number"), typed("string")});
       case ParameterKind::lines:
         return any_of({typed("string"), list_of(typed("string"), 0, 0)});
       case ParameterKind::choice:

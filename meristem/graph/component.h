@@ -104,12 +104,13 @@ struct ComponentType {
   std::string doc;
   ParameterTable parameters;  ///< own rows, then those of ComponentBase
   Material material;
-  double variety = 0;        ///< of colours, where the document does not say
-  Material blades;           ///< of the geometry that it emits as blades
-  bool is_camera = false;    ///< the root of every graph
-  bool makes_stems = false;  ///< branch links place children along stems
-  bool has_twigs = false;    ///< by default along twigs alone
-  bool has_ribs = false;     ///< branch links without placement keys have places of their own
+  double variety = 0;           ///< of colours, where the document does not say
+  Material blades;              ///< of the geometry that it emits as blades
+  bool is_camera = false;       ///< the root of every graph
+  bool makes_stems = false;     ///< branch links place children along stems
+  bool has_twigs = false;       ///< by default along twigs alone
+  bool has_ribs = false;        ///< branch links without placement keys have places of their own
+  bool stands_on_axis = false;  ///< branch links place it on a stem's axis and not on its bark, as they do stems
   Tropism tropism = Tropism::heading;
   std::size_t size = 0;  ///< of the parameter struct
 
@@ -165,6 +166,7 @@ struct ComponentDefinition {
   bool makes_stems = false;
   bool has_twigs = false;  ///< of stems; components that grow have twigs anyway
   bool has_ribs = false;   ///< branch links without placement keys stand at the branch sites, others along the stems
+  bool stands_on_axis = false;  ///< of the stems on which branch links place it, and not on their bark
   Tropism tropism = Tropism::heading;
   /// Makes one instance's geometry and says where children stand, through `out`, relative to the instance's own frame.
   void (*expand)(const P& parameters, const Site& site, Emitter& out) = nullptr;
@@ -199,6 +201,7 @@ ComponentType define_component(ComponentDefinition<P> definition) {
   type.makes_stems = definition.makes_stems;
   type.has_twigs = definition.has_twigs || definition.grow != nullptr;
   type.has_ribs = definition.has_ribs;
+  type.stands_on_axis = definition.stands_on_axis;
   type.tropism = definition.tropism;
   type.size = sizeof(P);
   type.make_parameters = [] { return std::static_pointer_cast<void>(std::make_shared<P>()); };

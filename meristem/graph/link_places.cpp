@@ -96,7 +96,7 @@ class LinkPlaces::Writer {
     if (is_full()) return;
     PlacementContext context = context_of(stem);
     context.light = unit_vector(all_.scene_.sun);
-    context.on_axis = to_.type->makes_stems;
+    context.on_axis = to_.type->makes_stems || to_.type->stands_on_axis;
     context.has_twigs = from_.has_twigs;
     context.stem = stem.id();
     if (!stem.branching) return add_all(place_along(stem.skeleton, link_.placement, context));

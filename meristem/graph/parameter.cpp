@@ -83,6 +83,8 @@ std::string Parameter::expectation() const {
       return "a list of places such as [[0, 0, 0], [3, 0, 0]]";
     case ParameterKind::condition:
       return fmt::format("a condition over {}", fmt::join(names, ", "));
+    case ParameterKind::formula:
+      return fmt::format("a number, or an expression over {}", fmt::join(names, ", "));
     case ParameterKind::selection:
       return "a list such as [0, [3, 5], \"i % 4 == 2\"]";
     case ParameterKind::box:

@@ -36,6 +36,7 @@ enum class ParameterKind {
   points,     ///< a list of pairs [x, y]
   places,     ///< a list of places [x, y, z]
   condition,  ///< an expression that is true or false for each place
+  formula,    ///< an expression over names of its own that gives a number, or a number
   selection,  ///< a list of instance numbers, ranges and conditions
   box,        ///< two corners [[x, y, z], [x, y, z]], the lower first
   file,       ///< the path of a file, from the document's folder, whose content is read with the document
@@ -64,7 +65,7 @@ struct Parameter {
   std::size_t count = 0;             ///< of integers
   /// Of an object, list or map. A function, so that tables may contain themselves.
   const ParameterTable& (*nested)() = nullptr;
-  std::vector<std::string> names;  ///< variables of a condition
+  std::vector<std::string> names;  ///< variables of a condition or formula
   bool required = false;
 
   /// Stores what `value` says into the struct at `object`, or reports faults.
@@ -96,6 +97,8 @@ class ParameterTable {
   std::vector<Company> company;
   /// Rules between parameters; called when all of them could be read.
   std::function<void(const void* object, const Place& place, ParameterReader& reader)> check;
+  /// Works out what follows from several parameters; called after the rules, once they hold.
+  std::function<void(void* object, const Place& place, ParameterReader& reader)> prepare;
   /// The defaults, as documents write them.
   std::function<std::vector<Value>()> defaults;
 

@@ -51,7 +51,7 @@ Placement overridden(Placement own, const Placement& link, std::span<const std::
 
 struct PlacementContext {
   Vec3 light{0, 1, 0};    ///< unit vector toward it
-  bool on_axis = false;   ///< places lie on the stem's axis and not on its bark, for children that are stems themselves
+  bool on_axis = false;   ///< places lie on the stem's axis and not on its bark, for children that begin there themselves
   bool has_twigs = true;  ///< by default they carry the children
   std::uint64_t stem = kOnNoStem;   ///< id of the stem, for the places
   Site parent;                      ///< of the instance that made the stem; the places' keys and depths come from it

@@ -167,6 +167,7 @@ void ParameterReader::object(const ParameterTable& table, void* object, const Va
   }
   check_company(table, *members, place);
   if (table.check && faults_ == faults_before) table.check(object, place, *this);
+  if (table.prepare && faults_ == faults_before) table.prepare(object, place, *this);
 }
 
 void ParameterReader::check_company(const ParameterTable& table, const Value::Object& given, const Place& place) {

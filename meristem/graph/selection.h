@@ -11,13 +11,16 @@
 
 namespace meristem {
 
-/// A condition over the places along a stem or over instances, as the document wrote it.
-struct Condition {
+/// An expression over names that its parameter states, as the document wrote it.
+struct Formula {
   std::string text;
-  Expression expression;  ///< compiled; over the names its parameter states
+  Expression expression;  ///< compiled
 
-  bool operator==(const Condition& other) const { return text == other.text; }
+  bool operator==(const Formula& other) const { return text == other.text; }
 };
+
+/// One over the places along a stem or over instances, which says yes or no.
+using Condition = Formula;
 
 /// A set of instances: numbers, ranges of numbers with both ends, and conditions over the site variables.
 struct Selection {

@@ -282,6 +282,12 @@ void read_condition(const Parameter& self, const Value& value, const Place& plac
   if (auto compiled = reader.expression(value, place, self.names)) out = Condition{*value.text(), std::move(*compiled)};
 }
 
+void read_formula(const Parameter& self, const Value& value, const Place& place, ParameterReader& reader,
+                  std::optional<Formula>& out) {
+  const Value text = value.number() != nullptr ? Value(fmt::format("{}", *value.number())) : value;
+  read_condition(self, text, place, reader, out);
+}
+
 Value show_object(const ParameterTable& table, const void* object) {
   Value::Object members;
   for (const Parameter& row : table.parameters) {

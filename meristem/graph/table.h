@@ -64,6 +64,7 @@ Value show_colours(const std::vector<Vec3>& colours);
 void read_selection(const Parameter&, const Value&, const Place&, ParameterReader&, std::optional<Selection>& out);
 Value show_selection(const Selection& selection);
 void read_condition(const Parameter&, const Value&, const Place&, ParameterReader&, std::optional<Condition>& out);
+void read_formula(const Parameter&, const Value&, const Place&, ParameterReader&, std::optional<Formula>& out);
 Value show_object(const ParameterTable& table, const void* object);
 
 }  // namespace table_detail
@@ -263,6 +264,18 @@ class Table {
     made.names = std::move(names);
     return std::move(*this);
   }
+  /// A number for each set of values of `names`.
+  Table&& formula(std::string name, std::optional<Formula> P::*member, std::vector<std::string> names,
+                  std::string doc) && {
+    Parameter& made = row(
+        ParameterKind::formula, std::move(name), std::move(doc),
+        [member](const Parameter& self, P& object, const Value& value, const Place& place, ParameterReader& reader) {
+          table_detail::read_formula(self, value, place, reader, object.*member);
+        },
+        [member](const P& object) { return object.*member ? Value((object.*member)->text) : Value(); });
+    made.names = std::move(names);
+    return std::move(*this);
+  }
   /// Instances by number, range and condition.
   Table&& selection(std::string name, std::optional<Selection> P::*member, std::string doc) && {
     row(
@@ -442,6 +455,14 @@ class Table {
   Table&& check(void (*rule)(const P&, const Place&, ParameterReader&)) && {
     table_.check = [rule](const void* object, const Place& place, ParameterReader& reader) {
       rule(*static_cast<const P*>(object), place, reader);
+    };
+    return std::move(*this);
+  }
+
+  /// What follows from several parameters, worked out once they are read and hold.
+  Table&& prepare(void (*step)(P&, const Place&, ParameterReader&)) && {
+    table_.prepare = [step](void* object, const Place& place, ParameterReader& reader) {
+      step(*static_cast<P*>(object), place, reader);
     };
     return std::move(*this);
   }

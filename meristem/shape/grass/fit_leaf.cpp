@@ -10,6 +10,7 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "meristem/base/curve.h"
 #include "meristem/base/smoothing_spline.h"
@@ -107,15 +108,8 @@ GrassLeaf even_midrib(const Points& followed, std::size_t pieces) {
   return resampled(leaf, pieces);
 }
 
-struct FittedWidths {
-  Curve shares{};  // of the largest, over the share of the length
-  double largest = 0;
-  double length = 0;  // of the blade, in the unit of the places
-};
-
-FittedWidths fit_widths(const Points& points, double smoothing, CurveKind kind) {
-  FittedWidths fitted;
-  fitted.length = points.back().x;
+/// Smoothed widths as shares of the largest measured one, over the share of the length.
+Curve smooth_widths(const Points& points, double smoothing) {
   std::vector<double> places, widths;
   double largest = 0;
   // A place that is not measured has the width of the next one.
@@ -124,18 +118,15 @@ FittedWidths fit_widths(const Points& points, double smoothing, CurveKind kind) 
     widths.push_back(points.front().y);
   }
   for (const glm::dvec2 point : points) {
-    places.push_back(point.x / fitted.length);
+    places.push_back(point.x / points.back().x);
     widths.push_back(point.y);
     largest = std::max(largest, point.y);
   }
   std::vector<double> weights(places.size(), 1);
   weights.front() = weights.back() = kEndWeight;
   std::vector<double> smooth = smooth_values(places, {widths}, weighted(smoothing * largest, weights), weights)[0];
-  for (double& width : smooth) width = std::max(0.0, width);
-  fitted.largest = *std::max_element(smooth.begin(), smooth.end());
-  for (double& width : smooth) width /= fitted.largest;
-  fitted.shares = through(places, smooth, kind);
-  return fitted;
+  for (double& width : smooth) width = std::max(0.0, width / largest);
+  return through(places, smooth, smoothing > 0 ? CurveKind::spline : CurveKind::linear);
 }
 
 void check_options(const FitOptions& options) {
@@ -148,36 +139,47 @@ void check_options(const FitOptions& options) {
 
 }  // namespace
 
-FittedLeaf fit_leaf(const MeasuredCurve& midrib, const MeasuredCurve& widths, const FitOptions& options) {
+FittedMidrib fit_midrib(const MeasuredCurve& midrib, const FitOptions& options) {
   check_options(options);
   check_midrib(midrib);
-  check_widths(widths);
-  FittedLeaf fitted;
-
-  // The midrib.
+  FittedMidrib fitted;
   const std::vector<double> lengths = chord_lengths(midrib.points);
   fitted.polyline_length = lengths.back();
   Points followed = follow_midrib(midrib.points, lengths, options);
   for (glm::dvec2& point : followed) point = midrib.points[0] + fitted.polyline_length * point;
-  fitted.midrib_length = chord_lengths(followed).back();
+  fitted.length = chord_lengths(followed).back();
   fitted.distance = mean_distance(midrib.points, followed);
   fitted.leaf = even_midrib(followed, static_cast<std::size_t>(options.pieces));
+  return fitted;
+}
 
-  // The widths, with the largest at one of the leaf's points.
+FittedWidths fit_widths(const MeasuredCurve& widths, const FitOptions& options) {
+  check_options(options);
+  check_widths(widths);
+  FittedWidths fitted;
   MeasuredCurve from_base = widths;
   fitted.was_turned = turn_to_base(from_base);
-  const bool is_spline = options.width_smoothing > 0;
-  const FittedWidths profile =
-      fit_widths(from_base.points, options.width_smoothing, is_spline ? CurveKind::spline : CurveKind::linear);
-  GrassLeaf& leaf = fitted.leaf;
+  fitted.length = from_base.points.back().x;
+  fitted.are_shares = std::abs(fitted.length - 1) < kWhole;
+  const Curve smooth = smooth_widths(from_base.points, options.width_smoothing);
   double largest = 0;
-  for (std::size_t k = 0; k < leaf.point_count(); ++k) {
-    leaf.r[k] = std::max(0.0, profile.shares(leaf.s[k]));
-    largest = std::max(largest, leaf.r[k]);
+  for (int k = 0; k <= options.pieces; ++k) {
+    fitted.r.push_back(std::max(0.0, smooth(static_cast<double>(k) / options.pieces)));
+    largest = std::max(largest, fitted.r.back());
   }
-  for (double& share : leaf.r) share = std::min(1.0, share / largest);
-  leaf.width = largest * profile.largest;
-  leaf.length = std::abs(profile.length - 1) < kWhole ? fitted.midrib_length : profile.length;
+  for (double& share : fitted.r) share /= largest;
+  for (const glm::dvec2 point : from_base.points) fitted.width = std::max(fitted.width, point.y);
+  fitted.width *= largest;
+  return fitted;
+}
+
+FittedLeaf fit_leaf(const MeasuredCurve& midrib, const MeasuredCurve& widths, const FitOptions& options) {
+  FittedMidrib along = fit_midrib(midrib, options);
+  FittedWidths across = fit_widths(widths, options);
+  FittedLeaf fitted{std::move(along.leaf), along.length, along.polyline_length, along.distance, across.was_turned};
+  fitted.leaf.r = std::move(across.r);
+  fitted.leaf.width = across.width;
+  fitted.leaf.length = across.are_shares ? along.length : across.length;
   return fitted;
 }
 

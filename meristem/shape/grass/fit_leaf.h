@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <glm/vec2.hpp>
+#include <vector>
 
 #include "meristem/shape/grass/grass_leaf.h"
 #include "meristem/shape/grass/measured_leaves.h"
@@ -16,20 +16,42 @@ struct FitOptions {
   int pieces = 48;                ///< equal pieces of the fitted midrib; raised, it follows the spline more closely
 };
 
+/// A smoothing spline through a digitised midrib, which begins at its first point.
+struct FittedMidrib {
+  GrassLeaf leaf;              ///< of equal pieces, 1 long, as wide all along
+  double length = 0;           ///< in the unit of the points
+  double polyline_length = 0;  ///< of the digitised points joined by lines
+  double distance = 0;         ///< root mean square distance of the digitised points from the fitted midrib
+};
+
+/// Throws InputError by check_midrib, and std::invalid_argument for options out of range. Cost: linear in points and
+/// pieces.
+FittedMidrib fit_midrib(const MeasuredCurve& midrib, const FitOptions& options = {});
+
+/// Smoothed widths along a blade, from base to tip; both ends stay as measured.
+struct FittedWidths {
+  std::vector<double> r;    ///< share of the largest at the points of equal pieces
+  double width = 0;         ///< the largest, as measured
+  double length = 0;        ///< the last place, as measured
+  bool are_shares = false;  ///< the places are shares of the length: they end at 1
+  bool was_turned = false;  ///< they ran from the tip to the base
+};
+
+/// Throws InputError by check_widths, and std::invalid_argument for options out of range.
+FittedWidths fit_widths(const MeasuredCurve& widths, const FitOptions& options = {});
+
 /// A leaf fitted to measured points, with what can be said of the fit.
 struct FittedLeaf {
   GrassLeaf leaf;
-  double midrib_length = 0;    ///< of the fitted midrib, in the unit of its points
-  double polyline_length = 0;  ///< of the digitised points joined by lines
-  double distance = 0;         ///< root mean square distance of the digitised points from the fitted midrib
-  bool was_turned = false;     ///< the widths ran from the tip to the base
+  double midrib_length = 0;
+  double polyline_length = 0;
+  double distance = 0;
+  bool was_turned = false;
 };
 
-/// Fits smoothing splines to a midrib and to the widths along a blade. The midrib begins at its first point. Both are
-/// taken over their own length from base to tip, since those who digitise leaves that stand catch less than all of
-/// them. Where the places of the widths end at 1 they are shares of the length, which then is the midrib's; else they
-/// are in the unit of the points, and their last one is the blade's length. Throws InputError by check_midrib and
-/// check_widths, and std::invalid_argument for options out of range. Cost: linear in points and pieces.
+/// Both together. Each is taken over its own length from base to tip, since those who digitise leaves that stand catch
+/// less than all of them. Where the places of the widths are shares, the leaf is as long as its midrib; else as the
+/// blade along which widths were measured.
 FittedLeaf fit_leaf(const MeasuredCurve& midrib, const MeasuredCurve& widths, const FitOptions& options = {});
 
 }  // namespace meristem

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/field.h"
+
+#include "meristem/base/math.h"
+
+namespace meristem {
+
+namespace {
+
+/// Which numbers of a place's random stream mean what.
+enum Draw : std::uint64_t { along, across, turn, gap };
+
+void expand(const Field& field, const Site& site, Emitter& out) {
+  out.no_children();
+  const auto rows = static_cast<std::uint64_t>(field.rows), plants = static_cast<std::uint64_t>(field.plants);
+  out.expect_children(rows * plants);
+  const RandomKey places = site.key.child("places");
+  const double right = 0.5 * (field.plants - 1) * field.spacing, front = 0.5 * (field.rows - 1) * field.row_spacing;
+  for (std::uint64_t row = 0; row < rows; ++row) {
+    const double moved = field.stagger ? (row % 2 == 0 ? -0.25 : 0.25) * field.spacing : 0;
+    for (std::uint64_t plant = 0; plant < plants; ++plant) {
+      const RandomKey place = places.child(row * plants + plant);
+      if (field.gaps > 0 && place.uniform(gap) < field.gaps) continue;
+      const double x = static_cast<double>(plant) * field.spacing - right + moved +
+                       field.scatter * field.spacing * place.uniform(along, -1, 1);
+      const double z = static_cast<double>(row) * field.row_spacing - front +
+                       field.scatter * field.row_spacing * place.uniform(across, -1, 1);
+      Frame frame;
+      if (field.turned) {
+        const double angle = place.uniform(turn, 0, 2 * kPi);
+        const auto sine = static_cast<float>(math::sin(angle)), cosine = static_cast<float>(math::cos(angle));
+        frame.axes = Mat3(Vec3(cosine, 0, -sine), Vec3(0, 1, 0), Vec3(sine, 0, cosine));
+      }
+      frame.origin = Vec3(x, 0, z);
+      out.child_site(frame);
+    }
+  }
+}
+
+}  // namespace
+
+ComponentType field_component() {
+  return define_component<Field>({
+      .name = "field",
+      .doc = "Places in rows on a level plain, for a crop, an orchard or an avenue.",
+      .parameters =
+          Table<Field>("a field", "Places in rows.")
+              .integer("rows", &Field::rows, {.min = 1, .max = 1e6, .fixed = true}, "One behind the other, along z.")
+              .integer("plants", &Field::plants, {.min = 1, .max = 1e6, .fixed = true}, "In each row, along x.")
+              .number("row_spacing", &Field::row_spacing, {.unit = Unit::metre, .min = 0, .max = 1e5},
+                      "From row to row.")
+              .number("spacing", &Field::spacing, {.unit = Unit::metre, .min = 0, .max = 1e5}, "Within a row.")
+              .number("scatter", &Field::scatter, {.min = 0, .max = 1},
+                      "Share of both spacings by which a place is off at most; raised, less even.")
+              .boolean("stagger", &Field::stagger, "Whether every other row is moved by half of the spacing.")
+              .number("gaps", &Field::gaps, {.min = 0, .max = 1}, "Share of places that stay empty.")
+              .boolean("turned", &Field::turned, "Whether each plant faces anywhere, and not all the same way."),
+      .expand = expand,
+  });
+}
+
+}  // namespace meristem

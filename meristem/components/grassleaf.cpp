@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: Apache-2.0
+// A field has a million leaves. Unless they are to be exact, what shapes a leaf is rounded so that many share a mesh,
+// which is made for a length of 1 and scaled: its width over its length to an eighth of an octave (and stretched to the
+// exact one, by at most 4.4 %), angles to 5°, its age to 32 steps of full growth, forces to a quarter of the leaf's
+// weight. Lives are drawn from a number of variants.
+#include "meristem/components/grassleaf.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "meristem/base/hash.h"
+#include "meristem/base/math.h"
+#include "meristem/components/grassleaf_table.h"
+#include "meristem/components/shared_shape.h"
+#include "meristem/shape/grass/reduce_leaf.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr double kAgeSteps = 32;        // of full growth
+constexpr double kProportionSteps = 8;  // an octave
+constexpr double kRadiusSteps = 2;      // an octave
+constexpr double kForceStep = 0.25;     // of the leaf's weight
+constexpr double kWaveStep = 0.05;      // of their depth
+constexpr double kErrorSteps = 4;       // an octave
+constexpr double kAirDensity = 1.2;     // kg/m3
+constexpr double kAgeTolerance = 1e-9;
+constexpr int kPiecesAWave = 4;
+constexpr double kUpright = -1;  // stands for an inclination that is the midrib's own
+
+/// Where a leaf's curves come from.
+struct Choice {
+  std::uint32_t midrib = 0, widths = 0;
+};
+
+[[noreturn]] void throw_at(const Emitter& out, const char* parameter, std::string message, std::string expected) {
+  throw InputError(Diagnostic{.message = std::move(message),
+                              .expected = std::move(expected),
+                              .path = fmt::format("components.{}.{}", out.component(), parameter)});
+}
+
+Choice choose(const Grassleaf& grass, const Site& site, const Emitter& out) {
+  const std::vector<std::uint32_t> midribs = grass.stock->midribs_of(grass.rank, grass.leaf);
+  if (midribs.empty()) {
+    throw_at(out, "rank", fmt::format("there is no midrib of rank {}", grass.rank), "one of " + grass.stock->ranks());
+  }
+  const double drawn = site.key.child("leaf").uniform(0) * static_cast<double>(midribs.size());
+  Choice choice{.midrib = midribs[std::min(static_cast<std::size_t>(drawn), midribs.size() - 1)]};
+  const StockedMidrib& midrib = grass.stock->midribs[choice.midrib];
+  const auto widths = grass.stock->widths_of(grass.rank, midrib.leaf);
+  if (!widths)
+    throw_at(out, "rank", fmt::format("there are no widths of rank {}", grass.rank), "one that the file has");
+  choice.widths = *widths;
+  if (grass.stages.age && grass.age > midrib.family.last_age() + kAgeTolerance) {
+    throw_at(out, "age", fmt::format("the age {} is outside of the midribs' ages", grass.age),
+             fmt::format("at most {}, such as \"min({}, ...)\"", midrib.family.last_age(), midrib.family.last_age()));
+  }
+  return choice;
+}
+
+/// Metres, full grown.
+double full_length(const Grassleaf& grass, const Choice& choice) {
+  if (grass.length) return *grass.length;
+  const FittedWidths& widths = grass.stock->widths[choice.widths].fitted;
+  return grass.source.unit * (widths.are_shares ? grass.stock->midribs[choice.midrib].length : widths.length);
+}
+
+double full_width(const Grassleaf& grass, const Choice& choice, double length) {
+  if (grass.width) return *grass.width;
+  const FittedWidths& widths = grass.stock->widths[choice.widths].fitted;
+  const double as_measured = grass.source.unit * widths.width;
+  // Widths as shares of the largest say nothing of it.
+  return widths.are_shares ? 0.06 * length : as_measured;
+}
+
+/// What of a leaf's shape varies from instance to instance, rounded, for a length of 1. All of them numbers, so that
+/// their bytes tell shapes apart.
+struct ShapeNumbers {
+  double midrib, widths, variant;
+  double width;
+  double age, full_age;
+  double inclination;
+  double pull_x = 0, pull_y = 0, wind_x = 0, wind_y = 0, gravity_x = 0, gravity_y = -1;
+  double stiffness = 1, tip_thickness = 1;
+  double twist, fold, roll;
+  double waves, waves_depth, waves_left, waves_right;
+  double clasp, clasp_radius;
+  double polygons, error;
+
+  std::uint64_t key() const { return hash64({reinterpret_cast<const char*>(this), sizeof *this}); }
+};
+static_assert(sizeof(ShapeNumbers) % sizeof(double) == 0);
+
+/// Rounds numbers, or leaves them.
+struct Rounding {
+  bool exact;
+  double step(double value, double step) const { return exact ? value : to_step(value, step) + 0.0; }
+  double octaves(double value, double steps) const { return exact || value <= 0 ? value : to_octaves(value, steps); }
+};
+
+/// A vector of the world in the plane of a leaf: away from the stem, and along it.
+glm::dvec2 in_plane(Vec3 vector, const Frame& frame) {
+  return {-glm::dot(vector, glm::normalize(frame.axes[2])), glm::dot(vector, glm::normalize(frame.axes[1]))};
+}
+
+void note_forces(const Grassleaf& grass, const Site& site, const Emitter& out, Rounding round, ShapeNumbers& numbers) {
+  if (!grass.forces || !grass.stages.bend) return;
+  const GrassForces& forces = *grass.forces;
+  const Vec3 all = forces.pull + static_cast<float>(forces.light) * unit_vector(out.scene().sun);
+  // The pressure of wind on a plate over the weight of the blade.
+  const double speed = glm::length(forces.wind);
+  const Vec3 wind = static_cast<float>(0.5 * kAirDensity * speed / forces.weight) * forces.wind;
+  const auto set = [&](Vec3 vector, double& x, double& y) {
+    const glm::dvec2 plane = in_plane(vector, site.frame);
+    x = round.step(plane.x, kForceStep);
+    y = round.step(plane.y, kForceStep);
+  };
+  set(all, numbers.pull_x, numbers.pull_y);
+  set(wind, numbers.wind_x, numbers.wind_y);
+  set(-kUp, numbers.gravity_x, numbers.gravity_y);
+  numbers.stiffness = round.octaves(forces.strip.stiffness, kRadiusSteps);
+  numbers.tip_thickness = round.octaves(forces.strip.tip_thickness, kRadiusSteps);
+}
+
+ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choice& choice, double length, double width,
+                           const Emitter& out) {
+  const Rounding round{grass.exact};
+  ShapeNumbers numbers{};
+  numbers.midrib = choice.midrib;
+  numbers.widths = choice.widths;
+  const GrassVariety& vary = grass.vary;
+  const bool is_varied = vary.acts() && grass.stages.vary && grass.stages.age;
+  if (is_varied && vary.variants > 0) {
+    numbers.variant = 1 + std::floor(site.key.child("life").uniform(0) * vary.variants);
+  } else if (is_varied) {
+    // A life of its own: the key's bits, as far as a double holds them.
+    numbers.variant = static_cast<double>(site.key.child("life").bits() >> 11U);
+  }
+  numbers.width = round.octaves(width / length, kProportionSteps);
+  numbers.full_age = grass.full_age;
+  const double age = grass.stages.age ? grass.age : grass.stock->midribs[choice.midrib].family.last_age();
+  numbers.age = round.step(age, grass.full_age / kAgeSteps);
+  // Rounded up, a young leaf must not get older than its midribs.
+  numbers.age = std::min(numbers.age, grass.stock->midribs[choice.midrib].family.last_age());
+  numbers.inclination = kUpright;
+  if (grass.inclination && grass.stages.bend) numbers.inclination = round.step(*grass.inclination, kShapeAngleStep);
+  note_forces(grass, site, out, round, numbers);
+  if (grass.stages.blade) {
+    const GrassBlade& blade = grass.blade;
+    numbers.twist = round.step(blade.twist, kShapeAngleStep);
+    numbers.fold = round.step(blade.fold, kShapeAngleStep);
+    numbers.roll = round.step(blade.roll, kShapeAngleStep);
+    if (blade.waves.number > 0 && blade.waves.depth != 0) {
+      numbers.waves = round.step(blade.waves.number, 0.5);
+      numbers.waves_depth = round.step(blade.waves.depth, kWaveStep);
+      numbers.waves_left = round.step(blade.waves.left, 6 * kShapeAngleStep);
+      numbers.waves_right = round.step(blade.waves.right, 6 * kShapeAngleStep);
+    }
+    if (grass.sheath.length > 0) {
+      numbers.clasp = grass.sheath.clasp;
+      numbers.clasp_radius = round.octaves(grass.sheath.radius / length, kRadiusSteps);
+    }
+  }
+  if (grass.stages.reduce) {
+    numbers.polygons = grass.error ? 0 : grass.polygons;
+    numbers.error = grass.error ? round.octaves(*grass.error, kErrorSteps) : 0;
+  } else {
+    numbers.polygons = grass.source.fit.pieces;
+  }
+  return numbers;
+}
+
+/// The rates of one leaf's life. Each random call of an expression draws once a leaf.
+class LifeRates {
+ public:
+  LifeRates(const GrassVariety& vary, RandomKey key) : vary_(vary), key_(key) {}
+
+  GrowthRates operator()(double lived, double visible) const {
+    const std::array<double, 2> names{lived, visible};
+    const auto rate = [&](const std::optional<Formula>& formula, const char* purpose) {
+      if (!formula) return 1.0;
+      const double value = formula->expression.evaluate(names, key_.child(purpose));
+      return std::isfinite(value) ? value : 0.0;
+    };
+    return {rate(vary_.age, "age"), rate(vary_.length, "length"), rate(vary_.width, "width"), rate(vary_.bend, "bend")};
+  }
+
+ private:
+  const GrassVariety& vary_;
+  RandomKey key_;
+};
+
+/// The leaf up to the stage of bending, as wide as it is for a length of 1.
+GrassLeaf grown_leaf(const Grassleaf& grass, const ShapeNumbers& numbers) {
+  const StockedMidrib& midrib = grass.stock->midribs[static_cast<std::size_t>(numbers.midrib)];
+  GrassLeaf full = midrib.form;
+  full.length = 1;
+  full.width = numbers.width;
+  full.r = grass.stock->widths[static_cast<std::size_t>(numbers.widths)].fitted.r;
+  if (numbers.variant == 0) return aged(full, midrib.family, numbers.age, numbers.full_age);
+  const RandomKey life = RandomKey(hash64("life")).child(static_cast<std::uint64_t>(numbers.variant));
+  const LifeRates rates(grass.vary, life);
+  return lived(full, midrib.family, numbers.age, grass.vary.step, rates, numbers.full_age);
+}
+
+GrassLeaf bent_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, GrassLeaf leaf) {
+  if (!grass.stages.bend) return leaf;
+  if (numbers.inclination != kUpright) leaf = inclined(leaf, numbers.inclination);
+  if (!grass.turns.empty()) leaf = turned(leaf, grass.turns);
+  if (!grass.forces) return leaf;
+  return loaded(leaf, {.stiffness = numbers.stiffness, .tip_thickness = numbers.tip_thickness},
+                {.pull = {numbers.pull_x, numbers.pull_y},
+                 .wind = {numbers.wind_x, numbers.wind_y},
+                 .gravity = {numbers.gravity_x, numbers.gravity_y}});
+}
+
+/// What of the blade's surface a reduction must keep besides midrib and widths: how high the edge stands, in lengths.
+std::vector<std::vector<double>> edge_heights(const GrassLeaf& leaf, const GrassBlade& blade) {
+  std::vector<std::vector<double>> heights;
+  const double half = 0.5 * leaf.width / leaf.length;
+  if (blade.twist != 0) {
+    std::vector<double>& height = heights.emplace_back();
+    for (const double place : leaf.s) height.push_back(half * torsion(blade, place));
+  }
+  if (blade.waves.number > 0) {
+    for (const double phase : {blade.waves.left, blade.waves.right}) {
+      std::vector<double>& height = heights.emplace_back();
+      for (std::size_t k = 0; k < leaf.point_count(); ++k) {
+        height.push_back(half * leaf.r[k] * blade.waves.depth *
+                         math::sin(2 * kPi * blade.waves.number * leaf.s[k] + phase));
+      }
+    }
+  }
+  return heights;
+}
+
+GrassLeaf reduced_leaf(const ShapeNumbers& numbers, const GrassLeaf& leaf, const GrassBlade& blade) {
+  const auto pieces = static_cast<std::size_t>(numbers.polygons);
+  if (numbers.error == 0 && pieces + 1 >= leaf.point_count()) return leaf;
+  const ReductionOrder order = reduction_order(leaf, edge_heights(leaf, blade));
+  return reduced(leaf, numbers.error > 0 ? points_within(order, numbers.error) : points_kept(order, pieces));
+}
+
+std::function<DVec3(double, double)> displacement(const Grassleaf& grass) {
+  if (!grass.f && !grass.g && !grass.h) return {};
+  return [&grass](double s, double u) {
+    const std::array<double, 2> names{s, u};
+    const auto value = [&](const std::optional<Formula>& formula) {
+      if (!formula) return 0.0;
+      const double found = formula->expression.evaluate(names);
+      return std::isfinite(found) ? found : 0.0;
+    };
+    return DVec3(value(grass.f), value(grass.g), value(grass.h));
+  };
+}
+
+GrassBlade blade_of(const Grassleaf& grass, const ShapeNumbers& numbers) {
+  GrassBlade blade = grass.blade;
+  blade.twist = numbers.twist;
+  blade.fold = numbers.fold;
+  blade.roll = numbers.roll;
+  blade.waves = {numbers.waves, numbers.waves_depth, numbers.waves_left, numbers.waves_right};
+  blade.clasp = numbers.clasp;
+  blade.clasp_radius = numbers.clasp_radius;
+  // Waves that so few pieces cannot show are left out.
+  const bool is_coarse = numbers.error == 0 && numbers.polygons < kPiecesAWave * numbers.waves;
+  if (is_coarse) blade.waves.number = blade.waves.depth = 0;
+  if (grass.stages.blade) blade.displace = displacement(grass);
+  return blade;
+}
+
+/// Runs all stages for one shape. Empty where nothing of the leaf can be seen.
+Mesh make_shape(const Grassleaf& grass, const ShapeNumbers& numbers, const Emitter& out) {
+  const GrassLeaf grown = grown_leaf(grass, numbers);
+  if (!(grown.length > 0 && grown.width > 0)) return {};
+  try {
+    const GrassLeaf bent = bent_leaf(grass, numbers, grown);
+    const GrassBlade blade = blade_of(grass, numbers);
+    return make_grass_blade(reduced_leaf(numbers, bent, blade), blade);
+  } catch (const std::invalid_argument& error) {
+    throw_at(out, "forces", error.what(), "weaker forces or a stiffer leaf");
+  }
+}
+
+void emit_sheath(const GrassSheath& sheath, Emitter& out) {
+  const auto radius = static_cast<float>(sheath.radius), length = static_cast<float>(sheath.length);
+  const double open = to_step(sheath.open, kShapeAngleStep);
+  out.blade(
+      Frame{.axes = Mat3(Vec3(radius, 0, 0), Vec3(0, length, 0), Vec3(0, 0, radius))}, shape_key({1, open}),
+      [&] { return make_sheath(open); }, Vec3(1));
+  if (!(sheath.ligule > 0)) return;
+  const auto height = static_cast<float>(sheath.ligule);
+  out.blade(
+      Frame{.axes = Mat3(Vec3(radius, 0, 0), Vec3(0, height, 0), Vec3(0, 0, radius))}, shape_key({2}),
+      [] { return make_ligule(); }, Vec3(1));
+}
+
+/// Metres from the stem's axis to the collar.
+double distance_from_axis(const Grassleaf& grass, const Site& site) {
+  if (grass.sheath.length > 0 && grass.stages.blade) return grass.sheath.radius;
+  if (site.stem == kOnNoStem) return 0;
+  const double scale = glm::length(site.frame.axes[2]);
+  return scale > 0 ? site.radius / scale : 0;
+}
+
+void expand(const Grassleaf& grass, const Site& site, Emitter& out) {
+  if (grass.sheath.length > 0 && grass.stages.blade) emit_sheath(grass.sheath, out);
+  if (grass.stages.age && !(grass.age > 0)) return;
+  const Choice choice = choose(grass, site, out);
+  const double length = full_length(grass, choice);
+  const double width = full_width(grass, choice, length);
+  const ShapeNumbers numbers = shape_numbers(grass, site, choice, length, width, out);
+  if (grass.stages.age && !(numbers.age > 0)) return;
+  Frame frame;
+  frame.axes *= static_cast<float>(length);
+  frame.axes[0] *= static_cast<float>(width / (length * numbers.width));
+  frame.origin.z = -static_cast<float>(distance_from_axis(grass, site));
+  out.organ(frame, numbers.key(), [&] { return make_shape(grass, numbers, out); });
+}
+
+TextureShape texture_shape(const Grassleaf& grass) {
+  TextureShape shape;
+  const Curve& profile = grass.source.profile;
+  constexpr int kRows = 24;
+  const auto half = [&](int k) { return 0.5 * std::max(0.0, profile(static_cast<double>(k) / kRows)); };
+  for (int k = 0; k <= kRows; ++k) shape.outline.emplace_back(0.5 + half(k), static_cast<double>(k) / kRows);
+  for (int k = kRows; k >= 0; --k) {
+    if (half(k) > 0) shape.outline.emplace_back(0.5 - half(k), static_cast<double>(k) / kRows);
+  }
+  const double length = grass.length.value_or(0.3);
+  shape.aspect = grass.width.value_or(0.06 * length) / length;
+  return shape;
+}
+
+}  // namespace
+
+ComponentType grassleaf_component() {
+  return define_component<Grassleaf>({
+      .name = "grassleaf",
+      .doc = "A grass's leaf, from measured or drawn curves, by stages: load, fit, age, vary, bend, reduce, blade.",
+      .parameters = grassleaf_table(),
+      .material = {.colour = {0.30F, 0.46F, 0.17F}, .roughness = 0.55F, .translucency = 0.3F, .two_sided = true},
+      .variety = 0.08,
+      .blades = {.colour = {0.38F, 0.5F, 0.24F}, .roughness = 0.6F, .translucency = 0.1F, .two_sided = true},
+      .stands_on_axis = true,
+      .expand = expand,
+      .texture_shape = texture_shape,
+  });
+}
+
+}  // namespace meristem

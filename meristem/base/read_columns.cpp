@@ -29,10 +29,11 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// Without the quotes about it, if it has them.
-std::string_view unquoted(std::string_view text) {
+/// Without the blanks and quotes about it, if it has them.
+std::string_view bare(std::string_view text) {
+  text = without_blanks(text);
   const bool has_quotes = text.size() >= 2 && text.front() == '"' && text.back() == '"';
-  return has_quotes ? text.substr(1, text.size() - 2) : text;
+  return has_quotes ? without_blanks(text.substr(1, text.size() - 2)) : text;
 }
 
 /// What the separator parts, outside of quotes.
@@ -43,7 +44,7 @@ void split(std::string_view line, char separator, std::vector<Cell>& cells) {
   for (std::size_t at = 0; at <= line.size(); ++at) {
     if (at < line.size() && line[at] == '"') is_quoted = !is_quoted;
     if (at < line.size() && (is_quoted || line[at] != separator)) continue;
-    cells.push_back({unquoted(without_blanks(line.substr(begin, at - begin))), begin});
+    cells.push_back({bare(line.substr(begin, at - begin)), begin});
     begin = at + 1;
   }
 }
@@ -64,7 +65,7 @@ std::optional<double> number_of(std::string_view text, bool may_have_comma) {
     std::ranges::replace(with_point, ',', '.');
     text = with_point;
   }
-  if (text.starts_with('+')) text.remove_prefix(1);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool is_whole = error == std::errc() && end == text.data() + text.size();
@@ -119,6 +120,7 @@ class ColumnReader {
   }
 
   void throw_if_any() {
+    if (is_full()) faults_.resize(limits_.diagnostics);
     if (!faults_.empty()) throw InputError(std::move(faults_));
   }
 

@@ -2,12 +2,11 @@
 #include "meristem/components/grass_stock.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "meristem/base/math.h"
 #include "meristem/graph/table.h"
@@ -15,8 +14,6 @@
 namespace meristem {
 
 namespace {
-
-constexpr std::size_t kMostShownRanks = 20;
 
 /// The built-in midrib: it leaves the stem at 20° and arches over.
 std::vector<Vec2> arching_midrib() {
@@ -56,20 +53,22 @@ StockedMidrib stocked(const std::vector<const MeasuredCurve*>& curves, const Fit
 }
 
 /// Midribs that belong to one leaf, by age.
-void stock_midribs(const std::vector<MeasuredCurve>& curves, const FitOptions& options, GrassStock& stock) {
+std::vector<StockedMidrib> stock_midribs(const std::vector<MeasuredCurve>& curves, const FitOptions& options) {
+  std::vector<StockedMidrib> midribs;
   using Name = std::pair<std::optional<int>, std::optional<int>>;
   std::map<Name, std::vector<const MeasuredCurve*>> families;
   for (const MeasuredCurve& curve : curves) {
     if (!curve.age) {
-      stock.midribs.push_back(stocked(curve, options));
+      midribs.push_back(stocked(curve, options));
     } else {
       families[{curve.rank, curve.lindex}].push_back(&curve);
     }
   }
   for (auto& [name, family] : families) {
     std::ranges::stable_sort(family, {}, [](const MeasuredCurve* curve) { return *curve->age; });
-    stock.midribs.push_back(family.size() == 1 ? stocked(*family.front(), options) : stocked(family, options));
+    midribs.push_back(family.size() == 1 ? stocked(*family.front(), options) : stocked(family, options));
   }
+  return midribs;
 }
 
 std::vector<MeasuredCurve> curves_of(const std::vector<AgedPoints>& midribs) {
@@ -97,8 +96,6 @@ FittedWidths widths_of_curve(const Curve& profile, int pieces) {
   for (double& share : fitted.r) share /= largest;
   return fitted;
 }
-
-bool suits(std::optional<int> has, std::optional<int> wanted) { return !has || !wanted || *has == *wanted; }
 
 const ParameterTable& fit_table() {
   static const ParameterTable table =
@@ -134,32 +131,29 @@ std::vector<MeasuredCurve> read_width_file(const std::string& text, const std::s
 
 }  // namespace
 
-std::vector<std::uint32_t> GrassStock::midribs_of(int rank, std::optional<int> leaf) const {
-  std::vector<std::uint32_t> found;
-  for (std::uint32_t k = 0; k < midribs.size(); ++k) {
-    if (suits(midribs[k].rank, rank) && suits(midribs[k].leaf, leaf)) found.push_back(k);
-  }
-  return found;
+void StockIndex::add(std::optional<int> rank, std::optional<int> leaf, std::uint32_t index) {
+  has_ranks_ = has_ranks_ || rank;
+  has_leaves_ = has_leaves_ || leaf;
+  names_.emplace_back(rank.value_or(0), leaf.value_or(0));
+  indices_.push_back(index);
+  if (rank) ranks_.push_back(*rank);
 }
 
-std::optional<std::uint32_t> GrassStock::widths_of(int rank, std::optional<int> leaf) const {
-  std::optional<std::uint32_t> found;
-  for (std::uint32_t k = 0; k < widths.size(); ++k) {
-    if (!suits(widths[k].rank, rank)) continue;
-    if (!found) found = k;
-    if (leaf && widths[k].leaf == leaf) return k;
-  }
-  return found;
+void StockIndex::sort() {
+  std::ranges::stable_sort(indices_, {}, [&](std::uint32_t index) { return names_[index]; });
+  std::ranges::sort(names_);
+  std::ranges::sort(ranks_);
+  ranks_.erase(std::unique(ranks_.begin(), ranks_.end()), ranks_.end());
 }
 
-std::string GrassStock::ranks() const {
-  std::set<int> ranks;
-  for (const StockedMidrib& midrib : midribs) {
-    if (midrib.rank) ranks.insert(*midrib.rank);
-  }
-  const std::vector<int> shown(
-      ranks.begin(), std::next(ranks.begin(), static_cast<std::ptrdiff_t>(std::min(ranks.size(), kMostShownRanks))));
-  return fmt::format("{}{}", fmt::join(shown, ", "), ranks.size() > shown.size() ? ", ..." : "");
+std::span<const std::uint32_t> StockIndex::find(int rank, std::optional<int> leaf) const {
+  if (!has_ranks_) rank = 0;
+  if (!has_leaves_) leaf.reset();
+  const std::pair low(rank, leaf.value_or(std::numeric_limits<int>::min()));
+  const std::pair high(rank, leaf.value_or(std::numeric_limits<int>::max()));
+  const auto first = std::ranges::lower_bound(names_, low), last = std::ranges::upper_bound(names_, high);
+  return std::span(indices_).subspan(static_cast<std::size_t>(first - names_.begin()),
+                                     static_cast<std::size_t>(last - first));
 }
 
 GrassStock make_stock(const GrassSource& source, bool is_loaded, bool is_fitted) {
@@ -167,16 +161,15 @@ GrassStock make_stock(const GrassSource& source, bool is_loaded, bool is_fitted)
   const GrassSource& used = is_loaded ? source : plain;
   FitOptions options = source.fit;
   if (!is_fitted) options.smoothing = options.width_smoothing = 0;
-  GrassStock stock;
-  stock_midribs(midribs_from(used), options, stock);
+  std::vector<StockedWidths> widths;
   if (!used.widths) {
-    stock.widths.push_back({{}, {}, widths_of_curve(used.profile, options.pieces)});
+    widths.push_back({{}, {}, widths_of_curve(used.profile, options.pieces)});
   } else {
     for (const MeasuredCurve& curve : *used.widths) {
-      stock.widths.push_back({curve.rank, curve.lindex, fit_widths(curve, options)});
+      widths.push_back({curve.rank, curve.lindex, fit_widths(curve, options)});
     }
   }
-  return stock;
+  return GrassStock(stock_midribs(midribs_from(used), options), std::move(widths));
 }
 
 const ParameterTable& grass_source_table() {

@@ -2,8 +2,11 @@
 // The leaves that a grass component draws its own from: fitted once, when its document is read.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "meristem/base/curve.h"
@@ -44,18 +47,36 @@ struct StockedWidths {
   FittedWidths fitted;
 };
 
+/// Finds curves by rank and leaf. What has no ranks suits all ranks, and what has no leaves all leaves.
+class StockIndex {
+ public:
+  template <class Stocked>
+  explicit StockIndex(const std::vector<Stocked>& all) {
+    for (std::uint32_t k = 0; k < all.size(); ++k) add(all[k].rank, all[k].leaf, k);
+    sort();
+  }
+  /// Of a rank, and of a leaf of it if one is asked for; empty if there is no such. Cost: logarithmic.
+  std::span<const std::uint32_t> find(int rank, std::optional<int> leaf = {}) const;
+  const std::vector<int>& ranks() const { return ranks_; }  ///< that there are, rising
+
+ private:
+  void add(std::optional<int> rank, std::optional<int> leaf, std::uint32_t index);
+  void sort();
+
+  bool has_ranks_ = false, has_leaves_ = false;
+  std::vector<std::pair<int, int>> names_;  // rank and leaf, sorted
+  std::vector<std::uint32_t> indices_;      // in that order
+  std::vector<int> ranks_;
+};
+
 /// All that a source has.
 struct GrassStock {
+  explicit GrassStock(std::vector<StockedMidrib> all_midribs, std::vector<StockedWidths> all_widths)
+      : midribs(std::move(all_midribs)), widths(std::move(all_widths)), midrib_index(midribs), width_index(widths) {}
+
   std::vector<StockedMidrib> midribs;
   std::vector<StockedWidths> widths;
-
-  /// Of a rank, and of a leaf of it if one is asked for: indices, none if there is no such. What has no ranks suits
-  /// all.
-  std::vector<std::uint32_t> midribs_of(int rank, std::optional<int> leaf) const;
-  /// The widths for a rank; those of the same leaf where there are such. Nothing if there is no such rank.
-  std::optional<std::uint32_t> widths_of(int rank, std::optional<int> leaf) const;
-  /// The ranks that there are, for messages: "1, 2, 3".
-  std::string ranks() const;
+  StockIndex midrib_index, width_index;
 };
 
 /// Fits all of it. `is_loaded` false takes the built-in leaf instead, `is_fitted` false joins points by lines. Throws

@@ -8,8 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <string>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "meristem/base/hash.h"
 #include "meristem/base/math.h"
@@ -26,11 +29,13 @@ constexpr double kProportionSteps = 8;  // an octave
 constexpr double kRadiusSteps = 2;      // an octave
 constexpr double kForceStep = 0.25;     // of the leaf's weight
 constexpr double kWaveStep = 0.05;      // of their depth
+constexpr double kFactorStep = 0.05;    // of an inclination
 constexpr double kErrorSteps = 4;       // an octave
 constexpr double kAirDensity = 1.2;     // kg/m3
 constexpr double kAgeTolerance = 1e-9;
 constexpr int kPiecesAWave = 4;
-constexpr double kUpright = -1;  // stands for an inclination that is the midrib's own
+constexpr double kUsualAspect = 0.06;   // width over length where a leaf's own is not known
+constexpr double kOwnInclination = -1;  // stands for an inclination that is the midrib's own
 
 /// Where a leaf's curves come from.
 struct Choice {
@@ -43,18 +48,31 @@ struct Choice {
                               .path = fmt::format("components.{}.{}", out.component(), parameter)});
 }
 
+/// "one of 1, 2, 3".
+std::string ranks_text(const StockIndex& index) {
+  constexpr std::size_t kMostShown = 20;
+  const std::span<const int> shown = std::span(index.ranks()).first(std::min(index.ranks().size(), kMostShown));
+  return fmt::format("one of {}{}", fmt::join(shown, ", "), shown.size() < index.ranks().size() ? ", ..." : "");
+}
+
 Choice choose(const Grassleaf& grass, const Site& site, const Emitter& out) {
-  const std::vector<std::uint32_t> midribs = grass.stock->midribs_of(grass.rank, grass.leaf);
+  const GrassStock& stock = *grass.stock;
+  const std::span<const std::uint32_t> midribs = stock.midrib_index.find(grass.rank, grass.leaf);
   if (midribs.empty()) {
-    throw_at(out, "rank", fmt::format("there is no midrib of rank {}", grass.rank), "one of " + grass.stock->ranks());
+    throw_at(out, "rank",
+             fmt::format("there is no midrib of rank {}{}", grass.rank,
+                         grass.leaf ? fmt::format(" and lindex {}", *grass.leaf) : std::string()),
+             ranks_text(stock.midrib_index));
   }
   const double drawn = site.key.child("leaf").uniform(0) * static_cast<double>(midribs.size());
   Choice choice{.midrib = midribs[std::min(static_cast<std::size_t>(drawn), midribs.size() - 1)]};
-  const StockedMidrib& midrib = grass.stock->midribs[choice.midrib];
-  const auto widths = grass.stock->widths_of(grass.rank, midrib.leaf);
-  if (!widths)
-    throw_at(out, "rank", fmt::format("there are no widths of rank {}", grass.rank), "one that the file has");
-  choice.widths = *widths;
+  const StockedMidrib& midrib = stock.midribs[choice.midrib];
+  std::span<const std::uint32_t> widths = stock.width_index.find(grass.rank, midrib.leaf);
+  if (widths.empty()) widths = stock.width_index.find(grass.rank);
+  if (widths.empty()) {
+    throw_at(out, "rank", fmt::format("there are no widths of rank {}", grass.rank), ranks_text(stock.width_index));
+  }
+  choice.widths = widths.front();
   if (grass.stages.age && grass.age > midrib.family.last_age() + kAgeTolerance) {
     throw_at(out, "age", fmt::format("the age {} is outside of the midribs' ages", grass.age),
              fmt::format("at most {}, such as \"min({}, ...)\"", midrib.family.last_age(), midrib.family.last_age()));
@@ -74,7 +92,7 @@ double full_width(const Grassleaf& grass, const Choice& choice, double length) {
   const FittedWidths& widths = grass.stock->widths[choice.widths].fitted;
   const double as_measured = grass.source.unit * widths.width;
   // Widths as shares of the largest say nothing of it.
-  return widths.are_shares ? 0.06 * length : as_measured;
+  return widths.are_shares ? kUsualAspect * length : as_measured;
 }
 
 /// What of a leaf's shape varies from instance to instance, rounded, for a length of 1. All of them numbers, so that
@@ -83,7 +101,7 @@ struct ShapeNumbers {
   double midrib, widths, variant;
   double width;
   double age, full_age;
-  double inclination;
+  double inclination, inclination_factor;
   double pull_x = 0, pull_y = 0, wind_x = 0, wind_y = 0, gravity_x = 0, gravity_y = -1;
   double stiffness = 1, tip_thickness = 1;
   double twist, fold, roll;
@@ -146,8 +164,15 @@ ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choic
   numbers.age = round.step(age, grass.full_age / kAgeSteps);
   // Rounded up, a young leaf must not get older than its midribs.
   numbers.age = std::min(numbers.age, grass.stock->midribs[choice.midrib].family.last_age());
-  numbers.inclination = kUpright;
-  if (grass.inclination && grass.stages.bend) numbers.inclination = round.step(*grass.inclination, kShapeAngleStep);
+  numbers.inclination = kOwnInclination;
+  numbers.inclination_factor = 1;
+  if (grass.stages.bend) {
+    if (grass.inclination) {
+      numbers.inclination = round.step(*grass.inclination * grass.inclination_factor, kShapeAngleStep);
+    } else {
+      numbers.inclination_factor = round.step(grass.inclination_factor, kFactorStep);
+    }
+  }
   note_forces(grass, site, out, round, numbers);
   if (grass.stages.blade) {
     const GrassBlade& blade = grass.blade;
@@ -209,7 +234,11 @@ GrassLeaf grown_leaf(const Grassleaf& grass, const ShapeNumbers& numbers) {
 
 GrassLeaf bent_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, GrassLeaf leaf) {
   if (!grass.stages.bend) return leaf;
-  if (numbers.inclination != kUpright) leaf = inclined(leaf, numbers.inclination);
+  if (numbers.inclination != kOwnInclination) {
+    leaf = inclined(leaf, numbers.inclination);
+  } else if (numbers.inclination_factor != 1) {
+    leaf = inclined(leaf, numbers.inclination_factor * inclination(leaf));
+  }
   if (!grass.turns.empty()) leaf = turned(leaf, grass.turns);
   if (!grass.forces) return leaf;
   return loaded(leaf, {.stiffness = numbers.stiffness, .tip_thickness = numbers.tip_thickness},
@@ -308,8 +337,8 @@ double distance_from_axis(const Grassleaf& grass, const Site& site) {
 }
 
 void expand(const Grassleaf& grass, const Site& site, Emitter& out) {
-  if (grass.sheath.length > 0 && grass.stages.blade) emit_sheath(grass.sheath, out);
   if (grass.stages.age && !(grass.age > 0)) return;
+  if (grass.sheath.length > 0 && grass.stages.blade) emit_sheath(grass.sheath, out);
   const Choice choice = choose(grass, site, out);
   const double length = full_length(grass, choice);
   const double width = full_width(grass, choice, length);
@@ -331,8 +360,10 @@ TextureShape texture_shape(const Grassleaf& grass) {
   for (int k = kRows; k >= 0; --k) {
     if (half(k) > 0) shape.outline.emplace_back(0.5 - half(k), static_cast<double>(k) / kRows);
   }
-  const double length = grass.length.value_or(0.3);
-  shape.aspect = grass.width.value_or(0.06 * length) / length;
+  // Numbers that differ from leaf to leaf are 0 here.
+  const double length = grass.length.value_or(0);
+  const double width = grass.width.value_or(0);
+  shape.aspect = length > 0 && width > 0 ? width / length : kUsualAspect;
   return shape;
 }
 
@@ -345,7 +376,7 @@ ComponentType grassleaf_component() {
       .parameters = grassleaf_table(),
       .material = {.colour = {0.30F, 0.46F, 0.17F}, .roughness = 0.55F, .translucency = 0.3F, .two_sided = true},
       .variety = 0.08,
-      .blades = {.colour = {0.38F, 0.5F, 0.24F}, .roughness = 0.6F, .translucency = 0.1F, .two_sided = true},
+      .blades = {.colour = {0.38F, 0.5F, 0.24F}, .roughness = 0.6F},
       .stands_on_axis = true,
       .expand = expand,
       .texture_shape = texture_shape,

@@ -56,6 +56,7 @@ struct Grassleaf : ComponentBase {
   double full_age = 1;
   GrassVariety vary;
   std::optional<double> inclination;
+  double inclination_factor = 1;
   std::vector<LocalTurn> turns;
   std::optional<GrassForces> forces;
   GrassBlade blade;  ///< its roll, fold, twist, waves and quads across

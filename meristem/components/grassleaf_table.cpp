@@ -169,6 +169,8 @@ Table<Grassleaf> grassleaf_table() {
       .object("vary", &Grassleaf::vary, variety_table, "Rates that give each leaf a life of its own.")
       .number("inclination", &Grassleaf::inclination, {.unit = Unit::degree, .min = 0, .max = 180},
               "Between stem and leaf at the collar; the midrib's own if not given.")
+      .number("inclination_factor", &Grassleaf::inclination_factor, {.min = 0, .max = 10},
+              "By which that is multiplied; raised, the leaf stands off more.")
       .list("turns", &Grassleaf::turns, turn_table, "Changes of the midrib's direction, all of which act.")
       .object("forces", &Grassleaf::forces, forces_table,
               "Wind, light and other pulls that bend it as an elastic strip.")

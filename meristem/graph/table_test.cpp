@@ -32,6 +32,7 @@ struct Flower {
   std::vector<Vec2> profile{{0, 1}, {2, 3}};
   std::vector<int> size{4, 6};
   std::optional<Condition> where;
+  std::optional<Formula> wave;
   std::optional<Selection> omit;
   Petal petal;
   std::optional<Petal> sepal;
@@ -65,6 +66,7 @@ const ParameterTable& flower_table() {
           .points("profile", &Flower::profile, {.min = 0, .max = 9}, "Profile.")
           .integers("size", &Flower::size, 2, {.min = 1, .max = 99}, "Size.")
           .condition("where", &Flower::where, {"u", "order"}, "Where.")
+          .formula("wave", &Flower::wave, {"s", "u"}, "Wave.")
           .selection("omit", &Flower::omit, "Omit.")
           .object("petal", &Flower::petal, petal_table, "Petal.")
           .object("sepal", &Flower::sepal, petal_table, "Sepal.")
@@ -257,6 +259,16 @@ TEST(Table, ConditionsAreExpressionsOverTheirNames) {
   EXPECT_EQ(found.text_offset, 4);
 }
 
+TEST(Table, FormulasAreNumbersOrExpressionsOverTheirNames) {
+  const std::vector<double> names{3, 0.5};
+  EXPECT_EQ(good("wave", "s*u").wave->expression.evaluate(names), 1.5);
+  EXPECT_EQ(good("wave", 0.1).wave->expression.evaluate(names), 0.1);
+  EXPECT_EQ(good("wave", -1e-20).wave->expression.evaluate(names), -1e-20);
+  EXPECT_EQ(fault("wave", "s*v", "flower.wave").text_offset, 2);
+  EXPECT_NE(fault("wave", true, "flower.wave").expected.find("a number, or an expression over s, u"),
+            std::string::npos);
+}
+
 TEST(Table, SelectionsHoldNumbersRangesAndConditions) {
   const Selection selection = *good("omit", Value::List{0, Value::List{3, 5}, "i % 10 == 9"}).omit;
   std::vector<std::uint32_t> chosen;
@@ -353,6 +365,30 @@ TEST(Table, RulesAreCheckedOnlyWhenAllCouldBeRead) {
   const auto faults = pair_faults(Value::Object{{"a", 6}, {"b", "?"}});
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults[0].path, "b");
+}
+
+struct Sum {
+  double a = 1, b = 2, sum = 0;
+};
+
+TEST(Table, WhatFollowsFromSeveralParametersIsPreparedOnceTheyHold) {
+  static const ParameterTable table =
+      Table<Sum>("a sum", "Of two.")
+          .number("a", &Sum::a, {.min = 0}, "A.")
+          .number("b", &Sum::b, {}, "B.")
+          .check([](const Sum& sum, const Place& place, ParameterReader& reader) {
+            if (sum.b < 0) reader.fault(Place(place, "b"), "below 0");
+          })
+          .prepare([](Sum& sum, const Place&, ParameterReader&) { sum.sum = sum.a + sum.b; });
+  const auto sum_of = [](const Value& value) {
+    Sum sum;
+    ParameterReader reader({}, Limits{});
+    reader.read(table, &sum, value, Place());
+    return sum.sum;
+  };
+  EXPECT_EQ(sum_of(Value::Object{{"a", 5}}), 7);
+  EXPECT_EQ(sum_of(Value::Object{{"b", -1}}), 0);
+  EXPECT_EQ(sum_of(Value::Object{{"a", -1}}), 0);
 }
 
 TEST(Reader, CountsTheFaultsThatItNoLongerKeeps) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Both coordinates of the midrib are functions of the length of the chords up to there, and smoothed as one. The spline
-// is then followed in small steps to points that are evenly far apart along it; the leaf keeps the directions between
-// these, so that its pieces are exactly as long as it says.
+// is then followed in small steps to points on it that are equally far apart; these are the leaf's. Tried first: points
+// equally far apart along the spline. Where a leaf is broken their chords are shorter, and making them equal moved the
+// rest of the leaf by up to 1.5 % of its length.
 // Based on: Fournier and Pradal (2012), section 2.2.
 #include "meristem/shape/grass/fit_leaf.h"
 
@@ -22,7 +23,9 @@ namespace {
 
 constexpr double kEndWeight = 1000;  // of the points that stay: where a blade is held, and both ends of its widths
 constexpr int kSteps = 8;            // along the spline, a piece
-constexpr double kWhole = 1e-6;      // from 1, where the places of widths are shares
+constexpr int kEvenings = 20;        // rounds at most that make chords equally long
+constexpr double kEven = 1e-7;       // of the length: a place that moves by less stays
+constexpr double kWhole = 1e-6;      // from 0 and 1, where the places of widths are these
 
 using Points = std::vector<glm::dvec2>;
 
@@ -88,45 +91,88 @@ double mean_distance(const Points& points, const Points& curve) {
   return std::sqrt(squares / static_cast<double>(points.size()));
 }
 
-/// Equal pieces along the points, which are scaled so that these are 1 long together.
-GrassLeaf even_midrib(const Points& followed, std::size_t pieces) {
-  const std::vector<double> lengths = chord_lengths(followed);
-  GrassLeaf leaf{.s = {}, .x = {}, .y = {}, .r = {}};
+/// Moves `k` on to the piece of rising `places` in which `place` lies, and gives its share there.
+double share_in_piece(const std::vector<double>& places, double place, std::size_t& k) {
+  while (k + 2 < places.size() && places[k + 1] < place) ++k;
+  const double step = places[k + 1] - places[k];
+  return step > 0 ? std::clamp((place - places[k]) / step, 0.0, 1.0) : 0;
+}
+
+/// The points at rising places along others.
+Points points_at(const Points& followed, const std::vector<double>& lengths, const std::vector<double>& places) {
+  Points points;
   std::size_t k = 0;
-  for (std::size_t i = 0; i <= pieces; ++i) {
-    const double share = i == pieces ? 1 : static_cast<double>(i) / static_cast<double>(pieces);
-    const double place = share * lengths.back();
-    while (k + 2 < lengths.size() && lengths[k + 1] < place) ++k;
-    const double step = lengths[k + 1] - lengths[k];
-    const glm::dvec2 point =
-        glm::mix(followed[k], followed[k + 1], step > 0 ? std::min(1.0, (place - lengths[k]) / step) : 0);
-    leaf.s.push_back(share);
-    leaf.x.push_back(point.x - followed[0].x);
-    leaf.y.push_back(point.y - followed[0].y);
+  for (const double place : places) {
+    const double share = share_in_piece(lengths, place, k);
+    points.push_back(glm::mix(followed[k], followed[k + 1], share));
   }
-  leaf.r.assign(leaf.s.size(), 1);
+  return points;
+}
+
+/// `pieces` chords of equal length along the points: where the way is bent within one, it is shorter than the way.
+Points equal_chords(const Points& followed, std::size_t pieces) {
+  const std::vector<double> lengths = chord_lengths(followed);
+  const auto share = [&](std::size_t i) { return static_cast<double>(i) / static_cast<double>(pieces); };
+  std::vector<double> places;
+  for (std::size_t i = 0; i < pieces; ++i) places.push_back(share(i) * lengths.back());
+  places.push_back(lengths.back());
+  for (int round = 0; round < kEvenings; ++round) {
+    const std::vector<double> chords = chord_lengths(points_at(followed, lengths, places));
+    const std::vector<double> last = places;
+    double farthest = 0;
+    std::size_t k = 0;
+    for (std::size_t i = 1; i < pieces; ++i) {
+      const double within = share_in_piece(chords, share(i) * chords.back(), k);
+      // Half of the way: where the midrib turns back, all of it leads to and fro.
+      const double step = 0.5 * (last[k] + within * (last[k + 1] - last[k]) - last[i]);
+      places[i] += step;
+      farthest = std::max(farthest, std::abs(step));
+    }
+    if (farthest <= kEven * lengths.back()) break;
+  }
+  return points_at(followed, lengths, places);
+}
+
+/// The leaf with these points, whose pieces are made as long as each other to the last digit.
+GrassLeaf leaf_through(const Points& points) {
+  const std::size_t pieces = points.size() - 1;
+  GrassLeaf leaf{.s = {}, .x = {}, .y = {}, .r = std::vector<double>(points.size(), 1)};
+  for (std::size_t k = 0; k <= pieces; ++k) {
+    leaf.s.push_back(k == pieces ? 1 : static_cast<double>(k) / static_cast<double>(pieces));
+    leaf.x.push_back(points[k].x - points[0].x);
+    leaf.y.push_back(points[k].y - points[0].y);
+  }
   return resampled(leaf, pieces);
 }
 
 /// Smoothed widths as shares of the largest measured one, over the share of the length.
-Curve smooth_widths(const Points& points, double smoothing) {
+struct WidthCurve {
+  Curve shares{};
+  double widest = 0;   // the share of the length where the smoothed ones are largest
+  double largest = 0;  // measured one
+};
+
+WidthCurve smooth_widths(const Points& points, double smoothing) {
+  WidthCurve smoothed;
   std::vector<double> places, widths;
-  double largest = 0;
   // A place that is not measured has the width of the next one.
-  if (points.front().x > 0) {
+  if (points.front().x > kWhole * points.back().x) {
     places.push_back(0);
     widths.push_back(points.front().y);
   }
   for (const glm::dvec2 point : points) {
     places.push_back(point.x / points.back().x);
     widths.push_back(point.y);
-    largest = std::max(largest, point.y);
+    smoothed.largest = std::max(smoothed.largest, point.y);
   }
   std::vector<double> weights(places.size(), 1);
   weights.front() = weights.back() = kEndWeight;
-  std::vector<double> smooth = smooth_values(places, {widths}, weighted(smoothing * largest, weights), weights)[0];
-  for (double& width : smooth) width = std::max(0.0, width / largest);
-  return through(places, smooth, smoothing > 0 ? CurveKind::spline : CurveKind::linear);
+  const double distance = weighted(smoothing * smoothed.largest, weights);
+  std::vector<double> smooth = smooth_values(places, {widths}, distance, weights)[0];
+  for (double& width : smooth) width = std::max(0.0, width / smoothed.largest);
+  smoothed.widest = places[static_cast<std::size_t>(std::ranges::max_element(smooth) - smooth.begin())];
+  smoothed.shares = through(places, smooth, smoothing > 0 ? CurveKind::spline : CurveKind::linear);
+  return smoothed;
 }
 
 void check_options(const FitOptions& options) {
@@ -145,11 +191,12 @@ FittedMidrib fit_midrib(const MeasuredCurve& midrib, const FitOptions& options) 
   FittedMidrib fitted;
   const std::vector<double> lengths = chord_lengths(midrib.points);
   fitted.polyline_length = lengths.back();
-  Points followed = follow_midrib(midrib.points, lengths, options);
-  for (glm::dvec2& point : followed) point = midrib.points[0] + fitted.polyline_length * point;
-  fitted.length = chord_lengths(followed).back();
-  fitted.distance = mean_distance(midrib.points, followed);
-  fitted.leaf = even_midrib(followed, static_cast<std::size_t>(options.pieces));
+  Points points =
+      equal_chords(follow_midrib(midrib.points, lengths, options), static_cast<std::size_t>(options.pieces));
+  for (glm::dvec2& point : points) point = midrib.points[0] + fitted.polyline_length * point;
+  fitted.length = chord_lengths(points).back();
+  fitted.distance = mean_distance(midrib.points, points);
+  fitted.leaf = leaf_through(points);
   return fitted;
 }
 
@@ -161,15 +208,18 @@ FittedWidths fit_widths(const MeasuredCurve& widths, const FitOptions& options) 
   fitted.was_turned = turn_to_base(from_base);
   fitted.length = from_base.points.back().x;
   fitted.are_shares = std::abs(fitted.length - 1) < kWhole;
-  const Curve smooth = smooth_widths(from_base.points, options.width_smoothing);
+  const WidthCurve smooth = smooth_widths(from_base.points, options.width_smoothing);
   double largest = 0;
   for (int k = 0; k <= options.pieces; ++k) {
-    fitted.r.push_back(std::max(0.0, smooth(static_cast<double>(k) / options.pieces)));
+    fitted.r.push_back(std::max(0.0, smooth.shares(static_cast<double>(k) / options.pieces)));
     largest = std::max(largest, fitted.r.back());
   }
-  for (double& share : fitted.r) share /= largest;
-  for (const glm::dvec2 point : from_base.points) fitted.width = std::max(fitted.width, point.y);
-  fitted.width *= largest;
+  if (largest == 0) {
+    // A blade that is narrower than a piece and lies between two points.
+    fitted.r[static_cast<std::size_t>(smooth.widest * options.pieces + 0.5)] = largest = 1;
+  }
+  for (double& share : fitted.r) share = std::min(1.0, share / largest);
+  fitted.width = largest * smooth.largest;
   return fitted;
 }
 

@@ -11,7 +11,7 @@ namespace meristem {
 struct FitOptions {
   /// How far the midrib may be from its digitised points, root mean square, as a share of its length; raised, smoother;
   /// 0: the points joined as they are.
-  double smoothing = 0.003;
+  double smoothing = 0.0025;
   double width_smoothing = 0.01;  ///< the same for the widths, as a share of the largest
   int pieces = 48;                ///< equal pieces of the fitted midrib; raised, it follows the spline more closely
 };

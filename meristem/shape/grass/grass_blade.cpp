@@ -22,11 +22,14 @@ namespace {
 
 constexpr double kNoWidth = 1e-3;     // of the largest: a blade that ends so narrow ends in a point
 constexpr double kLeastWidth = 1e-3;  // elsewhere
+constexpr double kNoLength = 1e-6;    // in lengths: a shorter piece has no direction
 constexpr double kMostClasp = 2.8;    // radians by which a half may bend about a sheath
 constexpr int kSheathSides = 14;
 constexpr int kLiguleSides = 6;
-constexpr double kLiguleArc = 2.4;    // radians
-constexpr double kSheathFoot = 0.94;  // of the radius, at the lower end
+constexpr double kLiguleArc = 2.4;      // radians
+constexpr double kLiguleEnds = 0.1;     // of the height in its middle
+constexpr float kLiguleInside = 0.97F;  // radius of its inner face
+constexpr double kSheathFoot = 0.94;    // of the radius, at the lower end
 
 class BladeRows {
  public:
@@ -53,16 +56,22 @@ class BladeRows {
     bool is_point = false;
   };
 
-  /// The direction of the midrib at a point: between those of the pieces about it.
+  /// The direction of a piece; 0 where a midrib comes back to the same place.
+  glm::dvec2 direction(std::size_t piece) const {
+    const glm::dvec2 along(leaf_.x[piece + 1] - leaf_.x[piece], leaf_.y[piece + 1] - leaf_.y[piece]);
+    const double length = glm::length(along);
+    return length > kNoLength ? along / length : glm::dvec2(0);
+  }
+
+  /// The direction of the midrib at a point: between those of the pieces about it, of one that there is, or up.
   glm::dvec2 tangent(std::size_t k) const {
-    const auto piece = [&](std::size_t i) {
-      return glm::normalize(glm::dvec2(leaf_.x[i + 1] - leaf_.x[i], leaf_.y[i + 1] - leaf_.y[i]));
-    };
-    if (k == 0) return piece(0);
-    if (k + 1 == leaf_.point_count()) return piece(k - 1);
-    const glm::dvec2 sum = piece(k - 1) + piece(k);
-    const double length = glm::length(sum);
-    return length > 1e-6 ? sum / length : piece(k);
+    const glm::dvec2 before = k > 0 ? direction(k - 1) : glm::dvec2(0);
+    const glm::dvec2 after = k + 1 < leaf_.point_count() ? direction(k) : glm::dvec2(0);
+    for (const glm::dvec2 along : {before + after, after, before}) {
+      const double length = glm::length(along);
+      if (length > kNoLength) return along / length;
+    }
+    return {0, 1};
   }
 
   /// By which a section bends a metre of its width.
@@ -82,6 +91,12 @@ class BladeRows {
     return waves.depth * 4 * u * u * math::sin(2 * kPi * waves.number * place + phase);
   }
 
+  DVec3 displacement(double place, double u) const {
+    if (!blade_.displace) return DVec3(0);
+    const DVec3 moved = leaf_.width * blade_.displace(place, u);
+    return {moved.z, moved.y, -moved.x};
+  }
+
   Row add_row(std::size_t k) {
     const bool is_end = k == 0 || k + 1 == leaf_.point_count();
     const double share = leaf_.r[k];
@@ -97,7 +112,7 @@ class BladeRows {
     }
     const DVec3 midrib = leaf_.length * DVec3(0, leaf_.y[k], -leaf_.x[k]);
     if (row.is_point) {
-      add_vertex(midrib, 0.5, leaf_.s[k]);
+      add_vertex(midrib + displacement(leaf_.s[k], 0), 0.5, leaf_.s[k]);
       return row;
     }
     const double width = leaf_.width * std::max(share, kLeastWidth);
@@ -112,12 +127,8 @@ class BladeRows {
         height = arc.up;
       }
       height += wave(leaf_.s[k], u) * 0.5 * width;
-      DVec3 point = midrib + (u < 0 ? -forward : forward) * across + height * up;
-      if (blade_.displace) {
-        const DVec3 moved = leaf_.width * blade_.displace(leaf_.s[k], u);
-        point += DVec3(moved.z, moved.y, -moved.x);
-      }
-      add_vertex(point, 0.5 + u * share, leaf_.s[k]);
+      const DVec3 point = midrib + (u < 0 ? -forward : forward) * across + height * up;
+      add_vertex(point + displacement(leaf_.s[k], u), 0.5 + u * share, leaf_.s[k]);
     }
     return row;
   }
@@ -189,10 +200,24 @@ Mesh make_sheath(double open) {
 }
 
 Mesh make_ligule() {
-  return make_strip(kLiguleArc, kLiguleSides, [](int row, double share, double sine, double cosine) {
-    const double height = row * (1 - (2 * share - 1) * (2 * share - 1));
+  Mesh mesh = make_strip(kLiguleArc, kLiguleSides, [](int row, double share, double sine, double cosine) {
+    const double height = row * (1 - (1 - kLiguleEnds) * (2 * share - 1) * (2 * share - 1));
     return DVec3(sine, height, cosine);
   });
+  // Its inner face, a little way in, so that no two triangles lie in one place.
+  const auto vertices = static_cast<std::uint32_t>(mesh.vertex_count());
+  const std::size_t triangles = mesh.triangle_count();
+  for (std::uint32_t v = 0; v < vertices; ++v) {
+    const Vec3 outer = mesh.positions[v];
+    mesh.positions.emplace_back(kLiguleInside * outer.x, outer.y, kLiguleInside * outer.z);
+    mesh.normals.push_back(-mesh.normals[v]);
+    mesh.uvs.push_back(mesh.uvs[v]);
+  }
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const auto [a, b, c] = mesh.triangles[t];
+    mesh.triangles.push_back({vertices + a, vertices + c, vertices + b});
+  }
+  return mesh;
 }
 
 }  // namespace meristem

@@ -45,10 +45,11 @@ double torsion(const GrassBlade& blade, double place);
 Mesh make_grass_blade(const GrassLeaf& leaf, const GrassBlade& blade);
 
 /// A sheath: an open tube of radius 1 from the collar at the origin down to y = -1, about the y axis. It is open at +z
-/// by `open` radians. u goes around, v up.
+/// by `open` radians. Its front is outside. u goes around, v up.
 Mesh make_sheath(double open);
 
-/// A ligule: a membrane that goes on from the upper rim of such a sheath on the blade's side, 1 high in its middle.
+/// A ligule: a membrane that goes on from the upper rim of such a sheath on the blade's side, 1 high in its middle,
+/// with a front to either side.
 Mesh make_ligule();
 
 }  // namespace meristem

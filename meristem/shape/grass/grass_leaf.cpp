@@ -43,6 +43,18 @@ double area(const GrassLeaf& leaf) {
   return leaf.length * leaf.width * sum;
 }
 
+std::vector<double> widths_by_area(const GrassLeaf& leaf) {
+  double mean = 0;
+  for (std::size_t k = 0; k + 1 < leaf.point_count(); ++k) {
+    mean += 0.5 * (leaf.s[k + 1] - leaf.s[k]) * (leaf.r[k] + leaf.r[k + 1]);
+  }
+  std::vector<double> shares = leaf.r;
+  if (mean > 0) {
+    for (double& share : shares) share /= mean;
+  }
+  return shares;
+}
+
 std::vector<double> piece_angles(const GrassLeaf& leaf) {
   std::vector<double> angles(leaf.point_count() - 1);
   for (std::size_t k = 0; k < angles.size(); ++k) {

@@ -32,6 +32,10 @@ void check_grass_leaf(const GrassLeaf& leaf);
 /// Square metres of a blade with this midrib and these widths, each piece of the midrib with a trapezium.
 double area(const GrassLeaf& leaf);
 
+/// The widths as shares of their mean along the leaf, in place of the largest: over s from 0 to 1 they integrate to 1.
+/// Based on: Fournier and Pradal (2012), section 2.2, where widths are normalised by the area.
+std::vector<double> widths_by_area(const GrassLeaf& leaf);
+
 /// Of each piece of the midrib, radians away from the stem: 0 along it, half pi level, pi straight down. Steps from one
 /// piece to the next are at most pi, so a midrib that rolls up goes on beyond pi.
 std::vector<double> piece_angles(const GrassLeaf& leaf);

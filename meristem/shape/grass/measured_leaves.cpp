@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <set>
 #include <tuple>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include "meristem/base/read_columns.h"
 
@@ -19,6 +21,8 @@ constexpr std::size_t kLeastPoints = 3;
 constexpr double kEnd = 0.1;          // of the rows at either end, whose mean widths tell base from tip
 constexpr double kTipOverBase = 0.5;  // a first end this much narrower than the last is the tip
 constexpr double kMostNumber = 1e6;   // a rank or lindex
+constexpr double kFarthest = 1e9;     // a coordinate, in any unit
+constexpr double kNear = 1e-6;        // of a curve's length: points nearer to one another count as equal
 
 /// Collects what is wrong with one curve.
 class CurveFaults {
@@ -46,8 +50,11 @@ void check_points(const MeasuredCurve& curve, const char* what, CurveFaults& fau
                fmt::format("at least {}", kLeastPoints));
   }
   for (std::size_t k = 0; k < curve.points.size(); ++k) {
-    if (!std::isfinite(curve.points[k].x + curve.points[k].y)) {
+    const glm::dvec2 point = curve.points[k];
+    if (!std::isfinite(point.x + point.y)) {
       faults.add(k, fmt::format("a point of {} is not finite", what), "two finite numbers");
+    } else if (std::max(std::abs(point.x), std::abs(point.y)) > kFarthest) {
+      faults.add(k, fmt::format("a point of {} is too far from 0", what), "numbers up to 1e9");
     }
   }
   faults.throw_if_any();
@@ -115,6 +122,7 @@ void check_all(std::vector<MeasuredCurve>& curves, const Limits& limits, std::ve
       faults.insert(faults.end(), error.diagnostics().begin(), error.diagnostics().end());
     }
   }
+  if (faults.size() > limits.diagnostics) faults.resize(limits.diagnostics);
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
@@ -129,8 +137,13 @@ double mean_width(const std::vector<glm::dvec2>& points, std::size_t first, std:
 void check_midrib(const MeasuredCurve& midrib) {
   CurveFaults faults(midrib);
   check_points(midrib, "midribs", faults);
+  std::vector<double> steps;
   for (std::size_t k = 1; k < midrib.points.size(); ++k) {
-    if (midrib.points[k] == midrib.points[k - 1]) {
+    steps.push_back(glm::distance(midrib.points[k - 1], midrib.points[k]));
+  }
+  const double nearest = kNear * std::accumulate(steps.begin(), steps.end(), 0.0);
+  for (std::size_t k = 1; k < midrib.points.size(); ++k) {
+    if (steps[k - 1] <= nearest) {
       faults.add(k, "the point of the midrib is that of the row before", "another one");
     }
   }
@@ -141,10 +154,11 @@ void check_widths(const MeasuredCurve& widths) {
   CurveFaults faults(widths);
   check_points(widths, "widths", faults);
   const std::vector<glm::dvec2>& points = widths.points;
-  const double direction = points.back().x > points.front().x ? 1 : -1;
+  const double length = points.back().x - points.front().x;
+  const double direction = length > 0 ? 1 : -1;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const double step = k == 0 ? direction : points[k].x - points[k - 1].x;
-    if (step == 0) {
+    const double step = k == 0 ? length : points[k].x - points[k - 1].x;
+    if (k > 0 && std::abs(step) <= kNear * std::abs(length)) {
       faults.add(k, fmt::format("the place s = {} is that of the row before", points[k].x), "another one");
     } else if (step * direction < 0) {
       faults.add(k, fmt::format("the places s are not sorted: {} after {}", points[k].x, points[k - 1].x),

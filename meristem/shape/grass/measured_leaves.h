@@ -33,11 +33,13 @@ std::vector<MeasuredCurve> read_midribs(std::string_view text, const Limits& lim
 /// each.
 std::vector<MeasuredCurve> read_widths(std::string_view text, const Limits& limits, std::vector<Diagnostic>& warnings);
 
-/// Throws an InputError if a midrib has fewer than 3 points, two equal ones in a row, or numbers that are not finite.
+/// Throws an InputError if a midrib has fewer than 3 points, two equal ones in a row (nearer than a millionth of its
+/// length), or numbers that are not finite or above 1e9.
 void check_midrib(const MeasuredCurve& midrib);
 
 /// Throws an InputError if widths have fewer than 3 rows, places that neither rise nor fall all along, two equal
-/// places, numbers that are not finite, a place below 0, a width below 0, or no width above 0.
+/// places (as of midribs), numbers that are not finite or above 1e9, a place below 0, a width below 0, or no width
+/// above 0.
 void check_widths(const MeasuredCurve& widths);
 
 /// Whether widths are listed from the tip to the base (falling s), or measured from the tip (narrow where s begins and

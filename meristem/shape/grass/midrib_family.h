@@ -51,8 +51,9 @@ struct GrowthRates {
 using RatesOf = FunctionRef<GrowthRates(double lived, double visible)>;
 
 /// The leaf after living up to `time` in steps of `step`, each with its own rates. With rates of 1 it is the aged one.
-/// Negative rates count as 0. Throws std::invalid_argument for a step that is not above 0 or over 100,000 steps.
-/// Based on: Fournier and Pradal (2012), section 2.4.
+/// Negative rates of age, length and width count as 0; a negative bend turns pieces the other way. Throws
+/// std::invalid_argument for a step that is not above 0 or over 100,000 steps. Based on: Fournier and Pradal (2012),
+/// section 2.4.
 GrassLeaf lived(const GrassLeaf& leaf, const MidribFamily& family, double time, double step, RatesOf rates,
                 double full_age = 1);
 

@@ -58,6 +58,7 @@ class LeastOf {
 
 ReductionOrder reduction_order(const GrassLeaf& leaf, const std::vector<std::vector<double>>& also) {
   const std::size_t count = leaf.point_count();
+  if (count < 2) throw std::invalid_argument("a leaf to reduce has at least 2 points");
   for (const std::vector<double>& list : also) {
     if (list.size() != count) throw std::invalid_argument("each list of a reduction has a number a point");
   }

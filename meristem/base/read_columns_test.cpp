@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/base/read_columns.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/diagnostic.h"
+
+namespace meristem {
+namespace {
+
+using List = std::vector<double>;
+
+const std::vector<ColumnForm> kForms{{"rank", false}, {"x"}, {"y"}};
+
+Columns read(std::string_view text) { return read_columns(text, kForms, {}); }
+
+std::vector<Diagnostic> faults_of(std::string_view text, const Limits& limits = {}) {
+  try {
+    read_columns(text, kForms, limits);
+  } catch (const InputError& error) {
+    return error.diagnostics();
+  }
+  return {};
+}
+
+/// Of a text with one fault.
+Diagnostic fault_of(std::string_view text) {
+  const std::vector<Diagnostic> faults = faults_of(text);
+  EXPECT_EQ(faults.size(), 1U) << text;
+  return faults.empty() ? Diagnostic{} : faults.front();
+}
+
+TEST(ReadColumns, GivesColumnsByNameWhateverTheirOrder) {
+  const Columns columns = read("y,note,x\n1,first,2\n-3e2,,0.5\n");
+  EXPECT_FALSE(columns.has(0));
+  EXPECT_EQ(columns.numbers[1], (List{2, 0.5}));
+  EXPECT_EQ(columns.numbers[2], (List{1, -300}));
+  EXPECT_EQ(columns.lines, (std::vector<int>{2, 3}));
+}
+
+TEST(ReadColumns, CommasSemicolonsAndTabsReadTheSame) {
+  const std::vector<std::vector<double>> wanted = read("x,y\n1.5,2\n").numbers;
+  EXPECT_EQ(read("x;y\n1.5;2\n").numbers, wanted);
+  EXPECT_EQ(read("x\ty\n1.5\t2\n").numbers, wanted);
+}
+
+TEST(ReadColumns, DecimalCommasReadWhereTheyPartNoCells) {
+  EXPECT_EQ(read("x;y\n2,5;-0,25\n").numbers, read("x,y\n2.5,-0.25\n").numbers);
+  EXPECT_EQ(read("x\ty\n2,5\t1\n").numbers[1], List{2.5});
+  EXPECT_EQ(fault_of("x,y\n2,5,1\n").message, "the row has 3 cells");
+}
+
+TEST(ReadColumns, QuotesBlanksReturnsAndPlusSignsDoNotCount) {
+  const Columns columns = read("\"rank\", \"x\" ,y\r\n\"1\", +2 ,\" 3\"\r\n");
+  EXPECT_EQ(columns.numbers[0], List{1});
+  EXPECT_EQ(columns.numbers[1], List{2});
+  EXPECT_EQ(columns.numbers[2], List{3});
+}
+
+TEST(ReadColumns, SeparatorsInQuotesPartNothing) { EXPECT_EQ(read("name,x,y\n\"a,b\",1,2\n").numbers[1], List{1}); }
+
+TEST(ReadColumns, AByteOrderMarkIsNoPartOfTheFirstName) {
+  EXPECT_EQ(read("\xEF\xBB\xBFx,y\n1,2\n").numbers[1], List{1});
+}
+
+TEST(ReadColumns, EmptyLinesCountAsLinesButNotAsRows) {
+  const Columns columns = read("\nx,y\n\n1,2\n   \n3,4");
+  EXPECT_EQ(columns.lines, (std::vector<int>{4, 6}));
+  EXPECT_EQ(columns.row_count(), 2U);
+}
+
+TEST(ReadColumns, RejectsATextWithoutLines) {
+  for (const char* text : {"", "\n\n", "\xEF\xBB\xBF", "  \r\n"}) {
+    EXPECT_EQ(fault_of(text).message, "the file has no lines");
+  }
+}
+
+TEST(ReadColumns, RejectsAHeadLineAlone) {
+  EXPECT_EQ(fault_of("x,y\n").message, "the file has no rows below its head line");
+}
+
+TEST(ReadColumns, RejectsAMissingColumnWithTheNearestName) {
+  const std::vector<ColumnForm> forms{{"lindex"}, {"x"}};
+  try {
+    read_columns("lindx,x\n1,2\n", forms, {});
+    FAIL();
+  } catch (const InputError& error) {
+    const Diagnostic& found = error.diagnostics().front();
+    EXPECT_EQ(found.message, "there is no column 'lindex'");
+    EXPECT_EQ(found.nearest, "lindx");
+    EXPECT_EQ(found.line, 1);
+  }
+}
+
+TEST(ReadColumns, RejectsAColumnThatIsThereTwiceAtItsSecondPlace) {
+  const Diagnostic found = fault_of("x,y,x\n1,2,3\n");
+  EXPECT_EQ(found.message, "the column 'x' is there twice");
+  EXPECT_EQ(found.line, 1);
+  EXPECT_EQ(found.column, 5);
+  EXPECT_EQ(read("x,y,note,note\n1,2,3,4\n").row_count(), 1U) << "nobody asks for it";
+}
+
+TEST(ReadColumns, RejectsWhatIsNoFiniteNumberAtItsLineAndColumn) {
+  for (const char* cell : {"abc", "", "1.2.3", "1 2", "nan", "inf", "1e999", "--1", "0x10", "+-1"}) {
+    const Diagnostic found = fault_of(std::string("x,y\n1,2\n3,") + cell + "\n");
+    EXPECT_NE(found.message.find("in the column 'y' is not a number"), std::string::npos) << cell;
+    EXPECT_EQ(found.line, 3) << cell;
+    EXPECT_EQ(found.column, 3) << cell;
+  }
+}
+
+TEST(ReadColumns, ColumnsOfFaultsAreCharactersAndNotBytes) {
+  EXPECT_EQ(fault_of("name,x,y\nBl\xC3\xA4tter,?,2\n").column, 9);
+}
+
+TEST(ReadColumns, RejectsRowsOfAnotherWidth) {
+  for (const char* row : {"1", "1,2,3"}) {
+    const Diagnostic found = fault_of(std::string("x,y\n1,2\n") + row + "\n");
+    EXPECT_NE(found.message.find("cells"), std::string::npos);
+    EXPECT_EQ(found.expected, "2, as the head line");
+    EXPECT_EQ(found.line, 3);
+  }
+}
+
+TEST(ReadColumns, GathersAllFaultsOfRowsUpToTheLimit) {
+  std::string text = "x,y\n";
+  for (int row = 0; row < 50; ++row) text += "a,b\n";
+  EXPECT_EQ(faults_of(text).size(), 100U);
+  Limits limits;
+  limits.diagnostics = 7;
+  EXPECT_EQ(faults_of(text, limits).size(), 7U);
+}
+
+}  // namespace
+}  // namespace meristem

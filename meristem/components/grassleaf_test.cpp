@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/grassleaf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/math.h"
+#include "meristem/base/parallel.h"
+#include "meristem/components/registry.h"
+#include "tests/support/build_graph.h"
+#include "tests/support/check_mesh.h"
+#include "tests/support/temporary_folder.h"
+
+namespace meristem {
+namespace {
+
+using Object = Value::Object;
+using List = Value::List;
+
+/// An upright midrib that is not smoothed, over a flat blade as wide all along.
+Object strip(Object more = {}) {
+  Object leaf{{"length", 1.0},
+              {"width", 0.1},
+              {"midrib_points", List{Value(List{0, 0}), Value(List{0, 1}), Value(List{0, 2})}},
+              {"profile", Object{{"curve", List{Value(List{0, 1}), Value(List{1, 1})}}}}};
+  for (auto& member : more) {
+    std::erase_if(leaf, [&](const Value::Member& known) { return known.first == member.first; });
+    leaf.push_back(std::move(member));
+  }
+  return leaf;
+}
+
+Plant field_of(int plants, const Object& leaf, std::uint64_t seed = 1) {
+  GraphBuilder builder(builtin_components());
+  builder.seed(seed)
+      .component("view", "camera")
+      .component("field", "field", {{"rows", 1}, {"plants", plants}, {"spacing", 1.0}, {"turned", false}});
+  builder.component("leaf", "grassleaf", leaf).link("view", "field").link("field", "leaf");
+  return builder.grow();
+}
+
+double area_of(const Plant& plant, const Organ& organ) {
+  const Mesh& mesh = *plant.prototypes[organ.prototype].mesh;
+  double sum = 0;
+  for (const auto& triangle : mesh.triangles) {
+    const auto corner = [&](int k) { return DVec3(organ.frame.point(mesh.positions[triangle[k]])); };
+    sum += 0.5 * glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+  }
+  return sum;
+}
+
+/// The end of the midrib: where v is 1 and u is nearest to a half.
+Vec3 tip_of(const Plant& plant, const Organ& organ) {
+  const Mesh& mesh = *plant.prototypes[organ.prototype].mesh;
+  std::size_t best = 0;
+  const auto miss = [&](std::size_t k) { return std::abs(1 - mesh.uvs[k].y) + std::abs(0.5F - mesh.uvs[k].x); };
+  for (std::size_t k = 1; k < mesh.vertex_count(); ++k) {
+    if (miss(k) < miss(best)) best = k;
+  }
+  return organ.frame.point(mesh.positions[best]);
+}
+
+std::vector<Diagnostic> faults_of_leaf(const Object& leaf) {
+  return faults_of([&] { field_of(1, leaf); });
+}
+
+TEST(Grassleaf, IsAsLongAndWideAsTheDocumentSays) {
+  const Plant plant = field_of(1, strip());
+  ASSERT_EQ(plant.organs.size(), 1U);
+  EXPECT_NEAR(area_of(plant, plant.organs[0]), 0.1, 1e-6);
+  EXPECT_NEAR(tip_of(plant, plant.organs[0]).y, 1, 1e-5);
+}
+
+TEST(Grassleaf, LeavesTheStemByItsInclination) {
+  for (const double angle : {0.0, 30.0, 90.0, 135.0}) {
+    const Plant plant = field_of(1, strip({{"inclination", angle}}));
+    const Vec3 tip = tip_of(plant, plant.organs[0]);
+    EXPECT_NEAR(tip.y, math::cos(radians(angle)), 1e-5);
+    EXPECT_NEAR(-tip.z, math::sin(radians(angle)), 1e-5);
+  }
+}
+
+TEST(Grassleaf, AFactorMultipliesTheInclination) {
+  const auto angle_of = [](const Object& more) {
+    const Plant plant = field_of(1, strip(more));
+    const Vec3 tip = tip_of(plant, plant.organs[0]);
+    return degrees(math::atan2(-tip.z, tip.y));
+  };
+  EXPECT_NEAR(angle_of({{"inclination", 40}, {"inclination_factor", 1.5}}), 60, 1e-3);
+  const List leaning{Value(List{0, 0}), Value(List{1, 1}), Value(List{2, 2})};
+  EXPECT_NEAR(angle_of({{"midrib_points", leaning}, {"inclination_factor", 0.5}}), 22.5, 1e-3);
+}
+
+TEST(Grassleaf, AnEvenStripKeepsItsAreaHoweverItIsTwisted) {
+  const double area = area_of(field_of(1, strip()), field_of(1, strip()).organs[0]);
+  const Plant twisted = field_of(1, strip({{"twist", 180}, {"polygons", 48}, {"exact", true}}));
+  // A helicoid is larger than the strip that it is made of, by (twist * width)^2 / 24 of it here: 0.4 %.
+  EXPECT_NEAR(area_of(twisted, twisted.organs[0]) / area, 1 + std::pow(kPi * 0.1, 2) / 24, 3e-3);
+}
+
+TEST(Grassleaf, ShowsTheShareOfItsLengthThatItsAgeIs) {
+  for (const double age : {0.25, 0.5, 1.0}) {
+    const Plant plant = field_of(1, strip({{"age", age}}));
+    EXPECT_NEAR(area_of(plant, plant.organs[0]), 0.1 * age, 1e-6);
+  }
+}
+
+TEST(Grassleaf, IsNotThereBeforeItsBirth) {
+  EXPECT_TRUE(field_of(1, strip({{"age", 0}})).organs.empty());
+  EXPECT_TRUE(field_of(1, strip({{"age", -3}})).organs.empty());
+  EXPECT_EQ(field_of(5, strip({{"age", "min(i - 2, 1)"}})).organs.size(), 2U);
+}
+
+TEST(Grassleaf, MidribsByAgeAreInterpolatedInTheirDirections) {
+  // Upright at age 2, level at age 4.
+  const List midribs{
+      Value(Object{{"age", 2}, {"points", List{Value(List{0, 0}), Value(List{0, 1}), Value(List{0, 2})}}}),
+      Value(Object{{"age", 4}, {"points", List{Value(List{0, 0}), Value(List{1, 0}), Value(List{2, 0})}}})};
+  Object leaf = strip({{"midribs", midribs}, {"age", 3}, {"exact", true}});
+  std::erase_if(leaf, [](const Value::Member& member) { return member.first == "midrib_points"; });
+  const Plant plant = field_of(1, leaf);
+  const Vec3 tip = tip_of(plant, plant.organs[0]);
+  EXPECT_NEAR(tip.y, std::sqrt(0.5), 1e-5);
+  EXPECT_NEAR(-tip.z, std::sqrt(0.5), 1e-5);
+}
+
+TEST(Grassleaf, AgesBeyondItsMidribsAreAFault) {
+  const auto faults = faults_of_leaf(strip({{"age", "1.5 + 0*i"}}));
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].path, "components.leaf.age");
+  EXPECT_NE(faults[0].expected.find("at most 1"), std::string::npos);
+}
+
+TEST(Grassleaf, ManyLeavesShareFewShapes) {
+  const Object varied = strip({{"age", "rand(0.1, 1)"}, {"length", "rand(0.2, 0.4)"}});
+  const Plant plant = field_of(2000, varied);
+  // 30 ages and an octave of proportions.
+  EXPECT_LE(plant.prototypes.size(), 30U * 9U);
+  for (const Organ& organ : plant.organs) {
+    EXPECT_GE(glm::length(organ.frame.heading()), 0.2F - 1e-6F);
+    EXPECT_LE(glm::length(organ.frame.heading()), 0.4F + 1e-6F);
+  }
+}
+
+TEST(Grassleaf, ExactLeavesAreAsTheyAreAsked) {
+  const Plant plant = field_of(1, strip({{"age", 0.3456}, {"inclination", 12.3}, {"exact", true}}));
+  EXPECT_NEAR(area_of(plant, plant.organs[0]), 0.03456, 1e-7);
+  const Vec3 tip = tip_of(plant, plant.organs[0]);
+  EXPECT_NEAR(math::atan2(-tip.z, tip.y), radians(12.3), 1e-5);
+}
+
+TEST(Grassleaf, AFieldShowsTheSpreadThatIsAskedFor) {
+  const Object lives{{"length", "1 + 0.1*gauss(0, 1)"}, {"width", "1 + 0.05*gauss(0, 1)"}, {"variants", 0}};
+  const Plant plant = field_of(4000, strip({{"vary", lives}}));
+  double sum = 0, squares = 0;
+  std::vector<double> lengths;
+  for (const Organ& organ : plant.organs) {
+    const double length = tip_of(plant, organ).y;
+    sum += length;
+    squares += length * length;
+  }
+  const double mean = sum / 4000, deviation = std::sqrt(squares / 4000 - mean * mean);
+  // Four standard errors of the mean and of the deviation.
+  EXPECT_NEAR(mean, 1, 4 * 0.1 / std::sqrt(4000.0));
+  EXPECT_NEAR(deviation, 0.1, 4 * 0.1 / std::sqrt(8000.0));
+}
+
+TEST(Grassleaf, LivesAreSharedByVariants) {
+  const Object lives{{"bend", "1 + 0.3*gauss(0, 1)"}, {"variants", 7}};
+  EXPECT_EQ(field_of(500, {{"vary", lives}}).prototypes.size(), 7U);
+  EXPECT_EQ(field_of(500, {{"vary", lives}, {"stages", Object{{"vary", false}}}}).prototypes.size(), 1U);
+}
+
+TEST(Grassleaf, TheSameSeedGivesTheSameLeavesOnAnyNumberOfThreads) {
+  const Object leaf{
+      {"vary", Object{{"bend", "1 + 0.3*gauss(0, 1)"}}}, {"age", "rand(0.2, 1)"}, {"twist", "rand(-90, 90)"}};
+  const auto hash = [&](int threads, std::uint64_t seed) {
+    const ThreadLimit limit(threads);
+    return hash_of(field_of(3000, leaf, seed));
+  };
+  const std::string one = hash(1, 5);
+  for (const int threads : {2, 3, 8}) EXPECT_EQ(hash(threads, 5), one);
+  EXPECT_NE(hash(1, 6), one);
+}
+
+TEST(Grassleaf, PolygonsAreAsManyAsAskedAndTheAreaStays) {
+  const double area = area_of(field_of(1, {{"polygons", 48}}), field_of(1, {{"polygons", 48}}).organs[0]);
+  for (const int polygons : {2, 4, 8, 16, 32}) {
+    const Plant plant = field_of(1, {{"polygons", polygons}});
+    EXPECT_EQ(plant.prototypes[0].mesh->triangle_count(), 4U * static_cast<unsigned>(polygons) - 2U);
+    EXPECT_NEAR(area_of(plant, plant.organs[0]) / area, 1, 2e-3);
+    check_mesh(*plant.prototypes[0].mesh);
+  }
+}
+
+TEST(Grassleaf, AnErrorInPlaceOfPolygonsTakesThoseItNeeds) {
+  const auto triangles = [](const Object& leaf) { return field_of(1, leaf).prototypes[0].mesh->triangle_count(); };
+  EXPECT_EQ(triangles(strip({{"error", 1e-4}})), 4U);
+  EXPECT_LT(triangles({{"error", 0.05}}), triangles({{"error", 0.002}}));
+}
+
+TEST(Grassleaf, StagesCanBePassedOver) {
+  const Object wild{{"inclination", 80}, {"twist", 90}, {"age", 0.5}, {"polygons", 3}};
+  const auto leaf = [&](const char* stage) {
+    Object more = wild;
+    more.emplace_back("stages", Object{{stage, false}});
+    return field_of(1, strip(more));
+  };
+  const Plant all = field_of(1, strip(wild));
+  EXPECT_NEAR(area_of(leaf("age"), leaf("age").organs[0]) / area_of(all, all.organs[0]), 2, 0.1);
+  EXPECT_NEAR(tip_of(leaf("bend"), leaf("bend").organs[0]).y, 0.5, 1e-5);
+  EXPECT_EQ(leaf("reduce").prototypes[0].mesh->triangle_count(), 4U * 48U);
+  const Plant flat = leaf("blade");
+  for (const Vec3 normal : flat.prototypes[0].mesh->normals) EXPECT_NEAR(normal.x, 0, 1e-6);
+  EXPECT_GT(tip_of(leaf("load"), leaf("load").organs[0]).z, -1);
+}
+
+TEST(Grassleaf, WindMovesTipsWhereItBlowsTo) {
+  // Leaves that face eight ways, about the vertical.
+  GraphBuilder builder(builtin_components());
+  builder.component("view", "camera")
+      .component("star", "hydra", {{"number", 8}, {"angle", 0}})
+      .component("leaf", "grassleaf", {{"length", 0.5}, {"width", 0.03}, {"forces", Object{{"wind", List{6, 0, 0}}}}});
+  builder.link("view", "star").link("star", "leaf");
+  const Plant blown = builder.grow();
+  builder.component("leaf", "grassleaf", {{"length", 0.5}, {"width", 0.03}});
+  const Plant still = builder.grow();
+  ASSERT_EQ(blown.organs.size(), 8U);
+  double shift = 0;
+  for (std::size_t k = 0; k < 8; ++k) {
+    const float moved = tip_of(blown, blown.organs[k]).x - tip_of(still, still.organs[k]).x;
+    EXPECT_GT(moved, -1e-3F);
+    shift += moved;
+  }
+  EXPECT_GT(shift / 8, 0.03);
+}
+
+TEST(Grassleaf, ForcesThatAreNoneChangeNothing) {
+  const Plant plain = field_of(1, {{"exact", true}});
+  const Plant forced = field_of(1, {{"exact", true}, {"forces", Object{}}});
+  const Vec3 a = tip_of(plain, plain.organs[0]), b = tip_of(forced, forced.organs[0]);
+  EXPECT_LT(glm::distance(a, b), 1e-5F);
+}
+
+TEST(Grassleaf, HooksMoveTheSurfaceAsTheSourceWrites) {
+  // S = (x + f, h, y + g): f away from the stem, h across, g up, in widths.
+  const auto tip = [](const char* hook) {
+    const Plant plant = field_of(1, strip({{hook, "0.5*s"}, {"exact", true}}));
+    return tip_of(plant, plant.organs[0]) - Vec3(0, 1, 0);
+  };
+  EXPECT_LT(glm::distance(tip("f"), Vec3(0, 0, -0.05F)), 1e-5F);
+  EXPECT_LT(glm::distance(tip("g"), Vec3(0, 0.05F, 0)), 1e-5F);
+  EXPECT_LT(glm::distance(tip("h"), Vec3(0.05F, 0, 0)), 1e-5F);
+}
+
+TEST(Grassleaf, ASheathGoesAboutTheStemBelowItsBlade) {
+  const Plant plant = field_of(1, strip({{"sheath", Object{{"length", 0.2}, {"radius", 0.02}}}}));
+  ASSERT_EQ(plant.organs.size(), 2U);
+  Box box;
+  const Mesh& mesh = *plant.prototypes[plant.organs[0].prototype].mesh;
+  for (const Vec3 point : mesh.positions) box.add(plant.organs[0].frame.point(point));
+  EXPECT_NEAR(box.low.y, -0.2, 1e-6);
+  EXPECT_NEAR(box.high.y, 0, 1e-6);
+  EXPECT_NEAR(box.high.x, 0.02, 5e-4);
+  // The blade begins on the sheath.
+  EXPECT_NEAR(plant.organs[1].frame.origin.z, -0.02, 1e-6);
+}
+
+TEST(Grassleaf, StandsOnTheAxisOfAStem) {
+  GraphBuilder builder(builtin_components());
+  builder.component("view", "camera")
+      .component("stem", "tree",
+                 {{"length", 1},
+                  {"radius", 0.05},
+                  {"taper", Object{{"curve", List{Value(List{0, 1}), Value(List{1, 1})}}}},
+                  {"count", 4},
+                  {"angle", 0}})
+      .component("leaf", "grassleaf", strip());
+  builder.link("view", "stem").link("stem", "leaf", LinkKind::branch);
+  const Plant plant = builder.grow();
+  ASSERT_EQ(organs_of(plant, "leaf").size(), 4U);
+  for (const Organ& leaf : organs_of(plant, "leaf")) {
+    // A blade without a sheath begins on the bark.
+    EXPECT_NEAR(std::hypot(leaf.frame.origin.x, leaf.frame.origin.z), 0.05, 1e-5);
+  }
+}
+
+TEST(Grassleaf, HangsOnAnyComponent) {
+  for (const char* parent :
+       {"simple", "hydra", "wreath", "phiball", "revolution", "horn", "field", "leaf", "needles"}) {
+    GraphBuilder builder(builtin_components());
+    Object parameters;
+    if (std::string(parent) == "revolution")
+      parameters = {{"silhouette", List{Value(List{0.1, 0}), Value(List{0, 0.1})}}};
+    builder.component("view", "camera").component("parent", parent, parameters).component("leaf", "grassleaf");
+    builder.link("view", "parent").link("parent", "leaf");
+    EXPECT_FALSE(organs_of(builder.grow(), "leaf").empty()) << parent;
+  }
+}
+
+/// A file with these lines in a folder that lasts as long as the test.
+class GrassleafFiles : public testing::Test {
+ protected:
+  std::string write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+    return (folder_ / name).string();
+  }
+  std::string midribs() {
+    return write("midribs.csv",
+                 "rank,lindex,x,y\n1,1,0,0\n1,1,0,1\n1,1,0,2\n1,2,0,0\n1,2,0,2\n1,2,0,4\n2,1,0,0\n2,1,1,0\n2,1,3,0\n");
+  }
+  std::string widths() {
+    return write("widths.csv", "rankclass;s;r\n1;0;0,5\n1;0,5;1\n1;1;0\n2;0;1\n2;0,5;1\n2;1;1\n");
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(GrassleafFiles, LeavesOfARankAreDrawnFromAllMeasuredOnes) {
+  const Object leaf{{"midrib", midribs()}, {"widths", widths()}, {"width", 0.001}, {"exact", true}};
+  std::multiset<int> heights;
+  const Plant plant = field_of(400, leaf);
+  for (const Organ& organ : plant.organs) heights.insert(static_cast<int>(std::round(100 * tip_of(plant, organ).y)));
+  // 2 and 4 centimetres as measured, each with even chance.
+  EXPECT_EQ(heights.count(2) + heights.count(4), 400U);
+  EXPECT_NEAR(static_cast<double>(heights.count(2)), 200, 40);
+}
+
+TEST_F(GrassleafFiles, AnExpressionMayNameTheRank) {
+  const Plant plant = field_of(2, {{"midrib", midribs()}, {"widths", widths()}, {"rank", "i + 1"}, {"leaf", 1}});
+  EXPECT_NEAR(tip_of(plant, plant.organs[0]).y, 0.02, 1e-5);
+  EXPECT_NEAR(-tip_of(plant, plant.organs[1]).z, 0.03, 1e-5);
+}
+
+TEST_F(GrassleafFiles, RanksThatAreNotThereAreAFault) {
+  const auto faults = faults_of_leaf({{"midrib", midribs()}, {"rank", 7}});
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].path, "components.leaf.rank");
+  EXPECT_EQ(faults[0].expected, "one of 1, 2");
+}
+
+TEST_F(GrassleafFiles, FaultsInFilesHaveTheirRowAndReason) {
+  const auto text_of = [&](const char* row, const std::string& text) {
+    std::string all;
+    for (const Diagnostic& fault : faults_of_leaf({{row, write("bad.csv", text)}})) all += fault.text() + "\n";
+    return all;
+  };
+  const auto has = [](const std::string& text, const std::string& piece) {
+    return text.find(piece) != std::string::npos;
+  };
+  const std::string missing = text_of("midrib", "rank,X,y\n1,0,0\n");
+  EXPECT_TRUE(has(missing, "components.leaf.midrib") && has(missing, "no column 'x'") && has(missing, "'X'"))
+      << missing;
+  const std::string repeated = text_of("midrib", "x,y\n0,0\n1,1\n1,1\n2,1\n");
+  EXPECT_TRUE(has(repeated, "bad.csv:4") && has(repeated, "that of the row before")) << repeated;
+  const std::string negative = text_of("widths", "s,r\n0,1\n0.5,-1\n1,0\n");
+  EXPECT_TRUE(has(negative, "bad.csv:3") && has(negative, "negative")) << negative;
+  const std::string unsorted = text_of("widths", "s,r\n0,1\n0.7,1\n0.5,1\n1,0\n");
+  EXPECT_TRUE(has(unsorted, "bad.csv:4") && has(unsorted, "not sorted")) << unsorted;
+}
+
+TEST(Grassleaf, FaultyParametersAreRejectedAtTheirPlaces) {
+  const auto path_of = [](const Object& leaf) {
+    const auto faults = faults_of_leaf(leaf);
+    return faults.size() == 1 ? faults[0].path : "not one fault";
+  };
+  EXPECT_EQ(path_of({{"across", 3}}), "components.leaf.across");
+  EXPECT_EQ(path_of({{"polygons", 0}}), "components.leaf.polygons");
+  EXPECT_EQ(path_of({{"polygons", 4}, {"error", 0.1}}), "components.leaf.polygons");
+  EXPECT_EQ(path_of({{"turns", List{Value(Object{{"from", 0.7}, {"to", 0.2}})}}}), "components.leaf.turns[0].to");
+  EXPECT_EQ(path_of({{"f", "s + x"}}), "components.leaf.f");
+  EXPECT_EQ(path_of({{"vary", Object{{"age", "1 + i"}}}}), "components.leaf.vary.age");
+  EXPECT_EQ(path_of({{"midrib_points", List{Value(List{0, 0}), Value(List{1, 1})}}}), "components.leaf.midrib_points");
+  EXPECT_EQ(path_of({{"stages", Object{{"bent", false}}}}), "components.leaf.stages.bent");
+}
+
+}  // namespace
+}  // namespace meristem

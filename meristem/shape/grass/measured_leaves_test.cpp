@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/shape/grass/measured_leaves.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/grass_leaves.h"
+
+namespace meristem {
+namespace {
+
+using Faults = std::vector<Diagnostic>;
+
+template <class Read>
+Faults faults_by(const Read& read) {
+  try {
+    read();
+  } catch (const InputError& error) {
+    return error.diagnostics();
+  }
+  return {};
+}
+
+Faults midrib_faults(std::string_view text) {
+  return faults_by([&] { read_midribs(text, {}); });
+}
+
+Faults width_faults(std::string_view text) {
+  Faults warnings;
+  return faults_by([&] { read_widths(text, {}, warnings); });
+}
+
+/// Whether there is one fault, that of `line` with `message` in it.
+testing::AssertionResult is_one(const Faults& faults, int line, std::string_view message) {
+  if (faults.size() != 1) return testing::AssertionFailure() << faults.size() << " faults";
+  const bool holds = faults[0].line == line && faults[0].message.find(message) != std::string::npos;
+  return holds ? testing::AssertionSuccess() : testing::AssertionFailure() << faults[0].text();
+}
+
+MeasuredCurve curve(std::vector<glm::dvec2> points) { return {.points = std::move(points)}; }
+
+TEST(MeasuredLeaves, MidribsArePartedByRankLindexAndAge) {
+  const auto midribs = read_midribs(
+      "rank,lindex,age,x,y\n1,1,0.5,0,0\n1,1,0.5,1,2\n1,1,0.5,2,3\n1,1,1,0,0\n1,1,1,3,4\n1,1,1,9,9\n1,2,1,-1,0\n"
+      "1,2,1,1,5\n1,2,1,2,5\n",
+      {});
+  ASSERT_EQ(midribs.size(), 3U);
+  EXPECT_EQ(midribs[0].rank, 1);
+  EXPECT_EQ(midribs[0].age, 0.5);
+  EXPECT_EQ(midribs[1].age, 1);
+  EXPECT_EQ(midribs[2].lindex, 2);
+  EXPECT_EQ(midribs[1].points[1], glm::dvec2(3, 4));
+  EXPECT_EQ(midribs[1].lines, (std::vector<int>{5, 6, 7}));
+  EXPECT_EQ(midribs[2].points[0], glm::dvec2(-1, 0)) << "a base behind the stem is one";
+}
+
+TEST(MeasuredLeaves, ATextWithoutNamesIsOneLeaf) {
+  const auto midribs = read_midribs("x;y\n0;0\n1,5;2\n2;2,5\n", {});
+  ASSERT_EQ(midribs.size(), 1U);
+  EXPECT_EQ(midribs[0].rank, std::nullopt);
+  EXPECT_EQ(midribs[0].points[1], glm::dvec2(1.5, 2));
+}
+
+TEST(MeasuredLeaves, WidthsKnowRanksOrClassesOfThem) {
+  for (const std::string name : {"rank", "rankclass"}) {
+    Faults warnings;
+    const auto widths = read_widths(name + ",s,r\n2,0,.5\n2,.5,1\n2,1,0\n3,0,.6\n3,.5,1\n3,1,0\n", {}, warnings);
+    ASSERT_EQ(widths.size(), 2U);
+    EXPECT_EQ(widths[1].rank, 3);
+    EXPECT_TRUE(warnings.empty());
+  }
+}
+
+TEST(MeasuredLeaves, RejectsRowsOfALeafThatStandApart) {
+  EXPECT_TRUE(is_one(midrib_faults("rank,x,y\n1,0,0\n1,1,1\n1,2,2\n2,0,0\n2,1,1\n2,2,2\n1,3,3\n1,4,4\n1,5,5\n"), 8,
+                     "rank 1 comes a second time"));
+}
+
+TEST(MeasuredLeaves, RejectsARankThatIsNoWholeNumber) {
+  EXPECT_TRUE(is_one(midrib_faults("rank,x,y\n1.5,0,0\n0,1,1\n0,2,2\n0,3,3\n"), 2, "1.5 is no whole number"));
+}
+
+TEST(MeasuredLeaves, RejectsMidribsOfTooFewPoints) {
+  EXPECT_TRUE(is_one(midrib_faults("rank,x,y\n1,0,0\n1,1,1\n1,2,1\n2,0,0\n2,1,1\n"), 5, "2 points"));
+}
+
+TEST(MeasuredLeaves, RejectsPointsThatAreRepeated) {
+  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1,1\n1,1\n2,1\n"), 4, "that of the row before"));
+  EXPECT_TRUE(midrib_faults("x,y\n0,0\n1,1\n2,1\n1,1\n").empty()) << "a midrib may come back";
+}
+
+TEST(MeasuredLeaves, RejectsPointsNearerThanNumbersTellApart) {
+  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1,1\n1.0000000001,1\n2,1\n"), 4, "that of the row before"));
+  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1e-300,0\n1,1\n2,1\n"), 3, "that of the row before"));
+  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n0.5,1\n0.5000000001,1\n1,0\n"), 4, "that of the row before"));
+}
+
+TEST(MeasuredLeaves, RejectsNumbersBeyondAnyUnit) {
+  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1,1\n1e200,1\n"), 4, "far"));
+  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n1,1\n2,1e200\n"), 4, "far"));
+}
+
+TEST(MeasuredLeaves, RejectsWidthsAtAPlaceThatIsRepeated) {
+  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n0.5,1\n0.5,0.9\n1,0\n"), 4, "s = 0.5 is that of the row before"));
+}
+
+TEST(MeasuredLeaves, RejectsPlacesThatAreNotSorted) {
+  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n0.5,1\n0.4,0.9\n1,0\n"), 4, "not sorted: 0.4 after 0.5"));
+}
+
+TEST(MeasuredLeaves, RejectsNegativePlacesAndWidths) {
+  EXPECT_TRUE(is_one(width_faults("s,r\n-0.5,1\n0.5,1\n1,0\n"), 2, "s = -0.5 is negative"));
+  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n0.5,-1\n1,0\n"), 3, "the width -1 is negative"));
+}
+
+TEST(MeasuredLeaves, RejectsProfilesWithoutWidthOrRows) {
+  EXPECT_TRUE(is_one(width_faults("s,r\n0,0\n0.5,0\n1,0\n"), 2, "no width"));
+  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n1,0\n"), 2, "2 points"));
+}
+
+TEST(MeasuredLeaves, RejectsColumnsThatAreNotThere) {
+  const Faults faults = midrib_faults("rank,X,z\n1,0,0\n");
+  ASSERT_EQ(faults.size(), 2U);
+  EXPECT_EQ(faults[0].message, "there is no column 'x'");
+  EXPECT_EQ(faults[0].line, 1);
+  EXPECT_TRUE(is_one(width_faults("s,width\n0,1\n"), 1, "there is no column 'r'"));
+}
+
+TEST(MeasuredLeaves, TellsTheFaultsOfAllLeavesAtOnceUpToTheLimit) {
+  std::string text = "rank,x,y\n";
+  for (int rank = 0; rank < 200; ++rank) {
+    for (int row = 0; row < 3; ++row) text += fmt::format("{},1,1\n", rank);
+  }
+  const Faults faults = midrib_faults(text);
+  EXPECT_EQ(faults.size(), Limits{}.diagnostics);
+  EXPECT_EQ(faults[2].line, 6);
+  text = "rank,x,y\n";
+  for (int row = 0; row < 300; ++row) text += fmt::format("0.5,{},1\n", row);
+  EXPECT_EQ(midrib_faults(text).size(), Limits{}.diagnostics);
+}
+
+TEST(MeasuredLeaves, CurvesWithoutLinesNameTheRow) {
+  const Faults faults = faults_by([] { check_midrib(curve({{0, 0}, {1, 1}, {1, 1}})); });
+  EXPECT_TRUE(is_one(faults, 0, "row 2: "));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(faults_by([&] { check_midrib(curve({{0, 0}, {1, nan}, {2, 1}})); }).size(), 1U);
+  EXPECT_EQ(faults_by([&] { check_widths(curve({{0, 1}, {1, nan}, {2, 1}})); }).size(), 1U);
+}
+
+// One blade, in the three ways in which it may be listed.
+const std::vector<glm::dvec2> kFromBase{{0, 0.6}, {0.25, 1}, {0.5, 0.9}, {1, 0.1}};
+
+TEST(MeasuredLeaves, WidthsFromTheBaseStayAsTheyAre) {
+  MeasuredCurve widths = curve(kFromBase);
+  EXPECT_FALSE(turn_to_base(widths));
+  EXPECT_EQ(widths.points, kFromBase);
+}
+
+TEST(MeasuredLeaves, FallingPlacesAreTurnedAbout) {
+  MeasuredCurve widths = curve({{1, 0.1}, {0.5, 0.9}, {0.25, 1}, {0, 0.6}});
+  widths.lines = {2, 3, 4, 5};
+  EXPECT_TRUE(turn_to_base(widths));
+  EXPECT_EQ(widths.points, kFromBase);
+  EXPECT_EQ(widths.lines, (std::vector<int>{5, 4, 3, 2}));
+}
+
+TEST(MeasuredLeaves, PlacesFromTheTipAreTurnedAbout) {
+  for (const bool falls : {false, true}) {
+    std::vector<glm::dvec2> points{{0, 0.1}, {0.5, 0.9}, {0.75, 1}, {1, 0.6}};
+    if (falls) std::reverse(points.begin(), points.end());
+    MeasuredCurve widths = curve(points);
+    EXPECT_TRUE(turn_to_base(widths));
+    EXPECT_EQ(widths.points, kFromBase);
+  }
+}
+
+TEST(MeasuredLeaves, TurningIsToldAsAWarningAtTheFirstRow) {
+  Faults warnings;
+  const auto widths =
+      read_widths("rankclass,s,r\n1,0,.6\n1,.5,1\n1,1,0\n2,1,0\n2,.5,1\n2,0,.6\n3,0,0\n3,.5,1\n3,1,.6\n", {}, warnings);
+  ASSERT_EQ(warnings.size(), 2U);
+  EXPECT_EQ(warnings[0].severity, Severity::warning);
+  EXPECT_EQ(warnings[0].line, 5);
+  EXPECT_EQ(warnings[1].line, 8);
+  for (const MeasuredCurve& of_class : widths) EXPECT_EQ(of_class.points, widths[0].points);
+}
+
+TEST(MeasuredLeaves, ThoseOfWheatAllRead) {
+  const auto midribs = measured_midribs(kWheatMidribs);
+  if (midribs.empty()) GTEST_SKIP() << kNoSharedData;
+  EXPECT_EQ(midribs.size(), 450U);
+  EXPECT_EQ(measured_midribs(kWheatByAge).size(), 50U);
+  for (const auto& [name, classes] : {std::pair(kWheatWidths, 6U), std::pair("grass/srdb_GrignonMercia2010.csv", 2U)}) {
+    Faults warnings;
+    EXPECT_EQ(read_widths(read_file(*find_shared_data(name), Limits{}.file_bytes), {}, warnings).size(), classes);
+    EXPECT_TRUE(warnings.empty()) << name;
+  }
+}
+
+}  // namespace
+}  // namespace meristem

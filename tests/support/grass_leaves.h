@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Grass leaves for tests and benchmarks: of known form, by chance, and measured ones where the data is there.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include "meristem/base/math.h"
+#include "meristem/base/random.h"
+#include "meristem/base/read_file.h"
+#include "meristem/shape/grass/fit_leaf.h"
+#include "meristem/shape/grass/measured_leaves.h"
+#include "tests/support/shared_data.h"
+
+namespace meristem {
+
+/// A leaf of equal pieces whose direction goes evenly from `first` to `last` radians away from the stem; of constant
+/// width.
+inline GrassLeaf arching_leaf(std::size_t pieces, double first, double last) {
+  GrassLeaf leaf{.length = 0.3, .width = 0.015, .s = {0}, .x = {0}, .y = {0}, .r = {1}};
+  const auto count = static_cast<double>(pieces);
+  for (std::size_t k = 1; k <= pieces; ++k) {
+    const double angle = first + (last - first) * (static_cast<double>(k) - 0.5) / count;
+    leaf.s.push_back(k == pieces ? 1 : static_cast<double>(k) / count);
+    leaf.x.push_back(leaf.x.back() + math::sin(angle) / count);
+    leaf.y.push_back(leaf.y.back() + math::cos(angle) / count);
+    leaf.r.push_back(1);
+  }
+  return leaf;
+}
+
+/// Gives the leaf a blade's widths: 0.6 at its base, all of it at a third, a pointed tip.
+inline GrassLeaf with_blade(GrassLeaf leaf) {
+  for (std::size_t k = 0; k < leaf.point_count(); ++k) {
+    const double s = leaf.s[k];
+    leaf.r[k] = s < 1.0 / 3 ? 1 - 0.4 * (1 - 3 * s) * (1 - 3 * s) : 1 - (1.5 * s - 0.5) * (1.5 * s - 0.5);
+  }
+  return leaf;
+}
+
+/// A leaf of equal pieces that winds by chance.
+inline GrassLeaf random_leaf(const RandomKey& key, std::size_t pieces) {
+  GrassLeaf leaf{.length = 0.3, .width = 0.015, .s = {0}, .x = {0}, .y = {0}, .r = {key.uniform(0)}};
+  double angle = key.uniform(1);
+  for (std::size_t k = 1; k <= pieces; ++k) {
+    angle += key.uniform(2 * k, -0.3, 0.4);
+    leaf.s.push_back(k == pieces ? 1 : static_cast<double>(k) / static_cast<double>(pieces));
+    leaf.x.push_back(leaf.x.back() + math::sin(angle) / static_cast<double>(pieces));
+    leaf.y.push_back(leaf.y.back() + math::cos(angle) / static_cast<double>(pieces));
+    leaf.r.push_back(key.uniform(2 * k + 1));
+  }
+  return leaf;
+}
+
+/// The largest distance between two points of like index, in lengths.
+inline double largest_shift(const GrassLeaf& a, const GrassLeaf& b) {
+  double largest = 0;
+  for (std::size_t k = 0; k < a.point_count(); ++k) {
+    largest = std::max(largest, std::hypot(a.x[k] - b.x[k], a.y[k] - b.y[k]));
+  }
+  return largest;
+}
+
+inline double distance_to_midrib(glm::dvec2 point, const GrassLeaf& leaf) {
+  double nearest = 1e300;
+  for (std::size_t k = 0; k + 1 < leaf.point_count(); ++k) {
+    const glm::dvec2 a(leaf.x[k], leaf.y[k]), along = glm::dvec2(leaf.x[k + 1], leaf.y[k + 1]) - a;
+    const double share = std::clamp(glm::dot(point - a, along) / glm::dot(along, along), 0.0, 1.0);
+    nearest = std::min(nearest, glm::distance(point, a + share * along));
+  }
+  return nearest;
+}
+
+inline double median(std::vector<double> numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  return numbers.empty() ? 0 : 0.5 * (numbers[(numbers.size() - 1) / 2] + numbers[numbers.size() / 2]);
+}
+
+/// Widths that do for any midrib.
+inline MeasuredCurve plain_widths() {
+  return {.points = {{0, 0.6}, {0.1, 0.8}, {0.3, 1}, {0.5, 0.95}, {0.7, 0.75}, {0.9, 0.35}, {1, 0}}};
+}
+
+inline constexpr const char* kWheatMidribs = "grass/So99.csv";
+inline constexpr const char* kWheatWidths = "grass/SRSo.csv";
+inline constexpr const char* kWheatByAge = "grass/median_leaf_trajectories_Soissons_Grignon2010_byleafclass.csv";
+
+/// Measured midribs, or nothing where the data is not there.
+inline std::vector<MeasuredCurve> measured_midribs(const char* name) {
+  const auto path = find_shared_data(name);
+  if (!path) return {};
+  return read_midribs(read_file(*path, Limits{}.file_bytes), {});
+}
+
+inline std::vector<MeasuredCurve> measured_widths(const char* name) {
+  const auto path = find_shared_data(name);
+  if (!path) return {};
+  std::vector<Diagnostic> warnings;
+  return read_widths(read_file(*path, Limits{}.file_bytes), {}, warnings);
+}
+
+/// Each `every`-th wheat leaf, fitted, with the widths of one class after the other.
+inline std::vector<GrassLeaf> wheat_leaves(std::size_t every) {
+  const std::vector<MeasuredCurve> midribs = measured_midribs(kWheatMidribs), widths = measured_widths(kWheatWidths);
+  std::vector<GrassLeaf> leaves;
+  if (widths.empty()) return leaves;
+  for (std::size_t k = 0; k < midribs.size(); k += every) {
+    leaves.push_back(fit_leaf(midribs[k], widths[k % widths.size()]).leaf);
+  }
+  return leaves;
+}
+
+}  // namespace meristem

@@ -233,6 +233,9 @@ Raises TypeError and ValueError.)")
         return resampled(leaf, static_cast<std::size_t>(pieces));
       },
       py::arg("leaf"), py::arg("pieces"), "The leaf with `pieces` pieces of equal length along the midrib.");
+  module.def(
+      "widths_by_area", [](const GrassLeaf& leaf) { return array_of(widths_by_area(leaf)); }, py::arg("leaf"),
+      "(n,) float64: the widths as shares of their mean along the leaf, in place of the largest.");
   bind_measured(module);
   bind_fit(module);
 }

@@ -125,8 +125,8 @@ first. It shows visible_share(age, full_age) of its length; where that is nothin
 
 What a step multiplies, 1 each being the plain leaf: `age` how fast it ages, `length` how much comes out with each step
 of age, `width` of what comes out, `bend` how far its pieces turn. Each is a number, or something to call with what the
-leaf has lived and the share of its length that it shows, which gives one. Negative ones count as 0. Raises TypeError,
-ValueError for a step that is not above 0 or over 100,000 steps, and what a call raises.)");
+leaf has lived and the share of its length that it shows, which gives one. Negative ones count as 0, but for `bend`.
+Raises TypeError, ValueError for a step that is not above 0 or over 100,000 steps, and what a call raises.)");
 }
 
 void bind_turns(py::module_& module) {

@@ -35,6 +35,7 @@ from ._core import (
     resampled,
     turned,
     visible_share,
+    widths_by_area,
 )
 
 __all__ = [
@@ -61,4 +62,5 @@ __all__ = [
     "resampled",
     "turned",
     "visible_share",
+    "widths_by_area",
 ]

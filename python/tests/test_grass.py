@@ -51,6 +51,7 @@ def test_a_leaf_knows_its_area_and_directions() -> None:
     assert leaf.area == pytest.approx(0.6 * 0.05 / 2)
     assert leaf.angles == pytest.approx(np.arange(PIECES) + 0.5)
     assert leaf.inclination == pytest.approx(0.5)
+    assert grass.widths_by_area(leaf) == pytest.approx(2 * leaf.r)
     assert len(leaf) == PIECES + 1
 
 
@@ -139,7 +140,8 @@ def test_a_straight_leaf_is_fitted_as_it_is() -> None:
 def test_raised_smoothing_goes_farther_from_the_points() -> None:
     x = np.linspace(0, 1, 20)
     y = x + 0.02 * (-1.0) ** np.arange(20)
-    distances = [grass.fit_leaf(x, y, [0, 0.5, 1], [1, 1, 0], smoothing=k).distance for k in (0, 0.003, 0.01)]
+    widths = ([0, 0.5, 1], [1, 1, 0])
+    distances = [grass.fit_leaf(x, y, *widths, smoothing=k, pieces=400).distance for k in (0, 0.003, 0.01)]
     assert distances[0] < 1e-3 < distances[1] < distances[2]
 
 

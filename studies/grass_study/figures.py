@@ -19,7 +19,7 @@ from .ages import AgeError, make_form
 from .fits import Fit, Smoothed
 from .forces import Turn
 from .levels import Level, Time
-from .measured import AgedMidrib, MeasuredLeaf
+from .measured import SMOOTHING, AgedMidrib, MeasuredLeaf
 
 COLOURS = (BLUE, RED, GREEN, ORANGE)
 DRAWN_FITS = 4  #: of each plant
@@ -84,7 +84,7 @@ def draw_errors(path: Path, of_fits: Mapping[str, Sequence[Fit]], smoothed: Sequ
     near.plot(at, [100 * row.distance_most for row in smoothed], ".-", color=BLUE, lw=1.8, ms=7)
     near.plot(at, [100 * row.length for row in smoothed], ".-", color=GREEN, lw=1.8, ms=7)
     near.axhline(100 * fits.DISTANCE, color="black", lw=1, ls="--")
-    near.axvline(0.3, color="black", lw=0.8, ls=":")
+    near.axvline(100 * SMOOTHING, color="black", lw=0.8, ls=":")
     near.set_xlabel("smoothing, % of length")
     near.set_ylabel("%, wheat")
     for measured, colour in zip(of_fits.values(), (BLUE, RED)):

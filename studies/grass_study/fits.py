@@ -8,14 +8,14 @@ from typing import Iterable, Sequence
 
 import numpy as np
 
-from .measured import Floats, MeasuredLeaf
+from .measured import SMOOTHING, Floats, MeasuredLeaf
 
 ENOUGH_POINTS = 12  #: the distance is bounded for midribs of so many
 DISTANCE = 0.015  #: root mean square, of the length
 LENGTH = 0.01  #: of the polyline's, for smooth midribs
 AREA = 0.02  #: of the trapezium rule's over the measured widths
 SMOOTH = 20.0  #: degrees that a smooth midrib turns to and fro
-SMOOTHINGS = (0.0, 0.001, 0.002, 0.003, 0.005, 0.0075, 0.01, 0.015)
+SMOOTHINGS = (0.0, 0.001, 0.002, SMOOTHING, 0.003, 0.005, 0.0075, 0.01, 0.015)
 
 
 @dataclass(frozen=True)

@@ -25,6 +25,7 @@ WHEAT_MIDRIBS = "So99.csv"
 WHEAT_WIDTHS = "SRSo.csv"
 WHEAT_AGES = "median_leaf_trajectories_Soissons_Grignon2010_byleafclass.csv"
 MAIZE = "simpleleavesdb.json"
+SMOOTHING = 0.0025  #: of midribs, as the library has it if nothing is said
 SOURCES = (WHEAT_MIDRIBS, WHEAT_WIDTHS, WHEAT_AGES, MAIZE)
 
 
@@ -39,7 +40,7 @@ class MeasuredLeaf:
     s: Floats
     r: Floats
 
-    def fit(self, pieces: int = 48, smoothing: float = 0.003) -> grass.FittedLeaf:
+    def fit(self, pieces: int = 48, smoothing: float = SMOOTHING) -> grass.FittedLeaf:
         return grass.fit_leaf(self.x, self.y, self.s, self.r, pieces=pieces, smoothing=smoothing)
 
 

@@ -120,6 +120,7 @@ def run_study(folder: Path, data_folder: Path, is_quick: bool) -> None:
     findings: list[Finding] = [
         *expectations.check_fits("wheat", of_fits["wheat"]),
         *expectations.check_fits("maize", of_fits["maize"]),
+        expectations.check_lengths("wheat by age: length", fits.length_errors(data.classes)),
         *expectations.check_ages(of_ages),
         *expectations.check_levels(of_levels, levels.ten_of_a_hundred(data.wheat), levels.points_are_nested(full)),
         *expectations.check_forces(turns),

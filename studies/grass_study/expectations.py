@@ -31,7 +31,7 @@ def check_below(what: str, found: float, limit: float, more: str = "") -> Findin
 
 def check_fits(plant: str, measured: Sequence[Fit]) -> list[Finding]:
     far = [fit.distance for fit in measured if fit.is_long]
-    smooth = [abs(fit.length) for fit in measured if fit.is_smooth]
+    smooth = [fit.length for fit in measured if fit.is_smooth]
     areas = [abs(fit.area) for fit in measured]
     return [
         check_below(
@@ -41,14 +41,17 @@ def check_fits(plant: str, measured: Sequence[Fit]) -> list[Finding]:
             f" at most in {len(far)}",
         ),
         check_below(f"{plant}: its median", float(np.median(far)), MEDIAN_DISTANCE),
-        check_below(
-            f"{plant}: length of smooth midribs off the polyline's",
-            max(smooth),
-            fits.LENGTH,
-            f" at most in {len(smooth)}",
-        ),
+        check_lengths(f"{plant}: length of midribs that turn to and fro by at most {fits.SMOOTH:g}°", smooth),
         check_below(f"{plant}: area off the trapezium rule's", max(areas), fits.AREA, f" at most in {len(areas)}"),
     ]
+
+
+def check_lengths(what: str, errors: Sequence[float]) -> Finding:
+    off = np.abs(errors)
+    within = int(np.count_nonzero(off < fits.LENGTH))
+    return check_below(
+        f"{what}, off the polyline's", float(off.max()), fits.LENGTH, f" at most, {within} of {len(off)} within"
+    )
 
 
 def check_ages(errors: Mapping[int, Sequence[AgeError]]) -> list[Finding]:

@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Iterable, Sequence
+from typing import Iterable, Mapping, Sequence
 
 import numpy as np
+from meristem import grass
 
-from .measured import SMOOTHING, Floats, MeasuredLeaf
+from .measured import SMOOTHING, AgedMidrib, Floats, MeasuredLeaf
 
 ENOUGH_POINTS = 12  #: the distance is bounded for midribs of so many
 DISTANCE = 0.015  #: root mean square, of the length
@@ -106,6 +107,14 @@ def vary_smoothing(leaves: Sequence[MeasuredLeaf]) -> list[Smoothed]:
             )
         )
     return rows
+
+
+def length_errors(classes: Mapping[int, Sequence[AgedMidrib]]) -> list[float]:
+    """Of the fits to midribs by age, which are medians and so smooth: length over the polyline's, less 1."""
+    fitted = [
+        grass.fit_leaf(*midrib.points.T, (0, 0.5, 1), (1, 1, 0)) for of_class in classes.values() for midrib in of_class
+    ]
+    return [one.midrib_length / one.polyline_length - 1 for one in fitted]
 
 
 def holds(fit: Fit) -> bool:

@@ -5,6 +5,7 @@
 #include "call.h"
 #include "document.h"
 #include "errors.h"
+#include "grass.h"
 #include "meristem/base/version.h"
 #include "scene.h"
 
@@ -14,6 +15,9 @@ PYBIND11_MODULE(_core, module) {
   bind_progress(module);
   bind_skeleton(module);
   bind_mesh(module);
+  bind_grass(module);
+  bind_grass_forms(module);
+  bind_grass_blade(module);
   bind_scene(module);
   bind_colonize(module);
   bind_plant(module);

@@ -11,6 +11,7 @@ Metres, y up, x east, z south; angles in degrees. Arrays over the memory of plan
 long as they are kept.
 """
 
+from . import grass
 from ._batch import BatchResult, batch
 from ._collect import collect
 from ._core import (
@@ -79,6 +80,7 @@ __all__ = [
     "daylight",
     "declination",
     "derive",
+    "grass",
     "models",
     "read",
     "read_mtg",

@@ -9,6 +9,7 @@ import os
 import re
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 from types import ModuleType
 from typing import Any, Iterator, NamedTuple
@@ -18,7 +19,7 @@ import pytest
 from plants import small_tree
 
 import meristem
-from meristem import _core
+from meristem import _core, grass
 
 ROOT = Path(__file__).resolve().parents[2]
 STUB = ROOT / "python" / "meristem" / "_core.pyi"
@@ -155,8 +156,8 @@ def test_everything_public_of_the_compiled_half_has_a_docstring() -> None:
 
 def test_everything_public_of_the_written_half_has_a_docstring() -> None:
     silent = []
-    for name in meristem.__all__:
-        value = getattr(meristem, name)
+    public = {name: getattr(module, name) for module in (meristem, grass) for name in module.__all__}
+    for name, value in public.items():
         members: dict[str, Any] = vars(value) if inspect.isclass(value) else {}
         silent += [f"{name}.{key}" for key, member in members.items()
                    if (inspect.isfunction(member) or isinstance(member, property))
@@ -175,7 +176,16 @@ def grown_objects() -> list[Any]:
     plant = document.grow()
     stem = plant.stems[0]
     return [document, document.scene, plant, plant.organs, plant.prototypes[0], plant.meshes[0], plant.meshes[0].mesh,
-            plant.materials[0], stem, stem.skeleton, meristem.derive("F(1)", 0), meristem.Progress()]
+            plant.materials[0], stem, stem.skeleton, meristem.derive("F(1)", 0), meristem.Progress(), *grass_objects()]
+
+
+def grass_objects() -> list[Any]:
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "midrib.csv"
+        file.write_text("rank,lindex,age,x,y\n1,2,0.5,0,0\n1,2,0.5,0,1\n1,2,0.5,1,2\n", encoding="utf-8")
+        [measured] = grass.read_midribs(file)
+    fitted = grass.fit_leaf(*measured.points.T, [0, 0.5, 1], [1, 0.8, 0])
+    return [measured, fitted, fitted.leaf, grass.MidribFamily(fitted.leaf), grass.reduction_order(fitted.leaf)]
 
 
 def is_of_type(value: Any, annotation: ast.expr) -> bool:
@@ -237,4 +247,4 @@ def test_the_manual_names_everything_public() -> None:
     if not pages:
         pytest.skip("docs/manual/python.md is not written yet")
     words = set(re.findall(r"\w+", "\n".join(pages)))
-    assert [name for name in meristem.__all__ if name not in words] == []
+    assert [name for name in (*meristem.__all__, *grass.__all__) if name not in words] == []

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "grass.h"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "document.h"
+#include "meristem/base/limits.h"
+#include "meristem/base/read_file.h"
+#include "meristem/base/vec.h"
+#include "meristem/shape/grass/bend_leaf.h"
+#include "meristem/shape/grass/fit_leaf.h"
+#include "meristem/shape/grass/measured_leaves.h"
+#include "values.h"
+
+namespace meristem::python {
+
+namespace {
+
+/// What `read(text, limits)` makes of a file. Its faults name the file.
+template <class Read>
+auto read_leaves(const py::object& path, Read read) {
+  const Limits limits;
+  const std::string file = path_of(path);
+  const std::string text = read_file(file, limits.file_bytes);
+  try {
+    return read(text, limits);
+  } catch (const InputError& error) {
+    std::vector<Diagnostic> diagnostics = error.diagnostics();
+    for (Diagnostic& diagnostic : diagnostics) diagnostic.file = file;
+    throw InputError(std::move(diagnostics));
+  }
+}
+
+std::vector<MeasuredCurve> midribs_of(const py::object& path) {
+  return read_leaves(path, [](const std::string& text, const Limits& limits) { return read_midribs(text, limits); });
+}
+
+std::vector<MeasuredCurve> widths_of(const py::object& path) {
+  std::vector<Diagnostic> warnings;
+  std::vector<MeasuredCurve> widths = read_leaves(
+      path, [&](const std::string& text, const Limits& limits) { return read_widths(text, limits, warnings); });
+  for (Diagnostic& warning : warnings) {
+    warning.file = path_of(path);
+    if (PyErr_WarnEx(PyExc_UserWarning, warning.text().c_str(), 1) != 0) throw py::error_already_set();
+  }
+  return widths;
+}
+
+/// Points from two columns of equal length.
+MeasuredCurve curve_of(const py::object& first, const char* first_name, const py::object& second,
+                       const char* second_name) {
+  const std::vector<double> a = all_numbers_of(first, first_name);
+  const std::vector<double> b = numbers_of(second, second_name, a.size());
+  MeasuredCurve curve;
+  for (std::size_t k = 0; k < a.size(); ++k) curve.points.emplace_back(a[k], b[k]);
+  return curve;
+}
+
+FittedLeaf fit(const py::object& x, const py::object& y, const py::object& s, const py::object& r, double smoothing,
+               double width_smoothing, int pieces) {
+  const MeasuredCurve midrib = curve_of(x, "x", y, "y"), widths = curve_of(s, "s", r, "r");
+  const py::gil_scoped_release release;
+  return fit_leaf(midrib, widths, {.smoothing = smoothing, .width_smoothing = width_smoothing, .pieces = pieces});
+}
+
+GrassLeafPointer make_leaf(double length, double width, const py::object& s, const py::object& x, const py::object& y,
+                           const py::object& r) {
+  auto leaf = std::make_shared<GrassLeaf>();
+  leaf->length = length;
+  leaf->width = width;
+  leaf->s = all_numbers_of(s, "s");
+  leaf->x = numbers_of(x, "x", leaf->s.size());
+  leaf->y = numbers_of(y, "y", leaf->s.size());
+  leaf->r = numbers_of(r, "r", leaf->s.size());
+  check_grass_leaf(*leaf);
+  return leaf;
+}
+
+bool are_equal(const GrassLeaf& leaf, const py::object& other) {
+  if (!py::isinstance<GrassLeaf>(other)) return false;
+  const auto& second = other.cast<const GrassLeaf&>();
+  return leaf.length == second.length && leaf.width == second.width && leaf.s == second.s && leaf.x == second.x &&
+         leaf.y == second.y && leaf.r == second.r;
+}
+
+py::tuple state_of_leaf(const GrassLeaf& leaf) {
+  return py::make_tuple(leaf.length, leaf.width, leaf.s, leaf.x, leaf.y, leaf.r);
+}
+
+/// Not checked: a leaf that cannot be seen yet has no length.
+GrassLeafPointer leaf_from(const py::tuple& state) {
+  if (state.size() != 6) throw py::value_error("not the state of a GrassLeaf");
+  using Numbers = std::vector<double>;
+  return std::make_shared<GrassLeaf>(GrassLeaf{state[0].cast<double>(), state[1].cast<double>(),
+                                               state[2].cast<Numbers>(), state[3].cast<Numbers>(),
+                                               state[4].cast<Numbers>(), state[5].cast<Numbers>()});
+}
+
+template <std::vector<double> GrassLeaf::*list>
+py::array_t<double> list_of(const GrassLeafPointer& leaf) {
+  return column_view(leaf, (*leaf).*list);
+}
+
+void bind_measured(py::module_& module) {
+  using Pointer = std::shared_ptr<MeasuredCurve>;
+  py::class_<MeasuredCurve, Pointer>(module, "MeasuredCurve", "A midrib, or widths along a blade, as it was measured.")
+      .def_property_readonly(
+          "rank", [](const MeasuredCurve& c) { return c.rank; },
+          "Of the leaf on its stem, or of a class of ranks; None where the file says none.")
+      .def_property_readonly(
+          "lindex", [](const MeasuredCurve& c) { return c.lindex; },
+          "Which one among the leaves of that rank; None where the file says none.")
+      .def_property_readonly(
+          "age", [](const MeasuredCurve& c) { return c.age; }, "Its age; None where the file says none.")
+      .def_property_readonly(
+          "points", [](const Pointer& c) { return rows_view<double>(c, c->points); },
+          "(n, 2) float64: x and y of a midrib, s and r of widths, in the unit of the file.")
+      .def_property_readonly(
+          "lines", [](const Pointer& c) { return column_view(c, c->lines); },
+          "(n,) int32: the lines of the file on which the points stand, from 1.")
+      .def("__len__", [](const MeasuredCurve& c) { return c.points.size(); })
+      .def("__repr__", [](const MeasuredCurve& c) {
+        return fmt::format("<meristem.grass.MeasuredCurve of {} points>", c.points.size());
+      });
+  refuse_new<MeasuredCurve>("read_midribs() and read_widths() make them");
+
+  module.def("read_midribs", &midribs_of, py::arg("path"), R"(Reads digitised midribs: a list of MeasuredCurve.
+
+The file is a table with the columns x and y (away from the stem and up, in any unit) and, if there, rank, lindex and
+age; a midrib is what stands together with equal ones of these. Raises InputError with all faults, each with its file
+and line: columns that are missing, cells that are no numbers, midribs of fewer than 3 points or with two equal ones in
+a row.)");
+  module.def("read_widths", &widths_of, py::arg("path"), R"(Reads widths along blades: a list of MeasuredCurve.
+
+The same with the columns s (place from the base) and r (width, or share of the widest) and, if there, rank or
+rankclass, and lindex. What runs from the tip to the base is turned about, with a UserWarning each. Raises InputError
+too for places that are not sorted, and for widths below 0.)");
+}
+
+void bind_fit(py::module_& module) {
+  py::class_<FittedLeaf, std::shared_ptr<FittedLeaf>>(module, "FittedLeaf",
+                                                      "A leaf fitted to measured points, and how well it fits.")
+      .def_property_readonly(
+          "leaf", [](const std::shared_ptr<FittedLeaf>& f) { return GrassLeafPointer(f, &f->leaf); }, "The GrassLeaf.")
+      .def_property_readonly(
+          "midrib_length", [](const FittedLeaf& f) { return f.midrib_length; },
+          "Of the fitted midrib, in the unit of its points.")
+      .def_property_readonly(
+          "polyline_length", [](const FittedLeaf& f) { return f.polyline_length; },
+          "Of the digitised points joined by lines.")
+      .def_property_readonly(
+          "distance", [](const FittedLeaf& f) { return f.distance; },
+          "Root mean square distance of the digitised points from the fitted midrib.")
+      .def_property_readonly(
+          "was_turned", [](const FittedLeaf& f) { return f.was_turned; },
+          "Whether the widths ran from the tip to the base, and were turned about.")
+      .def("__repr__", [](const FittedLeaf& f) {
+        return fmt::format("<meristem.grass.FittedLeaf: length {:.4g}, width {:.4g}>", f.leaf.length, f.leaf.width);
+      });
+  refuse_new<FittedLeaf>("fit_leaf() makes them");
+
+  const FitOptions plain;
+  module.def("fit_leaf", &fit, py::arg("x"), py::arg("y"), py::arg("s"), py::arg("r"), py::kw_only(),
+             py::arg("smoothing") = plain.smoothing, py::arg("width_smoothing") = plain.width_smoothing,
+             py::arg("pieces") = plain.pieces,
+             R"(Fits smoothing splines to a digitised midrib and to the widths along a blade: a FittedLeaf.
+
+`x` and `y` (n,) are the midrib's points, away from the stem and up; the leaf begins at the first. `s` and `r` (m,) are
+places from the base and the widths there. Midrib and widths are each taken over their own length. Where the places end
+at 1 they are shares of the length, which then is the midrib's; else the last one is the blade's length. Where `r` are
+shares of the widest, so is the leaf's width: 1.
+
+`smoothing` is how far the midrib may be from its points, root mean square, as a share of its length (0: the points
+joined as they are), `width_smoothing` the same for the widths, as a share of the widest. The leaf has `pieces` (at
+least 2) equal pieces. Raises InputError for points that are no midrib or no widths, naming the row, and TypeError and
+ValueError for wrong arrays and options.)");
+}
+
+}  // namespace
+
+std::vector<double> all_numbers_of(const py::object& object, const char* name) {
+  const py::array array = py::array::ensure(object);
+  PyErr_Clear();  // numbers_of says what is wrong
+  return numbers_of(object, name, array && array.ndim() > 0 ? static_cast<std::size_t>(array.shape(0)) : 0);
+}
+
+std::vector<double> in_degrees(std::vector<double> angles) {
+  for (double& angle : angles) angle *= 180 / kPi;
+  return angles;
+}
+
+void bind_grass(py::module_& module) {
+  py::class_<GrassLeaf, GrassLeafPointer>(module, "GrassLeaf",
+                                          R"(A grass leaf as seen from its side: its midrib in a plane, and its widths.
+
+`length` of the midrib and `width` across at the widest, metres. The four lists have one number a point of the midrib,
+at least two, from the collar at (0, 0) to the tip: `s` the place along it, from 0 to 1; `x` away from the stem and `y`
+along it, in lengths; `r` the width there as a share of the widest. Arrays are read-only; every stage gives a new leaf.
+Raises TypeError and ValueError.)")
+      .def(py::init(&make_leaf), py::arg("length"), py::arg("width"), py::arg("s"), py::arg("x"), py::arg("y"),
+           py::arg("r"))
+      .def_property_readonly(
+          "length", [](const GrassLeaf& l) { return l.length; }, "Of the midrib, metres.")
+      .def_property_readonly(
+          "width", [](const GrassLeaf& l) { return l.width; }, "Across at the widest, metres.")
+      .def_property_readonly("s", &list_of<&GrassLeaf::s>, "(n,) float64: place along the midrib, from 0 to 1.")
+      .def_property_readonly("x", &list_of<&GrassLeaf::x>, "(n,) float64: away from the stem, in lengths.")
+      .def_property_readonly("y", &list_of<&GrassLeaf::y>, "(n,) float64: along the stem, in lengths.")
+      .def_property_readonly("r", &list_of<&GrassLeaf::r>, "(n,) float64: width as a share of the widest.")
+      .def_property_readonly(
+          "area", [](const GrassLeaf& l) { return area(l); },
+          "Square metres of the blade, each piece of the midrib with a trapezium.")
+      .def_property_readonly(
+          "angles", [](const GrassLeaf& l) { return array_of(in_degrees(piece_angles(l))); },
+          "(n - 1,) float64: of each piece, degrees away from the stem: 0 along it, 90 level, 180 straight down, and "
+          "beyond where a midrib rolls up.")
+      .def_property_readonly(
+          "inclination", [](const GrassLeaf& l) { return inclination(l) * 180 / kPi; },
+          "Degrees at which it leaves the stem.")
+      .def("__len__", [](const GrassLeaf& l) { return l.point_count(); })
+      .def("__eq__", &are_equal, py::arg("other"), "Whether both have the same numbers.")
+      .def(py::pickle(&state_of_leaf, &leaf_from))
+      .def("__repr__", [](const GrassLeaf& l) {
+        return fmt::format("<meristem.grass.GrassLeaf of {} points: length {:.4g}, width {:.4g}>", l.point_count(),
+                           l.length, l.width);
+      });
+  module.def(
+      "resampled",
+      [](const GrassLeaf& leaf, int pieces) {
+        if (pieces < 1) throw py::value_error("a leaf has at least 1 piece");
+        return resampled(leaf, static_cast<std::size_t>(pieces));
+      },
+      py::arg("leaf"), py::arg("pieces"), "The leaf with `pieces` pieces of equal length along the midrib.");
+  module.def(
+      "widths_by_area", [](const GrassLeaf& leaf) { return array_of(widths_by_area(leaf)); }, py::arg("leaf"),
+      "(n,) float64: the widths as shares of their mean along the leaf, in place of the largest.");
+  bind_measured(module);
+  bind_fit(module);
+}
+
+}  // namespace meristem::python

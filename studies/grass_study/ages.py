@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How a leaf's form changes with age, and how well an age that was left out comes back."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Mapping, NamedTuple, Sequence
+
+import numpy as np
+from meristem import grass
+
+from .measured import AgedMidrib, Floats
+
+TIP = 0.05  #: median error of the tip, of the length
+
+
+class Form(NamedTuple):
+    """A midrib in lengths."""
+
+    age: float
+    leaf: grass.GrassLeaf
+
+
+@dataclass(frozen=True)
+class AgeError:
+    """Of a form that came from those before and after, as shares of the length."""
+
+    leaf_class: int
+    age: float
+    tip: float
+    most: float  #: anywhere along the midrib
+    nearest: float  #: of the tip, if the form before were taken as it is
+
+
+def make_form(midrib: AgedMidrib) -> Form:
+    """The midrib as it was measured, with nothing smoothed."""
+    chords = np.hypot(*np.diff(midrib.points, axis=0).T)
+    places = np.append(0, np.cumsum(chords))
+    s = places / places[-1]
+    s[-1] = 1
+    x, y = ((midrib.points - midrib.points[0]) / places[-1]).T
+    return Form(midrib.age, grass.GrassLeaf(1, 0.05, s, x, y, 1 - s))
+
+
+def points_of(leaf: grass.GrassLeaf) -> Floats:
+    return np.column_stack([leaf.x, leaf.y])
+
+
+def form_at(family: grass.MidribFamily, like: grass.GrassLeaf, age: float) -> Floats:
+    """The points of the whole midrib at an age."""
+    return points_of(grass.aged(like, family, age, full_age=min(age, 1)))
+
+
+def leave_out(leaf_class: int, forms: Sequence[Form]) -> list[AgeError]:
+    """Each age but the first and last from the others."""
+    errors = []
+    for k in range(1, len(forms) - 1):
+        age, leaf = forms[k]
+        family = grass.MidribFamily([*forms[:k], *forms[k + 1 :]])
+        pieces = family.piece_count
+        true = points_of(grass.resampled(leaf, pieces))
+        before = points_of(grass.resampled(forms[k - 1].leaf, pieces))
+        off = np.hypot(*(form_at(family, leaf, age) - true).T)
+        nearest = float(np.hypot(*(before - true)[-1]))
+        errors.append(AgeError(leaf_class, age, float(off[-1]), float(off.max()), nearest))
+    return errors
+
+
+def leave_each_out(classes: Mapping[int, Sequence[AgedMidrib]]) -> dict[int, list[AgeError]]:
+    return {name: leave_out(name, [make_form(midrib) for midrib in midribs]) for name, midribs in classes.items()}

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Light that each leaf of a plant takes up, with its leaves curved and with straight ones.
+
+Leaves and stems take up all light that meets them. A field goes on beyond its edge as a hedge that is as high as the
+topmost collar and lets nothing through; else low light from the side would reach far into it. The sky is equally bright
+everywhere: organ_light() is asked for one direction after the other, since the sky of a document counts by the sine of
+its altitude.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Callable, Mapping, NamedTuple, Sequence
+
+import meristem
+import numpy as np
+
+from .measured import Floats
+from .plants import Plant, Stand, make_document
+
+SKY_BANDS, SKY_TURNS = 6, 8  #: directions of the sky
+SUN_LATITUDE, SUN_DAY = 45.0, 190.0
+SUN_HOURS = tuple(np.arange(5.5, 19))
+LOWEST_SUN = 4.5  #: degrees; lower, plants alone would shade each other
+HEDGE = 3.0  #: metres, its thickness; leaves of the outermost plants reach into it
+CLEARNESS = 0.7  #: share of the sun's light that passes the air from the zenith
+
+
+class Case(NamedTuple):
+    """What was measured, by name."""
+
+    plant: str
+    form: str
+    stand: str
+    light: str
+
+
+class Ray(NamedTuple):
+    """Light from one direction: degrees, and its strength on a surface that faces it."""
+
+    azimuth: float
+    altitude: float
+    strength: float
+
+
+@dataclass(frozen=True)
+class Lit:
+    """Light on the leaves of a plant, means over plants; leaves from the base up."""
+
+    taken: Floats  #: by each leaf, over what falls on a square metre of open level ground: square metres
+    areas: Floats  #: square metres
+    plants: int
+
+    @property
+    def area(self) -> float:
+        return float(self.areas.sum())
+
+    @property
+    def total(self) -> float:
+        return float(self.taken.sum())
+
+    @property
+    def shares(self) -> Floats:
+        """Of what all leaves take."""
+        return np.asarray(self.taken / self.taken.sum())
+
+    @property
+    def efficiency(self) -> Floats:
+        """What each takes against the same area flat on open ground."""
+        return np.asarray(self.taken / self.areas)
+
+
+def level(rays: Sequence[Ray]) -> list[Ray]:
+    """The rays with strengths that make 1 on level ground together."""
+    ground = sum(ray.strength * float(np.sin(np.radians(ray.altitude))) for ray in rays)
+    return [ray._replace(strength=ray.strength / ground) for ray in rays]
+
+
+def thin_out(rays: Sequence[Ray], step: int) -> list[Ray]:
+    """One of so many."""
+    return level(rays[step // 2 :: step])
+
+
+def sky_rays() -> list[Ray]:
+    """Of a sky that is equally bright everywhere."""
+    sines = (np.arange(SKY_BANDS) + 0.5) / SKY_BANDS  # bands of equal solid angle
+    return level(
+        [
+            Ray((turn + 0.5 * (band % 2)) * 360 / SKY_TURNS, float(np.degrees(np.arcsin(sine))), 1)
+            for band, sine in enumerate(sines)
+            for turn in range(SKY_TURNS)
+        ]
+    )
+
+
+def sun_rays() -> list[Ray]:
+    """Of a clear summer's day, one for each hour."""
+    rays = []
+    for hour in SUN_HOURS:
+        azimuth, altitude = meristem.sun_position(SUN_LATITUDE, SUN_DAY, float(hour))
+        if altitude > LOWEST_SUN:
+            rays.append(Ray(azimuth, altitude, float(CLEARNESS ** (1 / np.sin(np.radians(altitude))))))
+    return level(rays)
+
+
+LIGHTS: Mapping[str, Callable[[], list[Ray]]] = {"uniform sky": sky_rays, "clear summer's day": sun_rays}
+
+
+def make_hedge(plant: Plant, stand: Stand) -> list[dict[str, Any]]:
+    """Four walls about a field; none about plants that stand alone."""
+    if not stand.edge:
+        return []
+    height = plant.topmost
+    x, z = 0.5 * stand.plants * stand.spacing, 0.5 * stand.rows * stand.row_spacing
+    far = HEDGE + max(x, z)
+    walls = [
+        [[-far, -0.01, z], [far, height, z + HEDGE]],
+        [[-far, -0.01, -z - HEDGE], [far, height, -z]],
+        [[x, -0.01, -z], [x + HEDGE, height, z]],
+        [[-x - HEDGE, -0.01, -z], [-x, height, z]],
+    ]
+    return [{"box": box} for box in walls]
+
+
+def measure_light(plant: Plant, form: str, stand: Stand, rays: Sequence[Ray]) -> Lit:
+    """Of the plants within the stand's edge."""
+    document = make_document(plant, form, stand)
+    hedge = make_hedge(plant, stand)
+    count = len(plant.blades)
+    numbers = {f"leaf{rank}": rank for rank in range(count)}
+    taken, areas, plants = np.zeros(count), np.zeros(count), 0
+    for ray in rays:
+        sun = {"azimuth": ray.azimuth, "altitude": ray.altitude}
+        grown = document.set({"scene": {"sun": sun, "obstacles": hedge}}).grow()
+        light = grown.organ_light()
+        number = np.array([numbers.get(prototype.component, -1) for prototype in grown.prototypes])
+        rank = number[grown.organs.prototype]
+        places = grown.organs.frame[:, 3, [0, 2]]
+        inner = (np.abs(places) <= np.abs(places).max(0) - stand.edge + 1e-3).all(1) & (rank >= 0)
+        plants = int(np.count_nonzero(inner & (rank == 0)))
+        taken += ray.strength * np.bincount(rank[inner], (light["irradiance"] * light["area"])[inner], count) / plants
+        areas = np.bincount(rank[inner], light["area"][inner], count) / plants
+    return Lit(taken, areas, plants)

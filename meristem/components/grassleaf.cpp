@@ -377,7 +377,8 @@ ComponentType grassleaf_component() {
       .material = {.colour = {0.30F, 0.46F, 0.17F}, .roughness = 0.55F, .translucency = 0.3F, .two_sided = true},
       .variety = 0.08,
       .blades = {.colour = {0.38F, 0.5F, 0.24F}, .roughness = 0.6F},
-      .stands_on_axis = true,
+      .leads_away = true,
+      .tints_blades = true,
       .expand = expand,
       .texture_shape = texture_shape,
   });

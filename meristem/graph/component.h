@@ -104,13 +104,14 @@ struct ComponentType {
   std::string doc;
   ParameterTable parameters;  ///< own rows, then those of ComponentBase
   Material material;
-  double variety = 0;           ///< of colours, where the document does not say
-  Material blades;              ///< of the geometry that it emits as blades
-  bool is_camera = false;       ///< the root of every graph
-  bool makes_stems = false;     ///< branch links place children along stems
-  bool has_twigs = false;       ///< by default along twigs alone
-  bool has_ribs = false;        ///< branch links without placement keys have places of their own
-  bool stands_on_axis = false;  ///< branch links place it on a stem's axis and not on its bark, as they do stems
+  double variety = 0;         ///< of colours, where the document does not say
+  Material blades;            ///< of the geometry that it emits as blades
+  bool is_camera = false;     ///< the root of every graph
+  bool makes_stems = false;   ///< branch links place children along stems
+  bool has_twigs = false;     ///< by default along twigs alone
+  bool has_ribs = false;      ///< branch links without placement keys have places of their own
+  bool leads_away = false;    ///< its own form leads away from a stem: branch links place it on the axis, along it
+  bool tints_blades = false;  ///< its blades have the document's colours, too
   Tropism tropism = Tropism::heading;
   std::size_t size = 0;  ///< of the parameter struct
 
@@ -166,7 +167,10 @@ struct ComponentDefinition {
   bool makes_stems = false;
   bool has_twigs = false;  ///< of stems; components that grow have twigs anyway
   bool has_ribs = false;   ///< branch links without placement keys stand at the branch sites, others along the stems
-  bool stands_on_axis = false;  ///< of the stems on which branch links place it, and not on their bark
+  /// Its own form leads away from a stem: branch links place it on the axis and not on the bark, and heading along the
+  /// stem unless they give an `angle`.
+  bool leads_away = false;
+  bool tints_blades = false;  ///< its blades have the document's colours, too
   Tropism tropism = Tropism::heading;
   /// Makes one instance's geometry and says where children stand, through `out`, relative to the instance's own frame.
   void (*expand)(const P& parameters, const Site& site, Emitter& out) = nullptr;
@@ -201,7 +205,8 @@ ComponentType define_component(ComponentDefinition<P> definition) {
   type.makes_stems = definition.makes_stems;
   type.has_twigs = definition.has_twigs || definition.grow != nullptr;
   type.has_ribs = definition.has_ribs;
-  type.stands_on_axis = definition.stands_on_axis;
+  type.leads_away = definition.leads_away;
+  type.tints_blades = definition.tints_blades;
   type.tropism = definition.tropism;
   type.size = sizeof(P);
   type.make_parameters = [] { return std::static_pointer_cast<void>(std::make_shared<P>()); };

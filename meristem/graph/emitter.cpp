@@ -150,7 +150,7 @@ void Emitter::organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> m
 }
 
 void Emitter::blade(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint) {
-  add_organ(local, key, true, make, tint);
+  add_organ(local, key, true, make, context_->tints_blades ? tint_ * tint : tint);
 }
 
 void Emitter::add_organ(const Frame& local, std::uint64_t key, bool is_blade, FunctionRef<Mesh()> make, Vec3 tint) {

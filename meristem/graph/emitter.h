@@ -103,6 +103,8 @@ struct EmitterContext {
   const Tinting& tinting;        ///< of the instances
   const TextureForm& texture;    ///< of the instances
   Tropism tropism = Tropism::heading;
+  bool tints_blades = false;     ///< blades have the instances' tints, too
+  RandomKey key = RandomKey();   ///< of the component, for what its instances draw together
   Progress* progress = nullptr;  ///< for what takes long in one instance
   bool makes_stems = false;      ///< children of branch links stand along stems only
   bool wants_child_sites = true;
@@ -191,6 +193,8 @@ class Emitter : private Emitted {
   const std::string& component() const { return context_->component; }  ///< id, for errors
   Progress& progress() const { return *context_->progress; }
   double time() const { return context_->time; }
+  /// Of the component, for what its instances have in common. Meshes that depend on it need it in their key.
+  RandomKey component_key() const { return context_->key; }
   /// The skeleton that this instance has grown; only for components that grow, and once an instance.
   Skeleton take_grown();
 

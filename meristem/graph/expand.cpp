@@ -279,6 +279,8 @@ class Expansion {
                            .tinting = tinting,
                            .texture = prototype.base().texture,
                            .tropism = prototype.type->tropism,
+                           .tints_blades = prototype.type->tints_blades,
+                           .key = RandomKey(graph_.seed).child("component").child(prototype.id),
                            .makes_stems = prototype.type->makes_stems,
                            .wants_child_sites = wants(links, false),
                            .wants_branch_sites = wants(links, true),

@@ -83,6 +83,7 @@ class LinkPlaces::Writer {
   }
 
  private:
+  bool is_given(std::string_view key) const { return std::ranges::find(link_.given, key) != link_.given.end(); }
   bool is_full() const { return sites_.size() > room_; }
 
   PlacementContext context_of(const EmittedStem& stem) const {
@@ -96,7 +97,8 @@ class LinkPlaces::Writer {
     if (is_full()) return;
     PlacementContext context = context_of(stem);
     context.light = unit_vector(all_.scene_.sun);
-    context.on_axis = to_.type->makes_stems || to_.type->stands_on_axis;
+    context.on_axis = to_.type->makes_stems || to_.type->leads_away;
+    context.heads_along = to_.type->leads_away && !is_given("angle");
     context.has_twigs = from_.has_twigs;
     context.stem = stem.id();
     if (!stem.branching) return add_all(place_along(stem.skeleton, link_.placement, context));

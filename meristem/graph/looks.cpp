@@ -26,14 +26,18 @@ Vec3 factor_at(const std::vector<Vec3>& factors, double at) {
   return glm::mix(factors[below], factors[above], static_cast<float>(place - static_cast<double>(below)));
 }
 
+/// The mean colour that the document gives, or else `usual`.
+Vec3 mean_colour(const ComponentBase& base, Vec3 usual) {
+  return base.colours.empty() ? base.colour.value_or(usual) : srgb_from_linear(linear_mean(base.colours));
+}
+
 }  // namespace
 
 Material material_of(const Prototype& prototype) {
   const ComponentBase& base = prototype.base();
   Material material = prototype.type->material;
   material.name = prototype.id;
-  material.colour =
-      base.colours.empty() ? base.colour.value_or(material.colour) : srgb_from_linear(linear_mean(base.colours));
+  material.colour = mean_colour(base, material.colour);
   material.roughness = static_cast<float>(base.roughness.value_or(material.roughness));
   material.translucency = static_cast<float>(base.translucency.value_or(material.translucency));
   const auto& texture_shape = prototype.type->texture_shape;
@@ -48,6 +52,7 @@ Material material_of(const Prototype& prototype) {
 Material blades_of(const Prototype& prototype) {
   Material material = prototype.type->blades;
   material.name = prototype.id + "_blades";
+  if (prototype.type->tints_blades) material.colour = mean_colour(prototype.base(), material.colour);
   return material;
 }
 

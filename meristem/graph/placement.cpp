@@ -257,8 +257,10 @@ class AxisWriter {
 
     const double base = placement_.angle;
     const double tip = placement_.angle_tip.value_or(base);
-    const double angle =
-        base + (tip - base) * site.u + placement_.angle_spread * places_.child(site.i).child("angle").uniform(0, -1, 1);
+    const double angle = context_.heads_along
+                             ? 0
+                             : base + (tip - base) * site.u +
+                                   placement_.angle_spread * places_.child(site.i).child("angle").uniform(0, -1, 1);
     const auto sine = static_cast<float>(math::sin(angle));
     const auto cosine = static_cast<float>(math::cos(angle));
     const Vec3 heading = cosine * tangent + sine * outward;

@@ -50,9 +50,11 @@ std::vector<std::string> given_placement(const Value& value);
 Placement overridden(Placement own, const Placement& link, std::span<const std::string> given);
 
 struct PlacementContext {
-  Vec3 light{0, 1, 0};    ///< unit vector toward it
-  bool on_axis = false;   ///< places lie on the stem's axis and not on its bark, for children that begin there themselves
-  bool has_twigs = true;  ///< by default they carry the children
+  Vec3 light{0, 1, 0};  ///< unit vector toward it
+  bool on_axis =
+      false;  ///< places lie on the stem's axis and not on its bark, for children that begin there themselves
+  bool heads_along = false;         ///< children head along the stem, whatever the placement's angles say
+  bool has_twigs = true;            ///< by default they carry the children
   std::uint64_t stem = kOnNoStem;   ///< id of the stem, for the places
   Site parent;                      ///< of the instance that made the stem; the places' keys and depths come from it
   std::optional<RandomKey> places;  ///< of where they are, where that is not the parent's: equal ones, equal places

@@ -111,9 +111,8 @@ def vary_smoothing(leaves: Sequence[MeasuredLeaf]) -> list[Smoothed]:
 
 def length_errors(classes: Mapping[int, Sequence[AgedMidrib]]) -> list[float]:
     """Of the fits to midribs by age, which are medians and so smooth: length over the polyline's, less 1."""
-    fitted = [
-        grass.fit_leaf(*midrib.points.T, (0, 0.5, 1), (1, 1, 0)) for of_class in classes.values() for midrib in of_class
-    ]
+    midribs = [midrib.points for of_class in classes.values() for midrib in of_class]
+    fitted = [grass.fit_leaf(points[:, 0], points[:, 1], (0, 0.5, 1), (1, 1, 0)) for points in midribs]
     return [one.midrib_length / one.polyline_length - 1 for one in fitted]
 
 

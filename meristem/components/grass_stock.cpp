@@ -27,15 +27,16 @@ std::vector<Vec2> arching_midrib() {
   return points;
 }
 
-MeasuredCurve curve_of(const std::vector<Vec2>& points) {
-  MeasuredCurve curve;
-  curve.points.assign(points.begin(), points.end());
-  return curve;
-}
-
-StockedMidrib stocked(const MeasuredCurve& curve, const FitOptions& options) {
+/// One midrib, which is the leaf's form at its own age or else at `full_age`.
+StockedMidrib stocked(const MeasuredCurve& curve, const FitOptions& options, double full_age) {
+  const double age = curve.age.value_or(full_age);
+  if (!(age > 0)) {
+    throw InputError(Diagnostic{.message = fmt::format("the only midrib of a leaf has the age {}", age),
+                                .expected = "an age above 0, or midribs at several ages",
+                                .line = curve.lines.empty() ? 0 : curve.lines.front()});
+  }
   FittedMidrib fitted = fit_midrib(curve, options);
-  MidribFamily family(fitted.leaf);
+  MidribFamily family(fitted.leaf, age);
   return {curve.rank, curve.lindex, std::move(fitted.leaf), std::move(family), fitted.length};
 }
 
@@ -53,20 +54,21 @@ StockedMidrib stocked(const std::vector<const MeasuredCurve*>& curves, const Fit
 }
 
 /// Midribs that belong to one leaf, by age.
-std::vector<StockedMidrib> stock_midribs(const std::vector<MeasuredCurve>& curves, const FitOptions& options) {
+std::vector<StockedMidrib> stock_midribs(const std::vector<MeasuredCurve>& curves, const FitOptions& options,
+                                         double full_age) {
   std::vector<StockedMidrib> midribs;
   using Name = std::pair<std::optional<int>, std::optional<int>>;
   std::map<Name, std::vector<const MeasuredCurve*>> families;
   for (const MeasuredCurve& curve : curves) {
     if (!curve.age) {
-      midribs.push_back(stocked(curve, options));
+      midribs.push_back(stocked(curve, options, full_age));
     } else {
       families[{curve.rank, curve.lindex}].push_back(&curve);
     }
   }
   for (auto& [name, family] : families) {
     std::ranges::stable_sort(family, {}, [](const MeasuredCurve* curve) { return *curve->age; });
-    midribs.push_back(family.size() == 1 ? stocked(*family.front(), options) : stocked(family, options));
+    midribs.push_back(family.size() == 1 ? stocked(*family.front(), options, full_age) : stocked(family, options));
   }
   return midribs;
 }
@@ -92,6 +94,11 @@ FittedWidths widths_of_curve(const Curve& profile, int pieces) {
   for (int k = 0; k <= pieces; ++k) {
     fitted.r.push_back(std::max(0.0, profile(static_cast<double>(k) / pieces)));
     largest = std::max(largest, fitted.r.back());
+  }
+  if (largest == 0) {
+    // All of it lies between two points.
+    const auto widest = std::ranges::max_element(profile.points(), {}, [](Vec2 point) { return point.y; });
+    fitted.r[static_cast<std::size_t>(widest->x * static_cast<float>(pieces) + 0.5F)] = largest = 1;
   }
   for (double& share : fitted.r) share /= largest;
   return fitted;
@@ -131,6 +138,12 @@ std::vector<MeasuredCurve> read_width_file(const std::string& text, const std::s
 
 }  // namespace
 
+MeasuredCurve curve_of(const std::vector<Vec2>& points) {
+  MeasuredCurve curve;
+  curve.points.assign(points.begin(), points.end());
+  return curve;
+}
+
 void StockIndex::add(std::optional<int> rank, std::optional<int> leaf, std::uint32_t index) {
   has_ranks_ = has_ranks_ || rank;
   has_leaves_ = has_leaves_ || leaf;
@@ -156,11 +169,11 @@ std::span<const std::uint32_t> StockIndex::find(int rank, std::optional<int> lea
                                      static_cast<std::size_t>(last - first));
 }
 
-GrassStock make_stock(const GrassSource& source, bool is_loaded, bool is_fitted) {
+GrassStock make_stock(const GrassSource& source, const StockOptions& how) {
   const GrassSource plain{.fit = source.fit};
-  const GrassSource& used = is_loaded ? source : plain;
+  const GrassSource& used = how.is_loaded ? source : plain;
   FitOptions options = source.fit;
-  if (!is_fitted) options.smoothing = options.width_smoothing = 0;
+  if (!how.is_fitted) options.smoothing = options.width_smoothing = 0;
   std::vector<StockedWidths> widths;
   if (!used.widths) {
     widths.push_back({{}, {}, widths_of_curve(used.profile, options.pieces)});
@@ -169,7 +182,11 @@ GrassStock make_stock(const GrassSource& source, bool is_loaded, bool is_fitted)
       widths.push_back({curve.rank, curve.lindex, fit_widths(curve, options)});
     }
   }
-  return GrassStock(stock_midribs(midribs_from(used), options), std::move(widths));
+  std::vector<StockedMidrib> midribs = stock_midribs(midribs_from(used), options, how.full_age);
+  if (!used.midrib) {
+    for (StockedMidrib& midrib : midribs) midrib.length = 0;
+  }
+  return GrassStock(std::move(midribs), std::move(widths));
 }
 
 const ParameterTable& grass_source_table() {

@@ -39,7 +39,7 @@ struct StockedMidrib {
   std::optional<int> rank, leaf;
   GrassLeaf form;  ///< full grown: at age 1, or the last one of a family
   MidribFamily family;
-  double length = 0;  ///< as measured, in the source's unit
+  double length = 0;  ///< as measured, in the source's unit; 0 where the source is no file
 };
 
 struct StockedWidths {
@@ -79,9 +79,18 @@ struct GrassStock {
   StockIndex midrib_index, width_index;
 };
 
-/// Fits all of it. `is_loaded` false takes the built-in leaf instead, `is_fitted` false joins points by lines. Throws
-/// InputError for ages that come twice.
-GrassStock make_stock(const GrassSource& source, bool is_loaded, bool is_fitted);
+/// How a stock is made.
+struct StockOptions {
+  bool is_loaded = true;  ///< else the built-in leaf stands in for what the source has
+  bool is_fitted = true;  ///< else points are joined by lines
+  double full_age = 1;    ///< at which a leaf has its form, where midribs have no ages
+};
+
+/// Fits all of it. Throws InputError for midribs that stand alone at an age of 0 or less, and for faults of curves.
+GrassStock make_stock(const GrassSource& source, const StockOptions& options);
+
+/// The points of a document's midrib as a measured one.
+MeasuredCurve curve_of(const std::vector<Vec2>& points);
 
 const ParameterTable& grass_source_table();
 

@@ -34,6 +34,11 @@ constexpr double kErrorSteps = 4;       // an octave
 constexpr double kAirDensity = 1.2;     // kg/m3
 constexpr double kAgeTolerance = 1e-9;
 constexpr int kPiecesAWave = 4;
+constexpr double kUsualLength = 0.3;    // metres, where neither document nor file says it
+constexpr double kUsualSheath = 0.005;  // metres, of its radius away from stems
+constexpr double kSheathOverStem = 1.12;
+constexpr double kMostSteps = 100'000;  // of a life
+constexpr double kMostRate = 1000;
 constexpr double kUsualAspect = 0.06;   // width over length where a leaf's own is not known
 constexpr double kOwnInclination = -1;  // stands for an inclination that is the midrib's own
 
@@ -58,6 +63,10 @@ std::string ranks_text(const StockIndex& index) {
 Choice choose(const Grassleaf& grass, const Site& site, const Emitter& out) {
   const GrassStock& stock = *grass.stock;
   const std::span<const std::uint32_t> midribs = stock.midrib_index.find(grass.rank, grass.leaf);
+  if (midribs.empty() && grass.leaf && !stock.midrib_index.find(grass.rank).empty()) {
+    throw_at(out, "leaf", fmt::format("there is no leaf {} of rank {}", *grass.leaf, grass.rank),
+             "the lindex of one that the file has");
+  }
   if (midribs.empty()) {
     throw_at(out, "rank",
              fmt::format("there is no midrib of rank {}{}", grass.rank,
@@ -84,15 +93,21 @@ Choice choose(const Grassleaf& grass, const Site& site, const Emitter& out) {
 double full_length(const Grassleaf& grass, const Choice& choice) {
   if (grass.length) return *grass.length;
   const FittedWidths& widths = grass.stock->widths[choice.widths].fitted;
-  return grass.source.unit * (widths.are_shares ? grass.stock->midribs[choice.midrib].length : widths.length);
+  const double measured = widths.are_shares ? grass.stock->midribs[choice.midrib].length : widths.length;
+  return measured > 0 ? grass.source.unit * measured : kUsualLength;
 }
 
 double full_width(const Grassleaf& grass, const Choice& choice, double length) {
   if (grass.width) return *grass.width;
   const FittedWidths& widths = grass.stock->widths[choice.widths].fitted;
-  const double as_measured = grass.source.unit * widths.width;
-  // Widths as shares of the largest say nothing of it.
-  return widths.are_shares ? kUsualAspect * length : as_measured;
+  return widths.are_widths_shares() ? kUsualAspect * length : grass.source.unit * widths.width;
+}
+
+/// Metres in the leaf's own frame, of the sheath's rim.
+double sheath_radius(const GrassSheath& sheath, const Site& site) {
+  if (sheath.radius) return *sheath.radius;
+  const double scale = glm::length(site.frame.axes[2]);
+  return site.radius > 0 && scale > 0 ? kSheathOverStem * site.radius / scale : kUsualSheath;
 }
 
 /// What of a leaf's shape varies from instance to instance, rounded, for a length of 1. All of them numbers, so that
@@ -152,17 +167,21 @@ ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choic
   numbers.widths = choice.widths;
   const GrassVariety& vary = grass.vary;
   const bool is_varied = vary.acts() && grass.stages.vary && grass.stages.age;
-  if (is_varied && vary.variants > 0) {
-    numbers.variant = 1 + std::floor(site.key.child("life").uniform(0) * vary.variants);
-  } else if (is_varied) {
-    // A life of its own: the key's bits, as far as a double holds them.
-    numbers.variant = static_cast<double>(site.key.child("life").bits() >> 11U);
+  if (is_varied) {
+    const RandomKey own = site.key.child("life");
+    const bool is_shared = vary.variants > 0 && !grass.exact;
+    const double drawn = std::floor(own.uniform(0) * vary.variants);
+    const RandomKey life = is_shared ? out.component_key().child(static_cast<std::uint64_t>(drawn)) : own;
+    // The key's bits, as far as a double holds them.
+    numbers.variant = 1 + static_cast<double>(life.bits() >> 12U);
   }
   numbers.width = round.octaves(width / length, kProportionSteps);
   numbers.full_age = grass.full_age;
   const double age = grass.stages.age ? grass.age : grass.stock->midribs[choice.midrib].family.last_age();
-  numbers.age = round.step(age, grass.full_age / kAgeSteps);
-  // Rounded up, a young leaf must not get older than its midribs.
+  const double step = grass.full_age / kAgeSteps;
+  numbers.age = round.step(age, step);
+  // Rounded, a young leaf is still there, and none gets older than its midribs.
+  if (!grass.exact && age > 0) numbers.age = std::max(numbers.age, step);
   numbers.age = std::min(numbers.age, grass.stock->midribs[choice.midrib].family.last_age());
   numbers.inclination = kOwnInclination;
   numbers.inclination_factor = 1;
@@ -187,7 +206,7 @@ ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choic
     }
     if (grass.sheath.length > 0) {
       numbers.clasp = grass.sheath.clasp;
-      numbers.clasp_radius = round.octaves(grass.sheath.radius / length, kRadiusSteps);
+      numbers.clasp_radius = round.octaves(sheath_radius(grass.sheath, site) / length, kRadiusSteps);
     }
   }
   if (grass.stages.reduce) {
@@ -199,40 +218,50 @@ ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choic
   return numbers;
 }
 
+/// What a formula gives; throws where that is no number to reckon with.
+double value_of(const std::optional<Formula>& formula, std::span<const double> names, RandomKey key, const Emitter& out,
+                const char* parameter) {
+  const double value = formula->expression.evaluate(names, key);
+  if (!(std::abs(value) <= kMostRate)) {
+    throw_at(out, parameter, fmt::format("the expression gives {}", value), fmt::format("at most {}", kMostRate));
+  }
+  return value;
+}
+
 /// The rates of one leaf's life. Each random call of an expression draws once a leaf.
 class LifeRates {
  public:
-  LifeRates(const GrassVariety& vary, RandomKey key) : vary_(vary), key_(key) {}
+  LifeRates(const GrassVariety& vary, RandomKey key, const Emitter& out) : vary_(vary), key_(key), out_(out) {}
 
   GrowthRates operator()(double lived, double visible) const {
     const std::array<double, 2> names{lived, visible};
-    const auto rate = [&](const std::optional<Formula>& formula, const char* purpose) {
-      if (!formula) return 1.0;
-      const double value = formula->expression.evaluate(names, key_.child(purpose));
-      return std::isfinite(value) ? value : 0.0;
+    const auto rate = [&](const std::optional<Formula>& formula, const char* parameter) {
+      return formula ? value_of(formula, names, key_.child(parameter), out_, parameter) : 1.0;
     };
-    return {rate(vary_.age, "age"), rate(vary_.length, "length"), rate(vary_.width, "width"), rate(vary_.bend, "bend")};
+    return {rate(vary_.age, "vary.age"), rate(vary_.length, "vary.length"), rate(vary_.width, "vary.width"),
+            rate(vary_.bend, "vary.bend")};
   }
 
  private:
   const GrassVariety& vary_;
   RandomKey key_;
+  const Emitter& out_;
 };
 
 /// The leaf up to the stage of bending, as wide as it is for a length of 1.
-GrassLeaf grown_leaf(const Grassleaf& grass, const ShapeNumbers& numbers) {
+GrassLeaf grown_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, const Emitter& out) {
   const StockedMidrib& midrib = grass.stock->midribs[static_cast<std::size_t>(numbers.midrib)];
   GrassLeaf full = midrib.form;
   full.length = 1;
   full.width = numbers.width;
   full.r = grass.stock->widths[static_cast<std::size_t>(numbers.widths)].fitted.r;
+  if (!grass.stages.age) return full;
   if (numbers.variant == 0) return aged(full, midrib.family, numbers.age, numbers.full_age);
-  const RandomKey life = RandomKey(hash64("life")).child(static_cast<std::uint64_t>(numbers.variant));
-  const LifeRates rates(grass.vary, life);
+  const LifeRates rates(grass.vary, RandomKey(static_cast<std::uint64_t>(numbers.variant)), out);
   return lived(full, midrib.family, numbers.age, grass.vary.step, rates, numbers.full_age);
 }
 
-GrassLeaf bent_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, GrassLeaf leaf) {
+GrassLeaf bent_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, GrassLeaf leaf, const Emitter& out) {
   if (!grass.stages.bend) return leaf;
   if (numbers.inclination != kOwnInclination) {
     leaf = inclined(leaf, numbers.inclination);
@@ -241,53 +270,38 @@ GrassLeaf bent_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, GrassLe
   }
   if (!grass.turns.empty()) leaf = turned(leaf, grass.turns);
   if (!grass.forces) return leaf;
-  return loaded(leaf, {.stiffness = numbers.stiffness, .tip_thickness = numbers.tip_thickness},
-                {.pull = {numbers.pull_x, numbers.pull_y},
-                 .wind = {numbers.wind_x, numbers.wind_y},
-                 .gravity = {numbers.gravity_x, numbers.gravity_y}});
+  try {
+    return loaded(leaf, {.stiffness = numbers.stiffness, .tip_thickness = numbers.tip_thickness},
+                  {.pull = {numbers.pull_x, numbers.pull_y},
+                   .wind = {numbers.wind_x, numbers.wind_y},
+                   .gravity = {numbers.gravity_x, numbers.gravity_y}});
+  } catch (const std::invalid_argument& error) {
+    throw_at(out, "forces", error.what(), "weaker forces or a stiffer leaf");
+  }
 }
 
-/// What of the blade's surface a reduction must keep besides midrib and widths: how high the edge stands, in lengths.
-std::vector<std::vector<double>> edge_heights(const GrassLeaf& leaf, const GrassBlade& blade) {
-  std::vector<std::vector<double>> heights;
-  const double half = 0.5 * leaf.width / leaf.length;
-  if (blade.twist != 0) {
-    std::vector<double>& height = heights.emplace_back();
-    for (const double place : leaf.s) height.push_back(half * torsion(blade, place));
-  }
-  if (blade.waves.number > 0) {
-    for (const double phase : {blade.waves.left, blade.waves.right}) {
-      std::vector<double>& height = heights.emplace_back();
-      for (std::size_t k = 0; k < leaf.point_count(); ++k) {
-        height.push_back(half * leaf.r[k] * blade.waves.depth *
-                         math::sin(2 * kPi * blade.waves.number * leaf.s[k] + phase));
-      }
-    }
-  }
-  return heights;
-}
-
-GrassLeaf reduced_leaf(const ShapeNumbers& numbers, const GrassLeaf& leaf, const GrassBlade& blade) {
+GrassLeaf reduced_leaf(const ShapeNumbers& numbers, GrassLeaf leaf, const GrassBlade& blade) {
+  // Before it is reduced, the leaf has as many pieces as are asked for, and as waves need.
   const auto pieces = static_cast<std::size_t>(numbers.polygons);
+  const auto needed = std::max(pieces, static_cast<std::size_t>(2 * kPiecesAWave * blade.waves.number));
+  if (needed + 1 > leaf.point_count()) leaf = resampled(leaf, needed);
   if (numbers.error == 0 && pieces + 1 >= leaf.point_count()) return leaf;
-  const ReductionOrder order = reduction_order(leaf, edge_heights(leaf, blade));
+  const ReductionOrder order = reduction_order(leaf, blade_relief(leaf, blade));
   return reduced(leaf, numbers.error > 0 ? points_within(order, numbers.error) : points_kept(order, pieces));
 }
 
-std::function<DVec3(double, double)> displacement(const Grassleaf& grass) {
+std::function<DVec3(double, double)> displacement(const Grassleaf& grass, const Emitter& out) {
   if (!grass.f && !grass.g && !grass.h) return {};
-  return [&grass](double s, double u) {
+  return [&grass, &out](double s, double u) {
     const std::array<double, 2> names{s, u};
-    const auto value = [&](const std::optional<Formula>& formula) {
-      if (!formula) return 0.0;
-      const double found = formula->expression.evaluate(names);
-      return std::isfinite(found) ? found : 0.0;
+    const auto value = [&](const std::optional<Formula>& formula, const char* parameter) {
+      return formula ? value_of(formula, names, RandomKey(), out, parameter) : 0.0;
     };
-    return DVec3(value(grass.f), value(grass.g), value(grass.h));
+    return DVec3(value(grass.f, "f"), value(grass.g, "g"), value(grass.h, "h"));
   };
 }
 
-GrassBlade blade_of(const Grassleaf& grass, const ShapeNumbers& numbers) {
+GrassBlade blade_of(const Grassleaf& grass, const ShapeNumbers& numbers, const Emitter& out) {
   GrassBlade blade = grass.blade;
   blade.twist = numbers.twist;
   blade.fold = numbers.fold;
@@ -296,28 +310,25 @@ GrassBlade blade_of(const Grassleaf& grass, const ShapeNumbers& numbers) {
   blade.clasp = numbers.clasp;
   blade.clasp_radius = numbers.clasp_radius;
   // Waves that so few pieces cannot show are left out.
-  const bool is_coarse = numbers.error == 0 && numbers.polygons < kPiecesAWave * numbers.waves;
+  const bool is_coarse = grass.stages.reduce && numbers.error == 0 && numbers.polygons < kPiecesAWave * numbers.waves;
   if (is_coarse) blade.waves.number = blade.waves.depth = 0;
-  if (grass.stages.blade) blade.displace = displacement(grass);
+  if (grass.stages.blade) blade.displace = displacement(grass, out);
   return blade;
 }
 
 /// Runs all stages for one shape. Empty where nothing of the leaf can be seen.
 Mesh make_shape(const Grassleaf& grass, const ShapeNumbers& numbers, const Emitter& out) {
-  const GrassLeaf grown = grown_leaf(grass, numbers);
+  const GrassLeaf grown = grown_leaf(grass, numbers, out);
   if (!(grown.length > 0 && grown.width > 0)) return {};
-  try {
-    const GrassLeaf bent = bent_leaf(grass, numbers, grown);
-    const GrassBlade blade = blade_of(grass, numbers);
-    return make_grass_blade(reduced_leaf(numbers, bent, blade), blade);
-  } catch (const std::invalid_argument& error) {
-    throw_at(out, "forces", error.what(), "weaker forces or a stiffer leaf");
-  }
+  const GrassLeaf bent = bent_leaf(grass, numbers, grown, out);
+  const GrassBlade blade = blade_of(grass, numbers, out);
+  return make_grass_blade(reduced_leaf(numbers, bent, blade), blade);
 }
 
-void emit_sheath(const GrassSheath& sheath, Emitter& out) {
-  const auto radius = static_cast<float>(sheath.radius), length = static_cast<float>(sheath.length);
-  const double open = to_step(sheath.open, kShapeAngleStep);
+void emit_sheath(const Grassleaf& grass, const Site& site, Emitter& out) {
+  const GrassSheath& sheath = grass.sheath;
+  const auto radius = static_cast<float>(sheath_radius(sheath, site)), length = static_cast<float>(sheath.length);
+  const double open = Rounding{grass.exact}.step(sheath.open, kShapeAngleStep);
   out.blade(
       Frame{.axes = Mat3(Vec3(radius, 0, 0), Vec3(0, length, 0), Vec3(0, 0, radius))}, shape_key({1, open}),
       [&] { return make_sheath(open); }, Vec3(1));
@@ -330,7 +341,7 @@ void emit_sheath(const GrassSheath& sheath, Emitter& out) {
 
 /// Metres from the stem's axis to the collar.
 double distance_from_axis(const Grassleaf& grass, const Site& site) {
-  if (grass.sheath.length > 0 && grass.stages.blade) return grass.sheath.radius;
+  if (grass.sheath.length > 0 && grass.stages.blade) return sheath_radius(grass.sheath, site);
   if (site.stem == kOnNoStem) return 0;
   const double scale = glm::length(site.frame.axes[2]);
   return scale > 0 ? site.radius / scale : 0;
@@ -338,12 +349,15 @@ double distance_from_axis(const Grassleaf& grass, const Site& site) {
 
 void expand(const Grassleaf& grass, const Site& site, Emitter& out) {
   if (grass.stages.age && !(grass.age > 0)) return;
-  if (grass.sheath.length > 0 && grass.stages.blade) emit_sheath(grass.sheath, out);
+  if (grass.sheath.length > 0 && grass.stages.blade) emit_sheath(grass, site, out);
+  if (grass.vary.acts() && grass.stages.vary && grass.age > kMostSteps * grass.vary.step) {
+    throw_at(out, "vary.step", fmt::format("the life to the age {} has too many steps", grass.age),
+             fmt::format("a step of {} or more", grass.age / kMostSteps));
+  }
   const Choice choice = choose(grass, site, out);
   const double length = full_length(grass, choice);
   const double width = full_width(grass, choice, length);
   const ShapeNumbers numbers = shape_numbers(grass, site, choice, length, width, out);
-  if (grass.stages.age && !(numbers.age > 0)) return;
   Frame frame;
   frame.axes *= static_cast<float>(length);
   frame.axes[0] *= static_cast<float>(width / (length * numbers.width));
@@ -353,12 +367,13 @@ void expand(const Grassleaf& grass, const Site& site, Emitter& out) {
 
 TextureShape texture_shape(const Grassleaf& grass) {
   TextureShape shape;
-  const Curve& profile = grass.source.profile;
-  constexpr int kRows = 24;
-  const auto half = [&](int k) { return 0.5 * std::max(0.0, profile(static_cast<double>(k) / kRows)); };
-  for (int k = 0; k <= kRows; ++k) shape.outline.emplace_back(0.5 + half(k), static_cast<double>(k) / kRows);
-  for (int k = kRows; k >= 0; --k) {
-    if (half(k) > 0) shape.outline.emplace_back(0.5 - half(k), static_cast<double>(k) / kRows);
+  const std::vector<double>& r = grass.stock->widths.front().fitted.r;
+  const auto add = [&](std::size_t k, double side) {
+    shape.outline.emplace_back(0.5 + 0.5 * side * r[k], static_cast<double>(k) / static_cast<double>(r.size() - 1));
+  };
+  for (std::size_t k = 0; k < r.size(); ++k) add(k, 1);
+  for (std::size_t k = r.size(); k-- > 0;) {
+    if (r[k] > 0) add(k, -1);
   }
   // Numbers that differ from leaf to leaf are 0 here.
   const double length = grass.length.value_or(0);

@@ -33,8 +33,8 @@ struct GrassForces {
 
 /// A sheath below the blade.
 struct GrassSheath {
-  double length = 0;  ///< metres; 0: none
-  double radius = 0.005;
+  double length = 0;             ///< metres; 0: none
+  std::optional<double> radius;  ///< metres; unset: a little more than the stem's
   double open = radians(25);
   double ligule = 0;    ///< height of the ligule, metres
   double clasp = 0.08;  ///< share of the blade over which it unrolls from the sheath's round

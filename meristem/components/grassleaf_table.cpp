@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/components/grassleaf_table.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -83,7 +84,7 @@ const ParameterTable& sheath_table() {
       Table<GrassSheath>("a sheath", "What holds a blade to its stem.")
           .number("length", &GrassSheath::length, {.unit = Unit::metre, .min = 0, .max = 100}, "From the collar down.")
           .number("radius", &GrassSheath::radius, {.unit = Unit::metre, .min = 1e-5, .max = 10},
-                  "About the stem, such as \"1.1*radius\".")
+                  "Of its upper rim; a little more than the stem's if not given.")
           .number("open", &GrassSheath::open, {.unit = Unit::degree, .min = 0, .max = 300},
                   "Gap between its edges, opposite the blade.")
           .number("ligule", &GrassSheath::ligule, {.unit = Unit::metre, .min = 0, .max = 1}, "Height of the ligule.")
@@ -131,6 +132,24 @@ void check_grassleaf(const Grassleaf& grass, const Place& place, ParameterReader
                  "shares of the width from 0");
     return;
   }
+  const auto& profile = grass.source.profile.points();
+  if (std::ranges::none_of(profile, [](Vec2 point) { return point.y > 0; })) {
+    reader.fault(Place(place, "profile"), "the profile is empty", "a share of the width above 0 somewhere");
+    return;
+  }
+  const auto check_points = [&](const std::vector<Vec2>& points, const Place& at) {
+    try {
+      check_midrib(curve_of(points));
+    } catch (const InputError& error) {
+      for (const Diagnostic& found : error.diagnostics()) reader.fault(at, found.message, found.expected);
+    }
+  };
+  if (!grass.source.midrib_points.empty()) check_points(grass.source.midrib_points, Place(place, "midrib_points"));
+  const Place midribs(place, "midribs");
+  for (std::size_t k = 0; k < grass.source.midribs.size(); ++k) {
+    const Place midrib(midribs, k);
+    check_points(grass.source.midribs[k].points, Place(midrib, "points"));
+  }
   for (std::size_t k = 1; k < grass.source.midribs.size(); ++k) {
     if (grass.source.midribs[k].age > grass.source.midribs[k - 1].age) continue;
     reader.fault(Place(Place(place, "midribs"), k), "the ages of the midribs do not rise", "a later age than before");
@@ -140,13 +159,22 @@ void check_grassleaf(const Grassleaf& grass, const Place& place, ParameterReader
 
 /// Fits what the document gives; what is wrong with it is a fault at its place.
 void prepare_grassleaf(Grassleaf& grass, const Place& place, ParameterReader& reader) {
+  const char* row = grass.source.midribs.empty() ? "midrib" : "midribs";
   try {
-    grass.stock = std::make_shared<GrassStock>(make_stock(grass.source, grass.stages.load, grass.stages.fit));
+    grass.stock = std::make_shared<GrassStock>(make_stock(
+        grass.source, {.is_loaded = grass.stages.load, .is_fitted = grass.stages.fit, .full_age = grass.full_age}));
   } catch (const InputError& error) {
-    const char* row = grass.source.midribs.empty() ? "midrib_points" : "midribs";
     for (const Diagnostic& found : error.diagnostics()) reader.fault(Place(place, row), found.message, found.expected);
+    return;
   } catch (const std::invalid_argument& error) {
-    reader.fault(Place(place, "midrib"), error.what());
+    reader.fault(Place(place, row), error.what());
+    return;
+  }
+  for (const StockedMidrib& midrib : grass.stock->midribs) {
+    if (grass.full_age <= midrib.family.last_age()) continue;
+    reader.fault(Place(place, "full_age"), fmt::format("the midribs end at the age {}", midrib.family.last_age()),
+                 "at most that, or the blade never comes out whole");
+    return;
   }
 }
 
@@ -159,16 +187,16 @@ Table<Grassleaf> grassleaf_table() {
       .integer("leaf", &Grassleaf::leaf, {.min = 0, .max = 1e6},
                "Its lindex in the files; any of its rank if not given.")
       .number("length", &Grassleaf::length, {.unit = Unit::metre, .min = 1e-4, .max = 100},
-              "Of the full-grown blade; as measured if not given.")
+              "Of the full-grown blade; if not given as measured in files, else 0.3.")
       .number("width", &Grassleaf::width, {.unit = Unit::metre, .min = 1e-5, .max = 100},
-              "Where it is widest; as measured if not given, or a sixteenth of the length.")
+              "Where it is widest; if not given as measured in files, else 0.06 of the length.")
       .number("age", &Grassleaf::age, {.min = -1e4, .max = 1e4},
               "Of the leaf: from 0, straight and only begun, to 1, full grown; with midribs by age in their unit.")
       .number("full_age", &Grassleaf::full_age, {.min = 0, .max = 1e4, .above_min = true, .fixed = true},
               "At which the blade has come out whole.")
       .object("vary", &Grassleaf::vary, variety_table, "Rates that give each leaf a life of its own.")
       .number("inclination", &Grassleaf::inclination, {.unit = Unit::degree, .min = 0, .max = 180},
-              "Between stem and leaf at the collar; the midrib's own if not given.")
+              "Between stem and leaf at the collar, whatever the age; the midrib's own if not given.")
       .number("inclination_factor", &Grassleaf::inclination_factor, {.min = 0, .max = 10},
               "By which that is multiplied; raised, the leaf stands off more.")
       .list("turns", &Grassleaf::turns, turn_table, "Changes of the midrib's direction, all of which act.")

@@ -224,7 +224,104 @@ TEST(Grassleaf, StagesCanBePassedOver) {
   EXPECT_EQ(leaf("reduce").prototypes[0].mesh->triangle_count(), 4U * 48U);
   const Plant flat = leaf("blade");
   for (const Vec3 normal : flat.prototypes[0].mesh->normals) EXPECT_NEAR(normal.x, 0, 1e-6);
-  EXPECT_GT(tip_of(leaf("load"), leaf("load").organs[0]).z, -1);
+  const Plant built_in = leaf("load");
+  EXPECT_GT(-tip_of(built_in, built_in.organs[0]).z, 0.2) << "the built-in leaf leads away";
+  const auto kinked = [](bool is_fitted) {
+    const List points{Value(List{0, 0}), Value(List{0, 1}), Value(List{1, 1})};
+    const Plant plant = field_of(1, strip({{"midrib_points", points},
+                                           {"fit", Object{{"smoothing", 0.05}}},
+                                           {"polygons", 48},
+                                           {"stages", Object{{"fit", is_fitted}}}}));
+    return plant.prototypes[0].mesh->normals[3 * 12].y;  // of a point on the first leg, which is upright
+  };
+  EXPECT_NEAR(kinked(false), 0, 1e-3);
+  EXPECT_GT(std::abs(kinked(true)), 0.02);
+}
+
+TEST(Grassleaf, WithoutTheStageOfAgeALeafIsFullGrown) {
+  const Plant plant = field_of(1, strip({{"age", 0.2}, {"full_age", 0.5}, {"stages", Object{{"age", false}}}}));
+  EXPECT_NEAR(area_of(plant, plant.organs[0]), 0.1, 1e-6);
+}
+
+TEST(Grassleaf, FullAgeIsTheAgeOfItsForm) {
+  const auto height = [](double age) {
+    const Plant plant = field_of(1, strip({{"age", age}, {"full_age", 20}}));
+    return tip_of(plant, plant.organs[0]).y;
+  };
+  EXPECT_NEAR(height(20), 1, 1e-5);
+  EXPECT_NEAR(height(5), 0.25, 1e-5);
+}
+
+TEST(Grassleaf, LivesFollowTheSeed) {
+  const auto length_of = [](std::uint64_t seed) {
+    const Object lives{{"length", "rand(0.5, 2)"}, {"variants", 1}};
+    const Plant plant = field_of(1, strip({{"vary", lives}}), seed);
+    return tip_of(plant, plant.organs[0]).y;
+  };
+  EXPECT_EQ(length_of(1), length_of(1));
+  EXPECT_NE(length_of(1), length_of(2));
+  const Object each{{"length", "rand(0.5, 2)"}, {"variants", 1}};
+  EXPECT_EQ(field_of(9, strip({{"vary", each}, {"exact", true}})).prototypes.size(), 9U);
+}
+
+TEST(Grassleaf, ItsUsualLengthIsThatOfAGrass) {
+  const Plant plant = field_of(1, Object{});
+  EXPECT_NEAR(glm::length(plant.organs[0].frame.heading()), 0.3, 1e-6);
+}
+
+TEST(Grassleaf, MorePolygonsThanTheFitHasPiecesAreMade) {
+  EXPECT_EQ(field_of(1, {{"polygons", 100}}).prototypes[0].mesh->triangle_count(), 398U);
+}
+
+TEST(Grassleaf, AProfileOfOneNarrowPeakIsABladeAndNoneIsAFault) {
+  const auto with_profile = [](const List& points) {
+    return Object{{"profile", Object{{"curve", points}, {"kind", "linear"}}}};
+  };
+  const List peak{Value(List{0, 0}), Value(List{0.01, 1}), Value(List{0.02, 0}), Value(List{1, 0})};
+  check_mesh(*field_of(1, with_profile(peak)).prototypes[0].mesh);
+  const auto faults = faults_of_leaf(with_profile({Value(List{0, 0}), Value(List{1, 0})}));
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].path, "components.leaf.profile");
+}
+
+TEST(Grassleaf, FormulasThatGiveNoNumbersToReckonWithAreFaults) {
+  const auto path_of = [](const Object& leaf) {
+    const auto faults = faults_of_leaf(leaf);
+    return faults.size() == 1 ? faults[0].path : "not one fault";
+  };
+  EXPECT_EQ(path_of({{"f", "1e300"}}), "components.leaf.f");
+  EXPECT_EQ(path_of({{"vary", Object{{"length", "1/0"}}}}), "components.leaf.vary.length");
+  const Object slow{{"age", 1}, {"step", 0.001}};
+  EXPECT_EQ(path_of({{"full_age", 1000}, {"age", 1000}, {"vary", slow}}), "components.leaf.vary.step");
+  const List midribs{
+      Value(Object{{"age", 0}, {"points", List{Value(List{0, 0}), Value(List{0, 1}), Value(List{0, 2})}}}),
+      Value(Object{{"age", 2}, {"points", List{Value(List{0, 0}), Value(List{0, 0}), Value(List{0, 2})}}})};
+  EXPECT_EQ(path_of({{"midribs", midribs}}), "components.leaf.midribs[1].points");
+}
+
+TEST(Grassleaf, ItsSheathFitsTheStemWhateverTheScale) {
+  GraphBuilder builder(builtin_components());
+  const Object even{{"curve", List{Value(List{0, 1}), Value(List{1, 1})}}};
+  builder.component("view", "camera")
+      .component("stem", "tree", {{"length", 1}, {"radius", 0.05}, {"taper", even}, {"count", 3}})
+      .component("leaf", "grassleaf", {{"sheath", Object{{"length", 0.1}}}});
+  for (const double scale : {1.0, 0.5}) {
+    GraphBuilder scaled = builder;
+    const Object size{{"size", Object{{"curve", List{Value(List{0, scale}), Value(List{1, scale})}}}}};
+    scaled.link("view", "stem").link("stem", "leaf", LinkKind::branch, size);
+    const Plant plant = scaled.grow();
+    const auto leaves = organs_of(plant, "leaf");
+    // Heading along the stem, though links say nothing of an angle, and about it.
+    std::size_t sheaths = 0;
+    for (const Organ& organ : leaves) {
+      if (plant.materials[plant.prototypes[organ.prototype].material].name != "leaf_blades") continue;
+      ++sheaths;
+      EXPECT_NEAR(glm::length(organ.frame.axes[0]), 0.056, 1e-4);
+      EXPECT_NEAR(std::hypot(organ.frame.origin.x, organ.frame.origin.z), 0, 1e-5);
+      EXPECT_NEAR(glm::normalize(organ.frame.heading()).y, 1, 1e-5);
+    }
+    EXPECT_EQ(sheaths, 3U);
+  }
 }
 
 TEST(Grassleaf, WindMovesTipsWhereItBlowsTo) {

@@ -25,7 +25,8 @@ constexpr double kEndWeight = 1000;  // of the points that stay: where a blade i
 constexpr int kSteps = 8;            // along the spline, a piece
 constexpr int kEvenings = 20;        // rounds at most that make chords equally long
 constexpr double kEven = 1e-7;       // of the length: a place that moves by less stays
-constexpr double kWhole = 1e-6;      // from 0 and 1, where the places of widths are these
+constexpr double kWhole = 1e-6;      // of the last place: nearer to 0 than that it is 0
+constexpr double kLeastShares = 0.9, kMostShares = 1.001;  // where places of widths end that are shares of the length
 
 using Points = std::vector<glm::dvec2>;
 
@@ -207,7 +208,7 @@ FittedWidths fit_widths(const MeasuredCurve& widths, const FitOptions& options) 
   MeasuredCurve from_base = widths;
   fitted.was_turned = turn_to_base(from_base);
   fitted.length = from_base.points.back().x;
-  fitted.are_shares = std::abs(fitted.length - 1) < kWhole;
+  fitted.are_shares = fitted.length > kLeastShares && fitted.length < kMostShares;
   const WidthCurve smooth = smooth_widths(from_base.points, options.width_smoothing);
   double largest = 0;
   for (int k = 0; k <= options.pieces; ++k) {

@@ -24,8 +24,8 @@ struct FittedMidrib {
   double distance = 0;         ///< root mean square distance of the digitised points from the fitted midrib
 };
 
-/// Throws InputError by check_midrib, and std::invalid_argument for options out of range. Cost: linear in points and
-/// pieces.
+/// Throws InputError by check_midrib, and std::invalid_argument for options out of range. Cost: points times pieces,
+/// for their distance.
 FittedMidrib fit_midrib(const MeasuredCurve& midrib, const FitOptions& options = {});
 
 /// Smoothed widths along a blade, from base to tip; both ends stay as measured.
@@ -33,7 +33,9 @@ struct FittedWidths {
   std::vector<double> r;    ///< share of the largest at the points of equal pieces
   double width = 0;         ///< the largest, as measured
   double length = 0;        ///< the last place, as measured
-  bool are_shares = false;  ///< the places are shares of the length: they end at 1
+  bool are_shares = false;  ///< the places are shares of the length: they end at 1, or from 0.9 on
+  /// Whether the widths are shares, too: their largest is 1 at most, or little more.
+  bool are_widths_shares() const { return are_shares && width <= 1.01; }
   bool was_turned = false;  ///< they ran from the tip to the base
 };
 

@@ -50,6 +50,18 @@ class BladeRows {
     return smooth_shaded(mesh_);
   }
 
+  /// The points of all rows, each with as many, from left to right.
+  std::vector<Vec3> points() {
+    std::vector<Vec3> points;
+    for (std::size_t k = 0; k < leaf_.point_count(); ++k) {
+      const Row row = add_row(k);
+      for (int c = 0; c <= blade_.across; ++c) {
+        points.push_back(mesh_.positions[row.first + (row.is_point ? 0U : static_cast<std::uint32_t>(c))]);
+      }
+    }
+    return points;
+  }
+
  private:
   struct Row {
     std::uint32_t first = 0;
@@ -190,6 +202,27 @@ Mesh make_grass_blade(const GrassLeaf& leaf, const GrassBlade& blade) {
     throw std::invalid_argument("the numbers of a grass blade are finite");
   }
   return BladeRows(leaf, blade).run();
+}
+
+std::vector<std::vector<double>> blade_relief(const GrassLeaf& leaf, const GrassBlade& blade) {
+  const bool has_waves = blade.waves.number != 0 && blade.waves.depth != 0;
+  const bool has_clasp = blade.clasp > 0 && blade.clasp_radius > 0;
+  if (blade.twist == 0 && !has_waves && !has_clasp && !blade.displace) return {};
+  GrassBlade narrow = blade;
+  narrow.across = 2;
+  const std::vector<Vec3> points = BladeRows(leaf, narrow).points();
+  std::vector<std::vector<double>> relief(9, std::vector<double>(leaf.point_count()));
+  for (std::size_t k = 0; k < leaf.point_count(); ++k) {
+    const DVec3 midrib = leaf.length * DVec3(0, leaf.y[k], -leaf.x[k]);
+    const double half = 0.5 * leaf.width * leaf.r[k];
+    for (int c = 0; c < 3; ++c) {
+      const DVec3 moved = DVec3(points[3 * k + static_cast<std::size_t>(c)]) - midrib - DVec3((c - 1) * half, 0, 0);
+      for (int axis = 0; axis < 3; ++axis) {
+        relief[static_cast<std::size_t>(3 * c + axis)][k] = moved[axis] / leaf.length;
+      }
+    }
+  }
+  return relief;
 }
 
 Mesh make_sheath(double open) {

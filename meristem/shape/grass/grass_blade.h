@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "meristem/base/curve.h"
 #include "meristem/base/mesh.h"
@@ -36,6 +37,10 @@ struct GrassBlade {
 
 /// Torsion at a place, radians.
 double torsion(const GrassBlade& blade, double place);
+
+/// By how much twist, waves, clasp and displacement move the edges and the midrib away from those of a flat blade:
+/// lists of one number a point of the leaf, in lengths, for a reduction to keep. None where nothing does.
+std::vector<std::vector<double>> blade_relief(const GrassLeaf& leaf, const GrassBlade& blade);
 
 /// The blade on all points of the leaf (smooth normals, front face up; u across, 0 to 1 where it is widest, v from base
 /// to tip). Its frame: the collar at the origin, y along the stem, the midrib leading away to -z, so that a blade that

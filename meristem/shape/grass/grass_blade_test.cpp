@@ -247,6 +247,31 @@ TEST(GrassBlade, WithAllEffectsTheMeshIsSound) {
   EXPECT_TRUE(check_mesh(make_grass_blade(arching(80), blade), kOpen));
 }
 
+TEST(GrassBlade, ATwistIsSharedOutOverThePiecesThatStay) {
+  // Straight and as wide all along: but for the twist no point matters.
+  const GrassLeaf leaf = arching_leaf(48, 0.3, 0.3);
+  EXPECT_TRUE(blade_relief(leaf, {}).empty());
+  const GrassBlade twisted{.twist = kPi};
+  const auto kept = points_kept(reduction_order(leaf, blade_relief(leaf, twisted)), 8);
+  ASSERT_EQ(kept.size(), 9U);
+  for (std::size_t k = 1; k < kept.size(); ++k) {
+    EXPECT_GE(kept[k] - kept[k - 1], 4U);
+    EXPECT_LE(kept[k] - kept[k - 1], 10U);
+  }
+}
+
+TEST(GrassBlade, WhatHooksAndClaspMoveIsKeptByAReduction) {
+  const GrassLeaf leaf = arching_leaf(48, 0.3, 0.3);
+  GrassBlade bump;
+  bump.displace = [](double s, double) { return DVec3(s > 0.4 && s < 0.6 ? 1 : 0, 0, 0); };
+  const auto within = points_within(reduction_order(leaf, blade_relief(leaf, bump)), 1e-4);
+  // Both flanks of the bump: four points besides the ends.
+  EXPECT_EQ(within.size(), 6U);
+  const GrassBlade clasping{.clasp = 0.1, .clasp_radius = 0.004};
+  const auto kept = points_kept(reduction_order(leaf, blade_relief(leaf, clasping)), 4);
+  EXPECT_LE(leaf.s[kept[2]], 0.1) << "where the blade unrolls";
+}
+
 TEST(GrassBlade, RejectsWhatIsNoBlade) {
   const GrassLeaf leaf = arching(4);
   EXPECT_THROW(make_grass_blade(leaf, {.across = 3}), std::invalid_argument);

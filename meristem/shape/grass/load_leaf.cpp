@@ -25,11 +25,10 @@ namespace meristem {
 
 namespace {
 
-constexpr double kLeastStiffness = 1e-12;  // of the base's, at the tip
-constexpr double kSettled = 1e-10;         // radians: the last step of pieces that have come to rest
-constexpr double kBalanced = 1e-8;         // radians: the same between rounds of wind
-constexpr double kNearlyBalanced = 5e-3;   // what may be left of it in a leaf that flutters
-constexpr double kFarthest = 0.5;          // radians by which a step may turn a piece
+constexpr double kLeastWidth = 0.02;  // of the largest, with which a joint is as stiff as one of none
+constexpr double kSettled = 1e-10;    // radians: the last step of pieces that have come to rest
+constexpr double kBalanced = 1e-8;    // radians: the same between rounds of wind
+constexpr double kFarthest = 0.5;     // radians by which a step may turn a piece
 constexpr int kSteps = 400;
 constexpr int kRounds = 300;  // of wind
 constexpr int kLoadSteps = 8;
@@ -48,7 +47,7 @@ class Chain {
       lengths_.push_back(glm::length(along));
       areas_.push_back(lengths_[k] * ratio * 0.5 * (leaf.r[k] + leaf.r[k + 1]));
       const double thickness = 1 - (1 - strip.tip_thickness) * leaf.s[k];
-      const double share = std::max(kLeastStiffness, leaf.r[k] * thickness * thickness * thickness);
+      const double share = std::max(kLeastWidth, leaf.r[k]) * thickness * thickness * thickness;
       // Of the joint before this piece.
       const double spacing = k == 0 ? lengths_[0] : 0.5 * (lengths_[k - 1] + lengths_[k]);
       stiffness_.push_back(strip.stiffness * ratio * share / spacing);
@@ -78,9 +77,9 @@ class Chain {
       if (!has_wind) return true;
       double change = 0;
       for (std::size_t k = 0; k < angles.size(); ++k) change = std::max(change, std::abs(angles[k] - before[k]));
-      if (change < (round + 1 < kRounds ? kBalanced : kNearlyBalanced)) return true;
+      if (change < kBalanced) break;
     }
-    return false;
+    return true;
   }
 
  private:

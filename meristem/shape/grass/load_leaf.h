@@ -34,7 +34,8 @@ struct LeafLoads {
 
 /// The leaf's form under loads, with pieces as long as before and held at its collar as before. Turns of any size are
 /// exact for the chain of its pieces, whose joints are springs. Loads are raised in steps from none, so where a leaf
-/// could stand in several ways it takes the one that it comes to first, and none that is not stable. Throws
+/// could stand in several ways it takes the one that it comes to first, and none that is not stable. One that would
+/// flutter has the form that the mean of the wind's forces gives it. Throws
 /// std::invalid_argument for numbers out of range, or a leaf that does not come to rest.
 /// Cost: linear in pieces, some hundred passes; several times that in wind.
 GrassLeaf loaded(const GrassLeaf& leaf, const LeafStrip& strip, const LeafLoads& loads);

@@ -268,10 +268,13 @@ TEST(LoadLeaf, LeavesOfWheatComeToRestInWind) {
   }
 }
 
-TEST(LoadLeaf, ALimpLeafInWindFromBelowIsRefusedOrComesToRest) {
+TEST(LoadLeaf, ALimpLeafThatFluttersInWindFromBelowHasAFormNearItsMean) {
   const std::vector<GrassLeaf> leaves = wheat_leaves(45);
   if (leaves.empty()) GTEST_SKIP() << kNoSharedData;
-  for (const GrassLeaf& leaf : leaves) EXPECT_LT(imbalance_in(leaf, 0.1, {0, 1}).value_or(0), 5e-3);
+  for (const GrassLeaf& leaf : leaves) {
+    const std::optional<double> left = imbalance_in(leaf, 0.1, {0, 1});
+    EXPECT_TRUE(left && *left < 0.2);
+  }
 }
 
 TEST(LoadForTurn, AgreesWithLoadingWithinOnePercentOnWheat) {

@@ -18,11 +18,12 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kLeastPoints = 3;
-constexpr double kEnd = 0.1;          // of the rows at either end, whose mean widths tell base from tip
-constexpr double kTipOverBase = 0.5;  // a first end this much narrower than the last is the tip
-constexpr double kMostNumber = 1e6;   // a rank or lindex
-constexpr double kFarthest = 1e9;     // a coordinate, in any unit
-constexpr double kNear = 1e-6;        // of a curve's length: points nearer to one another count as equal
+constexpr double kEnd = 0.1;              // of the rows at either end, whose mean widths tell base from tip
+constexpr double kTipOverBase = 0.5;      // a first end this much narrower than the last is the tip
+constexpr double kMostNumber = 1e6;       // a rank or lindex
+constexpr std::size_t kMostFaults = 100;  // of one curve
+constexpr double kFarthest = 1e9;         // a coordinate, in any unit
+constexpr double kNear = 1e-6;            // of a curve's length: points nearer to one another count as equal
 
 /// Collects what is wrong with one curve.
 class CurveFaults {
@@ -30,6 +31,7 @@ class CurveFaults {
   explicit CurveFaults(const MeasuredCurve& curve) : curve_(curve) {}
 
   void add(std::size_t point, std::string message, std::string expected) {
+    if (faults_.size() >= kMostFaults) return;
     Diagnostic found{.message = std::move(message), .expected = std::move(expected)};
     if (point < curve_.lines.size()) found.line = curve_.lines[point];
     if (curve_.lines.empty()) found.message = fmt::format("row {}: {}", point, found.message);
@@ -93,7 +95,7 @@ std::vector<MeasuredCurve> curves_of(const Columns& columns, const CurveColumns&
   std::vector<MeasuredCurve> curves;
   std::set<Name> known;
   Name last;
-  for (std::size_t row = 0; row < columns.row_count(); ++row) {
+  for (std::size_t row = 0; row < columns.row_count() && faults.size() < kMostFaults; ++row) {
     const Name name{whole(columns, at.rank, row, faults), whole(columns, at.lindex, row, faults),
                     columns.has(at.age) ? std::optional(columns.numbers[at.age][row]) : std::nullopt};
     if (curves.empty() || name != last) {
@@ -156,9 +158,10 @@ void check_widths(const MeasuredCurve& widths) {
   const std::vector<glm::dvec2>& points = widths.points;
   const double length = points.back().x - points.front().x;
   const double direction = length > 0 ? 1 : -1;
+  const double farthest = std::max(std::abs(points.front().x), std::abs(points.back().x));
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double step = k == 0 ? length : points[k].x - points[k - 1].x;
-    if (k > 0 && std::abs(step) <= kNear * std::abs(length)) {
+    if (k > 0 && std::abs(step) <= kNear * farthest) {
       faults.add(k, fmt::format("the place s = {} is that of the row before", points[k].x), "another one");
     } else if (step * direction < 0) {
       faults.add(k, fmt::format("the places s are not sorted: {} after {}", points[k].x, points[k - 1].x),

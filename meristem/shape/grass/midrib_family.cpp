@@ -44,7 +44,8 @@ GrassLeaf unseen(const GrassLeaf& leaf) {
 
 }  // namespace
 
-MidribFamily::MidribFamily(const GrassLeaf& leaf) : ages_{0, 1} {
+MidribFamily::MidribFamily(const GrassLeaf& leaf, double age) : ages_{0, age} {
+  if (!(age > 0)) throw std::invalid_argument("the age of a leaf's form is above 0");
   const std::vector<double> own = piece_angles(resampled(leaf, leaf.point_count() - 1));
   angles_ = {std::vector<double>(own.size(), 0), own};
 }

@@ -15,8 +15,9 @@ namespace meristem {
 /// interpolated, so that the length is kept.
 class MidribFamily {
  public:
-  /// One leaf's own form at age 1, which was straight along the stem at age 0.
-  explicit MidribFamily(const GrassLeaf& leaf);
+  /// One leaf's own form at `age`, above 0, which was straight along the stem at age 0. Throws std::invalid_argument
+  /// for other ages.
+  explicit MidribFamily(const GrassLeaf& leaf, double age = 1);
   /// Ages that rise strictly, at least two, with the midrib of each. Throws std::invalid_argument otherwise.
   explicit MidribFamily(const std::vector<std::pair<double, GrassLeaf>>& midribs);
 

@@ -62,6 +62,13 @@ ReductionOrder reduction_order(const GrassLeaf& leaf, const std::vector<std::vec
   for (const std::vector<double>& list : also) {
     if (list.size() != count) throw std::invalid_argument("each list of a reduction has a number a point");
   }
+  const auto are_finite = [](const std::vector<double>& list) {
+    return std::all_of(list.begin(), list.end(), [](double number) { return std::isfinite(number); });
+  };
+  if (!are_finite(leaf.x) || !are_finite(leaf.y) || !are_finite(leaf.s) || !are_finite(leaf.r) ||
+      !std::all_of(also.begin(), also.end(), are_finite)) {
+    throw std::invalid_argument("the numbers of a reduction are finite");
+  }
   std::vector<std::uint32_t> before(count), after(count);
   for (std::size_t k = 0; k < count; ++k) {
     before[k] = static_cast<std::uint32_t>(k - 1);

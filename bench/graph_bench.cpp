@@ -36,7 +36,7 @@ using meristem::Progress;
 using meristem::Reuse;
 
 const std::string kMaple = std::string(MERISTEM_SOURCE_DIR) + "/models/large-maple.json";  // of six levels
-const std::string kMaize = std::string(MERISTEM_SOURCE_DIR) + "/bench/maize.json";  // 100,000 plants
+const std::string kMaize = std::string(MERISTEM_SOURCE_DIR) + "/bench/maize.json";         // 100,000 plants
 const std::string kOak = std::string(MERISTEM_SOURCE_DIR) + "/models/oak.json";
 
 Document read(const std::string& file, const std::vector<Override>& overrides = {}) {

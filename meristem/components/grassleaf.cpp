@@ -37,7 +37,6 @@ constexpr int kPiecesAWave = 4;
 constexpr double kUsualLength = 0.3;    // metres, where neither document nor file says it
 constexpr double kUsualSheath = 0.005;  // metres, of its radius away from stems
 constexpr double kSheathOverStem = 1.12;
-constexpr double kMostSteps = 100'000;  // of a life
 constexpr double kMostRate = 1000;
 constexpr double kUsualAspect = 0.06;   // width over length where a leaf's own is not known
 constexpr double kOwnInclination = -1;  // stands for an inclination that is the midrib's own
@@ -350,9 +349,9 @@ double distance_from_axis(const Grassleaf& grass, const Site& site) {
 void expand(const Grassleaf& grass, const Site& site, Emitter& out) {
   if (grass.stages.age && !(grass.age > 0)) return;
   if (grass.sheath.length > 0 && grass.stages.blade) emit_sheath(grass, site, out);
-  if (grass.vary.acts() && grass.stages.vary && grass.age > kMostSteps * grass.vary.step) {
+  if (grass.vary.acts() && grass.stages.vary && grass.age > kMostLifeSteps * grass.vary.step) {
     throw_at(out, "vary.step", fmt::format("the life to the age {} has too many steps", grass.age),
-             fmt::format("a step of {} or more", grass.age / kMostSteps));
+             fmt::format("a step of {} or more", grass.age / kMostLifeSteps));
   }
   const Choice choice = choose(grass, site, out);
   const double length = full_length(grass, choice);

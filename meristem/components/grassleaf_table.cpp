@@ -99,7 +99,7 @@ const ParameterTable& stages_table() {
           .boolean("load", &GrassStages::load, "Take curves of the document, not the built-in leaf.")
           .boolean("fit", &GrassStages::fit, "Smooth curves, not lines from point to point.")
           .boolean("age", &GrassStages::age, "The leaf at its age, not full grown.")
-          .boolean("vary", &GrassStages::vary, "A life of its own.")
+          .boolean("vary", &GrassStages::vary, "A life of its own; only with the stage of age.")
           .boolean("bend", &GrassStages::bend, "Inclination, turns and forces.")
           .boolean("reduce", &GrassStages::reduce, "So many polygons, not all pieces of the fit.")
           .boolean("blade", &GrassStages::blade, "Twist, folds, waves, hooks and the sheath, not a flat blade.");

@@ -16,6 +16,7 @@
 
 #include "meristem/base/math.h"
 #include "meristem/shape/cut_polygon.h"
+#include "meristem/shape/segment.h"
 
 namespace meristem {
 namespace {
@@ -225,10 +226,7 @@ Chain entire_edge(const LeafBlade& blade) {
 
 /// The distance of a point from the segment, all scaled by `scale`.
 double distance_to(Point point, Point from, Point to, Point scale) {
-  const Point along = scale * (to - from), away = scale * (point - from);
-  const double squared = glm::dot(along, along);
-  const double share = squared > 0 ? std::clamp(glm::dot(along, away) / squared, 0.0, 1.0) : 0;
-  return glm::length(away - share * along);
+  return glm::length(from_segment(scale * (point - from), scale * (to - from)));
 }
 
 /// The points of the chain that are needed to stay within `tolerance` half widths of it, by D. Douglas and T. Peucker

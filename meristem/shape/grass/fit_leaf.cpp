@@ -16,6 +16,7 @@
 #include "meristem/base/curve.h"
 #include "meristem/base/smoothing_spline.h"
 #include "meristem/base/vec.h"
+#include "meristem/shape/segment.h"
 
 namespace meristem {
 
@@ -72,20 +73,13 @@ Points follow_midrib(const Points& points, const std::vector<double>& lengths, c
   return followed;
 }
 
-double distance_to_segment(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
-  const glm::dvec2 along = b - a;
-  const double square = glm::dot(along, along);
-  const double share = square > 0 ? std::clamp(glm::dot(point - a, along) / square, 0.0, 1.0) : 0;
-  return glm::distance(point, a + share * along);
-}
-
 /// Root mean square over `points` of the distance to the nearest place on `curve`.
 double mean_distance(const Points& points, const Points& curve) {
   double squares = 0;
   for (const glm::dvec2 point : points) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k + 1 < curve.size(); ++k) {
-      nearest = std::min(nearest, distance_to_segment(point, curve[k], curve[k + 1]));
+      nearest = std::min(nearest, glm::length(from_segment(point - curve[k], curve[k + 1] - curve[k])));
     }
     squares += nearest * nearest;
   }

@@ -101,21 +101,31 @@ double angle_along(const GrassLeaf& leaf, const std::vector<double>& angles, dou
   return angles[piece] + (place - low) / (high - low) * (angles[piece + 1] - angles[piece]);
 }
 
+void lay_even_pieces(GrassLeaf& leaf, const std::vector<double>& angles) {
+  const double piece = 1 / static_cast<double>(angles.size());
+  double x = 0, y = 0;
+  leaf.x.assign(1, 0);
+  leaf.y.assign(1, 0);
+  for (const double angle : angles) {
+    x += piece * math::sin(angle);
+    y += piece * math::cos(angle);
+    leaf.x.push_back(x);
+    leaf.y.push_back(y);
+  }
+}
+
 GrassLeaf resampled(const GrassLeaf& leaf, std::size_t pieces) {
   const std::vector<double> angles = piece_angles(leaf);
+  std::vector<double> even_angles;
   GrassLeaf even{.length = leaf.length, .width = leaf.width, .s = {}, .x = {}, .y = {}, .r = {}};
   const double piece = 1 / static_cast<double>(pieces);
-  double x = 0, y = 0;
   for (std::size_t k = 0; k <= pieces; ++k) {
     const double place = k == pieces ? 1 : piece * static_cast<double>(k);
     even.s.push_back(place);
-    even.x.push_back(x);
-    even.y.push_back(y);
     even.r.push_back(along_leaf(leaf, leaf.r, place));
-    const double angle = angle_along(leaf, angles, piece * (static_cast<double>(k) + 0.5));
-    x += piece * math::sin(angle);
-    y += piece * math::cos(angle);
+    if (k < pieces) even_angles.push_back(angle_along(leaf, angles, piece * (static_cast<double>(k) + 0.5)));
   }
+  lay_even_pieces(even, even_angles);
   return even;
 }
 

@@ -43,6 +43,9 @@ std::vector<double> piece_angles(const GrassLeaf& leaf);
 /// Puts the midrib together anew from the angles of its pieces; each keeps its length.
 void set_piece_angles(GrassLeaf& leaf, const std::vector<double>& angles);
 
+/// Gives the leaf a midrib of equal pieces with these angles; nothing is said of its places and widths.
+void lay_even_pieces(GrassLeaf& leaf, const std::vector<double>& angles);
+
 /// The leaf with `pieces` pieces of equal length along the midrib. Each takes the direction that the midrib has over
 /// its middle, so length and shape are kept, and a leaf of that many equal pieces stays as it is.
 GrassLeaf resampled(const GrassLeaf& leaf, std::size_t pieces);

@@ -5,29 +5,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "meristem/base/math.h"
-#include "meristem/base/vec.h"
-
 namespace meristem {
 
 namespace {
 
-constexpr double kMostSteps = 100'000;
 constexpr double kLeastShare = 1e-6;  // of the length, that can be seen
-
-/// The leaf's even pieces put together from their angles; nothing is said of its widths.
-void lay_pieces(GrassLeaf& leaf, const std::vector<double>& angles) {
-  const double piece = 1 / static_cast<double>(angles.size());
-  double x = 0, y = 0;
-  leaf.x.assign(1, 0);
-  leaf.y.assign(1, 0);
-  for (const double angle : angles) {
-    x += piece * math::sin(angle);
-    y += piece * math::cos(angle);
-    leaf.x.push_back(x);
-    leaf.y.push_back(y);
-  }
-}
 
 /// From a list with a number for the middle of each equal piece: the number at `place`, the same beyond the ends.
 double at_middles(const std::vector<double>& list, double place) {
@@ -87,7 +69,7 @@ GrassLeaf aged(const GrassLeaf& leaf, const MidribFamily& family, double age, do
     if (k == pieces) break;
     angles.push_back(at_middles(whole, visible * (static_cast<double>(k) + 0.5) / static_cast<double>(pieces)));
   }
-  lay_pieces(now, angles);
+  lay_even_pieces(now, angles);
   return now;
 }
 
@@ -95,7 +77,7 @@ GrassLeaf aged(const GrassLeaf& leaf, const MidribFamily& family, double age, do
 // moment. Steps of a life note how long and how wide it has become by then; pieces of the plain leaf keep their angles.
 GrassLeaf lived(const GrassLeaf& leaf, const MidribFamily& family, double time, double step, RatesOf rates,
                 double full_age) {
-  if (!(step > 0) || !(time / step <= kMostSteps)) {
+  if (!(step > 0) || !(time / step <= kMostLifeSteps)) {
     throw std::invalid_argument("a leaf lives in steps above 0, at most 100,000 of them");
   }
   struct Tissue {
@@ -153,7 +135,7 @@ GrassLeaf lived(const GrassLeaf& leaf, const MidribFamily& family, double time, 
     laid.push_back(
         at_middles(angles, plain_place((static_cast<double>(k) + 0.5) / static_cast<double>(pieces), width)));
   }
-  lay_pieces(now, laid);
+  lay_even_pieces(now, laid);
   if (widest > 1) {
     now.width *= widest;
     for (double& share : now.r) share /= widest;

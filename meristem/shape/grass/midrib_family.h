@@ -51,10 +51,13 @@ struct GrowthRates {
 /// The rates when the leaf has lived so long (in the unit of ages) and shows such a share of its length.
 using RatesOf = FunctionRef<GrowthRates(double lived, double visible)>;
 
+/// Of one life, at most.
+inline constexpr double kMostLifeSteps = 100'000;
+
 /// The leaf after living up to `time` in steps of `step`, each with its own rates. With rates of 1 it is the aged one.
 /// Negative rates of age, length and width count as 0; a negative bend turns pieces the other way. Throws
-/// std::invalid_argument for a step that is not above 0 or over 100,000 steps. Based on: Fournier and Pradal (2012),
-/// section 2.4.
+/// std::invalid_argument for a step that is not above 0 or over kMostLifeSteps of them. Based on: Fournier and Pradal
+/// (2012), section 2.4.
 GrassLeaf lived(const GrassLeaf& leaf, const MidribFamily& family, double time, double step, RatesOf rates,
                 double full_age = 1);
 

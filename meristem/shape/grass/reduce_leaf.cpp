@@ -9,19 +9,19 @@
 #include <limits>
 #include <stdexcept>
 
+#include "meristem/shape/segment.h"
+
 namespace meristem {
 
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Squared distance of (px, py) from the segment between a and b.
-double squared_distance(double px, double py, double ax, double ay, double bx, double by) {
-  const double ux = bx - ax, uy = by - ay, vx = px - ax, vy = py - ay;
-  const double square = ux * ux + uy * uy;
-  const double share = square > 0 ? std::clamp((ux * vx + uy * vy) / square, 0.0, 1.0) : 0;
-  const double dx = vx - share * ux, dy = vy - share * uy;
-  return dx * dx + dy * dy;
+/// Squared distance of the k-th point of a curve from the segment between two others.
+double squared_distance(const std::vector<double>& x, const std::vector<double>& y, std::size_t k, std::size_t a,
+                        std::size_t b) {
+  const glm::dvec2 away = from_segment({x[k] - x[a], y[k] - y[a]}, {x[b] - x[a], y[b] - y[a]});
+  return glm::dot(away, away);
 }
 
 /// Which of many numbers is the least; ties go to the lower index.
@@ -76,10 +76,9 @@ ReductionOrder reduction_order(const GrassLeaf& leaf, const std::vector<std::vec
   }
   const auto squared_error = [&](std::size_t k) {
     const std::size_t a = before[k], b = after[k];
-    double square = squared_distance(leaf.x[k], leaf.y[k], leaf.x[a], leaf.y[a], leaf.x[b], leaf.y[b]) +
-                    squared_distance(leaf.s[k], leaf.r[k], leaf.s[a], leaf.r[a], leaf.s[b], leaf.r[b]);
+    double square = squared_distance(leaf.x, leaf.y, k, a, b) + squared_distance(leaf.s, leaf.r, k, a, b);
     for (const std::vector<double>& list : also) {
-      square += squared_distance(leaf.s[k], list[k], leaf.s[a], list[a], leaf.s[b], list[b]);
+      square += squared_distance(leaf.s, list, k, a, b);
     }
     return square;
   };

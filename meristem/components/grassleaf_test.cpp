@@ -436,6 +436,20 @@ TEST_F(GrassleafFiles, LeavesOfARankAreDrawnFromAllMeasuredOnes) {
   EXPECT_NEAR(static_cast<double>(heights.count(2)), 200, 40);
 }
 
+TEST_F(GrassleafFiles, WidthsAreSharesWhereTheirLargestIsAboutOneAndElseAsMeasured) {
+  const auto width_of = [&](const char* rows) {
+    const Object leaf{{"widths", write("w.csv", rows)}, {"length", 1}, {"unit", 1}, {"exact", true}};
+    const Plant plant = field_of(1, leaf);
+    Box box;
+    for (const Vec3 point : plant.prototypes[0].mesh->positions) box.add(plant.organs[0].frame.point(point));
+    return box.size().x;
+  };
+  // Shares of the length and of the width; metres of both; shares of the length and metres of width.
+  EXPECT_NEAR(width_of("s,r\n0,1\n0.5,1\n1,1\n"), 0.06, 1e-4);
+  EXPECT_NEAR(width_of("s,r\n0,0.09\n0.4,0.09\n0.8,0.09\n"), 0.09, 1e-4);
+  EXPECT_NEAR(width_of("s,r\n0,0.09\n0.5,0.09\n0.95,0.09\n"), 0.09, 1e-4);
+}
+
 TEST_F(GrassleafFiles, AnExpressionMayNameTheRank) {
   const Plant plant = field_of(2, {{"midrib", midribs()}, {"widths", widths()}, {"rank", "i + 1"}, {"leaf", 1}});
   EXPECT_NEAR(tip_of(plant, plant.organs[0]).y, 0.02, 1e-5);

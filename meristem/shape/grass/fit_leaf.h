@@ -34,8 +34,8 @@ struct FittedWidths {
   double width = 0;         ///< the largest, as measured
   double length = 0;        ///< the last place, as measured
   bool are_shares = false;  ///< the places are shares of the length: they end at 1, or from 0.9 on
-  /// Whether the widths are shares, too: their largest is 1 at most, or little more.
-  bool are_widths_shares() const { return are_shares && width <= 1.01; }
+  /// Whether the widths are shares, too: their largest is about 1.
+  bool are_widths_shares() const { return are_shares && width > 0.9 && width < 1.01; }
   bool was_turned = false;  ///< they ran from the tip to the base
 };
 

@@ -15,8 +15,8 @@
 #include <glm/vec3.hpp>
 
 #include "meristem/base/mesh.h"
-#include "meristem/shape/cell_surface.h"
-#include "meristem/shape/implicit_body.h"
+#include "meristem/shape/implicit/cell_surface.h"
+#include "meristem/shape/implicit/implicit_body.h"
 
 namespace meristem {
 

@@ -11,7 +11,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "meristem/base/expression.h"
+#include "meristem/base/expression/expression.h"
 #include "meristem/base/vec.h"
 
 namespace {

@@ -12,13 +12,13 @@
 #include <benchmark/benchmark.h>
 
 #include "meristem/base/random.h"
-#include "meristem/output/gltf.h"
-#include "meristem/output/skeleton_csv.h"
-#include "meristem/output/skeleton_mtg.h"
+#include "meristem/output/gltf/gltf.h"
+#include "meristem/output/skeleton/skeleton_csv.h"
+#include "meristem/output/skeleton/skeleton_mtg.h"
 #include "meristem/plant/plant.h"
-#include "meristem/shape/leaf_blade.h"
+#include "meristem/shape/leaf/leaf_blade.h"
 #include "meristem/shape/mesh_scene.h"
-#include "meristem/shape/primitives.h"
+#include "meristem/shape/solid/primitives.h"
 
 namespace {
 

@@ -24,7 +24,7 @@
 #include "meristem/document/document.h"
 #include "meristem/document/grow.h"
 #include "meristem/graph/expand.h"
-#include "meristem/output/gltf.h"
+#include "meristem/output/gltf/gltf.h"
 
 namespace {
 

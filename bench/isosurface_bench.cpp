@@ -30,9 +30,9 @@
 #include "meristem/grow/lsystem/grammar_reader.h"
 #include "meristem/grow/lsystem/turtle.h"
 #include "meristem/measure/convex_hull.h"
-#include "meristem/shape/brick_field.h"
-#include "meristem/shape/isosurface.h"
-#include "meristem/shape/plant_body.h"
+#include "meristem/shape/implicit/brick_field.h"
+#include "meristem/shape/implicit/isosurface.h"
+#include "meristem/shape/implicit/plant_body.h"
 
 namespace {
 

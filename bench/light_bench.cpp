@@ -20,7 +20,7 @@
 #include "meristem/measure/crown_light.h"
 #include "meristem/measure/tree_form.h"
 #include "meristem/scene/light_of_points.h"
-#include "meristem/shape/primitives.h"
+#include "meristem/shape/solid/primitives.h"
 #include "tests/support/evaluation.h"
 
 namespace {

@@ -15,8 +15,8 @@
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
-#include "meristem/scene/marker_field.h"
-#include "meristem/scene/profile_crown.h"
+#include "meristem/scene/crown/profile_crown.h"
+#include "meristem/scene/marker/marker_field.h"
 
 namespace {
 

@@ -18,8 +18,8 @@
 #include "meristem/measure/crown_light.h"
 #include "meristem/measure/organ_light.h"
 #include "meristem/measure/surface_places.h"
-#include "meristem/shape/leaf_blade.h"
-#include "meristem/shape/primitives.h"
+#include "meristem/shape/leaf/leaf_blade.h"
+#include "meristem/shape/solid/primitives.h"
 
 namespace {
 

@@ -11,7 +11,7 @@
 #include <benchmark/benchmark.h>
 
 #include "meristem/base/random.h"
-#include "meristem/scene/obstacles.h"
+#include "meristem/scene/obstacle/obstacles.h"
 
 namespace {
 

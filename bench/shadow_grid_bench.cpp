@@ -10,7 +10,7 @@
 #include <benchmark/benchmark.h>
 
 #include "meristem/base/random.h"
-#include "meristem/scene/shadow_grid.h"
+#include "meristem/scene/light/shadow_grid.h"
 
 namespace {
 

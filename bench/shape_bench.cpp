@@ -13,8 +13,8 @@
 #include "meristem/base/hash.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
-#include "meristem/shape/leaf_blade.h"
-#include "meristem/shape/tubes.h"
+#include "meristem/shape/leaf/leaf_blade.h"
+#include "meristem/shape/tube/tubes.h"
 
 namespace {
 

@@ -16,7 +16,7 @@
 #include <benchmark/benchmark.h>
 
 #include "meristem/base/hash.h"
-#include "meristem/shape/simplify.h"
+#include "meristem/shape/mesh/simplify.h"
 #include "tests/support/field_mesh.h"
 
 namespace {

@@ -10,7 +10,7 @@
 #include "meristem/base/hash.h"
 #include "meristem/base/noise.h"
 #include "meristem/base/parallel.h"
-#include "meristem/shape/texture_recipe.h"
+#include "meristem/shape/texture/texture_recipe.h"
 
 namespace {
 

@@ -32,12 +32,13 @@ function(meristem_compile_options target)
   endif()
 endfunction()
 
-# meristem_room(NAME SOURCES ... HEADERS ... TESTS ... PUBLIC ... PRIVATE ...)
+# meristem_room(NAME SOURCES ... HEADERS ... TESTS ... PUBLIC ... PRIVATE ... TESTED_WITH ...)
 #
 # One static library `meristem_NAME`, alias `meristem::NAME`, and one test program `meristem_NAME_tests` from the files
-# in TESTS. PUBLIC and PRIVATE are the link lists; among the project's own targets they are the architecture.
+# in TESTS. PUBLIC and PRIVATE are the link lists: the rooms whose headers this room's headers and sources include, so
+# that the links between the targets are the architecture. TESTED_WITH names what only the tests link.
 function(meristem_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;HEADERS;TESTS;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "SOURCES;HEADERS;TESTS;PUBLIC;PRIVATE;TESTED_WITH" ${ARGN})
   set(target meristem_${name})
   if(ROOM_SOURCES)
     add_library(${target} STATIC ${ROOM_SOURCES})
@@ -91,7 +92,8 @@ function(meristem_room name)
     meristem_compile_options(${target}_tests)
     target_compile_options(${target}_tests PRIVATE ${MERISTEM_TEST_OPTIONS} ${MERISTEM_PCH_OPTIONS})
     target_precompile_headers(${target}_tests REUSE_FROM meristem_test_headers)
-    target_link_libraries(${target}_tests PRIVATE meristem::${name} meristem_test_support GTest::gtest_main)
+    target_link_libraries(${target}_tests PRIVATE meristem::${name} ${ROOM_TESTED_WITH} meristem_test_support
+                          GTest::gtest_main)
     gtest_discover_tests(${target}_tests DISCOVERY_MODE PRE_TEST PROPERTIES LABELS ${name})
   endif()
 endfunction()

@@ -14,9 +14,9 @@
 #include "meristem/document/json.h"
 #include "meristem/measure/measures.h"
 #include "meristem/output/measure_report.h"
-#include "meristem/output/mtg_skeleton.h"
-#include "meristem/output/organ_csv.h"
+#include "meristem/output/mtg/mtg_skeleton.h"
 #include "meristem/output/output_files.h"
+#include "meristem/output/skeleton/organ_csv.h"
 #include "terminal.h"
 
 namespace meristem::cli {

@@ -12,10 +12,10 @@
 #include "meristem/base/parallel.h"
 #include "meristem/components/camera.h"
 #include "meristem/document/grow.h"
-#include "meristem/output/camera.h"
 #include "meristem/output/output_files.h"
-#include "meristem/output/picture.h"
-#include "meristem/output/png.h"
+#include "meristem/output/picture/camera.h"
+#include "meristem/output/picture/picture.h"
+#include "meristem/output/write/png.h"
 #include "terminal.h"
 
 namespace meristem::cli {

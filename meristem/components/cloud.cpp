@@ -3,7 +3,7 @@
 
 #include "meristem/base/colour.h"
 #include "meristem/scene/light_of_points.h"
-#include "meristem/shape/primitives.h"
+#include "meristem/shape/solid/primitives.h"
 
 namespace meristem {
 

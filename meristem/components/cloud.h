@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "meristem/components/crown_table.h"
-#include "meristem/components/limit_table.h"
+#include "meristem/components/parts/crown_table.h"
+#include "meristem/components/parts/limit_table.h"
 #include "meristem/graph/component.h"
 
 namespace meristem {

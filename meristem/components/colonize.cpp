@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "meristem/components/limit_table.h"
-#include "meristem/components/pipe_table.h"
-#include "meristem/components/surface_table.h"
-#include "meristem/graph/node_condition.h"
+#include "meristem/components/parts/limit_table.h"
+#include "meristem/components/parts/pipe_table.h"
+#include "meristem/components/parts/surface_table.h"
+#include "meristem/graph/table/node_condition.h"
 #include "meristem/plant/shed.h"
 
 namespace meristem {

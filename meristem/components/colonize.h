@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "meristem/components/crown_table.h"
+#include "meristem/components/parts/crown_table.h"
 #include "meristem/graph/component.h"
-#include "meristem/graph/selection.h"
+#include "meristem/graph/table/selection.h"
 #include "meristem/grow/colonize/colonize.h"
 
 namespace meristem {

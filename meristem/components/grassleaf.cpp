@@ -16,8 +16,8 @@
 
 #include "meristem/base/hash.h"
 #include "meristem/base/math.h"
-#include "meristem/components/grassleaf_table.h"
-#include "meristem/components/shared_shape.h"
+#include "meristem/components/parts/grassleaf_table.h"
+#include "meristem/components/parts/shared_shape.h"
 #include "meristem/shape/grass/reduce_leaf.h"
 
 namespace meristem {

@@ -10,10 +10,10 @@
 #include <glm/matrix.hpp>
 
 #include "meristem/base/math.h"
-#include "meristem/components/shared_shape.h"
-#include "meristem/components/surface_table.h"
-#include "meristem/components/unit_shape.h"
-#include "meristem/shape/loft.h"
+#include "meristem/components/parts/shared_shape.h"
+#include "meristem/components/parts/surface_table.h"
+#include "meristem/components/parts/unit_shape.h"
+#include "meristem/shape/tube/loft.h"
 
 namespace meristem {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "meristem/components/stem_path.h"
+#include "meristem/components/parts/stem_path.h"
 #include "meristem/graph/component.h"
 
 namespace meristem {

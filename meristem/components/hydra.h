@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "meristem/components/around.h"
+#include "meristem/components/parts/around.h"
 
 namespace meristem {
 

@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "meristem/components/shared_shape.h"
-#include "meristem/shape/leaf_outline.h"
+#include "meristem/components/parts/shared_shape.h"
+#include "meristem/shape/leaf/leaf_outline.h"
 
 namespace meristem {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "meristem/graph/component.h"
-#include "meristem/shape/leaf_blade.h"
+#include "meristem/shape/leaf/leaf_blade.h"
 
 namespace meristem {
 

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "meristem/base/math.h"
+#include "meristem/components/parts/shared_shape.h"
 #include "meristem/components/registry.h"
-#include "meristem/components/shared_shape.h"
 #include "tests/support/build_graph.h"
 #include "tests/support/check_mesh.h"
 

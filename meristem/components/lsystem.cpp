@@ -10,9 +10,9 @@
 
 #include "meristem/base/colour.h"
 #include "meristem/base/hash.h"
-#include "meristem/components/surface_table.h"
+#include "meristem/components/parts/surface_table.h"
 #include "meristem/grow/lsystem/derive.h"
-#include "meristem/shape/polygon_mesh.h"
+#include "meristem/shape/flat/polygon_mesh.h"
 
 namespace meristem {
 

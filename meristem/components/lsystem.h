@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "meristem/components/plant_grammar.h"
-#include "meristem/graph/asset.h"
+#include "meristem/components/parts/plant_grammar.h"
 #include "meristem/graph/component.h"
+#include "meristem/graph/table/asset.h"
 #include "meristem/grow/lsystem/turtle.h"
 
 namespace meristem {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "meristem/components/shared_shape.h"
+#include "meristem/components/parts/shared_shape.h"
 
 namespace meristem {
 

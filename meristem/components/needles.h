@@ -2,7 +2,7 @@
 #pragma once
 
 #include "meristem/graph/component.h"
-#include "meristem/shape/needles.h"
+#include "meristem/shape/leaf/needles.h"
 
 namespace meristem {
 

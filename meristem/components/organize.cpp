@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "meristem/base/math.h"
-#include "meristem/components/organize_table.h"
-#include "meristem/components/pipe_table.h"
-#include "meristem/components/surface_table.h"
+#include "meristem/components/parts/organize_table.h"
+#include "meristem/components/parts/pipe_table.h"
+#include "meristem/components/parts/surface_table.h"
 
 namespace meristem {
 

@@ -5,26 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "meristem/components/crown_table.h"
+#include "meristem/components/parts/organize_table.h"
 #include "meristem/graph/component.h"
 #include "meristem/grow/organize/organize.h"
 
 namespace meristem {
-
-/// Where the buds of a tree get their light, as documents write it.
-struct OrganizeLight {
-  BudLightModel model;
-  std::optional<CrownForm> room;  ///< of markers, over each root
-};
-
-/// What is done to a tree as it grows.
-struct Operation {
-  enum class Kind { cut };
-  Kind kind = Kind::cut;
-  int at = 1;
-  std::string shoot;
-  int above = 0;
-};
 
 /// Trees that organize themselves, metamer by metamer, in the competition of their buds for light and room.
 struct Organize : GrowingComponent {

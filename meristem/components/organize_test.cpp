@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "meristem/base/parallel.h"
-#include "meristem/components/organize_table.h"
+#include "meristem/components/parts/organize_table.h"
 #include "meristem/components/registry.h"
 #include "meristem/graph/expansion_cache.h"
 #include "tests/support/build_graph.h"

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/math.h"
-#include "meristem/components/around.h"
+#include "meristem/components/parts/around.h"
 
 namespace meristem {
 

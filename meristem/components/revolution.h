@@ -2,7 +2,7 @@
 #pragma once
 
 #include "meristem/graph/component.h"
-#include "meristem/shape/revolution.h"
+#include "meristem/shape/solid/revolution.h"
 
 namespace meristem {
 

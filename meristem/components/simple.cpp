@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "meristem/base/math.h"
-#include "meristem/components/unit_shape.h"
-#include "meristem/shape/loft.h"
+#include "meristem/components/parts/unit_shape.h"
+#include "meristem/shape/tube/loft.h"
 
 namespace meristem {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/components/tree.h"
 
-#include "meristem/components/surface_table.h"
+#include "meristem/components/parts/surface_table.h"
 
 namespace meristem {
 

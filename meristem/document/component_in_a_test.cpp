@@ -8,7 +8,7 @@
 #include "meristem/document/grow.h"
 #include "meristem/document/json.h"
 #include "meristem/document/schema.h"
-#include "meristem/shape/primitives.h"
+#include "meristem/shape/solid/primitives.h"
 
 namespace meristem {
 namespace {

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "meristem/components/colonize.h"
-#include "meristem/components/crown_table.h"
+#include "meristem/components/parts/crown_table.h"
 #include "meristem/components/registry.h"
 #include "meristem/document/document.h"
 #include "meristem/document/grow.h"

@@ -12,8 +12,8 @@
 #include "meristem/document/locate.h"
 #include "meristem/document/override.h"
 #include "meristem/document/tables.h"
-#include "meristem/graph/fingerprint.h"
-#include "meristem/graph/node_condition.h"
+#include "meristem/graph/table/fingerprint.h"
+#include "meristem/graph/table/node_condition.h"
 
 namespace meristem {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "meristem/graph/graph.h"
-#include "meristem/graph/value.h"
+#include "meristem/graph/table/value.h"
 #include "meristem/scene/scene.h"
 
 namespace meristem {

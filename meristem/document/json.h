@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "meristem/base/limits.h"
-#include "meristem/graph/value.h"
+#include "meristem/graph/table/value.h"
 
 namespace meristem {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "meristem/graph/table.h"
+#include "meristem/graph/table/table.h"
 
 namespace meristem {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "meristem/graph/parameter.h"
+#include "meristem/graph/table/parameter.h"
 #include "meristem/scene/scene.h"
 
 namespace meristem {

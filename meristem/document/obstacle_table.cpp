@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <glm/mat3x3.hpp>
 
-#include "meristem/graph/table.h"
-#include "meristem/scene/read_mesh.h"
+#include "meristem/graph/table/table.h"
+#include "meristem/scene/file/read_mesh.h"
 
 namespace meristem {
 

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "meristem/components/import_table.h"
-#include "meristem/graph/asset.h"
-#include "meristem/graph/parameter.h"
-#include "meristem/scene/obstacles.h"
+#include "meristem/graph/import_table.h"
+#include "meristem/graph/table/asset.h"
+#include "meristem/graph/table/parameter.h"
+#include "meristem/scene/obstacle/obstacles.h"
 
 namespace meristem {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "meristem/graph/component.h"
-#include "meristem/graph/value.h"
+#include "meristem/graph/table/value.h"
 
 namespace meristem {
 

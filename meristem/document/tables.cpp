@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/document/tables.h"
 
-#include "meristem/graph/table.h"
+#include "meristem/graph/table/table.h"
 #include "meristem/shape/detail.h"
 
 namespace meristem {

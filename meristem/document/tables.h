@@ -8,7 +8,7 @@
 #include "meristem/document/document.h"
 #include "meristem/document/light_table.h"
 #include "meristem/document/obstacle_table.h"
-#include "meristem/graph/parameter.h"
+#include "meristem/graph/table/parameter.h"
 
 namespace meristem {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "meristem/graph/emitter.h"
-#include "meristem/graph/site.h"
+#include "meristem/graph/table/site.h"
 #include "meristem/plant/skeleton.h"
 
 namespace meristem {

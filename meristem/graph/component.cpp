@@ -5,8 +5,8 @@
 #include <array>
 #include <stdexcept>
 
-#include "meristem/graph/fingerprint.h"
-#include "meristem/scene/sun.h"
+#include "meristem/graph/table/fingerprint.h"
+#include "meristem/scene/light/sun.h"
 
 namespace meristem {
 

@@ -29,10 +29,10 @@
 #include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
 #include "meristem/graph/emitter.h"
-#include "meristem/graph/selection.h"
-#include "meristem/graph/table.h"
+#include "meristem/graph/table/selection.h"
+#include "meristem/graph/table/table.h"
+#include "meristem/graph/table/varying.h"
 #include "meristem/graph/texture_form.h"
-#include "meristem/graph/varying.h"
 #include "meristem/grow/stand.h"
 #include "meristem/scene/scene.h"
 

@@ -6,9 +6,9 @@
 #include <numeric>
 
 #include "meristem/base/math.h"
-#include "meristem/graph/table.h"
-#include "meristem/shape/body_places.h"
-#include "meristem/shape/plant_body.h"
+#include "meristem/graph/table/table.h"
+#include "meristem/shape/implicit/body_places.h"
+#include "meristem/shape/implicit/plant_body.h"
 
 namespace meristem {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "meristem/base/progress.h"
-#include "meristem/graph/parameter.h"
 #include "meristem/graph/placement.h"
-#include "meristem/graph/site.h"
+#include "meristem/graph/table/parameter.h"
+#include "meristem/graph/table/site.h"
 #include "meristem/plant/plant.h"
 
 namespace meristem {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "meristem/base/diagnostic.h"
-#include "meristem/shape/plant_body.h"
+#include "meristem/shape/implicit/plant_body.h"
 
 namespace meristem {
 namespace {

@@ -17,12 +17,12 @@
 #include "meristem/base/mesh.h"
 #include "meristem/base/progress.h"
 #include "meristem/graph/placement.h"
-#include "meristem/graph/site.h"
+#include "meristem/graph/table/site.h"
+#include "meristem/graph/table/varying.h"
 #include "meristem/graph/texture_form.h"
-#include "meristem/graph/varying.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
-#include "meristem/shape/loft.h"
+#include "meristem/shape/tube/loft.h"
 
 namespace meristem {
 

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "meristem/base/parallel.h"
-#include "meristem/graph/fingerprint.h"
+#include "meristem/graph/table/fingerprint.h"
 #include "tests/support/build_graph.h"
 #include "tests/support/test_components.h"
 

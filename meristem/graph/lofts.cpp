@@ -14,7 +14,7 @@
 
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
-#include "meristem/shape/loft.h"
+#include "meristem/shape/tube/loft.h"
 
 namespace meristem {
 

@@ -7,8 +7,8 @@
 #include "meristem/base/frame.h"
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
-#include "meristem/graph/node_condition.h"
-#include "meristem/graph/table.h"
+#include "meristem/graph/table/node_condition.h"
+#include "meristem/graph/table/table.h"
 
 namespace meristem {
 

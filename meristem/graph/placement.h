@@ -10,9 +10,9 @@
 
 #include "meristem/base/curve.h"
 #include "meristem/base/limits.h"
-#include "meristem/graph/parameter.h"
-#include "meristem/graph/selection.h"
-#include "meristem/graph/site.h"
+#include "meristem/graph/table/parameter.h"
+#include "meristem/graph/table/selection.h"
+#include "meristem/graph/table/site.h"
 #include "meristem/plant/skeleton.h"
 
 namespace meristem {

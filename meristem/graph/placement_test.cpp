@@ -9,7 +9,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
-#include "meristem/graph/reader.h"
+#include "meristem/graph/table/reader.h"
 
 namespace meristem {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "meristem/base/hash.h"
 #include "meristem/base/read_image.h"
-#include "meristem/graph/table.h"
-#include "meristem/shape/mean_light.h"
+#include "meristem/graph/table/table.h"
+#include "meristem/shape/texture/mean_light.h"
 
 namespace meristem {
 

@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "meristem/base/mesh.h"
-#include "meristem/graph/asset.h"
-#include "meristem/graph/parameter.h"
-#include "meristem/shape/texture_recipe.h"
+#include "meristem/graph/table/asset.h"
+#include "meristem/graph/table/parameter.h"
+#include "meristem/shape/texture/texture_recipe.h"
 
 namespace meristem {
 

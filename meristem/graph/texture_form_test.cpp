@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "meristem/base/diagnostic.h"
-#include "meristem/graph/reader.h"
+#include "meristem/graph/table/reader.h"
 
 namespace meristem {
 namespace {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "meristem/grow/stand.h"
-#include "meristem/scene/marker_field.h"
-#include "meristem/scene/shadow_grid.h"
+#include "meristem/scene/light/shadow_grid.h"
+#include "meristem/scene/marker/marker_field.h"
 
 namespace meristem {
 

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "meristem/base/parallel.h"
-#include "meristem/shape/leaf_blade.h"
-#include "meristem/shape/primitives.h"
+#include "meristem/shape/leaf/leaf_blade.h"
+#include "meristem/shape/solid/primitives.h"
 
 namespace meristem {
 namespace {

@@ -14,8 +14,8 @@
 #include "meristem/base/parallel.h"
 #include "meristem/measure/foliage.h"
 #include "meristem/measure/surface_places.h"
-#include "meristem/shape/alpha_mask.h"
 #include "meristem/shape/ray_scene.h"
+#include "meristem/shape/texture/alpha_mask.h"
 
 namespace meristem {
 namespace {

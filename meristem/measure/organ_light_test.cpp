@@ -10,8 +10,8 @@
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
 #include "meristem/measure/surface_places.h"
-#include "meristem/shape/primitives.h"
 #include "meristem/shape/ray_scene.h"
+#include "meristem/shape/solid/primitives.h"
 #include "tests/support/sample_scenes.h"
 
 namespace meristem {

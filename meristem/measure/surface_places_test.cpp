@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "meristem/shape/primitives.h"
+#include "meristem/shape/solid/primitives.h"
 
 namespace meristem {
 namespace {

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include "meristem/base/version.h"
-#include "meristem/output/gltf.h"
-#include "meristem/output/names.h"
-#include "meristem/output/obj.h"
-#include "meristem/output/ply.h"
-#include "meristem/output/skeleton_csv.h"
-#include "meristem/output/skeleton_mtg.h"
+#include "meristem/output/gltf/gltf.h"
+#include "meristem/output/mesh/obj.h"
+#include "meristem/output/mesh/ply.h"
+#include "meristem/output/skeleton/skeleton_csv.h"
+#include "meristem/output/skeleton/skeleton_mtg.h"
+#include "meristem/output/write/names.h"
 
 namespace meristem {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "meristem/graph/value.h"
+#include "meristem/graph/table/value.h"
 #include "meristem/measure/measures.h"
 
 namespace meristem {

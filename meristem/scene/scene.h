@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "meristem/base/vec.h"
-#include "meristem/scene/light.h"
-#include "meristem/scene/obstacles.h"
-#include "meristem/scene/sun.h"
+#include "meristem/scene/light/light.h"
+#include "meristem/scene/light/sun.h"
+#include "meristem/scene/obstacle/obstacles.h"
 
 namespace meristem {
 

@@ -11,12 +11,12 @@
 #include <utility>
 
 #include "meristem/base/parallel.h"
-#include "meristem/shape/front_normals.h"
-#include "meristem/shape/isosurface.h"
+#include "meristem/shape/implicit/isosurface.h"
+#include "meristem/shape/implicit/plant_body.h"
 #include "meristem/shape/kept_meshes.h"
-#include "meristem/shape/plant_body.h"
-#include "meristem/shape/shading.h"
-#include "meristem/shape/simplify.h"
+#include "meristem/shape/mesh/front_normals.h"
+#include "meristem/shape/mesh/shading.h"
+#include "meristem/shape/mesh/simplify.h"
 
 namespace meristem {
 

@@ -7,8 +7,8 @@
 #include "meristem/base/progress.h"
 #include "meristem/plant/plant.h"
 #include "meristem/shape/detail.h"
+#include "meristem/shape/implicit/plant_body.h"
 #include "meristem/shape/mesh_scene.h"
-#include "meristem/shape/plant_body.h"
 
 namespace meristem {
 

@@ -10,8 +10,8 @@
 
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
-#include "meristem/shape/coarsen.h"
-#include "meristem/shape/even_order.h"
+#include "meristem/shape/mesh/coarsen.h"
+#include "meristem/shape/mesh/even_order.h"
 
 namespace meristem {
 namespace {

@@ -10,7 +10,7 @@
 #include "meristem/base/progress.h"
 #include "meristem/plant/plant.h"
 #include "meristem/shape/detail.h"
-#include "meristem/shape/tube_plan.h"
+#include "meristem/shape/tube/tube_plan.h"
 
 namespace meristem {
 

@@ -7,9 +7,9 @@
 
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
-#include "meristem/shape/leaf_blade.h"
+#include "meristem/shape/leaf/leaf_blade.h"
 #include "meristem/shape/mesh_scene.h"
-#include "meristem/shape/primitives.h"
+#include "meristem/shape/solid/primitives.h"
 #include "tests/support/check_mesh.h"
 
 namespace meristem {

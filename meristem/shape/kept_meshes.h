@@ -11,7 +11,7 @@
 #include "meristem/plant/plant.h"
 #include "meristem/shape/detail.h"
 #include "meristem/shape/mesh_cache.h"
-#include "meristem/shape/tubes.h"
+#include "meristem/shape/tube/tubes.h"
 
 namespace meristem {
 

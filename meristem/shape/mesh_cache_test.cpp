@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "meristem/shape/mesh_scene.h"
-#include "meristem/shape/primitives.h"
+#include "meristem/shape/solid/primitives.h"
 
 namespace meristem {
 namespace {

@@ -18,9 +18,9 @@
 #include "meristem/shape/body_meshes.h"
 #include "meristem/shape/detail_plan.h"
 #include "meristem/shape/kept_meshes.h"
+#include "meristem/shape/mesh/tangents.h"
 #include "meristem/shape/stem_looks.h"
-#include "meristem/shape/tangents.h"
-#include "meristem/shape/tube_plan.h"
+#include "meristem/shape/tube/tube_plan.h"
 
 namespace meristem {
 namespace {

@@ -10,9 +10,9 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
-#include "meristem/shape/leaf_blade.h"
-#include "meristem/shape/primitives.h"
-#include "meristem/shape/tube_plan.h"
+#include "meristem/shape/leaf/leaf_blade.h"
+#include "meristem/shape/solid/primitives.h"
+#include "meristem/shape/tube/tube_plan.h"
 
 namespace meristem {
 namespace {

@@ -13,9 +13,9 @@
 #include <embree3/rtcore.h>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/base/embree_device.h"
 #include "meristem/base/parallel.h"
-#include "meristem/scene/embree_device.h"
-#include "meristem/shape/alpha_mask.h"
+#include "meristem/shape/texture/alpha_mask.h"
 
 namespace meristem {
 

@@ -7,11 +7,11 @@
 #include "arrays.h"
 #include "call.h"
 #include "document.h"
-#include "meristem/components/surface_table.h"
-#include "meristem/graph/reader.h"
+#include "meristem/components/parts/surface_table.h"
+#include "meristem/graph/table/reader.h"
 #include "meristem/measure/convex_hull.h"
 #include "meristem/shape/mesh_scene.h"
-#include "meristem/shape/tubes.h"
+#include "meristem/shape/tube/tubes.h"
 #include "values.h"
 
 namespace meristem::python {

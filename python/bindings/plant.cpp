@@ -9,11 +9,11 @@
 #include "meristem/measure/counts.h"
 #include "meristem/measure/measures.h"
 #include "meristem/output/formats.h"
-#include "meristem/output/names.h"
 #include "meristem/output/output_files.h"
-#include "meristem/output/picture.h"
-#include "meristem/output/png.h"
-#include "meristem/output/skeleton_table.h"
+#include "meristem/output/picture/picture.h"
+#include "meristem/output/skeleton/skeleton_table.h"
+#include "meristem/output/write/names.h"
+#include "meristem/output/write/png.h"
 #include "values.h"
 
 namespace meristem::python {

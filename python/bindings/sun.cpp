@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the sun stands, for numbers and for arrays of them, in degrees.
-#include "meristem/scene/sun.h"
+#include "meristem/scene/light/sun.h"
 
 #include <limits>
 

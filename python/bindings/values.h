@@ -9,7 +9,7 @@
 #include <pybind11/pybind11.h>
 
 #include "meristem/document/document.h"
-#include "meristem/graph/value.h"
+#include "meristem/graph/table/value.h"
 
 namespace meristem::python {
 

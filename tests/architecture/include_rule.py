@@ -10,6 +10,8 @@ include what every program may, the public headers of all rooms, and not each ot
 them. A public header includes public headers only, and none of the heavy libraries, so that whoever includes it compiles fast. A
 source includes the header of its own name first, which shows that it compiles alone; the build checks the headers
 without a source. Every file of a room stands in one list of its CMakeLists.txt, so that no test is silently left out.
+A room links the rooms whose headers it includes and no others, so that the links are the architecture, and the folders
+of a room include each other without a circle.
 """
 
 import re
@@ -21,7 +23,7 @@ ROOMS = ["base", "plant", "scene", "grow", "shape", "measure", "graph", "compone
 DOORS = ["apps", "python"]
 HEAVY = ("nlohmann/", "embree", "CLI/", "tbb/", "oneapi/", "png.h", "boost/", "tiny_gltf", "tiny_obj_loader",
          "valijson/", "Eigen/")
-LISTS = ("SOURCES", "HEADERS", "TESTS", "PUBLIC", "PRIVATE")
+LISTS = ("SOURCES", "HEADERS", "TESTS", "PUBLIC", "PRIVATE", "TESTED_WITH")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?P<kind>["<])(?P<name>[^">]+)[">]')
 
@@ -151,6 +153,58 @@ def check_room_lists(root: Path, room: str, lists: dict[str, list[str]]) -> Iter
             yield Fault(cmake, 1, f"{room} stands before {other} in the line and may not link it")
 
 
+def check_links(root: Path, room: str, lists: dict[str, list[str]]) -> Iterator[Fault]:
+    """The rooms that a room includes, from headers or else from sources, are those that it links, PUBLIC or PRIVATE."""
+    cmake = root / "meristem" / room / "CMakeLists.txt"
+    included: dict[str, set[str]] = {"PUBLIC": set(), "PRIVATE": set()}
+    for path in sources_below(root / "meristem" / room):
+        if path.stem.endswith("_test"):
+            continue
+        for include in includes_of(path):
+            parts = include.name.split("/")
+            if parts[0] == "meristem" and len(parts) > 2 and parts[1] in ROOMS and parts[1] != room:
+                included["PUBLIC" if path.suffix == ".h" else "PRIVATE"].add(parts[1])
+    included["PRIVATE"] -= included["PUBLIC"]
+    earlier = set(ROOMS[: ROOMS.index(room)])  # later rooms are faults by themselves
+    for kind, rooms in included.items():
+        linked = {target.removeprefix("meristem::") for target in lists[kind]} & earlier
+        for other in sorted((rooms & earlier) - linked):
+            yield Fault(cmake, 1, f"{room} includes {other} and does not link it as {kind}")
+        for other in sorted(linked - rooms):
+            yield Fault(cmake, 1, f"links meristem::{other} as {kind} without including it so")
+
+
+def check_folders(root: Path, room: str) -> Iterator[Fault]:
+    """The folders of a room, its top folder among them, include each other without a circle."""
+    top = root / "meristem" / room
+    edges: dict[str, dict[str, tuple[Path, int]]] = {}
+    for path in sources_below(top):
+        if path.stem.endswith("_test"):
+            continue
+        own = path.parent.relative_to(top).as_posix()
+        for include in includes_of(path):
+            prefix = f"meristem/{room}/"
+            if include.name.startswith(prefix):
+                other = Path(include.name.removeprefix(prefix)).parent.as_posix()
+                if other != own:
+                    edges.setdefault(own, {}).setdefault(other, (path, include.line))
+    for own in sorted(edges):
+        for other, (path, line) in sorted(edges[own].items()):
+            if own in reached_from(edges, other):
+                yield Fault(path, line, f'the folders "{own}" and "{other}" of {room} include each other in a circle')
+
+
+def reached_from(edges: dict[str, dict[str, tuple[Path, int]]], begin: str) -> set[str]:
+    reached = {begin}
+    waiting = [begin]
+    while waiting:
+        for other in edges.get(waiting.pop(), {}):
+            if other not in reached:
+                reached.add(other)
+                waiting.append(other)
+    return reached
+
+
 def check_order(root: Path) -> Iterator[Fault]:
     """The build adds the rooms in the order of the line, and every folder is a room."""
     cmake = root / "meristem" / "CMakeLists.txt"
@@ -168,6 +222,8 @@ def check(root: Path) -> list[Fault]:
     public = {root / "meristem" / room / header for room in ROOMS for header in lists[room]["HEADERS"]}
     for room in ROOMS:
         faults += check_room_lists(root, room, lists[room])
+        faults += check_links(root, room, lists[room])
+        faults += check_folders(root, room)
         faults += check_room_includes(root, room, public)
         faults += check_own_headers(root, room)
     for door in DOORS:

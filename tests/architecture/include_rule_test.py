@@ -36,6 +36,7 @@ class IncludeRule(unittest.TestCase):
     def test_a_tree_that_keeps_the_rule_has_no_fault(self) -> None:
         self.write("meristem/grow/CMakeLists.txt",
                    "meristem_room(grow HEADERS a.h SOURCES a.cpp TESTS a_test.cpp PUBLIC meristem::scene fmt::fmt)")
+        self.write("meristem/grow/a.h", '#include "meristem/scene/a.h"\n')
         self.write("meristem/grow/a.cpp", '#include "meristem/grow/a.h"\n#include <nlohmann/json.hpp>\n')
         self.write("meristem/grow/a_test.cpp", '#include "meristem/base/a.h"\n#include "tests/support/a.h"\n')
         self.assertEqual(self.faults(), [])
@@ -43,6 +44,30 @@ class IncludeRule(unittest.TestCase):
     def test_a_room_may_not_include_a_later_one(self) -> None:
         self.write("meristem/plant/a.h", '#pragma once\n\n#  include "meristem/graph/a.h"\n')
         self.assert_only_fault("meristem/plant/a.h:3:", "plant stands before graph")
+
+    def test_a_room_links_what_it_includes(self) -> None:
+        self.write("meristem/grow/CMakeLists.txt", "meristem_room(grow HEADERS a.h PRIVATE meristem::scene)")
+        self.write("meristem/grow/a.h", '#include "meristem/scene/a.h"\n')
+        faults = self.faults()
+        self.assertEqual(len(faults), 2, faults)
+        self.assertIn("grow includes scene and does not link it as PUBLIC", faults[0])
+        self.assertIn("links meristem::scene as PRIVATE without including it so", faults[1])
+
+    def test_what_tests_include_is_no_link_of_the_room(self) -> None:
+        self.write("meristem/grow/CMakeLists.txt",
+                   "meristem_room(grow HEADERS a.h TESTS a_test.cpp TESTED_WITH meristem::scene)")
+        self.write("meristem/grow/a_test.cpp", '#include "meristem/scene/a.h"\n')
+        self.assertEqual(self.faults(), [])
+
+    def test_folders_of_a_room_include_each_other_without_a_circle(self) -> None:
+        self.write("meristem/grow/CMakeLists.txt", "meristem_room(grow HEADERS a.h b/b.h c/c.h)")
+        self.write("meristem/grow/b/b.h", '#include "meristem/grow/c/c.h"\n')
+        self.write("meristem/grow/c/c.h", "#pragma once\n")
+        self.assertEqual(self.faults(), [])
+        self.write("meristem/grow/c/c.h", '#include "meristem/grow/b/b.h"\n')
+        faults = self.faults()
+        self.assertEqual(len(faults), 2, faults)
+        self.assertIn('meristem/grow/b/b.h:1: the folders "b" and "c" of grow', faults[0])
 
     def test_angle_brackets_do_not_hide_an_include(self) -> None:
         self.write("meristem/base/a.h", "#include <meristem/output/a.h>\n")

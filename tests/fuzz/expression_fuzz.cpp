@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "meristem/base/expression.h"
+#include "meristem/base/expression/expression.h"
 #include "tests/fuzz/require.h"
 
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "meristem/shape/isosurface.h"
+#include "meristem/shape/implicit/isosurface.h"
 #include "tests/fuzz/require.h"
 
 namespace meristem {

@@ -10,8 +10,8 @@
 
 #include "meristem/base/read_file.h"
 #include "meristem/measure/measures.h"
-#include "meristem/output/mtg_skeleton.h"
-#include "meristem/output/skeleton_mtg.h"
+#include "meristem/output/mtg/mtg_skeleton.h"
+#include "meristem/output/skeleton/skeleton_mtg.h"
 #include "meristem/plant/axis_labels.h"
 #include "tests/fuzz/require.h"
 

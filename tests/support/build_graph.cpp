@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "meristem/base/hash.h"
-#include "meristem/graph/fingerprint.h"
+#include "meristem/graph/table/fingerprint.h"
 
 namespace meristem {
 namespace {

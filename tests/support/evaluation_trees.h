@@ -12,8 +12,8 @@
 
 #include "meristem/base/vec.h"
 #include "meristem/grow/colonize/colonize.h"
-#include "meristem/scene/crown_points.h"
-#include "meristem/scene/profile_crown.h"
+#include "meristem/scene/crown/crown_points.h"
+#include "meristem/scene/crown/profile_crown.h"
 
 namespace meristem {
 

@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "meristem/output/gltf.h"
+#include "meristem/output/gltf/gltf.h"
 #include "tests/support/temporary_folder.h"
 
 namespace meristem {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "meristem/scene/closed_mesh.h"
+#include "meristem/scene/obstacle/closed_mesh.h"
 
 namespace meristem {
 

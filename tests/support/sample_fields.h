@@ -4,8 +4,8 @@
 
 #include "meristem/base/function_ref.h"
 #include "meristem/base/random.h"
-#include "meristem/shape/implicit_body.h"
-#include "meristem/shape/isosurface.h"
+#include "meristem/shape/implicit/implicit_body.h"
+#include "meristem/shape/implicit/isosurface.h"
 
 namespace meristem {
 

@@ -11,11 +11,11 @@
 
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/random.h"
-#include "meristem/output/gltf.h"
-#include "meristem/output/gltf_layout.h"
-#include "meristem/shape/leaf_blade.h"
-#include "meristem/shape/primitives.h"
-#include "meristem/shape/tangents.h"
+#include "meristem/output/gltf/gltf.h"
+#include "meristem/output/gltf/gltf_layout.h"
+#include "meristem/shape/leaf/leaf_blade.h"
+#include "meristem/shape/mesh/tangents.h"
+#include "meristem/shape/solid/primitives.h"
 
 namespace meristem {
 namespace {

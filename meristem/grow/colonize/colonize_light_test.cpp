@@ -10,8 +10,8 @@
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
 #include "meristem/grow/colonize/colonize.h"
-#include "meristem/scene/crown_points.h"
-#include "meristem/scene/solid_crowns.h"
+#include "meristem/scene/crown/crown_points.h"
+#include "meristem/scene/crown/solid_crowns.h"
 #include "tests/support/check_skeleton.h"
 
 namespace meristem {

@@ -9,7 +9,7 @@
 
 #include <optional>
 
-#include "meristem/scene/shadow_grid.h"
+#include "meristem/scene/light/shadow_grid.h"
 
 namespace meristem {
 

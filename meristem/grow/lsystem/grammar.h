@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "meristem/base/expression.h"
+#include "meristem/base/expression/expression.h"
 #include "meristem/grow/lsystem/word.h"
 
 namespace meristem {

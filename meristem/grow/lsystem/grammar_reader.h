@@ -30,7 +30,7 @@
 #include <vector>
 
 #include "meristem/base/diagnostic.h"
-#include "meristem/base/expression.h"
+#include "meristem/base/expression/expression.h"
 #include "meristem/base/limits.h"
 #include "meristem/grow/lsystem/grammar.h"
 

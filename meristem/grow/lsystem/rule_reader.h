@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "meristem/base/expression.h"
+#include "meristem/base/expression/expression.h"
 #include "meristem/grow/lsystem/grammar.h"
 #include "meristem/grow/lsystem/grammar_text.h"
 #include "meristem/grow/lsystem/module_reader.h"

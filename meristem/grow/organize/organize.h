@@ -19,7 +19,7 @@
 #include "meristem/grow/organize/sag.h"
 #include "meristem/grow/stand.h"
 #include "meristem/plant/pipe_radii.h"
-#include "meristem/scene/crown.h"
+#include "meristem/scene/crown/crown.h"
 #include "meristem/scene/scene.h"
 
 namespace meristem {

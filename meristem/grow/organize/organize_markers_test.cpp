@@ -8,7 +8,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
 #include "meristem/grow/stand_space.h"
-#include "meristem/scene/solid_crowns.h"
+#include "meristem/scene/crown/solid_crowns.h"
 #include "tests/support/check_skeleton.h"
 #include "tests/support/organized_trees.h"
 

@@ -8,8 +8,8 @@
 
 #include "meristem/grow/colonize/colonize.h"
 #include "meristem/grow/stand_space.h"
-#include "meristem/scene/crown_points.h"
-#include "meristem/scene/solid_crowns.h"
+#include "meristem/scene/crown/crown_points.h"
+#include "meristem/scene/crown/solid_crowns.h"
 #include "tests/support/check_skeleton.h"
 #include "tests/support/organized_trees.h"
 

@@ -16,7 +16,7 @@
 #include "meristem/base/curve.h"
 #include "meristem/base/smoothing_spline.h"
 #include "meristem/base/vec.h"
-#include "meristem/shape/segment.h"
+#include "meristem/shape/flat/segment.h"
 
 namespace meristem {
 

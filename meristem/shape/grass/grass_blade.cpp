@@ -13,8 +13,8 @@
 #include <glm/geometric.hpp>
 
 #include "meristem/base/math.h"
-#include "meristem/shape/arc.h"
-#include "meristem/shape/shading.h"
+#include "meristem/shape/flat/arc.h"
+#include "meristem/shape/mesh/shading.h"
 
 namespace meristem {
 

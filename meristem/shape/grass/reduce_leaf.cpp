@@ -9,7 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "meristem/shape/segment.h"
+#include "meristem/shape/flat/segment.h"
 
 namespace meristem {
 

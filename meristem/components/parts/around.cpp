@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/parts/around.h"
+
+namespace meristem {
+
+const ParameterTable& around_table() {
+  static const ParameterTable table =
+      Table<Around>("children around", "Children in even steps about a heading.")
+          .integer("number", &Around::number, {.min = 0, .max = 2e9}, "Children.")
+          .per_child("angle", &Around::angle, {.unit = Unit::degree, .min = 0, .max = 180},
+                     "Between the heading and a child's: 0 along it, 90 straight outward, above it bent back.")
+          .per_child("size", &Around::size, {.min = 0, .max = 1000}, "Scale of a child.")
+          .per_child("roll", &Around::roll, {.unit = Unit::degree, .min = -36000, .max = 36000},
+                     "Turn about the heading, on top of the even one.")
+          .number("arc", &Around::arc, {.unit = Unit::degree, .min = 0, .max = 360},
+                  "Of the turn over which the children are spread; below 360 a fan.");
+  return table;
+}
+
+std::vector<ChildAround> children_around(const Around& around, Emitter& out) {
+  const auto number = static_cast<std::uint32_t>(around.number);
+  out.expect_children(number);
+  const std::vector<double> angle = out.per_child(around.angle, number);
+  const std::vector<double> size = out.per_child(around.size, number);
+  const std::vector<double> roll = out.per_child(around.roll, number);
+  const bool is_closed = around.arc >= 2 * kPi - 1e-9;
+  const double gaps = is_closed ? number : number - 1.0;
+  const double first = is_closed ? 0 : -0.5 * around.arc;
+  std::vector<ChildAround> children;
+  children.reserve(number);
+  for (std::uint32_t k = 0; k < number; ++k) {
+    const double turn = first + (gaps > 0 ? around.arc * k / gaps : 0.5 * around.arc);
+    children.push_back({roll[k] + turn, angle[k], size[k]});
+  }
+  return children;
+}
+
+Mat3 tilted(double turn, double angle) { return rotation(kUp, turn) * rotation({1, 0, 0}, -angle); }
+
+}  // namespace meristem

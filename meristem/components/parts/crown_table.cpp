@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/parts/crown_table.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/mat3x3.hpp>
+
+#include "meristem/scene/crown/combined_crown.h"
+#include "meristem/scene/crown/crown_points.h"
+#include "meristem/scene/crown/mesh_crown.h"
+#include "meristem/scene/crown/profile_crown.h"
+#include "meristem/scene/crown/solid_crowns.h"
+#include "meristem/scene/file/read_mesh.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr NumberForm kCoordinate{.unit = Unit::metre, .min = -1e5, .max = 1e5};
+constexpr NumberForm kLength{.unit = Unit::metre, .min = 0, .max = 1e5, .above_min = true};
+constexpr std::size_t kMostShares = 100;
+constexpr double kFarthestPoint = 1e7;  // metres along an axis, as far as the coordinates of countries go
+
+/// The azimuth that a key of `profiles` says, in degrees.
+std::optional<double> azimuth_of(const std::string& key) {
+  double azimuth = 0;
+  const auto parsed = std::from_chars(key.data(), key.data() + key.size(), azimuth);
+  const bool is_whole = parsed.ec == std::errc() && parsed.ptr == key.data() + key.size();
+  return is_whole && std::isfinite(azimuth) ? std::optional(azimuth) : std::nullopt;
+}
+
+bool check_profile(const std::vector<Vec2>& profile, const Place& place, ParameterReader& reader) {
+  if (profile.size() < 2) {
+    reader.fault(place, "the profile has fewer than two points", "pairs [radius, height] with rising heights");
+    return false;
+  }
+  for (std::size_t k = 0; k < profile.size(); ++k) {
+    if (profile[k].x < 0) {
+      reader.fault(Place(place, k), fmt::format("the radius {:.7g} is negative", profile[k].x),
+                   "a radius of at least 0");
+      return false;
+    }
+    if (k > 0 && !(profile[k - 1].y < profile[k].y)) {
+      reader.fault(Place(place, k), fmt::format("the height {:.7g} does not rise", profile[k].y),
+                   fmt::format("a height above {:.7g}", profile[k - 1].y));
+      return false;
+    }
+  }
+  return true;
+}
+
+bool check_profiles(const CrownForm& crown, const Place& place, ParameterReader& reader) {
+  std::vector<std::pair<double, std::string>> seen;
+  for (const auto& [key, side] : crown.profiles) {
+    const Place at(place, key);
+    const std::optional<double> azimuth = azimuth_of(key);
+    if (!azimuth) {
+      reader.fault_name(at, fmt::format("'{}' is no azimuth", key), "degrees from north over east, such as \"90\"", "");
+      return false;
+    }
+    if (!check_profile(side.profile, at, reader)) return false;
+    seen.emplace_back(wrapped_azimuth(radians(*azimuth)), key);
+  }
+  std::sort(seen.begin(), seen.end());
+  for (std::size_t k = 1; k < seen.size(); ++k) {
+    if (seen[k].first > seen[k - 1].first) continue;
+    reader.fault_name(Place(place, seen[k].second),
+                      fmt::format("'{}' is the same azimuth as '{}'", seen[k].second, seen[k - 1].second),
+                      "a profile for each azimuth once", "");
+    return false;
+  }
+  return true;
+}
+
+bool check_box(const Box& box, const Place& place, ParameterReader& reader) {
+  constexpr const char* kAxes = "xyz";
+  for (int k = 0; k < 3; ++k) {
+    if (box.low[k] < box.high[k]) continue;
+    reader.fault(
+        place,
+        fmt::format("the box ends in {} at {:.7g}, where it begins at {:.7g}", kAxes[k], box.high[k], box.low[k]),
+        "the lower corner first, and some size along each axis");
+    return false;
+  }
+  return true;
+}
+
+void check_crown(const CrownForm& crown, const Place& place, ParameterReader& reader) {
+  if (!crown.profile.empty() && !check_profile(crown.profile, Place(place, "profile"), reader)) return;
+  if (!check_profiles(crown, Place(place, "profiles"), reader)) return;
+  if (crown.box && !check_box(*crown.box, Place(place, "box"), reader)) return;
+  const CrownPointer built = build_crown(crown);
+  if (built == nullptr) {
+    return reader.fault(place, "the crown is made of nothing", "at least one profile or crown in its list");
+  }
+  const auto is_zero = [](Vec2 point) { return point.x == 0; };
+  if (!crown.profile.empty() && std::all_of(crown.profile.begin(), crown.profile.end(), is_zero)) {
+    return reader.fault(Place(place, "profile"), "the crown is empty: all its radii are 0",
+                        "a radius above 0 somewhere");
+  }
+  if (!is_fillable(*built)) {
+    reader.fault(place, "the crown is empty, or nearly",
+                 "a crown that fills at least a thousandth of the box around it");
+  }
+}
+
+void check_points(const PointsForm& points, const Place& place, ParameterReader& reader) {
+  const Place shares(place, "shares");
+  if (points.shares.size() > kMostShares) {
+    return reader.fault(shares, fmt::format("{} shares are too many", points.shares.size()),
+                        fmt::format("at most {}", kMostShares));
+  }
+  double sum = 0;
+  for (const ShareForm& share : points.shares) sum += share.share;
+  if (sum > 1 + 1e-9) {
+    reader.fault(shares, fmt::format("the shares sum to {:.7g}", sum), "shares that sum to at most 1");
+  }
+}
+
+const ParameterTable& profile_table() {
+  static const ParameterTable table = Table<ProfileForm>("a profile", "Half of a crown's outline.")
+                                          .points("profile", &ProfileForm::profile, kCoordinate,
+                                                  "Pairs [radius, height] over the root, heights rising.")
+                                          .required()
+                                          .shorthand("profile");
+  return table;
+}
+
+const ParameterTable& ellipsoid_table() {
+  static const ParameterTable table = Table<EllipsoidForm>("an ellipsoid", "A ball stretched along the axes.")
+                                          .vector("centre", &EllipsoidForm::centre, kCoordinate, "Over the root.")
+                                          .required()
+                                          .vector("radii", &EllipsoidForm::radii, kLength, "Along x, y and z.")
+                                          .required();
+  return table;
+}
+
+const ParameterTable& sphere_table() {
+  static const ParameterTable table = Table<SphereForm>("a sphere", "A ball.")
+                                          .vector("centre", &SphereForm::centre, kCoordinate, "Over the root.")
+                                          .required()
+                                          .number("radius", &SphereForm::radius, kLength, "From the centre.")
+                                          .required();
+  return table;
+}
+
+const ParameterTable& cone_table() {
+  static const ParameterTable table =
+      Table<ConeForm>("a cone", "A cone with its apex up.")
+          .vector("base", &ConeForm::base, kCoordinate, "Middle of its lower end, over the root.")
+          .required()
+          .number("radius", &ConeForm::radius, kLength, "At its lower end.")
+          .required()
+          .number("height", &ConeForm::height, kLength, "From the lower end to the apex.")
+          .required();
+  return table;
+}
+
+const ParameterTable& share_table() {
+  static const ParameterTable table =
+      Table<ShareForm>("a share", "A part of the points, in a part of the crown.")
+          .number("share", &ShareForm::share, {.min = 0, .max = 1, .above_min = true}, "Of all points.")
+          .required()
+          .number("above", &ShareForm::above, {.min = 0, .max = 0.999},
+                  "Only over this part of the crown's height; 0.4 is the upper 60 %.")
+          .number("outer", &ShareForm::outer, {.min = 0.001, .max = 1},
+                  "Only in this outer part of the radius at each height; lowered, a thinner shell. 1 is all.");
+  return table;
+}
+
+/// Scans may have the coordinates of a country, so they are moved in double.
+std::vector<Vec3> points_of_file(const CrownPointer& crown, const PointsForm& form, const GrowContext& context) {
+  const Frame frame = form.file_place.frame();
+  const glm::dmat3 axes(frame.axes);
+  const DVec3 origin(frame.origin);
+  const auto refuse = [&](std::string message, std::string expected) {
+    throw InputError(Diagnostic{.message = std::move(message),
+                                .expected = std::move(expected),
+                                .path = "components." + context.component + ".points.file"});
+  };
+  std::vector<Vec3> points;
+  for (const DVec3 position : *form.file) {
+    const DVec3 placed = origin + axes * position;
+    const Vec3 point(placed);
+    if (crown != nullptr && !crown->contains(point)) continue;
+    const DVec3 away = glm::abs(placed);
+    if (!(std::max({away.x, away.y, away.z}) <= kFarthestPoint)) {
+      refuse(fmt::format("a point of '{}' comes to lie at ({:.4g}, {:.4g}, {:.4g})", form.file.path, placed.x, placed.y,
+                         placed.z),
+             fmt::format("coordinates within {:.0f} m; scale and translate them", kFarthestPoint));
+    }
+    points.push_back(point);
+  }
+  if (points.empty()) {
+    refuse(fmt::format("none of the points of '{}' lies in the crown", form.file.path),
+           "points over the root; scale, turn or translate them");
+  }
+  return points;
+}
+
+/// Reports shares whose part of the crown is empty.
+void check_shares(const CrownForm& crown, const PointsForm& points, const Place& place, ParameterReader& reader) {
+  if (points.shares.empty()) return;
+  const CrownPointer built = build_crown(crown);
+  const Place points_place(place, "points");
+  const Place shares(points_place, "shares");
+  for (std::size_t k = 0; k < points.shares.size(); ++k) {
+    const ShareForm& share = points.shares[k];
+    if (is_fillable(ZonedCrown(*built, {.above = share.above, .outer = share.outer}))) continue;
+    return reader.fault(Place(shares, k), "the share's part of the crown is empty, or nearly",
+                        "a smaller 'above' or a larger 'outer'");
+  }
+}
+
+}  // namespace
+
+const ParameterTable& crown_table() {
+  static const ParameterTable table =
+      Table<CrownForm>("a crown", "The envelope that attraction points fill.")
+          .points("profile", &CrownForm::profile, kCoordinate,
+                  "Pairs [radius, height] over the root, heights rising, joined by a natural spline and turned about "
+                  "the vertical.")
+          .map("profiles", &CrownForm::profiles, profile_table,
+               "Profiles by azimuth (degrees from north over east), between which the radius changes evenly.")
+          .list("union", &CrownForm::united, crown_table, "What lies in any of these crowns.")
+          .list("intersection", &CrownForm::intersected, crown_table, "What lies in all of these crowns.")
+          .list("difference", &CrownForm::subtracted, crown_table, "The first of these crowns without the others.")
+          .object("ellipsoid", &CrownForm::ellipsoid, ellipsoid_table, "A ball stretched along the axes.")
+          .object("sphere", &CrownForm::sphere, sphere_table, "A ball.")
+          .object("cone", &CrownForm::cone, cone_table, "A cone with its apex up.")
+          .box("box", &CrownForm::box, kCoordinate, "The lower and the upper corner of a box.")
+          .file("mesh", &CrownForm::mesh, read_closed_mesh, "A closed mesh in an OBJ, PLY or GLB file.")
+          .members(&CrownForm::mesh_place, import_table())
+          .one_of({"profile", "profiles", "union", "intersection", "difference", "ellipsoid", "sphere", "cone", "box",
+                   "mesh"})
+          .only_with("mesh", import_names())
+          .check(check_crown);
+  return table;
+}
+
+const ParameterTable& points_table() {
+  static const ParameterTable table =
+      Table<PointsForm>("points", "The attraction points in the crown.")
+          .integer("count", &PointsForm::count, {.min = 1, .max = 1e15},
+                   "How many; raised, more and finer branches, and slower.")
+          .list("shares", &PointsForm::shares, share_table,
+                "How many of them go to which part of the crown; the rest is uniform in all of it.")
+          .boolean("blue_noise", &PointsForm::blue_noise, "Whether neighbours keep their distance.")
+          .file("file", &PointsForm::file, read_points,
+                "The points of a scan, in a PLY file or a text with a point a line, over the root; a crown cuts off "
+                "those outside.")
+          .members(&PointsForm::file_place, import_table())
+          .never_with("file", {"count", "shares", "blue_noise"})
+          .only_with("file", import_names())
+          .shorthand("count")
+          .check(check_points);
+  return table;
+}
+
+void check_cloud(const std::optional<CrownForm>& crown, const PointsForm& points, std::size_t times,
+                 std::string_view component, const Place& place, ParameterReader& reader) {
+  if (!crown && !points.file) {
+    reader.fault(place, fmt::format("{} has no 'crown'", component), "a 'crown', or 'points' with a 'file'");
+  }
+  if (crown) check_shares(*crown, points, place, reader);
+  const double count = static_cast<double>(points.count) * static_cast<double>(times);
+  if (count > static_cast<double>(reader.limits().points)) {
+    reader.fault_limit(Place(place, "points"), "attraction points", count, reader.limits().points, "points");
+  }
+}
+
+CrownPointer build_crown(const CrownForm& form) {
+  if (!form.profile.empty()) return std::make_shared<ProfileCrown>(form.profile);
+  if (!form.profiles.empty()) {
+    ProfileCrown::Sides sides;
+    for (const auto& [key, side] : form.profiles) sides.push_back({radians(*azimuth_of(key)), side.profile});
+    return std::make_shared<ProfileCrown>(sides);
+  }
+  if (form.ellipsoid) return std::make_shared<EllipsoidCrown>(form.ellipsoid->centre, form.ellipsoid->radii);
+  if (form.sphere) return std::make_shared<EllipsoidCrown>(form.sphere->centre, Vec3(form.sphere->radius));
+  if (form.cone) return std::make_shared<ConeCrown>(form.cone->base, form.cone->radius, form.cone->height);
+  if (form.box) return std::make_shared<BoxCrown>(*form.box);
+  if (form.mesh) return std::make_shared<MeshCrown>(form.mesh.content, form.mesh_place.frame());
+
+  const auto combined = [](CombineKind kind, const std::vector<CrownForm>& forms) {
+    std::vector<CrownPointer> crowns;
+    crowns.reserve(forms.size());
+    for (const CrownForm& each : forms) crowns.push_back(build_crown(each));
+    return std::make_shared<CombinedCrown>(kind, std::move(crowns));
+  };
+  if (!form.united.empty()) return combined(CombineKind::unite, form.united);
+  if (!form.intersected.empty()) return combined(CombineKind::intersect, form.intersected);
+  if (!form.subtracted.empty()) return combined(CombineKind::subtract, form.subtracted);
+  return nullptr;
+}
+
+std::vector<Vec3> make_points(const std::optional<CrownForm>& crown, const PointsForm& points, RandomKey key,
+                              const GrowContext& context) {
+  if (points.file) return points_of_file(crown ? build_crown(*crown) : nullptr, points, context);
+  PointDistribution distribution{.count = points.count, .blue_noise = points.blue_noise};
+  for (const ShareForm& share : points.shares) {
+    distribution.shares.push_back({share.share, {.above = share.above, .outer = share.outer}});
+  }
+  const std::string path = "components." + context.component;
+  return place_points(*build_crown(*crown), distribution, key, context.progress, path + ".crown", path + ".points");
+}
+
+}  // namespace meristem

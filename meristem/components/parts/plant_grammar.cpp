@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/parts/plant_grammar.h"
+
+#include <algorithm>
+#include <array>
+
+#include "meristem/graph/graph.h"
+#include "meristem/grow/lsystem/grammar_reader.h"
+
+namespace meristem {
+
+namespace {
+
+/// Finds the letters that may stand behind a ~: those that do in the text, and what rules make of them.
+class PlacedLetters {
+ public:
+  explicit PlacedLetters(const Grammar& grammar) : grammar_(grammar), is_found_(grammar.alphabet.size()) {
+    note(grammar.axiom);
+    for (const RuleSet* rules : rule_sets()) {
+      for (const Rule& rule : rules->rules) note(rule.successor);
+    }
+    for (std::size_t k = 0; k < found_.size(); ++k) {
+      for (const RuleSet* rules : rule_sets()) {
+        for (const std::uint32_t rule : rules->of_letter[found_[k]]) {
+          const std::vector<ModuleForm>& successor = rules->rules[rule].successor;
+          if (!successor.empty()) find(successor.front().letter);
+        }
+      }
+    }
+  }
+
+  const std::vector<LetterIndex>& all() const { return found_; }
+  bool is_rewritten(LetterIndex letter) const {
+    return std::ranges::any_of(rule_sets(), [&](const RuleSet* rules) { return !rules->of_letter[letter].empty(); });
+  }
+
+ private:
+  std::array<const RuleSet*, 3> rule_sets() const {
+    return {&grammar_.production, &grammar_.decomposition, &grammar_.interpretation};
+  }
+
+  void note(const std::vector<ModuleForm>& word) {
+    for (std::size_t k = 0; k + 1 < word.size(); ++k) {
+      if (grammar_.alphabet[word[k].letter].symbol == "~") find(word[k + 1].letter);
+    }
+  }
+
+  void find(LetterIndex letter) {
+    if (!is_found_[letter]) found_.push_back(letter);
+    is_found_[letter] = true;
+  }
+
+  const Grammar& grammar_;
+  std::vector<bool> is_found_;
+  std::vector<LetterIndex> found_;
+};
+
+void note_placed(PlantGrammar& plant) {
+  const Alphabet& alphabet = plant.grammar.alphabet;
+  plant.placed_of_letter.assign(alphabet.size(), kNoIndex);
+  const PlacedLetters letters(plant.grammar);
+  for (const LetterIndex letter : letters.all()) {
+    const std::string& id = alphabet[letter].symbol;
+    const auto found = std::ranges::find(plant.placed, id, &PlacedComponent::id);
+    plant.placed_of_letter[letter] = static_cast<std::uint32_t>(found - plant.placed.begin());
+    if (found == plant.placed.end()) {
+      plant.placed.push_back({id, !letters.is_rewritten(letter), ", or longer names among #symbols"});
+    }
+  }
+}
+
+}  // namespace
+
+PlantGrammar read_plant_grammar(const std::string& text, const std::string& path, ParameterReader& reader,
+                                std::vector<Diagnostic>& warnings) {
+  std::vector<std::string> included;
+  PlantGrammar plant;
+  plant.grammar = read_grammar(text, {.constants = reader.constants(),
+                                      .read = read_beside(path, &included),
+                                      .warnings = &warnings,
+                                      .limits = reader.limits()});
+  for (std::string& file : included) reader.add_file(std::move(file));
+  note_placed(plant);
+  return plant;
+}
+
+}  // namespace meristem

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+// A stem grows section by section: each turns as its axis does, by its share of the curl, by what the noise has changed
+// since the last one, away from what pushes it, and toward gravity and light. The shares are set so that a stem ends
+// the same however many sections it has.
+#include "meristem/components/parts/stem_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "meristem/base/math.h"
+#include "meristem/base/noise.h"
+#include "meristem/graph/table/table.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr double kStrongest = 0.995;      // share of an angle: at 1 the first section would close all of it
+constexpr int kWaySteps = 64;             // pieces in which the length of an axis is measured, from point to point
+constexpr std::size_t kMostPoints = 500;  // of an axis
+
+/// What one of `sections` equal turns must close so that together they close `strength` of the angle.
+double share_of_turn(double strength, int sections) {
+  const double open = 1 - std::min(std::abs(strength), kStrongest);
+  return 1 - math::pow(open, 1.0 / sections);
+}
+
+/// The directions that a stem along a spline has in its `sections`, in the stem's own frame.
+std::vector<Vec3> way_directions(const std::vector<Vec3>& axis, int sections) {
+  // The spline, over the length of the lines between its points.
+  std::vector<Vec3> points{Vec3(0)};
+  std::vector<float> at{0};
+  for (const Vec3 point : axis) {
+    const float step = glm::distance(point, points.back());
+    at.push_back(at.back() + step);
+    points.push_back(point);
+  }
+  const auto coordinate = [&](int k) {
+    std::vector<Vec2> pairs;
+    for (std::size_t p = 0; p < points.size(); ++p) pairs.emplace_back(at[p], points[p][k]);
+    return Curve(std::move(pairs));
+  };
+  const Curve x = coordinate(0), y = coordinate(1), z = coordinate(2);
+  const auto place = [&](double s) { return glm::dvec3(x(s), y(s), z(s)); };
+
+  // Sections of equal length of it.
+  const auto fine = static_cast<int>(points.size() - 1) * kWaySteps;
+  std::vector<double> length(static_cast<std::size_t>(fine) + 1);
+  glm::dvec3 last = place(0);
+  for (int k = 1; k <= fine; ++k) {
+    const glm::dvec3 next = place(at.back() * k / fine);
+    length[static_cast<std::size_t>(k)] = length[static_cast<std::size_t>(k - 1)] + glm::distance(last, next);
+    last = next;
+  }
+  const auto place_at_length = [&](double wanted) {
+    const auto after = std::ranges::upper_bound(length, wanted);
+    const auto k = std::clamp<std::ptrdiff_t>(after - length.begin(), 1, fine) - 1;
+    const double piece = length[static_cast<std::size_t>(k + 1)] - length[static_cast<std::size_t>(k)];
+    const double share = piece > 0 ? (wanted - length[static_cast<std::size_t>(k)]) / piece : 0;
+    return place(at.back() * (static_cast<double>(k) + share) / fine);
+  };
+  std::vector<Vec3> directions;
+  last = place(0);
+  for (int k = 1; k <= sections; ++k) {
+    const glm::dvec3 next = place_at_length(length.back() * k / sections);
+    directions.push_back(normalized_or(Vec3(next - last), directions.empty() ? kUp : directions.back()));
+    last = next;
+  }
+  return directions;
+}
+
+/// Grows the axis of one stem in world space.
+class Builder {
+ public:
+  Builder(const StemForm& form, const Site& site, const StemTropisms& tropisms, std::span<const StemBend> bends)
+      : form_(form), tropisms_(tropisms), bends_(bends), key_(site.key.child("gnarl")) {
+    const Frame& frame = site.frame;
+    scale_ = glm::length(frame.heading());
+    heading_ = normalized_or(frame.heading(), kUp);
+    right_ = normalized_or(frame.right() - glm::dot(frame.right(), heading_) * heading_, any_perpendicular(heading_));
+    origin_ = frame.origin;
+    if (!form.axis.empty()) way_ = way_directions(form.axis, form.segments);
+  }
+
+  StemPath run() {
+    StemPath path;
+    path.length = scale_ * static_cast<float>(form_.length);
+    path.skeleton.reserve(static_cast<std::size_t>(form_.segments) + 1);
+    const float section = path.length / static_cast<float>(form_.segments);
+    Vec3 place = origin_;
+    NodeIndex last = add_node(path.skeleton, kNoNode, place, 0);
+    for (int k = 0; k < form_.segments; ++k) {
+      const Vec3 heading = heading_, right = right_;
+      turn(k);
+      path.frames.push_back(k == 0 ? frame(place, heading_, right_) : frame_midway(place, heading, right));
+      place += section * heading_;
+      last = add_node(path.skeleton, last, place, k + 1);
+    }
+    path.frames.push_back(frame(place, heading_, right_));
+    return path;
+  }
+
+ private:
+  NodeIndex add_node(Skeleton& skeleton, NodeIndex parent, Vec3 place, int section) const {
+    const NodeIndex node = skeleton.add_node(parent, place, 0);
+    const double u = static_cast<double>(section) / form_.segments;
+    skeleton.radius[node] = scale_ * static_cast<float>(std::max(0.0, form_.taper(u)) * form_.radius);
+    return node;
+  }
+
+  /// A node's frame looks midway between the sections that meet there.
+  Frame frame_midway(Vec3 place, Vec3 heading, Vec3 right) const {
+    heading = normalized_or(heading + heading_, heading_);
+    right += right_;
+    return frame(place, heading, normalized_or(right - glm::dot(right, heading) * heading, right_));
+  }
+
+  Frame frame(Vec3 place, Vec3 heading, Vec3 right) const {
+    Frame frame{Mat3(right, heading, glm::cross(right, heading)), place};
+    frame.axes *= scale_;
+    return frame;
+  }
+
+  Vec3 upper() const { return glm::cross(right_, heading_); }
+  /// A direction in the frame of a straight stem, in the world.
+  Vec3 from_stem(Vec3 local) const { return local.x * right_ + local.y * heading_ + local.z * upper(); }
+
+  void turn(int section) {
+    if (!way_.empty()) follow_way(static_cast<std::size_t>(section));
+    if (form_.spiral != 0) rotate(rotation(heading_, form_.spiral / form_.segments));
+    const double curl = form_.curl / form_.segments;
+    rotate(rotation(right_, wandered(section, 0) - curl) * rotation(upper(), wandered(section, 1)));
+    avoid(section);
+    const auto [gravitropism, phototropism] = std::pair(tropisms_.gravitropism, tropisms_.phototropism);
+    if (gravitropism != 0) turn_toward(gravitropism > 0 ? -kUp : kUp, gravitropism);
+    if (phototropism != 0) turn_toward(phototropism > 0 ? tropisms_.light : -tropisms_.light, phototropism);
+  }
+
+  /// Turns as the spline does between the last section and this one.
+  void follow_way(std::size_t section) {
+    const Mat3 turn = rotation_between(section == 0 ? kUp : way_[section - 1], way_[section]);
+    const Mat3 own = glm::transpose(way_axes_) * turn * way_axes_;  // in the spline's own frame
+    way_axes_ = turn * way_axes_;
+    const Mat3 turned = Mat3(right_, heading_, upper()) * own;
+    heading_ = glm::normalize(turned[1]);
+    right_ = glm::normalize(turned[0] - glm::dot(turned[0], heading_) * heading_);
+  }
+
+  /// How much the noise turns this section against the one before.
+  double wandered(int section, std::uint64_t direction) const {
+    if (form_.gnarl == 0) return 0;
+    const auto noise = [&](int k) {
+      return gradient_noise(key_.child(direction), k * form_.gnarl_waves / form_.segments);
+    };
+    return 2 * form_.gnarl * (noise(section + 1) - noise(section));
+  }
+
+  /// Turns by all that has pushed the stem since the section before.
+  void avoid(int section) {
+    const double reached = (section + 0.5) / form_.segments;
+    for (; next_bend_ < bends_.size() && bends_[next_bend_].u <= reached; ++next_bend_) {
+      const Vec3 turn = bends_[next_bend_].turn;
+      const float angle = glm::length(turn);
+      if (angle > 0) rotate(rotation(from_stem(turn / angle), angle));
+    }
+  }
+
+  void turn_toward(Vec3 target, double strength) {
+    const double angle = math::acos(glm::dot(heading_, target));
+    const Vec3 axis = normalized_or(glm::cross(heading_, target), right_);
+    rotate(rotation(axis, angle * share_of_turn(strength, form_.segments)));
+  }
+
+  void rotate(const Mat3& turn) {
+    heading_ = glm::normalize(turn * heading_);
+    right_ = turn * right_;
+    right_ = glm::normalize(right_ - glm::dot(right_, heading_) * heading_);
+  }
+
+  const StemForm& form_;
+  const StemTropisms& tropisms_;
+  std::span<const StemBend> bends_;
+  std::size_t next_bend_ = 0;
+  RandomKey key_;
+  float scale_ = 1;
+  Vec3 heading_{0}, right_{0}, origin_{0};
+  std::vector<Vec3> way_;
+  Mat3 way_axes_{1};  // of the spline's own frame, carried along it without twist
+};
+
+}  // namespace
+
+const ParameterTable& stem_form_table() {
+  static const ParameterTable table =
+      Table<StemForm>("a stem", "A stem along a curve.")
+          .number("length", &StemForm::length, {.unit = Unit::metre, .min = 1e-4, .max = 1000}, "Base to tip.")
+          .number("radius", &StemForm::radius, {.unit = Unit::metre, .min = 1e-6, .max = 100}, "At the base.")
+          .curve("taper", &StemForm::taper, "Share of the radius from base (0) to tip (1).")
+          .integer("segments", &StemForm::segments, {.min = 1, .max = 1000, .fixed = true},
+                   "Straight pieces; raised, smoother bends.")
+          .places("axis", &StemForm::axis, {.unit = Unit::metre, .min = -1e4, .max = 1e4},
+                  "Points that a spline from the origin runs through, in the stem's own frame; the stem takes its form "
+                  "and keeps its own length.")
+          .number("curl", &StemForm::curl, {.unit = Unit::degree, .min = -3600, .max = 3600},
+                  "Bend from base to tip; raised, it leans away from its upper side, which faces its mother's tip.")
+          .number("spiral", &StemForm::spiral, {.unit = Unit::degree, .min = -36000, .max = 36000},
+                  "By how much the side to which it curls turns about it from base to tip; raised, a corkscrew.")
+          .number("gnarl", &StemForm::gnarl, {.unit = Unit::degree, .min = 0, .max = 180},
+                  "By how much its direction wanders; raised, more crooked.")
+          .number("gnarl_waves", &StemForm::gnarl_waves, {.min = 0, .max = 1000},
+                  "How often it does so from base to tip.");
+  return table;
+}
+
+StemPath grow_stem(const StemForm& form, const Site& site, const StemTropisms& tropisms,
+                   std::span<const StemBend> bends) {
+  return Builder(form, site, tropisms, bends).run();
+}
+
+void check_stem_form(const StemForm& form, const Place& place, ParameterReader& reader) {
+  const Place axis(place, "axis");
+  if (form.axis.size() > kMostPoints) {
+    reader.fault(axis, fmt::format("the axis has {} points", form.axis.size()), fmt::format("at most {}", kMostPoints));
+    return;
+  }
+  Vec3 last(0);
+  for (std::size_t k = 0; k < form.axis.size(); ++k) {
+    if (glm::distance(form.axis[k], last) < 1e-6F) {
+      reader.fault(Place(axis, k), k == 0 ? "the axis begins at the origin by itself" : "a point of the axis repeats",
+                   "points that lie apart");
+      return;
+    }
+    last = form.axis[k];
+  }
+}
+
+}  // namespace meristem

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/graph/import_table.h"
+
+#include "meristem/graph/component.h"
+#include "meristem/graph/table/table.h"
+
+namespace meristem {
+
+Frame ImportPlace::frame() const {
+  Frame frame = Transform{.translate = translate, .rotate = rotate, .scale = Vec3(scale)}.frame();
+  // With z up, y goes north: to -z.
+  if (up == Up::z) frame.axes = {frame.axes[0], -frame.axes[2], frame.axes[1]};
+  return frame;
+}
+
+const ParameterTable& import_table() {
+  static const ParameterTable table =
+      Table<ImportPlace>("a place", "How what is read from a file comes to stand here.")
+          .choice("up", &ImportPlace::up, {"y", "z"}, "The file's axis that points up; with z, its y points north.")
+          .number("scale", &ImportPlace::scale, {.min = 1e-6, .max = 1e6},
+                  "Factor on the file's lengths, first of all.")
+          .vector("rotate", &ImportPlace::rotate, {.unit = Unit::degree, .min = -1e6, .max = 1e6},
+                  "Pitch about x, roll about y, yaw about z; after the scale.")
+          .vector("translate", &ImportPlace::translate, {.unit = Unit::metre, .min = -1e8, .max = 1e8},
+                  "Shift along x, y and z, last of all.");
+  return table;
+}
+
+const std::vector<std::string>& import_names() {
+  static const std::vector<std::string> names = import_table().names();
+  return names;
+}
+
+}  // namespace meristem

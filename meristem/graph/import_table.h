@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "meristem/base/frame.h"
+#include "meristem/graph/table/parameter.h"
+
+namespace meristem {
+
+/// How what is read from a file comes to stand in a document: its up axis is turned up, then it is scaled, turned and
+/// moved.
+struct ImportPlace {
+  enum class Up { y, z };
+  Up up = Up::y;
+  double scale = 1;
+  Vec3 rotate{0};  ///< radians, as of Transform
+  Vec3 translate{0};
+
+  Frame frame() const;
+};
+
+const ParameterTable& import_table();  ///< of ImportPlace
+/// The names of its rows, which stand beside the file's own in a table.
+const std::vector<std::string>& import_names();
+
+}  // namespace meristem

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/graph/table/fingerprint.h"
+
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+#include "meristem/base/fingerprint.h"
+#include "meristem/base/read_file.h"
+
+namespace meristem {
+
+namespace {
+
+/// What a value holds, by the number of its kind.
+enum class Kind : std::uint8_t { null, boolean, number, text, list, object };
+
+bool is_of_name(char c) {
+  return c == '_' || ('0' <= c && c <= '9') || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
+}
+
+bool contains_name(std::string_view text, std::string_view name) {
+  for (std::size_t at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    if ((at == 0 || !is_of_name(text[at - 1])) && (end == text.size() || !is_of_name(text[end]))) return true;
+  }
+  return false;
+}
+
+/// Whether a text of the value names it. Values nest no deeper than a document may.
+bool mentions(const Value& value, std::string_view name) {
+  if (const std::string* text = value.text()) return contains_name(*text, name);
+  if (const Value::List* list = value.list()) {
+    for (const Value& element : *list) {
+      if (mentions(element, name)) return true;
+    }
+  }
+  if (const Value::Object* object = value.object()) {
+    for (const auto& [key, member] : *object) {
+      if (mentions(member, name)) return true;
+    }
+  }
+  return false;
+}
+
+void add_value(const Value& value, Fingerprint& to) {
+  if (const bool* boolean = value.boolean()) {
+    to.add(Kind::boolean).add(*boolean);
+  } else if (const double* number = value.number()) {
+    to.add(Kind::number).add(*number);
+  } else if (const std::string* text = value.text()) {
+    to.add(Kind::text).add_text(*text);
+  } else if (const Value::List* list = value.list()) {
+    to.add(Kind::list).add(list->size());
+    for (const Value& element : *list) add_value(element, to);
+  } else if (const Value::Object* object = value.object()) {
+    to.add(Kind::object).add(object->size());
+    for (const auto& [name, member] : *object) add_value(member, to.add_text(name));
+  } else {
+    to.add(Kind::null);
+  }
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> fingerprint_of(const Value& value, std::span<const ExpressionNames::Constant> constants,
+                                            std::span<const std::string> files, std::uint64_t file_bytes) {
+  Fingerprint fingerprint;
+  add_value(value, fingerprint);
+  for (const ExpressionNames::Constant& constant : constants) {
+    if (files.empty() && !mentions(value, constant.name)) continue;
+    fingerprint.add_text(constant.name).add(constant.value);
+  }
+  for (const std::string& file : files) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
+    fingerprint.add_text(file).add(hash64(read_file(file, file_bytes)));
+  }
+  return fingerprint.hash();
+}
+
+}  // namespace meristem

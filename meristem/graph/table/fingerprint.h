@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "meristem/base/expression/expression.h"
+#include "meristem/graph/table/value.h"
+
+namespace meristem {
+
+/// Hash of what a document says in one place: the value, the constants whose names occur in its texts, and what stands
+/// in the `files` that were read with it; where there are such, all constants. Nothing where a file is none to be read
+/// twice, such as a pipe.
+std::optional<std::uint64_t> fingerprint_of(const Value& value, std::span<const ExpressionNames::Constant> constants,
+                                            std::span<const std::string> files, std::uint64_t file_bytes);
+
+}  // namespace meristem

@@ -1,0 +1,435 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/graph/table/reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "meristem/base/hash.h"
+#include "meristem/base/read_file.h"
+
+namespace meristem {
+
+namespace {
+
+/// The byte at which a character of a line begins, both counted from 0; the text's end where there is none.
+std::size_t byte_offset(std::string_view text, std::size_t line, std::size_t column) {
+  std::size_t at = 0;
+  for (; line > 0; --line) {
+    const std::size_t end = text.find('\n', at);
+    if (end == std::string_view::npos) return text.size();
+    at = end + 1;
+  }
+  const auto continues = [&](std::size_t byte) { return (static_cast<unsigned char>(text[byte]) & 0xc0U) == 0x80U; };
+  for (; column > 0 && at < text.size() && text[at] != '\n'; --column) {
+    ++at;
+    while (at < text.size() && continues(at)) ++at;
+  }
+  return at;
+}
+
+/// "fir.txt:3:7", as far as it is known.
+std::string place_in_file(const Diagnostic& found, const std::string& file) {
+  std::string place = file;
+  if (found.line > 0) place += fmt::format(":{}", found.line);
+  if (found.column > 0) place += fmt::format(":{}", found.column);
+  return place;
+}
+
+double document_scale(Unit unit) { return unit == Unit::degree ? kPi / 180 : 1; }
+
+bool is_in_range(const NumberForm& form, double value) {
+  return std::isfinite(value) && value <= form.max && (form.above_min ? value > form.min : value >= form.min);
+}
+
+bool is_any_of(std::string_view name, const std::vector<std::string>& names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The value of an expression that is the same for all instances.
+std::optional<double> constant_of(const Varying& varying) {
+  if (!varying.expression || !varying.expression->is_constant()) return std::nullopt;
+  return varying.expression->evaluate(std::vector<double>(site_variables().size()));
+}
+
+/// What is left of a path after the component's own part: "components.leaf.curl" -> "curl".
+std::string_view path_in_component(std::string_view path) {
+  for (int level = 0; level < 2; ++level) {
+    const std::size_t dot = path.find('.');
+    if (dot == std::string_view::npos) break;
+    path.remove_prefix(dot + 1);
+  }
+  return path;
+}
+
+}  // namespace
+
+void ParameterReader::fault(const Place& place, std::string message, std::string expected, std::string nearest,
+                            int text_offset) {
+  if (++faults_ > limits_.diagnostics) return;
+  diagnostics_.push_back({.message = std::move(message),
+                          .expected = std::move(expected),
+                          .nearest = std::move(nearest),
+                          .path = place.text(),
+                          .file = {},
+                          .text_offset = text_offset});
+}
+
+void ParameterReader::fault_name(const Place& place, std::string message, std::string expected, std::string nearest) {
+  fault(place, std::move(message), std::move(expected), std::move(nearest), kAtName);
+}
+
+std::string ParameterReader::nearest(std::string_view name, std::span<const std::string> candidates) const {
+  return faults_ < limits_.diagnostics ? nearest_name(name, candidates) : std::string();
+}
+
+void ParameterReader::warn(const Place& place, std::string message) {
+  if (diagnostics_.size() > 2 * limits_.diagnostics) return;
+  diagnostics_.push_back({.severity = Severity::warning,
+                          .message = std::move(message),
+                          .expected = {},
+                          .nearest = {},
+                          .path = place.text(),
+                          .file = {}});
+}
+
+void ParameterReader::fault_limit(const Place& place, std::string_view what, double wanted, std::uint64_t limit,
+                                  std::string_view limit_name) {
+  if (++faults_ > limits_.diagnostics) return;
+  diagnostics_.push_back(limit_diagnostic(what, wanted, limit, limit_name, place.text()));
+}
+
+void ParameterReader::wrong_kind(const Parameter& parameter, const Value& value, const Place& place) {
+  fault(place, fmt::format("'{}' cannot be {}", parameter.name, value.description()), parameter.expectation());
+}
+
+void ParameterReader::read(const ParameterTable& table, void* object, const Value& value, const Place& place) {
+  this->object(table, object, value, place);
+}
+
+std::vector<Varying> ParameterReader::read_varying(const ParameterTable& table, void* object, std::size_t size,
+                                                   const Value& value, const Place& place) {
+  varying_begin_ = static_cast<std::byte*>(object);
+  varying_end_ = varying_begin_ + size;
+  varyings_.clear();
+  this->object(table, object, value, place);
+  varying_begin_ = varying_end_ = nullptr;
+  return std::move(varyings_);
+}
+
+void ParameterReader::object(const ParameterTable& table, void* object, const Value& value, const Place& place) {
+  const Value::Object* members = value.object();
+  if (members == nullptr) {
+    if (const Parameter* bare = table.shorthand.empty() ? nullptr : table.find(table.shorthand)) {
+      bare->read(*bare, object, value, place, *this);
+    } else {
+      fault(place, fmt::format("{} cannot be {}", table.name, value.description()),
+            fmt::format("an object with {}", fmt::join(table.names(), ", ")));
+    }
+    return;
+  }
+  const std::size_t faults_before = faults_;
+
+  // Each member is read by its row; unknown ones are named with the nearest known.
+  std::set<std::string_view> given;
+  for (const auto& [name, member] : *members) {
+    const Place member_place(place, name);
+    const Parameter* row = table.find(name);
+    if (row == nullptr && is_any_of(name, table.elsewhere)) continue;
+    if (row == nullptr) {
+      const std::vector<std::string> names = table.names();
+      const std::string similar = nearest(name, names);
+      fault_name(member_place, fmt::format("'{}' is not a parameter of {}", name, table.name),
+                 similar.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", similar);
+      continue;
+    }
+    given.insert(row->name);
+    row->read(*row, object, member, member_place, *this);
+  }
+
+  // What must be there is there.
+  for (const Parameter& row : table.parameters) {
+    if (row.required && !given.contains(row.name)) {
+      fault(place, fmt::format("{} has no '{}'", table.name, row.name), row.expectation());
+    }
+  }
+  for (const std::vector<std::string>& group : table.one_of) {
+    const auto count =
+        std::count_if(group.begin(), group.end(), [&](const auto& name) { return given.contains(name); });
+    if (count != 1) {
+      fault(place,
+            fmt::format("{} has {} of {}", table.name, count == 0 ? "none" : "more than one", fmt::join(group, ", ")),
+            "exactly one of them");
+    }
+  }
+  check_company(table, *members, place);
+  if (table.check && faults_ == faults_before) table.check(object, place, *this);
+  if (table.prepare && faults_ == faults_before) table.prepare(object, place, *this);
+}
+
+void ParameterReader::check_company(const ParameterTable& table, const Value::Object& given, const Place& place) {
+  const auto is_given = [&](const std::string& name) {
+    return std::any_of(given.begin(), given.end(), [&](const Value::Member& member) { return member.first == name; });
+  };
+  for (const ParameterTable::Company& rule : table.company) {
+    if (!is_given(rule.parameter) || is_given(rule.other) == rule.is_wanted) continue;
+    fault_name(
+        Place(place, rule.parameter),
+        fmt::format("'{}' has no meaning {} '{}'", rule.parameter, rule.is_wanted ? "without" : "beside", rule.other),
+        rule.is_wanted ? fmt::format("'{}' beside it", rule.other) : "only one of them", "");
+  }
+}
+
+bool ParameterReader::check_range(const Parameter& parameter, double value, const Place& place, std::string_view what) {
+  if (is_in_range(parameter.form, value)) return true;
+  fault(place, fmt::format("{} {:.12g} is out of range for '{}'", what, value, parameter.name),
+        parameter.expectation());
+  return false;
+}
+
+std::optional<Expression> ParameterReader::expression(const Value& value, const Place& place,
+                                                      std::span<const std::string> variables) {
+  const std::string* text = value.text();
+  if (text == nullptr) {
+    fault(place, fmt::format("an expression cannot be {}", value.description()), "a text with an expression");
+    return std::nullopt;
+  }
+  try {
+    const ExpressionNames names{.variables = {variables.begin(), variables.end()}, .constants = constants_};
+    return Expression::compile(*text, names, limits_.expression_bytes);
+  } catch (const ExpressionError& error) {
+    const ExpressionFault& found = error.fault();
+    fault(place, found.message, found.expected, found.nearest, static_cast<int>(found.offset));
+    return std::nullopt;
+  }
+}
+
+std::optional<double> ParameterReader::number(const Parameter& parameter, const Value& value, const Place& place) {
+  if (const double* plain = value.number()) {
+    if (parameter.kind == ParameterKind::integer && *plain != std::floor(*plain)) {
+      fault(place, fmt::format("'{}' cannot be the fraction {:.12g}", parameter.name, *plain), parameter.expectation());
+      return std::nullopt;
+    }
+    return check_range(parameter, *plain, place, "the value") ? std::optional(*plain) : std::nullopt;
+  }
+  if (value.text() == nullptr) {
+    wrong_kind(parameter, value, place);
+    return std::nullopt;
+  }
+  const std::optional<Expression> compiled = expression(value, place, site_variables());
+  if (!compiled) return std::nullopt;
+  if (!compiled->is_constant()) {
+    fault(place,
+          fmt::format("'{}' is one number for all instances, and this expression differs between them", parameter.name),
+          "an expression of numbers and the document's variables");
+    return std::nullopt;
+  }
+  const double result = compiled->evaluate(std::vector<double>(site_variables().size()));
+  return check_range(parameter, result, place, "the expression's value") ? std::optional(result) : std::nullopt;
+}
+
+bool ParameterReader::may_vary(const Parameter& parameter, const void* member) const {
+  const auto* address = static_cast<const std::byte*>(member);
+  return !parameter.form.fixed && varying_begin_ <= address && address < varying_end_;
+}
+
+void ParameterReader::store_number(const Parameter& parameter, const Value& value, const Place& place,
+                                   const NumberSlot& slot) {
+  const double scale = document_scale(parameter.form.unit);
+  const bool is_plain = value.number() != nullptr || (value.text() != nullptr && !may_vary(parameter, slot.member));
+  const auto store = [&](double number) { slot.store(slot.member, number * scale); };
+  if (is_plain) {
+    if (const std::optional<double> given = number(parameter, value, place)) store(*given);
+    return;
+  }
+  if (!may_vary(parameter, slot.member)) {
+    if (value.list() == nullptr && value.find("range") == nullptr && value.find("apply") == nullptr) {
+      return wrong_kind(parameter, value, place);
+    }
+    fault(place,
+          fmt::format("'{}' is one number for all instances and cannot be {}", parameter.name, value.description()),
+          parameter.expectation());
+    return;
+  }
+  std::optional<Varying> read = varying(parameter, value, place, slot.present);
+  if (!read) return;
+  if (const std::optional<double> constant = constant_of(*read)) {
+    if (check_range(parameter, *constant, place, "the expression's value")) store(*constant);
+    return;
+  }
+  read->store = slot.store;
+  read->offset = static_cast<std::size_t>(static_cast<std::byte*>(slot.member) - varying_begin_);
+  // Until an instance has its own value the member has the default, so that rules between parameters see it as given.
+  store(slot.present);
+  varyings_.push_back(std::move(*read));
+}
+
+void ParameterReader::store_per_child(const Parameter& parameter, const Value& value, const Place& place,
+                                      PerChild& number) {
+  const double scale = document_scale(parameter.form.unit);
+  std::optional<Varying> read;
+  std::optional<double> plain;
+  if (value.number() != nullptr) {
+    plain = this->number(parameter, value, place);
+  } else {
+    read = varying(parameter, value, place, number.plain / scale);
+    if (read) plain = constant_of(*read);
+    if (plain && !check_range(parameter, *plain, place, "the expression's value")) return;
+  }
+  if (plain) {
+    number = PerChild(*plain * scale);
+  } else if (read) {
+    number.varying = std::move(read);
+  }
+}
+
+/// A range, an expression, or an object with both; empty after a fault. `present` is what an expression alone sees as
+/// v.
+std::optional<Varying> ParameterReader::varying(const Parameter& parameter, const Value& value, const Place& place,
+                                                double present) {
+  const Value* range = value.list() != nullptr ? &value : value.find("range");
+  const Value* apply = value.object() != nullptr ? value.find("apply") : value.text() != nullptr ? &value : nullptr;
+  if (range == nullptr && apply == nullptr) {
+    wrong_kind(parameter, value, place);
+    return std::nullopt;
+  }
+  const std::size_t faults_before = faults_;
+  if (const Value::Object* members = value.object()) {
+    for (const auto& [name, member_value] : *members) {
+      if (name != "range" && name != "apply") {
+        fault(Place(place, name), fmt::format("'{}' does not belong to a value", name), "range and apply",
+              nearest(name, std::vector<std::string>{"range", "apply"}));
+      }
+    }
+  }
+  Varying varying{.path = place.text(),
+                  .min = parameter.form.min,
+                  .max = parameter.form.max,
+                  .scale = document_scale(parameter.form.unit)};
+  varying.name_hash = hash64(path_in_component(varying.path));
+  if (parameter.form.above_min) varying.min = std::nextafter(static_cast<float>(varying.min), HUGE_VALF);
+  varying.first = varying.last = present;
+  if (range != nullptr) {
+    const Value::List* ends = range->list();
+    if (ends == nullptr || ends->size() != 2) {
+      fault(place, fmt::format("the range of '{}' is {}", parameter.name, range->description()),
+            "a list of two numbers");
+      return std::nullopt;
+    }
+    const auto first = number(parameter, (*ends)[0], Place(place, std::size_t{0}));
+    const auto last = number(parameter, (*ends)[1], Place(place, std::size_t{1}));
+    varying.first = first.value_or(0);
+    varying.last = last.value_or(0);
+  }
+  if (apply != nullptr) {
+    const Place apply_place(place, "apply");
+    varying.expression = expression(*apply, value.text() != nullptr ? place : apply_place, site_variables());
+  }
+  return faults_ == faults_before ? std::optional(std::move(varying)) : std::nullopt;
+}
+
+const std::string* ParameterReader::text(const Parameter& parameter, const Value& value, const Place& place) {
+  if (value.text() == nullptr) wrong_kind(parameter, value, place);
+  return value.text();
+}
+
+void ParameterReader::file(const Parameter& parameter, const Value& value, const Place& place,
+                           FunctionRef<void(const std::string& path)> load) {
+  const std::string* given = text(parameter, value, place);
+  if (given == nullptr) return;
+  const std::filesystem::path folder(folder_);
+  const std::string path = given->empty() ? "" : (folder / *given).string();
+  files_.push_back(path);
+  try {
+    load(path);
+  } catch (const InputError& error) {
+    for (const Diagnostic& found : error.diagnostics()) report_in_file(found, *given, place);
+  } catch (const MachineError& error) {
+    fault(place, error.what());
+  }
+}
+
+/// One fault says both places: this one, and the one in the file.
+void ParameterReader::report_in_file(const Diagnostic& found, const std::string& file, const Place& place) {
+  const std::filesystem::path folder(folder_);
+  Diagnostic told = found;
+  told.message = fmt::format("'{}': {}", place_in_file(found, file), found.message);
+  // The nearest file is named as the document would name it.
+  if (!folder_.empty() && told.nearest.starts_with((folder / "").string())) {
+    told.nearest.erase(0, (folder / "").string().size());
+  }
+  report(place, told, -1);
+}
+
+void ParameterReader::report(const Place& place, const Diagnostic& found, int text_offset) {
+  if (found.severity == Severity::warning) {
+    warn(place, found.message);
+  } else {
+    fault(place, found.message, found.expected, found.nearest, text_offset);
+  }
+}
+
+void ParameterReader::report_in_text(const Diagnostic& found, const Value& value, const Place& place) {
+  Diagnostic told = found;
+  if (!found.file.empty()) {
+    told.message = fmt::format("'{}': {}", place_in_file(found, found.file), found.message);
+    return report(place, told, -1);
+  }
+  if (found.line < 1) return report(place, told, -1);
+  auto line = static_cast<std::size_t>(found.line - 1);
+  const auto column = static_cast<std::size_t>(std::max(found.column, 1) - 1);
+  if (value.list() == nullptr) return report(place, told, static_cast<int>(byte_offset(*value.text(), line, column)));
+  // An element may hold several lines.
+  const Value::List& elements = *value.list();
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    const std::string& text = *elements[k].text();
+    const auto own = static_cast<std::size_t>(std::ranges::count(text, '\n')) + 1;
+    if (line < own) return report(Place(place, k), told, static_cast<int>(byte_offset(text, line, column)));
+    line -= own;
+  }
+  report(place, told, -1);
+}
+
+void ParameterReader::lines(const Parameter& parameter, const Value& value, const Place& place, ReadText read) {
+  std::string text;
+  if (const Value::List* lines = value.list()) {
+    for (std::size_t k = 0; k < lines->size(); ++k) {
+      const std::string* line = (*lines)[k].text();
+      if (line == nullptr) return wrong_kind(parameter, (*lines)[k], Place(place, k));
+      text += *line + '\n';
+    }
+  } else if (value.text() != nullptr) {
+    text = *value.text();
+  } else {
+    return wrong_kind(parameter, value, place);
+  }
+  std::vector<Diagnostic> warnings;
+  try {
+    read(text, (std::filesystem::path(folder_) / "").string(), warnings);
+  } catch (const InputError& error) {
+    for (const Diagnostic& found : error.diagnostics()) report_in_text(found, value, place);
+  }
+  for (const Diagnostic& found : warnings) report_in_text(found, value, place);
+}
+
+void ParameterReader::text_file(const Parameter& parameter, const Value& value, const Place& place, ReadText read) {
+  std::vector<Diagnostic> warnings;
+  file(parameter, value, place,
+       [&](const std::string& path) { read(read_file(path, limits_.file_bytes), path, warnings); });
+  for (const Diagnostic& found : warnings) report_in_file(found, *value.text(), place);
+}
+
+std::optional<std::size_t> ParameterReader::choice(const Parameter& parameter, const Value& value, const Place& place) {
+  const std::string* given = text(parameter, value, place);
+  if (given == nullptr) return std::nullopt;
+  const auto found = std::find(parameter.choices.begin(), parameter.choices.end(), *given);
+  if (found != parameter.choices.end()) return static_cast<std::size_t>(found - parameter.choices.begin());
+  fault(place, fmt::format("'{}' is not a value of '{}'", *given, parameter.name), parameter.expectation(),
+        nearest(*given, parameter.choices));
+  return std::nullopt;
+}
+
+}  // namespace meristem

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "meristem/base/expression/expression.h"
+#include "meristem/graph/table/site.h"
+
+namespace meristem {
+
+/// An expression over names that its parameter states, as the document wrote it.
+struct Formula {
+  std::string text;
+  Expression expression;  ///< compiled
+
+  bool operator==(const Formula& other) const { return text == other.text; }
+};
+
+/// One over the places along a stem or over instances, which says yes or no.
+using Condition = Formula;
+
+/// A set of instances: numbers, ranges of numbers with both ends, and conditions over the site variables.
+struct Selection {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges;
+  std::vector<Condition> conditions;
+
+  bool is_empty() const { return ranges.empty() && conditions.empty(); }
+  bool contains(const Site& site, double time) const;
+};
+
+}  // namespace meristem

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "meristem/base/expression/expression.h"
+#include "meristem/graph/table/site.h"
+
+namespace meristem {
+
+/// Writes a number to a struct's member of whatever number type it is.
+using StoreNumber = void (*)(void* member, double value);
+
+/// A parameter that differs from instance to instance: a range over the siblings, an expression, or both.
+///
+/// For child i of n a range gives v = first + i (last - first) / (n - 1), and first when n = 1. The expression is
+/// applied to that v. Results are clamped to the parameter's range; results that are not finite are an InputError at
+/// `path`.
+struct Varying {
+  std::string path;             ///< in the document, for errors: "components.leaf.curl"
+  std::uint64_t name_hash = 0;  ///< of the path within the component: the random stream's purpose
+  double first = 0;             ///< in document units
+  double last = 0;
+  std::optional<Expression> expression;
+  double min = 0, max = 0;  ///< allowed range, in document units
+  double scale = 1;         ///< from document units to the struct's
+  std::size_t offset = 0;   ///< of the member in the struct
+  StoreNumber store = nullptr;
+};
+
+/// A number that differs among the children that one instance makes, or is one for all of them.
+struct PerChild {
+  double plain = 0;                ///< in the struct's unit, where it does not differ
+  std::optional<Varying> varying;  ///< over the children: its i and n are theirs
+
+  PerChild() = default;
+  PerChild(double value) : plain(value) {}  // NOLINT(google-explicit-constructor): a plain number is the usual case
+};
+
+/// The values of many parameters for a block of sites, evaluated together.
+class VaryingValues {
+ public:
+  VaryingValues(std::span<const Varying> varyings, std::span<const Site> sites, double time);
+  /// Stores the values for the k-th site into the struct at `object`.
+  void apply(std::size_t site, void* object) const;
+  /// That of one of them, in the struct's unit.
+  double value(std::size_t varying, std::size_t site) const { return values_[varying * count_ + site]; }
+
+ private:
+  std::span<const Varying> varyings_;
+  std::size_t count_;
+  std::vector<double> values_;  // by varying, then site
+};
+
+}  // namespace meristem

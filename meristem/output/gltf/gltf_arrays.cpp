@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vertices of instances are moved by their frames in batches that stay in the cache until they are written, on all
+// threads, and written in order.
+#include "meristem/output/gltf/gltf_arrays.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include "meristem/base/parallel.h"
+#include "meristem/output/gltf/turned_vectors.h"
+#include "meristem/output/write/block_writer.h"
+
+namespace meristem {
+
+namespace {
+
+// Elements (vertices, triangles) that are computed at once and by one thread; at most 16 bytes each.
+constexpr std::size_t kBatch = std::size_t{1} << 18;
+constexpr std::size_t kBlock = std::size_t{1} << 14;
+
+using Bytes4 = std::array<std::uint8_t, 4>;
+
+bool is_identity(const Frame& frame) { return frame.axes == Mat3(1) && frame.origin == Vec3(0); }
+
+/// A factor on a colour as normalized bytes; the fourth is the opacity.
+Bytes4 bytes_of(Vec3 factor) {
+  const auto byte = [](float channel) { return static_cast<std::uint8_t>(channel * 255 + 0.5F); };
+  return {byte(factor.r), byte(factor.g), byte(factor.b), 255};
+}
+
+class ArrayWriter {
+ public:
+  ArrayWriter(const GltfLayout& layout, AtomicFile& file, Progress& progress)
+      : layout_(layout), file_(file), progress_(progress) {}
+
+  void write() {
+    for (const GltfMesh& mesh : layout_.meshes) {
+      for (const GltfPrimitive& primitive : mesh.primitives) write_primitive(primitive);
+    }
+    if (layout_.has_instance_rows) {
+      for (const GltfComponent& component : layout_.components) {
+        for (const GltfSharedMesh& shared : component.shared) write_rows(shared);
+      }
+    }
+    for (const GltfImage& image : layout_.images) {
+      progress_.check();
+      file_.write(image.png);
+      pad_gltf(file_, image.range.bytes, 0);
+    }
+  }
+
+ private:
+  void write_primitive(const GltfPrimitive& primitive) {
+    if (primitive.has_wide_indices()) {
+      write_indices<std::uint32_t>(primitive);
+    } else {
+      write_indices<std::uint16_t>(primitive);
+    }
+    pad_gltf(file_, primitive.index_range.bytes, 0);
+    for (const GltfPiece& piece : primitive.pieces) write_positions(piece);
+    if (primitive.has.normals) {
+      for (const GltfPiece& piece : primitive.pieces) write_normals(piece);
+    }
+    if (primitive.has.tangents) {
+      for (const GltfPiece& piece : primitive.pieces) write_tangents(piece);
+    }
+    if (primitive.has.uvs) {
+      for (const GltfPiece& piece : primitive.pieces) write_uvs(piece);
+    }
+    if (primitive.has.colours) {
+      const ColourFactors& factors = layout_.factors[layout_.materials[primitive.material].source];
+      for (const GltfPiece& piece : primitive.pieces) write_colours(piece, factors);
+    }
+  }
+
+  template <class Index>
+  void write_indices(const GltfPrimitive& primitive) {
+    using Triangle = std::array<Index, 3>;
+    std::uint64_t base = 0;
+    for (const GltfPiece& piece : primitive.pieces) {
+      const Mesh& mesh = *piece.mesh;
+      const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, Triangle* out) {
+        const auto offset = static_cast<std::uint32_t>(base + frame * mesh.vertex_count());
+        const bool flips = is_mirrored(piece.frames[frame]);
+        for (std::size_t t = first; t < last; ++t) {
+          const auto [a, b, c] = mesh.triangles[t];
+          const auto index = [&](std::uint32_t vertex) { return static_cast<Index>(offset + vertex); };
+          *out++ = flips ? Triangle{index(a), index(c), index(b)} : Triangle{index(a), index(b), index(c)};
+        }
+      };
+      write_elements<Triangle>(piece.frames.size(), mesh.triangle_count(), fill);
+      base += piece.vertex_count();
+    }
+  }
+
+  void write_positions(const GltfPiece& piece) {
+    if (piece.frames.size() == 1 && is_identity(piece.frames[0])) return write_unmoved(piece.mesh->positions);
+    write_vertices<Vec3>(piece,
+                         [](const Mesh& mesh, const Frame& frame, std::size_t first, std::size_t last, Vec3* out) {
+                           for (std::size_t v = first; v < last; ++v) *out++ = frame.point(mesh.positions[v]);
+                         });
+  }
+
+  void write_normals(const GltfPiece& piece) {
+    if (piece.frames.size() == 1 && is_identity(piece.frames[0])) return write_unmoved(piece.mesh->normals);
+    write_vertices<Vec3>(piece,
+                         [](const Mesh& mesh, const Frame& frame, std::size_t first, std::size_t last, Vec3* out) {
+                           const VectorTurner turner(frame);
+                           for (std::size_t v = first; v < last; ++v) *out++ = turner.normal(mesh.normals[v]);
+                         });
+  }
+
+  /// The sign of w stays as it is: a normal map's green points to the upper edge of the picture, to where our v rises,
+  /// though glTF's v falls there.
+  void write_tangents(const GltfPiece& piece) {
+    if (piece.frames.size() == 1 && is_identity(piece.frames[0])) return write_unmoved(piece.mesh->tangents);
+    write_vertices<Vec4>(piece,
+                         [](const Mesh& mesh, const Frame& frame, std::size_t first, std::size_t last, Vec4* out) {
+                           const VectorTurner turner(frame);
+                           for (std::size_t v = first; v < last; ++v) {
+                             *out++ = turner.tangent(mesh.tangents[v], turner.normal(mesh.normals[v]));
+                           }
+                         });
+  }
+
+  /// glTF's pictures begin at their upper edge, ours at the lower.
+  void write_uvs(const GltfPiece& piece) {
+    write_vertices<Vec2>(piece, [](const Mesh& mesh, const Frame&, std::size_t first, std::size_t last, Vec2* out) {
+      for (std::size_t v = first; v < last; ++v) *out++ = Vec2(mesh.uvs[v].x, 1 - mesh.uvs[v].y);
+    });
+  }
+
+  void write_colours(const GltfPiece& piece, const ColourFactors& factors) {
+    const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, Bytes4* out) {
+      std::fill(out, out + (last - first), bytes_of(factors.instance(piece.tint(frame))));
+    };
+    write_elements<Bytes4>(piece.frames.size(), piece.mesh->vertex_count(), fill);
+  }
+
+  /// Writes the places and colours of instances as arrays with a row for each.
+  void write_rows(const GltfSharedMesh& shared) {
+    write_row_array<Vec3>(shared, [&](std::size_t row) { return shared.frame(row).origin; });
+    write_row_array<Vec4>(shared, [&](std::size_t row) {
+      const Mat3 axes = shared.frame(row).axes;
+      const Mat3 turn(glm::normalize(axes[0]), glm::normalize(axes[1]), glm::normalize(axes[2]));
+      const glm::quat rotation = glm::normalize(glm::quat_cast(turn));
+      return Vec4(rotation.x, rotation.y, rotation.z, rotation.w);
+    });
+    write_row_array<Vec3>(shared, [&](std::size_t row) {
+      const Mat3 axes = shared.frame(row).axes;
+      return Vec3(glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]));
+    });
+    if (shared.colour_range.bytes == 0) return;
+    const ColourFactors& factors = layout_.factors[shared.source->material];
+    write_row_array<Bytes4>(shared, [&](std::size_t row) {
+      return bytes_of(factors.instance(shared.source->tint(shared.instances[row])));
+    });
+  }
+
+  template <class Element, class Value>
+  void write_row_array(const GltfSharedMesh& shared, Value value) {
+    const auto fill = [&](std::size_t row, std::size_t, std::size_t, Element* out) { *out = value(row); };
+    write_elements<Element>(shared.instances.size(), 1, fill);
+  }
+
+  /// Writes one vertex attribute; `turn(mesh, frame, first, last, out)` computes it for some vertices of one instance.
+  template <class Element, class Turn>
+  void write_vertices(const GltfPiece& piece, Turn turn) {
+    const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, Element* out) {
+      turn(*piece.mesh, piece.frames[frame], first, last, out);
+    };
+    write_elements<Element>(piece.frames.size(), piece.mesh->vertex_count(), fill);
+  }
+
+  template <class Element>
+  void write_unmoved(const std::vector<Element>& elements) {
+    for (std::size_t start = 0; start < elements.size(); start += kBatch) {
+      progress_.check();
+      const std::size_t size = std::min(kBatch, elements.size() - start);
+      file_.write(std::span<const Element>(elements.data() + start, size));
+      progress_.advance(size);
+    }
+  }
+
+  /// Writes `frames * per_frame` elements. `fill(frame, first, last, out)` computes those from `first` to `last` of one
+  /// frame.
+  template <class Element, class Fill>
+  void write_elements(std::size_t frames, std::size_t per_frame, Fill fill) {
+    const std::size_t count = frames * per_frame;
+    batch_.resize(std::max(batch_.size(), std::min(count, kBatch) * sizeof(Element)));
+    auto* const batch = reinterpret_cast<Element*>(batch_.data());
+    for (std::size_t start = 0; start < count; start += kBatch) {
+      const std::size_t size = std::min(kBatch, count - start);
+      parallel_for(size, kBlock, [&](std::size_t begin, std::size_t end) {
+        progress_.check();
+        Element* out = batch + begin;
+        for_each_run(start + begin, start + end, per_frame,
+                     [&](std::size_t frame, std::size_t first, std::size_t last) {
+                       fill(frame, first, last, out);
+                       out += last - first;
+                     });
+      });
+      file_.write(std::span<const Element>(batch, size));
+      progress_.advance(size);
+    }
+  }
+
+  const GltfLayout& layout_;
+  AtomicFile& file_;
+  Progress& progress_;
+  std::vector<std::byte> batch_;  // kept, so that its memory is used again
+};
+
+}  // namespace
+
+std::uint64_t gltf_element_count(const GltfLayout& layout) {
+  std::uint64_t count = 0;
+  for (const GltfMesh& mesh : layout.meshes) {
+    for (const GltfPrimitive& primitive : mesh.primitives) {
+      const GltfAttributes has = primitive.has;
+      count += primitive.triangles + primitive.vertices * (1 + has.normals + has.uvs + has.tangents + has.colours);
+    }
+  }
+  if (!layout.has_instance_rows) return count;
+  for (const GltfComponent& component : layout.components) {
+    for (const GltfSharedMesh& shared : component.shared) {
+      count += shared.instances.size() * (shared.colour_range.bytes > 0 ? 4 : 3);
+    }
+  }
+  return count;
+}
+
+void write_gltf_arrays(const GltfLayout& layout, AtomicFile& file, Progress& progress) {
+  ArrayWriter(layout, file, progress).write();
+}
+
+void pad_gltf(AtomicFile& file, std::uint64_t bytes, char with) {
+  const std::array<char, 4> padding{with, with, with, with};
+  file.write(padding.data(), (4 - bytes % 4) % 4);
+}
+
+}  // namespace meristem

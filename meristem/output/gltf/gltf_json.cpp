@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: Apache-2.0
+// All but the nodes is built as one JSON value; nodes, of which there may be millions, are written as text directly.
+#include "meristem/output/gltf/gltf_json.h"
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace meristem {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Numbers that glTF gives to OpenGL's names.
+constexpr int kUnsignedByte = 5121;
+constexpr int kUnsignedShort = 5123;
+constexpr int kUnsignedInt = 5125;
+constexpr int kFloat = 5126;
+constexpr int kArrayBuffer = 34962;
+constexpr int kElementArrayBuffer = 34963;
+constexpr int kLinear = 9729;
+constexpr int kLinearMipmapLinear = 9987;
+constexpr int kRepeat = 10497;
+
+constexpr const char* kTransmission = "KHR_materials_diffuse_transmission";
+constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
+
+/// The double with the fewest digits that rounds to `value`: 0.8 and not 0.800000011920929.
+double shortest(float value) {
+  const std::string digits = fmt::format("{}", value);
+  double result = value;
+  std::from_chars(digits.data(), digits.data() + digits.size(), result);
+  return result;
+}
+
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+Json asset(const Provenance& provenance, const Json& extras) {
+  Json json{{"version", "2.0"}, {"generator", "Meristem " + provenance.version}};
+  std::string copyright = provenance.author;
+  if (!provenance.licence.empty()) copyright += (copyright.empty() ? "" : ", ") + provenance.licence;
+  if (!copyright.empty()) json["copyright"] = copyright;
+  json["extras"] = extras;
+  return json;
+}
+
+Json extras(const Provenance& provenance) {
+  Json json{{"name", provenance.name}, {"seed", provenance.seed}, {"version", provenance.version}};
+  if (!provenance.author.empty()) json["author"] = provenance.author;
+  if (!provenance.licence.empty()) json["licence"] = provenance.licence;
+  return json;
+}
+
+Json triple(Vec3 value) { return {shortest(value.x), shortest(value.y), shortest(value.z)}; }
+
+bool transmits(const Material& material) { return material.two_sided && material.translucency > 0; }
+
+Json material_json(const GltfLayout& layout, const GltfMaterial& made, const Material& material) {
+  const auto texture = std::find_if(layout.textures.begin(), layout.textures.end(),
+                                    [&](const GltfTexture& known) { return known.source == made.texture; });
+  const bool has_texture = texture != layout.textures.end();
+  const auto picture = [](std::size_t image) { return Json{{"index", image}}; };
+  const bool has_colours = has_texture && texture->colour != GltfTexture::kNoImage;
+
+  Json base = triple(made.base);
+  base.push_back(1);
+  Json surface{{"baseColorFactor", std::move(base)}};
+  if (has_colours) surface["baseColorTexture"] = picture(texture->colour);
+  surface["metallicFactor"] = 0;
+  surface["roughnessFactor"] = shortest(material.roughness);
+
+  Json json{{"name", made.name}, {"pbrMetallicRoughness", std::move(surface)}};
+  if (has_texture && texture->normals != GltfTexture::kNoImage) json["normalTexture"] = picture(texture->normals);
+  if (has_colours && made.texture->masked) {
+    json["alphaMode"] = "MASK";
+    json["alphaCutoff"] = 0.5;
+  }
+  json["doubleSided"] = material.two_sided;
+  if (transmits(material)) {
+    Json transmission{{"diffuseTransmissionFactor", shortest(material.translucency)},
+                      {"diffuseTransmissionColorFactor", triple(made.transmitted)}};
+    if (has_colours) transmission["diffuseTransmissionColorTexture"] = picture(texture->colour);
+    json["extensions"][kTransmission] = std::move(transmission);
+  }
+  return json;
+}
+
+/// Adds `textures` with what they are made of; each of the layout's images is one.
+void add_textures(const GltfLayout& layout, Json& root) {
+  if (layout.images.empty()) return;
+  for (std::size_t k = 0; k < layout.images.size(); ++k) {
+    const GltfImage& image = layout.images[k];
+    root["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", image.range.offset}, {"byteLength", image.range.bytes}});
+    root["images"].push_back(
+        {{"name", image.name}, {"mimeType", "image/png"}, {"bufferView", root["bufferViews"].size() - 1}});
+    root["textures"].push_back({{"sampler", 0}, {"source", k}});
+  }
+  root["samplers"] = {
+      {{"magFilter", kLinear}, {"minFilter", kLinearMipmapLinear}, {"wrapS", kRepeat}, {"wrapT", kRepeat}}};
+}
+
+/// The `meshes`, `accessors` and `bufferViews` of a file, filled side by side.
+class ArrayTables {
+ public:
+  explicit ArrayTables(const GltfLayout& layout) {
+    for (const GltfMesh& mesh : layout.meshes) {
+      Json primitives = Json::array();
+      for (const GltfPrimitive& primitive : mesh.primitives) primitives.push_back(add_primitive(primitive));
+      meshes_.push_back({{"name", mesh.name}, {"primitives", std::move(primitives)}});
+    }
+    if (!layout.has_instance_rows) return;
+    for (const GltfComponent& component : layout.components) {
+      for (const GltfSharedMesh& shared : component.shared) add_rows(shared);
+    }
+  }
+
+  /// The `extensions` of the nodes that stand for shared meshes, in the order of the layout, as text.
+  const std::vector<std::string>& rows() const { return rows_; }
+
+  void move_into(Json& root) {
+    root["meshes"] = std::move(meshes_);
+    root["accessors"] = std::move(accessors_);
+    root["bufferViews"] = std::move(views_);
+  }
+
+ private:
+  Json add_primitive(const GltfPrimitive& primitive) {
+    const int index_type = primitive.has_wide_indices() ? kUnsignedInt : kUnsignedShort;
+    const std::size_t indices =
+        add_accessor(primitive.index_range, kElementArrayBuffer, index_type, primitive.triangles * 3, "SCALAR");
+    Json attributes{{"POSITION", add_vertices(primitive.position_range, primitive, "VEC3")}};
+    // Bounds as doubles with all digits, so that they equal the floats they bound.
+    const auto [low, high] = primitive.bounds;
+    accessors_.back()["min"] = {double{low.x}, double{low.y}, double{low.z}};
+    accessors_.back()["max"] = {double{high.x}, double{high.y}, double{high.z}};
+    if (primitive.has.normals) attributes["NORMAL"] = add_vertices(primitive.normal_range, primitive, "VEC3");
+    if (primitive.has.tangents) attributes["TANGENT"] = add_vertices(primitive.tangent_range, primitive, "VEC4");
+    if (primitive.has.uvs) attributes["TEXCOORD_0"] = add_vertices(primitive.uv_range, primitive, "VEC2");
+    if (primitive.has.colours) {
+      attributes["COLOR_0"] = add_bytes(primitive.colour_range, kArrayBuffer, primitive.vertices);
+    }
+    return {{"attributes", std::move(attributes)}, {"indices", indices}, {"material", primitive.material}};
+  }
+
+  std::size_t add_vertices(GltfRange range, const GltfPrimitive& primitive, const char* type) {
+    return add_accessor(range, kArrayBuffer, kFloat, primitive.vertices, type);
+  }
+
+  /// Four normalized bytes an element.
+  std::size_t add_bytes(GltfRange range, int target, std::uint64_t count) {
+    const std::size_t accessor = add_accessor(range, target, kUnsignedByte, count, "VEC4");
+    accessors_[accessor]["normalized"] = true;
+    return accessor;
+  }
+
+  /// A view and its accessor; `target` is 0 for what goes to no vertex.
+  std::size_t add_accessor(GltfRange range, int target, int component_type, std::uint64_t count, const char* type) {
+    views_.push_back({{"buffer", 0}, {"byteOffset", range.offset}, {"byteLength", range.bytes}});
+    if (target != kNoTarget) views_.back()["target"] = target;
+    accessors_.push_back(
+        {{"bufferView", views_.size() - 1}, {"componentType", component_type}, {"count", count}, {"type", type}});
+    return accessors_.size() - 1;
+  }
+
+  /// The arrays of one shared mesh whose instances are rows.
+  void add_rows(const GltfSharedMesh& shared) {
+    const std::uint64_t rows = shared.instances.size();
+    Json attributes{{"TRANSLATION", add_accessor(shared.translation_range, kNoTarget, kFloat, rows, "VEC3")},
+                    {"ROTATION", add_accessor(shared.rotation_range, kNoTarget, kFloat, rows, "VEC4")},
+                    {"SCALE", add_accessor(shared.scale_range, kNoTarget, kFloat, rows, "VEC3")}};
+    if (shared.colour_range.bytes > 0) attributes["_COLOR_0"] = add_bytes(shared.colour_range, kNoTarget, rows);
+    rows_.push_back(text_of({{kInstancing, {{"attributes", std::move(attributes)}}}}));
+  }
+
+  static constexpr int kNoTarget = 0;
+
+  Json meshes_ = Json::array();
+  Json accessors_ = Json::array();
+  Json views_ = Json::array();
+  std::vector<std::string> rows_;
+};
+
+/// Writes the `nodes` array: the components first, then their shared instances in the same order. `rows` are the
+/// extensions of shared meshes whose instances are no nodes.
+class NodeWriter {
+ public:
+  NodeWriter(const GltfLayout& layout, const std::vector<std::string>& rows, FunctionRef<void(std::string_view)> sink,
+             Progress& progress)
+      : layout_(layout), rows_(rows), sink_(sink), progress_(progress) {}
+
+  void write() {
+    text_ = ",\"nodes\":[";
+    std::size_t next_child = layout_.components.size();
+    for (const GltfComponent& component : layout_.components) next_child = write_component(component, next_child);
+    for (const GltfComponent& component : layout_.components) write_instances(component);
+    text_.back() = ']';  // in place of the last comma
+    sink_(text_);
+  }
+
+ private:
+  std::size_t write_component(const GltfComponent& component, std::size_t first_child) {
+    append("{{\"name\":{}", text_of(component.name));
+    if (component.baked_mesh != GltfComponent::kNoMesh) append(",\"mesh\":{}", component.baked_mesh);
+    const std::size_t end = first_child + child_count(component);
+    if (end > first_child) {
+      append(",\"children\":[");
+      for (std::size_t child = first_child; child < end; ++child) append("{},", child);
+      text_.back() = ']';
+    }
+    append("}},");
+    return end;
+  }
+
+  std::size_t child_count(const GltfComponent& component) const {
+    if (layout_.has_instance_rows) return component.shared.size();
+    std::size_t count = 0;
+    for (const GltfSharedMesh& shared : component.shared) count += shared.instances.size();
+    return count;
+  }
+
+  void write_instances(const GltfComponent& component) {
+    for (const GltfSharedMesh& shared : component.shared) {
+      if (layout_.has_instance_rows) {
+        append("{{\"mesh\":{},\"extensions\":{}}},", shared.mesh, rows_[next_rows_++]);
+        continue;
+      }
+      for (std::size_t row = 0; row < shared.instances.size(); ++row) write_instance(shared.mesh, shared.frame(row));
+    }
+  }
+
+  void write_instance(std::size_t mesh, const Frame& frame) {
+    append("{{\"mesh\":{}", mesh);
+    if (frame.axes != Mat3(1) || frame.origin != Vec3(0)) {
+      const Vec3 x = frame.axes[0];
+      const Vec3 y = frame.axes[1];
+      const Vec3 z = frame.axes[2];
+      const Vec3 o = frame.origin;
+      append(",\"matrix\":[{},{},{},0,{},{},{},0,{},{},{},0,{},{},{},1]", x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z,
+             o.x, o.y, o.z);
+    }
+    append("}},");
+  }
+
+  template <class... Values>
+  void append(fmt::format_string<const Values&...> format, const Values&... values) {
+    fmt::format_to(std::back_inserter(text_), format, values...);
+    constexpr std::size_t kPiece = 1 << 16;
+    if (text_.size() < kPiece) return;
+    progress_.check();
+    // The last byte stays, as it may be a comma that has to go.
+    const char last = text_.back();
+    text_.pop_back();
+    sink_(text_);
+    text_.assign(1, last);
+  }
+
+  const GltfLayout& layout_;
+  const std::vector<std::string>& rows_;
+  FunctionRef<void(std::string_view)> sink_;
+  Progress& progress_;
+  std::string text_;
+  std::size_t next_rows_ = 0;
+};
+
+/// The extensions that are used; a reader may know none of them.
+Json extensions_used(const GltfLayout& layout, const std::vector<Material>& materials) {
+  Json used = Json::array();
+  const auto is_transmitting = [&](const GltfMaterial& made) { return transmits(materials[made.source]); };
+  if (std::any_of(layout.materials.begin(), layout.materials.end(), is_transmitting)) used.push_back(kTransmission);
+  const auto shares = [](const GltfComponent& component) { return !component.shared.empty(); };
+  if (layout.has_instance_rows && std::any_of(layout.components.begin(), layout.components.end(), shares)) {
+    used.push_back(kInstancing);
+  }
+  return used;
+}
+
+Json scene_json(const GltfLayout& layout, const Provenance& provenance, const Json& extras) {
+  Json json = Json::object();
+  if (!provenance.name.empty()) json["name"] = provenance.name;
+  if (!layout.components.empty()) {
+    Json roots = Json::array();
+    for (std::size_t node = 0; node < layout.components.size(); ++node) roots.push_back(node);
+    json["nodes"] = std::move(roots);
+  }
+  json["extras"] = extras;
+  return json;
+}
+
+}  // namespace
+
+void emit_gltf_json(const GltfLayout& layout, const std::vector<Material>& materials, const Provenance& provenance,
+                    FunctionRef<void(std::string_view)> sink, Progress& progress) {
+  const Json extras_json = extras(provenance);
+  Json root{{"asset", asset(provenance, extras_json)},
+            {"scene", 0},
+            {"scenes", {scene_json(layout, provenance, extras_json)}}};
+  // glTF forbids empty arrays, so a scene without triangles has none of the rest.
+  if (layout.meshes.empty()) return sink(text_of(root));
+  if (Json used = extensions_used(layout, materials); !used.empty()) root["extensionsUsed"] = std::move(used);
+  for (const GltfMaterial& made : layout.materials) {
+    root["materials"].push_back(material_json(layout, made, materials[made.source]));
+  }
+  ArrayTables tables(layout);
+  tables.move_into(root);
+  add_textures(layout, root);
+  root["buffers"] = {{{"byteLength", layout.binary_bytes}}};
+  std::string text = text_of(root);
+  text.pop_back();  // the closing brace, for the nodes
+  sink(text);
+  NodeWriter(layout, tables.rows(), sink, progress).write();
+  sink("}");
+}
+
+}  // namespace meristem

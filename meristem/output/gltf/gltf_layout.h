@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a binary glTF will hold and where, decided before the first byte is written: which instances are baked into one
+// mesh, which are nodes or instances that share a mesh, how colours are split into factors, and the place of every
+// array and picture in the binary chunk.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "meristem/base/frame.h"
+#include "meristem/base/image.h"
+#include "meristem/base/progress.h"
+#include "meristem/output/gltf/gltf.h"
+#include "meristem/output/write/colour_factors.h"
+#include "meristem/shape/mesh_scene.h"
+
+namespace meristem {
+
+/// A mesh whose vertices are written once for every frame, moved by it.
+struct GltfPiece {
+  const Mesh* mesh = nullptr;
+  std::span<const Frame> frames;
+  std::span<const Vec3> tints;  ///< one a frame; empty where all are 1
+
+  std::uint64_t vertex_count() const { return mesh->vertex_count() * frames.size(); }
+  std::uint64_t triangle_count() const { return mesh->triangle_count() * frames.size(); }
+  Vec3 tint(std::size_t frame) const { return tints.empty() ? Vec3(1) : tints[frame]; }
+};
+
+/// Where an array stands in the binary chunk; no bytes, no array.
+struct GltfRange {
+  std::uint64_t offset = 0;
+  std::uint64_t bytes = 0;
+};
+
+/// Which arrays the vertices of a primitive have besides positions.
+struct GltfAttributes {
+  bool normals = false;
+  bool uvs = false;
+  bool tangents = false;
+  bool colours = false;  ///< tints of instances, as factors on the material's colour
+
+  bool operator==(const GltfAttributes&) const = default;
+};
+
+/// Pieces of one material with the same vertex attributes, as one primitive.
+struct GltfPrimitive {
+  std::size_t material = 0;  ///< index into GltfLayout::materials
+  GltfAttributes has;
+  std::vector<GltfPiece> pieces;
+  std::uint64_t vertices = 0;
+  std::uint64_t triangles = 0;
+  Box bounds;  ///< of all positions as they are written, exact
+  GltfRange index_range, position_range, normal_range, uv_range, tangent_range, colour_range;
+
+  bool has_wide_indices() const { return vertices > 65535; }
+};
+
+struct GltfMesh {
+  std::string name;
+  std::vector<GltfPrimitive> primitives;
+};
+
+/// Instances that share `mesh`: nodes of their own, or rows of arrays.
+struct GltfSharedMesh {
+  std::size_t mesh = 0;  ///< index into GltfLayout::meshes
+  const MeshInstances* source = nullptr;
+  std::vector<std::uint32_t> instances;  ///< of the source, rising
+  bool is_mirrored = false;              ///< the mesh is its mirror image in x, so that no row has to mirror it
+  GltfRange translation_range, rotation_range, scale_range, colour_range;  ///< where instances are rows
+
+  /// The place of one of `instances`, as the shared mesh needs it.
+  Frame frame(std::size_t row) const;
+};
+
+/// One component of the document: a node of that name with what is baked, and children for what shares a mesh.
+struct GltfComponent {
+  static constexpr std::size_t kNoMesh = SIZE_MAX;
+  std::string name;
+  std::size_t baked_mesh = kNoMesh;  ///< index into GltfLayout::meshes
+  std::vector<GltfSharedMesh> shared;
+};
+
+/// A material of the scene, or one of the colours that its instances have.
+struct GltfMaterial {
+  std::string name;
+  std::uint32_t source = 0;          ///< index into MeshScene::materials
+  const Texture* texture = nullptr;  ///< null where its meshes have no uvs, too
+  Vec3 base{1};                      ///< factor on the texture, linear, at most 1
+  Vec3 transmitted{1};               ///< the same for light that passes through
+};
+
+struct GltfImage {
+  std::string name;
+  std::string png;  ///< the bytes of the file
+  GltfRange range;
+};
+
+/// A texture of the scene: indices into GltfLayout::images.
+struct GltfTexture {
+  static constexpr std::size_t kNoImage = SIZE_MAX;
+  const Texture* source = nullptr;
+  std::size_t colour = kNoImage;
+  std::size_t normals = kNoImage;
+};
+
+struct GltfLayout {
+  std::vector<GltfMesh> meshes;
+  std::vector<GltfComponent> components;
+  std::vector<GltfMaterial> materials;  ///< those in use
+  std::vector<GltfTexture> textures;    ///< of those; materials with the same Texture share it
+  std::vector<GltfImage> images;
+  std::vector<ColourFactors> factors;  ///< of each of MeshScene::materials
+  bool has_instance_rows = false;      ///< instances are rows of arrays, not nodes
+  std::uint64_t binary_bytes = 0;
+  /// Instances that can share no mesh (sheared, or flat); they are baked.
+  std::vector<std::vector<Frame>> inexpressible_frames;
+  std::vector<std::vector<Vec3>> inexpressible_tints;
+
+  GltfLayout() = default;
+  GltfLayout(const GltfLayout&) = delete;  // spans point into it
+  GltfLayout(GltfLayout&&) = default;
+};
+
+/// Lays out everything but the bounds, and makes the pictures' bytes. All of `scene` is baked if it has at most
+/// `flatten_triangles` triangles and is not to be instanced, else only meshes placed once. `scene` must outlive the
+/// result. Throws Cancelled.
+GltfLayout lay_out_gltf(const MeshScene& scene, const GltfOptions& options, Progress& progress);
+
+/// Fills in the bounds of all primitives. Throws Cancelled.
+void measure_bounds(GltfLayout& layout, Progress& progress);
+
+/// True if a node's matrix may hold the frame: invertible, and made of translation, rotation and scale alone.
+bool is_expressible_as_node(const Frame& frame);
+
+}  // namespace meristem

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+// Both files are a header in text, then vertices, then faces or edges as packed records.
+//
+// Based on: G. Turk: The PLY polygon file format (1994). Property names and types are those that Blender, MeshLab and
+// Open3D know.
+#include "meristem/output/mesh/ply.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "meristem/base/atomic_file.h"
+#include "meristem/base/colour.h"
+#include "meristem/base/diagnostic.h"
+#include "meristem/output/skeleton/skeleton_table.h"
+#include "meristem/output/write/block_writer.h"
+#include "meristem/output/write/names.h"
+
+namespace meristem {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "records are written as they lie in memory");
+
+void check_count(std::string_view what, std::uint64_t count) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::int32_t>::max();
+  if (count <= kMost) return;
+  Diagnostic fault;
+  fault.message = fmt::format("the plant has {} {}", count, what);
+  fault.expected = fmt::format("at most {}, the format's limit: fewer organs, or surfaces with fewer triangles", kMost);
+  throw InputError(std::move(fault));
+}
+
+template <class Value>
+void append(std::string& out, const Value& value) {
+  std::array<char, sizeof(Value)> bytes;
+  std::memcpy(bytes.data(), &value, sizeof(Value));
+  out.append(bytes.data(), bytes.size());
+}
+
+/// The first lines of a header.
+std::string header_of(const Provenance& provenance, const std::vector<std::string>& components) {
+  std::string header = "ply\nformat binary_little_endian 1.0\n";
+  for (const std::string& line : provenance_lines(provenance)) header += "comment " + line + "\n";
+  for (std::size_t k = 0; k < components.size(); ++k) {
+    header += fmt::format("comment component {} {}\n", k, single_line(components[k]));
+  }
+  return header;
+}
+
+/// A colour channel as a byte.
+std::uint8_t byte_of(float channel) {
+  return static_cast<std::uint8_t>(std::floor(std::clamp(channel, 0.0F, 1.0F) * 255 + 0.5F));
+}
+
+class MeshPly {
+ public:
+  MeshPly(const MeshScene& scene, AtomicFile& file, Progress& progress)
+      : scene_(scene), file_(file), writer_(file, progress) {
+    for (const MeshInstances& instances : scene.meshes) {
+      has_normals_ |= !instances.mesh->normals.empty();
+      has_uvs_ |= !instances.mesh->uvs.empty();
+      if (components_.empty() || components_.back() != instances.component) {
+        components_.push_back(instances.component);
+      }
+    }
+  }
+
+  void write_header(const Provenance& provenance, std::uint64_t vertices) {
+    std::string header = header_of(provenance, components_);
+    header += fmt::format("element vertex {}\nproperty float x\nproperty float y\nproperty float z\n", vertices);
+    if (has_normals_) header += "property float nx\nproperty float ny\nproperty float nz\n";
+    if (has_uvs_) header += "property float s\nproperty float t\n";
+    header += "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int component\n";
+    header +=
+        fmt::format("element face {}\nproperty list uchar int vertex_indices\nend_header\n", scene_.triangle_count());
+    file_.write(header);
+  }
+
+  void write_vertices() {
+    std::int32_t component = -1;
+    for (std::size_t k = 0; k < scene_.meshes.size(); ++k) {
+      const MeshInstances& instances = scene_.meshes[k];
+      if (k == 0 || instances.component != scene_.meshes[k - 1].component) ++component;
+      const Vec3 colour = scene_.materials[instances.material].colour;
+      const std::string plain_tail = tail_of(colour, component);
+      const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, std::string& out) {
+        const std::string tail =
+            instances.tints.empty()
+                ? plain_tail
+                : tail_of(srgb_from_linear(linear_from_srgb(colour) * instances.tints[frame]), component);
+        for (std::size_t v = first; v < last; ++v) {
+          append_vertex(*instances.mesh, instances.frames[frame], v, out);
+          out += tail;
+        }
+      };
+      write_for_frames(writer_, instances.frames.size(), instances.mesh->vertex_count(), kMostVertexBytes, fill);
+    }
+  }
+
+  void write_faces() {
+    std::size_t base = 0;
+    for (const MeshInstances& instances : scene_.meshes) {
+      const Mesh& mesh = *instances.mesh;
+      const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, std::string& out) {
+        const auto offset = static_cast<std::uint32_t>(base + frame * mesh.vertex_count());
+        const bool flips = is_mirrored(instances.frames[frame]);
+        for (std::size_t t = first; t < last; ++t) {
+          auto [a, b, c] = mesh.triangles[t];
+          if (flips) std::swap(b, c);
+          out += '\3';
+          append(out, std::array{offset + a, offset + b, offset + c});
+        }
+      };
+      write_for_frames(writer_, instances.frames.size(), mesh.triangle_count(), kFaceBytes, fill);
+      base += mesh.vertex_count() * instances.frames.size();
+    }
+  }
+
+ private:
+  static constexpr std::size_t kMostVertexBytes = 8 * 4 + 3 + 4;
+  static constexpr std::size_t kFaceBytes = 1 + 3 * 4;
+
+  /// What all vertices of one colour (sRGB) and component end with.
+  static std::string tail_of(Vec3 colour, std::int32_t component) {
+    std::string tail;
+    for (int channel = 0; channel < 3; ++channel) append(tail, byte_of(colour[channel]));
+    append(tail, component);
+    return tail;
+  }
+
+  void append_vertex(const Mesh& mesh, const Frame& frame, std::size_t v, std::string& out) const {
+    append(out, frame.point(mesh.positions[v]));
+    if (has_normals_) append(out, mesh.normals.empty() ? Vec3(0) : frame.normal(mesh.normals[v]));
+    if (has_uvs_) append(out, mesh.uvs.empty() ? Vec2(0) : mesh.uvs[v]);
+  }
+
+  const MeshScene& scene_;
+  AtomicFile& file_;
+  BlockWriter writer_;
+  std::vector<std::string> components_;
+  bool has_normals_ = false;
+  bool has_uvs_ = false;
+};
+
+/// Columns in the order of the file, indices into the table's: places first, as viewers expect, and without the row's
+/// own number and the label, which is a text.
+std::vector<std::size_t> ply_columns(const SkeletonTable& table) {
+  static constexpr std::array<std::string_view, 8> kFirst{"x", "y", "z", "radius", "parent", "axis", "order", "birth"};
+  const auto rank = [&](std::size_t column) {
+    return std::find(kFirst.begin(), kFirst.end(), table.columns()[column].name) - kFirst.begin();
+  };
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < table.columns().size(); ++k) {
+    const SkeletonColumn& column = table.columns()[k];
+    if (column.name != "node" && column.kind != SkeletonColumn::Kind::label) order.push_back(k);
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+  return order;
+}
+
+bool is_whole(SkeletonColumn::Kind kind) { return kind != SkeletonColumn::Kind::number; }
+
+void write_skeleton_header(const SkeletonTable& table, const std::vector<std::size_t>& columns, std::size_t edges,
+                           const Provenance& provenance, AtomicFile& file) {
+  std::string header = header_of(provenance, table.components());
+  header += fmt::format("element vertex {}\n", table.row_count());
+  std::vector<std::string> names;
+  names.reserve(columns.size());
+  for (const std::size_t column : columns) names.push_back(table.columns()[column].name);
+  names = distinct_words(names);
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const bool whole = is_whole(table.columns()[columns[k]].kind);
+    header += fmt::format("property {} {}\n", whole ? "int" : "float", names[k]);
+  }
+  header += fmt::format("element edge {}\nproperty int vertex1\nproperty int vertex2\nend_header\n", edges);
+  file.write(header);
+}
+
+void write_nodes(const SkeletonTable& table, const std::vector<std::size_t>& columns, BlockWriter& writer) {
+  const auto fill = [&](std::size_t begin, std::size_t end, std::string& out) {
+    table.for_each_row(begin, end, [&](const SkeletonRow& row) {
+      for (const std::size_t column : columns) {
+        const double value = table.value(row, column);
+        if (is_whole(table.columns()[column].kind)) {
+          append(out, static_cast<std::int32_t>(value));
+        } else {
+          append(out, static_cast<float>(value));
+        }
+      }
+    });
+  };
+  writer.write(table.row_count(), 4 * columns.size(), fill);
+}
+
+void write_edges(const SkeletonTable& table, BlockWriter& writer) {
+  const auto fill = [&](std::size_t begin, std::size_t end, std::string& out) {
+    table.for_each_row(begin, end, [&](const SkeletonRow& row) {
+      const auto parent = static_cast<std::int32_t>(table.parent(row));
+      if (parent >= 0) append(out, std::array{parent, static_cast<std::int32_t>(row.row)});
+    });
+  };
+  writer.write(table.row_count(), 8, fill);
+}
+
+std::size_t edge_count(const Plant& plant) {
+  std::size_t count = 0;
+  for (const Stem& stem : plant.stems) {
+    const std::vector<NodeIndex>& parents = stem.skeleton.parent;
+    count += parents.size() - static_cast<std::size_t>(std::count(parents.begin(), parents.end(), kNoNode));
+  }
+  return count;
+}
+
+}  // namespace
+
+void write_mesh_ply(const MeshScene& scene, const std::string& path, const PlyOptions& options, Progress& progress) {
+  std::uint64_t vertices = 0;
+  for (const MeshInstances& instances : scene.meshes) {
+    vertices += instances.mesh->vertex_count() * instances.frames.size();
+  }
+  check_count("vertices", vertices);
+  check_count("triangles", scene.triangle_count());
+  progress.begin("writing PLY", vertices + scene.triangle_count());
+  AtomicFile file(path);
+  MeshPly ply(scene, file, progress);
+  ply.write_header(options.provenance, vertices);
+  ply.write_vertices();
+  ply.write_faces();
+  file.commit();
+}
+
+void write_skeleton_ply(const Plant& plant, const std::string& path, const PlyOptions& options, Progress& progress) {
+  const SkeletonTable table(plant);
+  check_count("nodes", table.row_count());
+  progress.begin("writing PLY", 2 * table.row_count());
+  AtomicFile file(path);
+  const std::vector<std::size_t> columns = ply_columns(table);
+  write_skeleton_header(table, columns, edge_count(plant), options.provenance, file);
+  BlockWriter writer(file, progress);
+  write_nodes(table, columns, writer);
+  write_edges(table, writer);
+  file.commit();
+}
+
+}  // namespace meristem

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/picture/obstacle_meshes.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace meristem {
+
+namespace {
+
+/// In floats about one of its vertices, so that nothing is lost far from the origin.
+MeshInstances instances_of(const Obstacle& body, std::uint32_t material) {
+  const Vec3 origin(body.mesh.positions[0]);
+  Mesh mesh;
+  mesh.triangles = body.mesh.triangles;
+  mesh.positions.reserve(body.mesh.positions.size());
+  for (const DVec3 position : body.mesh.positions) mesh.positions.emplace_back(position - DVec3(origin));
+  return {.component = "obstacles",
+          .mesh = std::make_shared<const Mesh>(std::move(mesh)),
+          .material = material,
+          .frames = {Frame{.origin = origin}},
+          .tints = {}};
+}
+
+}  // namespace
+
+bool has_visible(const Obstacles& obstacles) {
+  return std::any_of(obstacles.bodies().begin(), obstacles.bodies().end(),
+                     [](const Obstacle& body) { return !body.is_hidden; });
+}
+
+MeshScene with_obstacles(const MeshScene& plants, const Obstacles& obstacles) {
+  MeshScene scene = plants;
+  for (const Obstacle& body : obstacles.bodies()) {
+    if (body.is_hidden || body.mesh.triangles.empty()) continue;
+    const auto material = static_cast<std::uint32_t>(scene.materials.size());
+    scene.materials.push_back({.name = "obstacle", .colour = body.colour, .roughness = 1});
+    scene.meshes.push_back(instances_of(body, material));
+  }
+  return scene;
+}
+
+}  // namespace meristem

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "meristem/document/grow.h"
+#include "meristem/output/picture/still.h"
+
+namespace meristem {
+
+struct PictureOptions {
+  StillOptions still;
+  View view;
+  bool crown_hulls = false;  ///< draws the convex hull of each tree's crown as wires
+};
+
+/// A picture of what a document has grown, in the document's `scene`. The camera frames the plants, whatever is drawn
+/// around them. Throws what render_still throws.
+Image take_picture(const GrownDocument& grown, const Scene& scene, const PictureOptions& options, Progress& progress);
+
+}  // namespace meristem

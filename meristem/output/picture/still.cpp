@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/picture/still.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <immintrin.h>
+
+#include "meristem/base/colour.h"
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/parallel.h"
+#include "meristem/output/picture/camera.h"
+#include "meristem/output/picture/obstacle_meshes.h"
+#include "meristem/output/picture/path_tracer.h"
+#include "meristem/output/picture/tone_map.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr int kTile = 16;
+constexpr float kSharpness = 0.6F;  // width of textures' means over a pixel's; samples smooth what is left
+
+/// Numbers too small to matter count as 0 while it lives, in this thread; Embree asks for that.
+class FlushToZero {
+ public:
+  FlushToZero() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040); }
+  ~FlushToZero() { _mm_setcsr(before_); }
+  FlushToZero(const FlushToZero&) = delete;
+  FlushToZero& operator=(const FlushToZero&) = delete;
+
+ private:
+  unsigned before_;
+};
+
+void check_range(const char* path, int value, int most) {
+  if (value >= 1 && value <= most) return;
+  Diagnostic fault;
+  fault.message = fmt::format("{} is out of range", value);
+  fault.expected = fmt::format("1 to {}", most);
+  fault.path = path;
+  throw InputError(std::move(fault));
+}
+
+/// The ground goes through the origin if the plant stands about there, else through its lowest point.
+Ground ground_below(const MeshScene& meshes, const Scene& scene) {
+  const Box box = meshes.bounds();
+  const float extent = box.is_empty() ? 1 : glm::length(box.size());
+  Ground ground;
+  ground.colour = linear_from_srgb(scene.ground_colour);
+  ground.centre = box.is_empty() ? Vec3(0) : box.centre();
+  const float lowest = box.is_empty() ? 0 : box.low.y;
+  ground.height = std::abs(lowest) < 0.05F * extent ? 0 : lowest;
+  ground.fade_distance = 1.2F * extent;
+  return ground;
+}
+
+/// A number in [0, 1) that spreads over neighbouring pixels, so that smooth skies show no steps in 8 bits.
+float dither(int x, int y) {
+  return unit_float(mixed_bits(static_cast<std::uint32_t>(x) * 0x9E3779B1U ^ mixed_bits(y)));
+}
+
+/// Turns the mean of a pixel's samples into its bytes.
+class Developer {
+ public:
+  Developer(const View& view, const StillOptions& options, float exposure)
+      : background_(view.background.value_or(Vec3(0))),
+        shows_background_(view.background.has_value()),
+        exposure_(exposure),
+        keeps_alpha_(options.transparent) {}
+
+  bool shows_sky() const { return !keeps_alpha_ && !shows_background_; }
+
+  void develop(Vec3 light, float cover, float noise, std::uint8_t* rgba) const {
+    const Vec3 colour = cover > 0 ? tone_mapped(exposure_ * light / cover) : Vec3(0);
+    const bool is_flat = !keeps_alpha_ && !shows_sky();
+    const Vec3 shown = is_flat ? glm::mix(background_, colour, cover) : colour;
+    const float rounding = cover > 0 ? noise : 0.5F;
+    for (int c = 0; c < 3; ++c) rgba[c] = byte(shown[c], rounding);
+    rgba[3] = keeps_alpha_ ? byte(cover, 0.5F) : 255;
+  }
+
+ private:
+  static std::uint8_t byte(float value, float rounding) {
+    return static_cast<std::uint8_t>(std::clamp(std::floor(255 * value + rounding), 0.0F, 255.0F));
+  }
+
+  Vec3 background_;
+  bool shows_background_;
+  float exposure_;
+  bool keeps_alpha_;
+};
+
+/// An offset in [-1, 1] whose density is a tent, which smooths edges better than the pixel's square.
+float tent(float sample) { return sample < 0.5F ? std::sqrt(2 * sample) - 1 : 1 - std::sqrt(2 - 2 * sample); }
+
+/// How brightly lamps light what stands in the picture, half of it turned away or in the shade. The mean is that of the
+/// roots, so that a bright spot beside a lamp leaves the rest to be seen.
+float metered(const Lamplight& lamps, const RayScene& rays, const Camera& camera) {
+  constexpr int kRays = 48;  // across the picture and down
+  double sum = 0;
+  int hits = 0;
+  for (int k = 0; k < kRays * kRays; ++k) {
+    const Vec2 film((static_cast<float>(k % kRays) + 0.5F) / kRays, (static_cast<float>(k / kRays) + 0.5F) / kRays);
+    const Ray ray{camera.position(), camera.direction(2.0F * film - 1.0F)};
+    const std::optional<RayHit> hit = rays.first_hit(ray);
+    if (!hit) continue;
+    sum += std::sqrt(luminance(lamps.irradiance(ray.origin + hit->distance * ray.direction)));
+    ++hits;
+  }
+  const double root = hits > 0 ? sum / hits : 0;
+  return static_cast<float>(0.5 * root * root);
+}
+
+class Photographer {
+ public:
+  Photographer(const PathTracer& tracer, const Camera& camera, const Developer& developer, const StillOptions& options)
+      : tracer_(tracer), camera_(camera), developer_(developer), options_(options) {
+    const float half_pixel = 1 / static_cast<float>(options.height);
+    spread_ = kSharpness * glm::distance(camera.direction({0, half_pixel}), camera.direction({0, -half_pixel}));
+  }
+
+  void expose(int x, int y, Progress& progress, std::uint8_t* rgba) const {
+    Vec3 light(0);
+    float cover = 0;
+    const auto pixel = static_cast<std::uint32_t>(y * options_.width + x);
+    for (int s = 0; s < options_.samples; ++s) {
+      if (s % 256 == 0) progress.check();
+      SampleStream samples(pixel, static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(options_.samples));
+      const Vec2 jitter = samples.next();
+      const Vec2 film(2 * (static_cast<float>(x) + 0.5F + tent(jitter.x)) / static_cast<float>(options_.width) - 1,
+                      1 - 2 * (static_cast<float>(y) + 0.5F + tent(jitter.y)) / static_cast<float>(options_.height));
+      const Ray ray{camera_.position(), camera_.direction(film), spread_};
+      const Seen seen = tracer_.trace(ray, samples);
+      light += seen.light;
+      cover += seen.cover;
+      if (developer_.shows_sky() && seen.cover < 1) light += (1 - seen.cover) * tracer_.light().seen(ray.direction);
+    }
+    const auto count = static_cast<float>(options_.samples);
+    developer_.develop(light / count, developer_.shows_sky() ? 1 : cover / count, dither(x, y), rgba);
+  }
+
+ private:
+  const PathTracer& tracer_;
+  const Camera& camera_;
+  const Developer& developer_;
+  const StillOptions& options_;
+  float spread_;  // of camera rays
+};
+
+}  // namespace
+
+void check_still_options(const StillOptions& options) {
+  check_range("output.size[0]", options.width, 16384);
+  check_range("output.size[1]", options.height, 16384);
+  check_range("output.samples", options.samples, 65536);
+}
+
+Image render_still(const MeshScene& meshes, const Scene& scene, const View& view, const StillOptions& options,
+                   Progress& progress) {
+  check_still_options(options);
+  Image image{options.width, options.height, {}};
+  image.rgba.resize(std::size_t{4} * options.width * options.height);
+  progress.begin("rendering", std::uint64_t{1} * options.width * options.height);
+
+  // Set up light, ground and camera. Obstacles stand in the picture, but it is made for the plants.
+  const bool shows_obstacles = !options.transparent && has_visible(scene.obstacles);
+  const MeshScene meshes_around = shows_obstacles ? with_obstacles(meshes, scene.obstacles) : MeshScene();
+  const MeshScene& shown = shows_obstacles ? meshes_around : meshes;
+  const MeshScene& framed = meshes.meshes.empty() ? shown : meshes;
+  const RayScene rays(shown, progress);
+  const Sky sky(scene.sun);
+  const Ground ground = ground_below(framed, scene);
+  const bool shows_ground = options.ground && !options.transparent;
+  const Lamplight lamps(scene.light.lamps);
+  const PathTracer tracer(shown, rays, Daylight(sky, ground.colour),
+                          shows_ground ? std::optional(ground) : std::nullopt, lamps);
+  const Camera camera = place_camera(framed, view, static_cast<double>(options.width) / options.height);
+  const Developer developer(view, options, exposure(sky, lamps.empty() ? 0 : metered(lamps, rays, camera)));
+  const Photographer photographer(tracer, camera, developer, options);
+
+  // Expose tile by tile.
+  const int columns = (options.width + kTile - 1) / kTile;
+  const int rows = (options.height + kTile - 1) / kTile;
+  parallel_for(static_cast<std::size_t>(columns) * rows, 1, [&](std::size_t tile, std::size_t) {
+    const FlushToZero flush_to_zero;
+    const int left = static_cast<int>(tile % columns) * kTile;
+    const int top = static_cast<int>(tile / columns) * kTile;
+    const int right = std::min(left + kTile, options.width);
+    const int bottom = std::min(top + kTile, options.height);
+    for (int y = top; y < bottom; ++y) {
+      for (int x = left; x < right; ++x) {
+        photographer.expose(x, y, progress, image.rgba.data() + 4 * (std::size_t{1} * y * options.width + x));
+      }
+    }
+    progress.advance(static_cast<std::uint64_t>(right - left) * (bottom - top));
+  });
+  return image;
+}
+
+}  // namespace meristem

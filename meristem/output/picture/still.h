@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// A ray-cast picture: sun and sky with soft shadows, textured and translucent surfaces that light each other, a ground
+// that catches the shadow.
+#pragma once
+
+#include "meristem/base/progress.h"
+#include "meristem/base/vec.h"
+#include "meristem/output/write/png.h"
+#include "meristem/scene/scene.h"
+#include "meristem/scene/view.h"
+#include "meristem/shape/mesh_scene.h"
+
+namespace meristem {
+
+struct StillOptions {
+  int width = 1200;
+  int height = 1200;
+  int samples = 64;          ///< paths a pixel; noise falls with its root, time grows with it
+  bool transparent = false;  ///< no background, ground and obstacles; only the plant, with alpha
+  bool ground = true;
+};
+
+/// Throws InputError for sizes outside 1 to 16384 or samples outside 1 to 65536; before growing, say.
+void check_still_options(const StillOptions& options);
+
+/// Renders `meshes` in the light of `scene`, among its obstacles. The camera frames the meshes, or obstacles where
+/// there are none. The same picture on any number of threads; progress counts pixels. Throws what check_still_options
+/// throws, and Cancelled.
+Image render_still(const MeshScene& meshes, const Scene& scene, const View& view, const StillOptions& options,
+                   Progress& progress);
+
+}  // namespace meristem

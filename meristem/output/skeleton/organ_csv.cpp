@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/skeleton/organ_csv.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "meristem/base/atomic_file.h"
+#include "meristem/output/write/block_writer.h"
+#include "meristem/output/write/csv.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr std::string_view kHeader = "component,instance,x,y,z,area,exposure,irradiance\n";
+constexpr std::size_t kNumbers = 7;  // of a row
+
+/// The number of each organ among those of its component.
+std::vector<std::uint32_t> instances(const Plant& plant) {
+  std::map<std::string_view, std::uint32_t> of_component;
+  std::vector<std::uint32_t*> next;  // of each prototype
+  for (const OrganPrototype& prototype : plant.prototypes) next.push_back(&of_component[prototype.component]);
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(plant.organs.size());
+  for (const Organ& organ : plant.organs) numbers.push_back((*next[organ.prototype])++);
+  return numbers;
+}
+
+void append_row(const std::string& component, std::uint32_t instance, Vec3 place, const LitOrgan& lit,
+                std::string& out) {
+  out += component;
+  out += ',';
+  append_csv_number(instance, out);
+  for (const double value :
+       {double{place.x}, double{place.y}, double{place.z}, lit.area, lit.exposure, lit.irradiance}) {
+    out += ',';
+    append_csv_number(static_cast<float>(value), out);
+  }
+  out += '\n';
+}
+
+}  // namespace
+
+void write_organ_csv(const Plant& plant, std::span<const LitOrgan> lit, const std::string& path, Progress& progress) {
+  if (lit.size() != plant.organs.size()) throw std::invalid_argument("each organ has its light");
+  std::vector<std::string> components;  // of each prototype, as fields
+  std::size_t longest = 0;
+  for (const OrganPrototype& prototype : plant.prototypes) {
+    components.push_back(csv_field(prototype.component));
+    longest = std::max(longest, components.back().size());
+  }
+  const std::vector<std::uint32_t> numbers = instances(plant);
+  progress.begin("writing CSV", lit.size());
+  AtomicFile file(path);
+  file.write(kHeader);
+  const auto fill = [&](std::size_t begin, std::size_t end, std::string& out) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Organ& organ = plant.organs[k];
+      append_row(components[organ.prototype], numbers[k], organ.frame.origin, lit[k], out);
+    }
+  };
+  BlockWriter(file, progress).write(lit.size(), longest + kNumbers * kCsvNumberBytes + 1, fill);
+  file.commit();
+}
+
+}  // namespace meristem

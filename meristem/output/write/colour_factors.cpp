@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/write/colour_factors.h"
+
+namespace meristem {
+
+namespace {
+
+Vec3 within_one(Vec3 factor) { return glm::clamp(factor, Vec3(0), Vec3(1)); }
+
+}  // namespace
+
+Vec3 ColourFactors::instance(Vec3 tint) const {
+  // A channel in which no instance gives light back keeps 0 by its base.
+  constexpr float kDark = 1e-6F;
+  return within_one(within_one(material * tint) / glm::max(base, Vec3(kDark)));
+}
+
+std::vector<ColourFactors> colour_factors(const MeshScene& scene) {
+  const std::size_t count = scene.materials.size();
+  std::vector<ColourFactors> factors(count);
+  std::vector<Vec3> most(count, Vec3(0));
+  std::vector<DVec3> sums(count, DVec3(0));
+  std::vector<std::size_t> instance_counts(count, 0);
+  for (const MeshInstances& instances : scene.meshes) {
+    const std::uint32_t m = instances.material;
+    const std::size_t frames = instances.frames.size();
+    instance_counts[m] += frames;
+    if (instances.tints.empty()) {
+      most[m] = glm::max(most[m], Vec3(1));
+      sums[m] += DVec3(static_cast<double>(frames));
+    }
+    for (const Vec3 tint : instances.tints) {
+      most[m] = glm::max(most[m], tint);
+      sums[m] += DVec3(tint);
+    }
+    factors[m].varies |= !instances.tints.empty();
+  }
+  for (std::size_t m = 0; m < count; ++m) {
+    const Vec3 tint = scene.materials[m].tint();
+    factors[m].material = tint;
+    if (instance_counts[m] == 0) most[m] = Vec3(1);
+    factors[m].base = within_one(tint * most[m]);
+    const Vec3 mean = instance_counts[m] == 0 ? Vec3(1) : Vec3(sums[m] / static_cast<double>(instance_counts[m]));
+    factors[m].mean = within_one(tint * mean);
+  }
+  return factors;
+}
+
+}  // namespace meristem

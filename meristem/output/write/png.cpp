@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/write/png.h"
+
+#include <csetjmp>
+#include <exception>
+#include <stdexcept>
+
+#include <png.h>
+
+#include "meristem/base/atomic_file.h"
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/function_ref.h"
+
+namespace meristem {
+
+namespace {
+
+/// What libpng's callbacks share. libpng is C and leaves by longjmp; exceptions wait here until its frames are gone.
+struct PngTarget {
+  FunctionRef<void(const void* data, std::size_t size)> write;
+  std::exception_ptr failure;
+};
+
+void write_bytes(png_structp png, png_bytep data, png_size_t size) {
+  auto& target = *static_cast<PngTarget*>(png_get_io_ptr(png));
+  try {
+    target.write(data, size);
+    return;
+  } catch (...) {
+    target.failure = std::current_exception();
+  }
+  png_error(png, "write");
+}
+
+void flush_nothing(png_structp) {}
+
+void keep_error(png_structp png, png_const_charp message) {
+  auto& target = *static_cast<PngTarget*>(png_get_error_ptr(png));
+  if (!target.failure) {
+    target.failure = std::make_exception_ptr(MachineError(std::string("PNG: ") + message));
+  }
+  png_longjmp(png, 1);
+}
+
+void ignore_warning(png_structp, png_const_charp) {}
+
+bool is_opaque(const Image& image) {
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
+    if (image.rgba[i] != 255) return false;
+  }
+  return true;
+}
+
+/// Nothing with a destructor may live here: libpng leaves it by longjmp.
+void write_rows(png_structp png, png_infop info, const Image& image, PixelKind kind, bool has_alpha) {
+  if (setjmp(png_jmpbuf(png)) != 0) return;
+  png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
+               has_alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  if (kind == PixelKind::srgb) png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+  // Named, so that the bytes do not change with libpng's defaults.
+  png_set_compression_level(png, 6);
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_ALL_FILTERS);
+  png_write_info(png, info);
+  if (!has_alpha) png_set_filler(png, 0, PNG_FILLER_AFTER);
+  for (int y = 0; y < image.height; ++y) {
+    png_write_row(png, image.rgba.data() + std::size_t{4} * image.width * y);
+  }
+  png_write_end(png, info);
+}
+
+/// Gives the bytes of the PNG to `write`, in order.
+void stream_png(const Image& image, PixelKind kind, FunctionRef<void(const void* data, std::size_t size)> write) {
+  if (image.width < 1 || image.height < 1 ||
+      image.rgba.size() != std::size_t{4} * image.width * static_cast<std::size_t>(image.height)) {
+    throw std::invalid_argument("a picture's size and its bytes do not agree");
+  }
+  PngTarget target{write, nullptr};
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &target, keep_error, ignore_warning);
+  png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
+  if (info != nullptr) {
+    png_set_write_fn(png, &target, write_bytes, flush_nothing);
+    write_rows(png, info, image, kind, !is_opaque(image));
+  } else {
+    target.failure = std::make_exception_ptr(MachineError("PNG: libpng could not be set up"));
+  }
+  png_destroy_write_struct(&png, &info);
+  if (target.failure) std::rethrow_exception(target.failure);
+}
+
+}  // namespace
+
+void write_png(const Image& image, const std::string& path, PixelKind kind) {
+  AtomicFile file(path);
+  stream_png(image, kind, [&](const void* data, std::size_t size) { file.write(data, size); });
+  file.commit();
+}
+
+std::string encode_png(const Image& image, PixelKind kind) {
+  std::string bytes;
+  stream_png(image, kind,
+             [&](const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); });
+  return bytes;
+}
+
+}  // namespace meristem

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/scene/crown/combined_crown.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace meristem {
+
+namespace {
+
+/// What two boxes share; empty where they do not meet.
+Box common(const Box& a, const Box& b) {
+  const Box shared{.low = glm::max(a.low, b.low), .high = glm::min(a.high, b.high)};
+  const bool meets = shared.low.x <= shared.high.x && shared.low.y <= shared.high.y && shared.low.z <= shared.high.z;
+  return meets ? shared : Box{};
+}
+
+}  // namespace
+
+CombinedCrown::CombinedCrown(CombineKind kind, std::vector<CrownPointer> crowns)
+    : kind_(kind), crowns_(std::move(crowns)) {
+  if (crowns_.empty()) throw std::invalid_argument("combined crown: no crowns");
+  for (const CrownPointer& crown : crowns_) {
+    if (crown == nullptr) throw std::invalid_argument("combined crown: a null crown");
+    boxes_.push_back(crown->bounds());
+  }
+  bounds_ = boxes_[0];
+  for (std::size_t k = 1; k < boxes_.size(); ++k) {
+    if (kind_ == CombineKind::unite) bounds_.add(boxes_[k]);
+    if (kind_ == CombineKind::intersect) bounds_ = common(bounds_, boxes_[k]);
+  }
+}
+
+bool CombinedCrown::contains(Vec3 point) const {
+  const auto is_in = [&](std::size_t k) { return boxes_[k].holds(point) && crowns_[k]->contains(point); };
+  const bool in_first = is_in(0);
+  if (in_first == (kind_ == CombineKind::unite)) return in_first;
+  for (std::size_t k = 1; k < crowns_.size(); ++k) {
+    // A union ends with the first crown that has the point, a difference too, an intersection with the first without.
+    if (is_in(k) != (kind_ == CombineKind::intersect)) return kind_ == CombineKind::unite;
+  }
+  return kind_ != CombineKind::unite;
+}
+
+Vec2 CombinedCrown::axis() const { return kind_ == CombineKind::subtract ? crowns_[0]->axis() : Crown::axis(); }
+
+}  // namespace meristem

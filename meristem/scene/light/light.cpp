@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/scene/light/light.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "meristem/base/frame.h"
+#include "meristem/base/math.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr double kNearest = 0.1;  // metres: a lamp is no point, so nearer to it light does not grow for ever
+
+}  // namespace
+
+Vec3 Light::mean_direction() const {
+  DVec3 sum(0);
+  for (const FarLight& far : sun) sum += far.strength * DVec3(far.toward);
+  for (const FarLight& far : sky) sum += far.strength * DVec3(far.toward);
+  return normalized_or(Vec3(sum), kUp);
+}
+
+LightRay Light::ray_to(const Lamp& lamp, Vec3 place) {
+  const DVec3 way = DVec3(lamp.position) - DVec3(place);
+  const double distance = std::sqrt(squared_length(way));
+  const double near = std::max(distance, kNearest);
+  return {.toward = distance > 0 ? Vec3(way / distance) : kUp,
+          .distance = distance,
+          .strength = lamp.strength / (near * near)};
+}
+
+std::vector<FarLight> sun_of_day(double latitude, double day, double every_hours) {
+  return sun_of_days(latitude, {day}, every_hours);
+}
+
+std::vector<FarLight> sun_of_days(double latitude, const std::vector<double>& days, double every_hours) {
+  std::vector<FarLight> positions;
+  double sum = 0;
+  // From midnight to midnight, the second one left out: on the polar day it is the first one again.
+  const auto steps = static_cast<int>(std::floor(12 / every_hours));
+  for (const double day : days) {
+    for (int k = -steps; k <= steps; ++k) {
+      const double hour = 12 + k * every_hours;
+      if (hour >= 24) continue;
+      const SkyDirection sun = sun_position(latitude, day, hour);
+      if (!(sun.altitude > 0)) continue;
+      positions.push_back({unit_vector(sun), sun.altitude});
+      sum += sun.altitude;
+    }
+  }
+  for (FarLight& position : positions) position.strength /= sum;
+  return positions;
+}
+
+std::vector<FarLight> even_sky(double strength) {
+  // Rings of equal solid angle a patch, which on a sphere is equal height; the patches are about as high as wide.
+  constexpr std::array<int, 4> kPatches = {16, 12, 8, 4};
+  constexpr int kCount = 40;
+  std::vector<FarLight> sky;
+  double low = 0;  // sine of the altitude at the ring's lower edge
+  for (const int patches : kPatches) {
+    const double high = low + static_cast<double>(patches) / kCount;
+    const double sine = (low + high) / 2;
+    for (int k = 0; k < patches; ++k) {
+      const SkyDirection middle{2 * kPi * (k + 0.5) / patches, math::asin(sine)};
+      // Over all patches the sines have the mean 1/2.
+      sky.push_back({unit_vector(middle), strength * sine / (0.5 * kCount)});
+    }
+    low = high;
+  }
+  return sky;
+}
+
+}  // namespace meristem

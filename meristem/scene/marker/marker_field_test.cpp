@@ -1,0 +1,467 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/scene/marker/marker_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <tuple>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "meristem/base/parallel.h"
+#include "meristem/scene/crown/profile_crown.h"
+
+namespace meristem {
+namespace {
+
+constexpr float kSpacing = 0.07F;
+const MarkerForm kForm{.spacing = kSpacing, .occupancy = 0.2};
+
+/// A ball, 1 m above the root.
+class Ball : public Crown {
+ public:
+  explicit Ball(float radius) : radius_(radius) {}
+  bool contains(Vec3 point) const override { return squared_length(point - kUp) <= radius_ * radius_; }
+  Box bounds() const override { return {kUp - radius_, kUp + radius_}; }
+
+ private:
+  float radius_;
+};
+
+CrownPointer ball(float radius) { return std::make_shared<Ball>(radius); }
+
+Obstacles wall() { return Obstacles(std::vector<Obstacle>{{.mesh = box_mesh({0.3, 0, -2}, {0.5, 2, 2})}}); }
+
+/// `count` places in a ball about `middle`.
+std::vector<Vec3> crowd(int count, Vec3 middle, float radius, std::uint64_t seed = 1) {
+  const RandomKey key = RandomKey(seed).child("crowd");
+  const RandomKey ways = key.child("ways");
+  std::vector<Vec3> places;
+  for (std::uint64_t k = 0; k < static_cast<std::uint64_t>(count); ++k) {
+    places.push_back(middle + radius * static_cast<float>(std::cbrt(key.uniform(k))) * ways.direction(k));
+  }
+  return places;
+}
+
+/// At each place two buds, as at the end of a metamer, the volumes in turn.
+std::vector<Seeker> buds_at(const std::vector<Vec3>& places, std::uint32_t volumes, std::uint64_t seed = 1) {
+  const RandomKey key = RandomKey(seed).child("buds");
+  std::vector<Seeker> seekers;
+  for (const Vec3 place : places) {
+    const auto volume = static_cast<std::uint32_t>(seekers.size() / 2 % volumes);
+    for (int k = 0; k < 2; ++k) seekers.push_back({place, key.direction(seekers.size()), volume, 0.4F, 0.70710678F});
+  }
+  return seekers;
+}
+
+std::vector<Room> share_out(MarkerField& field, const std::vector<Seeker>& seekers) {
+  std::vector<Room> rooms(seekers.size());
+  field.share_out(seekers, rooms, Progress());
+  return rooms;
+}
+
+void expect_same(const std::vector<Room>& a, const std::vector<Room>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    ASSERT_EQ(a[k].count, b[k].count) << k;
+    ASSERT_EQ(a[k].way, b[k].way) << k;
+  }
+}
+
+std::uint32_t total(const std::vector<Room>& rooms) {
+  std::uint32_t sum = 0;
+  for (const Room& room : rooms) sum += room.count;
+  return sum;
+}
+
+/// The plain way: every marker of a box against every shoot and every bud.
+class PlainField {
+ public:
+  /// Takes its markers from a field to which nothing has happened.
+  PlainField(const MarkerField& fresh, const Box& box, std::uint32_t volumes) : spacing_(fresh.form().spacing) {
+    reach_ = static_cast<float>(fresh.form().occupancy / spacing_);
+    std::map<std::tuple<double, double, double>, std::uint32_t> markers;
+    for (std::uint32_t volume = 0; volume < volumes; ++volume) {
+      for (const DVec3 at : fresh.free_markers(box, volume)) markers[{at.x, at.y, at.z}] |= 1U << volume;
+    }
+    for (const auto& [at, within] : markers) {
+      const auto [x, y, z] = at;
+      markers_.push_back({DVec3(x, y, z) / spacing_, within});
+    }
+  }
+
+  void occupy(Vec3 place) {
+    const DVec3 shoot = fine(place);
+    for (Marker& marker : markers_) {
+      if (squared_length(way(shoot, marker)) <= reach_ * reach_) marker.is_free = false;
+    }
+  }
+
+  std::vector<Room> share_out(const std::vector<Seeker>& seekers) const {
+    struct Claim {
+      float square = std::numeric_limits<float>::infinity();
+      std::size_t seeker = 0;
+    };
+    std::vector<Claim> claims(markers_.size());
+    for (std::size_t k = 0; k < seekers.size(); ++k) {
+      const DVec3 bud = fine(seekers[k].place);
+      const float radius = seekers[k].radius / static_cast<float>(spacing_);
+      const float slope = seekers[k].cosine * std::abs(seekers[k].cosine);
+      for (std::size_t i = 0; i < markers_.size(); ++i) {
+        if (!markers_[i].is_free || (markers_[i].volumes >> seekers[k].volume & 1) == 0) continue;
+        const Vec3 to = way(bud, markers_[i]);
+        const float square = squared_length(to);
+        if (square > radius * radius || square >= claims[i].square) continue;
+        const float along = glm::dot(seekers[k].direction, to);
+        if (along * std::abs(along) >= slope * square) claims[i] = {square, k};
+      }
+    }
+    std::vector<DVec3> sums(seekers.size(), DVec3(0));
+    std::vector<Room> rooms(seekers.size());
+    for (std::size_t i = 0; i < markers_.size(); ++i) {
+      const auto [square, k] = claims[i];
+      if (square == std::numeric_limits<float>::infinity()) continue;
+      ++rooms[k].count;
+      sums[k] += glm::normalize(DVec3(way(fine(seekers[k].place), markers_[i])));
+      rooms[k].way = Vec3(sums[k]);
+    }
+    return rooms;
+  }
+
+ private:
+  struct Marker {
+    DVec3 place{0};  // voxels
+    std::uint32_t volumes = 0;
+    bool is_free = true;
+  };
+
+  DVec3 fine(Vec3 place) const { return glm::floor(DVec3(place) * (65536 / spacing_) + 0.5) / 65536.0; }
+  static Vec3 way(DVec3 from, const Marker& marker) {
+    return Vec3(glm::round((marker.place - from) * 65536.0) / 65536.0);
+  }
+
+  double spacing_;
+  float reach_ = 0;
+  std::vector<Marker> markers_;
+};
+
+/// Same counts; ways but for rounding.
+void expect_like_plain(const std::vector<Room>& rooms, const std::vector<Room>& plain) {
+  ASSERT_EQ(rooms.size(), plain.size());
+  for (std::size_t k = 0; k < rooms.size(); ++k) {
+    ASSERT_EQ(rooms[k].count, plain[k].count) << "bud " << k;
+    ASSERT_LT(glm::distance(rooms[k].way, plain[k].way), 1e-5F * static_cast<float>(1 + plain[k].count)) << "bud " << k;
+  }
+}
+
+TEST(MarkerField, ThereIsOneMarkerInEachVoxel) {
+  MarkerField field({.spacing = 0.25}, RandomKey(1));
+  field.add_volume(nullptr, Vec3(0));
+  const std::vector<DVec3> markers = field.free_markers({Vec3(-2), Vec3(3)}, 0);
+  ASSERT_EQ(markers.size(), 20U * 20 * 20);
+  std::map<std::tuple<int, int, int>, int> in_voxel;
+  DVec3 sum(0);
+  for (const DVec3 marker : markers) {
+    const DVec3 voxel = glm::floor(marker / 0.25);
+    ++in_voxel[{static_cast<int>(voxel.x), static_cast<int>(voxel.y), static_cast<int>(voxel.z)}];
+    sum += marker / 0.25 - voxel;
+  }
+  EXPECT_EQ(in_voxel.size(), markers.size());
+  // The mean of 8000 places uniform in a voxel lies within 5 deviations of the middle: 5 / sqrt(12 * 8000) = 0.016.
+  const DVec3 mean = sum / static_cast<double>(markers.size());
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(mean[k], 0.5, 0.016);
+}
+
+TEST(MarkerField, AnotherKeyPutsMarkersElsewhere) {
+  const auto first = [](std::uint64_t seed) {
+    MarkerField field(kForm, RandomKey(seed));
+    field.add_volume(nullptr, Vec3(0));
+    return field.free_markers({Vec3(0), Vec3(1)}, 0).front();
+  };
+  EXPECT_EQ(first(1), first(1));
+  EXPECT_NE(first(1), first(2));
+}
+
+TEST(MarkerField, ABudFindsTheShareOfABallThatItsConeCuts) {
+  MarkerField field({.spacing = 0.02, .occupancy = 0}, RandomKey(4));
+  field.add_volume(nullptr, Vec3(0));
+  for (const float cosine : {0.9F, 0.5F, 0.0F, -0.5F, -1.0F}) {
+    const Room room = share_out(field, {{{0.3F, 0.2F, 0.1F}, {0, 0.6F, 0.8F}, 0, 0.4F, cosine}}).front();
+    // A cone of solid angle 2 pi (1 - c) and what a unit vector has along its axis on average, (1 + c) / 2.
+    const double expected = 2 * kPi / 3 * (1 - cosine) * 0.4 * 0.4 * 0.4 / (0.02 * 0.02 * 0.02);
+    EXPECT_NEAR(room.count, expected, 0.02 * expected) << cosine;
+    const Vec3 mean = room.way / static_cast<float>(room.count);
+    EXPECT_LT(glm::distance(mean, (1 + cosine) / 2 * Vec3(0, 0.6F, 0.8F)), 0.02F) << cosine;
+  }
+}
+
+TEST(MarkerField, AShootTakesTheBallAroundIt) {
+  MarkerField field({.spacing = 0.02, .occupancy = 0.2}, RandomKey(4));
+  field.add_volume(nullptr, Vec3(0));
+  const Seeker all_around{Vec3(0.5F), kUp, 0, 0.4F, -1};
+  const std::uint32_t before = share_out(field, {all_around}).front().count;
+  field.occupy(all_around.place);
+  const std::uint32_t after = share_out(field, {all_around}).front().count;
+  EXPECT_NEAR(after, before * 7 / 8.0, 0.01 * before);
+}
+
+TEST(MarkerField, IsTheSameAsEveryMarkerAgainstEveryBud) {
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    // Two crowns that overlap and all of space; half of the seeds with a wall.
+    MarkerField field(kForm, RandomKey(seed), seed % 2 == 0 ? Obstacles{} : wall());
+    field.add_volume(ball(0.6F), {-0.3F, 0, 0});
+    field.add_volume(ball(0.5F), {0.3F, 0.1F, 0});
+    const std::uint32_t volumes = seed < 3 ? 2 : field.add_volume(nullptr, Vec3(0)) + 1;
+    const Vec3 middle(0, 1, 0);
+    PlainField plain(field, {middle - 1.2F, middle + 1.2F}, volumes);
+    for (int round = 0; round < 2; ++round) {
+      for (const Vec3 place : crowd(15, middle, 0.6F, 10 * seed + round)) {
+        field.occupy(place);
+        plain.occupy(place);
+      }
+      std::vector<Seeker> seekers = buds_at(crowd(60, middle, 0.8F, 10 * seed + round + 5), volumes, seed);
+      for (std::size_t k = 0; k < seekers.size(); k += 7) seekers[k].radius = 0.1F * static_cast<float>(k % 5);
+      for (std::size_t k = 0; k < seekers.size(); k += 5) seekers[k].cosine = -1 + 0.2F * static_cast<float>(k % 11);
+      for (std::size_t k = 0; k < seekers.size(); k += 13) seekers[k].radius = seekers[k].volume < 2 ? 1.2F : 0.4F;
+      const std::vector<Room> rooms = share_out(field, seekers);
+      EXPECT_GT(total(rooms), 300U);
+      expect_like_plain(rooms, plain.share_out(seekers));
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+TEST(MarkerField, IsTheSameFarFromTheOrigin) {
+  const Vec3 far(-90000, 250, 120000);  // where floats know a centimetre
+  MarkerField field({.spacing = 0.1, .occupancy = 0.3}, RandomKey(2));
+  field.add_volume(ball(1), far);
+  PlainField plain(field, {far - 1.5F, far + 2.5F}, 1);
+  for (const Vec3 place : crowd(60, far + kUp, 0.7F)) {
+    field.occupy(place);
+    plain.occupy(place);
+  }
+  const std::vector<Seeker> seekers = buds_at(crowd(100, far + kUp, 1), 1);
+  const std::vector<Room> rooms = share_out(field, seekers);
+  EXPECT_GT(total(rooms), 500U);
+  expect_like_plain(rooms, plain.share_out(seekers));
+}
+
+TEST(MarkerField, IsTheSameAtTheLongestReach) {
+  MarkerField field({.spacing = 0.0625, .occupancy = 2}, RandomKey(2));
+  field.add_volume(ball(1.7F), Vec3(0));
+  PlainField plain(field, {kUp - 1.75F, kUp + 1.75F}, 1);
+  field.occupy({1.5F, 0, 0});
+  plain.occupy({1.5F, 0, 0});
+  std::vector<Seeker> seekers = buds_at(crowd(8, {-0.5F, 1, 0}, 1), 1);
+  for (std::size_t k = 0; k < seekers.size(); ++k) {
+    seekers[k].radius = 2;
+    seekers[k].cosine = 1 - static_cast<float>(k * k) / 128;
+  }
+  const std::vector<Room> rooms = share_out(field, seekers);
+  EXPECT_GT(total(rooms), 10'000U);
+  expect_like_plain(rooms, plain.share_out(seekers));
+}
+
+TEST(MarkerField, EachMarkerGoesToOneBud) {
+  MarkerField field(kForm, RandomKey(2));
+  field.add_volume(nullptr, Vec3(0));
+  const Seeker bud{Vec3(0.2F), kUp, 0, 0.4F, -1};
+  const std::vector<Room> alone = share_out(field, {bud});
+  ASSERT_GT(alone[0].count, 100U);
+  // Of two at the same place the first gets all.
+  const std::vector<Room> twins = share_out(field, {bud, bud});
+  expect_same({twins[0]}, alone);
+  EXPECT_EQ(twins[1].count, 0U);
+  EXPECT_EQ(twins[1].way, Vec3(0));
+  // Buds side by side part their markers by the plane between them.
+  Seeker other = bud;
+  other.place.x += 0.1F;
+  const std::vector<Room> pair = share_out(field, {bud, other});
+  EXPECT_LT(pair[0].way.x, -0.2F * static_cast<float>(pair[0].count));
+  EXPECT_GT(pair[1].way.x, 0.2F * static_cast<float>(pair[1].count));
+  // All together they get every marker that one of them sees.
+  std::vector<Seeker> crowded(50, bud);
+  for (std::size_t k = 0; k < crowded.size(); ++k) crowded[k].direction = RandomKey(7).direction(k);
+  EXPECT_EQ(total(share_out(field, crowded)), alone[0].count);
+}
+
+TEST(MarkerField, NoBudSeesMarkersInObstaclesOrOutsideItsVolume) {
+  MarkerField field(kForm, RandomKey(2), wall());
+  const std::uint32_t volume = field.add_volume(ball(0.6F), {0.2F, 0, 0});
+  const Obstacles obstacles = wall();
+  const std::vector<DVec3> markers = field.free_markers({Vec3(-3), Vec3(3)}, volume);
+  EXPECT_GT(markers.size(), 1000U);
+  for (const DVec3 marker : markers) {
+    EXPECT_LE(glm::distance(marker, DVec3(0.2, 1, 0)), 0.6 + 1e-6);
+    EXPECT_FALSE(obstacles.contain(Vec3(marker)));
+  }
+  // Buds everywhere take them all, and no more.
+  std::vector<Seeker> seekers;
+  for (int k = 0; k < 1000; ++k) {
+    const Vec3 step(static_cast<float>(k % 10), static_cast<float>(k / 10 % 10), static_cast<float>(k / 100));
+    seekers.push_back({Vec3(-0.7F, 0.1F, -0.9F) + 0.2F * step, kUp, volume, 0.4F, -1});
+  }
+  EXPECT_EQ(total(share_out(field, seekers)), markers.size());
+}
+
+TEST(MarkerField, VacatingIsTheExactInverse) {
+  MarkerField field(kForm, RandomKey(3), wall());
+  const std::uint32_t volumes = 1 + field.add_volume(ball(1), Vec3(0));
+  for (const Vec3 place : crowd(60, kUp, 1, 1)) field.occupy(place);
+  const std::vector<Seeker> seekers = buds_at(crowd(300, kUp, 1, 2), volumes);
+  const std::vector<Room> before = share_out(field, seekers);
+  const std::vector<Vec3> leave = crowd(800, kUp, 1, 3);
+  for (const Vec3 place : leave) field.occupy(place);
+  EXPECT_LT(total(share_out(field, seekers)), total(before) / 2);
+  for (const Vec3 place : leave) field.vacate(place);
+  expect_same(share_out(field, seekers), before);
+}
+
+TEST(MarkerField, CountsMoreShootsThanAByteHolds) {
+  MarkerField field(kForm, RandomKey(3));
+  field.add_volume(nullptr, Vec3(0));
+  const std::vector<Seeker> seekers = buds_at(crowd(20, Vec3(0), 0.3F), 1);
+  const std::vector<Room> before = share_out(field, seekers);
+  const auto repeat = [](int times, const std::function<void()>& what) {
+    for (int k = 0; k < times; ++k) what();
+  };
+  repeat(1, [&] { field.occupy(Vec3(0)); });
+  const std::vector<Room> taken = share_out(field, seekers);
+  EXPECT_NE(total(taken), total(before));
+  for (const int times : {254, 1, 1, 300, 512}) {
+    repeat(times, [&] { field.occupy(Vec3(0)); });
+    expect_same(share_out(field, seekers), taken);
+    field.occupy(Vec3(1.1F));
+  }
+  for (const int times : {512, 300, 1, 1, 254}) {
+    repeat(times, [&] { field.vacate(Vec3(0)); });
+    expect_same(share_out(field, seekers), taken);
+    field.vacate(Vec3(1.1F));
+  }
+  field.vacate(Vec3(0));
+  expect_same(share_out(field, seekers), before);
+  EXPECT_THROW(field.vacate(Vec3(0)), std::invalid_argument);
+}
+
+RC_GTEST_PROP(MarkerField, DoesNotKnowTheOrderOfShoots, ()) {
+  const auto seed = *rc::gen::inRange<std::uint64_t>(0, 1000);
+  const auto count = *rc::gen::inRange(0, 100);
+  const std::vector<Vec3> places = crowd(count, Vec3(0), 0.8F, seed);
+  const std::vector<Vec3> gone = crowd(20, Vec3(0), 0.8F, seed + 1);
+  const std::vector<Seeker> seekers = buds_at(places, 1);
+  MarkerField forward(kForm, RandomKey(1));
+  MarkerField backward(kForm, RandomKey(1));
+  forward.add_volume(nullptr, Vec3(0));
+  backward.add_volume(nullptr, Vec3(0));
+  for (const Vec3 place : places) forward.occupy(place);
+  for (const Vec3 place : gone) backward.occupy(place);
+  for (auto place = places.rbegin(); place != places.rend(); ++place) backward.occupy(*place);
+  for (const Vec3 place : gone) backward.vacate(place);
+  expect_same(share_out(forward, seekers), share_out(backward, seekers));
+}
+
+TEST(MarkerField, ARoundDoesNotChangeTheNext) {
+  MarkerField field(kForm, RandomKey(3), wall());
+  field.add_volume(ball(1), Vec3(0));
+  field.add_volume(ball(1), {0.4F, 0, 0});
+  for (const Vec3 place : crowd(60, kUp, 1)) field.occupy(place);
+  const std::vector<Seeker> seekers = buds_at(crowd(300, kUp, 1), 2);
+  const std::vector<Room> first = share_out(field, seekers);
+  const std::size_t bytes = field.bytes();
+  share_out(field, buds_at(crowd(50, Vec3(3), 1), 1));
+  expect_same(share_out(field, seekers), first);
+  EXPECT_GT(field.bytes(), bytes);
+  // A volume more takes nothing from those that were there.
+  field.add_volume(nullptr, Vec3(0));
+  expect_same(share_out(field, seekers), first);
+}
+
+TEST(MarkerField, IsTheSameOnAnyNumberOfThreads) {
+  std::vector<Room> first;
+  std::size_t bytes = 0;
+  for (const int threads : {1, 2, 3, 8}) {
+    const ThreadLimit limit(threads);
+    MarkerField field(kForm, RandomKey(3), wall());
+    field.add_volume(ball(2), Vec3(0));
+    field.add_volume(ball(2), {0.5F, 0, 0});
+    for (const Vec3 place : crowd(2000, kUp, 2, 8)) field.occupy(place);
+    const std::vector<Room> rooms = share_out(field, buds_at(crowd(5000, kUp, 2, 9), 2));
+    if (threads == 1) {
+      first = rooms;
+      bytes = field.bytes();
+      EXPECT_GT(total(rooms), 10'000U);
+    }
+    expect_same(rooms, first);
+    EXPECT_EQ(field.bytes(), bytes);
+  }
+}
+
+TEST(MarkerField, TakesMemoryForShootsAndBudsAlone) {
+  const auto bytes_in = [](float size) {
+    MarkerField field(kForm, RandomKey(3));
+    field.add_volume(std::make_shared<ProfileCrown>(ProfileCrown::Profile{{size, -size}, {size, size}}), Vec3(0));
+    for (const Vec3 place : crowd(100, Vec3(0), 1)) field.occupy(place);
+    const std::vector<Room> rooms = share_out(field, buds_at(crowd(100, Vec3(0), 1), 1));
+    return std::pair(total(rooms), field.bytes());
+  };
+  EXPECT_EQ(bytes_in(3), bytes_in(500)) << "metres each way";
+}
+
+TEST(MarkerField, StopsWhenAsked) {
+  MarkerField field(kForm, RandomKey(3));
+  field.add_volume(ball(1), Vec3(0));
+  const std::vector<Seeker> seekers = buds_at(crowd(100, kUp, 1), 1);
+  std::vector<Room> rooms(seekers.size(), {.count = 7});
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(field.share_out(seekers, rooms, progress), Cancelled);
+  EXPECT_EQ(rooms[0].count, 7U);
+  MarkerField fresh(kForm, RandomKey(3));
+  fresh.add_volume(ball(1), Vec3(0));
+  expect_same(share_out(field, seekers), share_out(fresh, seekers));
+}
+
+TEST(MarkerField, RefusesWhatIsOutOfRange) {
+  const auto makes = [](const MarkerForm& form) { return MarkerField(form, RandomKey(1)).bytes(); };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NO_THROW(makes({.spacing = 0.1, .occupancy = 3.2}));
+  EXPECT_THROW(makes({.spacing = 0.1, .occupancy = 3.3}), std::invalid_argument);
+  EXPECT_THROW(makes({.spacing = 0.1, .occupancy = -1}), std::invalid_argument);
+  EXPECT_THROW(makes({.spacing = 0.1, .occupancy = nan}), std::invalid_argument);
+  EXPECT_THROW(makes({.spacing = 0}), std::invalid_argument);
+  EXPECT_THROW(makes({.spacing = nan}), std::invalid_argument);
+
+  MarkerField field(kForm, RandomKey(1));
+  field.add_volume(nullptr, Vec3(0));
+  EXPECT_THROW(field.occupy({0, static_cast<float>(nan), 0}), std::invalid_argument);
+  EXPECT_THROW(field.occupy({0, 0, 1e9F}), std::invalid_argument);
+  EXPECT_THROW(field.vacate({0, 0, 0}), std::invalid_argument);
+  const auto is_refused = [&](const Seeker& seeker) {
+    try {
+      share_out(field, {seeker});
+      return false;
+    } catch (const std::invalid_argument&) {
+      return true;
+    }
+  };
+  const auto no_number = static_cast<float>(nan);
+  EXPECT_FALSE(is_refused({}));
+  EXPECT_FALSE(is_refused({.radius = 2.24F}));
+  EXPECT_TRUE(is_refused({.radius = 2.3F}));
+  EXPECT_TRUE(is_refused({.radius = no_number}));
+  EXPECT_TRUE(is_refused({.place = {no_number, 0, 0}}));
+  EXPECT_TRUE(is_refused({.direction = {0, 0, 0}}));
+  EXPECT_TRUE(is_refused({.direction = {0, 0, 1.001F}}));
+  EXPECT_TRUE(is_refused({.direction = {0, no_number, 0}}));
+  EXPECT_TRUE(is_refused({.cosine = 1.1F}));
+  EXPECT_TRUE(is_refused({.volume = 1}));
+  std::vector<Room> rooms(2);
+  EXPECT_THROW(field.share_out(std::vector<Seeker>(1), rooms, Progress()), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace meristem

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tree holds boxes of 32-bit floats about the middle of all bodies. A ray is first cut, in double, to the part that
+// lies in their bounds, so that its floats there are off by less than a two-millionth of the bounds' extent; all boxes
+// are wider than their triangles by twice that, hence none that the ray meets is passed by.
+#include "meristem/scene/obstacle/obstacle_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <embree3/rtcore.h>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/embree_device.h"
+#include "meristem/scene/obstacle/watertight_ray.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr double kMargin = 1e-6;      // of the bounds' extent
+constexpr double kFarMargin = 1e-12;  // of the distance from the origin, where doubles are coarser
+
+struct Facet {
+  std::array<WatertightRay::Corner, 3> corners;
+  std::uint32_t body = 0;
+};
+
+/// The triangles of all bodies and the space that they take.
+struct Facets {
+  std::vector<Facet> all;
+  DVec3 low{std::numeric_limits<double>::infinity()};  ///< less the margin
+  DVec3 high{-std::numeric_limits<double>::infinity()};
+  DVec3 middle{0};
+  double margin = 0;  ///< metres by which boxes are wider than what is in them
+
+  explicit Facets(const std::vector<const TriangleMesh*>& bodies) {
+    for (std::size_t body = 0; body < bodies.size(); ++body) {
+      for (const auto& triangle : bodies[body]->triangles) {
+        Facet& facet = all.emplace_back();
+        facet.body = static_cast<std::uint32_t>(body);
+        for (std::size_t k = 0; k < 3; ++k) {
+          const DVec3 corner = bodies[body]->positions[triangle[k]];
+          facet.corners[k] = {corner.x, corner.y, corner.z};
+          low = glm::min(low, corner);
+          high = glm::max(high, corner);
+        }
+      }
+    }
+    if (all.empty()) return;
+    middle = 0.5 * (low + high);
+    const DVec3 farthest = glm::max(glm::abs(low), glm::abs(high));
+    margin = kMargin * glm::length(high - low) + kFarMargin * glm::length(farthest) +
+             double{std::numeric_limits<float>::min()};
+    low -= margin;
+    high += margin;
+  }
+
+  RTCBounds bounds(std::size_t index) const {
+    std::array<double, 3> lowest{};
+    std::array<double, 3> highest{};
+    const auto& corners = all[index].corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto centre = middle[static_cast<int>(k)];
+      lowest[k] = std::min({corners[0][k], corners[1][k], corners[2][k]}) - centre - margin;
+      highest[k] = std::max({corners[0][k], corners[1][k], corners[2][k]}) - centre + margin;
+    }
+    return {static_cast<float>(lowest[0]),  static_cast<float>(lowest[1]),  static_cast<float>(lowest[2]),  0,
+            static_cast<float>(highest[0]), static_cast<float>(highest[1]), static_cast<float>(highest[2]), 0};
+  }
+};
+
+/// The part of a ray that lies in the facets' bounds, metres along it.
+struct Part {
+  double begin = 0;
+  double end = 0;
+};
+
+std::optional<Part> part_within(const Facets& facets, DVec3 origin, DVec3 unit, double reach) {
+  Part part{0, reach};
+  for (int k = 0; k < 3; ++k) {
+    if (unit[k] == 0) {
+      if (origin[k] < facets.low[k] || origin[k] > facets.high[k]) return std::nullopt;
+      continue;
+    }
+    const double to_low = (facets.low[k] - origin[k]) / unit[k];
+    const double to_high = (facets.high[k] - origin[k]) / unit[k];
+    part.begin = std::max(part.begin, std::min(to_low, to_high));
+    part.end = std::min(part.end, std::max(to_low, to_high));
+  }
+  return part.begin <= part.end ? std::optional(part) : std::nullopt;
+}
+
+/// A ray on its way through the tree.
+struct Query : RTCIntersectContext {
+  Query(const WatertightRay& asked, double metres, double reach) : ray(asked), length(metres), within(reach) {
+    rtcInitIntersectContext(this);
+  }
+
+  /// What the tree counts where so many metres are gone; never too little.
+  float in_tree_distance(double metres) const { return static_cast<float>(metres - skipped + margin); }
+
+  WatertightRay ray;
+  double length;       ///< metres of its direction
+  double within;       ///< in its direction's lengths; the best hit's, once there is one
+  double skipped = 0;  ///< metres before the bounds begin
+  double margin = 0;
+  RTCRay in_tree{};
+  bool is_met = false;
+  std::uint32_t body = 0;
+};
+
+/// Nothing where the ray passes the bounds by, or is not finite.
+std::optional<Query> begin_query(const Facets& facets, DVec3 origin, DVec3 direction, double within) {
+  const double length = glm::length(direction);
+  if (!(length > 0) || !std::isfinite(length + glm::dot(origin, origin))) return std::nullopt;
+  const DVec3 unit = direction / length;
+  const auto part = part_within(facets, origin, unit, within * length);
+  if (!part) return std::nullopt;
+  std::optional<Query> query(std::in_place, WatertightRay(origin, direction), length, within);
+  query->skipped = part->begin;
+  query->margin = facets.margin;
+  const DVec3 from = origin + part->begin * unit - facets.middle;
+  RTCRay& ray = query->in_tree;
+  ray.org_x = static_cast<float>(from.x);
+  ray.org_y = static_cast<float>(from.y);
+  ray.org_z = static_cast<float>(from.z);
+  ray.dir_x = static_cast<float>(unit.x);
+  ray.dir_y = static_cast<float>(unit.y);
+  ray.dir_z = static_cast<float>(unit.z);
+  ray.tfar = query->in_tree_distance(part->end);
+  ray.mask = ~0U;
+  return query;
+}
+
+void give_bounds(const RTCBoundsFunctionArguments* arguments) {
+  *arguments->bounds_o = static_cast<const Facets*>(arguments->geometryUserPtr)->bounds(arguments->primID);
+}
+
+void find_first(const RTCIntersectFunctionNArguments* arguments) {
+  auto& query = *static_cast<Query*>(arguments->context);
+  const Facet& facet = static_cast<const Facets*>(arguments->geometryUserPtr)->all[arguments->primID];
+  const auto distance = query.ray.distance_to(facet.corners, query.within);
+  if (!distance || (query.is_met && *distance == query.within && facet.body >= query.body)) return;
+  query.is_met = true;
+  query.body = facet.body;
+  query.within = *distance;
+  reinterpret_cast<RTCRayHit*>(arguments->rayhit)->ray.tfar = query.in_tree_distance(*distance * query.length);
+}
+
+void find_any(const RTCOccludedFunctionNArguments* arguments) {
+  auto& query = *static_cast<Query*>(arguments->context);
+  const Facet& facet = static_cast<const Facets*>(arguments->geometryUserPtr)->all[arguments->primID];
+  if (!query.ray.distance_to(facet.corners, query.within)) return;
+  query.is_met = true;
+  reinterpret_cast<RTCRay*>(arguments->ray)->tfar = -std::numeric_limits<float>::infinity();
+}
+
+struct ReleaseEmbree {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+template <class T>
+using EmbreeOwner = std::unique_ptr<T, ReleaseEmbree>;
+
+}  // namespace
+
+struct ObstacleTree::Tree {
+  Facets facets;
+  std::string failure;
+  EmbreeOwner<RTCDeviceTy> device;
+  EmbreeOwner<RTCSceneTy> scene;
+
+  explicit Tree(const std::vector<const TriangleMesh*>& bodies) : facets(bodies) {
+    device.reset(rtcNewDevice(kEmbreeDevice));
+    if (device == nullptr) throw MachineError("obstacles: Embree could not be started");
+    const auto keep_failure = [](void* self, RTCError, const char* reason) {
+      static_cast<Tree*>(self)->failure = reason;
+    };
+    rtcSetDeviceErrorFunction(device.get(), keep_failure, this);
+    scene.reset(rtcNewScene(device.get()));
+    rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+    const EmbreeOwner<RTCGeometryTy> geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER));
+    rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(facets.all.size()));
+    rtcSetGeometryUserData(geometry.get(), &facets);
+    rtcSetGeometryBoundsFunction(geometry.get(), give_bounds, nullptr);
+    rtcSetGeometryIntersectFunction(geometry.get(), find_first);
+    rtcSetGeometryOccludedFunction(geometry.get(), find_any);
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometry(scene.get(), geometry.get());
+    rtcCommitScene(scene.get());
+    if (!failure.empty()) throw MachineError("obstacles: " + failure);
+  }
+};
+
+ObstacleTree::ObstacleTree(const std::vector<const TriangleMesh*>& bodies) : tree_(std::make_unique<Tree>(bodies)) {}
+
+ObstacleTree::~ObstacleTree() = default;
+
+std::optional<ObstacleTree::Hit> ObstacleTree::first_hit(DVec3 origin, DVec3 direction, double within) const {
+  auto query = begin_query(tree_->facets, origin, direction, within);
+  if (!query) return std::nullopt;
+  RTCRayHit asked{query->in_tree, {}};
+  asked.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(tree_->scene.get(), &*query, &asked);
+  return query->is_met ? std::optional(Hit{query->within, query->body}) : std::nullopt;
+}
+
+bool ObstacleTree::is_met(DVec3 origin, DVec3 direction, double within) const {
+  auto query = begin_query(tree_->facets, origin, direction, within);
+  if (!query) return false;
+  rtcOccluded1(tree_->scene.get(), &*query, &query->in_tree);
+  return query->is_met;
+}
+
+}  // namespace meristem

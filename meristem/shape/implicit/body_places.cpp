@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/shape/implicit/body_places.h"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "meristem/base/frame.h"
+#include "meristem/shape/implicit/field_part.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr int kDeepest = 40;            // halvings
+constexpr double kError = 1e-3;         // of a cell
+constexpr double kGradientStep = 0.05;  // of a cell
+constexpr double kNear = 0.2;           // cells outside to which values count, for gradients
+constexpr std::array<Vec3, 4> kCorners{Vec3(1, -1, -1), Vec3(-1, -1, 1), Vec3(-1, 1, -1), Vec3(1, 1, 1)};
+
+glm::ivec3 corner_of(int k) { return {k & 1, k >> 1 & 1, k >> 2}; }
+
+/// Descends from a cube of cells about the body to single ones.
+class BodyFiller {
+ public:
+  BodyFiller(const ImplicitBody& body, const BodyGrid& grid, RandomKey key, Progress& progress)
+      : body_(body),
+        grid_(grid),
+        key_(key),
+        progress_(progress),
+        gaps_(blend_gaps(body, kError * grid.spacing)),
+        pruner_(body, gaps_, kNear * grid.spacing),
+        sampler_(body),
+        levels_(kDeepest) {}
+
+  std::vector<BodyPlace> run() {
+    const DVec3 first = glm::floor((body_.low() - body_.reach() - grid_.origin) / grid_.spacing);
+    const DVec3 last = glm::ceil((body_.high() + body_.reach() - grid_.origin) / grid_.spacing);
+    const DVec3 farthest = glm::max(glm::abs(first), glm::abs(last));
+    if (!(std::max({farthest.x, farthest.y, farthest.z}) <= 2 * kMostBodyCells)) {
+      throw std::invalid_argument("a body has too many cells for places");
+    }
+    const glm::ivec3 low(first);
+    const glm::ivec3 size = glm::ivec3(last) - low;
+    int side = 2;
+    while (side < std::max({size.x, size.y, size.z})) side *= 2;
+    fill(low, side, all_steps(body_), 0);
+    return std::move(places_);
+  }
+
+ private:
+  // As deep as cubes can be halved.
+  void fill(glm::ivec3 at, int side, std::span<const FieldStep> steps, int depth) {
+    progress_.check();
+    const double half = 0.5 * side * grid_.spacing;
+    const DVec3 middle = grid_.origin + grid_.spacing * (DVec3(at) + 0.5 * side);
+    near_.rebase(body_, steps, middle);
+    pruner_.bound(steps, near_, {0.5 * half, half});
+    std::uint32_t open = 0;
+    for (int k = 0; k < 8; ++k) {
+      const ValueRange range = pruner_.range(k);
+      if (range.low < 0 && range.high > -grid_.depth) open |= 1U << k;
+    }
+    if (open == 0) return;
+    std::array<std::vector<FieldStep>, 8>& kept = levels_[depth];
+    pruner_.keep(open, 0, kept);
+    for (int k = 0; k < 8; ++k) {
+      if ((open >> k & 1) == 0 || places_.size() > grid_.most) continue;
+      const glm::ivec3 corner = at + side / 2 * corner_of(k);
+      if (side == 2) {
+        place(corner, kept[k], middle);
+      } else {
+        fill(corner, side / 2, kept[k], depth + 1);
+      }
+    }
+  }
+
+  /// Takes the place of a cell, whose solids are near `origin`, if it lies in the body.
+  void place(glm::ivec3 cell, std::span<const FieldStep> steps, DVec3 origin) {
+    const RandomKey key = key_of(cell);
+    const DVec3 share(key.uniform(0), key.uniform(1), key.uniform(2));
+    const DVec3 position = grid_.origin + grid_.spacing * (DVec3(cell) + share);
+    // The place itself, and four about it for the gradient.
+    const Vec3 local(position - origin);
+    std::array<float, 5> x, y, z, values;
+    x.fill(local.x);
+    y.fill(local.y);
+    z.fill(local.z);
+    const auto step = static_cast<float>(kGradientStep * grid_.spacing);
+    for (std::size_t k = 0; k < kCorners.size(); ++k) {
+      x[k + 1] += step * kCorners[k].x;
+      y[k + 1] += step * kCorners[k].y;
+      z[k + 1] += step * kCorners[k].z;
+    }
+    sampler_.sample(steps, near_, x.data(), y.data(), z.data(), values.size(), values.data());
+    if (!(values[0] < 0) || values[0] < -grid_.depth) return;
+    Vec3 gradient{0};
+    for (std::size_t k = 0; k < kCorners.size(); ++k) gradient += kCorners[k] * values[k + 1];
+    places_.push_back({Vec3(position), normalized_or(gradient, kUp), cell});
+  }
+
+  RandomKey key_of(glm::ivec3 cell) const {
+    const auto number = [](int k) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(k)); };
+    return key_.child(number(cell.x)).child(number(cell.y)).child(number(cell.z));
+  }
+
+  const ImplicitBody& body_;
+  const BodyGrid& grid_;
+  RandomKey key_;
+  Progress& progress_;
+  std::vector<float> gaps_;
+  NearSolids near_;
+  FieldPruner pruner_;
+  FieldSampler sampler_;
+  std::vector<std::array<std::vector<FieldStep>, 8>> levels_;
+  std::vector<BodyPlace> places_;
+};
+
+}  // namespace
+
+std::vector<BodyPlace> places_in(const ImplicitBody& body, const BodyGrid& grid, RandomKey key, Progress& progress) {
+  if (body.is_empty()) return {};
+  return BodyFiller(body, grid, key, progress).run();
+}
+
+}  // namespace meristem

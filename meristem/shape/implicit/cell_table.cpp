@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// For every pattern of corners, every way to join them on ambiguous faces, and every tunnel, the loops are traced and
+// triangulated. Nothing is decided here: which of a pattern's surfaces a cell has, its values tell.
+#include "meristem/shape/implicit/cell_table.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "meristem/shape/implicit/cell_geometry.h"
+#include "meristem/shape/implicit/cell_loops.h"
+#include "meristem/shape/implicit/loop_triangles.h"
+
+namespace meristem {
+namespace {
+
+constexpr int kTunnels = 3;
+
+/// An edge of the piece of surface that leaves the cell between two columns, at the height of a tunnel. There the one
+/// column is inside, and the other outside.
+std::optional<int> edge_between_columns(std::uint8_t pattern, int inside, int outside) {
+  const auto is_inside = [&](int corner) { return (pattern >> corner & 1) != 0; };
+  for (const int top : {0, 4}) {
+    if (is_inside(inside | top) && !is_inside(outside | top)) return edge_between(inside | top, outside | top);
+  }
+  if (is_inside(inside) != is_inside(inside | 4)) return edge_between(inside, inside | 4);
+  return std::nullopt;
+}
+
+/// The two loops that are joined by the tunnel, if these signs allow it.
+std::optional<std::pair<std::size_t, std::size_t>> joined_loops(const std::vector<CellLoop>& loops,
+                                                                std::uint8_t pattern, Tunnel tunnel) {
+  if (tunnel == Tunnel::none) return std::nullopt;
+  std::vector<std::size_t> joined;
+  const int parity = tunnel == Tunnel::between_odd_columns ? 1 : 0;
+  for (const int inside : {parity, 3 - parity}) {
+    for (const int outside : {inside ^ 1, inside ^ 2}) {
+      const auto edge = edge_between_columns(pattern, inside, outside);
+      if (!edge) return std::nullopt;
+      const auto loop = std::find_if(loops.begin(), loops.end(), [&](const CellLoop& candidate) {
+        return std::find(candidate.begin(), candidate.end(), *edge) != candidate.end();
+      });
+      joined.push_back(static_cast<std::size_t>(loop - loops.begin()));
+    }
+  }
+  std::sort(joined.begin(), joined.end());
+  joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
+  if (joined.size() != 2) return std::nullopt;
+  return std::pair(joined[0], joined[1]);
+}
+
+CellPieces make_pieces(std::uint8_t pattern, std::uint8_t joined, Tunnel tunnel) {
+  const std::vector<CellLoop> loops = cell_loops(pattern, joined);
+  CellPieces pieces;
+  const auto pair = joined_loops(loops, pattern, tunnel);
+  if (pair) append(pieces, triangulate_tunnel(loops[pair->first], loops[pair->second]));
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    if (pair && (k == pair->first || k == pair->second)) continue;
+    append(pieces, triangulate_loop(loops[k], pattern));
+  }
+  return pieces;
+}
+
+/// The `choice`-th subset of a set of bits.
+std::uint8_t subset(std::uint8_t bits, unsigned choice) {
+  std::uint8_t chosen = 0;
+  for (unsigned bit = 0; bit < 8; ++bit) {
+    if ((bits >> bit & 1) == 0) continue;
+    if ((choice & 1) != 0) chosen |= static_cast<std::uint8_t>(1 << bit);
+    choice >>= 1;
+  }
+  return chosen;
+}
+
+unsigned subset_index(std::uint8_t bits, std::uint8_t chosen) {
+  unsigned index = 0, place = 1;
+  for (unsigned bit = 0; bit < 8; ++bit) {
+    if ((bits >> bit & 1) == 0) continue;
+    if ((chosen >> bit & 1) != 0) index |= place;
+    place <<= 1;
+  }
+  return index;
+}
+
+}  // namespace
+
+CellTable::CellTable() {
+  struct Extent {
+    std::size_t triangles, inner;
+  };
+  std::vector<Extent> begins;
+  const auto add = [&](const CellPieces& pieces) {
+    begins.push_back({triangles_.size(), inner_.size()});
+    triangles_.insert(triangles_.end(), pieces.triangles.begin(), pieces.triangles.end());
+    inner_.insert(inner_.end(), pieces.inner.begin(), pieces.inner.end());
+  };
+
+  for (unsigned p = 0; p < 256; ++p) {
+    const auto pattern = static_cast<std::uint8_t>(p);
+    first_[p] = static_cast<std::uint16_t>(begins.size());
+    edges_[p] = find_crossed_edges(pattern);
+    faces_[p] = find_ambiguous_faces(pattern);
+    const bool one_surface = faces_[p] == 0 && cell_loops(pattern, 0).size() < 2;
+    if (one_surface) {
+      add(make_pieces(pattern, 0, Tunnel::none));
+      continue;
+    }
+    for (unsigned choice = 0; subset_index(faces_[p], subset(faces_[p], choice)) == choice; ++choice) {
+      for (int tunnel = 0; tunnel < kTunnels; ++tunnel) {
+        add(make_pieces(pattern, subset(faces_[p], choice), static_cast<Tunnel>(tunnel)));
+      }
+    }
+  }
+  first_[256] = static_cast<std::uint16_t>(begins.size());
+  begins.push_back({triangles_.size(), inner_.size()});
+
+  for (std::size_t k = 0; k + 1 < begins.size(); ++k) {
+    surfaces_.push_back({
+        .triangles = std::span(triangles_).subspan(begins[k].triangles, begins[k + 1].triangles - begins[k].triangles),
+        .inner = std::span(inner_).subspan(begins[k].inner, begins[k + 1].inner - begins[k].inner),
+    });
+  }
+}
+
+const CellTable& CellTable::instance() {
+  static const CellTable table;
+  return table;
+}
+
+const CellSurface& CellTable::surface(std::uint8_t pattern, std::uint8_t joined, Tunnel tunnel) const {
+  if (!is_ambiguous(pattern)) return surface(pattern);
+  return surfaces_[first_[pattern] + kTunnels * subset_index(faces_[pattern], joined) + static_cast<unsigned>(tunnel)];
+}
+
+}  // namespace meristem

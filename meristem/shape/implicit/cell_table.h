@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "meristem/shape/implicit/cell_surface.h"
+
+namespace meristem {
+
+/// What goes on between four columns, the edges along z, of which opposite ones are alike and neighbours are not.
+enum class Tunnel : std::uint8_t {
+  none,
+  between_even_columns,  ///< inside are those at x = y
+  between_odd_columns,   ///< inside are those at x != y
+};
+
+/// Every surface that a cell can have, made once.
+class CellTable {
+ public:
+  /// The one table; the first call makes it, in about 20 ms.
+  static const CellTable& instance();
+
+  /// `joined` has the bits of those ambiguous faces on which the two inside corners are joined, and no others.
+  const CellSurface& surface(std::uint8_t pattern, std::uint8_t joined, Tunnel tunnel) const;
+  /// The surface of a pattern that is not ambiguous.
+  const CellSurface& surface(std::uint8_t pattern) const { return surfaces_[first_[pattern]]; }
+  /// More than one surface for these signs.
+  bool is_ambiguous(std::uint8_t pattern) const { return first_[pattern + 1] > first_[pattern] + 1; }
+  std::uint8_t ambiguous_faces(std::uint8_t pattern) const { return faces_[pattern]; }
+  std::uint16_t crossed_edges(std::uint8_t pattern) const { return edges_[pattern]; }
+
+  CellTable(const CellTable&) = delete;
+  CellTable& operator=(const CellTable&) = delete;
+
+ private:
+  CellTable();
+
+  std::vector<std::array<std::uint8_t, 3>> triangles_;
+  std::vector<std::uint16_t> inner_;
+  std::vector<CellSurface> surfaces_;       ///< spans of the two above
+  std::array<std::uint16_t, 257> first_{};  ///< of a pattern's surfaces: one, or one for each joining and tunnel
+  std::array<std::uint8_t, 256> faces_{};
+  std::array<std::uint16_t, 256> edges_{};
+};
+
+}  // namespace meristem

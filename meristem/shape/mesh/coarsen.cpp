@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: Apache-2.0
+// In: a small mesh with uvs. Out: one with fewer triangles between vertices of the first. Half-edges collapse, the one
+// first that takes the surface and its border least far away; then whole pieces are left out. It moves no vertex, so
+// nothing has to be said of uvs and normals in between; that makes it coarser than simplify() at the same count.
+// Based on: M. Garland, P. Heckbert: Surface Simplification Using Quadric Error Metrics (1997), sections 4 and 6.
+#include "meristem/shape/mesh/coarsen.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "meristem/base/random.h"
+#include "meristem/base/vec.h"
+#include "meristem/shape/mesh/even_order.h"
+#include "meristem/shape/mesh/quadric.h"
+
+namespace meristem {
+namespace {
+
+constexpr std::size_t kMostTriangles = 2000;
+constexpr std::size_t kManyPieces = 4;
+constexpr double kSmallPiece = 0.1;  // of the mean area: a leaf's stalk, which goes first
+constexpr double kWidest = 4;
+constexpr double kLeastCosine = 0.2;  // by which a triangle may turn
+constexpr double kFlat = 0.5;         // of its area, that a piece which is no tube shows from one side
+
+using Triangle = std::array<std::uint32_t, 3>;
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Twice the area, along the normal.
+DVec3 area_vector(const Mesh& mesh, const Triangle& triangle) {
+  const DVec3 a(mesh.positions[triangle[0]]);
+  return glm::cross(DVec3(mesh.positions[triangle[1]]) - a, DVec3(mesh.positions[triangle[2]]) - a);
+}
+
+bool has(const Triangle& triangle, std::uint32_t vertex) {
+  return triangle[0] == vertex || triangle[1] == vertex || triangle[2] == vertex;
+}
+
+/// Collapses half-edges of a mesh.
+class HalfEdgeCollapse {
+ public:
+  explicit HalfEdgeCollapse(Mesh& mesh) : mesh_(mesh), around_(mesh.vertex_count()), quadrics_(mesh.vertex_count()) {
+    for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+      for (const std::uint32_t vertex : mesh.triangles[t]) around_[vertex].push_back(t);
+    }
+    lock_seams();
+    add_planes();
+    left_ = mesh.triangle_count();
+    gone_.resize(left_, false);
+  }
+
+  void run(std::size_t triangles) {
+    while (left_ > triangles) {
+      const auto [cost, from, to] = cheapest();
+      if (!std::isfinite(cost)) break;
+      collapse(from, to);
+    }
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < gone_.size(); ++t) {
+      if (!gone_[t]) mesh_.triangles[kept++] = mesh_.triangles[t];
+    }
+    mesh_.triangles.resize(kept);
+  }
+
+ private:
+  void lock_seams() {
+    std::map<std::tuple<float, float, float>, std::uint32_t> first;
+    is_locked_.resize(mesh_.vertex_count(), false);
+    for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
+      const Vec3 p = mesh_.positions[v];
+      const auto [known, is_new] = first.try_emplace({p.x, p.y, p.z}, v);
+      if (!is_new) is_locked_[v] = is_locked_[known->second] = true;
+    }
+  }
+
+  void add_planes() {
+    for (const Triangle& triangle : mesh_.triangles) {
+      const DVec3 doubled = area_vector(mesh_, triangle);
+      const double length = glm::length(doubled);
+      if (!(length > 0)) continue;
+      const DVec3 normal = (1 / length) * doubled;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t from = triangle[k];
+        const std::uint32_t to = triangle[(k + 1) % 3];
+        const DVec3 place(mesh_.positions[from]);
+        quadrics_[from].add_plane(normal, place, length);
+        if (triangles_at(from, to) != 1) continue;
+        // A border is held by the plane through it that stands on the triangle.
+        const DVec3 along = DVec3(mesh_.positions[to]) - place;
+        const double square = glm::dot(along, along);
+        const DVec3 outward = glm::cross(along, normal) * (1 / std::sqrt(square));
+        quadrics_[from].add_plane(outward, place, square);
+        quadrics_[to].add_plane(outward, place, square);
+      }
+    }
+  }
+
+  std::size_t triangles_at(std::uint32_t a, std::uint32_t b) const {
+    return static_cast<std::size_t>(std::count_if(around_[a].begin(), around_[a].end(),
+                                                  [&](std::uint32_t t) { return has(mesh_.triangles[t], b); }));
+  }
+
+  std::vector<std::uint32_t> neighbours(std::uint32_t vertex) const {
+    std::vector<std::uint32_t> found;
+    for (const std::uint32_t t : around_[vertex]) {
+      for (const std::uint32_t other : mesh_.triangles[t]) {
+        if (other != vertex) found.push_back(other);
+      }
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+
+  /// The cheapest collapse of all: its cost, infinite if there is none, and the vertices from and to. Ties: the first.
+  std::tuple<double, std::uint32_t, std::uint32_t> cheapest() const {
+    std::tuple<double, std::uint32_t, std::uint32_t> best(std::numeric_limits<double>::infinity(), 0, 0);
+    for (std::uint32_t from = 0; from < mesh_.vertex_count(); ++from) {
+      if (is_locked_[from] || around_[from].empty()) continue;
+      const std::vector<std::uint32_t> near = neighbours(from);
+      const bool is_border =
+          std::any_of(near.begin(), near.end(), [&](std::uint32_t other) { return triangles_at(from, other) == 1; });
+      for (const std::uint32_t to : near) {
+        Quadric sum = quadrics_[from];
+        sum += quadrics_[to];
+        const double cost = sum.at(DVec3(mesh_.positions[to]));
+        if (cost < std::get<0>(best) && may_collapse(from, to, near, is_border)) best = {cost, from, to};
+      }
+    }
+    return best;
+  }
+
+  /// Whether the surface stays a surface, no triangle turns over, and something is left of the piece.
+  bool may_collapse(std::uint32_t from, std::uint32_t to, const std::vector<std::uint32_t>& near,
+                    bool is_border) const {
+    const std::size_t shared = triangles_at(from, to);
+    if (is_border && shared != 1) return false;
+    if (around_[from].size() == shared && around_[to].size() == shared) return false;
+    std::vector<std::uint32_t> common;
+    const std::vector<std::uint32_t> others = neighbours(to);
+    std::set_intersection(near.begin(), near.end(), others.begin(), others.end(), std::back_inserter(common));
+    if (common.size() != shared) return false;
+    for (const std::uint32_t t : around_[from]) {
+      Triangle triangle = mesh_.triangles[t];
+      if (has(triangle, to)) continue;
+      const DVec3 before = area_vector(mesh_, triangle);
+      std::replace(triangle.begin(), triangle.end(), from, to);
+      const DVec3 after = area_vector(mesh_, triangle);
+      if (!(glm::dot(before, after) > kLeastCosine * glm::length(before) * glm::length(after))) return false;
+      if (!faces_its_normals(triangle, after)) return false;
+    }
+    return true;
+  }
+
+  /// Many small turns may make a large one; normals are those of the first surface.
+  bool faces_its_normals(const Triangle& triangle, DVec3 area) const {
+    if (mesh_.normals.empty()) return true;
+    return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t vertex) {
+      return glm::dot(DVec3(mesh_.normals[vertex]), area) > kLeastCosine * glm::length(area);
+    });
+  }
+
+  void collapse(std::uint32_t from, std::uint32_t to) {
+    for (const std::uint32_t t : around_[from]) {
+      Triangle& triangle = mesh_.triangles[t];
+      if (has(triangle, to)) {
+        gone_[t] = true;
+        --left_;
+        for (const std::uint32_t vertex : triangle) {
+          if (vertex != from) std::erase(around_[vertex], t);
+        }
+      } else {
+        std::replace(triangle.begin(), triangle.end(), from, to);
+        around_[to].push_back(t);
+      }
+    }
+    around_[from].clear();
+    quadrics_[to] += quadrics_[from];
+  }
+
+  Mesh& mesh_;
+  std::vector<std::vector<std::uint32_t>> around_;  // triangles of each vertex
+  std::vector<Quadric> quadrics_;
+  std::vector<bool> is_locked_;
+  std::vector<bool> gone_;  // triangles
+  std::size_t left_ = 0;
+};
+
+/// Triangles that hang together by their vertices.
+struct Piece {
+  std::vector<Triangle> triangles;
+  double area = 0;
+  DVec3 one_sided{0};  // the sum of area vectors
+};
+
+std::vector<Piece> pieces_of(const Mesh& mesh) {
+  std::vector<std::uint32_t> root(mesh.vertex_count());
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&root](std::uint32_t vertex) {
+    while (root[vertex] != vertex) vertex = root[vertex] = root[root[vertex]];
+    return vertex;
+  };
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const std::uint32_t vertex : triangle) {
+      const std::uint32_t first = find(triangle[0]);
+      const std::uint32_t other = find(vertex);
+      root[std::max(first, other)] = std::min(first, other);
+    }
+  }
+  std::map<std::uint32_t, Piece> pieces;
+  for (const Triangle& triangle : mesh.triangles) {
+    Piece& piece = pieces[find(triangle[0])];
+    const DVec3 area = 0.5 * area_vector(mesh, triangle);
+    piece.triangles.push_back(triangle);
+    piece.area += glm::length(area);
+    piece.one_sided += area;
+  }
+  std::vector<Piece> list;
+  for (auto& [vertex, piece] : pieces) list.push_back(std::move(piece));
+  return list;
+}
+
+double area_of(const std::vector<Piece>& pieces) {
+  double area = 0;
+  for (const Piece& piece : pieces) area += piece.area;
+  return area;
+}
+
+/// Leaves out what is small beside the others.
+std::vector<Piece> without_small(std::vector<Piece> pieces) {
+  const double mean = area_of(pieces) / static_cast<double>(pieces.size());
+  std::erase_if(pieces, [mean](const Piece& piece) { return piece.area < kSmallPiece * mean; });
+  return pieces;
+}
+
+/// An even choice of pieces with no more than so many triangles; one stays.
+std::vector<Piece> chosen(std::vector<Piece> pieces, std::size_t triangles) {
+  std::size_t count = 0;
+  std::vector<std::uint32_t> kept;
+  for (const std::uint32_t k : even_order(pieces.size(), RandomKey().child("pieces"))) {
+    count += pieces[k].triangles.size();
+    if (count > triangles && !kept.empty()) break;
+    kept.push_back(k);
+  }
+  std::sort(kept.begin(), kept.end());
+  std::vector<Piece> left;
+  for (const std::uint32_t k : kept) left.push_back(std::move(pieces[k]));
+  return left;
+}
+
+void take_triangles(Mesh& mesh, const std::vector<Piece>& pieces) {
+  mesh.triangles.clear();
+  for (const Piece& piece : pieces) {
+    mesh.triangles.insert(mesh.triangles.end(), piece.triangles.begin(), piece.triangles.end());
+  }
+}
+
+/// Stretches a flat piece across the line between its farthest vertices.
+void widen(Mesh& mesh, const Piece& piece, double factor) {
+  if (!(glm::length(piece.one_sided) > kFlat * piece.area)) return;
+  std::vector<std::uint32_t> vertices;
+  for (const Triangle& triangle : piece.triangles) vertices.insert(vertices.end(), triangle.begin(), triangle.end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  Vec3 base(0);
+  Vec3 along(0);
+  for (const std::uint32_t a : vertices) {
+    for (const std::uint32_t b : vertices) {
+      const Vec3 line = mesh.positions[b] - mesh.positions[a];
+      if (glm::dot(line, line) > glm::dot(along, along)) std::tie(base, along) = std::pair(mesh.positions[a], line);
+    }
+  }
+  for (const std::uint32_t vertex : vertices) {
+    const Vec3 offset = mesh.positions[vertex] - base;
+    const Vec3 foot = base + glm::dot(offset, along) / glm::dot(along, along) * along;
+    mesh.positions[vertex] = foot + static_cast<float>(factor) * (mesh.positions[vertex] - foot);
+  }
+}
+
+/// The mesh without vertices that no triangle has.
+Mesh without_loose_vertices(const Mesh& mesh) {
+  constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
+  Mesh left;
+  std::vector<std::uint32_t> number(mesh.vertex_count(), kNone);
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const std::uint32_t vertex : triangle) number[vertex] = 0;
+  }
+  for (std::uint32_t vertex = 0; vertex < mesh.vertex_count(); ++vertex) {
+    if (number[vertex] == kNone) continue;
+    number[vertex] = static_cast<std::uint32_t>(left.vertex_count());
+    left.positions.push_back(mesh.positions[vertex]);
+    if (!mesh.normals.empty()) left.normals.push_back(mesh.normals[vertex]);
+    if (!mesh.uvs.empty()) left.uvs.push_back(mesh.uvs[vertex]);
+  }
+  for (const Triangle& t : mesh.triangles) left.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+  return left;
+}
+
+}  // namespace
+
+Mesh coarsened(const Mesh& mesh, std::size_t triangles) {
+  if (mesh.triangle_count() <= std::max<std::size_t>(triangles, 2) || mesh.triangle_count() > kMostTriangles)
+    return mesh;
+  std::vector<Piece> pieces = pieces_of(mesh);
+  const double area = area_of(pieces);
+  pieces = without_small(std::move(pieces));
+  const bool are_many = pieces.size() >= kManyPieces;
+  if (!are_many) triangles = std::max(triangles, 2 * pieces.size());
+
+  Mesh coarse = mesh;
+  coarse.tangents.clear();
+  take_triangles(coarse, pieces);
+  HalfEdgeCollapse(coarse).run(triangles);
+  if (are_many) {
+    pieces = pieces_of(coarse);
+    if (coarse.triangle_count() > triangles) pieces = chosen(std::move(pieces), triangles);
+    take_triangles(coarse, pieces);
+    const double left = area_of(pieces);
+    const double factor = left > 0 ? std::clamp(area / left, 1.0, kWidest) : 1;
+    for (const Piece& piece : pieces) widen(coarse, piece, factor);
+  }
+  return without_loose_vertices(coarse);
+}
+
+}  // namespace meristem

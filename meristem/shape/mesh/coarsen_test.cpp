@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/shape/mesh/coarsen.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "meristem/shape/leaf/leaf_blade.h"
+#include "meristem/shape/leaf/needles.h"
+#include "meristem/shape/mesh/even_order.h"
+#include "meristem/shape/solid/primitives.h"
+#include "tests/support/check_mesh.h"
+
+namespace meristem {
+namespace {
+
+bool is_vertex_of(const Mesh& mesh, Vec3 position, Vec2 uv) {
+  for (std::size_t k = 0; k < mesh.vertex_count(); ++k) {
+    if (mesh.positions[k] == position && mesh.uvs[k] == uv) return true;
+  }
+  return false;
+}
+
+TEST(Coarsened, BladesKeepPlacesAndUvsOfWhatStays) {
+  const Mesh blade = make_leaf_blade({.curl = 0.5, .rows = 8, .across = 4});
+  for (const std::size_t triangles : {20, 8, 2}) {
+    const Mesh coarse = coarsened(blade, triangles);
+    EXPECT_LE(coarse.triangle_count(), triangles);
+    EXPECT_TRUE(check_mesh(coarse, {.closed = false}));
+    for (std::size_t k = 0; k < coarse.vertex_count(); ++k) {
+      EXPECT_TRUE(is_vertex_of(blade, coarse.positions[k], coarse.uvs[k]));
+    }
+  }
+}
+
+TEST(Coarsened, AFlatBladeKeepsNineTenthsOfItsAreaInAQuarterOfItsTriangles) {
+  const Mesh blade = make_leaf_blade({.rows = 10});
+  EXPECT_GE(surface_area(coarsened(blade, blade.triangle_count() / 4)), 0.9 * surface_area(blade));
+}
+
+TEST(Coarsened, FewerNeedlesAreWider) {
+  const Mesh shoot = make_needles({.count = 80});
+  const double area = surface_area(shoot);
+  for (const std::size_t triangles : {80, 40}) {
+    const Mesh coarse = coarsened(shoot, triangles);
+    EXPECT_LE(coarse.triangle_count(), triangles);
+    EXPECT_GE(coarse.triangle_count(), triangles * 9 / 10);
+    EXPECT_NEAR(surface_area(coarse), area, 0.1 * area) << triangles;
+  }
+  EXPECT_NEAR(surface_area(coarsened(shoot, 20)), 0.5 * area, 0.1 * area) << "eight times as wide would be too much";
+}
+
+TEST(Coarsened, ClosedMeshesStayClosed) {
+  const Mesh ball = make_sphere(0.1, 12);
+  const Mesh coarse = coarsened(ball, ball.triangle_count() / 4);
+  EXPECT_LT(coarse.triangle_count(), 0.6 * static_cast<double>(ball.triangle_count())) << "its seam stays";
+  EXPECT_TRUE(check_mesh(coarse, {.closed = true}));
+}
+
+TEST(Coarsened, WhatIsCoarseEnoughStaysAsItIs) {
+  const Mesh blade = make_leaf_blade({});
+  EXPECT_EQ(coarsened(blade, blade.triangle_count()).triangles, blade.triangles);
+}
+
+TEST(EvenOrder, EachBeginningIsSpreadEvenly) {
+  constexpr std::size_t kCount = 4096;
+  const std::vector<std::uint32_t> order = even_order(kCount, RandomKey(3));
+  for (std::size_t shown = 4; shown <= kCount; shown *= 4) {
+    // Exactly one of each run.
+    std::vector<int> of_run(shown, 0);
+    for (std::size_t k = 0; k < shown; ++k) ++of_run[order[k] / (kCount / shown)];
+    EXPECT_EQ(std::count(of_run.begin(), of_run.end(), 1), static_cast<std::ptrdiff_t>(shown));
+  }
+  // But not always the same one: as many even as odd.
+  const auto even = std::count_if(order.begin(), order.begin() + kCount / 2, [](auto k) { return k % 2 == 0; });
+  EXPECT_NEAR(static_cast<double>(even), kCount / 4, 4 * 23);  // four deviations of a binomial
+}
+
+TEST(EvenOrder, HasAllOfAnyCount) {
+  for (std::uint32_t count = 0; count < 40; ++count) {
+    std::vector<std::uint32_t> order = even_order(count, RandomKey(1));
+    std::sort(order.begin(), order.end());
+    ASSERT_EQ(order.size(), count);
+    for (std::uint32_t k = 0; k < count; ++k) EXPECT_EQ(order[k], k);
+  }
+}
+
+}  // namespace
+}  // namespace meristem

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: Apache-2.0
+// A triangle mesh comes in, one with fewer triangles of about the same form goes out. Each vertex remembers the planes
+// of the triangles that it stands for as a quadric; the edge whose ends can become one vertex at the least sum of
+// squared distances from their planes, weighted by area, collapses first. A collapse that would break the surface, turn
+// a triangle over or fold it onto its neighbour is left out.
+//
+// Based on: M. Garland, P. Heckbert: Surface Simplification Using Quadric Error Metrics (1997); T. K. Dey,
+// H. Edelsbrunner, S. Guha, D. V. Nekhayev: Topology Preserving Edge Contraction (1999), the link condition.
+// Deviations: the new vertex then moves along the mean normal so that the volume stays, without which crowns of spheres
+// brought to 100 triangles lose a fifth of it; a weak spring keeps the place near the edge where the planes leave it
+// open, and among edges that cost nothing short ones go first. The queue holds vertices instead of edges, each for its
+// edges to higher vertices, in steps of cost; costs are taken anew when a vertex comes to its front: sums of quadrics
+// only grow, so an old cost is a lower bound.
+//
+// Why not meshoptimizer: its simplifier (0.18) has no link condition. A forked trunk of 38,820 triangles brought to
+// 5,000 had 54 edges with four triangles and 3.5 % less volume, at 500 23 % less, as vertices stay where they are; and
+// one call of it for 15 million triangles ran for 18 seconds that nobody can stop.
+#include "meristem/shape/mesh/edge_collapse.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "meristem/shape/mesh/filled.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr float kNever = std::numeric_limits<float>::infinity();
+/// Stiffness of the spring toward the edge, a share of the planes' weight.
+constexpr double kSpring = 1e-5;
+/// The same that keeps apices of few triangles from standing out of round bodies as spikes, and by how much it may
+/// raise the cost: at corners and ridges it would raise it by far more.
+constexpr double kTameSpring = 0.05;
+constexpr double kTameCost = 2;
+/// What an edge's squared length costs, a share of the same.
+constexpr double kShortEdges = 1e-5;
+/// How far the surface departs at worst, over the root mean square of what a vertex has from its planes: on
+/// spheres 2.2 to 2.7.
+constexpr double kWorstToMean = 3;
+/// Sweeps go on down to so many times the triangles that are wanted, or to so many. A crown of 512,000 triangles comes
+/// to 5,000 in 0.7 s with a root mean square distance of 0.95 mm, without sweeps in 1.7 s with 0.92 mm.
+constexpr std::size_t kSweepDownTo = 3;
+constexpr std::size_t kSmallMesh = 32'768;
+/// What a sweep's edges may cost, over the median before: about what a quarter of the triangles is left at.
+constexpr float kSweepCost = 64;
+/// Vertices of a part of a sweep: some 350 kB with their triangles.
+constexpr std::uint32_t kSweepPart = 2048;
+/// How far an apex may move to keep the volume, as a share of the edge's length.
+constexpr double kVolumeShift = 0.5;
+/// The cosine of the angle by which a collapse may turn a triangle: 75°.
+constexpr double kTurn = 0.26;
+/// The cosine of the angle between the normals of neighbours beyond which they count as folded: 143°.
+constexpr double kFold = -0.8;
+/// Twice the area over the longest side squared, below which a triangle is too thin to be made.
+constexpr double kThin = 2e-3;
+/// Below it a triangle's normal says nothing.
+constexpr double kNoNormal = 1e-5;
+/// Triangles around one vertex, at most.
+constexpr std::size_t kMostAround = 40;
+
+double longest_squared(DVec3 a, DVec3 b, DVec3 c) {
+  return std::max({squared_length(b - a), squared_length(c - b), squared_length(a - c)});
+}
+
+}  // namespace
+
+EdgeCollapse::EdgeCollapse(const Mesh& mesh, float error, const Progress& progress)
+    : squared_error_(double{error} * error / (kWorstToMean * kWorstToMean)),
+      corners_(mesh.triangles, mesh.vertex_count(), progress),
+      queue_(mesh.vertex_count(), progress) {
+  Box box;
+  vertices_.reserve(mesh.vertex_count());
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (v % kItemsBetweenChecks == 0) progress.check();
+    vertices_.push_back({.position = mesh.positions[v], .is_inner = corners_.is_inner(v)});
+    box.add(mesh.positions[v]);
+  }
+  centre_ = DVec3(box.centre());
+  add_quadrics(progress);
+}
+
+void EdgeCollapse::add_quadrics(const Progress& progress) {
+  for (Corner c = 0; c < corners_.corner_count(); c += 3) {
+    if (c % kItemsBetweenChecks < 3) progress.check();
+    const std::array<std::uint32_t, 3> triangle{corners_.vertex(c), corners_.vertex(c + 1), corners_.vertex(c + 2)};
+    const DVec3 a = place(triangle[0]);
+    const DVec3 front = glm::cross(place(triangle[1]) - a, place(triangle[2]) - a);
+    const double length = glm::length(front);
+    if (!(length > 0)) continue;
+    Quadric plane;
+    plane.add_plane(front / length, a, length / 2);
+    for (const std::uint32_t vertex : triangle) vertices_[vertex].quadric += plane;
+  }
+}
+
+/// Visits the edges of a vertex that may collapse and of which it is the lower end, with a corner at the vertex whose
+/// next is the other end.
+template <class Visit>
+void EdgeCollapse::for_each_edge(std::uint32_t vertex, Visit&& visit) const {
+  if (!vertices_[vertex].is_inner) return;
+  const Corner first = corners_.corner_of(vertex);
+  Corner c = first;
+  do {
+    const std::uint32_t other = corners_.vertex(CornerTable::next(c));
+    if (other > vertex && vertices_[other].is_inner) visit(other, c);
+    c = corners_.turn(c);
+  } while (c != first);
+}
+
+EdgeCollapse::Candidate EdgeCollapse::candidate(std::uint32_t low, std::uint32_t high, Corner corner) const {
+  const Quadric& a = vertices_[low].quadric;
+  const Quadric& b = vertices_[high].quadric;
+  Quadric both = a;
+  both += b;
+  const double share = both.weight() > 0 ? b.weight() / both.weight() : 0.5;
+  const DVec3 from = place(low);
+  const DVec3 along = place(high) - from;
+  DVec3 apex = both.least(from + share * along, kSpring);
+  const DVec3 tame = both.least(from + share * along, kTameSpring);
+  if (both.at(tame) < kTameCost * both.at(apex)) apex = tame;
+  const double a_error = a.at(apex);
+  const double b_error = b.at(apex);
+  // Each end on its own: what is large beside a twig must not outvote it.
+  const bool errs = a_error > squared_error_ * a.weight() || b_error > squared_error_ * b.weight();
+  const double length_cost = kShortEdges * std::min(a.weight(), b.weight()) * squared_length(along);
+  return {errs ? kNever : static_cast<float>(a_error + b_error + length_cost), corner, apex};
+}
+
+/// The cheapest edge of those to higher vertices that comes after `last`; its cost is kNever if there is none.
+EdgeCollapse::Candidate EdgeCollapse::cheapest_after(const Candidate& last, std::uint32_t vertex) const {
+  Candidate cheapest{kNever, 0, {}};
+  for_each_edge(vertex, [&](std::uint32_t high, Corner c) {
+    const Candidate edge = candidate(vertex, high, c);
+    if (last.is_before(edge) && edge.is_before(cheapest)) cheapest = edge;
+  });
+  return cheapest;
+}
+
+void EdgeCollapse::run(std::size_t triangles, Progress& progress) {
+  // While there is much to do, go over the mesh in parts that fit into a processor's cache, each up to a like cost: in
+  // the order of costs alone, most of the time goes into waiting for memory.
+  const std::size_t enough = std::max(kSweepDownTo * triangles, kSmallMesh);
+  std::size_t before = corners_.triangle_count() + 1;
+  while (corners_.triangle_count() > enough && corners_.triangle_count() < before) {
+    before = corners_.triangle_count();
+    const float limit = kSweepCost * median_cost(progress);
+    for (std::uint32_t v = 0; v < vertices_.size(); v += kSweepPart) {
+      queue_.restart(limit);
+      put_all(v, std::min(v + kSweepPart, static_cast<std::uint32_t>(vertices_.size())), progress);
+      collapse_queued(enough, progress);
+    }
+  }
+  queue_.restart(kNever);
+  put_all(0, static_cast<std::uint32_t>(vertices_.size()), progress);
+  collapse_queued(triangles, progress);
+}
+
+/// Of the vertices' cheapest edges, from a sample.
+float EdgeCollapse::median_cost(const Progress& progress) const {
+  std::vector<float> costs;
+  const std::size_t stride = vertices_.size() / 4096 + 1;
+  for (std::size_t v = 0; v < vertices_.size(); v += stride) {
+    progress.check();
+    const auto vertex = static_cast<std::uint32_t>(v);
+    const float cost = corners_.corner_of(vertex) == CornerTable::kNone ? kNever : cheapest_after({}, vertex).cost;
+    if (cost < kNever) costs.push_back(cost);
+  }
+  if (costs.empty()) return 0;
+  std::nth_element(costs.begin(), costs.begin() + static_cast<std::ptrdiff_t>(costs.size() / 2), costs.end());
+  return costs[costs.size() / 2];
+}
+
+void EdgeCollapse::put_all(std::uint32_t begin, std::uint32_t end, const Progress& progress) {
+  // The last one first, so that lower ones are taken first.
+  for (std::uint32_t v = end; v-- > begin;) {
+    if (v % 1024 == 0) progress.check();
+    if (corners_.corner_of(v) == CornerTable::kNone) continue;
+    vertices_[v].is_blocked = false;
+    const Candidate edge = cheapest_after({}, v);
+    if (edge.cost < kNever) queue_.put(v, VertexQueue::step(edge.cost));
+  }
+}
+
+void EdgeCollapse::collapse_queued(std::size_t triangles, Progress& progress) {
+  std::size_t before = corners_.triangle_count();
+  for (std::uint32_t round = 0; corners_.triangle_count() > triangles; ++round) {
+    if (round % 1024 == 0) {
+      progress.advance(before - corners_.triangle_count());
+      before = corners_.triangle_count();
+    }
+    const std::uint32_t vertex = queue_.take();
+    if (vertex == VertexQueue::kNone) return;
+    if (corners_.corner_of(vertex) != CornerTable::kNone) consider(vertex);
+  }
+}
+
+/// Collapses the cheapest edge of a vertex that may, or puts the vertex where it belongs by now.
+void EdgeCollapse::consider(std::uint32_t vertex) {
+  Candidate edge;
+  while (true) {
+    edge = cheapest_after(edge, vertex);
+    if (!(edge.cost < kNever)) break;
+    const std::uint32_t step = VertexQueue::step(edge.cost);
+    if (step > queue_.current_step()) return queue_.put(vertex, step);
+    if (!keeps_manifold(edge.corner)) continue;
+    // What is checked is what is stored.
+    const DVec3 apex = rounded(with_volume(edge));
+    if (keeps_form(apex) && keeps_folds(edge.corner, apex)) return collapse(edge.corner, apex);
+  }
+  vertices_[vertex].is_blocked = true;
+}
+
+/// The link condition; leaves in `fan_` the triangles around both ends that stay, counter-clockwise.
+bool EdgeCollapse::keeps_manifold(Corner corner) {
+  const auto add = [&](Corner c) {
+    fan_.push_back({c, corners_.vertex(CornerTable::next(c)), corners_.vertex(CornerTable::previous(c))});
+  };
+  fan_.clear();
+  for (Corner c = corners_.turn(corner); corners_.turn(c) != corner; c = corners_.turn(c)) add(c);
+  const std::size_t low_count = fan_.size();
+  const Corner far = CornerTable::next(corner);
+  for (Corner c = corners_.turn(corners_.turn(far)); c != far; c = corners_.turn(c)) add(c);
+  // A tetrahedron has no triangle to spare.
+  if (fan_.size() > kMostAround || (low_count == 1 && fan_.size() == 2)) return false;
+  // The ends share the third corners of the edge's two triangles, and may share no other neighbour.
+  for (std::size_t high = low_count + 1; high < fan_.size(); ++high) {
+    for (std::size_t low = 0; low < low_count; ++low) {
+      if (fan_[low].from == fan_[high].from || fan_[low].to == fan_[high].from) return false;
+    }
+  }
+  return true;
+}
+
+/// The apex moved so that the fan, which is that of the edge, encloses as much as before; not far.
+DVec3 EdgeCollapse::with_volume(const Candidate& edge) const {
+  const std::uint32_t low = corners_.vertex(edge.corner);
+  const DVec3 origin = place(low);
+  const DVec3 high = place(corners_.vertex(CornerTable::next(edge.corner))) - origin;
+  // Six times volumes of tetrahedra with a corner at the low end: triangles around that have none.
+  DVec3 growth(0);
+  double volume = 0;
+  for (const FanTriangle& triangle : fan_) {
+    const DVec3 across = glm::cross(place(triangle.from) - origin, place(triangle.to) - origin);
+    growth += across;
+    if (corners_.vertex(triangle.corner) != low) volume += glm::dot(high, across);
+  }
+  const double squared_growth = squared_length(growth);
+  const double missing = volume - glm::dot(edge.apex - origin, growth);
+  const double farthest = kVolumeShift * glm::length(high);
+  if (!(std::abs(missing) < farthest * std::sqrt(squared_growth))) return edge.apex;
+  return edge.apex + (missing / squared_growth) * growth;
+}
+
+/// Whether no triangle of the fan turns over or becomes thin when its corner moves to `apex`.
+bool EdgeCollapse::keeps_form(DVec3 apex) {
+  for (FanTriangle& triangle : fan_) {
+    const DVec3 from = place(triangle.from);
+    const DVec3 to = place(triangle.to);
+    const DVec3 old_apex = place(corners_.vertex(triangle.corner));
+    const DVec3 front = glm::cross(from - apex, to - apex);
+    const DVec3 old_front = glm::cross(from - old_apex, to - old_apex);
+    const double length = glm::length(front);
+    const double old_length = glm::length(old_front);
+    const double longest = longest_squared(apex, from, to);
+    const double old_longest = longest_squared(old_apex, from, to);
+    if (!(length > kNoNormal * longest)) return false;
+    // What is thin may become less so.
+    if (length < kThin * longest && length * old_longest < old_length * longest) return false;
+    const bool has_normal = old_length > kNoNormal * old_longest;
+    if (has_normal && glm::dot(front, old_front) < kTurn * length * old_length) return false;
+    triangle.normal = front / length;
+  }
+  return true;
+}
+
+/// Whether no two neighbours fold onto each other that did not before.
+bool EdgeCollapse::keeps_folds(Corner corner, DVec3 apex) {
+  const std::uint32_t low = corners_.vertex(corner);
+  const std::uint32_t high = corners_.vertex(CornerTable::next(corner));
+  const auto new_place = [&](std::uint32_t vertex) { return vertex == low || vertex == high ? apex : place(vertex); };
+  double sharpest = 1;
+  for (std::size_t k = 0; k < fan_.size(); ++k) {
+    sharpest = std::min(sharpest, glm::dot(fan_[k].normal, fan_[(k + 1) % fan_.size()].normal));
+    const Corner beyond = corners_.opposite(fan_[k].corner);
+    if (beyond == CornerTable::kNone) continue;
+    const DVec3 from = place(fan_[k].from);
+    const DVec3 front = glm::cross(new_place(corners_.vertex(beyond)) - from, place(fan_[k].to) - from);
+    const double length = glm::length(front);
+    if (length > 0) sharpest = std::min(sharpest, glm::dot(fan_[k].normal, front) / length);
+  }
+  return sharpest > kFold || sharpest >= sharpest_fold(corner);
+}
+
+/// The least cosine between the normals of neighbours, one of which has a corner at an end of the edge.
+double EdgeCollapse::sharpest_fold(Corner corner) const {
+  const auto front = [&](Corner c) {
+    const DVec3 at = place(corners_.vertex(c));
+    const DVec3 across = glm::cross(place(corners_.vertex(CornerTable::next(c))) - at,
+                                    place(corners_.vertex(CornerTable::previous(c))) - at);
+    const double length = glm::length(across);
+    return length > 0 ? across / length : DVec3(0);
+  };
+  double sharpest = 1;
+  for (const Corner first : {corner, CornerTable::next(corner)}) {
+    Corner c = first;
+    do {
+      const DVec3 here = front(c);
+      sharpest = std::min(sharpest, glm::dot(here, front(corners_.turn(c))));
+      if (corners_.opposite(c) != CornerTable::kNone) {
+        sharpest = std::min(sharpest, glm::dot(here, front(corners_.opposite(c))));
+      }
+      c = corners_.turn(c);
+    } while (c != first);
+  }
+  return sharpest;
+}
+
+void EdgeCollapse::collapse(Corner corner, DVec3 apex) {
+  const std::uint32_t low = corners_.vertex(corner);
+  const std::uint32_t high = corners_.vertex(CornerTable::next(corner));
+  corners_.collapse(corner);
+  vertices_[low].position = Vec3(apex + centre_);
+  vertices_[low].quadric += vertices_[high].quadric;
+  // Nothing around costs less than this did; who had no edge to collapse may have one now.
+  queue_.put(low, queue_.current_step());
+  for (const FanTriangle& triangle : fan_) {
+    if (!vertices_[triangle.from].is_blocked) continue;
+    vertices_[triangle.from].is_blocked = false;
+    queue_.put(triangle.from, queue_.current_step());
+  }
+}
+
+Mesh EdgeCollapse::mesh(const Progress& progress) const {
+  Mesh mesh;
+  mesh.triangles.reserve(corners_.triangle_count());
+  std::vector<std::uint32_t> index = filled(vertices_.size(), std::uint32_t{0}, progress);
+  // Number the vertices in their old order: 1 marks those in use, then each gets its number.
+  for (Corner c = 0; c < corners_.corner_count(); ++c) {
+    if (c % kItemsBetweenChecks == 0) progress.check();
+    if (corners_.vertex(c) != CornerTable::kNone) index[corners_.vertex(c)] = 1;
+  }
+  for (std::size_t v = 0; v < index.size(); ++v) {
+    if (v % kItemsBetweenChecks == 0) progress.check();
+    if (index[v] == 0) continue;
+    index[v] = static_cast<std::uint32_t>(mesh.vertex_count());
+    mesh.positions.push_back(vertices_[v].position);
+  }
+  for (Corner c = 0; c < corners_.corner_count(); c += 3) {
+    if (c % kItemsBetweenChecks < 3) progress.check();
+    if (corners_.vertex(c) == CornerTable::kNone) continue;
+    mesh.triangles.push_back({index[corners_.vertex(c)], index[corners_.vertex(c + 1)], index[corners_.vertex(c + 2)]});
+  }
+  return mesh;
+}
+
+}  // namespace meristem

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "meristem/base/mesh.h"
+#include "meristem/base/progress.h"
+#include "meristem/shape/mesh/corner_table.h"
+#include "meristem/shape/mesh/quadric.h"
+#include "meristem/shape/mesh/vertex_queue.h"
+
+namespace meristem {
+
+/// A mesh whose edges collapse, the cheapest first.
+class EdgeCollapse {
+ public:
+  /// No collapse may err by more than `error` metres. Indices are in range. Throws Cancelled.
+  EdgeCollapse(const Mesh& mesh, float error, const Progress& progress);
+
+  /// Collapses until there are no more than `triangles`, or no edge is left that may. Throws Cancelled.
+  void run(std::size_t triangles, Progress& progress);
+
+  /// What is left: positions and triangles.
+  Mesh mesh(const Progress& progress) const;
+
+ private:
+  using Corner = CornerTable::Corner;
+
+  /// In one place, as walks around a mesh wait for memory more than for arithmetic.
+  struct Vertex {
+    Quadric quadric;
+    Vec3 position{0};
+    bool is_inner = false;    ///< may move
+    bool is_blocked = false;  ///< its edges may not collapse until something around changes
+  };
+  /// An edge, from the vertex of `corner` to that of the next one, which is the higher.
+  struct Candidate {
+    float cost = -1;  ///< the default comes before all
+    Corner corner = 0;
+    DVec3 apex{0};
+
+    bool is_before(const Candidate& other) const {
+      return cost < other.cost || (cost == other.cost && corner < other.corner);
+    }
+  };
+  /// A triangle that stays when an edge collapses: `corner` is at the edge's end, the others are from and to.
+  struct FanTriangle {
+    Corner corner;
+    std::uint32_t from, to;
+    DVec3 normal{0};  // unit, as it would be
+  };
+
+  void add_quadrics(const Progress& progress);
+  float median_cost(const Progress& progress) const;
+  void put_all(std::uint32_t begin, std::uint32_t end, const Progress& progress);
+  void collapse_queued(std::size_t triangles, Progress& progress);
+  DVec3 place(std::uint32_t vertex) const { return DVec3(vertices_[vertex].position) - centre_; }
+  DVec3 rounded(DVec3 place) const { return DVec3(Vec3(place + centre_)) - centre_; }
+
+  template <class Visit>
+  void for_each_edge(std::uint32_t vertex, Visit&& visit) const;
+  Candidate candidate(std::uint32_t low, std::uint32_t high, Corner corner) const;
+  Candidate cheapest_after(const Candidate& last, std::uint32_t vertex) const;
+  void consider(std::uint32_t vertex);
+  bool keeps_manifold(Corner corner);
+  DVec3 with_volume(const Candidate& edge) const;
+  bool keeps_form(DVec3 apex);
+  bool keeps_folds(Corner corner, DVec3 apex);
+  double sharpest_fold(Corner corner) const;
+  void collapse(Corner corner, DVec3 apex);
+
+  DVec3 centre_;  // quadrics are about it, as they lose digits far from their origin
+  double squared_error_;
+  CornerTable corners_;
+  std::vector<Vertex> vertices_;
+  VertexQueue queue_;
+  std::vector<FanTriangle> fan_;
+};
+
+}  // namespace meristem

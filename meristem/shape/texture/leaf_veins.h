@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the veins of a leaf run, in closed form: at any point, how much of them lies there.
+#pragma once
+
+#include <vector>
+
+#include "meristem/base/random.h"
+#include "meristem/shape/texture/blade_map.h"
+#include "meristem/shape/texture/texture_recipe.h"
+
+namespace meristem {
+
+class LeafVeins {
+ public:
+  /// Shares of a pixel, in [0, 1].
+  struct Spot {
+    float main = 0;   ///< midrib and other main veins
+    float side = 0;   ///< side veins
+    float cross = 0;  ///< thin veins from one side vein to the next
+    float swell = 0;  ///< 0 on side veins, 1 midway between two
+  };
+
+  /// `map` must outlive this.
+  LeafVeins(const LeafRecipe& recipe, const TextureShape& shape, const BladeMap& map, int pixels);
+  /// `row` is the row of pixels that has v; `wobble`, about [-1, 1], bends the veins.
+  Spot at(float u, float v, std::size_t row, float wobble) const;
+
+ private:
+  struct MainVein {
+    Vec2 heading{0, 1};
+    float length = 1;
+    std::vector<float> shifts;  // of side veins along it, in their spacing: right and left in turn
+  };
+  struct SideForm {
+    float first;    // where the first one leaves its main vein
+    float spacing;  // between one and the next
+    float count;
+    float reach;  // how far they go from their main vein
+  };
+
+  Spot pinnate_at(Vec2 place, std::size_t row, float wobble) const;
+  Spot palmate_at(Vec2 place, float wobble) const;
+  Spot parallel_at(float u, float v, std::size_t row) const;
+  void add_sides(const MainVein& vein, const SideForm& form, float along, float across, float wobble, Spot& spot) const;
+  void find_palm(const TextureShape& shape);
+  float line(float distance, float half_width) const;
+
+  LeafRecipe recipe_;
+  const BladeMap& map_;
+  float aspect_;
+  float pixel_;
+  float lean_;  // how far side veins go along while they go 1 across
+  std::vector<MainVein> mains_;
+};
+
+}  // namespace meristem

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// What textures are painted on, and how a texture is made of it.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "meristem/base/parallel.h"
+#include "meristem/base/vec.h"
+#include "meristem/plant/texture.h"
+#include "meristem/shape/texture/texture_normals.h"
+
+namespace meristem {
+
+/// One pixel of a canvas.
+struct Dab {
+  Vec3 light{1};     ///< linear colour; only proportions count, as the whole is brought to a mean in the end
+  float height = 0;  ///< in heights of the texture
+};
+
+/// A square, rows from top to bottom.
+struct Canvas {
+  explicit Canvas(int pixels_a_side) : pixels(pixels_a_side), dabs(static_cast<std::size_t>(pixels) * pixels) {}
+
+  int pixels;
+  std::vector<Dab> dabs;
+  std::vector<float> cover;  ///< share of each pixel that is not cut out; empty where nothing is
+};
+
+/// Calls `dab_at(u, v, index)` for the middle of each pixel, v up.
+template <class DabAt>
+void paint(Canvas& canvas, const DabAt& dab_at) {
+  const auto pixels = static_cast<std::size_t>(canvas.pixels);
+  const float step = 1 / static_cast<float>(canvas.pixels);
+  parallel_for(pixels, 8, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t y = begin; y < end; ++y) {
+      const float v = 1 - (static_cast<float>(y) + 0.5F) * step;
+      for (std::size_t x = 0; x < pixels; ++x) {
+        const std::size_t index = y * pixels + x;
+        canvas.dabs[index] = dab_at((static_cast<float>(x) + 0.5F) * step, v, index);
+      }
+    }
+  });
+}
+
+/// Rises smoothly from 0 at `low` to 1 at `high`; falls where `high` is the lower.
+inline float rise(float low, float high, float x) {
+  const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
+  return t * t * (3 - 2 * t);
+}
+
+struct Finish {
+  std::string name;
+  Vec3 colour{0.5F};  ///< sRGB: the mean to come out where it can
+  ReliefForm form;
+};
+
+/// The texture of a canvas: its colours brought to the mean channel by channel, white where they would be brighter than
+/// that, and its normals unless it is flat.
+Texture finish_texture(const Canvas& canvas, const Finish& finish);
+
+}  // namespace meristem

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "meristem/shape/flat/cut_polygon.h"
+#include "meristem/shape/flat/flat_ring.h"
+#include "meristem/shape/tube/loft.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr std::size_t kMostPoints = 1000;
+constexpr double kSamePlace = 1e-6;  // of a section's extent
+
+/// The first point at which a row or ring stands still.
+std::optional<std::size_t> repeated_point(const LoftSection& section) {
+  const std::vector<Vec3>& points = section.points;
+  const double nearest = kSamePlace * extent_of(points);
+  const auto repeats = [&](std::size_t a, std::size_t b) {
+    return glm::distance(DVec3(points[a]), DVec3(points[b])) <= nearest;
+  };
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    if (repeats(k - 1, k)) return k;
+  }
+  if (section.is_closed && points.size() > 1 && repeats(points.size() - 1, 0)) return points.size() - 1;
+  return {};
+}
+
+}  // namespace
+
+std::optional<LoftFault> find_fault(const LoftSection& section) {
+  const std::vector<Vec3>& points = section.points;
+  const std::string wanted = section.is_closed ? "at least 3 points, or 1 for a tip" : "at least 2, or 1 for a tip";
+  if (points.empty()) return LoftFault{"it has no points", wanted, {}};
+  if (section.is_closed && points.size() == 2) return LoftFault{"a ring of 2 points encloses nothing", wanted, {}};
+  if (points.size() > kMostPoints) return LoftFault{"it has too many points", "at most 1000", kMostPoints};
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (std::isfinite(points[k].x) && std::isfinite(points[k].y) && std::isfinite(points[k].z)) continue;
+    return LoftFault{"this point is not finite", "finite numbers", k};
+  }
+  if (const auto repeated = repeated_point(section)) {
+    const bool is_end = section.is_closed && *repeated + 1 == points.size();
+    return LoftFault{is_end ? "this point is at the place of its neighbour or of the first point"
+                            : "this point is at the place of the one before",
+                     section.is_closed ? "points that differ; a ring closes by itself" : "points that differ",
+                     repeated};
+  }
+  if (!section.is_closed || section.is_point()) return {};
+  const DVec3 area = area_vector(points);
+  const double extent = extent_of(points);
+  if (!(glm::length(area) > kSamePlace * extent * extent)) {
+    return LoftFault{"the ring encloses nothing", "points that are not all on a line", {}};
+  }
+  if (crosses_itself(flattened(points, area))) {
+    return LoftFault{"the ring crosses or touches itself", "points in their order around an area", {}};
+  }
+  return {};
+}
+
+}  // namespace meristem

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/shape/tube/tube_plan.h"
+
+#include "meristem/base/frame.h"
+#include "meristem/base/math.h"
+#include "meristem/base/parallel.h"
+
+namespace meristem {
+namespace {
+
+constexpr float kRunsOn = 0.94F;  // cosine of the angle, 20 degrees, up to which one axis goes on another
+constexpr float kCosSharpestMitre = 0.25881905F;     // 75 degrees
+constexpr float kCosSharpestFanOfTwo = -0.8660254F;  // 150 degrees
+constexpr float kHidden = 0.95F;           // of the mother's inner radius that a lateral's first ring may fill
+constexpr float kBarkReach = 6;            // of the mother's radius along her axis that a collar may touch
+constexpr float kFlareHeight = 4;          // of a root's radius
+constexpr float kLeastCollar = 0.3F;       // of a branch's radius that must exceed what roundness allows
+constexpr std::uint32_t kRoundCollar = 6;  // sides: coarser tubes show no collar, which would double a twig's triangles
+constexpr std::size_t kLongestRun = 12;    // nodes that one ring may stand for
+constexpr std::size_t kAxesPerBlock = 64;
+
+}  // namespace
+
+std::uint32_t fan_size(float cosine) {
+  return cosine >= kCosSharpestMitre ? 1 : cosine >= kCosSharpestFanOfTwo ? 2 : 3;
+}
+
+float flare_factor(const Surface& surface, float base_radius, float metres) {
+  const float left = std::max(0.0F, 1 - metres / (kFlareHeight * base_radius));
+  return 1 + surface.flare * left * left * left;
+}
+
+TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::vector<std::uint32_t> wear_of_axis)
+    : skeleton_(&skeleton), wears_(std::move(wears)), wear_of_axis_(std::move(wear_of_axis)), axes_(skeleton) {
+  thickest_.resize(wears_.size(), 0);
+  for (std::size_t node = 0; node < skeleton.node_count(); ++node) {
+    float& thickest = thickest_[wear(skeleton.axis[node])];
+    thickest = std::max(thickest, skeleton.radius[node]);
+  }
+  std::uint32_t meshes = 0;
+  for (const TubeWear& wear : wears_) {
+    most_sides_ = std::max(most_sides_, wear.surface.sides);
+    meshes = std::max(meshes, wear.mesh + 1);
+  }
+  plans_.resize(axes_.count());
+  radii_.resize(skeleton.node_count());
+  kept_.resize(skeleton.node_count());
+  kept_count_.resize(axes_.count());
+  parallel_for(plans_.size(), kAxesPerBlock, [this](std::size_t begin, std::size_t end) {
+    for (std::size_t axis = begin; axis < end; ++axis) {
+      smooth_radii(static_cast<AxisIndex>(axis));
+      choose_rings(static_cast<AxisIndex>(axis));
+    }
+  });
+  // Sides first: how much of a lateral its mother hides depends on hers.
+  parallel_for(plans_.size(), kAxesPerBlock, [this](std::size_t begin, std::size_t end) {
+    for (std::size_t axis = begin; axis < end; ++axis) choose_sides(static_cast<AxisIndex>(axis));
+  });
+  parallel_for(plans_.size(), kAxesPerBlock, [this](std::size_t begin, std::size_t end) {
+    for (std::size_t axis = begin; axis < end; ++axis) count_rings(static_cast<AxisIndex>(axis));
+  });
+  sizes_.resize(meshes);
+  for (std::size_t axis = 0; axis < plans_.size(); ++axis) {
+    AxisPlan& plan = plans_[axis];
+    plan.mesh = wears_[wear(axis)].mesh;
+    TubeSize& size = sizes_[plan.mesh];
+    plan.first_vertex = size.vertices;
+    plan.first_triangle = size.triangles;
+    size.vertices += plan.vertices(path(static_cast<AxisIndex>(axis)).is_lateral(), surface(axis).cap);
+    size.triangles += plan.triangles();
+  }
+}
+
+AxisPath TubePlan::path(AxisIndex axis) const {
+  const auto nodes = std::span(kept_).subspan(axes_.first[axis], kept_count_[axis]);
+  if (nodes.empty()) return {skeleton_, radii_, nodes};
+  return {skeleton_, radii_, nodes, skeleton_->parent[nodes[0]], base_radius(axis)};
+}
+
+/// A lateral begins with its own first node's radius, for its base lies within its mother. One that goes on where she
+/// ends shows it, and begins as thick as its taper says, but no thicker than her tip.
+float TubePlan::base_radius(AxisIndex axis) const {
+  const std::span<const NodeIndex> nodes = axes_.of(axis);
+  const float first = radii_[nodes[0]];
+  const NodeIndex mother = skeleton_->parent[nodes[0]];
+  if (nodes.size() < 2 || !goes_on(axis)) return first;
+  const float before = glm::distance(skeleton_->position[nodes[0]], skeleton_->position[mother]);
+  const float after = glm::distance(skeleton_->position[nodes[1]], skeleton_->position[nodes[0]]);
+  const float fallen = after > 0 ? (skeleton_->radius[nodes[0]] - skeleton_->radius[nodes[1]]) * before / after : 0;
+  return std::clamp(first + fallen, first, std::max(first, skeleton_->radius[mother]));
+}
+
+/// Whether an axis begins at the tip of another and runs on in her direction, or nearly so.
+bool TubePlan::goes_on(AxisIndex axis) const {
+  const NodeIndex first = axes_.of(axis)[0];
+  const NodeIndex mother = skeleton_->parent[first];
+  if (mother == kNoNode || axes_.of(skeleton_->axis[mother]).back() != mother) return false;
+  const NodeIndex before = skeleton_->parent[mother];
+  if (before == kNoNode) return false;
+  const Vec3 hers = unit_or(skeleton_->position[mother] - skeleton_->position[before], Vec3(0));
+  const Vec3 own = unit_or(skeleton_->position[first] - skeleton_->position[mother], Vec3(0));
+  return glm::dot(hers, own) > kRunsOn;
+}
+
+float TubePlan::roundness(std::size_t axis) const {
+  const double sides = std::max(3, surface(axis).sides);
+  return thickest_[wear(axis)] * static_cast<float>(1 - math::cos(kPi / sides));
+}
+
+Bark TubePlan::bark_below(const AxisPath& lateral) const {
+  const AxisPath mother = path(skeleton_->axis[lateral.mother]);
+  // Her nearest ring at or before the node.
+  const auto after = std::upper_bound(mother.nodes.begin(), mother.nodes.end(), lateral.mother);
+  const auto before = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - mother.nodes.begin() - 1));
+  const std::size_t point = before + (mother.is_lateral() ? 1 : 0);
+  return {mother, point, kBarkReach * mother.radius(point)};
+}
+
+/// Spreads the steps in which radii fall at forks: each becomes the mean over so much of the axis to both sides, less
+/// near its ends, which keep theirs.
+void TubePlan::smooth_radii(AxisIndex axis) {
+  const std::span<const NodeIndex> nodes = axes_.of(axis);
+  for (const NodeIndex node : nodes) radii_[node] = skeleton_->radius[node];
+  const float smooth = surface(axis).smooth;
+  if (nodes.size() < 3 || !(smooth > 0)) return;
+  // Sum up length and the area under the radii along the axis.
+  std::vector<float> way(nodes.size(), 0);
+  std::vector<double> area(nodes.size(), 0);
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    const float length = glm::distance(skeleton_->position[nodes[i]], skeleton_->position[nodes[i - 1]]);
+    way[i] = way[i - 1] + length;
+    area[i] = area[i - 1] + 0.5 * length * (skeleton_->radius[nodes[i - 1]] + skeleton_->radius[nodes[i]]);
+  }
+  const auto area_before = [&](float place) {
+    const auto after = std::upper_bound(way.begin() + 1, way.end() - 1, place);
+    const auto i = static_cast<std::size_t>(after - way.begin()) - 1;
+    const float from = skeleton_->radius[nodes[i]];
+    const float length = way[i + 1] - way[i];
+    const float share = length > 0 ? (place - way[i]) / length : 0;
+    const float to = glm::mix(from, skeleton_->radius[nodes[i + 1]], share);
+    return area[i] + 0.5 * (place - way[i]) * (from + to);
+  };
+  for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
+    const float room = std::min(way[i], way.back() - way[i]);
+    const float half = std::min(smooth * skeleton_->radius[nodes[i]], room);
+    if (!(half > 1e-3F * skeleton_->radius[nodes[i]])) continue;
+    const double mean = (area_before(way[i] + half) - area_before(way[i] - half)) / (2.0 * half);
+    radii_[nodes[i]] = static_cast<float>(mean);
+  }
+}
+
+/// Leaves out the nodes between which axis and radius run straight within the error that the surface allows.
+void TubePlan::choose_rings(AxisIndex axis) {
+  const std::span<const NodeIndex> nodes = axes_.of(axis);
+  const std::span<NodeIndex> kept = std::span(kept_).subspan(axes_.first[axis], nodes.size());
+  const float error = surface(axis).error;
+  std::uint32_t count = 0;
+  for (std::size_t i = 0; i < nodes.size();) {
+    kept[count++] = nodes[i];
+    std::size_t next = i + 1;
+    // Only so many at a time, so that the cost stays linear.
+    const std::size_t last = std::min(nodes.size() - 1, i + kLongestRun);
+    while (error > 0 && i > 0 && next < last && is_straight(nodes, i, next + 1, error)) ++next;
+    i = next;
+  }
+  kept_count_[axis] = count;
+}
+
+/// Whether the axis's nodes between two of it lie on the line that joins them, and their radii too.
+bool TubePlan::is_straight(std::span<const NodeIndex> nodes, std::size_t from, std::size_t to, float error) const {
+  const Vec3 base = skeleton_->position[nodes[from]];
+  const Vec3 chord = skeleton_->position[nodes[to]] - base;
+  const float length2 = glm::dot(chord, chord);
+  if (!(length2 > 0)) return false;
+  for (std::size_t i = from + 1; i < to; ++i) {
+    const Vec3 offset = skeleton_->position[nodes[i]] - base;
+    const float share = glm::dot(offset, chord) / length2;
+    const float radius = radii_[nodes[i]];
+    const Vec3 aside = offset - share * chord;
+    const float allowed = error * radius;
+    const float off = glm::mix(radii_[nodes[from]], radii_[nodes[to]], share) - radius;
+    if (!(share >= 0 && share <= 1) || glm::dot(aside, aside) > allowed * allowed || std::abs(off) > allowed) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void TubePlan::choose_sides(AxisIndex axis) {
+  const AxisPath points = path(axis);
+  if (points.size() == 0) return;
+  const float thickest = thickest_[wear(axis)];
+  const double share = thickest > 0 ? math::pow(std::min(1.0F, points.radius(0) / thickest), 1.0 / 3) : 0;
+  const double most = std::max(3, surface(axis).sides);
+  plans_[axis].sides = static_cast<std::uint32_t>(std::max(3.0, std::floor(most * share + 0.5)));
+}
+
+void TubePlan::count_rings(AxisIndex axis) {
+  const AxisPath points = path(axis);
+  if (points.size() < 2 || surface(axis).style != Surface::Style::tubes || wears_[wear(axis)].left_out) return;
+  AxisPlan& plan = plans_[axis];
+  plan_start(points, plan, axis);
+  // The start, the bends between it and the tip, and the tip.
+  plan.rings = plan.collar ? AxisPlan::kCollarRings + 1 : 2 + plan.flare_rings;
+  Vec3 before = plan.collar ? plan.collar->direction : points.direction(0, kUp);
+  for (std::size_t i = plan.collar ? plan.collar->next_point : 1; i + 1 < points.size(); ++i) {
+    const Vec3 after = points.direction(i, before);
+    plan.rings += fan_size(glm::dot(before, after));
+    before = after;
+  }
+  if (surface(axis).cap == Surface::Cap::round) plan.rings += AxisPlan::kDomeRings;
+}
+
+void TubePlan::plan_start(const AxisPath& points, AxisPlan& plan, AxisIndex axis) const {
+  plan.start_radius = points.radius(0);
+  if (!points.is_lateral()) {
+    // Where nodes are far apart the flare needs rings of its own.
+    const float first = glm::distance(points.position(0), points.position(1));
+    const bool flares = surface(axis).flare > 0 && first > 0.5F * kFlareHeight * plan.start_radius;
+    if (flares) plan.flare_rings = AxisPlan::kFlareRings;
+    return;
+  }
+  // What goes on where its mother ends, and is no thicker than she is there, needs no place inside her.
+  if (goes_on(axis) && plan.start_radius <= radii_[points.mother]) return;
+  const float hollow = roundness(skeleton_->axis[points.mother]);
+  const bool is_round = plan.sides >= kRoundCollar;
+  if (surface(axis).collar > 0 && is_round && kLeastCollar * plan.start_radius > hollow) {
+    plan.collar = plan_collar(points, bark_below(points), surface(axis).collar);
+    plan.sink = 2 * hollow;
+  }
+  if (!plan.collar) plan.start_radius = std::min(plan.start_radius, room_inside(points.mother));
+}
+
+/// The radius of the largest disc about a node that its tube hides however the disc is turned.
+float TubePlan::room_inside(NodeIndex node) const {
+  const std::span<const NodeIndex> nodes = axes_.of(skeleton_->axis[node]);
+  const float radius = std::max(radii_[node], kThinnestTube);
+  // The flats of the tube are nearer than its corners, its line may stray from the node, and where it tapers the
+  // nearest point lies ahead.
+  const AxisIndex axis = skeleton_->axis[node];
+  const double flat = std::max(0.3, math::cos(kPi / plans_[axis].sides) - 2.0 * surface(axis).error);
+  const auto next = std::upper_bound(nodes.begin(), nodes.end(), node);
+  double taper = 0;
+  if (next != nodes.end()) {
+    const float length = glm::distance(skeleton_->position[*next], skeleton_->position[node]);
+    taper = std::max(0.0F, radius - radii_[*next]) / std::max(length, kThinnestTube);
+  }
+  return static_cast<float>(kHidden * radius * flat / std::sqrt(1 + taper * taper));
+}
+
+}  // namespace meristem

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "meristem/plant/plant.h"
+#include "meristem/shape/tube/axis_path.h"
+#include "meristem/shape/tube/collar.h"
+#include "meristem/shape/tube/tubes.h"
+
+namespace meristem {
+
+/// What one axis becomes, and where it stands in the mesh.
+struct AxisPlan {
+  static constexpr std::uint32_t kCollarRings = 5;  ///< hidden, on the bark, two in the fillet, free
+  static constexpr std::uint32_t kFlareRings = 3;   ///< between a root's first two nodes
+  static constexpr std::uint32_t kDomeRings = 2;    ///< of a round cap, beyond the last node
+
+  std::uint32_t sides = 0;
+  std::uint32_t rings = 0;
+  std::uint32_t flare_rings = 0;
+  float start_radius = 0;
+  float sink = 0;  ///< metres by which the mother's flats may lie below her bark
+  std::optional<Collar> collar;
+  std::uint32_t mesh = 0;          ///< in which it stands
+  std::uint64_t first_vertex = 0;  ///< of that mesh
+  std::uint64_t first_triangle = 0;
+
+  // A lateral's start is one hidden point; a root's is a flat disc with vertices of its own. A tip has a point a side,
+  // a flat one a disc.
+  std::uint64_t start_vertices(bool is_lateral) const { return is_lateral ? 1 : sides + 1; }
+  std::uint64_t vertices(bool is_lateral, Surface::Cap cap) const {
+    const std::uint64_t end = cap == Surface::Cap::flat ? sides + 1 : sides;
+    return rings == 0 ? 0 : std::uint64_t{rings} * (sides + 1) + start_vertices(is_lateral) + end;
+  }
+  std::uint64_t triangles() const { return rings == 0 ? 0 : 2 * std::uint64_t{sides} * rings; }
+};
+
+/// How many rings share a bend with this cosine.
+std::uint32_t fan_size(float cosine);
+
+/// How much thicker a root is at so many metres from its base.
+float flare_factor(const Surface& surface, float base_radius, float metres);
+
+/// How the tubes of some axes are clothed, and in which mesh they end up.
+struct TubeWear {
+  Surface surface;
+  std::uint32_t mesh = 0;
+  bool left_out = false;  ///< they get no tubes; what stands on them is left out, too
+};
+
+/// All axes of a skeleton with their places in meshes.
+class TubePlan {
+ public:
+  /// `wear_of_axis` holds an index into `wears` for each axis; empty: all wear the first. The skeleton outlives the
+  /// plan.
+  TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::vector<std::uint32_t> wear_of_axis = {});
+
+  /// Of each mesh.
+  const std::vector<TubeSize>& sizes() const { return sizes_; }
+  std::size_t axis_count() const { return plans_.size(); }
+  int most_sides() const { return most_sides_; }
+  const AxisPlan& operator[](std::size_t axis) const { return plans_[axis]; }
+  const Surface& surface(std::size_t axis) const { return wears_[wear(axis)].surface; }
+  std::size_t node_count(AxisIndex axis) const { return axes_.of(axis).size(); }
+  /// Those of its nodes that get rings.
+  AxisPath path(AxisIndex axis) const;
+  /// The mother's surface about a lateral axis's start.
+  Bark bark_below(const AxisPath& lateral) const;
+
+ private:
+  std::size_t wear(std::size_t axis) const { return wear_of_axis_.empty() ? 0 : wear_of_axis_[axis]; }
+  /// How far the flats of an axis's tube may lie below its bark, at most.
+  float roundness(std::size_t axis) const;
+  float base_radius(AxisIndex axis) const;
+  bool goes_on(AxisIndex axis) const;
+  void smooth_radii(AxisIndex axis);
+  void choose_rings(AxisIndex axis);
+  bool is_straight(std::span<const NodeIndex> nodes, std::size_t from, std::size_t to, float error) const;
+  void choose_sides(AxisIndex axis);
+  void count_rings(AxisIndex axis);
+  void plan_start(const AxisPath& points, AxisPlan& plan, AxisIndex axis) const;
+  float room_inside(NodeIndex node) const;
+
+  const Skeleton* skeleton_;
+  std::vector<TubeWear> wears_;
+  std::vector<std::uint32_t> wear_of_axis_;
+  Axes axes_;
+  std::vector<NodeIndex> kept_;            // nodes of the axes that get rings, each axis's where axes_ has all of its
+  std::vector<std::uint32_t> kept_count_;  // of each axis
+  int most_sides_ = 3;
+  std::vector<float> thickest_;  // of each wear
+  std::vector<float> radii_;     // by node
+  std::vector<AxisPlan> plans_;
+  std::vector<TubeSize> sizes_;
+};
+
+}  // namespace meristem

@@ -1,0 +1,478 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a skeleton to closed tubes, one an axis. Two passes: the first counts each axis's rings, so that every axis
+// knows where in the arrays it writes; the second writes all axes side by side.
+//
+// A ring lies in its node's mitre plane, at right angles to the middle of the two directions that meet there. A frame
+// reflected at that plane passes from one segment to the next with no turn about either: the exact parallel transport
+// of a polyline, which the double reflection approximates between samples of a curve. A bend too sharp for one mitre
+// gets a fan of rings about its node. On the inner side of a bend rings reach back no farther than their segments let
+// them, so that neighbours never cross.
+//
+// A lateral grows out of its mother with a collar (collar.h), a root flares toward the ground.
+//
+// Deliberately left to others: smoothing of the axis (plant/finish.h).
+//
+// Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund
+// 2020, section 3.6.1 (equation 3.26 holds for the interior angle); W. Wang et al., Computation of rotation minimizing
+// frames, 2008; M. Bergou et al., Discrete elastic rods, 2008, section 4.2.2 (transport along edges).
+#include "meristem/shape/tube/tubes.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "meristem/base/frame.h"
+#include "meristem/base/math.h"
+#include "meristem/base/parallel.h"
+#include "meristem/shape/tube/tube_plan.h"
+
+namespace meristem {
+namespace {
+
+constexpr float kLeastCosine = 0.25881905F;  // of half a bend: the sharpest mitre
+constexpr float kInnerReach = 0.45F;         // of the shorter segment; two neighbours leave a tenth of it free
+constexpr float kFanSpacing = 0.05F;         // between a fan's rings, in radii
+constexpr float kStartDepth = 0.5F;          // how far a lateral's closed start reaches back, in radii
+constexpr float kHiddenFillet = 0.3F;        // of a fillet that runs on below the mother's bark
+constexpr std::array<float, AxisPlan::kFlareRings> kFlareShares{0.1F, 0.25F, 0.5F};  // of the first segment
+constexpr float kSqrt2 = 1.4142135F;
+constexpr auto kDomeStep = static_cast<float>(kPi / 2 / (AxisPlan::kDomeRings + 1));  // along a dome, in radii
+constexpr std::size_t kAxesPerBlock = 64;
+constexpr std::size_t kRingsPerCheck = 4096;
+
+struct Turn {
+  float cosine, sine;
+};
+
+/// Cosines and sines of the corners of polygons with 3 to `most` sides; the last corner is the first once more.
+class CornerTable {
+ public:
+  explicit CornerTable(int most) {
+    for (int sides = 3; sides <= most; ++sides) {
+      first_.push_back(turns_.size());
+      for (int k = 0; k <= sides; ++k) {
+        const double angle = 2 * kPi * (k % sides) / sides;
+        turns_.push_back({static_cast<float>(math::cos(angle)), static_cast<float>(math::sin(angle))});
+      }
+    }
+  }
+  std::span<const Turn> of(std::uint32_t sides) const {
+    return std::span(turns_).subspan(first_[sides - 3], sides + 1);
+  }
+
+ private:
+  std::vector<std::size_t> first_;
+  std::vector<Turn> turns_;
+};
+
+/// How a ring lies between the segment before it and the one after.
+struct Mitre {
+  Vec3 before, after;       // directions of the segments
+  Vec3 across;              // normal of the ring's plane, halfway between them
+  Vec3 outer{0}, inner{0};  // towards the outside of the bend: in the ring's plane, and in that of the whole bend
+  float outer_stretch = 1;  // of the radius towards the outside
+  float inner_stretch = 1;  // and the inside
+  float half_cosine = 1;    // of half the angle between before and after
+
+  explicit Mitre(Vec3 straight) : before(straight), after(straight), across(straight) {}
+  Mitre(Vec3 before_, Vec3 after_, Vec3 across_, Vec3 outer_) : before(before_), after(after_), across(across_) {
+    outer = inner = outer_;
+    half_cosine = glm::dot(before, across);
+    outer_stretch = inner_stretch = 1 / half_cosine;
+  }
+};
+
+/// Writes one axis into its place.
+class AxisMesher {
+ public:
+  AxisMesher(const TubePlan& tubes, AxisIndex axis, std::span<const Turn> corners, Mesh& mesh)
+      : tubes_(tubes),
+        path_(tubes.path(axis)),
+        plan_(tubes[axis]),
+        surface_(tubes.surface(axis)),
+        corners_(corners),
+        mesh_(mesh) {
+    next_vertex_ = static_cast<std::uint32_t>(plan_.first_vertex);
+    next_triangle_ = plan_.first_triangle;
+    const double around = 2 * kPi * path_.radius(0);
+    tiles_ = static_cast<float>(std::max(1.0, std::floor(around / surface_.uv_scale + 0.5)));
+  }
+
+  void run(const Progress& progress) {
+    Vec3 before = plan_.collar ? plan_.collar->direction : path_.direction(0, kUp);
+    x_ = any_perpendicular(before);
+    start(before);
+    const std::size_t last = path_.size() - 1;
+    for (std::size_t i = plan_.collar ? plan_.collar->next_point : 1; i < last; ++i) {
+      const Vec3 after = path_.direction(i, before);
+      advance_v(i);
+      bend(i, before, after);
+      before = after;
+      if (i % kRingsPerCheck == 0) progress.check();
+    }
+    advance_v(last);
+    finish(before);
+    assert(next_triangle_ == plan_.first_triangle + plan_.triangles());
+    assert(next_vertex_ == plan_.first_vertex + plan_.vertices(path_.is_lateral(), surface_.cap));
+  }
+
+ private:
+  /// The point before the first bend, where a branch comes free, stands for all before it.
+  bool is_free_point(std::size_t i) const { return plan_.collar && i + 1 == plan_.collar->next_point; }
+  Vec3 position(std::size_t i) const { return is_free_point(i) ? plan_.collar->centre : path_.position(i); }
+  float radius(std::size_t i) const {
+    if (is_free_point(i)) return plan_.collar->radius;
+    if (path_.is_lateral()) return i == 0 ? plan_.start_radius : path_.radius(i);
+    return path_.radius(i) * flare(glm::distance(path_.position(0), path_.position(i)));
+  }
+  float flare(float metres) const { return flare_factor(surface_, plan_.start_radius, metres); }
+  float length(std::size_t i) const { return glm::distance(position(i), position(i + 1)); }
+  /// The radius's growth a metre from point i to the next.
+  float slope(std::size_t i) const { return (radius(i + 1) - radius(i)) / std::max(length(i), kThinnestTube); }
+  /// v of a metre along the tube where it has this radius; equal to u of a metre around it.
+  float tiles_per_metre(float at_radius) const { return tiles_ / (static_cast<float>(2 * kPi) * at_radius); }
+
+  void advance_v(std::size_t i) { v_ += length(i - 1) * tiles_per_metre(0.5F * (radius(i - 1) + radius(i))); }
+
+  /// The closed start: for a lateral a collar or a point behind its first ring, inside the mother; else a disc.
+  void start(Vec3 direction) {
+    if (plan_.collar) return start_collar();
+    const Vec3 centre = path_.position(0);
+    if (path_.is_lateral()) {
+      const std::uint32_t point = add_vertex(centre - kStartDepth * radius(0) * direction, -direction, {0.5F, 0});
+      close_start(point);
+      ring(centre, radius(0), Mitre(direction), 1 / kStartDepth, slope(0));
+      return;
+    }
+    start_root(direction);
+  }
+
+  void start_root(Vec3 direction) {
+    const Vec3 centre = path_.position(0);
+    const float scale = radius(0) * tiles_per_metre(radius(0));
+    const std::uint32_t middle = add_vertex(centre, -direction, {0, 0});
+    close_start(middle);
+    next_vertex_ += plan_.sides;
+    const float first = flare_slope(0);
+    ring(centre, radius(0), Mitre(direction), first, first);
+    // The disc's rim is the ring once more, with the disc's own normal and uvs.
+    for (std::uint32_t k = 0; k < plan_.sides; ++k) {
+      const std::uint32_t vertex = middle + 1 + k;
+      mesh_.positions[vertex] = mesh_.positions[vertex + plan_.sides];
+      mesh_.normals[vertex] = -direction;
+      mesh_.uvs[vertex] = {-scale * corners_[k].cosine, scale * corners_[k].sine};
+    }
+    for (std::uint32_t k = 0; k < plan_.flare_rings; ++k) {
+      const float way = kFlareShares[k] * length(0);
+      const float here = glm::mix(path_.radius(0), path_.radius(1), kFlareShares[k]) * flare(way);
+      v_ = way * tiles_per_metre(here);
+      ring(centre + way * direction, here, Mitre(direction), flare_slope(way), flare_slope(way));
+      join();
+    }
+    v_ = 0;
+  }
+
+  /// The radius's growth a metre at so many metres up the first segment.
+  float flare_slope(float metres) const {
+    const float step = 0.01F * length(0);
+    const auto radius_at = [&](float way) {
+      return glm::mix(path_.radius(0), path_.radius(1), way / std::max(length(0), kThinnestTube)) * flare(way);
+    };
+    return (radius_at(metres + step) - radius_at(metres)) / std::max(step, kThinnestTube);
+  }
+
+  /// The rings between the mother's bark and the first free one, along a curve for each corner that leaves the bark
+  /// flat and ends in the branch's own direction.
+  void start_collar() {
+    const Collar& collar = *plan_.collar;
+    const Bark bark = tubes_.bark_below(path_);
+    const Vec3 y = glm::cross(collar.direction, x_);
+    const float farthest = 2 * (glm::distance(collar.centre, path_.position(0)) + collar.radius);
+    const std::uint32_t stride = plan_.sides + 1;
+    const std::uint32_t point = next_vertex_++;
+    const std::uint32_t first = next_vertex_;
+    close_start(point);
+    Vec3 middle(0);
+    for (std::uint32_t k = 0; k <= plan_.sides; ++k) {
+      const Vec3 out = corners_[k].cosine * x_ + corners_[k].sine * y;
+      const Vec3 top = collar.centre + collar.radius * out;
+      const Vec3 foot = top - bark.trace(top, -collar.direction, farthest) * collar.direction;
+      const Vec3 up = bark.normal(foot);
+      const Vec3 away = unit_or(out - glm::dot(out, up) * up, out);
+      Vec3 low = foot + collar.fillet * away;
+      const Vec3 outward = bark.normal(low);
+      low -= (bark.distance(low) + plan_.sink) * outward;
+      const Vec3 hidden = low + kHiddenFillet * collar.fillet * (away - outward);
+      middle += hidden;
+      put_collar_vertex(first + k, hidden, unit_or(away - 0.3F * outward, -outward), k);
+      for (std::uint32_t j = 1; j < AxisPlan::kCollarRings; ++j) {
+        const float t = static_cast<float>(j - 1) / static_cast<float>(AxisPlan::kCollarRings - 2);
+        const Vec3 place = (1 - t) * (1 - t) * low + 2 * t * (1 - t) * foot + t * t * top;
+        const Vec3 along = unit_or((1 - t) * (foot - low) + t * (top - foot), collar.direction);
+        const Vec3 facing = (1 - t) * outward + t * out;
+        const Vec3 normal = t == 0 ? outward : unit_or(facing - glm::dot(facing, along) * along, out);
+        put_collar_vertex(first + j * stride + k, place, normal, k);
+      }
+    }
+    // The hidden point lies deeper than the ring about it.
+    middle /= static_cast<float>(stride);
+    mesh_.positions[point] = middle - kHiddenFillet * collar.fillet * bark.normal(middle);
+    mesh_.normals[point] = -collar.direction;
+    mesh_.uvs[point] = {0.5F, 0};
+    finish_collar(first);
+  }
+
+  void put_collar_vertex(std::uint32_t vertex, Vec3 place, Vec3 normal, std::uint32_t corner) {
+    mesh_.positions[vertex] = place;
+    mesh_.normals[vertex] = normal;
+    mesh_.uvs[vertex].x = static_cast<float>(corner) * tiles_ / static_cast<float>(plan_.sides);
+  }
+
+  /// Measures v along the collar's rings and joins them.
+  void finish_collar(std::uint32_t first) {
+    const std::uint32_t stride = plan_.sides + 1;
+    next_vertex_ = first + stride;
+    for (std::uint32_t j = 1; j < AxisPlan::kCollarRings; ++j) {
+      float way = 0;
+      for (std::uint32_t k = 0; k < plan_.sides; ++k) {
+        const std::uint32_t vertex = next_vertex_ + k;
+        way += glm::distance(mesh_.positions[vertex], mesh_.positions[vertex - stride]);
+      }
+      const float before = v_;
+      v_ += way / static_cast<float>(plan_.sides) * tiles_per_metre(plan_.collar->radius);
+      for (std::uint32_t k = 0; k < stride; ++k) {
+        mesh_.uvs[next_vertex_ + k].y = v_;
+        if (j == 1) mesh_.uvs[first + k].y = before;
+      }
+      next_vertex_ += stride;
+      join();
+    }
+  }
+
+  /// Triangles between a point and the rim about it that is written next.
+  void close_start(std::uint32_t point) {
+    const std::uint32_t rim = next_vertex_;
+    // A lateral's rim is its first ring; there the last corner is the first once more.
+    const std::uint32_t sides = plan_.sides;
+    for (std::uint32_t k = 0; k < sides; ++k) {
+      const std::uint32_t next = path_.is_lateral() ? k + 1 : (k + 1) % sides;
+      add_triangle(point, rim + next, rim + k);
+    }
+  }
+
+  /// The ring or rings at an inner point.
+  void bend(std::size_t i, Vec3 before, Vec3 after) {
+    const float cosine = glm::dot(before, after);
+    const std::uint32_t count = fan_size(cosine);
+    if (count > 1) return fan(i, before, after, count);
+    const Vec3 outer = unit_or(before - after, Vec3(0));
+    Mitre mitre(before, after, glm::normalize(before + after), outer);
+    mitre.inner_stretch = inner_stretch(i, mitre.half_cosine);
+    ring(position(i), radius(i), mitre, slope(i - 1), slope(i));
+    join();
+  }
+
+  /// A sharp bend in equal parts: rings about one point, set a little apart so that no two of their vertices coincide.
+  void fan(std::size_t i, Vec3 before, Vec3 after, std::uint32_t count) {
+    const Vec3 hinge = unit_or(glm::cross(before, after), any_perpendicular(before));
+    const Vec3 side = glm::cross(hinge, before);
+    const double angle = math::atan2(glm::dot(after, side), glm::dot(after, before));
+    const auto turned = [&](double share) {
+      return static_cast<float>(math::cos(share * angle)) * before +
+             static_cast<float>(math::sin(share * angle)) * side;
+    };
+    const Vec3 middle = turned(0.5);
+    const float reach = inner_stretch(i, static_cast<float>(math::cos(0.5 * angle)));
+    const double part = 1.0 / count;
+    for (std::uint32_t j = 0; j < count; ++j) {
+      const Vec3 across = turned((j + 0.5) * part);
+      Mitre mitre(turned(j * part), j + 1 == count ? after : turned((j + 1) * part), across, glm::cross(across, hinge));
+      mitre.inner = glm::cross(middle, hinge);
+      mitre.inner_stretch = reach;
+      const float shift = (static_cast<float>(j) - 0.5F * static_cast<float>(count - 1)) * kFanSpacing * radius(i);
+      ring(position(i) + shift * middle, radius(i), mitre, j == 0 ? slope(i - 1) : 0, j + 1 == count ? slope(i) : 0);
+      join();
+      // The middle of the tube stands still here, its outside turns by the part's angle.
+      if (j + 1 < count) v_ += 0.5F * static_cast<float>(angle * part) * tiles_ / static_cast<float>(2 * kPi);
+    }
+  }
+
+  /// How far a ring may reach towards the inside of its bend, in radii: to the mitre, unless a segment is too short.
+  float inner_stretch(std::size_t i, float half_cosine) const {
+    const float half_sine = std::sqrt(std::max(0.0F, 1 - half_cosine * half_cosine));
+    const float room = kInnerReach * std::min(length(i - 1), length(i));
+    const float mitre = 1 / std::max(half_cosine, kLeastCosine);
+    return room < mitre * radius(i) * half_sine ? room / (radius(i) * half_sine) : mitre;
+  }
+
+  /// The last ring and the cap.
+  void finish(Vec3 direction) {
+    const std::size_t last = path_.size() - 1;
+    const float width = radius(last);
+    const Vec3 centre = position(last);
+    const float before = slope(last - 1);
+    switch (surface_.cap) {
+      case Surface::Cap::pointed:  // a cone as high as it is wide
+        ring(centre, width, Mitre(direction), before, -1);
+        join();
+        close_tip(centre + width * direction, direction, width * kSqrt2);
+        return;
+      case Surface::Cap::round:
+        ring(centre, width, Mitre(direction), before, 0);
+        join();
+        for (std::uint32_t k = 1; k <= AxisPlan::kDomeRings; ++k) {
+          const double angle = k * kPi / 2 / (AxisPlan::kDomeRings + 1);
+          const auto sine = static_cast<float>(math::sin(angle));
+          const auto cosine = static_cast<float>(math::cos(angle));
+          v_ += kDomeStep * width * tiles_per_metre(width);
+          ring(centre + sine * width * direction, cosine * width, Mitre(direction), -sine / cosine, -sine / cosine);
+          join();
+        }
+        close_tip(centre + width * direction, direction, kDomeStep * width);
+        return;
+      case Surface::Cap::flat:
+        ring(centre, width, Mitre(direction), before, before);
+        join();
+        close_end(centre, direction);
+    }
+  }
+
+  /// Triangles from the last ring to a tip `metres` farther along the surface: a vertex a side, as each has its own u.
+  void close_tip(Vec3 tip, Vec3 direction, float metres) {
+    const std::uint32_t rim = next_vertex_ - plan_.sides - 1;
+    const float tip_v = v_ + metres * tiles_per_metre(radius(path_.size() - 1));
+    for (std::uint32_t k = 0; k < plan_.sides; ++k) {
+      const float u = tiles_ * (static_cast<float>(k) + 0.5F) / static_cast<float>(plan_.sides);
+      add_triangle(rim + k, rim + k + 1, add_vertex(tip, direction, {u, tip_v}));
+    }
+  }
+
+  /// A disc on the last ring, with its own normal and uvs.
+  void close_end(Vec3 centre, Vec3 direction) {
+    const std::uint32_t rim = next_vertex_ - plan_.sides - 1;
+    const float scale = radius(path_.size() - 1) * tiles_per_metre(radius(path_.size() - 1));
+    const std::uint32_t middle = add_vertex(centre, direction, {0, 0});
+    for (std::uint32_t k = 0; k < plan_.sides; ++k) {
+      const Vec2 uv(scale * corners_[k].cosine, scale * corners_[k].sine);
+      add_vertex(mesh_.positions[rim + k], direction, uv);
+    }
+    for (std::uint32_t k = 0; k < plan_.sides; ++k) {
+      add_triangle(middle, middle + 1 + k, middle + 1 + (k + 1) % plan_.sides);
+    }
+  }
+
+  /// Writes a ring and carries the frame across it. The slopes are those of the radius before and after.
+  void ring(Vec3 centre, float ring_radius, const Mitre& mitre, float slope_before, float slope_after) {
+    const Vec3 y = glm::cross(mitre.before, x_);
+    const float weight_before = 1 / std::sqrt(1 + slope_before * slope_before);
+    const float weight_after = 1 / std::sqrt(1 + slope_after * slope_after);
+    const Vec3 taper = weight_before * slope_before * mitre.before + weight_after * slope_after * mitre.after;
+    // What lies along the hinge stays; what lies across it is laid into the mitre plane, on either side.
+    const auto laid = [&](Vec3 out, float stretch, Vec3 toward) {
+      const float outward = glm::dot(out, mitre.outer);
+      const Vec3 along_hinge = out - glm::dot(out, mitre.across) * mitre.across - outward * mitre.outer;
+      return ring_radius * (along_hinge + outward / mitre.half_cosine * stretch * toward);
+    };
+    const auto averaged = [&](Vec3 out) {
+      const Vec3 reflected = out - 2 * glm::dot(out, mitre.across) * mitre.across;
+      return weight_before * out + weight_after * reflected;
+    };
+    // All of that is linear in the corner's direction but for the side of the bend that it lies on.
+    const Vec3 outer_x = laid(x_, mitre.outer_stretch, mitre.outer);
+    const Vec3 outer_y = laid(y, mitre.outer_stretch, mitre.outer);
+    const Vec3 inner_x = laid(x_, mitre.inner_stretch, mitre.inner);
+    const Vec3 inner_y = laid(y, mitre.inner_stretch, mitre.inner);
+    const Vec3 normal_x = averaged(x_);
+    const Vec3 normal_y = averaged(y);
+    const float outward_x = glm::dot(x_, mitre.outer);
+    const float outward_y = glm::dot(y, mitre.outer);
+    const float du = tiles_ / static_cast<float>(plan_.sides);
+    Vec3* const positions = &mesh_.positions[next_vertex_];
+    Vec3* const normals = &mesh_.normals[next_vertex_];
+    Vec2* const uvs = &mesh_.uvs[next_vertex_];
+    for (std::uint32_t k = 0; k <= plan_.sides; ++k) {
+      const auto [cosine, sine] = corners_[k];
+      const bool is_outer = cosine * outward_x + sine * outward_y > 0;
+      positions[k] = centre + cosine * (is_outer ? outer_x : inner_x) + sine * (is_outer ? outer_y : inner_y);
+      const Vec3 normal = cosine * normal_x + sine * normal_y - taper;
+      normals[k] = normal * (1 / std::sqrt(glm::dot(normal, normal)));
+      uvs[k] = {static_cast<float>(k) * du, v_};
+    }
+    next_vertex_ += plan_.sides + 1;
+    x_ -= 2 * glm::dot(x_, mitre.across) * mitre.across;
+    x_ = glm::normalize(x_ - glm::dot(x_, mitre.after) * mitre.after);
+  }
+
+  /// Joins the last two rings.
+  void join() {
+    const std::uint32_t stride = plan_.sides + 1;
+    const std::uint32_t upper = next_vertex_ - stride;
+    const std::uint32_t lower = upper - stride;
+    for (std::uint32_t k = 0; k < plan_.sides; ++k) {
+      add_triangle(lower + k, lower + k + 1, upper + k + 1);
+      add_triangle(lower + k, upper + k + 1, upper + k);
+    }
+  }
+
+  std::uint32_t add_vertex(Vec3 position, Vec3 normal, Vec2 uv) {
+    mesh_.positions[next_vertex_] = position;
+    mesh_.normals[next_vertex_] = normal;
+    mesh_.uvs[next_vertex_] = uv;
+    return next_vertex_++;
+  }
+  void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    mesh_.triangles[next_triangle_++] = {a, b, c};
+  }
+
+  const TubePlan& tubes_;
+  AxisPath path_;
+  const AxisPlan& plan_;
+  const Surface& surface_;
+  std::span<const Turn> corners_;
+  Mesh& mesh_;
+  std::uint32_t next_vertex_ = 0;
+  std::uint64_t next_triangle_ = 0;
+  Vec3 x_{0};  // the first corner's direction, at right angles to the segment before the next ring
+  float tiles_ = 1;
+  float v_ = 0;
+};
+
+}  // namespace
+
+Mesh make_tubes(const Skeleton& skeleton, const Surface& surface, Progress& progress) {
+  if (!(surface.uv_scale > 0)) throw std::invalid_argument("a surface's uv_scale is above 0");
+  return std::move(make_tubes(TubePlan(skeleton, {{surface}}), progress)[0]);
+}
+
+std::vector<Mesh> make_tubes(const TubePlan& plan, Progress& progress) {
+  std::vector<Mesh> meshes(plan.sizes().size());
+  for (std::size_t k = 0; k < meshes.size(); ++k) {
+    const TubeSize size = plan.sizes()[k];
+    if (size.vertices > std::numeric_limits<std::uint32_t>::max()) {
+      throw std::invalid_argument("a mesh has at most 2^32 vertices");
+    }
+    meshes[k].positions.resize(size.vertices);
+    meshes[k].normals.resize(size.vertices);
+    meshes[k].uvs.resize(size.vertices);
+    meshes[k].triangles.resize(size.triangles);
+  }
+  // Let every axis fill its place.
+  const CornerTable corners(plan.most_sides());
+  parallel_for(plan.axis_count(), kAxesPerBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t axis = begin; axis < end; ++axis) {
+      const auto index = static_cast<AxisIndex>(axis);
+      if (plan[axis].rings > 0) {
+        AxisMesher(plan, index, corners.of(plan[axis].sides), meshes[plan[axis].mesh]).run(progress);
+      }
+      progress.advance(plan.node_count(index));
+    }
+  });
+  return meshes;
+}
+
+}  // namespace meristem

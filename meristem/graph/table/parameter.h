@@ -45,11 +45,18 @@ enum class ParameterKind {
   map,        ///< an object of names, with a nested table each
 };
 
+/// From `low` to `high`, in document units; an end that is NaN is left to usual_range (usual_range.h).
+struct UsualSpan {
+  double low = std::numeric_limits<double>::quiet_NaN();
+  double high = std::numeric_limits<double>::quiet_NaN();
+};
+
 /// What a number may be. In a component every number may differ from instance to instance unless it is `fixed`.
 struct NumberForm {
   Unit unit = Unit::none;
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
+  UsualSpan usual{};       ///< where people move it, which sliders show; what is not given follows from the rest
   bool above_min = false;  ///< `min` itself is excluded
   bool fixed = false;      ///< one value for the whole component
   bool per_child = false;  ///< differs among the children of an instance, and not from instance to instance

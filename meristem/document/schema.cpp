@@ -75,6 +75,7 @@ class SchemaWriter {
       schema.object()->emplace_back("oneOf", std::move(alternatives));
     }
     add_company(table, *schema.object());
+    add_meanings(table, *schema.object());
     schema.object()->emplace_back("description", table.doc);
     if (table.shorthand.empty()) return schema;
     return any_of({parameter(*table.find(table.shorthand)), std::move(schema)});
@@ -93,6 +94,38 @@ class SchemaWriter {
     }
     if (!dependencies.empty()) schema.emplace_back("dependencies", std::move(dependencies));
     if (!never.empty()) schema.emplace_back("not", any_of(std::move(never)));
+  }
+
+  /// Those within the table; what crosses into nested ones, the reader checks alone.
+  static void add_meanings(const ParameterTable& table, Object& schema) {
+    const auto is_path = [](const std::string& name) { return name.find('.') != std::string::npos; };
+    List rules;
+    for (const ParameterTable::Meaning& meaning : table.meanings) {
+      const auto crosses = [&](const auto& giver) { return is_path(giver.parameter); };
+      if (meaning.givers.empty() || std::ranges::any_of(meaning.givers, crosses)) continue;
+      List given;
+      for (const std::string& name : meaning.parameters) {
+        if (!is_path(name)) given.emplace_back(Object{{"required", List{Value(name)}}});
+      }
+      if (given.empty()) continue;
+      List cases;
+      cases.emplace_back(Object{{"not", any_of(std::move(given))}});
+      for (const auto& giver : meaning.givers) cases.push_back(giver_schema(table, giver));
+      rules.push_back(any_of(std::move(cases)));
+    }
+    if (!rules.empty()) schema.emplace_back("allOf", std::move(rules));
+  }
+
+  static Value giver_schema(const ParameterTable& table, const ParameterTable::Meaning::Giver& giver) {
+    const Value required(List{Value(giver.parameter)});
+    if (giver.values.empty()) return Object{{"required", required}};
+    Object values{{"enum", List(giver.values.begin(), giver.values.end())}};
+    Object schema{{"properties", Object{{giver.parameter, std::move(values)}}}};
+    // What is not given has its default.
+    const auto row = table.find(giver.parameter) - table.parameters.data();
+    const Value usual = table.defaults()[static_cast<std::size_t>(row)];
+    if (std::ranges::find(giver.values, usual) == giver.values.end()) schema.emplace_back("required", required);
+    return schema;
   }
 
   /// A nested table's schema, or where it contains itself a reference to its definition.

@@ -108,6 +108,16 @@ const Parameter* ParameterTable::find(std::string_view parameter) const {
   return nullptr;
 }
 
+const std::string* ParameterTable::reason_without(std::string_view parameter) const {
+  for (const Meaning& meaning : meanings) {
+    const auto& names = meaning.parameters;
+    if (meaning.givers.empty() && std::find(names.begin(), names.end(), parameter) != names.end()) {
+      return &meaning.reason;
+    }
+  }
+  return nullptr;
+}
+
 bool ParameterTable::contains_itself() const {
   std::vector<const ParameterTable*> reached{this};
   for (std::size_t k = 0; k < reached.size(); ++k) {

@@ -102,6 +102,19 @@ class ParameterTable {
     bool is_wanted = true;
   };
   std::vector<Company> company;
+  /// Parameters that mean something only where something else does: the choice that they belong to, the object that
+  /// they serve. Where they are given without, they are faults, whatever their values.
+  struct Meaning {
+    /// A parameter that is given, or that has one of these values, given or not.
+    struct Giver {
+      std::string parameter;
+      std::vector<Value> values{};
+    };
+    std::vector<std::string> parameters;  ///< and those of nested tables, as in "resource.pass_back"
+    std::vector<Giver> givers;            ///< of which any will do
+    std::string reason{};                 ///< what is so instead, where nothing gives them a meaning
+  };
+  std::vector<Meaning> meanings;
   /// Rules between parameters; called when all of them could be read.
   std::function<void(const void* object, const Place& place, ParameterReader& reader)> check;
   /// Works out what follows from several parameters; called after the rules, once they hold.
@@ -111,6 +124,8 @@ class ParameterTable {
 
   const Parameter* find(std::string_view parameter) const;
   std::vector<std::string> names() const;
+  /// Why it has no such parameter where others of its kind have one; null where that is not known.
+  const std::string* reason_without(std::string_view parameter) const;
   /// Whether a row below, at any depth, has this table again.
   bool contains_itself() const;
 };

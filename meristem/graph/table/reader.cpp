@@ -10,6 +10,7 @@
 
 #include "meristem/base/hash.h"
 #include "meristem/base/read_file.h"
+#include "meristem/graph/table/meaning.h"
 
 namespace meristem {
 
@@ -139,6 +140,10 @@ void ParameterReader::object(const ParameterTable& table, void* object, const Va
     const Place member_place(place, name);
     const Parameter* row = table.find(name);
     if (row == nullptr && is_any_of(name, table.elsewhere)) continue;
+    if (const std::string* reason = row == nullptr ? table.reason_without(name) : nullptr) {
+      fault_name(member_place, fmt::format("'{}' has no meaning here: {}", name, *reason), "no such key", "");
+      continue;
+    }
     if (row == nullptr) {
       const std::vector<std::string> names = table.names();
       const std::string similar = nearest(name, names);
@@ -166,6 +171,7 @@ void ParameterReader::object(const ParameterTable& table, void* object, const Va
     }
   }
   check_company(table, *members, place);
+  if (faults_ == faults_before) check_meanings(table, object, value, place, *this);
   if (table.check && faults_ == faults_before) table.check(object, place, *this);
   if (table.prepare && faults_ == faults_before) table.prepare(object, place, *this);
 }

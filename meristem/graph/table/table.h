@@ -10,6 +10,7 @@
 //   }
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -441,6 +442,22 @@ class Table {
     for (const std::string& name : names) table_.company.push_back({name, other, false});
     return std::move(*this);
   }
+  /// These parameters mean something only where any of `givers` is given or has one of its values.
+  Table&& only_where(std::vector<ParameterTable::Meaning::Giver> givers, std::vector<std::string> names) && {
+    table_.meanings.push_back({std::move(names), std::move(givers)});
+    return std::move(*this);
+  }
+  /// Nothing gives these parameters a meaning here. Rows of that name are taken out; messages tell the reason, as in
+  /// "a field has no geometry of its own".
+  Table&& without(std::vector<std::string> names, std::string reason) && {
+    const auto is_out = [&names](const std::string& name) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    std::erase_if(table_.parameters, [&](const Parameter& row) { return is_out(row.name); });
+    std::erase_if(table_.company, [&](const auto& rule) { return is_out(rule.parameter) || is_out(rule.other); });
+    table_.meanings.push_back({std::move(names), {}, std::move(reason)});
+    return std::move(*this);
+  }
   /// Further keys that whoever owns the table reads itself.
   Table&& elsewhere(std::vector<std::string> names) && {
     table_.elsewhere = std::move(names);
@@ -516,6 +533,7 @@ class Table {
     }
     table_.one_of.insert(table_.one_of.end(), table.one_of.begin(), table.one_of.end());
     table_.company.insert(table_.company.end(), table.company.begin(), table.company.end());
+    table_.meanings.insert(table_.meanings.end(), table.meanings.begin(), table.meanings.end());
     return std::move(*this);
   }
 

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/graph/table/meaning.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "meristem/base/function_ref.h"
+
+namespace meristem {
+
+namespace {
+
+using Meaning = ParameterTable::Meaning;
+
+/// The first name of a path, and what is left of it.
+std::pair<std::string_view, std::string_view> first_of(std::string_view path) {
+  const std::size_t dot = path.find('.');
+  return {path.substr(0, dot), dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1)};
+}
+
+/// The member at a path; null where there is none.
+const Value* find_at(const Value& value, std::string_view path) {
+  const auto [name, rest] = first_of(path);
+  const Value* member = value.find(name);
+  return member == nullptr || rest.empty() ? member : find_at(*member, rest);
+}
+
+/// What a parameter of the struct has come to be, as a document would write it.
+Value present(const ParameterTable& table, const void* object, std::string_view path) {
+  const auto [name, rest] = first_of(path);
+  const Parameter* row = table.find(name);
+  if (row == nullptr) return {};
+  const Value shown = row->show(object);
+  if (rest.empty()) return shown;
+  const Value* member = find_at(shown, rest);
+  return member == nullptr ? Value() : *member;
+}
+
+/// Calls `report` with the place of a path below `place`.
+void at_path(const Place& place, std::string_view path, FunctionRef<void(const Place&)> report) {
+  const auto [name, rest] = first_of(path);
+  const Place here(place, name);
+  if (rest.empty()) return report(here);
+  at_path(here, rest, report);
+}
+
+std::string written(const Value& value) {
+  if (const bool* boolean = value.boolean()) return *boolean ? "true" : "false";
+  return fmt::format("\"{}\"", value.text() != nullptr ? *value.text() : value.description());
+}
+
+/// "\"style\": \"tubes\"", or "'crown' beside it".
+std::string wish(const Meaning::Giver& giver) {
+  if (giver.values.empty()) return fmt::format("'{}' beside it", giver.parameter);
+  std::vector<std::string> values;
+  for (const Value& value : giver.values) values.push_back(written(value));
+  return fmt::format("\"{}\": {}", giver.parameter, fmt::join(values, " or "));
+}
+
+/// Why nothing gives the parameter a meaning.
+std::string lack(const Meaning& meaning, const ParameterTable& table, const void* object) {
+  if (meaning.givers.empty()) return "here: " + meaning.reason;
+  const Meaning::Giver& giver = meaning.givers.front();
+  if (meaning.givers.size() > 1) return "here";
+  if (giver.values.empty()) return fmt::format("without '{}'", giver.parameter);
+  return fmt::format("where '{}' is {}", giver.parameter, written(present(table, object, giver.parameter)));
+}
+
+std::string wishes(const Meaning& meaning) {
+  if (meaning.givers.empty()) return "no such key";
+  std::vector<std::string> texts;
+  for (const Meaning::Giver& giver : meaning.givers) texts.push_back(wish(giver));
+  return fmt::format("{}, or no such key", fmt::join(texts, ", "));
+}
+
+}  // namespace
+
+void check_meanings(const ParameterTable& table, const void* object, const Value& value, const Place& place,
+                    ParameterReader& reader) {
+  const auto gives = [&](const Meaning::Giver& giver) {
+    if (giver.values.empty()) return find_at(value, giver.parameter) != nullptr;
+    return std::ranges::find(giver.values, present(table, object, giver.parameter)) != giver.values.end();
+  };
+  for (const Meaning& meaning : table.meanings) {
+    const auto is_given = [&](const std::string& path) { return find_at(value, path) != nullptr; };
+    if (std::ranges::none_of(meaning.parameters, is_given)) continue;
+    if (std::ranges::any_of(meaning.givers, gives)) continue;
+    for (const std::string& path : meaning.parameters) {
+      if (!is_given(path)) continue;
+      at_path(place, path, [&](const Place& at) {
+        reader.fault_name(at, fmt::format("'{}' has no meaning {}", path, lack(meaning, table, object)),
+                          wishes(meaning), "");
+      });
+    }
+  }
+}
+
+}  // namespace meristem

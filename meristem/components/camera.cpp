@@ -31,6 +31,7 @@ ComponentType camera_component() {
       .doc = "The view of pictures and the root of the graph.",
       .parameters = Table<CameraParameters>("a camera", "The view of pictures and the root of the graph.")
                         .members(&CameraParameters::view, view_table()),
+      .has_geometry = false,
       .is_camera = true,
       .expand = [](const CameraParameters&, const Site&, Emitter&) {},
   });

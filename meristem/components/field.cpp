@@ -55,6 +55,7 @@ ComponentType field_component() {
               .boolean("stagger", &Field::stagger, "Whether every other row is moved by half of the spacing.")
               .number("gaps", &Field::gaps, {.min = 0, .max = 1}, "Share of places that stay empty.")
               .boolean("turned", &Field::turned, "Whether each plant faces anywhere, and not all the same way."),
+      .has_geometry = false,
       .expand = expand,
   });
 }

@@ -27,6 +27,7 @@ ComponentType hydra_component() {
                         .members(&Hydra::around, around_table())
                         .per_child("radius", &Hydra::radius, {.unit = Unit::metre, .min = 0, .max = 1000},
                                    "From the middle to where a child stands."),
+      .has_geometry = false,
       .expand = expand,
   });
 }

@@ -79,6 +79,7 @@ ComponentType phiball_component() {
                       "Turns the sphere about its heading.")
               .boolean("pole", &Phiball::pole, "Whether its pole stands on the frame, and not its middle.")
               .check(check_zone),
+      .has_geometry = false,
       .expand = expand,
   });
 }

@@ -26,6 +26,7 @@ ComponentType wreath_component() {
           Table<Wreath>("a wreath", "A ring of places for children.")
               .members(&Wreath::around, around_table())
               .number("diameter", &Wreath::diameter, {.unit = Unit::metre, .min = 0, .max = 1000}, "Of the ring."),
+      .has_geometry = false,
       .expand = expand,
   });
 }

@@ -96,8 +96,15 @@ const ParameterTable& component_base_table() {
                    "Whether what hangs on an omitted instance stays.")
           .boolean("hidden", &ComponentBase::hidden, "No geometry; children stay.")
           .never_with("colour", {"colours"})
-          .only_with("colours", {"colour_at"});
+          .only_with("colours", {"colour_at"})
+          .only_where({{"omit"}, {"only"}}, {"omit_keeps_children"});
   return table;
+}
+
+const std::vector<std::string>& look_names() {
+  static const std::vector<std::string> names = {"colour",    "colours",      "colour_at", "variety", "texture",
+                                                 "roughness", "translucency", "place",     "hidden"};
+  return names;
 }
 
 void set_fingerprints(Prototype& prototype, const Value& value, std::span<const ExpressionNames::Constant> constants,

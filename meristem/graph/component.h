@@ -78,6 +78,8 @@ Frame instance_frame(const ComponentBase& base, const Frame& site, Tropism tropi
 
 /// The rows of ComponentBase, which follow each component's own.
 const ParameterTable& component_base_table();
+/// Those of them that say how its geometry looks and where it is.
+const std::vector<std::string>& look_names();
 /// Those of GrowingComponent, which stand between.
 const ParameterTable& growing_component_table();
 
@@ -163,6 +165,7 @@ struct ComponentDefinition {
   Material material{};
   double variety = 0;
   Material blades{};
+  bool has_geometry = true;  ///< else it has no parameters of looks
   bool is_camera = false;
   bool makes_stems = false;
   bool has_twigs = false;  ///< of stems; components that grow have twigs anyway
@@ -196,8 +199,11 @@ ComponentType define_component(ComponentDefinition<P> definition) {
     std::move(definition.parameters).template include<GrowingComponent>(growing_component_table());
     type.grows_alone = [](const void* parameters) { return static_cast<const P*>(parameters)->alone; };
   }
-  type.parameters =
-      std::move(definition.parameters).template include<ComponentBase>(component_base_table()).elsewhere({"type"});
+  std::move(definition.parameters).template include<ComponentBase>(component_base_table()).elsewhere({"type"});
+  if (!definition.has_geometry) {
+    std::move(definition.parameters).without(look_names(), "it has no geometry of its own");
+  }
+  type.parameters = std::move(definition.parameters);
   type.material = definition.material;
   type.variety = definition.variety;
   type.blades = definition.blades;

@@ -8,6 +8,9 @@
 #include "meristem/components/registry.h"
 #include "meristem/document/json.h"
 #include "meristem/document/schema.h"
+#include "meristem/document/tables.h"
+#include "meristem/graph/crown_placement.h"
+#include "meristem/graph/placement.h"
 #include "reference.h"
 
 namespace meristem::cli {
@@ -32,21 +35,49 @@ void print_table(const ParameterTable& table, int indent, std::vector<const Para
   }
 }
 
-void print_component(const std::string& name) {
+/// A part of documents that is no component, with its tables.
+struct Part {
+  std::string name;
+  std::string doc;
+  std::vector<const ParameterTable*> tables;
+};
+
+std::vector<Part> other_parts() {
+  return {{"link",
+           "What stands on what; a link on stems or into a crown says where.",
+           {&placement_table(), &crown_placement_table()}},
+          {"variable", variable_table().doc, {&variable_table()}},
+          {"document", "The top level of a document.", {&head_table()}},
+          {"limits", limits_table().doc, {&limits_table()}}};
+}
+
+void print_part(const std::string& name) {
   const Registry& registry = builtin_components();
-  const ComponentType* type = registry.find(name);
-  if (type == nullptr) {
-    const std::vector<std::string> names = registry.names();
-    throw InputError(Diagnostic{.message = fmt::format("'{}' is not a type of component", name),
-                                .expected = fmt::format("one of {}", fmt::join(names, ", ")),
-                                .nearest = nearest_name(name, names)});
+  if (const ComponentType* type = registry.find(name)) {
+    fmt::print("{}: {}\n\n", type->name, type->doc);
+    return print_table(type->parameters, 2);
   }
-  fmt::print("{}: {}\n\n", type->name, type->doc);
-  print_table(type->parameters, 2);
+  std::vector<std::string> names = registry.names();
+  for (const Part& part : other_parts()) {
+    if (part.name == name) {
+      fmt::print("{}: {}\n", part.name, part.doc);
+      for (const ParameterTable* table : part.tables) {
+        if (part.tables.size() > 1) fmt::print("\n{}: {}\n", table->name, table->doc);
+        fmt::print("\n");
+        print_table(*table, 2);
+      }
+      return;
+    }
+    names.push_back(part.name);
+  }
+  throw InputError(Diagnostic{.message = fmt::format("'{}' is not a type of component", name),
+                              .expected = fmt::format("one of {}", fmt::join(names, ", ")),
+                              .nearest = nearest_name(name, names)});
 }
 
 void list_components() {
   for (const ComponentType& type : builtin_components().types()) fmt::print("{:<12} {}\n", type.name, type.doc);
+  for (const Part& part : other_parts()) fmt::print("{:<12} {}\n", part.name, part.doc);
 }
 
 }  // namespace
@@ -56,7 +87,8 @@ void add_components(CLI::App& app, Run& run) {
   auto name = std::make_shared<std::string>();
   auto schema = std::make_shared<bool>(false);
   auto markdown = std::make_shared<bool>(false);
-  command->add_option("name", *name, "A type, for its parameters")->type_name("NAME");
+  command->add_option("name", *name, "A type, for its parameters; or link, variable, document, limits")
+      ->type_name("NAME");
   command->add_flag("--schema", *schema, "Print the JSON Schema of documents");
   command->add_flag("--markdown", *markdown, "Print all parameters as a page of the manual")->excludes("--schema");
   command->footer("Example: meristem components leaf");
@@ -69,7 +101,7 @@ void add_components(CLI::App& app, Run& run) {
       } else if (name->empty()) {
         list_components();
       } else {
-        print_component(*name);
+        print_part(*name);
       }
     };
   });

@@ -12,8 +12,8 @@
 #include "meristem/document/locate.h"
 #include "meristem/document/override.h"
 #include "meristem/document/tables.h"
+#include "meristem/document/variables.h"
 #include "meristem/graph/table/fingerprint.h"
-#include "meristem/graph/table/node_condition.h"
 
 namespace meristem {
 
@@ -42,17 +42,17 @@ class DocumentReader {
 
     // Limits and variables come first: everything else may use them.
     read_limits(document.graph.limits);
-    read_variables(document);
-    std::vector<ExpressionNames::Constant> constants;
-    for (const Variable& variable : document.variables) {
-      if (is_free_name(variable.name)) constants.push_back({variable.name, variable.value});
-    }
+    const Value* given_variables = root_.find("variables");
+    const VariableValues solved = solve_variables(given_variables, document.graph.limits);
 
-    ParameterReader reader(std::move(constants), document.graph.limits, folder_);
+    ParameterReader reader(solved.constants, document.graph.limits, folder_);
+    document.variables = read_variables(given_variables, solved, reader);
+    document.source.variable_notes = note_variables(document.variables, solved, document.source.overridden);
     read_head(reader, document);
     read_components(reader, document.graph);
     read_links(reader, document.graph);
     link_placed(reader, document.graph);
+    warn_of_variables(root_, document.variables, reader);
     document.source.named_files = reader.files();
     take_from(reader);
     if (seed) document.graph.seed = *seed;
@@ -100,52 +100,6 @@ class DocumentReader {
     reader.read(limits_table(), &limits, *given, Place(top_, "limits"));
     take_from(reader);
   }
-
-  void read_variables(Document& document) {
-    const Value* given = root_.find("variables");
-    if (given == nullptr) return;
-    ParameterReader reader({}, document.graph.limits);
-    const Place place(top_, "variables");
-    if (given->object() == nullptr) {
-      reader.fault(place, fmt::format("the variables are {}", given->description()), "an object of names");
-    } else {
-      for (const auto& [name, value] : *given->object()) {
-        document.variables.push_back(read_variable(reader, name, value, Place(place, name)));
-      }
-    }
-    take_from(reader);
-  }
-
-  static Variable read_variable(ParameterReader& reader, const std::string& name, const Value& value,
-                                const Place& place) {
-    if (!is_identifier(name)) {
-      reader.fault_name(place, fmt::format("'{}' is not a name", name),
-                        "letters, digits and _, not beginning with a digit", "");
-    } else if (has_meaning(name)) {
-      reader.fault_name(place, fmt::format("'{}' has a meaning in expressions already", name), "another name", "");
-    }
-    Variable variable;
-    reader.read(variable_table(), &variable, value, place);
-    variable.name = name;
-    // Bounds that are not given leave room for the value.
-    if (value.find("min") == nullptr) variable.min = std::min({0.0, variable.value, variable.max});
-    if (value.find("max") == nullptr) variable.max = std::max({1.0, variable.value, variable.min});
-    if (variable.min > variable.max) {
-      reader.fault(Place(place, "min"),
-                   fmt::format("'min' {:.12g} lies above 'max' {:.12g}", variable.min, variable.max),
-                   "min of at most max");
-    }
-    return variable;
-  }
-
-  static bool has_meaning(const std::string& name) {
-    const auto is_in = [&name](const auto& names) {
-      return std::find(names.begin(), names.end(), name) != names.end();
-    };
-    return is_builtin_name(name) || is_in(site_variables()) || is_in(node_variables());
-  }
-  /// Expressions can only be compiled with names that a variable may have.
-  static bool is_free_name(const std::string& name) { return is_identifier(name) && !has_meaning(name); }
 
   void read_head(ParameterReader& reader, Document& document) {
     DocumentHead head;
@@ -396,6 +350,7 @@ class DocumentReader {
 }  // namespace
 
 void Source::place(std::vector<Diagnostic>& diagnostics) const {
+  tell_variables(tree, variable_notes, diagnostics);
   locate_diagnostics(text, diagnostics);
   for (Diagnostic& diagnostic : diagnostics) {
     diagnostic.file = file;

@@ -2,6 +2,7 @@
 // The plant document: what a person writes and saves, read into a graph, a scene and settings.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,7 +17,7 @@ namespace meristem {
 /// The newest format that this program reads.
 inline constexpr int kDocumentFormat = 1;
 
-/// One of the few handles that a user should see; usable by name in every expression.
+/// A value that every expression can use by name: one of the few handles that a user should see, or a private one.
 struct Variable {
   std::string name;
   double value = 0;
@@ -24,6 +25,15 @@ struct Variable {
   double max = 1;
   std::string unit;
   std::string doc;
+  std::string expression;   ///< from which the value was worked out, or empty: "2 + 0.1*age"
+  bool is_private = false;  ///< no handle, but a name for what several expressions share; it can be set all the same
+};
+
+/// What messages say of a variable when a value that it went into turns out to be wrong.
+struct VariableNote {
+  std::string variable;
+  std::string text;               ///< "age is 1000, beyond 8 to 160", or empty
+  std::vector<std::size_t> uses;  ///< notes of the variables that it is worked out from
 };
 
 /// Defaults for doors that make pictures and files.
@@ -49,8 +59,10 @@ struct Source {
   std::vector<std::string> named_files;     ///< paths of the files that were read with it
   std::vector<std::string> overridden;      ///< document paths that an override has set
   std::vector<std::string> override_names;  ///< of each, what messages call it
+  std::vector<VariableNote> variable_notes;
 
   /// Gives diagnostics with a path their file, line and column: in the text, or the override that brought the value.
+  /// Errors tell of the variables behind the value that were set or lie beyond their ranges.
   void place(std::vector<Diagnostic>& diagnostics) const;
 };
 

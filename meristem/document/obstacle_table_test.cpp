@@ -17,7 +17,7 @@ namespace {
 
 std::string document_with(const std::string& obstacles, const std::string& more = "") {
   return fmt::format(
-      R"({{"meristem": 1, {} "variables": {{"wide": 3}}, "scene": {{"obstacles": {}}}, "components": {{"leaf": {{"type": "leaf"}}}}}})",
+      R"({{"meristem": 1, {} "variables": {{"wide": 3}}, "scene": {{"obstacles": {}}}, "components": {{"leaf": {{"type": "leaf", "length": "wide"}}}}}})",
       more, obstacles);
 }
 

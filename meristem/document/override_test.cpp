@@ -15,7 +15,7 @@ constexpr const char* kOak = R"({
   "variables": {"age": {"value": 3}, "size": 2},
   "components": {
     "tree": {"type": "colonize", "crown": {"profile": [[1, 1], [1, 2]]}, "points": 100},
-    "leaf": {"type": "leaf"}
+    "leaf": {"type": "leaf", "length": "size", "width": "0.1*age"}
   },
   "links": [["tree", "leaf"], {"from": "tree", "to": "leaf", "kind": "branch", "density": 10}]
 })";

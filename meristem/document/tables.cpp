@@ -60,14 +60,18 @@ const ParameterTable& head_table() {
 }
 
 const ParameterTable& variable_table() {
-  static const ParameterTable table = Table<Variable>("a variable", "A handle that expressions use by name.")
-                                          .number("value", &Variable::value, {}, "Its value unless set otherwise.")
-                                          .required()
-                                          .number("min", &Variable::min, {}, "Least sensible value.")
-                                          .number("max", &Variable::max, {}, "Greatest sensible value.")
-                                          .text("unit", &Variable::unit, "As shown to the user.")
-                                          .text("doc", &Variable::doc, "What it does, in one sentence.")
-                                          .shorthand("value");
+  static const ParameterTable table =
+      Table<Variable>("a variable", "A handle that expressions use by name.")
+          .number("value", &Variable::value, {},
+                  "Its value unless set otherwise; an expression may use the other variables.")
+          .required()
+          .number("min", &Variable::min, {}, "Least sensible value.")
+          .number("max", &Variable::max, {}, "Greatest sensible value.")
+          .text("unit", &Variable::unit, "As shown to the user.")
+          .text("doc", &Variable::doc, "What it does, in one sentence.")
+          .boolean("private", &Variable::is_private,
+                   "No handle for users, but a name for what several expressions share.")
+          .shorthand("value");
   return table;
 }
 

@@ -88,7 +88,8 @@ py::list variables_of(const DocumentPointer& document) {
   const py::object make = py::module_::import("meristem._variable").attr("Variable");
   py::list list;
   for (const Variable& v : document->document.variables) {
-    list.append(make(v.name, v.value, v.min, v.max, v.unit, v.doc));
+    const py::object expression = v.expression.empty() ? py::object(py::none()) : py::str(v.expression);
+    list.append(make(v.name, v.value, v.min, v.max, v.unit, v.doc, expression, v.is_private));
   }
   return list;
 }
@@ -203,7 +204,9 @@ Other Python threads go on meanwhile, and Ctrl-C stops it. Raises InputError (li
           "file", [](const DocumentPointer& d) { return d->file; }, "The file it was read from, or '<python>'.")
       .def_property_readonly(
           "seed", [](const DocumentPointer& d) { return d->document.graph.seed; }, "What all randomness comes from.")
-      .def_property_readonly("variables", &variables_of, "The variables that it offers to users: a list of Variable.")
+      .def_property_readonly(
+          "variables", &variables_of,
+          "Its variables, of which those that are not private are handles for users: a list of Variable.")
       .def_property_readonly("components", &components_of, "The type of each component, by its id.")
       .def_property_readonly(
           "warnings", [](const DocumentPointer& d) { return to_python(d->document.warnings); },

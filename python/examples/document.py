@@ -13,6 +13,8 @@ print("shipped:", ", ".join(meristem.models()))
 oak = meristem.read("oak")
 print(oak, "-", oak.description)
 for variable in oak.variables:
+    if variable.private:
+        continue  # a name for what expressions share, no handle
     values = f"{variable.value:g} {variable.unit} ({variable.min:g} to {variable.max:g})"
     print(f"  {variable.name} = {values}: {variable.doc}")
 

@@ -58,13 +58,14 @@ def make_preview(self: Plant) -> bytes:
 
 
 def describe(self: Document) -> str:
-    """The document's name, what it says of itself, and its variables as a table, which notebooks show for it."""
+    """The document's name, what it says of itself, and its handles as a table, which notebooks show for it."""
     lines = [f"**{_cell(self.name or 'Document')}**, seed {self.seed}", ""]
     if self.description:
         lines += [_cell(self.description), ""]
-    if self.variables:
+    handles = [v for v in self.variables if not v.private]
+    if handles:
         lines += ["| variable | value | from | to | unit | |", "| --- | ---: | ---: | ---: | --- | --- |"]
-    for v in self.variables:
+    for v in handles:
         lines.append(f"| `{v.name}` | {v.value:g} | {v.min:g} | {v.max:g} | {_cell(v.unit)} | {_cell(v.doc)} |")
     return "\n".join(lines)
 

@@ -128,6 +128,16 @@ def test_models_can_be_read_by_name() -> None:
     assert age.value == 20 and age.min < 20 < age.max and age.unit == "years"
 
 
+def test_variables_tell_what_they_are_derived_from() -> None:
+    content = small_tree()
+    content["variables"]["half"] = {"value": "size/2", "private": True}
+    content["components"]["leaf"]["width"] = "half"
+    size, half = meristem.Document(content).set({"size": 0.1}).variables
+    assert (size.expression, size.private) == (None, False)
+    assert (half.value, half.expression, half.private) == (0.05, "size/2", True)
+    assert meristem.Document(content).set({"half": 0.02}).variables[1].expression is None
+
+
 def test_saved_documents_can_be_read(tmp_path: Path) -> None:
     document = meristem.Document(small_tree()).set({"tree.points": 120}, seed=4)
     document.save(tmp_path / "tree.json")

@@ -132,3 +132,10 @@ def test_a_document_is_a_table_of_its_variables_to_notebooks() -> None:
     assert lines[0] == "**Small tree**, seed 5"
     assert lines[2] == r"A \*small\* one \| two"
     assert lines[-1] == "| `size` | 0.06 | 0.02 | 0.2 | m | Length of leaves. |"
+
+
+def test_private_variables_stand_in_no_table() -> None:
+    content = small_tree()
+    content["variables"]["half"] = {"value": "size/2", "private": True}
+    content["components"]["leaf"]["width"] = "half"
+    assert "half" not in meristem.Document(content)._repr_markdown_()

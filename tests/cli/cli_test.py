@@ -263,6 +263,10 @@ class Output(Case):
         self.assertIn("--set laef.width: components.laef.width: there is no component 'laef'; did you mean 'leaf'?",
                       self.assert_ends(WRONG_INPUT, "check", "tree.json", "--set", "laef.width=1"))
 
+    def test_a_variable_that_breaks_a_rule_elsewhere_is_named(self):
+        self.assertIn("(points is -3); expected a whole number",
+                      self.assert_ends(WRONG_INPUT, "check", "tree.json", "--set", "points=-3"))
+
     def test_standard_input_and_output(self):
         done = self.run_program("grow", "-", "-o", "-", input=TREE.encode())
         self.assertEqual(done.returncode, DONE)
@@ -681,6 +685,12 @@ class Listing(Case):
             self.assertTrue(done.stdout.decode().startswith(name + ": "))
         self.assertIn("length - a number (m) from 0.0001 to 100; default 0.08",
                       self.run_program("components", "leaf").stdout.decode())
+
+    def test_links_and_variables_are_listed_as_components_are(self):
+        links = self.run_program("components", "link").stdout.decode()
+        self.assertIn("density - a number", links)
+        self.assertIn("a crown link: ", links)
+        self.assertIn("private", self.run_program("components", "variable").stdout.decode())
 
     def test_unknown_component_names_the_nearest(self):
         self.assertIn("did you mean 'leaf'?", self.assert_ends(WRONG_INPUT, "components", "laef"))

@@ -23,8 +23,11 @@ def fail(message):
 
 def check(document, *settings):
     done = subprocess.run([program, "check", str(document), *settings], capture_output=True, text=True, timeout=60)
-    if done.returncode != 0 or "warning" in done.stdout + done.stderr:
-        fail(f"{document.name} {' '.join(settings)}:\n{done.stdout}{done.stderr}")
+    told = done.stdout + done.stderr
+    # Pictures of what a variable does may go beyond what is sensible.
+    warnings = [line for line in told.splitlines() if "warning" in line and not (settings and "beyond its range" in line)]
+    if done.returncode != 0 or warnings:
+        fail(f"{document.name} {' '.join(settings)}:\n{told}")
 
 
 def only_settings(options):
@@ -39,7 +42,8 @@ for path in models + documents:
 
 for path in models:
     text = re.sub(r"^\s*//.*$", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
-    handles = json.loads(text).get("variables", {})
+    variables = json.loads(text).get("variables", {})
+    handles = [v for v in variables.values() if not (isinstance(v, dict) and v.get("private"))]
     if not 1 <= len(handles) <= 6:
         fail(f"{path.name} has {len(handles)} variables; a person wants one to six")
 

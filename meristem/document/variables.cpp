@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: Apache-2.0
+// A variable is worked out after those that it uses, which a walk into depth over what the expressions name finds out,
+// without recursion and in time in proportion to the names. A way back to a variable on the present way is a circle.
+#include "meristem/document/variables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "meristem/base/read_file.h"
+#include "meristem/document/mentions.h"
+#include "meristem/document/tables.h"
+#include "meristem/graph/table/node_condition.h"
+
+namespace meristem {
+
+namespace {
+
+/// More are no handles, and the time to compile an expression grows with them.
+constexpr std::size_t kMostVariables = 1000;
+/// Grammars are shorter; what is longer, such as a mesh, is not searched for names.
+constexpr std::uint64_t kLongestGrammar = 1'000'000;
+
+bool has_meaning(const std::string& name) {
+  const auto is_in = [&name](const auto& names) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  return is_builtin_name(name) || is_in(site_variables()) || is_in(node_variables());
+}
+
+/// Expressions can only be compiled with names that a variable may have.
+bool is_free_name(const std::string& name) { return is_identifier(name) && !has_meaning(name); }
+
+const Value* value_of(const Value& variable) {
+  return variable.object() == nullptr ? &variable : variable.find("value");
+}
+
+std::string text_of(const Value& variable) {
+  const Value* value = value_of(variable);
+  return value != nullptr && value->text() != nullptr ? *value->text() : "";
+}
+
+/// "a -> b -> a"
+std::string circle_text(const std::vector<ExpressionNames::Constant>& constants,
+                        const std::vector<std::size_t>& circle) {
+  std::string text;
+  for (const std::size_t k : circle) text += constants[k].name + " -> ";
+  return text + constants[circle.front()].name;
+}
+
+class Solver {
+ public:
+  Solver(const Value::Object& given, const Limits& limits) {
+    for (const auto& [name, variable] : given) {
+      if (!is_free_name(name) || nodes_.size() == kMostVariables) continue;
+      Node& node = nodes_.emplace_back();
+      names_.variables.push_back(name);
+      const Value* value = value_of(variable);
+      if (value != nullptr && value->number() != nullptr) node.value = *value->number();
+      node.text = text_of(variable);
+    }
+    for (Node& node : nodes_) compile(node, limits);
+    values_.assign(nodes_.size(), 1);
+  }
+
+  VariableValues run() {
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      if (nodes_[k].state == State::ahead) walk_from(k);
+    }
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      solved_.constants.push_back({names_.variables[k], values_[k]});
+      solved_.uses.push_back(std::move(nodes_[k].uses));
+    }
+    return std::move(solved_);
+  }
+
+ private:
+  enum class State : std::uint8_t { ahead, on_the_way, solved };
+
+  struct Node {
+    std::string text;  // of an expression
+    double value = 1;
+    std::optional<Expression> expression;
+    std::vector<std::size_t> uses;
+    std::size_t next = 0;  // of uses, for the walk
+    State state = State::ahead;
+    bool is_in_circle = false;
+  };
+
+  /// A fault in the text is told later, by who reads the value.
+  void compile(Node& node, const Limits& limits) const {
+    if (node.text.empty()) return;
+    try {
+      node.expression = Expression::compile(node.text, names_, limits.expression_bytes);
+    } catch (const ExpressionError&) {
+      return;
+    }
+    if (node.expression->is_random()) node.expression.reset();
+    for (std::size_t k = 0; node.expression && k < nodes_.size(); ++k) {
+      if (node.expression->uses(k)) node.uses.push_back(k);
+    }
+  }
+
+  void walk_from(std::size_t begin) {
+    std::vector<std::size_t> way{begin};
+    nodes_[begin].state = State::on_the_way;
+    while (!way.empty()) {
+      Node& node = nodes_[way.back()];
+      if (node.next == node.uses.size()) {
+        solve(way.back());
+        way.pop_back();
+        continue;
+      }
+      const std::size_t used = node.uses[node.next++];
+      if (nodes_[used].state == State::ahead) {
+        nodes_[used].state = State::on_the_way;
+        way.push_back(used);
+      } else if (nodes_[used].state == State::on_the_way) {
+        add_circle({std::find(way.begin(), way.end(), used), way.end()});
+      }
+    }
+  }
+
+  void solve(std::size_t k) {
+    Node& node = nodes_[k];
+    node.state = State::solved;
+    if (node.is_in_circle) return;
+    const double value = node.expression ? node.expression->evaluate(values_) : node.value;
+    if (std::isfinite(value)) values_[k] = value;
+  }
+
+  /// Of circles that share a variable the first is told. It begins with the variable that the document has first.
+  void add_circle(std::vector<std::size_t> members) {
+    bool is_told = false;
+    for (const std::size_t k : members) {
+      is_told = is_told || nodes_[k].is_in_circle;
+      nodes_[k].is_in_circle = true;
+    }
+    if (is_told) return;
+    std::rotate(members.begin(), std::min_element(members.begin(), members.end()), members.end());
+    solved_.circles.push_back(std::move(members));
+  }
+
+  ExpressionNames names_;  // each variable is one of an expression's variables
+  std::vector<Node> nodes_;
+  std::vector<double> values_;
+  VariableValues solved_;
+};
+
+Variable read_variable(ParameterReader& reader, const std::string& name, const Value& value, const Place& place) {
+  if (!is_identifier(name)) {
+    reader.fault_name(place, fmt::format("'{}' is not a name", name),
+                      "letters, digits and _, not beginning with a digit", "");
+  } else if (has_meaning(name)) {
+    reader.fault_name(place, fmt::format("'{}' has a meaning in expressions already", name), "another name", "");
+  }
+  Variable variable;
+  reader.read(variable_table(), &variable, value, place);
+  variable.name = name;
+  variable.expression = text_of(value);
+  // Bounds that are not given leave room for the value.
+  if (value.find("min") == nullptr) variable.min = std::min({0.0, variable.value, variable.max});
+  if (value.find("max") == nullptr) variable.max = std::max({1.0, variable.value, variable.min});
+  if (variable.min > variable.max) {
+    reader.fault(Place(place, "min"), fmt::format("'min' {:.12g} lies above 'max' {:.12g}", variable.min, variable.max),
+                 "min of at most max");
+  }
+  return variable;
+}
+
+bool is_beyond(const Variable& variable) { return variable.value < variable.min || variable.value > variable.max; }
+
+/// Where a variable's value stands.
+Place value_place(const Place& variable, const Value& said) {
+  return said.object() == nullptr ? variable : Place(variable, "value");
+}
+
+}  // namespace
+
+VariableValues solve_variables(const Value* given, const Limits& limits) {
+  return given == nullptr || given->object() == nullptr ? VariableValues{} : Solver(*given->object(), limits).run();
+}
+
+std::vector<Variable> read_variables(const Value* given, const VariableValues& solved, ParameterReader& reader) {
+  std::vector<Variable> variables;
+  if (given == nullptr) return variables;
+  const Place top;
+  const Place place(top, "variables");
+  if (given->object() == nullptr) {
+    reader.fault(place, fmt::format("the variables are {}", given->description()), "an object of names");
+    return variables;
+  }
+  if (given->object()->size() > kMostVariables) {
+    reader.fault(place, fmt::format("the document has {} variables", given->object()->size()),
+                 fmt::format("at most {}", kMostVariables));
+    return variables;
+  }
+  for (const auto& [name, value] : *given->object()) {
+    variables.push_back(read_variable(reader, name, value, Place(place, name)));
+  }
+  for (const std::vector<std::size_t>& circle : solved.circles) {
+    const std::string& first = solved.constants[circle.front()].name;
+    const Place variable(place, first);
+    reader.fault(value_place(variable, *given->find(first)),
+                 circle.size() == 1
+                     ? fmt::format("'{}' is worked out from itself", first)
+                     : fmt::format("the variables {} go round without end", circle_text(solved.constants, circle)),
+                 "an expression of variables that can be worked out before");
+  }
+  return variables;
+}
+
+void warn_of_variables(const Value& root, const std::vector<Variable>& variables, ParameterReader& reader) {
+  // Where there are faults, what is unused may be so because of them.
+  std::set<std::string, std::less<>> unused;
+  for (const Variable& variable : variables) {
+    if (reader.fault_count() == 0) unused.insert(variable.name);
+  }
+  const auto take_out = [&](std::string_view name) {
+    if (const auto found = unused.find(name); found != unused.end()) unused.erase(found);
+  };
+  for (const char* part : {"scene", "components", "links", "output", "variables"}) {
+    const Value* said = root.find(part);
+    if (said != nullptr && !unused.empty()) for_each_mention(*said, take_out);
+  }
+  for (const std::string& file : reader.files()) {
+    if (unused.empty()) break;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) continue;
+    if (std::filesystem::file_size(file, error) > kLongestGrammar || error) continue;
+    for_each_name(read_file(file, kLongestGrammar), take_out);
+  }
+  const Place top;
+  const Place place(top, "variables");
+  for (const Variable& variable : variables) {
+    const Place own(place, variable.name);
+    if (unused.contains(variable.name)) reader.warn(own, fmt::format("nothing uses '{}'", variable.name));
+    if (is_beyond(variable) && variable.min <= variable.max) {
+      reader.warn(value_place(own, *root.find("variables")->find(variable.name)),
+                  fmt::format("'{}' is {:.12g}, beyond its range of {:.12g} to {:.12g}", variable.name, variable.value,
+                              variable.min, variable.max));
+    }
+  }
+}
+
+std::vector<VariableNote> note_variables(const std::vector<Variable>& variables, const VariableValues& solved,
+                                         const std::vector<std::string>& overridden) {
+  std::unordered_map<std::string_view, std::string> texts;
+  for (const Variable& variable : variables) {
+    const auto is_of = [&](const std::string& path) {
+      return path == "variables." + variable.name || path == "variables." + variable.name + ".value";
+    };
+    const bool is_set = std::any_of(overridden.begin(), overridden.end(), is_of);
+    if (!is_set && !is_beyond(variable)) continue;
+    std::string& text = texts[variable.name];
+    text = fmt::format("{} is {:.12g}", variable.name, variable.value);
+    if (is_beyond(variable)) text += fmt::format(", beyond {:.12g} to {:.12g}", variable.min, variable.max);
+  }
+  for (const std::vector<std::size_t>& circle : solved.circles) {
+    for (const std::size_t k : circle) texts.erase(solved.constants[k].name);  // their values mean nothing
+  }
+  std::vector<VariableNote> notes;
+  if (texts.empty()) return notes;
+  for (std::size_t k = 0; k < solved.constants.size(); ++k) {
+    const std::string& name = solved.constants[k].name;
+    notes.push_back({name, texts[name], solved.uses[k]});
+  }
+  return notes;
+}
+
+void tell_variables(const Value& root, const std::vector<VariableNote>& notes, std::vector<Diagnostic>& diagnostics) {
+  if (notes.empty()) return;
+  std::unordered_map<std::string_view, std::size_t> note_of;
+  for (std::size_t k = 0; k < notes.size(); ++k) note_of.emplace(notes[k].variable, k);
+  for (Diagnostic& diagnostic : diagnostics) {
+    // A fault in the text of an expression or in a name has nothing to do with a variable's value.
+    if (diagnostic.severity != Severity::error || diagnostic.path.empty() || diagnostic.text_offset != -1) continue;
+    const Value* said = find_value(root, diagnostic.path);
+    if (said == nullptr) continue;
+    // From the variables that are mentioned to those that they are made of.
+    std::vector<bool> is_met(notes.size());
+    std::vector<std::size_t> ahead;
+    const auto meet = [&](std::size_t k) {
+      if (!is_met[k]) ahead.push_back(k);
+      is_met[k] = true;
+    };
+    for_each_mention(*said, [&](std::string_view name) {
+      if (const auto found = note_of.find(name); found != note_of.end()) meet(found->second);
+    });
+    while (!ahead.empty()) {
+      const std::size_t next = ahead.back();
+      ahead.pop_back();
+      for (const std::size_t used : notes[next].uses) meet(used);
+    }
+    std::vector<std::string_view> told;
+    for (std::size_t k = 0; k < notes.size(); ++k) {
+      if (is_met[k] && !notes[k].text.empty()) told.push_back(notes[k].text);
+    }
+    if (!told.empty()) diagnostic.message += fmt::format(" ({})", fmt::join(told, "; "));
+  }
+}
+
+}  // namespace meristem

@@ -168,6 +168,12 @@ Value parse_json(std::string_view text, const Limits& limits) {
     throw InputError(Diagnostic{.message = fmt::format("the text has {} bytes", text.size()),
                                 .expected = fmt::format("at most {}", limits.document_bytes)});
   }
+  // The parser takes it for the end of the text, or of a comment.
+  if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
+    const TextPosition at = text_position(text, zero);
+    throw InputError(Diagnostic{
+        .message = "a byte 0x00", .expected = "text in UTF-8 without it", .line = at.line, .column = at.column});
+  }
   TreeBuilder builder(text, limits);
   nlohmann::json::sax_parse(text.begin(), text.end(), &builder, nlohmann::json::input_format_t::json,
                             /*strict=*/true, /*ignore_comments=*/true);

@@ -57,6 +57,11 @@ TEST(Json, RejectsTextThatIsNotUtf8WithoutRepeatingIt) {
   EXPECT_EQ(fault_of("[\xFF]"), "1:2: invalid literal");
 }
 
+TEST(Json, RejectsAByteThatTheParserTakesForTheEnd) {
+  EXPECT_EQ(fault_of(std::string_view("[1, // \0 2]\n3]", 15)), "1:8: a byte 0x00; expected text in UTF-8 without it");
+  EXPECT_EQ(fault_of(std::string_view("[1]\0 2", 6)), "1:4: a byte 0x00; expected text in UTF-8 without it");
+}
+
 TEST(Json, RejectsNumbersThatADoubleCannotHold) {
   EXPECT_EQ(fault_of("[1,\n 1e999]"), "2:2: the number 1e999 is too large");
   EXPECT_EQ(parse_json("1e-999"), Value(0.0));

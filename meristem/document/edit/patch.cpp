@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/document/edit/patch.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace meristem {
+
+namespace {
+
+/// A text as it comes about: pieces that are kept of the one before, and pieces that are new.
+struct Piece {
+  std::size_t begin = 0;  // of a kept piece, in the text before
+  std::size_t length = 0;
+  std::string_view added;  // of a new piece
+  bool is_added = false;
+};
+
+constexpr std::size_t kEndless = std::numeric_limits<std::size_t>::max() / 2;
+
+/// The text after a patch. It goes on beyond any end, so that nobody needs to know how long the text is.
+std::vector<Piece> pieces_after(const Patch& patch) {
+  std::vector<Piece> pieces;
+  std::size_t at = 0;
+  for (const Splice& splice : patch) {
+    if (splice.offset > at) pieces.push_back({.begin = at, .length = splice.offset - at});
+    if (!splice.replacement.empty()) {
+      pieces.push_back(
+          {.begin = 0, .length = splice.replacement.size(), .added = splice.replacement, .is_added = true});
+    }
+    at = splice.offset + splice.length;
+  }
+  pieces.push_back({.begin = at, .length = kEndless});
+  return pieces;
+}
+
+/// Reads pieces from the first on.
+class PieceReader {
+ public:
+  explicit PieceReader(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {}
+
+  /// The next `length` bytes, in as many pieces as they come in.
+  std::vector<Piece> take(std::size_t length) {
+    std::vector<Piece> taken;
+    while (length > 0 && next_ < pieces_.size()) {
+      Piece& piece = pieces_[next_];
+      const std::size_t part = std::min(length, piece.length);
+      taken.push_back(piece);
+      taken.back().length = part;
+      if (piece.is_added) {
+        taken.back().added = piece.added.substr(0, part);
+        piece.added.remove_prefix(part);
+      }
+      piece.begin += part;
+      piece.length -= part;
+      length -= part;
+      if (piece.length == 0) ++next_;
+    }
+    return taken;
+  }
+
+ private:
+  std::vector<Piece> pieces_;
+  std::size_t next_ = 0;
+};
+
+/// The patch that leaves these pieces of a text.
+Patch patch_of(const std::vector<Piece>& pieces) {
+  Patch patch;
+  std::size_t at = 0;  // in the text before
+  Splice open;
+  for (const Piece& piece : pieces) {
+    if (piece.is_added) {
+      open.replacement += piece.added;
+      continue;
+    }
+    open.offset = at;
+    open.length = piece.begin - at;
+    if (open.length > 0 || !open.replacement.empty()) patch.push_back(std::move(open));
+    open = {};
+    at = piece.begin + piece.length;
+  }
+  return patch;
+}
+
+}  // namespace
+
+bool is_sound(const Patch& patch, std::size_t text_size) {
+  std::size_t end = 0;
+  for (const Splice& splice : patch) {
+    if (splice.offset < end || splice.offset > text_size || splice.length > text_size - splice.offset) return false;
+    end = splice.offset + splice.length;
+  }
+  return true;
+}
+
+std::string apply_patch(std::string_view text, const Patch& patch) {
+  if (!is_sound(patch, text.size())) throw std::invalid_argument("the patch does not fit the text");
+  std::string made;
+  std::size_t at = 0;
+  for (const Splice& splice : patch) {
+    made += text.substr(at, splice.offset - at);
+    made += splice.replacement;
+    at = splice.offset + splice.length;
+  }
+  made += text.substr(at);
+  return made;
+}
+
+Patch inverse_patch(std::string_view text, const Patch& patch) {
+  if (!is_sound(patch, text.size())) throw std::invalid_argument("the patch does not fit the text");
+  Patch inverse;
+  std::size_t added = 0;    // so far
+  std::size_t removed = 0;  // so far
+  for (const Splice& splice : patch) {
+    inverse.push_back({.offset = splice.offset + added - removed,
+                       .length = splice.replacement.size(),
+                       .replacement = std::string(text.substr(splice.offset, splice.length))});
+    added += splice.replacement.size();
+    removed += splice.length;
+  }
+  return inverse;
+}
+
+Patch joined_patches(const Patch& first, const Patch& second) {
+  if (first.empty() || second.empty()) return first.empty() ? second : first;
+  PieceReader between(pieces_after(first));
+  std::vector<Piece> made;
+  std::size_t at = 0;  // in the text between the patches
+  for (const Splice& splice : second) {
+    for (const Piece& piece : between.take(splice.offset - at)) made.push_back(piece);
+    between.take(splice.length);
+    made.push_back({.begin = 0, .length = splice.replacement.size(), .added = splice.replacement, .is_added = true});
+    at = splice.offset + splice.length;
+  }
+  for (const Piece& piece : between.take(kEndless)) made.push_back(piece);
+  return patch_of(made);
+}
+
+}  // namespace meristem

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// A JSON text with the tree that it says and the places in it where each value stands: what edits of the text start
+// from.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meristem/graph/table/value.h"
+
+namespace meristem {
+
+/// A value of the text; all offsets are bytes.
+struct TextNode {
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  std::size_t begin = 0;             ///< of the value itself
+  std::size_t end = 0;               ///< behind its last byte
+  std::size_t name_begin = kNone;    ///< of a member's name, at its quote
+  std::size_t name_end = kNone;      ///< behind the closing quote
+  std::size_t comma = kNone;         ///< behind it; kNone for the last of its container
+  std::vector<std::uint32_t> parts;  ///< of a list or object, in order
+
+  std::size_t first() const { return name_begin == kNone ? begin : name_begin; }
+};
+
+/// A value with where it stands.
+struct PlacedValue {
+  const Value* value = nullptr;
+  std::uint32_t node = 0;
+};
+
+class PlacedTree {
+ public:
+  /// Throws an InputError as parse_json does.
+  explicit PlacedTree(std::string text);
+
+  const std::string& text() const { return text_; }
+  PlacedValue root() const { return {&value_, 0}; }
+  const TextNode& at(PlacedValue value) const { return nodes_[value.node]; }
+  /// An element of a list or the value of a member.
+  PlacedValue part(PlacedValue container, std::size_t index) const;
+
+ private:
+  std::string text_;
+  Value value_;
+  std::vector<TextNode> nodes_;  // in the order of the text
+};
+
+/// How many parts a list or object has; 0 for other values.
+std::size_t part_count(const Value& value);
+
+/// Where the blanks and comments that begin at `at` end: at the next token or the end of the text.
+std::size_t skip_blanks_and_comments(std::string_view text, std::size_t at);
+
+}  // namespace meristem

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// The paths of edits, and what they come down to: one part of a list or object more, one less (part_edit.h), and
+// values that are written over others.
+#include "meristem/document/edit/text_edit.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/document/edit/layout.h"
+#include "meristem/document/edit/part_edit.h"
+#include "meristem/document/edit/path.h"
+#include "meristem/document/edit/value_difference.h"
+#include "meristem/document/json.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr int kMostSteps = 64;  // in which a list or object takes another form; beyond them it is written anew
+
+[[noreturn]] void refuse(std::string_view path, std::string message, std::string expected = {}) {
+  throw InputError(
+      Diagnostic{.message = std::move(message), .expected = std::move(expected), .path = std::string(path)});
+}
+
+/// Values come from anywhere: numbers may be infinite, texts not UTF-8, objects name a member twice.
+void check_value(const Value& value, std::string_view path) {
+  if (value.boolean() != nullptr || value.is_null()) return;
+  try {
+    if (parse_json(write_json_line(value)) == value) return;
+  } catch (const InputError& error) {
+    refuse(path, fmt::format("the value cannot be written: {}", error.diagnostics()[0].message),
+           error.diagnostics()[0].expected);
+  }
+  refuse(path, "the value has a number that is not finite", "finite numbers");
+}
+
+Splice written_over(const PlacedTree& tree, PlacedValue old, const Value& value) {
+  const TextNode& node = tree.at(old);
+  const std::string& text = tree.text();
+  return {.offset = node.begin,
+          .length = node.end - node.begin,
+          .replacement = written_value(value, {indent_at(text, node.begin), indent_unit_of(text), line_end_of(text),
+                                               node.begin - line_begin(text, node.begin)})};
+}
+
+/// Writes over all values that differ, where old and new have the same parts.
+void write_over_differences(const PlacedTree& tree, PlacedValue old, const Value& value, Patch& patch) {
+  if (*old.value == value) return;
+  if (!have_same_parts(*old.value, value)) {
+    patch.push_back(written_over(tree, old, value));
+    return;
+  }
+  for (std::size_t k = 0; k < part_count(value); ++k) {
+    const Value& part = value.list() != nullptr ? (*value.list())[k] : (*value.object())[k].second;
+    write_over_differences(tree, tree.part(old, k), part, patch);
+  }
+}
+
+/// Has the value at `path`, which is there, say `value`: parts come and go one by one, then numbers and texts change.
+Patch rewritten(const PlacedTree& tree, std::string_view path, const Value& value) {
+  Patch patch;
+  std::optional<PlacedTree> changed;  // by the steps so far
+  const auto present = [&]() -> const PlacedTree& { return changed ? *changed : tree; };
+  for (int step = 0; step < kMostSteps; ++step) {
+    const PlacedValue old = find_path(present(), path).last();
+    const std::optional<PartDifference> found = first_part_difference(present(), old, value);
+    if (!found) {
+      Patch rest;
+      write_over_differences(present(), old, value, rest);
+      return joined_patches(patch, rest);
+    }
+    const Patch next = found->added != nullptr
+                           ? insert_part(present(), found->container, found->index, {found->name, found->added})
+                           : remove_part(present(), found->container, found->index).patch;
+    changed.emplace(apply_patch(present().text(), next));
+    patch = joined_patches(patch, next);
+  }
+  return {written_over(tree, find_path(tree, path).last(), value)};
+}
+
+/// The value that stands at the first of the missing steps if the last of them is to be `value`.
+Value with_steps(const PathTarget& target, const Value& value, std::string_view path) {
+  Value made = value;
+  for (std::size_t k = target.missing.size(); k-- > 1;) {
+    if (target.missing[k].is_index) refuse(path, "there is no list for the element", "a list that is there");
+    Value::Object around;
+    around.emplace_back(target.missing[k].name, std::move(made));
+    made = Value(std::move(around));
+  }
+  return made;
+}
+
+}  // namespace
+
+Patch set_value(const PlacedTree& tree, std::string_view path, const Value& value) {
+  check_value(value, path);
+  const PathTarget target = follow_path(tree, path);
+  if (target.missing.empty()) return rewritten(tree, path, value);
+  const PathStep& step = target.missing.front();
+  if (step.is_index) throw_missing(target, path);
+  const Value made = with_steps(target, value, path);
+  const PlacedValue last = target.last();
+  if (last.value->is_null()) {
+    Value::Object around;
+    around.emplace_back(step.name, made);
+    return {written_over(tree, last, Value(std::move(around)))};
+  }
+  if (last.value->object() == nullptr) throw_missing(target, path);
+  return insert_part(tree, last, part_count(*last.value), {&step.name, &made});
+}
+
+Patch insert_value(const PlacedTree& tree, std::string_view path, const Value& value,
+                   std::optional<std::size_t> index) {
+  check_value(value, path);
+  const PathTarget target = follow_path(tree, path);
+  const bool is_there = target.missing.empty();
+  const PlacedValue container = is_there ? target.container() : target.last();
+  const std::size_t count = part_count(*container.value);
+  if (container.value->list() != nullptr) {
+    std::size_t at = is_there ? target.places.back() : target.missing[0].index;
+    if (!is_there && at == PathStep::kBehindLast) at = count;
+    const bool is_element = is_there || (target.missing.size() == 1 && target.missing[0].is_index);
+    if (!is_element || at > count) throw_missing(target, path);
+    return insert_part(tree, container, at, {nullptr, &value});
+  }
+  if (is_there) refuse(path, fmt::format("'{}' is there already", path), "a name that is free");
+  const bool is_member = target.missing.size() == 1 && !target.missing[0].is_index;
+  if (container.value->object() == nullptr || !is_member) throw_missing(target, path);
+  if (index && *index > count) refuse(path, fmt::format("there are {} members", count), "an index up to that");
+  return insert_part(tree, container, index.value_or(count), {&target.missing[0].name, &value});
+}
+
+Patch remove_value(const PlacedTree& tree, std::string_view path) {
+  const PathTarget target = find_path(tree, path);
+  return remove_part(tree, target.container(), target.places.back()).patch;
+}
+
+Patch rename_member(const PlacedTree& tree, std::string_view path, std::string_view name) {
+  const PathTarget target = find_path(tree, path);
+  const PlacedValue container = target.container();
+  if (container.value->object() == nullptr) refuse(path, "elements of lists have no names", "the path of a member");
+  const std::string& old = (*container.value->object())[target.places.back()].first;
+  if (old == name) return {};
+  Value::Object named;
+  named.emplace_back(std::string(name), Value());
+  check_value(Value(std::move(named)), path);
+  if (container.value->find(name) != nullptr) {
+    refuse(path, fmt::format("there is a '{}' already", name), "a name that is free");
+  }
+  const TextNode& node = tree.at(target.last());
+  return {{.offset = node.name_begin,
+           .length = node.name_end - node.name_begin,
+           .replacement = write_json_line(Value(std::string(name)))}};
+}
+
+Patch move_value(const PlacedTree& tree, std::string_view path, std::size_t index) {
+  const PathTarget target = find_path(tree, path);
+  const PlacedValue container = target.container();
+  const std::size_t count = part_count(*container.value);
+  if (index >= count) {
+    refuse(path, fmt::format("there is no place {} among {}", index, count), fmt::format("0 to {}", count - 1));
+  }
+  if (index == target.places.back()) return {};
+  const RemovedPart removed = remove_part(tree, container, target.places.back());
+  const PlacedTree without(apply_patch(tree.text(), removed.patch));
+  const std::vector<std::size_t> above(target.places.begin(), target.places.end() - 1);
+  const PlacedValue left = value_at(without, above);
+  return joined_patches(removed.patch, insert_part(without, left, index, {.written = &removed.written}));
+}
+
+}  // namespace meristem

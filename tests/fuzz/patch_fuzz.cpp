@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes as an edit and a JSON text: the first byte says the edit, the next how far along the tree, the line after
+// them a value; the rest is the text. What JSON it is stays JSON, and the inverse gives the first bytes.
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/document/edit/text_edit.h"
+#include "meristem/document/json.h"
+#include "tests/fuzz/require.h"
+
+namespace {
+
+using namespace meristem;
+
+/// The path of a part of the tree: at each level the one that `way` chooses, until it is 0.
+std::string chosen_path(const Value& root, std::uint8_t way) {
+  std::string path;
+  const Value* at = &root;
+  while (at->list() != nullptr ? !at->list()->empty() : at->object() != nullptr && !at->object()->empty()) {
+    if (const Value::List* list = at->list()) {
+      const std::size_t k = way % list->size();
+      path += "[" + std::to_string(k) + "]";
+      at = &(*list)[k];
+    } else {
+      const auto& [name, member] = (*at->object())[way % at->object()->size()];
+      path += "[" + write_json_line(Value(name)) + "]";
+      at = &member;
+    }
+    way /= 3;
+    if (way == 0) break;
+  }
+  return path;
+}
+
+Patch edit(const PlacedTree& tree, std::uint8_t kind, const std::string& path, const Value& value) {
+  switch (kind % 8) {
+    case 0:
+      return set_value(tree, path, value);
+    case 1:
+      return set_value(tree, path + ".new", value);
+    case 2:
+      return insert_value(tree, path, value);
+    case 3:
+      return insert_value(tree, path + "[]", value);
+    case 4:
+      return insert_value(tree, path + ".new", value, kind / 8);
+    case 5:
+      return remove_value(tree, path);
+    case 6:
+      return move_value(tree, path, kind / 8);
+    default:
+      return rename_member(tree, path, "new");
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size < 3) return 0;
+  const std::string all(reinterpret_cast<const char*>(data + 2), size - 2);
+  const std::size_t line = all.find('\n');
+  if (line == std::string::npos) return 0;
+  const std::string text = all.substr(line + 1);
+  Patch patch;
+  try {
+    const Value value = parse_json(all.substr(0, line));
+    const PlacedTree tree(text);
+    patch = edit(tree, data[0], chosen_path(*tree.root().value, data[1]), value);
+  } catch (const InputError& error) {
+    require(!error.diagnostics().empty() && !error.diagnostics()[0].message.empty());
+    return 0;
+  }
+  require(is_sound(patch, text.size()));
+  const std::string edited = apply_patch(text, patch);
+  require(apply_patch(edited, inverse_patch(text, patch)) == text);
+  if (!patch.empty()) parse_json(edited);  // what it throws ends the fuzzer
+  return 0;
+}

@@ -244,6 +244,7 @@ bool ParameterReader::may_vary(const Parameter& parameter, const void* member) c
 
 void ParameterReader::store_number(const Parameter& parameter, const Value& value, const Place& place,
                                    const NumberSlot& slot) {
+  if (value.number() == nullptr) worked_out_.push_back(place.text());
   const double scale = document_scale(parameter.form.unit);
   const bool is_plain = value.number() != nullptr || (value.text() != nullptr && !may_vary(parameter, slot.member));
   const auto store = [&](double number) { slot.store(slot.member, number * scale); };
@@ -272,6 +273,8 @@ void ParameterReader::store_number(const Parameter& parameter, const Value& valu
   store(slot.present);
   varyings_.push_back(std::move(*read));
 }
+
+bool ParameterReader::is_worked_out(const Place& place) const { return is_any_of(place.text(), worked_out_); }
 
 void ParameterReader::store_per_child(const Parameter& parameter, const Value& value, const Place& place,
                                       PerChild& number) {

@@ -64,6 +64,9 @@ class ParameterReader {
   std::optional<double> number(const Parameter& parameter, const Value& value, const Place& place);
   /// A number into its slot, at once or, where allowed, as a Varying.
   void store_number(const Parameter& parameter, const Value& value, const Place& place, const NumberSlot& slot);
+  /// Whether a number that was read stands there as an expression or a range, and so may be another one for another
+  /// instance or at another time.
+  bool is_worked_out(const Place& place) const;
   /// A number that may differ among the children of an instance.
   void store_per_child(const Parameter& parameter, const Value& value, const Place& place, PerChild& number);
   /// An expression over `variables` and the document's variables.
@@ -101,6 +104,7 @@ class ParameterReader {
   Limits limits_;
   std::string folder_;
   std::vector<std::string> files_;
+  std::vector<std::string> worked_out_;  // document paths of numbers
   std::vector<Diagnostic> diagnostics_;
   std::size_t faults_ = 0;
   std::byte* varying_begin_ = nullptr;

@@ -16,11 +16,13 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "meristem/base/curve.h"
 #include "meristem/base/limits.h"
 #include "meristem/graph/table/asset.h"
+#include "meristem/graph/table/kinds.h"
 #include "meristem/graph/table/parameter.h"
 #include "meristem/graph/table/reader.h"
 #include "meristem/graph/table/selection.h"
@@ -374,6 +376,38 @@ class Table {
         [member, nested](const P& object) {
           Value::List shown;
           for (const Element& element : object.*member) shown.push_back(table_detail::show_object(nested(), &element));
+          return Value(std::move(shown));
+        });
+    made.nested = nested;
+    return std::move(*this);
+  }
+
+  /// A list of structs of several kinds. `kinds` says which, and `nested` makes the table of all of them.
+  template <class... Structs>
+  Table&& list_of_kinds(std::string name, std::vector<std::variant<Structs...>> P::*member, const Kinds& (*kinds)(),
+                        const ParameterTable& (*nested)(), std::string doc) && {
+    Parameter& made = row(
+        ParameterKind::list, std::move(name), std::move(doc),
+        [member, kinds, nested](const Parameter& self, P& object, const Value& value, const Place& place,
+                                ParameterReader& reader) {
+          const Value::List* values = value.list();
+          if (values == nullptr) return reader.wrong_kind(self, value, place);
+          (object.*member).assign(values->size(), {});
+          for (std::size_t k = 0; k < values->size(); ++k) {
+            const Place at(place, k);
+            const std::optional<std::size_t> kind = read_kind(kinds(), nested(), (*values)[k], at, reader);
+            if (!kind) continue;
+            void* const element = table_detail::emplace_kind((object.*member)[k], *kind);
+            reader.object(kinds().kinds[*kind].table(), element, (*values)[k], at);
+          }
+        },
+        [member, kinds](const P& object) {
+          Value::List shown;
+          for (const auto& element : object.*member) {
+            const void* const held =
+                std::visit([](const auto& one) { return static_cast<const void*>(&one); }, element);
+            shown.push_back(table_detail::show_kind(kinds(), element.index(), held));
+          }
           return Value(std::move(shown));
         });
     made.nested = nested;

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lists whose elements are structs of several kinds, each kind with a table of its own: an element is an object whose
+// member says its kind, and all its other members are read by that kind's table, in whatever order they stand.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "meristem/graph/table/parameter.h"
+
+namespace meristem {
+
+/// The kinds of a list's elements, in the order of the variant's alternatives.
+struct Kinds {
+  struct Kind {
+    std::string name;  ///< as documents write it
+    const ParameterTable& (*table)() = nullptr;
+  };
+
+  std::string element;  ///< what messages call one of any kind: "an operation"
+  std::string doc;      ///< of the elements
+  std::string key;      ///< the member that says the kind
+  std::string key_doc;
+  std::vector<Kind> kinds;
+};
+
+/// The rows of all kinds as one table, after the one that says the kind: for the schema, for lists of parameters, and
+/// for messages. A row is required there if every kind requires it; nothing is read by this table.
+ParameterTable table_of_kinds(const Kinds& kinds);
+
+/// Which kind an element is; nothing after a fault. `all` is the table of all kinds.
+std::optional<std::size_t> read_kind(const Kinds& kinds, const ParameterTable& all, const Value& value,
+                                     const Place& place, ParameterReader& reader);
+
+namespace table_detail {
+
+/// Makes a variant hold the default of its alternative of that number, and returns where it is.
+template <class... Structs>
+void* emplace_kind(std::variant<Structs...>& element, std::size_t kind) {
+  void* made = nullptr;
+  const auto emplace = [&]<std::size_t... K>(std::index_sequence<K...>) {
+    ((K == kind ? static_cast<void>(made = &element.template emplace<K>()) : static_cast<void>(0)), ...);
+  };
+  emplace(std::index_sequence_for<Structs...>());
+  return made;
+}
+
+/// An element as documents write it.
+Value show_kind(const Kinds& kinds, std::size_t kind, const void* element);
+
+}  // namespace table_detail
+
+}  // namespace meristem

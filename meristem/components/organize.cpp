@@ -22,9 +22,7 @@ constexpr double kEdge = 0.05;      // share by which a knife edge is too near
 OrganizeParameters growth_of(const Organize& tree) {
   OrganizeParameters growth = tree.growth;
   growth.light = tree.light.model;
-  for (const Operation& operation : tree.operations) {
-    growth.cuts.push_back({operation.at, operation.shoot, operation.above});
-  }
+  growth.operations = tree.operations;
   return growth;
 }
 
@@ -92,6 +90,19 @@ void check_balance(const Organize& tree, const Place& place, ParameterReader& re
                                  of_bud, growth.lateral_threshold, 100 * kEdge));
 }
 
+/// Warns of operations that never act. Where the age of the tree follows a variable, such as the time, they may.
+void check_schedules(const Organize& tree, const Place& place, ParameterReader& reader) {
+  if (reader.is_worked_out(Place(place, "iterations"))) return;
+  const Place operations(place, "operations");
+  for (std::size_t k = 0; k < tree.operations.size(); ++k) {
+    const int first = schedule_of(tree.operations[k]).first();
+    if (first <= tree.growth.iterations) continue;
+    reader.warn(Place(Place(operations, k), "at"),
+                fmt::format("it never acts: growth ends after iteration {}, and it is for iteration {}",
+                            tree.growth.iterations, first));
+  }
+}
+
 void check_organize(const Organize& tree, const Place& place, ParameterReader& reader) {
   const BudLightModel& light = tree.light.model;
   const Place light_place(place, "light");
@@ -108,17 +119,7 @@ void check_organize(const Organize& tree, const Place& place, ParameterReader& r
     reader.fault(Place(light_place, "spacing"), fmt::format("buds would look over {:.3g} markers each way", voxels),
                  fmt::format("a number of at least {:.4g}", std::max(light.perception, light.occupancy) / kMostVoxels));
   }
-  const Place operations(place, "operations");
-  for (std::size_t k = 0; k < tree.operations.size(); ++k) {
-    const Operation& operation = tree.operations[k];
-    const Place at(operations, k);
-    if (!is_shoot_name(operation.shoot)) {
-      reader.fault(Place(at, "shoot"), fmt::format("'{}' names no shoot", operation.shoot),
-                   "main, or the numbers of metamers at which shoots branch off: main.4.2");
-    } else if (operation.shoot == "main" && operation.above == 0) {
-      reader.fault(Place(at, "above"), "nothing would be left of the tree", "a whole number of at least 1");
-    }
-  }
+  check_schedules(tree, place, reader);
   check_balance(tree, place, reader);
 }
 
@@ -134,7 +135,8 @@ ComponentType organize_component() {
               .object("light", &Organize::light, organize_light_table, "What light the buds have.")
               .places("roots", &Organize::roots, {.unit = Unit::metre, .min = -1e5, .max = 1e5},
                       "Where trees of this kind stand; they compete.")
-              .list("operations", &Organize::operations, operation_table, "What is done to the tree, in this order.")
+              .list_of_kinds("operations", &Organize::operations, operation_kinds, operation_table,
+                             "What is done to the tree, in this order.")
               .integer("leaf_age", &Organize::leaf_age, {.min = 0, .max = 1000},
                        "Iterations for which metamers offer a place for a leaf; 1: those of the last iteration alone.")
               .number("leaf_angle", &Organize::leaf_angle, {.unit = Unit::degree, .min = 0, .max = 180},

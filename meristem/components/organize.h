@@ -13,7 +13,7 @@ namespace meristem {
 
 /// Trees that organize themselves, metamer by metamer, in the competition of their buds for light and room.
 struct Organize : GrowingComponent {
-  OrganizeParameters growth;  ///< without its cuts
+  OrganizeParameters growth;  ///< without its operations
   OrganizeLight light;
   std::vector<Operation> operations;
   std::vector<Vec3> roots{Vec3(0)};  ///< where the trees stand, in the component's frame

@@ -285,6 +285,19 @@ TEST(OrganizeComponent, OperationsAreChecked) {
   EXPECT_NE(fault({{"operations", Value::List{Value(bare)}}}).message.find("'do'"), std::string::npos);
 }
 
+TEST(OrganizeComponent, WarnsOfOperationsThatNeverAct) {
+  const auto late = [](Value iterations, int at) {
+    const Value::Object cut{{"do", "cut"}, {"at", at}, {"shoot", "main"}, {"above", 3}};
+    return warnings({{"operations", Value::List{Value(cut)}}, {"iterations", std::move(iterations)}});
+  };
+  EXPECT_NE(late(8, 9).find("tree.operations[0].at: it never acts"), std::string::npos) << late(8, 9);
+  EXPECT_EQ(late(9, 9), "");
+  EXPECT_NE(warnings(operation({{"at", 21}, {"above", 3}})), "") << "after the default";
+  // The age may follow the time.
+  EXPECT_EQ(late("4 + 4", 9), "");
+  EXPECT_EQ(late(Value::Object{{"range", Value::List{8, 12}}}, 11), "");
+}
+
 TEST(OrganizeComponent, AShootThatHasNotGrownIsNamedWithTheNearest) {
   const Diagnostic found = fault(operation({{"at", 3}, {"shoot", "main.3000"}, {"above", 1}}));
   EXPECT_EQ(found.path, "components.tree.operations[0].shoot");

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace meristem {
 
 namespace {
@@ -122,6 +124,44 @@ const ParameterTable& light_model_table() {
   return table;
 }
 
+const ParameterTable& schedule_table() {
+  static const ParameterTable table =
+      Table<Schedule>("a schedule", "When an operation acts.")
+          .integer("at", &Schedule::at, {.min = 1, .max = 65535}, "The iteration, after whose growth it acts.")
+          .required();
+  return table;
+}
+
+void check_cut(const Cut& cut, const Place& place, ParameterReader& reader) {
+  if (!is_shoot_name(cut.shoot)) {
+    reader.fault(Place(place, "shoot"), fmt::format("'{}' names no shoot", cut.shoot),
+                 "main, or the numbers of metamers at which shoots branch off: main.4.2");
+  } else if (cut.shoot == "main" && cut.above == 0) {
+    reader.fault(Place(place, "above"), "nothing would be left of the tree", "a whole number of at least 1");
+  }
+}
+
+/// Growth names the place of what it cannot do.
+template <class Kind>
+void note_place(Kind& operation, const Place& place, ParameterReader&) {
+  operation.path = place.text();
+}
+
+const ParameterTable& cut_table() {
+  static const ParameterTable table =
+      Table<Cut>("a cut", "Takes a shoot away, or what of it is above a metamer.")
+          .members(&Cut::when, schedule_table())
+          .text("shoot", &Cut::shoot,
+                "By the numbers of the metamers at which shoots branch off: main.4.2; the stem is main.")
+          .required()
+          .integer("above", &Cut::above, {.min = 0, .max = 1e9},
+                   "So many metamers of it stay; 0: the shoot goes whole.")
+          .elsewhere({operation_kinds().key})
+          .check(check_cut)
+          .prepare(note_place<Cut>);
+  return table;
+}
+
 }  // namespace
 
 const ParameterTable& organize_light_table() {
@@ -132,18 +172,19 @@ const ParameterTable& organize_light_table() {
   return table;
 }
 
+const Kinds& operation_kinds() {
+  static const Kinds kinds{
+      .element = "an operation",
+      .doc = "What is done to a tree after the growth of an iteration.",
+      .key = "do",
+      .key_doc = "cut: takes a shoot away, or what of it is above a metamer.",
+      .kinds = {{"cut", cut_table}},
+  };
+  return kinds;
+}
+
 const ParameterTable& operation_table() {
-  static const ParameterTable table =
-      Table<Operation>("an operation", "What is done to a tree after the growth of an iteration.")
-          .integer("at", &Operation::at, {.min = 1, .max = 65535}, "The iteration.")
-          .required()
-          .choice("do", &Operation::kind, {"cut"}, "cut: takes a shoot away, or what of it is above a metamer.")
-          .required()
-          .text("shoot", &Operation::shoot,
-                "By the numbers of the metamers at which shoots branch off: main.4.2; the stem is main.")
-          .required()
-          .integer("above", &Operation::above, {.min = 0, .max = 1e9},
-                   "So many metamers of it stay; 0: the shoot goes whole.");
+  static const ParameterTable table = table_of_kinds(operation_kinds());
   return table;
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "meristem/components/parts/crown_table.h"
+#include "meristem/graph/table/kinds.h"
 #include "meristem/graph/table/parameter.h"
 #include "meristem/grow/organize/organize.h"
 
@@ -18,18 +19,10 @@ struct OrganizeLight {
   std::optional<CrownForm> room;  ///< of markers, over each root
 };
 
-/// What is done to a tree as it grows.
-struct Operation {
-  enum class Kind { cut };
-  Kind kind = Kind::cut;
-  int at = 1;
-  std::string shoot;
-  int above = 0;
-};
-
-const ParameterTable& organize_growth_table();  ///< of OrganizeParameters, without light, radii and cuts
+const ParameterTable& organize_growth_table();  ///< of OrganizeParameters, without light, radii and operations
 const ParameterTable& organize_light_table();   ///< of OrganizeLight
-const ParameterTable& operation_table();        ///< of Operation
+const ParameterTable& operation_table();        ///< of every kind of Operation
+const Kinds& operation_kinds();                 ///< of the alternatives of Operation
 
 /// Whether a text has the form of a shoot's name: `main`, `main.4.2`.
 bool is_shoot_name(std::string_view text);

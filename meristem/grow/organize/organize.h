@@ -15,6 +15,7 @@
 #include "meristem/base/frame.h"
 #include "meristem/base/limits.h"
 #include "meristem/base/random.h"
+#include "meristem/grow/organize/operation.h"
 #include "meristem/grow/organize/resource.h"
 #include "meristem/grow/organize/sag.h"
 #include "meristem/grow/stand.h"
@@ -74,13 +75,6 @@ struct Shedding {
   int after = 3;     ///< only shoots older than so many iterations are
 };
 
-/// A cut just above a bud, after the growth of an iteration.
-struct Cut {
-  int at = 1;         ///< iteration
-  std::string shoot;  ///< by name: "main.4"
-  int above = 0;      ///< metamers of it that stay; 0: it goes whole
-};
-
 struct OrganizeParameters {
   int iterations = 20;
   int every = 1;           ///< rounds of the stand for each of them
@@ -101,7 +95,7 @@ struct OrganizeParameters {
   Shedding shedding;
   std::optional<Sag> sag;
   PipeModel radii;
-  std::vector<Cut> cuts;
+  std::vector<Operation> operations;  ///< that act in this order
 };
 
 /// Where one tree begins. Its room is a crown over its root, or all space where there is none.
@@ -118,9 +112,9 @@ struct OrganizeSeed {
 /// `terminal_bud` and `lateral_bud` (states: 0 open, 1 grown, 2 damaged, 3 dead), `bud_angle` (radians about the axis
 /// from its upper side to the lateral bud, see bud_side), `shed` (tips lost).
 ///
-/// Growth throws InputError where nodes exceed the limits, before it makes them; where a cut names a shoot that is not
-/// there; where a seed stands in an obstacle; and where nothing has grown at all. std::invalid_argument for parameters
-/// out of their ranges. `scene` must outlive the growth.
+/// Growth throws InputError where nodes exceed the limits, before it makes them; where an operation names a shoot that
+/// is not there; where a seed stands in an obstacle; and where nothing has grown at all. std::invalid_argument for
+/// parameters out of their ranges. `scene` must outlive the growth.
 std::unique_ptr<Grower> make_organizer(Stand& stand, std::vector<OrganizeSeed> seeds,
                                        const OrganizeParameters& parameters, RandomKey key, const Scene& scene,
                                        const Limits& limits, std::string component);

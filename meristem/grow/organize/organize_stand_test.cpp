@@ -108,7 +108,8 @@ TEST(OrganizeInAStand, ShadeIsThatOfTheMetamersThatAreThere) {
   const Scene scene;
   for (const double stiffness : {0.05, 500.0}) {
     OrganizeParameters parameters = full(18);
-    parameters.cuts = {{.at = 8, .shoot = "main", .above = 9}, {.at = 13, .shoot = "main", .above = 6}};
+    parameters.operations = {Cut{.when = {8}, .shoot = "main", .above = 9},
+                             Cut{.when = {13}, .shoot = "main", .above = 6}};
     parameters.shedding.below = 0.2;
     parameters.sag = Sag{.stiffness = stiffness};
     Stand stand;

@@ -28,16 +28,16 @@ constexpr float kPairGap = 0.04F;
 OrganizedTree::OrganizedTree(const OrganizedSpecies& species, StandSpace& space, const OrganizeSeed& seed,
                              RandomKey key)
     : species_(&species),
-      space_(&space),
       root_(seed.frame.origin),
-      metamers_(normalized_or(seed.frame.heading(), kUp), normalized_or(seed.frame.right(), Vec3(1, 0, 0)), key),
-      scene_light_(species.scene, root_),
-      senses_(make_bud_sense(species, space, seed, key, metamers_, scene_light_)) {
+      tree_(species.scene, space, root_,
+            Metamers(normalized_or(seed.frame.heading(), kUp), normalized_or(seed.frame.right(), Vec3(1, 0, 0)), key),
+            species.parameters.sag, species.parameters.radii),
+      metamers_(tree_.metamers()),
+      senses_(make_bud_sense(species, space, seed, key, metamers_, tree_.scene_light())) {
   if (!senses_->reaches(root_)) {
     species.refuse("roots", "a root is too far away from the origin for metamers so short",
                    "a place nearer to the origin, or a larger 'length'");
   }
-  if (species.parameters.sag) load_.emplace(*species.parameters.sag, species.parameters.radii);
 }
 
 void OrganizedTree::sense(int iteration, const Progress& progress) {
@@ -65,16 +65,16 @@ void OrganizedTree::iterate(int iteration, std::uint64_t metamers, const Progres
     progress.check();
     for (std::size_t k = begin; k < end; ++k) sprouts[k].way = senses_->way(sprouts[k].from, sprouts[k].is_lateral);
   });
-  metamers_.reserve(metamers_.count() + more);
+  tree_.reserve(metamers_.count() + more);
   for (std::size_t k = 0; k < sprouts.size(); ++k) {
     if (k % kGrain == 0) progress.check();
     grow(sprouts[k], iteration);
   }
   progress.check();
-  if (load_) sag(iteration);
+  tree_.sag(iteration);
   progress.check();
   shed(iteration);
-  cut(iteration, progress);
+  operate(iteration, progress);
 }
 
 std::vector<OrganizedTree::Sprout> OrganizedTree::find_sprouts() const {
@@ -117,14 +117,9 @@ void OrganizedTree::grow(const Sprout& sprout, int iteration) {
     if (!heading) return;
 
     const Vec3 side = next_side(from, is_lateral, number, *heading, key);
-    const MetamerIndex made = metamers_.grow(from, is_lateral, iteration);
-    metamers_.tip[made] = metamers_.tip[from] + length * *heading;
-    metamers_.side[made] = side;
-    scene_light_.add(world(made));
-    if (space_->is_felt()) space_->grow_shoot(world(made), metamers_.length(made));
+    from = tree_.grow(from, is_lateral, iteration, metamers_.tip[from] + length * *heading, side);
     has_grown_ = true;
     bud = *heading;
-    from = made;
   }
 }
 
@@ -188,19 +183,6 @@ bool OrganizedTree::is_open(Vec3 from, Vec3 to) const {
   return !(obstacles.cross(root_ + begin, root_ + to) || obstacles.contain(root_ + to));
 }
 
-void OrganizedTree::sag(int iteration) {
-  const std::vector<Vec3> before = metamers_.tip;
-  load_->bend(metamers_, iteration);
-  for (MetamerIndex metamer = 1; metamer < metamers_.count(); ++metamer) {
-    const MetamerIndex parent = metamers_.parent[metamer];
-    if (metamers_.tip[metamer] == before[metamer] && metamers_.tip[parent] == before[parent]) continue;
-    scene_light_.move(metamer, world(metamer));
-    if (!space_->is_felt()) continue;
-    space_->lose_shoot(root_ + before[metamer], glm::distance(before[metamer], before[parent]));
-    space_->grow_shoot(world(metamer), metamers_.length(metamer));
-  }
-}
-
 void OrganizedTree::shed(int iteration) {
   const Shedding& shedding = species_->parameters.shedding;
   if (shedding.below <= 0) return;
@@ -216,51 +198,46 @@ void OrganizedTree::shed(int iteration) {
     gone[metamer] = 1;
     any = true;
   }
-  if (any) remove(gone, Bud::dead());
+  if (any) tree_.remove(gone, Bud::dead());
 }
 
-void OrganizedTree::cut(int iteration, const Progress& progress) {
-  for (std::size_t k = 0; k < species_->parameters.cuts.size(); ++k) {
-    if (species_->parameters.cuts[k].at != iteration) continue;
+/// Performs the operations of this iteration, in the document's order.
+void OrganizedTree::operate(int iteration, const Progress& progress) {
+  for (const Operation& operation : species_->parameters.operations) {
+    if (!schedule_of(operation).holds(iteration)) continue;
     progress.check();
-    std::vector<std::uint8_t> gone(metamers_.count(), 0);
-    gone[find_cut(metamers_, *species_, k, iteration)] = 1;
-    remove(gone, species_->parameters.damage ? Bud::damaged() : Bud());
+    std::visit([&](const auto& what) { perform(what, iteration); }, operation);
   }
 }
 
-/// Takes away the marked metamers with all that they bear, and gives back their light and room.
-void OrganizedTree::remove(std::vector<std::uint8_t>& gone, Bud after) {
-  for (MetamerIndex metamer = 1; metamer < metamers_.count(); ++metamer) {
-    if (gone[metamers_.parent[metamer]] != 0) gone[metamer] = 1;
-    if (gone[metamer] != 0 && space_->is_felt()) space_->lose_shoot(world(metamer), metamers_.length(metamer));
-  }
-  metamers_.remove(gone, after);
-  scene_light_.remove(gone);
-  if (load_) load_->remove(gone);
+void OrganizedTree::perform(const Cut& cut, int iteration) {
+  std::vector<std::uint8_t> gone(metamers_.count(), 0);
+  gone[find_cut(metamers_, cut, iteration)] = 1;
+  tree_.remove(gone, species_->parameters.damage ? Bud::damaged() : Bud());
 }
 
 Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
-  const std::size_t count = metamers_.count();
+  Metamers metamers = tree_.take_metamers();
+  const std::size_t count = metamers.count();
   Skeleton skeleton;
-  skeleton.parent = metamers_.parent;
   skeleton.position.resize(count);
   std::vector<float>& angle = skeleton.extra["bud_angle"];
   angle.resize(count);
   parallel_for(count, kGrain, [&](std::size_t begin, std::size_t end) {
     progress.check();
     for (auto metamer = static_cast<MetamerIndex>(begin); metamer < end; ++metamer) {
-      skeleton.position[metamer] = world(metamer);
-      const Frame frame = frame_along(Vec3(0), metamers_.heading(metamer), kUp);
-      const Vec3 side = metamers_.side[metamer];
+      skeleton.position[metamer] = root_ + metamers.tip[metamer];
+      const Frame frame = frame_along(Vec3(0), metamers.heading(metamer), kUp);
+      const Vec3 side = metamers.side[metamer];
       angle[metamer] = static_cast<float>(math::atan2(glm::dot(side, frame.right()), glm::dot(side, frame.upper())));
     }
   });
+  skeleton.parent = std::move(metamers.parent);
   skeleton.radius.assign(count, 0);
-  skeleton.axis = std::move(metamers_.axis);
-  skeleton.order = std::move(metamers_.order);
-  skeleton.birth.assign(metamers_.birth.begin(), metamers_.birth.end());
-  skeleton.extra[std::string(kMetamerColumn)].assign(metamers_.number.begin(), metamers_.number.end());
+  skeleton.axis = std::move(metamers.axis);
+  skeleton.order = std::move(metamers.order);
+  skeleton.birth.assign(metamers.birth.begin(), metamers.birth.end());
+  skeleton.extra[std::string(kMetamerColumn)].assign(metamers.number.begin(), metamers.number.end());
   skeleton.extra["light"].assign(flow_.light.begin(), flow_.light.end());
   skeleton.extra["resource"].assign(flow_.resource.begin(), flow_.resource.end());
   std::vector<float>& to_lateral = skeleton.extra["lateral_resource"];
@@ -273,9 +250,9 @@ Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
     std::ranges::transform(buds, column.begin(), [](Bud bud) { return static_cast<float>(bud.state()); });
     return column;
   };
-  skeleton.extra["terminal_bud"] = states(metamers_.terminal);
-  skeleton.extra["lateral_bud"] = states(metamers_.lateral);
-  skeleton.extra[std::string(kShedColumn)] = std::move(metamers_.lost_tips);
+  skeleton.extra["terminal_bud"] = states(metamers.terminal);
+  skeleton.extra["lateral_bud"] = states(metamers.lateral);
+  skeleton.extra[std::string(kShedColumn)] = std::move(metamers.lost_tips);
   progress.check();
   assign_pipe_radii(skeleton, species_->parameters.radii);
   return skeleton;

@@ -10,8 +10,8 @@
 #include "meristem/grow/organize/bud_sense.h"
 #include "meristem/grow/organize/metamers.h"
 #include "meristem/grow/organize/resource.h"
-#include "meristem/grow/organize/sag.h"
 #include "meristem/grow/organize/species.h"
+#include "meristem/grow/organize/standing_tree.h"
 #include "meristem/grow/stand_space.h"
 
 namespace meristem {
@@ -25,10 +25,11 @@ class OrganizedTree {
 
   /// Counts the light of all buds as the stand's space is now, and divides the resource that it makes.
   void sense(int iteration, const Progress& progress);
-  /// Grows, sags, sheds and is cut; after sense(). `metamers` are those of the whole component so far.
+  /// Grows, sags, sheds, and people do to it what they will; after sense(). `metamers` are those of the whole component
+  /// so far.
   void iterate(int iteration, std::uint64_t metamers, const Progress& progress);
 
-  const Metamers& metamers() const { return metamers_; }
+  const Metamers& metamers() const { return tree_.metamers(); }
   bool has_grown() const { return has_grown_; }
   const ResourceFlow& flow() const { return flow_; }  ///< of the last sense()
   /// In world space; to be called once.
@@ -50,21 +51,17 @@ class OrganizedTree {
   std::optional<Vec3> free_heading(MetamerIndex from, Vec3 wanted, float length, RandomKey key) const;
   Vec3 next_side(MetamerIndex from, bool is_lateral, std::uint32_t number, Vec3 heading, RandomKey key) const;
   bool is_open(Vec3 from, Vec3 to) const;
-  void sag(int iteration);
   void shed(int iteration);
-  void cut(int iteration, const Progress& progress);
-  void remove(std::vector<std::uint8_t>& gone, Bud after);
-  Vec3 world(MetamerIndex metamer) const { return root_ + metamers_.tip[metamer]; }
+  void operate(int iteration, const Progress& progress);
+  void perform(const Cut& cut, int iteration);
 
   const OrganizedSpecies* species_;
-  StandSpace* space_;
   Vec3 root_;
-  Metamers metamers_;
-  SceneLight scene_light_;
+  StandingTree tree_;
+  const Metamers& metamers_;  // of the tree
   std::unique_ptr<BudSense> senses_;
   BudLight light_;
   ResourceFlow flow_;
-  std::optional<BranchLoad> load_;
   bool has_grown_ = false;
 };
 

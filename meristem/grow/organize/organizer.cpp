@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One iteration: what light the buds have, what resource that makes and how it is divided, which buds grow how many
-// metamers, which shoots are shed, what is cut. Light is that of the round's begin, so all plants of a stand see the
-// same. After the last iteration one more round counts light and resource for the skeleton's columns.
+// metamers, which shoots are shed, what people do to the tree. Light is that of the round's begin, so all plants of a
+// stand see the same. After the last iteration one more round counts light and resource for the skeleton's columns.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -29,7 +29,11 @@ void check_parameters(const OrganizeParameters& parameters) {
   require(parameters.every >= 1 && parameters.longest_shoot >= 1 && parameters.maturity >= 1,
           "organize: every, longest_shoot and maturity are at least 1");
   require(parameters.length > 0 && std::isfinite(parameters.length), "organize: length is above 0");
-  for (const Cut& cut : parameters.cuts) require(cut.at >= 1 && cut.above >= 0, "organize: a cut has negative numbers");
+  for (const Operation& operation : parameters.operations) {
+    require(schedule_of(operation).first() >= 1, "organize: operations act from iteration 1 on");
+    const Cut* const cut = std::get_if<Cut>(&operation);
+    require(cut == nullptr || cut->above >= 0, "organize: a cut has negative numbers");
+  }
   require(parameters.light.voxel >= 0 && parameters.light.full >= 0, "organize: light has no negative numbers");
 }
 

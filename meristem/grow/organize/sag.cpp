@@ -17,9 +17,8 @@ constexpr double kMostTurn = 0.35;
 
 }  // namespace
 
-void BranchLoad::bend(Metamers& metamers, int iteration) {
+Pose BranchLoad::bend(const Metamers& metamers, int iteration) const {
   const std::size_t count = metamers.count();
-  moment_.resize(count, Vec2(0));
   const std::vector<float> radius = pipe_radii(metamers.parent, metamers.lost_tips, radii_);
 
   // Mass and first moment of what each metamer carries, itself included.
@@ -38,14 +37,15 @@ void BranchLoad::bend(Metamers& metamers, int iteration) {
 
   // From the root on: turn each internode by what its moment has grown, and carry along what it bears.
   std::vector<Mat3> turned(count, Mat3(1));
-  std::vector<Vec3> moved(count, Vec3(0));
+  Pose pose{std::vector<Vec3>(count, Vec3(0)), metamers.side, moment_};
+  pose.moment.resize(count, Vec2(0));
   for (MetamerIndex metamer = 1; metamer < count; ++metamer) {
     const MetamerIndex parent = metamers.parent[metamer];
     const DVec3 lever = first[metamer] - mass[metamer] * DVec3(metamers.tip[parent]);
     // The moment of weights at a lever r is r x (0, -g m, 0).
     const DVec3 moment = kGravity * DVec3(lever.z, 0, -lever.x);
-    const DVec3 grown = moment - DVec3(moment_[metamer].x, 0, moment_[metamer].y);
-    moment_[metamer] = Vec2(moment.x, moment.z);
+    const DVec3 grown = moment - DVec3(pose.moment[metamer].x, 0, pose.moment[metamer].y);
+    pose.moment[metamer] = Vec2(moment.x, moment.z);
     const double r = radius[metamer];
     const double rigidity = sag_.stiffness * 1e9 * kPi / 4 * r * r * r * r;
     const double size = std::sqrt(squared_length(grown));
@@ -54,12 +54,12 @@ void BranchLoad::bend(Metamers& metamers, int iteration) {
     if (turn > 1e-9) own = rotation(Vec3(grown / size), turn);
     const Vec3 internode = metamers.tip[metamer] - metamers.tip[parent];
     turned[metamer] = own * turned[parent];
-    moved[metamer] = moved[parent] + turned[metamer] * internode;
+    pose.tip[metamer] = pose.tip[parent] + turned[metamer] * internode;
     const float ground = std::min(0.0F, metamers.tip[metamer].y);
-    moved[metamer].y = std::max(moved[metamer].y, ground);
-    metamers.side[metamer] = turned[metamer] * metamers.side[metamer];
+    pose.tip[metamer].y = std::max(pose.tip[metamer].y, ground);
+    pose.side[metamer] = turned[metamer] * metamers.side[metamer];
   }
-  metamers.tip = std::move(moved);
+  return pose;
 }
 
 void BranchLoad::remove(const std::vector<std::uint8_t>& gone) { erase_marked(moment_, gone); }

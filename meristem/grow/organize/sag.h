@@ -4,6 +4,8 @@
 // further down, less of it back up.
 #pragma once
 
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "meristem/grow/organize/metamers.h"
@@ -17,14 +19,24 @@ struct Sag {
   double leaf_mass = 0.002;  ///< kilograms that a metamer of the last iteration carries besides
 };
 
+/// How the metamers of a tree stand, by metamer.
+struct Pose {
+  std::vector<Vec3> tip;     ///< metres from the root
+  std::vector<Vec3> side;    ///< unit vectors from the axis to the lateral bud
+  std::vector<Vec2> moment;  ///< newton metres, x and z, that each internode is bent for; of trees that do not sag none
+};
+
 /// The load of a tree's branches and what it has bent.
 class BranchLoad {
  public:
   BranchLoad(const Sag& sag, const PipeModel& radii) : sag_(sag), radii_(radii) {}
 
-  /// Bends all internodes by what their load has grown since the last time; what goes on them moves and turns along.
-  /// Nothing comes below the ground, which is level at the root; obstacles are not asked. `iteration` is the newest.
-  void bend(Metamers& metamers, int iteration);
+  /// How the metamers stand once all internodes are bent by what their load has grown since the moments that were taken
+  /// last; what goes on them moves and turns along. Nothing comes below the ground, which is level at the root;
+  /// obstacles are not asked. `iteration` is the newest.
+  Pose bend(const Metamers& metamers, int iteration) const;
+  /// What the internodes are bent for from now on; those beyond the end are bent for nothing.
+  void take(std::vector<Vec2> moment) { moment_ = std::move(moment); }
   /// Follows Metamers::remove().
   void remove(const std::vector<std::uint8_t>& gone);
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/organize/standing_tree.h"
+
+#include <utility>
+
+namespace meristem {
+
+StandingTree::StandingTree(const Scene& scene, StandSpace& space, Vec3 root, Metamers seed,
+                           const std::optional<Sag>& sag, const PipeModel& radii)
+    : space_(space), root_(root), metamers_(std::move(seed)), scene_light_(scene, root) {
+  if (sag) load_.emplace(*sag, radii);
+}
+
+MetamerIndex StandingTree::grow(MetamerIndex from, bool is_lateral, int iteration, Vec3 tip, Vec3 side) {
+  const MetamerIndex made = metamers_.grow(from, is_lateral, iteration);
+  metamers_.tip[made] = tip;
+  metamers_.side[made] = side;
+  scene_light_.add(world(made));
+  if (space_.is_felt()) space_.grow_shoot(world(made), metamers_.length(made));
+  return made;
+}
+
+void StandingTree::move(Pose pose) {
+  const std::vector<Vec3> before = std::exchange(metamers_.tip, std::move(pose.tip));
+  metamers_.side = std::move(pose.side);
+  if (load_) load_->take(std::move(pose.moment));
+  for (MetamerIndex metamer = 1; metamer < metamers_.count(); ++metamer) {
+    const MetamerIndex parent = metamers_.parent[metamer];
+    if (metamers_.tip[metamer] == before[metamer] && metamers_.tip[parent] == before[parent]) continue;
+    scene_light_.move(metamer, world(metamer));
+    if (!space_.is_felt()) continue;
+    space_.lose_shoot(root_ + before[metamer], glm::distance(before[metamer], before[parent]));
+    space_.grow_shoot(world(metamer), metamers_.length(metamer));
+  }
+}
+
+void StandingTree::sag(int iteration) {
+  if (load_) move(load_->bend(metamers_, iteration));
+}
+
+void StandingTree::remove(std::vector<std::uint8_t>& gone, Bud after) {
+  for (MetamerIndex metamer = 1; metamer < metamers_.count(); ++metamer) {
+    if (gone[metamers_.parent[metamer]] != 0) gone[metamer] = 1;
+    if (gone[metamer] != 0 && space_.is_felt()) space_.lose_shoot(world(metamer), metamers_.length(metamer));
+  }
+  metamers_.remove(gone, after);
+  scene_light_.remove(gone);
+  if (load_) load_->remove(gone);
+}
+
+}  // namespace meristem

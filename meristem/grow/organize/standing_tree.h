@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "meristem/grow/organize/bud_sense.h"
+#include "meristem/grow/organize/metamers.h"
+#include "meristem/grow/organize/sag.h"
+#include "meristem/grow/stand_space.h"
+
+namespace meristem {
+
+/// A tree's metamers where they stand in a scene. What changes them changes by the same call what depends on their
+/// places: the light and room that the stand's plants take from each other, to the last bit, the light of the scene
+/// that reaches each metamer, and the load of the branches. `scene` and `space` outlive it; it stays where it is, as
+/// others keep references to its parts.
+class StandingTree {
+ public:
+  /// `seed` is one metamer, at `root` in world space. Branches bend under their load where a `sag` is given.
+  StandingTree(const Scene& scene, StandSpace& space, Vec3 root, Metamers seed, const std::optional<Sag>& sag,
+               const PipeModel& radii);
+  StandingTree(const StandingTree&) = delete;
+  StandingTree& operator=(const StandingTree&) = delete;
+
+  const Metamers& metamers() const { return metamers_; }
+  const SceneLight& scene_light() const { return scene_light_; }
+  /// The end of a metamer in world space.
+  Vec3 world(MetamerIndex metamer) const { return root_ + metamers_.tip[metamer]; }
+
+  void reserve(std::size_t metamers) { metamers_.reserve(metamers); }
+  /// Grows an open bud into a metamer that ends at `tip` (metres from the root) with its lateral bud on `side`.
+  MetamerIndex grow(MetamerIndex from, bool is_lateral, int iteration, Vec3 tip, Vec3 side);
+  /// Brings all metamers to where `pose` has them; afterwards everything is as if they had grown there. Those that stay
+  /// where they are cost nothing but a look.
+  void move(Pose pose);
+  /// Bends the branches by what their load has grown; see BranchLoad.
+  void sag(int iteration);
+  /// Takes metamers away as Metamers::remove().
+  void remove(std::vector<std::uint8_t>& gone, Bud after);
+  /// What has grown; then nothing is left.
+  Metamers take_metamers() { return std::move(metamers_); }
+
+ private:
+  StandSpace& space_;
+  Vec3 root_;
+  Metamers metamers_;
+  SceneLight scene_light_;
+  std::optional<BranchLoad> load_;
+};
+
+}  // namespace meristem

@@ -7,8 +7,8 @@ else()
   set(MERISTEM_PCH_OPTIONS "SHELL:-Xclang -fno-pch-timestamp")
 endif()
 
-# What most sources of the library include: parsing it is a third of a small source's compile time. Builds that users
-# make stay without it, so that each source includes what it uses.
+# What most sources of the library include: parsing it is a third of a small source's compile time. Each source still
+# includes what it uses, since packagers may build without.
 set(MERISTEM_LIBRARY_PCH <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <span>
     <string> <string_view> <unordered_map> <variant> <vector> <fmt/format.h> <glm/common.hpp> <glm/geometric.hpp>
     <glm/mat3x3.hpp>)

@@ -15,8 +15,11 @@ void add_check(CLI::App& app, Run& run) {
     run = [options] {
       const Document document = open_document(*options);
       if (options->quiet) return;
-      fmt::print("{}: good, {} components and {} links\n", document.source.file, document.graph.components.size(),
-                 document.graph.links.size());
+      const auto counted = [](std::size_t count, const char* what) {
+        return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+      };
+      fmt::print("{}: good, {} and {}\n", document.source.file, counted(document.graph.components.size(), "component"),
+                 counted(document.graph.links.size(), "link"));
     };
   });
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -41,10 +42,11 @@ std::vector<std::string> frame_paths(const std::string& path, int frames) {
                                 .expected = "a file name such as oak.png for oak_000.png, oak_001.png, ..."});
   }
   const std::size_t digits = std::max<std::size_t>(3, std::to_string(frames - 1).size());
-  const std::size_t stem = path.size() - 4;
+  const std::string ending = std::filesystem::path(path).extension().string();
+  const std::string stem = path.substr(0, path.size() - ending.size());
   std::vector<std::string> paths;
   for (int k = 0; k < frames; ++k) {
-    paths.push_back(fmt::format("{}_{:0{}}{}", path.substr(0, stem), k, digits, path.substr(stem)));
+    paths.push_back(fmt::format("{}_{:0{}}{}", stem, k, digits, ending));
   }
   return paths;
 }

@@ -15,7 +15,8 @@
 #include "meristem/output/output_files.h"
 #include "meristem/output/picture/camera.h"
 #include "meristem/output/picture/picture.h"
-#include "meristem/output/write/png.h"
+#include "meristem/output/picture/picture_fingerprint.h"
+#include "meristem/output/write/picture_file.h"
 #include "terminal.h"
 
 namespace meristem::cli {
@@ -32,6 +33,9 @@ struct RenderOptions {
   std::optional<int> turntable;  // pictures all around
   bool transparent = false;
   bool hull = false;
+  bool fingerprint = false;  // tells what would be drawn instead of drawing it
+  std::optional<int> quality;
+  std::optional<double> max_kilobytes;
   Detail detail;
 };
 
@@ -79,10 +83,15 @@ std::pair<Number, Number> number_pair(const std::string& text, char separator, c
   throw InputError(Diagnostic{.message = fmt::format("{} cannot be '{}'", option, text), .expected = expected});
 }
 
-void check_ending(const std::string& path) {
-  if (path == "-" || (path.size() > 4 && (path.ends_with(".png") || path.ends_with(".PNG")))) return;
-  throw InputError(Diagnostic{.message = fmt::format("pictures cannot be written to '{}'", path),
-                              .expected = "a file that ends in .png"});
+PictureFileOptions chosen_file(const RenderOptions& options) {
+  PictureFileOptions file{.quality = options.quality};
+  if (!options.max_kilobytes) return file;
+  if (!(*options.max_kilobytes > 0 && *options.max_kilobytes < 1e9)) {
+    throw InputError(Diagnostic{.message = fmt::format("--max-size cannot be {}", *options.max_kilobytes),
+                                .expected = "kilobytes above 0"});
+  }
+  file.max_bytes = static_cast<std::uint64_t>(*options.max_kilobytes * 1000);
+  return file;
 }
 
 StillOptions chosen_still(const RenderOptions& options, const OutputSettings& output) {
@@ -117,7 +126,9 @@ PictureOptions chosen_picture(const RenderOptions& options, const Document& docu
 /// Grows the document for each of the times and takes the pictures. The camera does not follow the plant's
 /// growth: it stands where it shows the last picture's plant as a whole.
 void take_pictures(const Document& document, const std::vector<Picture>& pictures, PictureOptions options,
-                   const Detail& detail, Progress& progress) {
+                   const RenderOptions& chosen, Progress& progress) {
+  const Detail& detail = chosen.detail;
+  const PictureFileOptions file = chosen_file(chosen);
   double grown_time = pictures.back().time;
   GrownDocument grown = grow_document(document, progress, grown_time, detail);
   const Vec3 middle = grown.meshes.bounds().centre();
@@ -132,13 +143,20 @@ void take_pictures(const Document& document, const std::vector<Picture>& picture
       grown = grow_document(document, progress, grown_time, detail);
     }
     options.view = turned(view, middle, picture.turn);
-    write_png(take_picture(grown, document.scene, options, progress), picture.path);
+    if (chosen.fingerprint) {
+      fmt::print("{}\n", picture_fingerprint(grown, document.scene, options));
+    } else {
+      write_picture(take_picture(grown, document.scene, options, progress), picture.path, file);
+    }
   }
 }
 
 void render(const RenderOptions& options) {
   // Everything that can be wrong with the command line and the document comes before any work.
-  check_ending(options.output);
+  if (options.output.empty()) {
+    throw InputError(Diagnostic{.message = "there is no file to write", .expected = "-o FILE, or --fingerprint"});
+  }
+  if (!options.fingerprint) check_picture_file(options.output, options.transparent, chosen_file(options));
   if (options.detail.level < 0 || options.detail.level > kCoarsestDetail) {
     throw InputError(Diagnostic{.message = fmt::format("--lod cannot be {}", options.detail.level),
                                 .expected = fmt::format("a level from 0 to {}", kCoarsestDetail)});
@@ -147,14 +165,16 @@ void render(const RenderOptions& options) {
   const Document document = open_document(options.document);
   const PictureOptions picture_options = chosen_picture(options, document);
   const std::vector<std::string> inputs = input_files(document);
-  for (const Picture& picture : pictures) check_output(picture.path, inputs);
+  for (const Picture& picture : pictures) {
+    if (!options.fingerprint) check_output(picture.path, inputs);
+  }
 
   const ThreadLimit threads(options.document.threads);
   {
     TerminalProgress terminal(options.document.quiet);
-    take_pictures(document, pictures, picture_options, options.detail, terminal.progress());
+    take_pictures(document, pictures, picture_options, options, terminal.progress());
   }
-  if (!options.document.quiet) {
+  if (!options.document.quiet && !options.fingerprint) {
     const std::string written =
         pictures.size() == 1 ? pictures[0].path : fmt::format("{} to {}", pictures.front().path, pictures.back().path);
     const StillOptions& still = picture_options.still;
@@ -168,9 +188,21 @@ void add_render(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("render", "Grow a document and make a picture of it");
   auto options = std::make_shared<RenderOptions>();
   options->document.add_to(*command);
-  command->add_option("-o,--output", options->output, "PNG file to write; - for standard output")
-      ->required()
-      ->type_name("FILE");
+  CLI::Option* const output =
+      command->add_option("-o,--output", options->output, "PNG or JPEG file to write; - for a PNG on standard output")
+          ->type_name("FILE");
+  CLI::Option* const fingerprint =
+      command->add_flag("--fingerprint", options->fingerprint,
+                        "Draw nothing and print 16 digits that stay as long as the picture would look the same");
+  output->excludes(fingerprint);
+  command
+      ->add_option("--quality", options->quality,
+                   "Quality of a JPEG, 1 to 100, 90 if not given: higher is closer to the picture and larger")
+      ->type_name("N");
+  command
+      ->add_option("--max-size", options->max_kilobytes,
+                   "Lower the quality of a JPEG until the file has at most this many kilobytes")
+      ->type_name("KB");
   command->add_option("--size", options->size, "Pixels; the document's output.size if not given")->type_name("WxH");
   command->add_option("--samples", options->samples, "Paths a pixel: more are slower and less noisy")->type_name("N");
   command
@@ -191,7 +223,10 @@ void add_render(CLI::App& app, Run& run) {
   command->add_flag("--hull", options->hull,
                     "Draw the convex hull of each tree's crown as wires: what lit_share is measured of");
   command->footer("Example: meristem render models/oak.json -o oak.png --size 800x800 --samples 64");
-  command->callback([options, &run] { run = [options] { render(*options); }; });
+  command->callback([options, &run] {
+    if (options->fingerprint) options->output = "picture.png";  // names numbered frames; nothing is written to it
+    run = [options] { render(*options); };
+  });
 }
 
 }  // namespace meristem::cli

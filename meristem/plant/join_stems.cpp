@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Stems that stand on stems, whatever made them, become one skeleton. The graph notes where each stem stands; when
+// all have grown, a stem becomes a lateral of the stem that it stands on. What begins too far from its parent stays
+// on its own.
 #include "meristem/plant/join_stems.h"
 
 #include <algorithm>

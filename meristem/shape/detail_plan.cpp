@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// A level of detail is made of the grown plant, not of its meshes: tubes and bodies are meshed coarser, organs are
+// coarsened, then thinned by lot among neighbours (each level a part of the one before) and enlarged so that their
+// area stays.
 #include "meristem/shape/detail_plan.h"
 
 #include <algorithm>

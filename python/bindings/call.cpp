@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// A long call runs on a thread of its own, while the caller's looks for signals without the interpreter's lock: so
+// Ctrl-C and callbacks stop it, and other Python threads go on. What Python sees never changes; arrays hold on to
+// what they show.
 #include "call.h"
 
 #include <chrono>

@@ -13,6 +13,7 @@
 #include "meristem/output/picture/picture.h"
 #include "meristem/output/skeleton/skeleton_table.h"
 #include "meristem/output/write/names.h"
+#include "meristem/output/write/picture_file.h"
 #include "meristem/output/write/png.h"
 #include "values.h"
 
@@ -202,15 +203,14 @@ py::bytes png(const PlantPointer& plant, const std::optional<std::pair<int, int>
 
 void save_picture(const PlantPointer& plant, const py::object& path, const std::optional<std::pair<int, int>>& size,
                   const std::optional<int>& samples, const std::optional<std::pair<double, double>>& view,
-                  bool transparent, bool hull, int threads, const py::object& progress) {
+                  bool transparent, bool hull, const std::optional<int>& quality,
+                  const std::optional<std::uint64_t>& max_bytes, int threads, const py::object& progress) {
   const std::string target = file_of(path);
-  if (!lower_case(target).ends_with(".png")) {
-    throw InputError(Diagnostic{.message = fmt::format("pictures cannot be written to '{}'", target),
-                                .expected = "a file that ends in .png"});
-  }
+  const PictureFileOptions file{.quality = quality, .max_bytes = max_bytes};
+  check_picture_file(target, transparent, file);
   const PictureOptions picture = planned_picture(plant, size, samples, view, transparent, hull);
   check_output(target, input_files(plant->origin->document));
-  write_png(picture_of(plant, picture, threads, progress), target);
+  write_picture(picture_of(plant, picture, threads, progress), target, file);
 }
 
 void bind_parts(py::module_& module) {
@@ -358,10 +358,12 @@ InputError for sizes and samples out of range.)")
            py::arg("threads") = 0, py::arg("progress") = py::none(), "The same picture as the bytes of a PNG file.")
       .def("save_picture", &save_picture, py::arg("path"), py::kw_only(), py::arg("size") = py::none(),
            py::arg("samples") = py::none(), py::arg("view") = py::none(), py::arg("transparent") = false,
-           py::arg("hull") = false, py::arg("threads") = 0, py::arg("progress") = py::none(),
-           "Writes the same picture to a .png file, which is there whole or not at all. Raises InputError for files "
-           "that "
-           "were read, MachineError.")
+           py::arg("hull") = false, py::arg("quality") = py::none(), py::arg("max_bytes") = py::none(),
+           py::arg("threads") = 0, py::arg("progress") = py::none(),
+           R"(Writes the picture that `render` gives to a .png or .jpg file, which is there whole or not at all.
+
+`quality` (1 to 100, 90 if not given) is that of a JPEG, and is lowered until the file has at most `max_bytes`. Raises
+InputError for other endings, for options that the format does not have and for files that were read, MachineError.)")
       .def("__repr__", &repr);
   refuse_new<PlantInPython>("Document.grow() makes plants");
 

@@ -285,6 +285,8 @@ class Plant:
         view: tuple[float, float] | None = None,
         transparent: bool = False,
         hull: bool = False,
+        quality: int | None = None,
+        max_bytes: int | None = None,
         threads: int = 0,
         progress: Progress | _ProgressCallback | None = None,
     ) -> None: ...

@@ -76,11 +76,11 @@ def _cell(text: str) -> str:
 
 
 def _write(plant: Plant, path: Path, given: Mapping[str, Any]) -> Path:
-    if path.suffix.lower() == ".png":
+    if path.suffix.lower() in (".png", ".jpg", ".jpeg"):
         plant.save_picture(path, **given)
         return path
     if given:
-        raise ValueError(f"{', '.join(given)} are for pictures (.png), not for '{path.name}'")
+        raise ValueError(f"{', '.join(given)} are for pictures (.png, .jpg), not for '{path.name}'")
     plant.save(path)
     return path
 

@@ -174,7 +174,7 @@ def test_pictures_are_written_whole_and_over_nothing_that_was_read(tmp_path: Pat
     with pytest.raises(meristem.InputError, match="would be written over, and it is read"):
         textured.save_picture(tmp_path / "leaf.png", size=(60, 40), samples=1)
     with pytest.raises(meristem.InputError, match="expected a file that ends in .png"):
-        plant.save_picture(tmp_path / "leaf.jpg")
+        plant.save_picture(tmp_path / "leaf.gif")
     assert [path.name for path in tmp_path.iterdir()] == ["leaf.png"]
 
 

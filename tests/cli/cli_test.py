@@ -159,7 +159,7 @@ class CommandLine(Case):
         self.assertIn("'.xyz' is not a format that can be written; expected a file that ends in .glb, ", errors)
         self.assertIn("did you mean '.skeleton.ply'?",
                       self.assert_ends(WRONG_INPUT, "grow", "box.json", "-o", "a.skeleton.pyl"))
-        self.assertIn("ends in .png", self.assert_ends(WRONG_INPUT, "render", "box.json", "-o", "a.jpg"))
+        self.assertIn("ends in .png", self.assert_ends(WRONG_INPUT, "render", "box.json", "-o", "a.gif"))
 
     def test_set_that_sets_nothing(self):
         self.assertIn("'points' sets nothing", self.assert_ends(WRONG_INPUT, "check", "tree.json", "--set", "points"))
@@ -303,6 +303,31 @@ class Output(Case):
         # The camera stands where the last frame alone would have it, and a single time makes a single picture.
         self.run_program("render", "rising.json", "-o", "last.png", "--time", "1", *size)
         self.assertEqual(frames[2], self.read("last.png"))
+
+    def test_jpegs_have_a_quality_and_a_largest_size(self):
+        size = ("--size", "64x48", "--samples", "4")
+        for name, options in (("fine.jpg", ["--quality", "95"]), ("rough.jpeg", ["--quality", "20"]),
+                              ("small.jpg", ["--max-size", "1.2"])):
+            self.assertEqual(self.run_program("render", "tree.json", "-o", name, *options, *size).returncode, DONE)
+            self.assertEqual(self.read(name)[:3], b"\xff\xd8\xff")
+        self.assertLess(len(self.read("rough.jpeg")), len(self.read("fine.jpg")))
+        self.assertLessEqual(len(self.read("small.jpg")), 1200)
+        for wrong in (["-o", "a.png", "--quality", "80"], ["-o", "a.jpg", "--quality", "0"],
+                      ["-o", "a.jpg", "--max-size", "0"], ["-o", "a.jpg", "--transparent"], []):
+            self.assert_ends(WRONG_INPUT, "render", "box.json", *wrong)
+
+    def test_a_fingerprint_stays_as_long_as_the_picture_does(self):
+        def fingerprint(document, *options):
+            done = self.run_program("render", document, "--fingerprint", "--quiet", *options)
+            self.assertEqual(done.returncode, DONE, done.stderr)
+            self.assertRegex(done.stdout, rb"^[0-9a-f]{16}\n$")
+            return done.stdout
+        plain = fingerprint("tree.json")
+        self.assertEqual(fingerprint("tree.json", "--threads", "1"), plain)
+        for options in (["--seed", "2"], ["--set", "leaf.colour=#102030"], ["--size", "64x48"], ["--view", "10,20"],
+                        ["--hull"], ["--lod", "1"], ["--samples", "3"]):
+            self.assertNotEqual(fingerprint("tree.json", *options), plain, options)
+        self.assertNotIn("picture.png", os.listdir(self.folder))
 
     def test_hulls_surround_crowns_in_pictures(self):
         size = ("--size", "24x24", "--samples", "1", "--view", "150,10")

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// A marker goes to the nearest bud that sees it. The line between them is exact in floats, and what a bud gets is
+// summed in whole numbers, so neither bricks nor threads show in the result.
 #include "meristem/scene/marker/marker_field.h"
 
 #include <algorithm>

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+// Bodies are sampled in bricks of 8 x 8 x 8 corners near their surface. Each corner's value is computed once, by the
+// brick that owns it, so cells that share corners agree and meshes close. Two cells agree on the face between them
+// because the products of its corners' values are exact in doubles; a tie parts the inside. Vertices stay a
+// thousandth of an edge away from its ends, so no triangle degenerates where a value is exactly 0.
 #include "meristem/shape/implicit/brick_mesh.h"
 
 #include <algorithm>

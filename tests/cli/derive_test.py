@@ -1,25 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""`meristem derive` as users meet it. Usage: derive_test.py PROGRAM MANUAL_PAGE... [unittest options]
-
-The manual's pages have grammars in blocks of ```text, each after its name as in "`bush.txt`", and sessions with them in
-blocks of ```console, which are run.
-"""
+"""`meristem derive` as users meet it. Usage: derive_test.py PROGRAM [unittest options]"""
 
 import json
 import os
-import pathlib
 import re
 import signal
-import sys
 import unittest
 
 import cli_test
 from cli_test import DONE, FAILED, WRONG_INPUT
-
-PAGES = []
-while len(sys.argv) > 1 and sys.argv[1].endswith(".md"):
-    PAGES.append(pathlib.Path(sys.argv.pop(1)).read_text(encoding="utf-8"))
 
 KOCH = """#define angle = 60
 #steps 2
@@ -189,21 +179,6 @@ class Derive(cli_test.Case):
         errors = self.stop(signal.SIGINT, "derive", "endless.txt", "--steps", "1000000", "-o", "word.txt")
         self.assertIn("nothing was left half-written", errors)
         self.assertEqual(sorted(os.listdir(self.folder)), before)
-
-
-class Manual(cli_test.Case):
-    def test_sessions_of_the_manual_are_what_is_printed(self):
-        self.assertEqual(len(PAGES), 2)
-        for page in PAGES:
-            for name, grammar in re.findall(r"^`(\w+\.txt)`[^`]*?^```text\n(.*?)^```", page, re.MULTILINE | re.DOTALL):
-                self.write(name, grammar)
-            commands = 0
-            for session in re.findall(r"^```console\n(.*?)^```", page, re.MULTILINE | re.DOTALL):
-                for command, output in re.findall(r"^\$ meristem (derive .*)\n((?:[^$].*\n)*)", session, re.MULTILINE):
-                    done = self.run_program(*command.split())
-                    self.assertEqual(done.stdout.decode() + done.stderr.decode(), output, command)
-                    commands += 1
-            self.assertGreaterEqual(commands, 3)
 
 
 if __name__ == "__main__":

@@ -54,14 +54,22 @@ for line in (figures / "figures.txt").read_text(encoding="utf-8").splitlines():
         pictures.add(name)
         check(figures / f"{document}.json", *only_settings(options))
 
-for page in [repository / "README.md", *(repository / "docs").glob("**/*.md")]:
-    for picture in re.findall(r"!\[[^\]]*\]\(([^)]+\.png)\)", page.read_text(encoding="utf-8")):
-        if not (page.parent / picture).is_file():
-            fail(f"{page}: there is no picture {picture}")
-
-for picture in figures.glob("*.png"):
-    if picture.stem not in pictures:
-        fail(f"{picture}: figures.txt does not say how it is made")
+manifest = {line.split()[1] for line in (repository / "docs" / "pictures.txt").read_text(encoding="utf-8").splitlines()
+            if not line.startswith("#")}
+for picture in (repository / "docs").glob("**/*.*g"):
+    if picture.suffix not in (".png", ".jpg"):
+        continue
+    if picture.stat().st_size > 250_000:
+        fail(f"{picture}: a picture of {picture.stat().st_size} bytes; everyone who clones carries it")
+    name = picture.relative_to(repository).as_posix()
+    if picture.suffix == ".jpg" and name not in manifest:
+        fail(f"{picture}: docs/pictures.txt does not say what it shows; draw it with ./dev gallery")
+for name in manifest:
+    if not (repository / name).is_file():
+        fail(f"docs/pictures.txt: there is no picture {name}")
+for name in pictures:
+    if f"docs/manual/figures/{name}.jpg" not in manifest:
+        fail(f"figures.txt: docs/pictures.txt has no {name}; draw it with ./dev gallery")
 
 if not (models and documents and pictures):
     fail("there are no models, no documents or no figures")

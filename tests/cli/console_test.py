@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Every session in the manual's pages prints what the page says. Usage: console_test.py PROGRAM ROOT [PAGE...]
+
+A session is a block of ```console: a line that begins with `$ ` is run, the lines below it are what is printed, and a
+line of three dots stands for any lines. A file whose name stands in a paragraph of its own before a block, as in
+"`tree.json`:", is written first. A session may stand in a comment, <!-- console ... -->, before prose that tells of its
+figures. All sessions of a page run in one folder, in which `docs/` and `models/` are those of
+ROOT and digitised plants those of the shared data; a command that names one of these without the data is passed over.
+
+Pictures take long: their commands are checked as far as the plant, with --fingerprint instead of the file.
+"""
+
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+
+program = str(pathlib.Path(sys.argv[1]).resolve())
+root = pathlib.Path(sys.argv[2]).resolve()
+pages = [pathlib.Path(page).resolve() for page in sys.argv[3:]] or sorted((root / "docs").glob("**/*.md"))
+digitised = {"walnut.mtg": root.parent / "shared" / "data" / "trees" / "noylum2.mtg"}
+
+BLOCK = re.compile(r"(?:^`([\w.-]+)`:\n\n)?^(?:```|<!-- )(\w*)\n(.*?)^(?:```|-->)", re.MULTILINE | re.DOTALL)
+
+
+def is_printed(expected: list[str], printed: list[str]) -> bool:
+    """Whether the lines agree; `...` stands for any lines."""
+    if not expected:
+        return not printed
+    if expected[0] == "...":
+        return any(is_printed(expected[1:], printed[k:]) for k in range(len(printed) + 1))
+    return bool(printed) and expected[0] == printed[0] and is_printed(expected[1:], printed[1:])
+
+
+def commands_of(block: str) -> list[tuple[str, list[str]]]:
+    commands: list[tuple[str, list[str]]] = []
+    for line in block.splitlines():
+        if line.startswith("$ "):
+            commands.append((line[2:], []))
+        elif commands:
+            commands[-1][1].append(line)
+    return commands
+
+
+def run(command: str, folder: pathlib.Path) -> list[str] | None:
+    """The lines that a command prints, or None for one that cannot run here."""
+    words = shlex.split(command)
+    if words[0] != "meristem":
+        return None
+    for name, source in digitised.items():
+        if name in words:
+            if not source.is_file():
+                return None
+            shutil.copy(source, folder / name)
+    words[0] = program
+    if words[1] == "render":
+        at = words.index("-o")
+        words[at:at + 2] = ["--fingerprint", "--quiet"]
+    done = subprocess.run(words, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=300,
+                          check=False, encoding="utf-8")
+    lines = [line for line in done.stdout.splitlines() if not re.fullmatch(r"[a-zA-Z ]+ \d+ %", line)]
+    if words[1] == "render" and done.returncode == 0:
+        return []
+    return lines
+
+
+sessions = 0
+skipped = 0
+failures = 0
+for page in pages:
+    text = page.read_text(encoding="utf-8")
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        for name in ("docs", "models"):
+            (folder / name).symlink_to(root / name)
+        for block in BLOCK.finditer(text):
+            name, kind, content = block.groups()
+            if name and kind != "console":
+                (folder / name).write_text(content, encoding="utf-8")
+            if kind != "console":
+                continue
+            sessions += 1
+            for command, expected in commands_of(content):
+                printed = run(command, folder)
+                if printed is None:
+                    skipped += 1
+                    continue
+                if " render " in f" {command} ":
+                    expected = []
+                if not is_printed(expected, printed):
+                    failures += 1
+                    line = 1 + text.count("\n", 0, text.index(command, block.start()))
+                    print(f"{page.relative_to(root)}:{line}: $ {command}\nthe page says\n  " + "\n  ".join(expected) +
+                          "\nand the program\n  " + "\n  ".join(printed[:40]))
+print(f"{sessions} sessions, {skipped} commands passed over, {failures} faults")
+sys.exit(sessions == 0 or failures > 0)

@@ -112,7 +112,7 @@ def facts_of(program: str, model: Path) -> dict[str, str]:
 
     def number(name: str, form: str) -> str:
         value = measures.get(name)
-        return format(value, form) if value else "-"
+        return format(value, form if value < 100 or form == ",d" else ",.0f") if value else "-"
 
     return {"triangles": number("triangles", ",d"), "seconds": f"{seconds:.2f}", "megabytes": f"{megabytes:.1f}",
             "height": number("height", ".2f"), "leaf_area": number("leaf_area", ".3g")}

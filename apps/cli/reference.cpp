@@ -32,9 +32,7 @@ enum class Variation { none, as_stated };
 
 /// What the column of a row says.
 std::string variation_of(const Parameter& row) {
-  const bool is_number = row.kind == ParameterKind::number || row.kind == ParameterKind::integer ||
-                         row.kind == ParameterKind::vector || row.kind == ParameterKind::box;
-  if (!is_number || row.form.fixed) return "";
+  if (!row.may_vary()) return "";
   return row.form.per_child ? "per child" : "yes";
 }
 
@@ -87,8 +85,7 @@ class Page {
       // The rows of a table that contains itself stand above.
       if (std::find(open_.begin(), open_.end(), &row.nested()) != open_.end()) continue;
       open_.push_back(&row.nested());
-      rows(row.nested(), fmt::format("{}{}{}.", above, row.name, element(row.kind)),
-           row.kind == ParameterKind::object ? variation : Variation::none, nullptr);
+      rows(row.nested(), fmt::format("{}{}{}.", above, row.name, element(row.kind)), variation, nullptr);
       open_.pop_back();
     }
   }

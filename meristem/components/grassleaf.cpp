@@ -30,8 +30,10 @@ constexpr double kRadiusSteps = 2;      // an octave
 constexpr double kForceStep = 0.25;     // of the leaf's weight
 constexpr double kWaveStep = 0.05;      // of their depth
 constexpr double kFactorStep = 0.05;    // of an inclination
-constexpr double kErrorSteps = 4;       // an octave
-constexpr double kAirDensity = 1.2;     // kg/m3
+constexpr double kTurnStep = kPi / 180;
+constexpr double kTurnPlaceStep = 0.01;  // of the midrib
+constexpr double kErrorSteps = 4;        // an octave
+constexpr double kAirDensity = 1.2;      // kg/m3
 constexpr double kAgeTolerance = 1e-9;
 constexpr int kPiecesAWave = 4;
 constexpr double kUsualLength = 0.3;    // metres, where neither document nor file says it
@@ -122,10 +124,8 @@ struct ShapeNumbers {
   double waves, waves_depth, waves_left, waves_right;
   double clasp, clasp_radius;
   double polygons, error;
-
-  std::uint64_t key() const { return hash64({reinterpret_cast<const char*>(this), sizeof *this}); }
 };
-static_assert(sizeof(ShapeNumbers) % sizeof(double) == 0);
+static_assert(sizeof(ShapeNumbers) % sizeof(double) == 0 && sizeof(LocalTurn) == 3 * sizeof(double));
 
 /// Rounds numbers, or leaves them.
 struct Rounding {
@@ -133,6 +133,26 @@ struct Rounding {
   double step(double value, double step) const { return exact ? value : to_step(value, step) + 0.0; }
   double octaves(double value, double steps) const { return exact || value <= 0 ? value : to_octaves(value, steps); }
 };
+
+/// Those of the leaf, rounded; where numbers that vary put a turn's end before its beginning, it is a kink.
+std::vector<LocalTurn> turns_of(const Grassleaf& grass) {
+  if (!grass.stages.bend) return {};
+  const Rounding round{grass.exact};
+  std::vector<LocalTurn> turns = grass.turns;
+  for (LocalTurn& turn : turns) {
+    turn.from = round.step(turn.from, kTurnPlaceStep);
+    turn.to = std::max(turn.from, round.step(turn.to, kTurnPlaceStep));
+    turn.angle = round.step(turn.angle, kTurnStep);
+  }
+  return turns;
+}
+
+/// Of all that shapes a leaf.
+std::uint64_t shape_hash(const ShapeNumbers& numbers, const std::vector<LocalTurn>& turns) {
+  std::string bytes(reinterpret_cast<const char*>(&numbers), sizeof numbers);
+  for (const LocalTurn& turn : turns) bytes.append(reinterpret_cast<const char*>(&turn), sizeof turn);
+  return hash64(bytes);
+}
 
 /// A vector of the world in the plane of a leaf: away from the stem, and along it.
 glm::dvec2 in_plane(Vec3 vector, const Frame& frame) {
@@ -267,7 +287,7 @@ GrassLeaf bent_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, GrassLe
   } else if (numbers.inclination_factor != 1) {
     leaf = inclined(leaf, numbers.inclination_factor * inclination(leaf));
   }
-  if (!grass.turns.empty()) leaf = turned(leaf, grass.turns);
+  if (!grass.turns.empty()) leaf = turned(leaf, turns_of(grass));
   if (!grass.forces) return leaf;
   try {
     return loaded(leaf, {.stiffness = numbers.stiffness, .tip_thickness = numbers.tip_thickness},
@@ -361,7 +381,7 @@ void expand(const Grassleaf& grass, const Site& site, Emitter& out) {
   frame.axes *= static_cast<float>(length);
   frame.axes[0] *= static_cast<float>(width / (length * numbers.width));
   frame.origin.z = -static_cast<float>(distance_from_axis(grass, site));
-  out.organ(frame, numbers.key(), [&] { return make_shape(grass, numbers, out); });
+  out.organ(frame, shape_hash(numbers, turns_of(grass)), [&] { return make_shape(grass, numbers, out); });
 }
 
 TextureShape texture_shape(const Grassleaf& grass) {

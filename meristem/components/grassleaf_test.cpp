@@ -498,5 +498,26 @@ TEST(Grassleaf, FaultyParametersAreRejectedAtTheirPlaces) {
   EXPECT_EQ(path_of({{"stages", Object{{"bent", false}}}}), "components.leaf.stages.bent");
 }
 
+TEST(Grassleaf, TurnsVaryFromLeafToLeafAndEqualOnesShareAMesh) {
+  const auto turned = [](const Value& angle) {
+    return field_of(6, strip({{"turns", List{Value(Object{{"from", 0.5}, {"to", 0.5}, {"angle", angle}})}}}));
+  };
+  const Plant rising = turned(List{0, 50});
+  ASSERT_EQ(rising.organs.size(), 6U);
+  EXPECT_EQ(rising.prototypes.size(), 6U);
+  for (std::size_t k = 1; k < 6; ++k)
+    EXPECT_LT(tip_of(rising, rising.organs[k]).y, tip_of(rising, rising.organs[k - 1]).y);
+  EXPECT_EQ(turned("10 * floor(i / 2)").prototypes.size(), 3U);
+  EXPECT_EQ(turned(30).prototypes.size(), 1U);
+}
+
+TEST(Grassleaf, ATurnThatVariesToEndBeforeItBeginsIsAKink) {
+  const Object turn{{"from", 0.6}, {"to", "0.2 + 0 * i"}, {"angle", 40}};
+  const Object kink{{"from", 0.6}, {"to", 0.6}, {"angle", 40}};
+  const Plant varied = field_of(1, strip({{"turns", List{Value(turn)}}}));
+  const Plant plain = field_of(1, strip({{"turns", List{Value(kink)}}}));
+  EXPECT_EQ(tip_of(varied, varied.organs[0]), tip_of(plain, plain.organs[0]));
+}
+
 }  // namespace
 }  // namespace meristem

@@ -43,7 +43,7 @@ std::string warnings(const Value::Object& parameters) {
   const auto read = type.make_parameters();
   ParameterReader reader({}, Limits());
   const Place top;
-  reader.read_varying(type.parameters, read.get(), type.size, parameters, Place(top, "tree"));
+  reader.read_varying(type.parameters, read.get(), parameters, Place(top, "tree"));
   EXPECT_EQ(reader.fault_count(), 0U);
   std::string texts;
   for (const Diagnostic& found : reader.diagnostics()) texts += found.text() + "\n";

@@ -162,8 +162,7 @@ class DocumentReader {
     prototype.parameters = prototype.type->make_parameters();
     const std::size_t faults_before = reader.fault_count();
     const std::size_t files_before = reader.files().size();
-    prototype.varyings =
-        reader.read_varying(prototype.type->parameters, prototype.parameters.get(), prototype.type->size, value, place);
+    prototype.varyings = reader.read_varying(prototype.type->parameters, prototype.parameters.get(), value, place);
     if (reader.fault_count() != faults_before) return;
     set_fingerprints(prototype, value, reader.constants(), std::span(reader.files()).subspan(files_before),
                      reader.limits());

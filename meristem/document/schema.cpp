@@ -129,15 +129,14 @@ class SchemaWriter {
   }
 
   /// A nested table's schema, or where it contains itself a reference to its definition.
-  Value nested(const ParameterTable& nested_table, bool varies) const {
-    const SchemaWriter writer(varies, definitions_);
-    if (!nested_table.contains_itself()) return writer.table(nested_table);
+  Value nested(const ParameterTable& nested_table) const {
+    if (!nested_table.contains_itself()) return table(nested_table);
     const std::string noun = nested_table.name.substr(nested_table.name.find(' ') + 1);
-    const std::string name = varies ? noun : "fixed_" + noun;
+    const std::string name = varies_ ? noun : "fixed_" + noun;
     std::vector<std::string>& begun = definitions_.begun;
     if (std::find(begun.begin(), begun.end(), name) == begun.end()) {
       begun.push_back(name);
-      Value schema = writer.table(nested_table);
+      Value schema = table(nested_table);
       definitions_.made.emplace_back(name, std::move(schema));
     }
     return Object{{"allOf", List{Object{{"$ref", "#/definitions/" + name}}}}};
@@ -199,12 +198,12 @@ class SchemaWriter {
       case ParameterKind::box:
         return list_of(list_of(number("number", row.form), 3, 3), 2, 2);
       case ParameterKind::object:
-        return nested(row.nested(), varies_);
+        return nested(row.nested());
       case ParameterKind::list:
-        return list_of(nested(row.nested(), false), 0, 0);
+        return list_of(nested(row.nested()), 0, 0);
       case ParameterKind::map: {
         Object schema = typed("object");
-        schema.emplace_back("additionalProperties", nested(row.nested(), false));
+        schema.emplace_back("additionalProperties", nested(row.nested()));
         return schema;
       }
     }

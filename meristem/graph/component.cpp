@@ -119,11 +119,10 @@ void set_fingerprints(Prototype& prototype, const Value& value, std::span<const 
 }
 
 void check_rules(const ComponentType& type, const std::string& id, const void* instance, const Limits& limits) {
-  if (!type.parameters.check) return;
   ParameterReader reader({}, limits);
   const Place top;
   const Place components(top, "components");
-  type.parameters.check(instance, Place(components, id), reader);
+  type.parameters.check_all(instance, Place(components, id), reader);
   if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
 }
 

@@ -77,8 +77,8 @@ GraphBuilder& GraphBuilder::component(const std::string& id, const std::string& 
   ParameterReader reader(variables_, graph_.limits);
   const Place top;
   const Place components(top, "components");
-  prototype.varyings = reader.read_varying(prototype.type->parameters, prototype.parameters.get(), prototype.type->size,
-                                           parameters, Place(components, id));
+  prototype.varyings =
+      reader.read_varying(prototype.type->parameters, prototype.parameters.get(), parameters, Place(components, id));
   if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
   Value::Object described = parameters;
   described.emplace_back("type", type);

@@ -120,7 +120,8 @@ const ParameterTable& fit_table() {
 const ParameterTable& aged_points_table() {
   static const ParameterTable table =
       Table<AgedPoints>("a midrib", "A midrib at an age.")
-          .number("age", &AgedPoints::age, {.min = -1e4, .max = 1e4}, "In any unit, as the leaf's own age.")
+          .number("age", &AgedPoints::age, {.min = -1e4, .max = 1e4, .fixed = true},
+                  "In any unit, as the leaf's own age.")
           .points("points", &AgedPoints::points, {.min = -1e4, .max = 1e4}, "Pairs, away from the stem and up it.")
           .required();
   return table;

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "meristem/graph/table/reader.h"
-#include "meristem/graph/table/table.h"
 
 namespace meristem {
 
@@ -31,18 +30,13 @@ ParameterTable table_of_kinds(const Kinds& kinds) {
   says.kind = ParameterKind::choice;
   says.required = true;
   for (const Kinds::Kind& kind : kinds.kinds) says.choices.push_back(kind.name);
-  std::vector<Value> defaults{Value()};
   for (const Kinds::Kind& kind : kinds.kinds) {
-    const ParameterTable& own = kind.table();
-    const std::vector<Value> own_defaults = own.defaults();
-    for (std::size_t k = 0; k < own.parameters.size(); ++k) {
-      if (all.find(own.parameters[k].name) != nullptr) continue;
-      all.parameters.push_back(own.parameters[k]);
-      all.parameters.back().required = is_required(kinds, own.parameters[k].name);
-      defaults.push_back(own_defaults[k]);
+    for (const Parameter& row : kind.table().parameters) {
+      if (all.find(row.name) != nullptr) continue;
+      all.parameters.push_back(row);
+      all.parameters.back().required = is_required(kinds, row.name);
     }
   }
-  all.defaults = [defaults] { return defaults; };
   return all;
 }
 
@@ -60,12 +54,6 @@ std::optional<std::size_t> read_kind(const Kinds& kinds, const ParameterTable& a
     return std::nullopt;
   }
   return reader.choice(says, *given, Place(place, kinds.key));
-}
-
-Value table_detail::show_kind(const Kinds& kinds, std::size_t kind, const void* element) {
-  Value shown = show_object(kinds.kinds[kind].table(), element);
-  shown.object()->insert(shown.object()->begin(), {kinds.key, kinds.kinds[kind].name});
-  return shown;
 }
 
 }  // namespace meristem

@@ -6,8 +6,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
-#include <variant>
 #include <vector>
 
 #include "meristem/graph/table/parameter.h"
@@ -35,23 +33,5 @@ ParameterTable table_of_kinds(const Kinds& kinds);
 /// Which kind an element is; nothing after a fault. `all` is the table of all kinds.
 std::optional<std::size_t> read_kind(const Kinds& kinds, const ParameterTable& all, const Value& value,
                                      const Place& place, ParameterReader& reader);
-
-namespace table_detail {
-
-/// Makes a variant hold the default of its alternative of that number, and returns where it is.
-template <class... Structs>
-void* emplace_kind(std::variant<Structs...>& element, std::size_t kind) {
-  void* made = nullptr;
-  const auto emplace = [&]<std::size_t... K>(std::index_sequence<K...>) {
-    ((K == kind ? static_cast<void>(made = &element.template emplace<K>()) : static_cast<void>(0)), ...);
-  };
-  emplace(std::index_sequence_for<Structs...>());
-  return made;
-}
-
-/// An element as documents write it.
-Value show_kind(const Kinds& kinds, std::size_t kind, const void* element);
-
-}  // namespace table_detail
 
 }  // namespace meristem

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "meristem/graph/table/kinds.h"
+
 namespace meristem {
 
 std::string_view unit_name(Unit unit) {
@@ -32,6 +34,54 @@ std::string_view unit_name(Unit unit) {
   return "";
 }
 
+std::string_view kind_name(ParameterKind kind) {
+  switch (kind) {
+    case ParameterKind::number:
+      return "number";
+    case ParameterKind::integer:
+      return "integer";
+    case ParameterKind::boolean:
+      return "boolean";
+    case ParameterKind::text:
+      return "text";
+    case ParameterKind::lines:
+      return "lines";
+    case ParameterKind::choice:
+      return "choice";
+    case ParameterKind::integers:
+      return "integers";
+    case ParameterKind::vector:
+      return "vector";
+    case ParameterKind::colour:
+      return "colour";
+    case ParameterKind::colours:
+      return "colours";
+    case ParameterKind::curve:
+      return "curve";
+    case ParameterKind::points:
+      return "points";
+    case ParameterKind::places:
+      return "places";
+    case ParameterKind::condition:
+      return "condition";
+    case ParameterKind::formula:
+      return "formula";
+    case ParameterKind::selection:
+      return "selection";
+    case ParameterKind::box:
+      return "box";
+    case ParameterKind::file:
+      return "file";
+    case ParameterKind::object:
+      return "object";
+    case ParameterKind::list:
+      return "list";
+    case ParameterKind::map:
+      return "map";
+  }
+  return "";
+}
+
 namespace {
 
 std::string range_text(const NumberForm& form) {
@@ -52,6 +102,12 @@ std::string number_text(std::string_view noun, const NumberForm& form) {
 }
 
 }  // namespace
+
+bool Parameter::may_vary() const {
+  const bool is_number = kind == ParameterKind::number || kind == ParameterKind::integer ||
+                         kind == ParameterKind::vector || kind == ParameterKind::box;
+  return is_number && !form.fixed;
+}
 
 std::string Parameter::expectation() const {
   switch (kind) {
@@ -101,6 +157,68 @@ std::string Parameter::expectation() const {
   return "";
 }
 
+void Parameter::read(void* object, const Value& value, const Place& place, ParameterReader& reader) const {
+  type->read(*this, static_cast<std::byte*>(object) + offset, value, place, reader);
+}
+
+Value Parameter::show(const void* object) const {
+  return type->show(*this, static_cast<const std::byte*>(object) + offset);
+}
+
+Value Parameter::fallback() const { return original != nullptr ? show(original.get()) : Value(); }
+
+const ParameterTable& Parameter::table_of(const void* member, std::size_t index) const {
+  return kinds == nullptr ? nested() : kinds().kinds[type->kind(member, index)].table();
+}
+
+Parameter& ParameterTable::add(ParameterKind kind, std::string_view row_name, std::string_view row_doc,
+                               std::size_t offset, const MemberType& type) {
+  Parameter& row = parameters.emplace_back();
+  row.name = row_name;
+  row.doc = row_doc;
+  row.kind = kind;
+  row.offset = offset;
+  row.type = &type;
+  row.original = original;
+  return row;
+}
+
+void ParameterTable::add_rows(const ParameterTable& table, std::size_t offset) {
+  for (const Parameter& theirs : table.parameters) {
+    Parameter& ours = parameters.emplace_back(theirs);
+    ours.offset += offset;
+    ours.original = original;
+  }
+  one_of.insert(one_of.end(), table.one_of.begin(), table.one_of.end());
+  company.insert(company.end(), table.company.begin(), table.company.end());
+  meanings.insert(meanings.end(), table.meanings.begin(), table.meanings.end());
+}
+
+void ParameterTable::leave_out(std::vector<std::string> rows, std::string reason) {
+  const auto is_out = [&rows](const std::string& row) {
+    return std::find(rows.begin(), rows.end(), row) != rows.end();
+  };
+  std::erase_if(parameters, [&](const Parameter& row) { return is_out(row.name); });
+  std::erase_if(company, [&](const Company& rule) { return is_out(rule.parameter) || is_out(rule.other); });
+  meanings.push_back({std::move(rows), {}, std::move(reason)});
+}
+
+std::vector<Value> ParameterTable::defaults() const {
+  std::vector<Value> values;
+  values.reserve(parameters.size());
+  for (const Parameter& row : parameters) values.push_back(row.fallback());
+  return values;
+}
+
+Value ParameterTable::show(const void* object) const {
+  Value::Object members;
+  for (const Parameter& row : parameters) {
+    Value shown = row.show(object);
+    if (!shown.is_null()) members.emplace_back(row.name, std::move(shown));
+  }
+  return members;
+}
+
 const Parameter* ParameterTable::find(std::string_view parameter) const {
   for (const Parameter& row : parameters) {
     if (row.name == parameter) return &row;
@@ -135,6 +253,32 @@ std::vector<std::string> ParameterTable::names() const {
   std::vector<std::string> names = elsewhere;
   for (const Parameter& row : parameters) names.push_back(row.name);
   return names;
+}
+
+void ParameterTable::check_all(const void* object, const Place& place, ParameterReader& reader) const {
+  if (check) check(object, place, reader);
+  for (const Parameter& row : parameters) {
+    if (row.nested == nullptr) continue;
+    const Place row_place(place, row.name);
+    // Elements are reached through what changes nothing.
+    void* member = const_cast<std::byte*>(static_cast<const std::byte*>(object) + row.offset);
+    for (std::size_t k = 0; k < row.type->count(member); ++k) {
+      const Place element_place =
+          row.kind == ParameterKind::map ? Place(row_place, row.type->name(member, k)) : Place(row_place, k);
+      row.table_of(member, k).check_all(row.type->element(member, k),
+                                        row.kind == ParameterKind::object ? row_place : element_place, reader);
+    }
+  }
+}
+
+bool GivenRows::contains(std::string_view row) const {
+  return std::any_of(rows_.begin(), rows_.end(), [row](const Parameter* given) { return given->name == row; });
+}
+
+void GivenRows::copy(const void* from, void* to) const {
+  for (const Parameter* row : rows_) {
+    row->type->copy(static_cast<std::byte*>(to) + row->offset, static_cast<const std::byte*>(from) + row->offset);
+  }
 }
 
 }  // namespace meristem

@@ -3,9 +3,11 @@
 // checking, the JSON Schema, the command line's `components`, and every later editor are driven by the table alone.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +16,7 @@
 
 namespace meristem {
 
+struct Kinds;
 class ParameterReader;
 class ParameterTable;
 
@@ -45,6 +48,8 @@ enum class ParameterKind {
   map,        ///< an object of names, with a nested table each
 };
 
+std::string_view kind_name(ParameterKind kind);  ///< as it is spelt here: "number", "integer", ...
+
 /// From `low` to `high`, in document units; an end that is NaN is left to usual_range (usual_range.h).
 struct UsualSpan {
   double low = std::numeric_limits<double>::quiet_NaN();
@@ -62,6 +67,24 @@ struct NumberForm {
   bool per_child = false;  ///< differs among the children of an instance, and not from instance to instance
 };
 
+struct Parameter;
+
+/// What can be done with members of one type, whatever struct they are in. Made by table.h.
+struct MemberType {
+  void (*read)(const Parameter& row, void* member, const Value& value, const Place& place, ParameterReader& reader);
+  Value (*show)(const Parameter& row, const void* member);
+  void (*copy)(void* to, const void* from);
+  /// Of members that hold structs with tables of their own, as objects, lists and maps do; null for others. `make` puts
+  /// new structs into it for what `value` says.
+  void (*make)(void* member, const Value& value) = nullptr;
+  std::size_t (*count)(const void* member) = nullptr;
+  void* (*element)(void* member, std::size_t index) = nullptr;
+  std::string_view (*name)(const void* member, std::size_t index) = nullptr;  ///< of a map's element
+  /// Of lists whose elements are of several kinds: which one an element is, and how it becomes a new one of another.
+  std::size_t (*kind)(const void* member, std::size_t index) = nullptr;
+  void (*make_kind)(void* member, std::size_t index, std::size_t kind) = nullptr;
+};
+
 /// One row of a table.
 struct Parameter {
   std::string name;
@@ -72,15 +95,26 @@ struct Parameter {
   std::size_t count = 0;             ///< of integers
   /// Of an object, list or map. A function, so that tables may contain themselves.
   const ParameterTable& (*nested)() = nullptr;
-  std::vector<std::string> names;  ///< variables of a condition or formula
+  const Kinds& (*kinds)() = nullptr;  ///< of a list whose elements are of several kinds; `nested` has the rows of all
+  std::vector<std::string> names;     ///< variables of a condition or formula
+  void (*load_file)() = nullptr;      ///< of a file that is read from its path: a LoadAsset
+  void (*make_asset)() = nullptr;     ///< of lines and of a file whose text is read: a TextAsset
   bool required = false;
+  std::size_t offset = 0;                ///< of the member in the struct
+  const MemberType* type = nullptr;      ///< of the member
+  std::shared_ptr<const void> original;  ///< a struct with the defaults
 
   /// Stores what `value` says into the struct at `object`, or reports faults.
-  std::function<void(const Parameter& self, void* object, const Value& value, const Place& place,
-                     ParameterReader& reader)>
-      read;
-  /// The struct's present value as a document would write it; null where unset.
-  std::function<Value(const void* object)> show;
+  void read(void* object, const Value& value, const Place& place, ParameterReader& reader) const;
+  /// What the struct holds as a document would write it; null where unset.
+  Value show(const void* object) const;
+  /// The default as a document would write it.
+  Value fallback() const;
+  /// By which the element with this index of the member of an object, list or map is read.
+  const ParameterTable& table_of(const void* member, std::size_t index) const;
+
+  /// Whether its numbers may differ from instance to instance, or from child to child, where it stands in a component.
+  bool may_vary() const;
 
   /// "a number of metres above 0, at most 10".
   std::string expectation() const;
@@ -119,8 +153,21 @@ class ParameterTable {
   std::function<void(const void* object, const Place& place, ParameterReader& reader)> check;
   /// Works out what follows from several parameters; called after the rules, once they hold.
   std::function<void(void* object, const Place& place, ParameterReader& reader)> prepare;
+  std::shared_ptr<const void> original;  ///< a struct with the defaults
+
   /// The defaults, as documents write them.
-  std::function<std::vector<Value>()> defaults;
+  std::vector<Value> defaults() const;
+  /// A struct as documents write it.
+  Value show(const void* object) const;
+  /// A row for the member of this type so many bytes into the struct.
+  Parameter& add(ParameterKind kind, std::string_view row_name, std::string_view row_doc, std::size_t offset,
+                 const MemberType& type);
+  /// The rows of the table of a part of the struct that begins so many bytes into it, and what it says of their
+  /// company; its rules stay behind.
+  void add_rows(const ParameterTable& table, std::size_t offset);
+
+  /// Rows of these names go; a meaning without givers tells the reason.
+  void leave_out(std::vector<std::string> rows, std::string reason);
 
   const Parameter* find(std::string_view parameter) const;
   std::vector<std::string> names() const;
@@ -128,6 +175,23 @@ class ParameterTable {
   const std::string* reason_without(std::string_view parameter) const;
   /// Whether a row below, at any depth, has this table again.
   bool contains_itself() const;
+  /// Reports where the struct at `object`, or one that it holds at any depth, breaks the rules of its table.
+  void check_all(const void* object, const Place& place, ParameterReader& reader) const;
+};
+
+/// The rows of a table that a value gave, each once, in the value's order. The table outlives it.
+class GivenRows {
+ public:
+  void add(const Parameter& row) { rows_.push_back(&row); }
+  bool is_empty() const { return rows_.empty(); }
+  std::size_t count() const { return rows_.size(); }
+  bool contains(std::string_view row) const;
+  /// Copies what these rows are of from one struct of the table's into another.
+  void copy(const void* from, void* to) const;
+  bool operator==(const GivenRows&) const = default;
+
+ private:
+  std::vector<const Parameter*> rows_;
 };
 
 }  // namespace meristem

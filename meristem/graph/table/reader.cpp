@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -107,35 +106,51 @@ void ParameterReader::wrong_kind(const Parameter& parameter, const Value& value,
   fault(place, fmt::format("'{}' cannot be {}", parameter.name, value.description()), parameter.expectation());
 }
 
-void ParameterReader::read(const ParameterTable& table, void* object, const Value& value, const Place& place) {
-  this->object(table, object, value, place);
+GivenRows ParameterReader::read(const ParameterTable& table, void* object, const Value& value, const Place& place) {
+  return this->object(table, object, value, place);
 }
 
-std::vector<Varying> ParameterReader::read_varying(const ParameterTable& table, void* object, std::size_t size,
-                                                   const Value& value, const Place& place) {
-  varying_begin_ = static_cast<std::byte*>(object);
-  varying_end_ = varying_begin_ + size;
+std::vector<Varying> ParameterReader::read_varying(const ParameterTable& table, void* object, const Value& value,
+                                                   const Place& place) {
+  holder_.object = static_cast<std::byte*>(object);
   varyings_.clear();
   this->object(table, object, value, place);
-  varying_begin_ = varying_end_ = nullptr;
+  holder_.object = nullptr;
   return std::move(varyings_);
 }
 
-void ParameterReader::object(const ParameterTable& table, void* object, const Value& value, const Place& place) {
+void ParameterReader::element(const Parameter& row, void* member, std::size_t index, const Value& value,
+                              const Place& place) {
+  void* const element = row.type->element(member, index);
+  const ParameterTable& table = row.table_of(member, index);
+  if (holder_.object == nullptr) {
+    object(table, element, value, place);
+    return;
+  }
+  std::byte* const holder = holder_.object;
+  holder_.way.push_back({static_cast<std::size_t>(static_cast<std::byte*>(member) - holder), row.type, index});
+  holder_.object = static_cast<std::byte*>(element);
+  object(table, element, value, place);
+  holder_.object = holder;
+  holder_.way.pop_back();
+}
+
+GivenRows ParameterReader::object(const ParameterTable& table, void* object, const Value& value, const Place& place) {
+  GivenRows given;
   const Value::Object* members = value.object();
   if (members == nullptr) {
     if (const Parameter* bare = table.shorthand.empty() ? nullptr : table.find(table.shorthand)) {
-      bare->read(*bare, object, value, place, *this);
+      given.add(*bare);
+      bare->read(object, value, place, *this);
     } else {
       fault(place, fmt::format("{} cannot be {}", table.name, value.description()),
             fmt::format("an object with {}", fmt::join(table.names(), ", ")));
     }
-    return;
+    return given;
   }
   const std::size_t faults_before = faults_;
 
   // Each member is read by its row; unknown ones are named with the nearest known.
-  std::set<std::string_view> given;
   for (const auto& [name, member] : *members) {
     const Place member_place(place, name);
     const Parameter* row = table.find(name);
@@ -151,11 +166,19 @@ void ParameterReader::object(const ParameterTable& table, void* object, const Va
                  similar.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", similar);
       continue;
     }
-    given.insert(row->name);
-    row->read(*row, object, member, member_place, *this);
+    given.add(*row);
+    row->read(object, member, member_place, *this);
   }
 
-  // What must be there is there.
+  check_given(table, given, place);
+  if (faults_ == faults_before) check_meanings(table, object, value, place, *this);
+  if (table.check && faults_ == faults_before) table.check(object, place, *this);
+  if (table.prepare && faults_ == faults_before) table.prepare(object, place, *this);
+  return given;
+}
+
+/// What must be there is there, and nothing beside what excludes it.
+void ParameterReader::check_given(const ParameterTable& table, const GivenRows& given, const Place& place) {
   for (const Parameter& row : table.parameters) {
     if (row.required && !given.contains(row.name)) {
       fault(place, fmt::format("{} has no '{}'", table.name, row.name), row.expectation());
@@ -170,18 +193,8 @@ void ParameterReader::object(const ParameterTable& table, void* object, const Va
             "exactly one of them");
     }
   }
-  check_company(table, *members, place);
-  if (faults_ == faults_before) check_meanings(table, object, value, place, *this);
-  if (table.check && faults_ == faults_before) table.check(object, place, *this);
-  if (table.prepare && faults_ == faults_before) table.prepare(object, place, *this);
-}
-
-void ParameterReader::check_company(const ParameterTable& table, const Value::Object& given, const Place& place) {
-  const auto is_given = [&](const std::string& name) {
-    return std::any_of(given.begin(), given.end(), [&](const Value::Member& member) { return member.first == name; });
-  };
   for (const ParameterTable::Company& rule : table.company) {
-    if (!is_given(rule.parameter) || is_given(rule.other) == rule.is_wanted) continue;
+    if (!given.contains(rule.parameter) || given.contains(rule.other) == rule.is_wanted) continue;
     fault_name(
         Place(place, rule.parameter),
         fmt::format("'{}' has no meaning {} '{}'", rule.parameter, rule.is_wanted ? "without" : "beside", rule.other),
@@ -213,6 +226,12 @@ std::optional<Expression> ParameterReader::expression(const Value& value, const 
   }
 }
 
+/// Why a number may not vary, as the rest of a sentence that begins with its name.
+std::string_view ParameterReader::why_one(const Parameter& parameter) const {
+  return parameter.form.fixed || holder_.object != nullptr ? "is one number for all instances"
+                                                           : "is one number (only those of components vary)";
+}
+
 std::optional<double> ParameterReader::number(const Parameter& parameter, const Value& value, const Place& place) {
   if (const double* plain = value.number()) {
     if (parameter.kind == ParameterKind::integer && *plain != std::floor(*plain)) {
@@ -229,7 +248,7 @@ std::optional<double> ParameterReader::number(const Parameter& parameter, const 
   if (!compiled) return std::nullopt;
   if (!compiled->is_constant()) {
     fault(place,
-          fmt::format("'{}' is one number for all instances, and this expression differs between them", parameter.name),
+          fmt::format("'{}' {}, and this expression differs between instances", parameter.name, why_one(parameter)),
           "an expression of numbers and the document's variables");
     return std::nullopt;
   }
@@ -237,27 +256,21 @@ std::optional<double> ParameterReader::number(const Parameter& parameter, const 
   return check_range(parameter, result, place, "the expression's value") ? std::optional(result) : std::nullopt;
 }
 
-bool ParameterReader::may_vary(const Parameter& parameter, const void* member) const {
-  const auto* address = static_cast<const std::byte*>(member);
-  return !parameter.form.fixed && varying_begin_ <= address && address < varying_end_;
-}
-
 void ParameterReader::store_number(const Parameter& parameter, const Value& value, const Place& place,
                                    const NumberSlot& slot) {
   if (value.number() == nullptr) worked_out_.push_back(place.text());
   const double scale = document_scale(parameter.form.unit);
-  const bool is_plain = value.number() != nullptr || (value.text() != nullptr && !may_vary(parameter, slot.member));
   const auto store = [&](double number) { slot.store(slot.member, number * scale); };
-  if (is_plain) {
+  const bool may_vary = holder_.object != nullptr && parameter.may_vary();
+  if (value.number() != nullptr || (value.text() != nullptr && !may_vary)) {
     if (const std::optional<double> given = number(parameter, value, place)) store(*given);
     return;
   }
-  if (!may_vary(parameter, slot.member)) {
+  if (!may_vary) {
     if (value.list() == nullptr && value.find("range") == nullptr && value.find("apply") == nullptr) {
       return wrong_kind(parameter, value, place);
     }
-    fault(place,
-          fmt::format("'{}' is one number for all instances and cannot be {}", parameter.name, value.description()),
+    fault(place, fmt::format("'{}' {} and cannot be {}", parameter.name, why_one(parameter), value.description()),
           parameter.expectation());
     return;
   }
@@ -268,7 +281,8 @@ void ParameterReader::store_number(const Parameter& parameter, const Value& valu
     return;
   }
   read->store = slot.store;
-  read->offset = static_cast<std::size_t>(static_cast<std::byte*>(slot.member) - varying_begin_);
+  read->way = holder_.way;
+  read->offset = static_cast<std::size_t>(static_cast<std::byte*>(slot.member) - holder_.object);
   // Until an instance has its own value the member has the default, so that rules between parameters see it as given.
   store(slot.present);
   varyings_.push_back(std::move(*read));

@@ -36,12 +36,11 @@ class ParameterReader {
   ParameterReader(std::vector<ExpressionNames::Constant> constants, const Limits& limits, std::string folder = {})
       : constants_(std::move(constants)), limits_(limits), folder_(std::move(folder)) {}
 
-  /// Reads `value` into the struct at `object`. Every number must be one number.
-  void read(const ParameterTable& table, void* object, const Value& value, const Place& place);
-  /// The same for a component's struct of `size` bytes: members in it may vary from instance to instance and then end
-  /// up in the result. `ignored` names a key that is no parameter ("type").
-  std::vector<Varying> read_varying(const ParameterTable& table, void* object, std::size_t size, const Value& value,
-                                    const Place& place);
+  /// Reads `value` into the struct at `object`, where every number must be one number. Returns the rows that it gives.
+  GivenRows read(const ParameterTable& table, void* object, const Value& value, const Place& place);
+  /// The same for a component's struct: numbers in it, and in the elements of its lists, may vary from instance to
+  /// instance and then end up in the result.
+  std::vector<Varying> read_varying(const ParameterTable& table, void* object, const Value& value, const Place& place);
 
   void fault(const Place& place, std::string message, std::string expected = {}, std::string nearest = {},
              int text_offset = -1);
@@ -88,16 +87,18 @@ class ParameterReader {
   /// The paths of all files that were named so far.
   const std::vector<std::string>& files() const { return files_; }
   /// The table's members from an object, or its shorthand from a bare value.
-  void object(const ParameterTable& table, void* object, const Value& value, const Place& place);
+  GivenRows object(const ParameterTable& table, void* object, const Value& value, const Place& place);
+  /// The element with this index of the list or map at `member`.
+  void element(const Parameter& row, void* member, std::size_t index, const Value& value, const Place& place);
   void wrong_kind(const Parameter& parameter, const Value& value, const Place& place);
 
  private:
   void report_in_file(const Diagnostic& found, const std::string& file, const Place& place);
   void report_in_text(const Diagnostic& found, const Value& value, const Place& place);
   void report(const Place& place, const Diagnostic& found, int text_offset);
-  void check_company(const ParameterTable& table, const Value::Object& given, const Place& place);
+  void check_given(const ParameterTable& table, const GivenRows& given, const Place& place);
   std::optional<Varying> varying(const Parameter& parameter, const Value& value, const Place& place, double present);
-  bool may_vary(const Parameter& parameter, const void* member) const;
+  std::string_view why_one(const Parameter& parameter) const;
   bool check_range(const Parameter& parameter, double value, const Place& place, std::string_view what);
 
   std::vector<ExpressionNames::Constant> constants_;
@@ -107,8 +108,12 @@ class ParameterReader {
   std::vector<std::string> worked_out_;  // document paths of numbers
   std::vector<Diagnostic> diagnostics_;
   std::size_t faults_ = 0;
-  std::byte* varying_begin_ = nullptr;
-  std::byte* varying_end_ = nullptr;
+  /// What a component's instances have copies of and is being read: its struct, or an element of a list in it.
+  struct Holder {
+    std::byte* object = nullptr;        // null where no component is read, so that no number may vary
+    std::vector<Varying::Element> way;  // to it from the struct
+  };
+  Holder holder_;
   std::vector<Varying> varyings_;
 };
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <span>
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,13 @@ struct Rock {
   std::optional<Box> box;
   Asset<std::string> file;
   double turn = 0;
+  double age = 0;
 };
+
+template <class T>
+void check_weight(const T& thing, const Place& place, ParameterReader& reader) {
+  if (thing.weight == 8.5) reader.fault(place, "too heavy for such a test");
+}
 
 std::string load(const std::string& path, const Limits& limits) {
   std::ifstream stream(path);
@@ -38,7 +45,8 @@ std::string load(const std::string& path, const Limits& limits) {
 const ParameterTable& grain_table() {
   static const ParameterTable table = Table<Grain>("a grain", "A grain.")
                                           .number("weight", &Grain::weight, {.min = 0, .max = 9}, "Weight.")
-                                          .shorthand("weight");
+                                          .shorthand("weight")
+                                          .check(check_weight);
   return table;
 }
 
@@ -50,9 +58,11 @@ const ParameterTable& rock_table() {
                                           .box("box", &Rock::box, {.min = -9, .max = 9}, "Its bounds.")
                                           .file("file", &Rock::file, load, "Its text.")
                                           .number("turn", &Rock::turn, {}, "Of its text.")
+                                          .number("age", &Rock::age, {.fixed = true}, "Years.")
                                           .shorthand("weight")
                                           .only_with("file", {"turn"})
-                                          .never_with("file", {"weight"});
+                                          .never_with("file", {"weight"})
+                                          .check(check_weight);
   return table;
 }
 
@@ -66,7 +76,7 @@ Result read(const Value& value, const std::string& folder = {}) {
   Result result;
   ParameterReader reader({}, Limits{}, folder);
   const Place top;
-  result.varyings = reader.read_varying(rock_table(), &result.rock, sizeof(Rock), value, Place(top, "rock"));
+  result.varyings = reader.read_varying(rock_table(), &result.rock, value, Place(top, "rock"));
   result.faults = reader.take_diagnostics();
   return result;
 }
@@ -104,10 +114,81 @@ TEST(NestedTable, MapsKeepTheirNamesInOrder) {
             "rock.named: 'named' cannot be an empty list; exp");
 }
 
-TEST(NestedTable, NumbersVaryOnlyInTheStructItself) {
-  EXPECT_EQ(read(Value::Object{{"weight", "1 + i"}}).varyings.size(), 1U);
-  EXPECT_NE(fault(Value::Object{{"pebbles", Value::List{"1 + i"}}}).find("one number for all instances"),
-            std::string::npos);
+// The rock as the k-th of three siblings has it.
+Rock instance(const Value& value, std::uint32_t k) {
+  const Result result = read(value);
+  EXPECT_TRUE(result.faults.empty()) << result.faults[0].text();
+  Site site;
+  site.i = k;
+  site.n = 3;
+  Rock copy = result.rock;
+  VaryingValues(result.varyings, std::span(&site, 1), 0).apply(0, &copy);
+  EXPECT_TRUE(result.rock.pebbles.empty() || result.rock.pebbles[0].weight == 1);  // the default stays
+  return copy;
+}
+
+TEST(NestedTable, NumbersVaryInListsToo) {
+  const Value inner = Value::Object{{"weight", Value::List{2, 4}}, {"pebbles", Value::List{7, "5 + i"}}};
+  const Value value = Value::Object{{"weight", "1 + i"}, {"pebbles", Value::List{"v + i", inner}}};
+  for (const std::uint32_t k : {0U, 1U, 2U}) {
+    const Rock rock = instance(value, k);
+    EXPECT_EQ(rock.weight, 1 + k);
+    EXPECT_EQ(rock.pebbles.at(0).weight, 1 + k);
+    EXPECT_EQ(rock.pebbles.at(1).weight, 2 + k);
+    EXPECT_EQ(rock.pebbles.at(1).pebbles.at(0).weight, 7);
+    EXPECT_EQ(rock.pebbles.at(1).pebbles.at(1).weight, 5 + k);
+  }
+}
+
+TEST(NestedTable, NumbersVaryInMapsToo) {
+  const Value named = Value::Object{{"sand", Value::Object{{"weight", "2 * i"}}}, {"grit", 3}};
+  const Rock rock = instance(Value::Object{{"named", named}}, 2);
+  EXPECT_EQ(rock.named.at(0).second.weight, 4);
+  EXPECT_EQ(rock.named.at(1).second.weight, 3);
+}
+
+TEST(NestedTable, EachElementDrawsForItself) {
+  const Result result = read(Value::Object{{"pebbles", Value::List{"rand()", "rand()"}}});
+  ASSERT_EQ(result.varyings.size(), 2U);
+  EXPECT_EQ(result.varyings[1].path, "rock.pebbles[1]");
+  EXPECT_NE(result.varyings[0].name_hash, result.varyings[1].name_hash);
+}
+
+TEST(NestedTable, WhatIsFixedIsOneNumberInListsToo) {
+  EXPECT_EQ(
+      fault(Value::Object{{"pebbles", Value::List{Value::Object{{"age", "1 + i"}}}}}),
+      "rock.pebbles[0].age: 'age' is one number for all instances, and this expression differs between instances; "
+      "expected an expression of numbers and the document's variables");
+}
+
+TEST(NestedTable, NothingVariesOutsideOfComponents) {
+  Rock rock;
+  ParameterReader reader({}, Limits{});
+  const Place top;
+  reader.read(rock_table(), &rock, Value::Object{{"pebbles", Value::List{Value(Value::List{1, 2})}}}, top);
+  ASSERT_EQ(reader.fault_count(), 1U);
+  EXPECT_EQ(reader.diagnostics()[0].message,
+            "'weight' is one number (only those of components vary) and cannot be a list of 2");
+}
+
+TEST(NestedTable, RulesAreCheckedAtAnyDepth) {
+  const auto faults = [](const Rock& rock) {
+    ParameterReader reader({}, Limits{});
+    const Place top;
+    rock_table().check_all(&rock, Place(top, "rock"), reader);
+    std::vector<std::string> paths;
+    for (const Diagnostic& found : reader.diagnostics()) paths.push_back(found.path);
+    return paths;
+  };
+  Rock rock;
+  rock.pebbles.resize(2);
+  rock.pebbles[1].pebbles.resize(1);
+  rock.named.emplace_back("sand", Grain{});
+  EXPECT_EQ(faults(rock), std::vector<std::string>());
+  rock.weight = 8.5;
+  rock.pebbles[1].pebbles[0].weight = 8.5;
+  rock.named[0].second.weight = 8.5;
+  EXPECT_EQ(faults(rock), (std::vector<std::string>{"rock", "rock.pebbles[1].pebbles[0]", "rock.named.sand"}));
 }
 
 TEST(BoxRow, TakesTwoCorners) {

@@ -187,7 +187,7 @@ TEST(Table, AMemberOfTheWrongKindIsNamedWithWhatIsExpected) {
     EXPECT_FALSE(found.expected.empty()) << found.text();
   }
   EXPECT_EQ(fault("petal", Value::List{}, "flower.petal").message,
-            "'length' is one number for all instances and cannot be an empty list");
+            "'length' is one number (only those of components vary) and cannot be an empty list");
   EXPECT_EQ(fault("height", true, "flower.height").text(),
             "flower.height: 'height' cannot be true; expected a number (m) above 0 to 1");
 }
@@ -312,7 +312,8 @@ TEST(Table, ExpressionsOfVariablesStandForFixedNumbers) {
 TEST(Table, WhatDiffersBetweenInstancesIsRejectedForPlainStructs) {
   for (const Value& value : {Value("0.1 * i"), Value("rand()"), Value(Value::List{0.1, 0.2}),
                              Value(Value::Object{{"range", Value::List{0.1, 0.2}}})}) {
-    EXPECT_NE(fault("height", value, "flower.height").message.find("one number for all instances"), std::string::npos);
+    EXPECT_EQ(fault("height", value, "flower.height").message.find("'height' is one number (only those of components"),
+              0U);
   }
 }
 
@@ -389,6 +390,37 @@ TEST(Table, WhatFollowsFromSeveralParametersIsPreparedOnceTheyHold) {
   EXPECT_EQ(sum_of(Value::Object{{"a", 5}}), 7);
   EXPECT_EQ(sum_of(Value::Object{{"b", -1}}), 0);
   EXPECT_EQ(sum_of(Value::Object{{"a", -1}}), 0);
+}
+
+TEST(Table, TellsWhichRowsAValueGave) {
+  Flower flower;
+  ParameterReader reader({}, Limits{});
+  const Place top;
+  const Value value = Value::Object{{"petals", 9}, {"sepal", 3}, {"colour", "#000000"}};
+  const GivenRows given = reader.read(flower_table(), &flower, value, top);
+  EXPECT_EQ(given.count(), 3U);
+  EXPECT_TRUE(given.contains("petals") && given.contains("sepal") && given.contains("colour"));
+  EXPECT_FALSE(given.contains("height") || given.contains("length"));
+  EXPECT_TRUE(reader.read(flower_table(), &flower, Value::Object{}, top).is_empty());
+  EXPECT_TRUE(reader.read(petal_table(), &flower.petal, 3, top).contains("length"));  // by the shorthand
+  EXPECT_EQ(reader.fault_count(), 0U);
+}
+
+TEST(Table, CopiesTheRowsThatWereGivenAndNoOthers) {
+  Flower flower, other;
+  other.height = 0.25;
+  other.name = "rose";
+  ParameterReader reader({}, Limits{});
+  const Place top;
+  const Value value = Value::Object{{"petals", 9}, {"sepal", 3}, {"whorls", Value::List{1}}, {"where", "u > 1"}};
+  reader.read(flower_table(), &flower, value, top).copy(&flower, &other);
+  EXPECT_EQ(other.height, 0.25);
+  EXPECT_EQ(other.name, "rose");
+  EXPECT_EQ(other.petals, 9);
+  ASSERT_TRUE(other.sepal && other.where);
+  EXPECT_EQ(other.sepal->length, 3);
+  EXPECT_EQ(other.whorls.size(), 1U);
+  EXPECT_EQ(other.where->text, "u > 1");
 }
 
 TEST(Reader, CountsTheFaultsThatItNoLongerKeeps) {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/graph/table/parameter.h"
 
 namespace meristem {
 
@@ -78,7 +79,11 @@ VaryingValues::VaryingValues(std::span<const Varying> varyings, std::span<const 
 
 void VaryingValues::apply(std::size_t site, void* object) const {
   for (std::size_t k = 0; k < varyings_.size(); ++k) {
-    varyings_[k].store(static_cast<std::byte*>(object) + varyings_[k].offset, value(k, site));
+    auto* holder = static_cast<std::byte*>(object);
+    for (const Varying::Element& element : varyings_[k].way) {
+      holder = static_cast<std::byte*>(element.type->element(holder + element.offset, element.index));
+    }
+    varyings_[k].store(holder + varyings_[k].offset, value(k, site));
   }
 }
 

@@ -12,6 +12,8 @@
 
 namespace meristem {
 
+struct MemberType;
+
 /// Writes a number to a struct's member of whatever number type it is.
 using StoreNumber = void (*)(void* member, double value);
 
@@ -28,7 +30,14 @@ struct Varying {
   std::optional<Expression> expression;
   double min = 0, max = 0;  ///< allowed range, in document units
   double scale = 1;         ///< from document units to the struct's
-  std::size_t offset = 0;   ///< of the member in the struct
+  /// An element of a list or map, which lies elsewhere in memory in each instance.
+  struct Element {
+    std::size_t offset = 0;  ///< of the list in the struct, or in the element before
+    const MemberType* type = nullptr;
+    std::size_t index = 0;
+  };
+  std::vector<Element> way;  ///< from the struct to the element that holds the member; empty where that is the struct
+  std::size_t offset = 0;    ///< of the member in what holds it
   StoreNumber store = nullptr;
 };
 

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be done with members of each type that a row may have: an overload of read_value and show_value a type. A
+// row whose type serves several kinds (a Vec3 is a vector or a colour) says by its kind which is meant.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "meristem/base/curve.h"
+#include "meristem/base/limits.h"
+#include "meristem/graph/table/asset.h"
+#include "meristem/graph/table/parameter.h"
+#include "meristem/graph/table/reader.h"
+#include "meristem/graph/table/selection.h"
+
+namespace meristem {
+
+/// Makes something of a file, or throws InputError.
+template <class T>
+using LoadAsset = T (*)(const std::string& path, const Limits& limits);
+/// Makes something of a text; `path` is the file's, or where the text stands in the document one in its folder.
+template <class T>
+using TextAsset = T (*)(const std::string& text, const std::string& path, ParameterReader& reader,
+                        std::vector<Diagnostic>& warnings);
+
+/// What an optional holds, or the type itself.
+template <class M>
+struct ValueOfMember {
+  using Type = M;
+};
+template <class M>
+struct ValueOfMember<std::optional<M>> {
+  using Type = M;
+};
+template <class M>
+using ValueOf = typename ValueOfMember<M>::Type;
+
+void read_value(const Parameter&, bool& member, const Value&, const Place&, ParameterReader&);
+void read_value(const Parameter&, std::string& member, const Value&, const Place&, ParameterReader&);
+void read_value(const Parameter&, PerChild& member, const Value&, const Place&, ParameterReader&);
+void read_value(const Parameter&, Vec3& member, const Value&, const Place&, ParameterReader&);
+void read_value(const Parameter&, Box& member, const Value&, const Place&, ParameterReader&);
+void read_value(const Parameter&, Curve& member, const Value&, const Place&, ParameterReader&);
+void read_value(const Parameter&, std::vector<Vec2>& member, const Value&, const Place&, ParameterReader&);
+void read_value(const Parameter&, std::vector<Vec3>& member, const Value&, const Place&, ParameterReader&);
+void read_value(const Parameter&, std::vector<int>& member, const Value&, const Place&, ParameterReader&);
+void read_value(const Parameter&, Selection& member, const Value&, const Place&, ParameterReader&);
+void read_value(const Parameter&, Formula& member, const Value&, const Place&, ParameterReader&);
+
+Value show_value(const Parameter&, bool member);
+Value show_value(const Parameter&, const std::string& member);
+Value show_value(const Parameter&, const PerChild& member);
+Value show_value(const Parameter&, const Vec3& member);
+Value show_value(const Parameter&, const Box& member);
+Value show_value(const Parameter&, const Curve& member);
+Value show_value(const Parameter&, const std::vector<Vec2>& member);
+Value show_value(const Parameter&, const std::vector<Vec3>& member);
+Value show_value(const Parameter&, const std::vector<int>& member);
+Value show_value(const Parameter&, const Selection& member);
+Value show_value(const Parameter&, const Formula& member);
+
+/// A number of the struct in document units, as people write it.
+Value show_number(const Parameter&, double number);
+
+/// Writes to a member of type M, which is a number or an optional one.
+template <class M>
+void store_in(void* member, double number) {
+  if constexpr (std::is_integral_v<ValueOf<M>>) number = std::floor(number + 0.5);
+  *static_cast<M*>(member) = static_cast<ValueOf<M>>(number);
+}
+
+template <class M>
+requires std::is_arithmetic_v<ValueOf<M>>
+void read_value(const Parameter& row, M& member, const Value& value, const Place& place, ParameterReader& reader) {
+  const Value present = show_value(row, member);
+  reader.store_number(row, value, place, {&member, store_in<M>, present.is_null() ? 0 : *present.number()});
+}
+
+template <class N>
+requires std::is_arithmetic_v<N> Value show_value(const Parameter& row, N member) {
+  return show_number(row, static_cast<double>(member));
+}
+
+template <class E>
+requires std::is_enum_v<E>
+void read_value(const Parameter& row, E& member, const Value& value, const Place& place, ParameterReader& reader) {
+  if (const auto given = reader.choice(row, value, place)) member = static_cast<E>(*given);
+}
+template <class E>
+requires std::is_enum_v<E> Value show_value(const Parameter& row, E member) {
+  return row.choices[static_cast<std::size_t>(member)];
+}
+
+template <class T>
+requires std::is_class_v<T>
+void read_value(const Parameter& row, std::optional<T>& member, const Value& value, const Place& place,
+                ParameterReader& reader) {
+  read_value(row, member.emplace(T{}), value, place, reader);
+}
+template <class T>
+Value show_value(const Parameter& row, const std::optional<T>& member) {
+  return member ? show_value(row, *member) : Value();
+}
+
+template <class T>
+void read_value(const Parameter& row, Asset<T>& member, const Value& value, const Place& place,
+                ParameterReader& reader) {
+  if (row.load_file != nullptr) {
+    return reader.file(row, value, place, [&](const std::string& path) {
+      const auto load = reinterpret_cast<LoadAsset<T>>(row.load_file);
+      member = {*value.text(), std::make_shared<const T>(load(path, reader.limits()))};
+    });
+  }
+  const auto make = [&](const std::string& text, const std::string& path, std::vector<Diagnostic>& warnings) {
+    const auto read = reinterpret_cast<TextAsset<T>>(row.make_asset);
+    const std::string& written = row.kind == ParameterKind::lines ? text : *value.text();
+    member = {written, std::make_shared<const T>(read(text, path, reader, warnings))};
+  };
+  if (row.kind == ParameterKind::lines) return reader.lines(row, value, place, make);
+  reader.text_file(row, value, place, make);
+}
+template <class T>
+Value show_value(const Parameter&, const Asset<T>& member) {
+  return member ? Value(member.path) : Value();
+}
+
+template <class M>
+void read_member(const Parameter& row, void* member, const Value& value, const Place& place, ParameterReader& reader) {
+  read_value(row, *static_cast<M*>(member), value, place, reader);
+}
+template <class M>
+Value show_member(const Parameter& row, const void* member) {
+  return show_value(row, *static_cast<const M*>(member));
+}
+template <class M>
+void copy_member(void* to, const void* from) {
+  *static_cast<M*>(to) = *static_cast<const M*>(from);
+}
+template <class M>
+inline constexpr MemberType kMemberType{read_member<M>, show_member<M>, copy_member<M>};
+
+/// How the structs that a member holds are made and found: it is one, an optional one, a list or a map of them.
+template <class T>
+struct Held {
+  static void make(T&, const Value&) {}
+  static std::size_t count(const T&) { return 1; }
+  static void* element(T& member, std::size_t) { return &member; }
+};
+template <class T>
+struct Held<std::optional<T>> {
+  static void make(std::optional<T>& member, const Value&) { member.emplace(); }
+  static std::size_t count(const std::optional<T>& member) { return member ? 1 : 0; }
+  static void* element(std::optional<T>& member, std::size_t) { return &*member; }
+};
+template <class T>
+struct Held<std::vector<T>> {
+  static void make(std::vector<T>& member, const Value& value) { member.assign(value.list()->size(), T{}); }
+  static std::size_t count(const std::vector<T>& member) { return member.size(); }
+  static void* element(std::vector<T>& member, std::size_t index) { return &member[index]; }
+};
+template <class... T>
+struct Held<std::vector<std::variant<T...>>> {
+  using List = std::vector<std::variant<T...>>;
+  static void make(List& member, const Value& value) { member.assign(value.list()->size(), {}); }
+  static std::size_t count(const List& member) { return member.size(); }
+  static void* element(List& member, std::size_t index) {
+    return std::visit([](auto& one) { return static_cast<void*>(&one); }, member[index]);
+  }
+  static std::size_t kind(const List& member, std::size_t index) { return member[index].index(); }
+  static void make_kind(List& member, std::size_t index, std::size_t kind) {
+    const auto make = [&]<std::size_t... K>(std::index_sequence<K...>) {
+      ((K == kind ? static_cast<void>(member[index].template emplace<K>()) : static_cast<void>(0)), ...);
+    };
+    make(std::index_sequence_for<T...>());
+  }
+};
+template <class T>
+struct Held<std::vector<std::pair<std::string, T>>> {
+  using Map = std::vector<std::pair<std::string, T>>;
+  static void make(Map& member, const Value& value) {
+    member.clear();
+    for (const Value::Member& given : *value.object()) member.emplace_back(given.first, T{});
+  }
+  static std::size_t count(const Map& member) { return member.size(); }
+  static void* element(Map& member, std::size_t index) { return &member[index].second; }
+  static std::string_view name(const Map& member, std::size_t index) { return member[index].first; }
+};
+
+/// Of members that hold structs, whatever these are.
+void read_held(const Parameter&, void* member, const Value&, const Place&, ParameterReader&);
+Value show_held(const Parameter&, const void* member);
+
+template <class M>
+constexpr MemberType holder_type() {
+  MemberType type{read_held, show_held, copy_member<M>};
+  type.make = [](void* member, const Value& value) { Held<M>::make(*static_cast<M*>(member), value); };
+  type.count = [](const void* member) { return Held<M>::count(*static_cast<const M*>(member)); };
+  type.element = [](void* member, std::size_t index) { return Held<M>::element(*static_cast<M*>(member), index); };
+  if constexpr (requires(const M& map) { Held<M>::name(map, 0); }) {
+    type.name = [](const void* member, std::size_t index) {
+      return Held<M>::name(*static_cast<const M*>(member), index);
+    };
+  }
+  if constexpr (requires(const M& list) { Held<M>::kind(list, 0); }) {
+    type.kind = [](const void* member, std::size_t index) {
+      return Held<M>::kind(*static_cast<const M*>(member), index);
+    };
+    type.make_kind = [](void* member, std::size_t index, std::size_t kind) {
+      Held<M>::make_kind(*static_cast<M*>(member), index, kind);
+    };
+  }
+  return type;
+}
+template <class M>
+inline constexpr MemberType kHolderType = holder_type<M>();
+
+}  // namespace meristem

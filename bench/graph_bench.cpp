@@ -23,17 +23,22 @@
 #include "meristem/components/registry.h"
 #include "meristem/document/document.h"
 #include "meristem/document/grow.h"
+#include "meristem/graph/batch.h"
 #include "meristem/graph/expand.h"
 #include "meristem/output/gltf/gltf.h"
+#include "meristem/shape/cached_meshes.h"
 
 namespace {
 
+using meristem::BatchResult;
 using meristem::Document;
+using meristem::GrownBatch;
 using meristem::GrownDocument;
 using meristem::GrowthCache;
 using meristem::Override;
 using meristem::Progress;
 using meristem::Reuse;
+using meristem::StemTubes;
 
 const std::string kMaple = std::string(MERISTEM_SOURCE_DIR) + "/models/large-maple.json";  // of six levels
 const std::string kMaize = std::string(MERISTEM_SOURCE_DIR) + "/bench/maize.json";         // 100,000 plants
@@ -97,7 +102,7 @@ void edit(benchmark::State& state, const std::string& file, std::vector<Override
   const auto grow = [&](int step, GrowthCache* with) {
     overrides.back().value = value * (1 + 0.001 * step);
     const Document document = read(file, overrides);
-    grown = grow_document(document, progress, 0, {}, with);
+    grown = grow_document(document, progress, {.cache = with});
   };
   Times cold;
   for (int k = 0; k < 5; ++k) cold.measure([&] { grow(20 * k, nullptr); });
@@ -110,10 +115,10 @@ void edit(benchmark::State& state, const std::string& file, std::vector<Override
   state.counters["to_cold"] = cold.best() / times.best();
   state.counters["triangles"] = static_cast<double>(grown.meshes.triangle_count());
   state.counters["instances"] =
-      static_cast<double>(cache.expansion.instances().made + cache.expansion.instances().reused);
-  state.counters["expanded"] = share_made(cache.expansion.instances());
-  state.counters["grown"] = share_made(cache.expansion.grown());
-  state.counters["meshed"] = share_made(cache.meshes.stems());
+      static_cast<double>(cache.reuse<BatchResult>().made + cache.reuse<BatchResult>().reused);
+  state.counters["expanded"] = share_made(cache.reuse<BatchResult>());
+  state.counters["grown"] = share_made(cache.reuse<GrownBatch>());
+  state.counters["meshed"] = share_made(cache.reuse<StemTubes>());
   state.counters["cache_mb"] = 1e-6 * static_cast<double>(cache.bytes());
 }
 

@@ -39,7 +39,7 @@ InputError wrong_lod(std::string message, std::string expected) {
 
 /// An option that would change none of the files is a mistake.
 void check_options(const GrowOptions& options, const std::vector<const Format*>& formats) {
-  const auto has_meshes = [](const Format* format) { return format->has_meshes; };
+  const auto has_meshes = [](const Format* format) { return format->has_meshes(); };
   if (options.lod && (*options.lod < 0 || *options.lod > kCoarsestDetail)) {
     throw wrong_lod(fmt::format("--lod cannot be {}", *options.lod), fmt::format("0 to {} levels", kCoarsestDetail));
   }
@@ -64,7 +64,7 @@ std::vector<std::vector<PlannedFile>> planned_files(const GrowOptions& options,
   for (std::size_t k = 0; k < formats.size(); ++k) {
     const std::string& output = options.outputs[k];
     levels[0].push_back({formats[k], output});
-    if (!formats[k]->has_meshes || output == "-") continue;
+    if (!formats[k]->has_meshes() || output == "-") continue;
     for (int level = 1; level <= lod; ++level) {
       const std::string path = detail_path(*formats[k], output, level);
       if (std::find(options.outputs.begin(), options.outputs.end(), path) != options.outputs.end()) {
@@ -87,6 +87,20 @@ std::string write_level(const Document& document, const GrownDocument& grown, co
   return fmt::format("{}", fmt::join(paths, ", "));
 }
 
+/// What all of the files need.
+GrownPart needed_part(const std::vector<const Format*>& formats) {
+  GrownPart part = GrownPart::plant;
+  for (const Format* format : formats) part = std::max(part, format->needs);
+  return part;
+}
+
+std::string sizes_of(const GrownDocument& grown) {
+  const Counts counts = count(grown.plant, grown.meshes);
+  std::string text = fmt::format("{} nodes, {} organs", counts.nodes, counts.organs);
+  if (grown.up_to < GrownPart::meshes) return text;
+  return text + fmt::format(", {} triangles, {:.2f} m high", counts.triangles, counts.height);
+}
+
 void grow(const GrowOptions& options) {
   // Everything that can be wrong with the command line and the document comes before any work.
   std::vector<const Format*> formats;
@@ -104,11 +118,9 @@ void grow(const GrowOptions& options) {
   {
     TerminalProgress terminal(options.document.quiet);
     Progress& progress = terminal.progress();
-    GrownDocument grown = grow_document(document, progress, time);
+    GrownDocument grown = grow_document(document, progress, {.time = time, .up_to = needed_part(formats)});
     const std::string written = write_level(document, grown, levels[0], options.format, progress);
-    const Counts counts = count(grown.plant, grown.meshes);
-    summary.push_back(fmt::format("{}: {} nodes, {} organs, {} triangles, {:.2f} m high", written, counts.nodes,
-                                  counts.organs, counts.triangles, counts.height));
+    summary.push_back(fmt::format("{}: {}", written, sizes_of(grown)));
     for (std::size_t level = 1; level < levels.size() && !levels[level].empty(); ++level) {
       grown.meshes = {};
       grown.meshes = mesh_detail(document, grown.plant, {.level = static_cast<int>(level)}, progress);

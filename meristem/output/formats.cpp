@@ -38,15 +38,15 @@ constexpr Format kFormats[] = {
         Progress& progress) {
        write_glb(grown.meshes, path, {.instanced = options.instanced, .provenance = provenance_of(document)}, progress);
      },
-     true, true},
+     GrownPart::textures, true},
     {".obj", "Wavefront OBJ with its MTL file and pictures beside it",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_obj(grown.meshes, path, {provenance_of(document)}, progress); },
-     true, false, obj_companions},
+     GrownPart::textures, false, obj_companions},
     {".ply", "the mesh as binary PLY, for MeshLab, Open3D and Blender",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_mesh_ply(grown.meshes, path, {provenance_of(document)}, progress); },
-     true},
+     GrownPart::meshes},
     {".skeleton.ply", "the skeletons as points with radius, and edges, in binary PLY",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_skeleton_ply(grown.plant, path, {provenance_of(document)}, progress); }},

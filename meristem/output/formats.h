@@ -21,10 +21,12 @@ struct Format {
   std::string_view doc;     ///< one line
   void (*write)(const Document& document, const GrownDocument& grown, const std::string& path,
                 const FormatOptions& options, Progress& progress);
-  bool has_meshes = false;  ///< so that levels of detail differ
+  GrownPart needs = GrownPart::plant;  ///< what is written
   bool can_instance = false;
   /// The files that may be written beside it; null where there are none.
   std::vector<std::string> (*companions)(const Document& document, const std::string& path) = nullptr;
+
+  bool has_meshes() const { return needs >= GrownPart::meshes; }  ///< so that levels of detail differ
 };
 
 /// Where a level of detail is written beside `path`, which is of that format: `oak_lod2.glb` for `oak.glb`; `path`

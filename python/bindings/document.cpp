@@ -106,8 +106,8 @@ std::shared_ptr<PlantInPython> grow(const DocumentPointer& document, double time
                                     const py::object& progress) {
   if (!std::isfinite(time)) throw py::value_error("time must be a finite number of seconds");
   return run_call(progress, threads, [&](Progress& inner) {
-    return std::make_shared<PlantInPython>(
-        PlantInPython{.origin = document, .grown = grow_document(document->document, inner, time)});
+    GrownDocument grown = grow_document(document->document, inner, {.time = time, .up_to = GrownPart::plant});
+    return std::make_shared<PlantInPython>(document, std::move(grown.plant));
   });
 }
 
@@ -146,6 +146,13 @@ DocumentInPython::DocumentInPython(std::string given_text, std::string given_fil
       seed(other_seed),
       document(read_document(text, file, builtin_components(), overrides, seed)) {}
 
+const GrownDocument& PlantInPython::up_to(GrownPart part, Progress& progress) {
+  const std::scoped_lock lock(mutex_);
+  complete_growth(origin->document, grown_, progress, {.up_to = part});
+  has_meshes_ = grown_.up_to >= GrownPart::meshes;
+  return grown_;
+}
+
 Value DocumentInPython::tree() const {
   Value tree = document.source.tree;
   if (!seed) return tree;
@@ -179,6 +186,8 @@ their paths, as in set(); `seed` (0 to 2^64 - 1) replaces the document's. Raises
       .def("grow", &grow, py::arg("time") = 0.0, py::kw_only(), py::arg("threads") = 0,
            py::arg("progress") = py::none(),
            R"(Grows the document as it stands at `time` (seconds) and gives a Plant, the same on any number of threads.
+
+What clothes the plant is made when it is first asked for.
 
 `threads` bounds the threads (0: all cores). `progress` is a Progress, or something to call with stage and fraction.
 Other Python threads go on meanwhile, and Ctrl-C stops it. Raises InputError (limits), Cancelled.)")

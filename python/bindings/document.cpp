@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "document.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -57,7 +58,7 @@ DocumentPointer with_values(const DocumentPointer& document, const py::object& v
   }
   const std::optional<std::uint64_t> other = optional_seed(seed);
   return std::make_shared<DocumentInPython>(document->text, document->file, std::move(overrides),
-                                            other ? other : kept_seed);
+                                            other ? other : kept_seed, document->textures);
 }
 
 /// Files that the document names must be found from where it is written.
@@ -139,17 +140,22 @@ DocumentPointer from_state(const py::tuple& state) {
 }  // namespace
 
 DocumentInPython::DocumentInPython(std::string given_text, std::string given_file, std::vector<Override> values,
-                                   std::optional<std::uint64_t> other_seed)
+                                   std::optional<std::uint64_t> other_seed, std::shared_ptr<PaintedTextures> shared)
     : text(std::move(given_text)),
       file(std::move(given_file)),
       overrides(std::move(values)),
       seed(other_seed),
-      document(read_document(text, file, builtin_components(), overrides, seed)) {}
+      document(read_document(text, file, builtin_components(), overrides, seed)),
+      textures(std::move(shared)) {}
 
 const GrownDocument& PlantInPython::up_to(GrownPart part, Progress& progress) {
   const std::scoped_lock lock(mutex_);
-  complete_growth(origin->document, grown_, progress, {.up_to = part});
+  complete_growth(origin->document, grown_, progress, {.up_to = std::min(part, GrownPart::meshes)});
   has_meshes_ = grown_.up_to >= GrownPart::meshes;
+  if (part <= grown_.up_to) return grown_;
+  // The plants of a batch have their textures in common, not their meshes.
+  const std::scoped_lock painting(origin->textures->mutex);
+  complete_growth(origin->document, grown_, progress, {.up_to = part, .cache = &origin->textures->cache});
   return grown_;
 }
 

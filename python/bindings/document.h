@@ -19,6 +19,12 @@ namespace meristem::python {
 
 namespace py = pybind11;
 
+/// The textures of the last plant that has been painted, for the next one of the same document or one made of it.
+struct PaintedTextures {
+  std::mutex mutex;
+  GrowthCache cache;
+};
+
 /// A document and what it was read from, so that it can be read again with other values. It never changes, so calls
 /// that run on other threads may use it.
 struct DocumentInPython {
@@ -27,10 +33,12 @@ struct DocumentInPython {
   std::vector<Override> overrides;
   std::optional<std::uint64_t> seed;
   Document document;
+  std::shared_ptr<PaintedTextures> textures;  ///< shared with the documents that it was made of
 
   /// Throws InputError.
   DocumentInPython(std::string given_text, std::string given_file, std::vector<Override> values,
-                   std::optional<std::uint64_t> other_seed);
+                   std::optional<std::uint64_t> other_seed,
+                   std::shared_ptr<PaintedTextures> shared = std::make_shared<PaintedTextures>());
   /// What the text says, with overrides and seed.
   Value tree() const;
 };

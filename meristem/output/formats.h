@@ -8,11 +8,13 @@
 
 #include "meristem/base/progress.h"
 #include "meristem/document/grow.h"
+#include "meristem/output/gltf/gltf.h"
 
 namespace meristem {
 
 struct FormatOptions {
-  bool instanced = false;  ///< of formats that can: organs are places of one mesh, not copies
+  GltfInstances instances = GltfInstances::automatic;  ///< of formats that can: how organs share a mesh
+  EncodedPictures* pictures = nullptr;                 ///< shared with other files; null: none
 };
 
 /// A kind of file that a grown document can be written to.

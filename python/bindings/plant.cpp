@@ -151,11 +151,15 @@ py::dict table_of(const PlantInPython& plant) {
   return columns;
 }
 
-void save(const PlantPointer& plant, const py::object& path, bool instanced, int lod, int threads,
+void save(const PlantPointer& plant, const py::object& path, bool instanced, bool nodes, int lod, int threads,
           const py::object& progress) {
   const std::string target = file_of(path);
   const Format& format = format_of(target);
-  if (instanced && !format.can_instance) throw py::value_error("only .glb can be instanced");
+  if ((instanced || nodes) && !format.can_instance) throw py::value_error("only .glb can be instanced");
+  if (instanced && nodes) throw py::value_error("leaves are instanced or nodes, not both");
+  const FormatOptions options{.instances = instanced ? GltfInstances::rows
+                                           : nodes   ? GltfInstances::nodes
+                                                     : GltfInstances::automatic};
   if (lod < 0 || lod > kCoarsestDetail) {
     throw py::value_error(fmt::format("lod is {}; expected 0 to {}", lod, kCoarsestDetail));
   }
@@ -163,13 +167,11 @@ void save(const PlantPointer& plant, const py::object& path, bool instanced, int
   check_grown_output(plant->origin->document, target);
   watch_of(progress)->run(threads, [&](Progress& inner) {
     const Document& document = plant->origin->document;
-    if (lod == 0) {
-      return format.write(document, plant->up_to(format.needs, inner), target, {.instanced = instanced}, inner);
-    }
+    if (lod == 0) return format.write(document, plant->up_to(format.needs, inner), target, options, inner);
     // Finer meshes are not needed, but textures are.
     const Plant& whole = plant->up_to(GrownPart::textures, inner).plant;
     const GrownDocument coarse{whole, mesh_detail(document, whole, {.level = lod}, inner)};
-    format.write(document, coarse, target, {.instanced = instanced}, inner);
+    format.write(document, coarse, target, options, inner);
   });
 }
 
@@ -356,12 +358,13 @@ tree. Area ratios count from forks of `fork_diameter` metres; the lit share take
 
 "area" (m², of a blade one side), "exposure" (the share of the light's rays that arrive) and "irradiance" (the same times
 the cosine to the surface), both 0 to 1.)")
-      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("instanced") = false, py::arg("lod") = 0,
-           py::arg("threads") = 0, py::arg("progress") = py::none(),
+      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("instanced") = false, py::arg("nodes") = false,
+           py::arg("lod") = 0, py::arg("threads") = 0, py::arg("progress") = py::none(),
            R"(Writes the plant to a file, its format by its ending: .glb, .obj, .ply, .skeleton.ply, .csv, .mtg.
 
-`instanced` writes leaves to .glb as places of one mesh: small files, that not every program reads. `lod` (0 to 8) is
-the level of detail: each has about a quarter of the triangles of the one before. The file is there whole or not at all.
+`instanced` writes leaves to .glb as places of one mesh, as is done by itself beyond 5 million triangles: small files,
+that not every program reads; `nodes` writes them as nodes there, which every program reads. `lod` (0 to 8) is the level
+of detail: each has about a quarter of the triangles of the one before. The file is there whole or not at all.
 Raises InputError for endings that are not known and files that were read, MachineError.)")
       .def("render", &render, py::kw_only(), py::arg("size") = py::none(), py::arg("samples") = py::none(),
            py::arg("view") = py::none(), py::arg("transparent") = false, py::arg("hull") = false,

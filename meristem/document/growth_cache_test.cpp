@@ -128,17 +128,17 @@ TEST(GrowthCache, WhatIsDerivedFromAVariableGrowsAnewWithIt) {
   grow(read(text), &cache);
   const Document far = read(text, {"far=0.8"});
   EXPECT_EQ(hash_of(grow(far, &cache)), hash_of(grow(far)));
-  EXPECT_EQ(cache.expansion.grown().made, 2U);  // they compete
+  EXPECT_EQ(cache.reuse<GrownBatch>().made, 2U);  // they compete
   EXPECT_NE(hash_of(grow(far)), hash_of(grow(read(text))));
   // Leaves follow their own variable and leave the trees as they are.
   const Document lush = read(text, {"far=0.8", "lush=4"});
   EXPECT_EQ(hash_of(grow(lush, &cache)), hash_of(grow(lush)));
-  EXPECT_EQ(cache.expansion.grown().made, 0U);
+  EXPECT_EQ(cache.reuse<GrownBatch>().made, 0U);
   EXPECT_NE(hash_of(grow(lush)), hash_of(grow(far)));
   // The same value by another expression is no change of what uses it.
   const Document same = read(text, {"far=2", "reach=far*0.4", "lush=4"});
   EXPECT_EQ(hash_of(grow(same, &cache)), hash_of(grow(lush)));
-  EXPECT_EQ(cache.expansion.grown().made, 0U);
+  EXPECT_EQ(cache.reuse<GrownBatch>().made, 0U);
 }
 
 TEST(GrowthCache, WhatStandsInFilesCountsNotTheirNames) {

@@ -17,6 +17,7 @@
 #include <nanoflann.hpp>
 #include <sys/resource.h>
 
+#include "bench/harness.h"
 #include "meristem/base/hash.h"
 #include "meristem/base/parallel.h"
 #include "meristem/grow/colonize/colonize.h"
@@ -164,15 +165,16 @@ void growth(benchmark::State& state) {
 }
 BENCHMARK(growth)
     ->ArgNames({"points", "threads"})
-    ->ArgsProduct({{2'400, 7'590, 24'000, 75'900, 240'000}, {1}})
-    ->Args({240'000, 2})
-    ->MinTime(3)
+    ->ArgsProduct({meristem::bench::sized({2'400, 7'590, 24'000, 75'900, 240'000}, {2'400}), {1}})
+    ->Args({meristem::bench::sized(240'000, 2'400), 2})
+    ->MinTime(meristem::bench::sized(3.0, 1e-6))
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
 /// The references take half a minute, so each runs once.
 void as_reference(benchmark::internal::Benchmark* reference) {
-  reference->ArgName("points")->Arg(24'000)->Arg(240'000)->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+  reference->ArgName("points")->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+  for (const std::int64_t points : meristem::bench::sized({24'000, 240'000}, {2'400})) reference->Arg(points);
 }
 
 void rebuilt_tree(benchmark::State& state) {
@@ -215,8 +217,4 @@ bool compare_runs() {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
-  return compare_runs() ? EXIT_SUCCESS : EXIT_FAILURE;
-}
+int main(int count, char** arguments) { return meristem::bench::run(count, arguments, {}, compare_runs); }

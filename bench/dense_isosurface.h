@@ -40,7 +40,8 @@ inline DenseGrid dense_grid(const ImplicitBody& body, double cell) {
   return grid;
 }
 
-/// What make_stem_body makes of a skeleton with one root: axes that blend one after another, each the union of cones.
+/// What make_stem_body makes of a skeleton with one root: axes that blend one after another, each the union of cones;
+/// from the first a box is cut away, below the ground.
 class DenseTree {
  public:
   explicit DenseTree(const ImplicitBody& body) : base_(moved(std::get<distance::FlatCone<double>>(body.solids()[0]))) {
@@ -49,10 +50,14 @@ class DenseTree {
       if (body.clauses()[k].kind != BodyClause::Kind::poly) continue;
       axes_.push_back({(body.clauses()[k - 1].size + 1) / 2, static_cast<float>(body.clauses()[k].width)});
     }
-    axes_[0].cones = body.solids().size() - 1;
-    for (std::size_t k = 1; k < axes_.size(); ++k) axes_[0].cones -= axes_[k].cones;
     for (std::size_t k = 1; k < body.solids().size(); ++k) {
-      cones_.push_back(moved(std::get<distance::RoundCone<double>>(body.solids()[k])));
+      if (const auto* ground = std::get_if<distance::Box<double>>(&body.solids()[k])) {
+        ground_ = moved(*ground);
+        ground_solid_ = k;
+        axes_[0].cones = k - 1;
+      } else {
+        cones_.push_back(moved(std::get<distance::RoundCone<double>>(body.solids()[k])));
+      }
     }
   }
 
@@ -60,6 +65,7 @@ class DenseTree {
     const auto* cone = cones_.data();
     float tree = base_.distance(x, y, z);
     for (const auto* end = cone + axes_[0].cones; cone < end; ++cone) tree = std::min(tree, cone->distance(x, y, z));
+    tree = std::max(tree, -ground_.distance(x, y, z));
     for (std::size_t k = 1; k < axes_.size(); ++k) {
       float axis = kFar;
       for (const auto* end = cone + axes_[k].cones; cone < end; ++cone) axis = std::min(axis, cone->distance(x, y, z));
@@ -90,12 +96,15 @@ class DenseTree {
       const double pad = axes_[std::max<std::size_t>(k, 1)].blend + 2 * grid.cell;
       for (std::size_t solid = first; solid < end; ++solid) {
         const Span span = span_of(body.solids()[solid], pad, grid);
-        solid == 0 ? lower(base_, span, grid, axis) : lower(cones_[solid - 1], span, grid, axis);
+        // The box stands between the first axis's cones and the others.
+        const std::size_t cone = solid - (solid < ground_solid_ ? 1 : 2);
+        solid == 0 ? lower(base_, span, grid, axis) : lower(cones_[cone], span, grid, axis);
       }
+      if (k == 0) cut(body.solids()[ground_solid_], pad, grid, axis);
       for (std::size_t solid = first; solid < end; ++solid) {
         take(axis, span_of(body.solids()[solid], pad, grid), axes_[k].blend, grid);
       }
-      first = end;
+      first = k == 0 ? ground_solid_ + 1 : end;
     }
   }
 
@@ -121,11 +130,19 @@ class DenseTree {
             static_cast<float>(cone.tangent)};
   }
 
+  static distance::Box<float> moved(const distance::Box<double>& box) {
+    return {glm::vec3(box.origin), glm::mat3(box.axes), glm::vec3(box.half)};
+  }
+
   static Span span_of(const Solid& solid, double pad, const DenseGrid& grid) {
     DVec3 low, high;
     if (const auto* flat = std::get_if<distance::FlatCone<double>>(&solid)) {
       const DVec3 reach = glm::abs(flat->half * flat->axis) + std::max(flat->low_radius, flat->high_radius);
       low = flat->origin - reach, high = flat->origin + reach;
+    } else if (const auto* box = std::get_if<distance::Box<double>>(&solid)) {
+      DVec3 reach{0};
+      for (int k = 0; k < 3; ++k) reach += glm::abs(box->axes[k]) * box->half[k];
+      low = box->origin - reach, high = box->origin + reach;
     } else {
       const auto& cone = std::get<distance::RoundCone<double>>(solid);
       const DVec3 to = cone.origin + cone.high * cone.axis;
@@ -149,6 +166,21 @@ class DenseTree {
     }
   }
 
+  /// Cuts the ground away.
+  void cut(const Solid& ground, double pad, const DenseGrid& grid, std::vector<float>& values) const {
+    const Span span = span_of(ground, pad, grid);
+    for (int z = span.low.z; z < span.high.z; ++z) {
+      for (int y = span.low.y; y < span.high.y; ++y) {
+        float* const row = values.data() + grid.index(0, y, z);
+        for (int x = span.low.x; x < span.high.x; ++x) {
+          if (row[x] == kFar) continue;
+          const float depth = ground_.distance(grid.coordinate(0, x), grid.coordinate(1, y), grid.coordinate(2, z));
+          row[x] = std::max(row[x], -depth);
+        }
+      }
+    }
+  }
+
   /// Blends an axis's values into the tree's; each is taken once.
   static void take(std::vector<float>& axis, const Span& span, float blend, DenseGrid& grid) {
     for (int z = span.low.z; z < span.high.z; ++z) {
@@ -164,6 +196,8 @@ class DenseTree {
   }
 
   distance::FlatCone<float> base_;
+  distance::Box<float> ground_;
+  std::size_t ground_solid_ = 0;
   std::vector<distance::RoundCone<float>> cones_;
   std::vector<Axis> axes_;
 };

@@ -11,6 +11,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/harness.h"
 #include "meristem/base/expression/expression.h"
 #include "meristem/base/vec.h"
 
@@ -70,7 +71,7 @@ void run_expression(const Expression& expression, Lanes& lanes) {
 template <typename Work>
 double least_seconds(Work work) {
   double least = 1e9;
-  for (int attempt = 0; attempt < 200; ++attempt) {
+  for (int attempt = 0; attempt < meristem::bench::sized(200, 1); ++attempt) {
     const auto start = std::chrono::steady_clock::now();
     work();
     least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
@@ -137,9 +138,5 @@ int main(int argc, char** argv) {
     benchmark::RegisterBenchmark(("batched/" + name).c_str(), batched, formula);
     benchmark::RegisterBenchmark(("single/" + name).c_str(), single, formula);
   }
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+  return meristem::bench::run(argc, argv);
 }

@@ -11,6 +11,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/harness.h"
 #include "meristem/base/random.h"
 #include "meristem/output/gltf/gltf.h"
 #include "meristem/output/skeleton/skeleton_csv.h"
@@ -40,7 +41,7 @@ class OutputFile {
 
 /// One smooth mesh of a million triangles, with normals and uvs.
 MeshScene large_scene() {
-  constexpr std::uint32_t kSide = 708;
+  static const std::uint32_t kSide = bench::sized(708U, 40U);
   Mesh mesh;
   for (std::uint32_t y = 0; y < kSide; ++y) {
     for (std::uint32_t x = 0; x < kSide; ++x) {
@@ -92,10 +93,10 @@ void write_large(benchmark::State& state) {
 BENCHMARK(write_large)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void place_and_write_leaves(benchmark::State& state) {
-  const Plant plant = leafy_plant(63'000);
+  const Plant plant = leafy_plant(bench::sized(63'000, 300));
   const OutputFile file;
   GltfOptions options;
-  options.instanced = state.range(0) != 0;
+  if (state.range(0) != 0) options.instances = GltfInstances::rows;
   for (auto _ : state) {
     Progress progress;
     write_glb(make_mesh_scene(plant, Limits{}, progress), file.path(), options, progress);
@@ -127,7 +128,7 @@ Plant twiggy_plant(NodeIndex nodes) {
 
 template <class Write>
 void write_skeleton(benchmark::State& state, Write write) {
-  const Plant plant = twiggy_plant(1'000'000);
+  const Plant plant = twiggy_plant(bench::sized(1'000'000U, 2'000U));
   const OutputFile file;
   for (auto _ : state) {
     Progress progress;
@@ -173,10 +174,10 @@ BENCHMARK(reference_large)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void reference_leaves(benchmark::State& state) {
   Progress progress;
-  write_finished_bytes(state, make_mesh_scene(leafy_plant(63'000), Limits{}, progress));
+  write_finished_bytes(state, make_mesh_scene(leafy_plant(bench::sized(63'000, 300)), Limits{}, progress));
 }
 BENCHMARK(reference_leaves)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int count, char** arguments) { return meristem::bench::run(count, arguments); }

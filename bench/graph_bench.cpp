@@ -4,7 +4,8 @@
 // over ours in the same run. `maple`: the large maple of more than 5 million triangles, expanded, and in
 // `whole_process` grown and written to an instanced GLB by a process of its own; its peak memory beside the bytes of
 // its distinct meshes, and what all instances would take as triangles of their own. `maize`: 100,000 maize plants of 13
-// leaves each, in the same way.
+// leaves each, in the same way. `table`, `measured`, `written` are what a user waits for, from the document's text to
+// numbers or a file, on one thread; `to_all`, the time of making all of the plant that there is over ours.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -20,27 +21,53 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "bench/harness.h"
+#include "meristem/base/parallel.h"
 #include "meristem/components/registry.h"
 #include "meristem/document/document.h"
 #include "meristem/document/grow.h"
+#include "meristem/graph/batch.h"
 #include "meristem/graph/expand.h"
+#include "meristem/measure/measures.h"
 #include "meristem/output/gltf/gltf.h"
+#include "meristem/output/skeleton/skeleton_csv.h"
+#include "meristem/shape/cached_meshes.h"
 
 namespace {
 
+using meristem::BatchResult;
 using meristem::Document;
+using meristem::GltfInstances;
+using meristem::GrownBatch;
 using meristem::GrownDocument;
+using meristem::GrownPart;
 using meristem::GrowthCache;
 using meristem::Override;
 using meristem::Progress;
 using meristem::Reuse;
+using meristem::StemTubes;
+using meristem::bench::Asked;
+using meristem::bench::is_small;
+using meristem::bench::sized;
 
 const std::string kMaple = std::string(MERISTEM_SOURCE_DIR) + "/models/large-maple.json";  // of six levels
 const std::string kMaize = std::string(MERISTEM_SOURCE_DIR) + "/bench/maize.json";         // 100,000 plants
 const std::string kOak = std::string(MERISTEM_SOURCE_DIR) + "/models/oak.json";
 
+const std::string kTulip = std::string(MERISTEM_SOURCE_DIR) + "/models/tulip.json";
+
 Document read(const std::string& file, const std::vector<Override>& overrides = {}) {
   return read_document(meristem::read_text_file(file), file, meristem::builtin_components(), overrides);
+}
+
+/// A large document; a small one of its kind in small runs.
+Document read_large(const std::string& file) {
+  std::vector<Override> overrides;
+  if (is_small()) {
+    if (file == kMaple) overrides.push_back({.path = "trunk.count", .value = 1, .name = {}});
+    if (file == kMaize) overrides.push_back({.path = "field.rows", .value = 2, .name = {}});
+  }
+  return read(file, overrides);
 }
 
 double share_made(const Reuse& reuse) {
@@ -97,10 +124,10 @@ void edit(benchmark::State& state, const std::string& file, std::vector<Override
   const auto grow = [&](int step, GrowthCache* with) {
     overrides.back().value = value * (1 + 0.001 * step);
     const Document document = read(file, overrides);
-    grown = grow_document(document, progress, 0, {}, with);
+    grown = grow_document(document, progress, {.cache = with});
   };
   Times cold;
-  for (int k = 0; k < 5; ++k) cold.measure([&] { grow(20 * k, nullptr); });
+  for (int k = 0; k < sized(5, 1); ++k) cold.measure([&] { grow(20 * k, nullptr); });
   grow(0, &cache);
   int step = 0;
   Times times;
@@ -110,10 +137,10 @@ void edit(benchmark::State& state, const std::string& file, std::vector<Override
   state.counters["to_cold"] = cold.best() / times.best();
   state.counters["triangles"] = static_cast<double>(grown.meshes.triangle_count());
   state.counters["instances"] =
-      static_cast<double>(cache.expansion.instances().made + cache.expansion.instances().reused);
-  state.counters["expanded"] = share_made(cache.expansion.instances());
-  state.counters["grown"] = share_made(cache.expansion.grown());
-  state.counters["meshed"] = share_made(cache.meshes.stems());
+      static_cast<double>(cache.reuse<BatchResult>().made + cache.reuse<BatchResult>().reused);
+  state.counters["expanded"] = share_made(cache.reuse<BatchResult>());
+  state.counters["grown"] = share_made(cache.reuse<GrownBatch>());
+  state.counters["meshed"] = share_made(cache.reuse<StemTubes>());
   state.counters["cache_mb"] = 1e-6 * static_cast<double>(cache.bytes());
 }
 
@@ -130,7 +157,7 @@ BENCHMARK(edit_trunk)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(edit_leaves_of_grown_oak)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void maple_expanded(benchmark::State& state) {
-  const Document document = read(kMaple);
+  const Document document = read_large(kMaple);
   Progress progress;
   meristem::Plant plant;
   Times times;
@@ -144,7 +171,7 @@ void maple_expanded(benchmark::State& state) {
 BENCHMARK(maple_expanded)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void maple_meshed(benchmark::State& state) {
-  const Document document = read(kMaple);
+  const Document document = read_large(kMaple);
   Progress progress;
   const meristem::Plant plant = expand(document.graph, document.structure, document.scene, 0, progress);
   meristem::MeshScene meshes;
@@ -156,13 +183,14 @@ void maple_meshed(benchmark::State& state) {
 BENCHMARK(maple_meshed)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void maple_written(benchmark::State& state) {
-  const Document document = read(kMaple);
+  const Document document = read_large(kMaple);
   Progress progress;
   const GrownDocument grown = grow_document(document, progress);
   const std::string path = std::filesystem::temp_directory_path() / "maple_written.glb";
   Times times;
   for (auto _ : state) {
-    times.measure([&] { write_glb(grown.meshes, path, {.instanced = true, .provenance = {}}, progress); });
+    times.measure(
+        [&] { write_glb(grown.meshes, path, {.instances = GltfInstances::rows, .provenance = {}}, progress); });
   }
   times.tell(state);
   state.counters["file_mb"] = 1e-6 * static_cast<double>(std::filesystem::file_size(path));
@@ -173,9 +201,9 @@ BENCHMARK(maple_written)->Unit(benchmark::kMillisecond)->UseRealTime();
 /// What the process of its own does.
 int grow_and_write(const char* path, const char* file) {
   Progress progress;
-  const Document document = read(file);
+  const Document document = read_large(file);
   const GrownDocument grown = grow_document(document, progress);
-  write_glb(grown.meshes, path, {.instanced = true, .provenance = {}}, progress);
+  write_glb(grown.meshes, path, {.instances = GltfInstances::rows, .provenance = {}}, progress);
   return 0;
 }
 
@@ -202,7 +230,7 @@ void whole_process(benchmark::State& state, const std::string& file) {
   state.counters["file_mb"] = 1e-6 * static_cast<double>(std::filesystem::file_size(path));
   std::filesystem::remove(path);
   Progress progress;
-  const GrownDocument grown = grow_document(read(file), progress);
+  const GrownDocument grown = grow_document(read_large(file), progress);
   double distinct = 0;
   double flat = 0;
   for (const meristem::MeshInstances& instances : grown.meshes.meshes) {
@@ -215,6 +243,47 @@ void whole_process(benchmark::State& state, const std::string& file) {
   state.counters["meshes_mb"] = 1e-6 * distinct;
   state.counters["flat_mb"] = 1e-6 * flat;
 }
+/// `work` on a document on one thread, beside growing all of it.
+template <class Work>
+void use(benchmark::State& state, const std::string& file, Work work) {
+  const meristem::ThreadLimit limit(1);
+  Times ours;
+  Times all;
+  for (auto _ : state) {
+    Progress progress;
+    ours.measure([&] { work(read(file), progress); });
+    state.PauseTiming();
+    all.measure([&] { benchmark::DoNotOptimize(grow_document(read(file), progress)); });
+    state.ResumeTiming();
+  }
+  ours.tell(state);
+  state.counters["to_all"] = all.best() / ours.best();
+}
+
+const std::string& target() {
+  static const std::string path = std::filesystem::temp_directory_path() / "graph_bench.glb";
+  return path;
+}
+
+void write_table(const Document& document, Progress& progress) {
+  write_skeleton_csv(grow_document(document, progress, {.up_to = GrownPart::plant}).plant, target(), progress);
+}
+void measure(const Document& document, Progress& progress) {
+  const GrownDocument grown = grow_document(document, progress, {.up_to = GrownPart::meshes});
+  benchmark::DoNotOptimize(measure_plant(grown.plant, grown.meshes, document.scene, {}, progress));
+}
+void write(const Document& document, Progress& progress) {
+  write_glb(grow_document(document, progress).meshes, target(), {}, progress);
+}
+
+void table(benchmark::State& state, const std::string& file) { use(state, file, write_table); }
+void measured(benchmark::State& state, const std::string& file) { use(state, file, measure); }
+void written(benchmark::State& state, const std::string& file) { use(state, file, write); }
+BENCHMARK_CAPTURE(table, oak, kOak)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(measured, oak, kOak)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(measured, tulip, kTulip)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(written, oak, kOak)->Unit(benchmark::kMillisecond)->UseRealTime();
+
 void maple_whole_process(benchmark::State& state) { whole_process(state, kMaple); }
 void maize_whole_process(benchmark::State& state) { whole_process(state, kMaize); }
 BENCHMARK(maple_whole_process)->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -224,8 +293,16 @@ BENCHMARK(maize_whole_process)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 int main(int count, char** arguments) {
   if (count == 4 && std::string_view(arguments[1]) == "--write") return grow_and_write(arguments[2], arguments[3]);
-  benchmark::Initialize(&count, arguments);
-  if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+  const int status = meristem::bench::run(count, arguments,
+                                          {{"edit_leaves", "best_ms", Asked::at_most, 10},
+                                           {"edit_shoots", "best_ms", Asked::at_most, 20},
+                                           {"edit_trunk", "best_ms", Asked::at_most, 20},
+                                           {"edit_leaves_of_grown_oak", "best_ms", Asked::at_most, 20},
+                                           {"maple_whole_process", "ms", Asked::at_most, 1000},
+                                           {"table/oak", "best_ms", Asked::at_most, 70},
+                                           {"measured/oak", "best_ms", Asked::at_most, 85},
+                                           {"measured/tulip", "best_ms", Asked::at_most, 2},
+                                           {"written/oak", "best_ms", Asked::at_most, 270}});
+  std::filesystem::remove(target());
+  return status;
 }

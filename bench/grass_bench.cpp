@@ -16,6 +16,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/harness.h"
 #include "meristem/base/hash.h"
 #include "meristem/shape/grass/grass_blade.h"
 #include "meristem/shape/grass/load_leaf.h"
@@ -98,7 +99,7 @@ void reduce(benchmark::State& state) {
     benchmark::DoNotOptimize(less.x.data());
     ours = std::min(ours, now() - begin);
   }
-  for (int k = 0; k < 200; ++k) {
+  for (int k = 0; k < bench::sized(200, 1); ++k) {
     const double begin = now();
     expected = plain_order(leaf);
     benchmark::DoNotOptimize(expected.data());
@@ -174,4 +175,4 @@ BENCHMARK(load)->ArgName("wind")->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int count, char** arguments) { return meristem::bench::run(count, arguments); }

@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <map>
 #include <numeric>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@
 #include <sys/resource.h>
 
 #include "bench/dense_isosurface.h"
+#include "bench/harness.h"
 #include "meristem/base/parallel.h"
 #include "meristem/grow/lsystem/derive.h"
 #include "meristem/grow/lsystem/grammar_reader.h"
@@ -38,7 +40,7 @@ namespace {
 
 using namespace meristem;
 
-constexpr int kResolution = 200;
+const int kResolution = bench::sized(200, 40);
 
 Skeleton draw_grammar(const char* text, int steps, const TurtleParameters& turtle) {
   Progress progress;
@@ -53,7 +55,7 @@ Skeleton honda_tree() {
       "A(l,w) -> !(w)F(l)[&(45)B(l*0.6,w*0.707)]/(137.5)A(l*0.9,w*0.707)\n"
       "B(l,w) -> !(w)F(l)[-(45)$C(l*0.6,w*0.707)]C(l*0.9,w*0.707)\n"
       "C(l,w) -> !(w)F(l)[+(45)$B(l*0.6,w*0.707)]B(l*0.9,w*0.707)\n",
-      9, {});
+      bench::sized(9, 5), {});
 }
 
 Skeleton spruce() {
@@ -187,7 +189,7 @@ void isosurface(benchmark::State& state) {
   measure(state, name, threads, ours);
   count_bricks(state, body);
   // What is compared is run in turns.
-  for (int run = 0; run < 20; ++run) {
+  for (int run = 0; run < bench::sized(20, 1); ++run) {
     outcomes()[{name, threads}].run(ours);
     if (threads == 1) {
       outcomes()[{"own_boxes", 1}].run([&] { return extract_own_boxes(body); });
@@ -204,7 +206,7 @@ BENCHMARK(isosurface)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-constexpr std::array kResolutions{50, 100, 200, 400, 800, 1024};
+const std::vector<std::int64_t> kResolutions = bench::sized({50, 100, 200, 400, 800, 1024}, {50});
 
 void scaling(benchmark::State& state) {
   const ThreadLimit limit(1);
@@ -216,7 +218,7 @@ void scaling(benchmark::State& state) {
 BENCHMARK(scaling)
     ->ArgName("resolution")
     ->Apply([](benchmark::internal::Benchmark* rows) {
-      for (const int resolution : kResolutions) rows->Arg(resolution);
+      for (const std::int64_t resolution : kResolutions) rows->Arg(resolution);
     })
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
@@ -251,10 +253,12 @@ constexpr std::array kSource{
     SourceRow{50, 0.4, 0.2},  SourceRow{75, 1.1, 0.43}, SourceRow{100, 2.5, 1.0, 27'100, 64'476},
     SourceRow{125, 4.4, 1.9}, SourceRow{150, 7.8, 3.3}, SourceRow{200, 17.9, 7.8, 111'026, 259'556}};
 
+std::span<const SourceRow> source_rows() { return std::span(kSource).first(bench::sized(kSource.size(), 1UL)); }
+
 BENCHMARK(spruce_trunk)
     ->ArgName("resolution")
     ->Apply([](benchmark::internal::Benchmark* rows) {
-      for (const SourceRow& row : kSource) rows->Arg(row.resolution);
+      for (const SourceRow& row : source_rows()) rows->Arg(row.resolution);
     })
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
@@ -262,7 +266,7 @@ BENCHMARK(spruce_crown)
     ->ArgNames({"root", "resolution"})
     ->Apply([](benchmark::internal::Benchmark* rows) {
       for (const int root : {0, 1}) {
-        for (const SourceRow& row : kSource) rows->Args({root, row.resolution});
+        for (const SourceRow& row : source_rows()) rows->Args({root, row.resolution});
       }
     })
     ->Unit(benchmark::kMillisecond)
@@ -286,8 +290,8 @@ void print_meshes() {
 
 void print_exponents() {
   for (std::size_t k = 1; k < kResolutions.size(); ++k) {
-    const int from = kResolutions[k - 1];
-    const int to = kResolutions[k];
+    const auto from = static_cast<int>(kResolutions[k - 1]);
+    const auto to = static_cast<int>(kResolutions[k]);
     if (!has_run("scaling", from) || !has_run("scaling", to)) continue;
     std::printf("cost grows with resolution^%.2f from %d to %d\n",
                 std::log(outcomes()[{"scaling", to}].seconds / outcomes()[{"scaling", from}].seconds) /
@@ -311,13 +315,17 @@ void print_source_table() {
   }
 }
 
-}  // namespace
+/// Whether a reference's mesh is like ours.
+bool has_same_triangles(const std::string& reference) {
+  if (!has_run(reference, 1) || !has_run("isosurface", 1)) return true;
+  const Outcome& ours = outcomes()[{"isosurface", 1}];
+  const Outcome& theirs = outcomes()[{reference, 1}];
+  const bool is_same = ours.triangles == theirs.triangles && ours.euler == theirs.euler;
+  if (!is_same) std::printf("%s makes another mesh\n", reference.c_str());
+  return is_same;
+}
 
-int main(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
+bool print_all() {
   print_ratio("everywhere", 1, "isosurface", 1);
   print_ratio("own_boxes", 1, "isosurface", 1);
   print_ratio("isosurface", 1, "isosurface", 2);
@@ -325,5 +333,9 @@ int main(int argc, char** argv) {
   print_meshes();
   print_exponents();
   print_source_table();
-  return 0;
+  return has_same_triangles("own_boxes") && has_same_triangles("everywhere");
 }
+
+}  // namespace
+
+int main(int count, char** arguments) { return bench::run(count, arguments, {}, print_all); }

@@ -16,6 +16,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/harness.h"
 #include "meristem/base/parallel.h"
 #include "meristem/measure/crown_light.h"
 #include "meristem/measure/tree_form.h"
@@ -107,21 +108,21 @@ BENCHMARK(growth)
     ->Args({5, 1, 0})
     ->Args({5, 1, 10})
     ->Unit(benchmark::kMillisecond)
-    ->MinTime(2)
+    ->MinTime(meristem::bench::sized(2.0, 1e-6))
     ->UseManualTime();
 
 void evaluation(benchmark::State& state) {
-  constexpr std::size_t kClouds = 10;
-  constexpr std::size_t kShifts = 11;
+  const std::size_t clouds = meristem::bench::sized(10, 1);
+  const std::size_t shifts = meristem::bench::sized(11, 1);
   const std::vector<Scene> scenes{meristem::evaluation_scene_a(), meristem::evaluation_scene_b()};
-  std::vector<meristem::TreeForm> forms(kClouds * kShifts * scenes.size());
+  std::vector<meristem::TreeForm> forms(clouds * shifts * scenes.size());
   std::vector<double> lit_shares(forms.size());
   for (auto _ : state) {
     meristem::parallel_for(forms.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
-        const Scene& scene = scenes[k / (kClouds * kShifts)];
-        const LightResponse light{.shift = 0.001 * static_cast<double>(k / kClouds % kShifts)};
-        const Skeleton tree = meristem::grow_evaluation_tree(meristem::evaluation_cloud(k % kClouds), scene, light);
+        const Scene& scene = scenes[k / (clouds * shifts)];
+        const LightResponse light{.shift = 0.001 * static_cast<double>(k / clouds % shifts)};
+        const Skeleton tree = meristem::grow_evaluation_tree(meristem::evaluation_cloud(k % clouds), scene, light);
         forms[k] = measure_form(tree, meristem::Children(tree));
         lit_shares[k] = meristem::measure_crown_light(forms[k].crown_hull, scene).lit_share;
       }
@@ -158,7 +159,7 @@ void response_shifted(benchmark::State& state) {
 }
 BENCHMARK(response_shifted)
     ->ArgNames({"scene", "mm"})
-    ->ArgsProduct({{0, 1}, benchmark::CreateDenseRange(0, 10, 1)})
+    ->ArgsProduct({{0, 1}, meristem::bench::sized(benchmark::CreateDenseRange(0, 10, 1), {5})})
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1)
     ->UseRealTime();
@@ -172,7 +173,7 @@ void response_scaled(benchmark::State& state) {
 }
 BENCHMARK(response_scaled)
     ->ArgNames({"scene", "mm"})
-    ->ArgsProduct({{1}, {0, 5, 10}})
+    ->ArgsProduct({{1}, meristem::bench::sized({0, 5, 10}, {0})})
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1)
     ->UseRealTime();
@@ -185,7 +186,7 @@ void response_limited(benchmark::State& state) {
 }
 BENCHMARK(response_limited)
     ->ArgNames({"scene", "percent"})
-    ->ArgsProduct({{0, 1}, {0, 24, 36, 60}})
+    ->ArgsProduct({meristem::bench::sized({0, 1}, {0}), meristem::bench::sized({0, 24, 36, 60}, {24})})
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1)
     ->UseRealTime();
@@ -199,7 +200,7 @@ void response_drifted(benchmark::State& state) {
 }
 BENCHMARK(response_drifted)
     ->ArgNames({"scene", "mm"})
-    ->ArgsProduct({{0, 1}, {0, 10, 18}})
+    ->ArgsProduct({meristem::bench::sized({0, 1}, {0}), meristem::bench::sized({0, 10, 18}, {10})})
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1)
     ->UseRealTime();
@@ -221,8 +222,11 @@ void cloud_light(benchmark::State& state) {
   state.counters["a_point_and_light"] =
       benchmark::Counter(rays, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
-BENCHMARK(cloud_light)->ArgName("points")->Arg(2'400)->Arg(24'000)->Arg(240'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(cloud_light)
+    ->ArgName("points")
+    ->ArgsProduct({meristem::bench::sized({2'400, 24'000, 240'000}, {2'400})})
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int count, char** arguments) { return meristem::bench::run(count, arguments); }

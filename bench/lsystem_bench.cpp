@@ -17,20 +17,22 @@
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
+#include "bench/harness.h"
 #include "meristem/base/degrees.h"
 #include "meristem/base/parallel.h"
 #include "meristem/grow/lsystem/derive.h"
 #include "meristem/grow/lsystem/turtle.h"
+#include "meristem/plant/further_columns.h"
 #include "tests/support/build_grammar.h"
 
 namespace {
 
 using namespace meristem;
 
-constexpr int kSteps = 18;
-constexpr std::size_t kModules = 1'835'002;
-constexpr std::size_t kNodes = 262'144;
-constexpr int kLongSteps = 11;  // 2 * 5^11 modules and more
+const int kSteps = bench::sized(18, 8);
+const std::size_t kNodes = std::size_t{1} << kSteps;
+const std::size_t kModules = 7 * kNodes - 6;
+const int kLongSteps = bench::sized(11, 5);  // 2 * 5^11 modules and more
 
 Grammar honda_tree() {
   return build_grammar({"A(1,10)",
@@ -142,6 +144,8 @@ Skeleton draw_hard_coded(const HardCodedWord& word) {
   HardCodedTurtle turtle;
   std::vector<HardCodedTurtle> stack;
   AxisIndex axes = 1;
+  std::vector<float> ends;  // 1 where a ] ends a branch
+  ends.reserve(kNodes);
   const double cos_45 = math::cos_deg(45);
   const double sin_45 = math::sin_deg(45);
   const double cos_roll = math::cos_deg(137.5);
@@ -151,6 +155,7 @@ Skeleton draw_hard_coded(const HardCodedWord& word) {
     skeleton.radius[node] = static_cast<float>(turtle.width);
     skeleton.axis[node] = turtle.axis;
     skeleton.order[node] = turtle.order;
+    ends.push_back(0);
     return node;
   };
   const double* in = word.parameters.data();
@@ -194,6 +199,7 @@ Skeleton draw_hard_coded(const HardCodedWord& word) {
         turtle.begins_branch = true;
         break;
       case ']':
+        if (turtle.node != kNoNode) ends[turtle.node] = 1;
         turtle = stack.back();
         stack.pop_back();
         break;
@@ -202,6 +208,7 @@ Skeleton draw_hard_coded(const HardCodedWord& word) {
     }
     in += parameter_count(letter);
   }
+  skeleton.extra.emplace(kEndColumn, std::move(ends));
   return skeleton;
 }
 
@@ -239,7 +246,7 @@ template <typename Work, typename Reference>
 double ratio(Work work, Reference reference) {
   double least = 1e9;
   double least_reference = 1e9;
-  for (int run = 0; run < 20; ++run) {
+  for (int run = 0; run < bench::sized(20, 1); ++run) {
     least = std::min(least, seconds(work));
     least_reference = std::min(least_reference, seconds(reference));
   }
@@ -301,11 +308,7 @@ BENCHMARK(hundred_million)->Iterations(1)->Unit(benchmark::kSecond)->UseRealTime
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int count, char** arguments) {
   require_same();
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+  return bench::run(count, arguments);
 }

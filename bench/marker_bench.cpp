@@ -12,6 +12,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/harness.h"
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
@@ -182,14 +183,14 @@ void grow(benchmark::State& state) {
 }
 BENCHMARK(grow)
     ->ArgNames({"metamers", "crown"})
-    ->ArgsProduct({{1'000, 20'000}, {0, 8}})
-    ->ArgsProduct({{1'000'000}, {0, 20}})
+    ->ArgsProduct({meristem::bench::sized({1'000, 20'000}, {500}), {0, 8}})
+    ->ArgsProduct({meristem::bench::sized({1'000'000}, {500}), {0, 20}})
     ->Unit(benchmark::kMillisecond);
 
 /// The shoots of a tree into an empty field.
 void occupy_all(benchmark::State& state) {
   Tree<Field> tree(nullptr);
-  tree.grow(20'000);
+  tree.grow(meristem::bench::sized(20'000, 500));
   for (auto _ : state) {
     Field field(nullptr);
     for (const Vec3 shoot : tree.shoots) field.occupy(shoot);
@@ -202,7 +203,7 @@ BENCHMARK(occupy_all)->Unit(benchmark::kMillisecond);
 /// Shoots shed and made again.
 void move(benchmark::State& state) {
   Tree<Field> tree(nullptr);
-  tree.grow(20'000);
+  tree.grow(meristem::bench::sized(20'000, 500));
   for (auto _ : state) {
     for (const Vec3 shoot : tree.shoots) {
       tree.field.vacate(shoot);
@@ -226,10 +227,10 @@ void share_out(benchmark::State& state) {
 }
 BENCHMARK(share_out)
     ->ArgNames({"metamers", "crown", "threads"})
-    ->ArgsProduct({{1'000, 500'000}, {10}, {1, 2}})
+    ->ArgsProduct({meristem::bench::sized({1'000, 500'000}, {500}), {10}, {1, 2}})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int count, char** arguments) { return meristem::bench::run(count, arguments); }

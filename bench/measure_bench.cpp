@@ -12,6 +12,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/harness.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
 #include "meristem/measure/convex_hull.h"
@@ -88,21 +89,21 @@ void add_triangles(const AnyMesh& mesh, std::vector<Corners>& triangles) {
 
 /// Seconds a ray of plain counting, from a mesh toward one side.
 double plain_seconds(const Mesh& from, Vec3 toward, const std::vector<Corners>& triangles) {
-  constexpr std::uint64_t kRays = 500;
+  const std::uint64_t rays = meristem::bench::sized(500, 10);
   const meristem::SurfacePlaces places(from);
   const RandomKey key(1);
   double least = 1e9;
   for (int trial = 0; trial < 3; ++trial) {
     const auto begin = std::chrono::steady_clock::now();
     std::uint64_t lit = 0;
-    for (std::uint64_t k = 0; k < kRays; ++k) {
+    for (std::uint64_t k = 0; k < rays; ++k) {
       const DVec3 origin(places.position(places.at(key.uniform(k), key.uniform(k, 1))) + 1e-4F * toward);
       const auto blocks = [&](const Corners& t) { return meets(origin, DVec3(toward), t[0], t[1], t[2]); };
       if (std::none_of(triangles.begin(), triangles.end(), blocks)) ++lit;
     }
     benchmark::DoNotOptimize(lit);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    least = std::min(least, seconds.count() / kRays);
+    least = std::min(least, seconds.count() / static_cast<double>(rays));
   }
   return least;
 }
@@ -181,15 +182,16 @@ void organ_light(benchmark::State& state) {
   state.counters["leaf_area"] = mean.area;
   state.counters["to_plain"] = plain / (ours / rays);
 }
+const std::int64_t kLeaves = meristem::bench::sized(20'000, 200);
 BENCHMARK(organ_light)
     ->ArgNames({"leaves", "obstacles", "day", "threads"})
-    ->Args({20'000, 0, 0, 1})
-    ->Args({20'000, 0, 1, 1})
-    ->Args({20'000, 0, 1, 2})
-    ->Args({20'000, 10, 1, 2})
+    ->Args({kLeaves, 0, 0, 1})
+    ->Args({kLeaves, 0, 1, 1})
+    ->Args({kLeaves, 0, 1, 2})
+    ->Args({kLeaves, 10, 1, 2})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int count, char** arguments) { return meristem::bench::run(count, arguments); }

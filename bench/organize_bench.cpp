@@ -21,6 +21,7 @@
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
+#include "bench/harness.h"
 #include "meristem/base/parallel.h"
 #include "meristem/grow/organize/organize.h"
 
@@ -203,15 +204,19 @@ void plain_light(benchmark::State& state) {
   if (growth != runs().end()) state.counters["to_growth"] = nanoseconds / growth->second.nanoseconds;
 }
 
-void sizes(benchmark::internal::Benchmark* bench, const std::vector<int>& iterations) {
+void sizes(benchmark::internal::Benchmark* bench, const std::vector<std::int64_t>& iterations) {
   bench->ArgNames({"iterations", "threads"})->Unit(benchmark::kMillisecond)->UseRealTime();
-  for (const int count : iterations) bench->Args({count, 1});
+  for (const std::int64_t count : iterations) bench->Args({count, 1});
   bench->Args({iterations.back(), 2});
 }
-BENCHMARK(shadow)->Apply([](auto* bench) { sizes(bench, {28, 50, 93}); });
-BENCHMARK(far)->Apply([](auto* bench) { sizes(bench, {50}); });
-BENCHMARK(plain_light)->ArgName("iterations")->Arg(28)->Arg(50)->Iterations(1)->Unit(benchmark::kMillisecond);
-BENCHMARK(markers)->Apply([](auto* bench) { sizes(bench, {12, 25, 45}); });
+BENCHMARK(shadow)->Apply([](auto* bench) { sizes(bench, meristem::bench::sized({28, 50, 93}, {8})); });
+BENCHMARK(far)->Apply([](auto* bench) { sizes(bench, meristem::bench::sized({50}, {6})); });
+BENCHMARK(plain_light)
+    ->ArgName("iterations")
+    ->ArgsProduct({meristem::bench::sized({28, 50}, {8})})
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(markers)->Apply([](auto* bench) { sizes(bench, meristem::bench::sized({12, 25, 45}, {6})); });
 
 void print_growth(const char* name, BudLightModel::Kind kind) {
   const Run* smallest = nullptr;
@@ -230,11 +235,10 @@ void print_growth(const char* name, BudLightModel::Kind kind) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
-  print_growth("shadow", BudLightModel::Kind::shadow);
-  print_growth("markers", BudLightModel::Kind::markers);
-  return 0;
+int main(int count, char** arguments) {
+  return meristem::bench::run(count, arguments, {}, [] {
+    print_growth("shadow", BudLightModel::Kind::shadow);
+    print_growth("markers", BudLightModel::Kind::markers);
+    return true;
+  });
 }

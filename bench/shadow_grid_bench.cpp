@@ -9,6 +9,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/harness.h"
 #include "meristem/base/random.h"
 #include "meristem/scene/light/shadow_grid.h"
 
@@ -18,7 +19,7 @@ using meristem::ShadowForm;
 using meristem::ShadowGrid;
 using meristem::Vec3;
 
-constexpr int kBuds = 20'000;
+const int kBuds = meristem::bench::sized(20'000, 500);
 
 /// Buds all over a ball of 3 m, each near the one before, as along shoots.
 std::vector<Vec3> buds() {
@@ -141,4 +142,4 @@ BENCHMARK(turn)->ArgNames({"depth", "tilted"})->Args({3, 0})->Unit(benchmark::kM
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int count, char** arguments) { return meristem::bench::run(count, arguments); }

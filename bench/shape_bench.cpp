@@ -9,6 +9,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/harness.h"
 #include "meristem/base/frame.h"
 #include "meristem/base/hash.h"
 #include "meristem/base/parallel.h"
@@ -109,12 +110,14 @@ void tubes(benchmark::State& state) {
   state.counters["to_plain"] = plain / ours;
   state.SetLabel(meristem::hash128_hex(std::as_bytes(std::span(mesh.positions))));
 }
+const std::int64_t kFew = meristem::bench::sized(10'000, 500);
+const std::int64_t kMany = meristem::bench::sized(1'000'000, 2'000);
 BENCHMARK(tubes)
     ->ArgNames({"nodes", "sides", "threads"})
-    ->Args({10'000, 8, 1})
-    ->Args({1'000'000, 5, 1})
-    ->Args({1'000'000, 8, 1})
-    ->Args({1'000'000, 8, 2})
+    ->Args({kFew, 8, 1})
+    ->Args({kMany, 5, 1})
+    ->Args({kMany, 8, 1})
+    ->Args({kMany, 8, 2})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
@@ -136,4 +139,8 @@ BENCHMARK(leaf_blades)->ArgName("rows")->Arg(6)->Arg(24);
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int count, char** arguments) {
+  using meristem::bench::Asked;
+  return meristem::bench::run(count, arguments,
+                              {{"tubes/nodes:1000000/sides:8/threads:1", "triangles/s", Asked::at_least, 25e6}});
+}

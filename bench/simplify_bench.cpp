@@ -15,6 +15,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/harness.h"
 #include "meristem/base/hash.h"
 #include "meristem/shape/mesh/simplify.h"
 #include "tests/support/field_mesh.h"
@@ -140,21 +141,21 @@ const Mesh& mesh_of(const std::vector<Capsule>& capsules, int cells) {
 void crown(benchmark::State& state) { run(state, mesh_of(sphere_crown(20), static_cast<int>(state.range(0)))); }
 BENCHMARK(crown)
     ->ArgNames({"cells", "wanted"})
-    ->Args({160, 50'000})
-    ->Args({160, 5'000})
-    ->Args({160, 500})
-    ->Args({505, 5'000})
+    ->Args({bench::sized(160, 24), 50'000})
+    ->Args({bench::sized(160, 24), 5'000})
+    ->Args({bench::sized(160, 24), 500})
+    ->Args({bench::sized(505, 24), 5'000})
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond);
 
 void trunk(benchmark::State& state) { run(state, mesh_of(forked_trunk(3), static_cast<int>(state.range(0)))); }
 BENCHMARK(trunk)
     ->ArgNames({"cells", "wanted"})
-    ->Args({400, 5'000})
-    ->Args({400, 500})
+    ->Args({bench::sized(400, 40), 5'000})
+    ->Args({bench::sized(400, 40), 500})
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int count, char** arguments) { return meristem::bench::run(count, arguments); }

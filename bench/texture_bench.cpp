@@ -7,6 +7,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/harness.h"
 #include "meristem/base/hash.h"
 #include "meristem/base/noise.h"
 #include "meristem/base/parallel.h"
@@ -17,6 +18,8 @@ namespace {
 using meristem::Vec3;
 
 constexpr Vec3 kColour{0.48F, 0.42F, 0.35F};
+
+const int kPixels = meristem::bench::sized(512, 32);
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -53,7 +56,7 @@ void measure(benchmark::State& state, int pixels, const Make& make) {
 void bark(benchmark::State& state) {
   const meristem::BarkRecipe recipe{.style = static_cast<meristem::BarkRecipe::Style>(state.range(0))};
   const meristem::ThreadLimit limit(static_cast<int>(state.range(1)));
-  measure(state, 512, [&] { return make_bark_texture(recipe, kColour, 512); });
+  measure(state, kPixels, [&] { return make_bark_texture(recipe, kColour, kPixels); });
 }
 BENCHMARK(bark)
     ->ArgNames({"style", "threads"})
@@ -65,7 +68,7 @@ void leaf(benchmark::State& state) {
   const meristem::LeafRecipe recipe{.veins = static_cast<meristem::LeafRecipe::Veins>(state.range(0))};
   const meristem::TextureShape shape{{{0.5F, 0}, {1, 0.4F}, {0.5F, 1}, {0, 0.4F}}, true, 0.7};
   const meristem::ThreadLimit limit(static_cast<int>(state.range(1)));
-  measure(state, 512, [&] { return make_leaf_texture(recipe, shape, kColour, 512); });
+  measure(state, kPixels, [&] { return make_leaf_texture(recipe, shape, kColour, kPixels); });
 }
 BENCHMARK(leaf)
     ->ArgNames({"veins", "threads"})
@@ -75,4 +78,4 @@ BENCHMARK(leaf)
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int count, char** arguments) { return meristem::bench::run(count, arguments); }

@@ -24,7 +24,13 @@ struct GrowOptions {
   std::vector<std::string> outputs;
   double time = 0;
   std::optional<int> lod;  // coarser levels
-  FormatOptions format;
+  bool instanced = false;  // leaves are rows of arrays
+  bool nodes = false;      // never, but nodes where there are many
+
+  GltfInstances instances() const {
+    if (instanced) return GltfInstances::rows;
+    return nodes ? GltfInstances::nodes : GltfInstances::automatic;
+  }
 };
 
 /// A file to write.
@@ -39,7 +45,7 @@ InputError wrong_lod(std::string message, std::string expected) {
 
 /// An option that would change none of the files is a mistake.
 void check_options(const GrowOptions& options, const std::vector<const Format*>& formats) {
-  const auto has_meshes = [](const Format* format) { return format->has_meshes; };
+  const auto has_meshes = [](const Format* format) { return format->has_meshes(); };
   if (options.lod && (*options.lod < 0 || *options.lod > kCoarsestDetail)) {
     throw wrong_lod(fmt::format("--lod cannot be {}", *options.lod), fmt::format("0 to {} levels", kCoarsestDetail));
   }
@@ -52,9 +58,11 @@ void check_options(const GrowOptions& options, const std::vector<const Format*>&
     }
   }
   const auto can_instance = [](const Format* format) { return format->can_instance; };
-  if (!options.format.instanced || std::any_of(formats.begin(), formats.end(), can_instance)) return;
+  if (options.instances() == GltfInstances::automatic) return;
+  if (std::any_of(formats.begin(), formats.end(), can_instance)) return;
   throw InputError(
-      Diagnostic{.message = "--instanced changes none of the files", .expected = "a file that ends in .glb"});
+      Diagnostic{.message = fmt::format("{} changes none of the files", options.instanced ? "--instanced" : "--nodes"),
+                 .expected = "a file that ends in .glb"});
 }
 
 /// The files of each level of detail: the first are those that were asked for.
@@ -64,7 +72,7 @@ std::vector<std::vector<PlannedFile>> planned_files(const GrowOptions& options,
   for (std::size_t k = 0; k < formats.size(); ++k) {
     const std::string& output = options.outputs[k];
     levels[0].push_back({formats[k], output});
-    if (!formats[k]->has_meshes || output == "-") continue;
+    if (!formats[k]->has_meshes() || output == "-") continue;
     for (int level = 1; level <= lod; ++level) {
       const std::string path = detail_path(*formats[k], output, level);
       if (std::find(options.outputs.begin(), options.outputs.end(), path) != options.outputs.end()) {
@@ -87,6 +95,20 @@ std::string write_level(const Document& document, const GrownDocument& grown, co
   return fmt::format("{}", fmt::join(paths, ", "));
 }
 
+/// What all of the files need.
+GrownPart needed_part(const std::vector<const Format*>& formats) {
+  GrownPart part = GrownPart::plant;
+  for (const Format* format : formats) part = std::max(part, format->needs);
+  return part;
+}
+
+std::string sizes_of(const GrownDocument& grown) {
+  const Counts counts = count(grown.plant, grown.meshes);
+  std::string text = fmt::format("{} nodes, {} organs", counts.nodes, counts.organs);
+  if (grown.up_to < GrownPart::meshes) return text;
+  return text + fmt::format(", {} triangles, {:.2f} m high", counts.triangles, counts.height);
+}
+
 void grow(const GrowOptions& options) {
   // Everything that can be wrong with the command line and the document comes before any work.
   std::vector<const Format*> formats;
@@ -104,15 +126,15 @@ void grow(const GrowOptions& options) {
   {
     TerminalProgress terminal(options.document.quiet);
     Progress& progress = terminal.progress();
-    GrownDocument grown = grow_document(document, progress, time);
-    const std::string written = write_level(document, grown, levels[0], options.format, progress);
-    const Counts counts = count(grown.plant, grown.meshes);
-    summary.push_back(fmt::format("{}: {} nodes, {} organs, {} triangles, {:.2f} m high", written, counts.nodes,
-                                  counts.organs, counts.triangles, counts.height));
+    GrownDocument grown = grow_document(document, progress, {.time = time, .up_to = needed_part(formats)});
+    EncodedPictures pictures;
+    const FormatOptions format{.instances = options.instances(), .pictures = &pictures};
+    const std::string written = write_level(document, grown, levels[0], format, progress);
+    summary.push_back(fmt::format("{}: {}", written, sizes_of(grown)));
     for (std::size_t level = 1; level < levels.size() && !levels[level].empty(); ++level) {
       grown.meshes = {};
       grown.meshes = mesh_detail(document, grown.plant, {.level = static_cast<int>(level)}, progress);
-      const std::string coarser = write_level(document, grown, levels[level], options.format, progress);
+      const std::string coarser = write_level(document, grown, levels[level], format, progress);
       summary.push_back(fmt::format("{}: {} triangles", coarser, grown.meshes.triangle_count()));
     }
   }
@@ -139,8 +161,15 @@ void add_grow(CLI::App& app, Run& run) {
                    "Write so many coarser levels of detail too, oak_lod1.glb, oak_lod2.glb, ...; the document's "
                    "output.lod if not given")
       ->type_name("N");
-  command->add_flag("--instanced", options->format.instanced,
-                    "Write leaves to .glb as places of one mesh: small files, that not every program reads");
+  CLI::Option* const instanced =
+      command->add_flag("--instanced", options->instanced,
+                        "Write leaves to .glb as places of one mesh, as is done by itself beyond 5 million triangles: "
+                        "small files, that not every program reads");
+  command
+      ->add_flag("--nodes", options->nodes,
+                 "Beyond 5 million triangles, write leaves to .glb as nodes instead: large files, that every program "
+                 "reads")
+      ->excludes(instanced);
   std::string endings;
   for (const Format& format : formats()) endings += fmt::format("  {:<14} {}\n", format.ending, format.doc);
   command->footer("Files end in:\n" + endings +

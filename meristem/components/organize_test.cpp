@@ -9,7 +9,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/components/parts/organize_table.h"
 #include "meristem/components/registry.h"
-#include "meristem/graph/expansion_cache.h"
+#include "meristem/graph/batch.h"
 #include "tests/support/build_graph.h"
 #include "tests/support/check_skeleton.h"
 
@@ -220,13 +220,13 @@ TEST(OrganizeComponent, WhatOnlyDressesItDoesNotGrowItAnew) {
            {{{"resource", Value::Object{{"alpha", 2.3}}}}, 1},
            {operation({{"above", 4}}), 1},
        }) {
-    ExpansionCache cache;
+    Cache cache;
     leafy(parameters).grow(0, scene, &cache);
-    EXPECT_EQ(cache.grown().made, 1U);
+    EXPECT_EQ(cache.reuse<GrownBatch>().made, 1U);
     Value::Object changed = parameters;
     changed.insert(changed.end(), change.begin(), change.end());
     const Plant again = leafy(changed).grow(0, scene, &cache);
-    EXPECT_EQ(cache.grown().made, made) << change[0].first;
+    EXPECT_EQ(cache.reuse<GrownBatch>().made, made) << change[0].first;
     EXPECT_EQ(hash_of(again), hash_of(leafy(changed).grow(0, scene))) << change[0].first;
   }
 }

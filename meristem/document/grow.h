@@ -1,39 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "meristem/base/cache.h"
 #include "meristem/base/progress.h"
 #include "meristem/document/document.h"
-#include "meristem/graph/expansion_cache.h"
 #include "meristem/plant/plant.h"
-#include "meristem/shape/mesh_cache.h"
 #include "meristem/shape/mesh_scene.h"
 
 namespace meristem {
 
+/// What can be made of a document, each of what stands before it.
+enum class GrownPart {
+  plant,     ///< skeletons and organs: tables, measures of skeletons
+  meshes,    ///< what clothes them: measures, meshes without pictures
+  textures,  ///< what lies on the meshes: pictures, and files that hold some
+};
+
 /// A document that has grown: skeletons and organs, and the meshes that clothe them.
 struct GrownDocument {
   Plant plant;
-  MeshScene meshes;
+  MeshScene meshes;                    ///< empty where only the plant was asked for
+  GrownPart up_to = GrownPart::plant;  ///< what there is of it; without textures, materials have sketches of them
 };
 
-/// What one growth leaves for the next one of the same or a changed document: expansion_cache.h, mesh_cache.h.
-struct GrowthCache {
-  ExpansionCache expansion;
-  MeshCache meshes;
+/// What one growth leaves for the next one of the same or a changed document, which makes anew only what depends on the
+/// change. It holds no more than the last growth has used. The result is the same as without it, to the byte; one that
+/// throws or is cancelled leaves it in order. One call at a time may use it.
+using GrowthCache = Cache;
 
-  std::uint64_t bytes() const { return expansion.bytes() + meshes.bytes(); }
+struct GrowthOptions {
+  double time = 0;  ///< seconds: the document as it stands then
+  Detail detail{};  ///< how coarse the meshes are
+  GrownPart up_to = GrownPart::textures;
+  GrowthCache* cache = nullptr;
 };
 
-/// Grows a document as it stands at `time` (seconds): the one call behind every door. `detail` says how coarse the
-/// meshes are. With a `cache`, only what has changed since its last growth is made anew. The same document gives the
-/// same bytes on any number of threads, with and without a cache. Throws InputError (limits, numbers that are not
-/// finite; placed in the document's text), Cancelled.
-GrownDocument grow_document(const Document& document, Progress& progress, double time = 0, const Detail& detail = {},
-                            GrowthCache* cache = nullptr);
+/// Grows a document: the one call behind every door. The same document gives the same bytes on any number of threads,
+/// with and without a cache. Throws InputError (limits, numbers that are not finite; placed in the document's text),
+/// Cancelled.
+GrownDocument grow_document(const Document& document, Progress& progress, const GrowthOptions& options = {});
+
+/// Makes what is missing of a growth of the document up to a part: as if it had been asked for at once, but for a
+/// detail of meshes that there are already. Throws as grow_document does, and leaves what there was.
+void complete_growth(const Document& document, GrownDocument& grown, Progress& progress,
+                     const GrowthOptions& options = {});
 
 /// The meshes of a level of detail of a plant that has grown of the document: those that grow_document gives for it,
-/// without growing anew. Throws as it does.
+/// without growing anew; their textures are the plant's. Throws as it does.
 MeshScene mesh_detail(const Document& document, const Plant& plant, const Detail& detail, Progress& progress,
-                      MeshCache* cache = nullptr);
+                      GrowthCache* cache = nullptr);
 
 }  // namespace meristem

@@ -9,6 +9,8 @@
 #include "meristem/components/registry.h"
 #include "meristem/document/grow.h"
 #include "meristem/document/models.h"
+#include "meristem/graph/batch.h"
+#include "meristem/shape/cached_meshes.h"
 #include "tests/support/build_graph.h"
 #include "tests/support/temporary_folder.h"
 
@@ -61,7 +63,7 @@ std::string hash_of(const GrownDocument& grown) {
 
 GrownDocument grow(const Document& document, GrowthCache* cache = nullptr, double time = 0) {
   Progress progress;
-  return grow_document(document, progress, time, {}, cache);
+  return grow_document(document, progress, {.time = time, .cache = cache});
 }
 
 /// Grows the two trees, then with a change, which must give what it gives without a cache.
@@ -78,30 +80,30 @@ struct Changed {
 TEST(GrowthCache, EditingLeavesNeitherGrowsTreesNorClothesThem) {
   for (const char* change : {"leafy=40", "leaf.length=0.1", "leaf.colour=\"#aabbcc\"", "links[0].angle=20"}) {
     const Changed changed(change);
-    EXPECT_EQ(changed.cache.expansion.grown().made, 0U) << change;
-    EXPECT_EQ(changed.cache.expansion.grown().reused, 2U) << change;
-    EXPECT_EQ(changed.cache.meshes.stems().made, 0U) << change;
+    EXPECT_EQ(changed.cache.reuse<GrownBatch>().made, 0U) << change;
+    EXPECT_EQ(changed.cache.reuse<GrownBatch>().reused, 2U) << change;
+    EXPECT_EQ(changed.cache.reuse<StemTubes>().made, 0U) << change;
   }
 }
 
 TEST(GrowthCache, LooksOfATreeDoNotGrowItAnew) {
   for (const char* change : {"thick=5", "tree.colour=\"#aabbcc\"", "tree.surface.smooth=1", "tree.hidden=true",
                              "tree.shed=\"height < 1 && radius < 0.004\""}) {
-    EXPECT_EQ(Changed(change).cache.expansion.grown().made, 0U) << change;
+    EXPECT_EQ(Changed(change).cache.reuse<GrownBatch>().made, 0U) << change;
   }
 }
 
 TEST(GrowthCache, WhatCompetesGrowsAnewTogether) {
   for (const char* change : {"spread=0.4", "tree.points=400", "shrub.frame.translate[0]=1.2", "seed=3"}) {
-    EXPECT_EQ(Changed(change).cache.expansion.grown().made, 2U) << change;
+    EXPECT_EQ(Changed(change).cache.reuse<GrownBatch>().made, 2U) << change;
   }
   std::string text = kTwoTrees;
   text.replace(text.find("\"alone\": false"), 14, "\"alone\": true");
   GrowthCache cache;
   grow(read(text), &cache);
-  EXPECT_EQ(cache.expansion.grown().made, 2U);
+  EXPECT_EQ(cache.reuse<GrownBatch>().made, 2U);
   grow(read(text, {"spread=0.4"}), &cache);
-  EXPECT_EQ(cache.expansion.grown().made, 1U);
+  EXPECT_EQ(cache.reuse<GrownBatch>().made, 1U);
 }
 
 TEST(GrowthCache, TheSceneAndItsVariablesGrowAllAnew) {
@@ -113,8 +115,8 @@ TEST(GrowthCache, TheSceneAndItsVariablesGrowAllAnew) {
   grow(read(text), &cache);
   const Document changed = read(text, {"north=60"});
   EXPECT_EQ(hash_of(grow(changed, &cache)), hash_of(grow(changed)));
-  EXPECT_EQ(cache.expansion.grown().made, 2U);
-  EXPECT_EQ(cache.expansion.instances().reused, 0U);
+  EXPECT_EQ(cache.reuse<GrownBatch>().made, 2U);
+  EXPECT_EQ(cache.reuse<BatchResult>().reused, 0U);
 }
 
 TEST(GrowthCache, WhatIsDerivedFromAVariableGrowsAnewWithIt) {
@@ -126,17 +128,17 @@ TEST(GrowthCache, WhatIsDerivedFromAVariableGrowsAnewWithIt) {
   grow(read(text), &cache);
   const Document far = read(text, {"far=0.8"});
   EXPECT_EQ(hash_of(grow(far, &cache)), hash_of(grow(far)));
-  EXPECT_EQ(cache.expansion.grown().made, 2U);  // they compete
+  EXPECT_EQ(cache.reuse<GrownBatch>().made, 2U);  // they compete
   EXPECT_NE(hash_of(grow(far)), hash_of(grow(read(text))));
   // Leaves follow their own variable and leave the trees as they are.
   const Document lush = read(text, {"far=0.8", "lush=4"});
   EXPECT_EQ(hash_of(grow(lush, &cache)), hash_of(grow(lush)));
-  EXPECT_EQ(cache.expansion.grown().made, 0U);
+  EXPECT_EQ(cache.reuse<GrownBatch>().made, 0U);
   EXPECT_NE(hash_of(grow(lush)), hash_of(grow(far)));
   // The same value by another expression is no change of what uses it.
   const Document same = read(text, {"far=2", "reach=far*0.4", "lush=4"});
   EXPECT_EQ(hash_of(grow(same, &cache)), hash_of(grow(lush)));
-  EXPECT_EQ(cache.expansion.grown().made, 0U);
+  EXPECT_EQ(cache.reuse<GrownBatch>().made, 0U);
 }
 
 TEST(GrowthCache, WhatStandsInFilesCountsNotTheirNames) {
@@ -149,7 +151,7 @@ TEST(GrowthCache, WhatStandsInFilesCountsNotTheirNames) {
   GrowthCache cache;
   const std::string first = hash_of(grow(read(text, {}, file), &cache));
   EXPECT_EQ(hash_of(grow(read(text, {}, file), &cache)), first);
-  EXPECT_EQ(cache.expansion.instances().made, 0U);
+  EXPECT_EQ(cache.reuse<BatchResult>().made, 0U);
   write("#axiom A\n#rules\nA -> F[-A]F\n");
   const std::string second = hash_of(grow(read(text, {}, file), &cache));
   EXPECT_NE(second, first);

@@ -11,13 +11,13 @@
 #include <optional>
 #include <string_view>
 #include <type_traits>
+#include <typeinfo>
 
 #include <fmt/format.h>
 
 #include "meristem/base/fingerprint.h"
 #include "meristem/base/parallel.h"
 #include "meristem/graph/batch.h"
-#include "meristem/graph/kept.h"
 #include "meristem/graph/link_places.h"
 #include "meristem/graph/looks.h"
 #include "meristem/graph/plant_assembly.h"
@@ -29,8 +29,6 @@ namespace {
 
 constexpr std::size_t kBlock = 256;  // instances an emitter takes
 
-using Key = std::optional<std::uint64_t>;  // none: it cannot be said what the result depends on
-
 /// Instances of one component that expand together.
 struct Batch {
   ComponentIndex component = 0;
@@ -41,16 +39,14 @@ struct Batch {
 
 /// What a batch has grown in its stand.
 struct Grown {
-  Key key;
+  CacheKey key;
   std::shared_ptr<GrownBatch> batch;
 };
-
-}  // namespace
 
 class Expansion {
  public:
   Expansion(const Graph& graph, const Structure& structure, const Scene& scene, double time, Progress& progress,
-            ExpansionCache* cache)
+            Cache* cache)
       : graph_(graph),
         structure_(structure),
         scene_(scene),
@@ -58,12 +54,10 @@ class Expansion {
         progress_(progress),
         links_(graph, structure, scene, progress),
         assembly_(graph),
-        is_cached_(cache != nullptr),
-        kept_(is_cached_ ? *cache->kept_ : own_),
+        results_(cache, {typeid(BatchResult), typeid(Places), typeid(GrownBatch), typeid(SharedMeshes)}),
         meshes_(graph.components.size()) {}
 
   Plant run() {
-    kept_.begin_run();
     surroundings_ = fingerprint_of_surroundings();
     Site root;
     root.key = RandomKey(graph_.seed);
@@ -78,22 +72,21 @@ class Expansion {
       }
     }
     Plant plant = assembly_.run(mesh_bytes(), progress_);
-    if (is_cached_) keep_textures(plant);
-    kept_.end_run();
+    results_.end();
     return plant;
   }
 
  private:
   /// What all results depend on; nothing where that is not known, or nobody will ask.
-  Key fingerprint_of_surroundings() const {
+  CacheKey fingerprint_of_surroundings() const {
     static_assert(std::has_unique_object_representations_v<Limits>);
-    if (!is_cached_ || !scene_.fingerprint) return std::nullopt;
+    if (!scene_.fingerprint) return std::nullopt;
     const std::string_view limits(reinterpret_cast<const char*>(&graph_.limits), sizeof(Limits));
-    return Fingerprint().add(*scene_.fingerprint).add(time_).add_text(limits).hash();
+    return results_.key([&] { return Fingerprint().add(*scene_.fingerprint).add(time_).add_text(limits).hash(); });
   }
 
   /// That of one component in these surroundings.
-  Key fingerprint_of(ComponentIndex component, Key of_document) const {
+  CacheKey fingerprint_of(ComponentIndex component, CacheKey of_document) const {
     if (!surroundings_ || !of_document) return std::nullopt;
     const std::string_view id = graph_.components[component].id;
     return Fingerprint().add(*surroundings_).add_text(id).add(*of_document).hash();
@@ -134,9 +127,9 @@ class Expansion {
     return grows_alone && grows_alone(prototype.parameters.get());
   }
 
-  Key fingerprint_of_growth(const Batch& batch) const {
-    const Key own = fingerprint_of(batch.component, graph_.components[batch.component].growth_fingerprint);
-    return own ? Key(Fingerprint().add(*own).add(batch.places->hash).hash()) : std::nullopt;
+  CacheKey fingerprint_of_growth(const Batch& batch) const {
+    const CacheKey own = fingerprint_of(batch.component, graph_.components[batch.component].growth_fingerprint);
+    return own ? CacheKey(Fingerprint().add(*own).add(batch.places->hash).hash()) : std::nullopt;
   }
 
   /// What each batch of a stand has grown. Where a plant changes, all that compete with it grow anew.
@@ -144,7 +137,7 @@ class Expansion {
     Fingerprint whole;
     bool is_known = true;
     for (const Batch& batch : batches) {
-      const Key own = fingerprint_of_growth(batch);
+      const CacheKey own = fingerprint_of_growth(batch);
       is_known = is_known && own;
       whole.add(own.value_or(0));
     }
@@ -152,10 +145,10 @@ class Expansion {
     bool is_there = true;
     for (std::size_t k = 0; k < batches.size(); ++k) {
       if (is_known) grown[k].key = Fingerprint(whole).add(k).hash();
-      grown[k].batch = kept_.grown.find(grown[k].key);
+      grown[k].batch = results_.find<GrownBatch>(grown[k].key);
       is_there = is_there && grown[k].batch != nullptr;
     }
-    for (const Batch& batch : batches) count(kept_.grown_reuse, is_there, batch);
+    for (const Batch& batch : batches) count<GrownBatch>(is_there, batch);
     if (is_there) return grown;
 
     Stand stand;
@@ -168,7 +161,7 @@ class Expansion {
     for (std::size_t k = 0; k < batches.size(); ++k) {
       const auto end = next + static_cast<std::ptrdiff_t>(batches[k].sites().size());
       grown[k].batch = std::make_shared<GrownBatch>(GrownBatch{{next, end}});
-      kept_.grown.keep(grown[k].key, grown[k].batch);
+      results_.store(grown[k].key, grown[k].batch);
       next = end;
     }
     return grown;
@@ -176,9 +169,9 @@ class Expansion {
 
   Grown grow_alone(const Batch& batch) {
     Grown grown;
-    if (const Key own = fingerprint_of_growth(batch)) grown.key = Fingerprint().add(*own).add_text("alone").hash();
-    grown.batch = kept_.grown.find(grown.key);
-    count(kept_.grown_reuse, grown.batch != nullptr, batch);
+    if (const CacheKey own = fingerprint_of_growth(batch)) grown.key = Fingerprint().add(*own).add_text("alone").hash();
+    grown.batch = results_.find<GrownBatch>(grown.key);
+    count<GrownBatch>(grown.batch != nullptr, batch);
     if (grown.batch != nullptr) return grown;
     grown.batch = std::make_shared<GrownBatch>();
     for (const Site& site : batch.sites()) {
@@ -187,7 +180,7 @@ class Expansion {
       stand.grow(progress_);
       grown.batch->skeletons.push_back(std::move(stand.take_skeletons(progress_)[0]));
     }
-    kept_.grown.keep(grown.key, grown.batch);
+    results_.store(grown.key, grown.batch);
     return grown;
   }
 
@@ -197,19 +190,20 @@ class Expansion {
     stand.add(prototype.type->grow(prototype, site, time_, context));
   }
 
-  static void count(Reuse& reuse, bool is_reused, const Batch& batch) {
-    (is_reused ? reuse.reused : reuse.made) += batch.sites().size();
+  template <class Result>
+  void count(bool is_reused, const Batch& batch) {
+    results_.count<Result>(is_reused, batch.sites().size());
   }
 
   /// Expands the instances, or finds what they made before, and hands their places on along the links.
   void expand_batch(const Batch& batch, const Grown& grown) {
     const std::vector<LinkIndex> links = links_.links_followed(batch.component, batch.sites()[0]);
-    const Key key = key_of(batch, links, grown);
+    const CacheKey key = key_of(batch, links, grown);
     std::shared_ptr<const BatchResult> result = find_result(batch.component, key);
-    count(kept_.instances_reuse, result != nullptr, batch);
+    count<BatchResult>(result != nullptr, batch);
     if (result == nullptr) {
       result = make_result(batch, links, grown);
-      kept_.batches.keep(key, result);
+      results_.store(key, result);
     }
     nodes_ += result->nodes;
     require_placed(batch.component, *result);
@@ -222,8 +216,8 @@ class Expansion {
         links, [&](LinkIndex link) { return (graph_.links[link].kind == LinkKind::branch) == branches; });
   }
 
-  Key key_of(const Batch& batch, const std::vector<LinkIndex>& links, const Grown& grown) const {
-    const Key own = fingerprint_of(batch.component, graph_.components[batch.component].fingerprint);
+  CacheKey key_of(const Batch& batch, const std::vector<LinkIndex>& links, const Grown& grown) const {
+    const CacheKey own = fingerprint_of(batch.component, graph_.components[batch.component].fingerprint);
     if (!own || (grown.batch != nullptr && !grown.key)) return std::nullopt;
     Fingerprint key;
     key.add(*own).add(batch.places->hash).add(wants(links, false)).add(wants(links, true));
@@ -231,8 +225,8 @@ class Expansion {
   }
 
   /// What a batch has made in an earlier expansion. Nothing, so that it expands and says so, where a limit is passed.
-  std::shared_ptr<const BatchResult> find_result(ComponentIndex component, Key key) {
-    std::shared_ptr<const BatchResult> result = kept_.batches.find(key);
+  std::shared_ptr<const BatchResult> find_result(ComponentIndex component, CacheKey key) {
+    std::shared_ptr<const BatchResult> result = results_.find<const BatchResult>(key);
     if (result == nullptr) return nullptr;
     SharedMeshes& meshes = meshes_of(component);
     for (const Emitted& block : result->blocks) {
@@ -248,11 +242,11 @@ class Expansion {
   SharedMeshes& meshes_of(ComponentIndex component) {
     std::shared_ptr<SharedMeshes>& meshes = meshes_[component];
     if (meshes != nullptr) return *meshes;
-    const Key key = fingerprint_of(component, graph_.components[component].fingerprint);
-    std::shared_ptr<SharedMeshes> earlier = kept_.meshes.find(key);
+    const CacheKey key = fingerprint_of(component, graph_.components[component].fingerprint);
+    std::shared_ptr<SharedMeshes> earlier = results_.find<SharedMeshes>(key);
     if (earlier != nullptr) earlier->forget_earlier();
     meshes = std::make_shared<SharedMeshes>(std::move(earlier));
-    kept_.meshes.keep(key, meshes);
+    results_.store(key, meshes);
     return *meshes;
   }
 
@@ -339,20 +333,15 @@ class Expansion {
   }
 
   /// The children of a batch by one link.
-  void follow(LinkIndex link, const Batch& batch, Key parent, const BatchResult& result) {
-    const Key own = links_.fingerprint(link);
-    const Key key = parent && own ? Key(Fingerprint().add(*parent).add(*own).hash()) : std::nullopt;
-    std::shared_ptr<const Places> places = kept_.places.find(key);
+  void follow(LinkIndex link, const Batch& batch, CacheKey parent, const BatchResult& result) {
+    const CacheKey own = links_.fingerprint(link);
+    const CacheKey key = parent && own ? CacheKey(Fingerprint().add(*parent).add(*own).hash()) : std::nullopt;
+    std::shared_ptr<const Places> places = results_.find<const Places>(key);
     if (places == nullptr || instances_ + places->sites.size() > graph_.limits.instances) {
       places = places_of(links_.places(link, result, {instances_, batch.sites().size()}));
-      kept_.places.keep(key, places);
+      results_.store(key, places);
     }
     enqueue({graph_.links[link].to, std::move(places)});
-  }
-
-  void keep_textures(const Plant& plant) {
-    kept_.textures.clear();
-    for (const Material& material : plant.materials) kept_.textures.push_back(material.texture);
   }
 
   const Graph& graph_;
@@ -362,10 +351,8 @@ class Expansion {
   Progress& progress_;
   LinkPlaces links_;
   PlantAssembly assembly_;
-  const bool is_cached_;
-  ExpansionCache::Kept own_;  // where there is no cache
-  ExpansionCache::Kept& kept_;
-  Key surroundings_;
+  CacheRun results_;
+  CacheKey surroundings_;
   std::deque<Batch> ready_;
   std::deque<Batch> growing_;
   std::uint64_t instances_ = 1;  // the root
@@ -373,8 +360,10 @@ class Expansion {
   std::vector<std::shared_ptr<SharedMeshes>> meshes_;  // by component
 };
 
+}  // namespace
+
 Plant expand(const Graph& graph, const Structure& structure, const Scene& scene, double time, Progress& progress,
-             ExpansionCache* cache) {
+             Cache* cache) {
   return Expansion(graph, structure, scene, time, progress, cache).run();
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "meristem/base/cache.h"
 #include "meristem/base/progress.h"
-#include "meristem/graph/expansion_cache.h"
 #include "meristem/graph/graph.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
@@ -15,9 +15,9 @@ namespace meristem {
 /// Randomness is keyed by the instance's path, so editing one component leaves the others as they were; blocks of
 /// instances expand in parallel with the same result on any number of threads. Nothing recurses. The graph's structure
 /// must be sound (analyse_structure). With a `cache`, what has not changed since its last expansion is taken from
-/// there: of components, links and scenes that have fingerprints. Throws InputError (limits, numbers that are not
-/// finite), Cancelled.
+/// there: of components, links and scenes that have fingerprints. What it leaves for the next one: batch.h. Textures
+/// are sketches until paint_textures (looks.h). Throws InputError (limits, numbers that are not finite), Cancelled.
 Plant expand(const Graph& graph, const Structure& structure, const Scene& scene, double time, Progress& progress,
-             ExpansionCache* cache = nullptr);
+             Cache* cache = nullptr);
 
 }  // namespace meristem

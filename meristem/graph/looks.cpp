@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <typeinfo>
+#include <unordered_map>
 
 #include "meristem/base/colour.h"
 
@@ -31,6 +34,23 @@ Vec3 mean_colour(const ComponentBase& base, Vec3 usual) {
   return base.colours.empty() ? base.colour.value_or(usual) : srgb_from_linear(linear_mean(base.colours));
 }
 
+TextureShape shape_of(const Prototype& prototype) {
+  const auto& texture_shape = prototype.type->texture_shape;
+  return texture_shape ? texture_shape(prototype.parameters.get()) : TextureShape();
+}
+
+std::shared_ptr<const Texture> painted_texture(const Prototype& prototype) {
+  const ComponentBase& base = prototype.base();
+  return make_texture(base.texture, shape_of(prototype), mean_colour(base, prototype.type->material.colour));
+}
+
+/// The component whose id is the name of a material with a texture.
+const Prototype& component_of(const Material& material, const Graph& graph) {
+  const auto found = std::ranges::find(graph.components, material.name, &Prototype::id);
+  if (found == graph.components.end()) throw std::invalid_argument("a material with a texture is of no component");
+  return *found;
+}
+
 }  // namespace
 
 Material material_of(const Prototype& prototype) {
@@ -40,13 +60,29 @@ Material material_of(const Prototype& prototype) {
   material.colour = mean_colour(base, material.colour);
   material.roughness = static_cast<float>(base.roughness.value_or(material.roughness));
   material.translucency = static_cast<float>(base.translucency.value_or(material.translucency));
-  const auto& texture_shape = prototype.type->texture_shape;
-  const TextureShape shape = texture_shape ? texture_shape(prototype.parameters.get()) : TextureShape();
-  material.texture = make_texture(base.texture, shape, material.colour);
+  material.texture = sketch_texture(base.texture, shape_of(prototype), material.colour);
   // Without a colour of the document's own, a picture is shown as it is.
   const bool is_tinted = base.colour.has_value() || !base.colours.empty();
   if (base.texture.picture && !is_tinted) material.colour = srgb_from_linear(material.texture->mean);
   return material;
+}
+
+void paint_textures(const Graph& graph, std::vector<Material>& materials, Progress& progress, Cache* cache) {
+  CacheRun results(cache, {typeid(Texture)});
+  std::unordered_map<std::uint64_t, std::shared_ptr<const Texture>> painted;  // by fingerprint
+  for (Material& material : materials) {
+    if (material.texture == nullptr || material.texture->is_painted()) continue;
+    progress.check();
+    const std::uint64_t key = material.texture->fingerprint;
+    std::shared_ptr<const Texture>& texture = painted[key];
+    if (texture == nullptr) {
+      texture = results.find<const Texture>(key);
+      results.count<Texture>(texture != nullptr);
+    }
+    if (texture == nullptr) results.store(key, texture = painted_texture(component_of(material, graph)));
+    material.texture = texture;
+  }
+  results.end();
 }
 
 Material blades_of(const Prototype& prototype) {

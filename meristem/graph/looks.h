@@ -2,13 +2,21 @@
 // From what a document says of a component's looks to its material, and to what each instance makes of it.
 #pragma once
 
+#include <vector>
+
+#include "meristem/base/cache.h"
+#include "meristem/base/progress.h"
 #include "meristem/base/random.h"
 #include "meristem/graph/component.h"
+#include "meristem/graph/graph.h"
 
 namespace meristem {
 
-/// The material of a component, with its texture.
+/// The material of a component, with a sketch of its texture.
 Material material_of(const Prototype& prototype);
+/// Paints the textures of which materials have sketches, equal ones once. With a `cache`, those that it has are not
+/// painted anew. Throws Cancelled.
+void paint_textures(const Graph& graph, std::vector<Material>& materials, Progress& progress, Cache* cache = nullptr);
 
 /// That of what it emits as blades.
 Material blades_of(const Prototype& prototype);

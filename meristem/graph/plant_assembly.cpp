@@ -2,7 +2,6 @@
 #include "meristem/graph/plant_assembly.h"
 
 #include <algorithm>
-#include <set>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -33,12 +32,17 @@ bool has_visible_stems(const std::vector<const BatchResult*>& batches) {
   return false;
 }
 
-/// Counts the pixels of textures. What materials share counts once.
-class PixelCount {
+/// The textures of a plant's materials, each once.
+class SharedTextures {
  public:
-  /// Throws where the material's texture is one too many.
-  void add(const Material& material, const Limits& limits) {
-    if (material.texture == nullptr || !textures_.insert(material.texture.get()).second) return;
+  /// Gives the material the texture of an earlier one where they are equal. Throws where it is one too many.
+  void share(Material& material, const Limits& limits) {
+    if (material.texture == nullptr) return;
+    const auto [known, is_new] = textures_.try_emplace(material.texture->fingerprint, material.texture);
+    if (!is_new) {
+      material.texture = known->second;
+      return;
+    }
     const Image& colour = material.texture->colour;
     pixels_ += static_cast<std::uint64_t>(colour.width) * static_cast<std::uint64_t>(colour.height);
     if (pixels_ <= limits.texture_pixels) return;
@@ -47,7 +51,7 @@ class PixelCount {
   }
 
  private:
-  std::set<const Texture*> textures_;  // only asked, never walked: addresses have no order to rely on
+  std::unordered_map<std::uint64_t, std::shared_ptr<const Texture>> textures_;  // by fingerprint
   std::uint64_t pixels_ = 0;
 };
 
@@ -69,11 +73,11 @@ Plant PlantAssembly::run(std::uint64_t mesh_bytes, Progress& progress) const {
   const std::vector<Surfaces> surfaces = join_surfaces(mesh_bytes, progress);
   Plant plant;
   std::vector<std::uint32_t> material_of_component(batches_of_.size(), 0);
-  PixelCount pixels;
+  SharedTextures textures;
   for (ComponentIndex c = 0; c < batches_of_.size(); ++c) {
     progress.check();
     const std::uint32_t material = material_of_component[c] = add_materials(c, surfaces[c], plant);
-    for (std::size_t k = material; k < plant.materials.size(); ++k) pixels.add(plant.materials[k], graph_.limits);
+    for (std::size_t k = material; k < plant.materials.size(); ++k) textures.share(plant.materials[k], graph_.limits);
     add_organs(c, material, plant);
     add_surfaces(c, material, surfaces[c], plant);
   }

@@ -22,9 +22,10 @@ class PlantAssembly {
   /// The next batch, of instances of `component`.
   void add(ComponentIndex component, std::shared_ptr<const BatchResult> batch);
 
-  /// The plant: materials, prototypes and organs in the order of the components, those of one component in the order of
-  /// its batches, then surfaces; stems in the order of the batches, joined. The batches' meshes take `mesh_bytes`.
-  /// Throws InputError where textures have too many pixels or surfaces too many bytes, Cancelled.
+  /// The plant: materials with sketches of their textures (equal ones share it), prototypes and organs in the order of
+  /// the components, those of one component in the order of its batches, then surfaces; stems in the order of the
+  /// batches, joined. The batches' meshes take `mesh_bytes`. Throws InputError where textures have too many pixels or
+  /// surfaces too many bytes, Cancelled.
   Plant run(std::uint64_t mesh_bytes, Progress& progress) const;
 
  private:

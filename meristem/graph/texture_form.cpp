@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/graph/texture_form.h"
 
-#include <algorithm>
-#include <mutex>
-#include <span>
 #include <utility>
 
-#include <fmt/format.h>
-
-#include "meristem/base/hash.h"
+#include "meristem/base/fingerprint.h"
 #include "meristem/base/read_image.h"
 #include "meristem/graph/table/table.h"
 #include "meristem/shape/texture/mean_light.h"
@@ -86,76 +81,62 @@ const ParameterTable& picture_table() {
   return table;
 }
 
-/// What tells textures apart.
-struct TextureKey {
-  std::optional<BarkRecipe> bark;
-  std::optional<LeafRecipe> leaf;
-  std::optional<PetalRecipe> petal;
-  std::string picture;  // hash of its pixels
-  TextureShape shape;
-  Vec3 colour{0};
-  int pixels = 0;
+void add_colour(Vec3 colour, Fingerprint& to) { to.add(colour.r).add(colour.g).add(colour.b); }
 
-  bool operator==(const TextureKey&) const = default;
-};
+void add_colour(const std::optional<Vec3>& colour, Fingerprint& to) {
+  to.add(colour.has_value());
+  add_colour(colour.value_or(Vec3(0)), to);
+}
 
-std::string hash_of(const PictureForm& picture) {
-  std::string hash = picture.masked ? "masked" : "whole";
+void add(const BarkRecipe& recipe, Fingerprint& to) {
+  const auto& [style, scale, relief, contrast, seams, marks, seed] = recipe;
+  to.add(style).add(scale).add(relief).add(contrast).add(seed);
+  add_colour(seams, to);
+  add_colour(marks, to);
+}
+
+void add(const LeafRecipe& recipe, Fingerprint& to) {
+  const auto& [veins, pairs, angle, contrast, relief, vein_colour, edge_colour, seed] = recipe;
+  to.add(veins).add(pairs).add(angle).add(contrast).add(relief).add(seed);
+  add_colour(vein_colour, to);
+  add_colour(edge_colour, to);
+}
+
+void add(const PetalRecipe& recipe, Fingerprint& to) {
+  const auto& [throat, throat_length, stripes, relief, seed] = recipe;
+  to.add(throat_length).add(relief).add(seed);
+  add_colour(throat, to);
+  add_colour(stripes, to);
+}
+
+/// What a picture shows; how it is laid is a matter of meshes.
+void add(const PictureForm& picture, Fingerprint& to) {
+  to.add(picture.masked);
   for (const Asset<Image>* image : {&picture.colour, &picture.normals}) {
-    if (!*image) continue;
-    hash += fmt::format(" {}x{} {}", (*image)->width, (*image)->height,
-                        hash128_hex(std::as_bytes(std::span((*image)->rgba))));
+    to.add(static_cast<bool>(*image));
+    if (*image) to.add((*image)->width).add((*image)->height).add_array((*image)->rgba);
   }
-  return hash;
 }
 
-TextureKey key_of(const TextureForm& form, const TextureShape& shape, Vec3 colour) {
-  if (form.picture) return {.picture = hash_of(*form.picture)};
-  TextureKey key{form.bark, form.leaf, form.petal, {}, {}, colour, form.pixels};
-  if (!form.bark) key.shape = shape;
-  return key;
+void add(const TextureShape& shape, Fingerprint& to) {
+  const auto& [outline, masked, aspect] = shape;
+  to.add_array(outline).add(masked).add(aspect);
 }
 
-/// Textures in use, by what they were made of.
-class TextureCache {
- public:
-  std::shared_ptr<const Texture> find(const TextureKey& key) {
-    const std::scoped_lock lock(mutex_);
-    return find_locked(key);
+/// Of all that tells textures apart.
+std::uint64_t fingerprint_of(const TextureForm& form, const TextureShape& shape, Vec3 colour) {
+  Fingerprint key;
+  key.add(form.bark.has_value()).add(form.leaf.has_value()).add(form.petal.has_value());
+  if (form.picture) {
+    add(*form.picture, key);
+    return key.hash();
   }
-  /// Keeps `texture` while it is in use, or gives the one that another thread was quicker with.
-  std::shared_ptr<const Texture> keep(TextureKey key, Texture texture) {
-    const std::scoped_lock lock(mutex_);
-    if (std::shared_ptr<const Texture> other = find_locked(key)) return other;
-    entries_.erase(
-        std::remove_if(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.texture.expired(); }),
-        entries_.end());
-    auto kept = std::make_shared<const Texture>(std::move(texture));
-    entries_.push_back({std::move(key), kept});
-    return kept;
-  }
-
- private:
-  struct Entry {
-    TextureKey key;
-    std::weak_ptr<const Texture> texture;
-  };
-
-  std::shared_ptr<const Texture> find_locked(const TextureKey& key) const {
-    for (const Entry& entry : entries_) {
-      if (entry.key != key) continue;
-      if (std::shared_ptr<const Texture> texture = entry.texture.lock()) return texture;
-    }
-    return nullptr;
-  }
-
-  std::mutex mutex_;
-  std::vector<Entry> entries_;
-};
-
-TextureCache& texture_cache() {
-  static TextureCache cache;
-  return cache;
+  if (form.bark) add(*form.bark, key);
+  if (form.leaf) add(*form.leaf, key);
+  if (form.petal) add(*form.petal, key);
+  if (!form.bark) add(shape, key);  // bark follows no shape
+  add_colour(colour, key);
+  return key.add(form.pixels).hash();
 }
 
 Texture texture_of(const PictureForm& picture) {
@@ -176,6 +157,30 @@ Texture painted(const TextureForm& form, const TextureShape& shape, Vec3 colour)
   if (form.leaf) return make_leaf_texture(*form.leaf, shape, colour, form.pixels);
   if (form.petal) return make_petal_texture(*form.petal, shape, colour, form.pixels);
   return texture_of(*form.picture);
+}
+
+Texture sketched(const TextureForm& form, const TextureShape& shape) {
+  Texture texture;
+  const auto sketch = [&](double relief) {
+    texture.colour = {form.pixels, form.pixels, {}};
+    if (relief > 0) texture.normals = texture.colour;
+  };
+  if (form.bark) sketch(form.bark->relief);
+  if (form.leaf) sketch(form.leaf->relief);
+  if (form.petal) sketch(form.petal->relief);
+  texture.masked = !form.bark && shape.masked;
+  if (!form.picture) return texture;
+  const PictureForm& picture = *form.picture;
+  texture.masked = picture.masked;
+  texture.colour = {picture.colour->width, picture.colour->height, {}};
+  if (picture.normals) texture.normals = {picture.normals->width, picture.normals->height, {}};
+  texture.mean = mean_light(*picture.colour, picture.masked);
+  return texture;
+}
+
+std::shared_ptr<const Texture> with_fingerprint(Texture texture, std::uint64_t fingerprint) {
+  texture.fingerprint = fingerprint;
+  return std::make_shared<const Texture>(std::move(texture));
 }
 
 }  // namespace
@@ -205,10 +210,13 @@ void lay_picture(const TextureForm& form, Mesh& mesh) {
 }
 
 std::shared_ptr<const Texture> make_texture(const TextureForm& form, const TextureShape& shape, Vec3 colour) {
-  if (!form.bark && !form.leaf && !form.petal && !form.picture) return nullptr;
-  TextureKey key = key_of(form, shape, colour);
-  if (std::shared_ptr<const Texture> texture = texture_cache().find(key)) return texture;
-  return texture_cache().keep(std::move(key), painted(form, shape, colour));
+  if (form.is_empty()) return nullptr;
+  return with_fingerprint(painted(form, shape, colour), fingerprint_of(form, shape, colour));
+}
+
+std::shared_ptr<const Texture> sketch_texture(const TextureForm& form, const TextureShape& shape, Vec3 colour) {
+  if (form.is_empty()) return nullptr;
+  return with_fingerprint(sketched(form, shape), fingerprint_of(form, shape, colour));
 }
 
 }  // namespace meristem

@@ -30,6 +30,8 @@ struct TextureForm {
   std::optional<PetalRecipe> petal;
   std::optional<PictureForm> picture;
   int pixels = 512;  ///< a side, of those that are made
+
+  bool is_empty() const { return !bark && !leaf && !petal && !picture; }
 };
 
 const ParameterTable& texture_table();  ///< of TextureForm
@@ -37,8 +39,11 @@ const ParameterTable& texture_table();  ///< of TextureForm
 /// Lays the picture of a form, if it has one, on a mesh as it says.
 void lay_picture(const TextureForm& form, Mesh& mesh);
 
-/// The texture that a checked form means, null for an empty one; equal forms share it while it is in use. `shape` is
-/// what the component's uvs show, `colour` (sRGB) its mean.
+/// The texture that a checked form means, null for an empty one. `shape` is what the component's uvs show, `colour`
+/// (sRGB) its mean.
 std::shared_ptr<const Texture> make_texture(const TextureForm& form, const TextureShape& shape, Vec3 colour);
+
+/// A sketch of the same texture, which takes no time: sizes and masks, without pixels.
+std::shared_ptr<const Texture> sketch_texture(const TextureForm& form, const TextureShape& shape, Vec3 colour);
 
 }  // namespace meristem

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/graph/texture_form.h"
 
-#include <array>
-#include <thread>
-
 #include <gtest/gtest.h>
 
 #include "meristem/base/diagnostic.h"
@@ -81,43 +78,74 @@ TEST(TextureForm, RefusesPicturesThatAreNotThere) {
 
 TEST(TextureForm, WithoutAKindMakesNone) { EXPECT_EQ(make_texture({}, {}, Vec3(0.5F)), nullptr); }
 
-TEST(TextureForm, EqualOnesShareATextureWhileItIsInUse) {
-  const auto texture = make_texture(bark_form(), {}, Vec3(0.5F));
-  EXPECT_EQ(make_texture(bark_form(), {}, Vec3(0.5F)), texture);
+TEST(TextureForm, EqualOnesHaveTheSameFingerprint) {
+  const auto fingerprint = [](const TextureForm& form, const TextureShape& shape = {}, Vec3 colour = Vec3(0.5F)) {
+    return sketch_texture(form, shape, colour)->fingerprint;
+  };
+  const std::uint64_t first = fingerprint(bark_form());
+  EXPECT_EQ(fingerprint(bark_form()), first);
   // Bark follows no shape.
-  EXPECT_EQ(make_texture(bark_form(), {.masked = true}, Vec3(0.5F)), texture);
-  EXPECT_NE(make_texture(bark_form(), {}, Vec3(0.4F)), texture);
-  EXPECT_NE(make_texture(bark_form(33), {}, Vec3(0.5F)), texture);
+  EXPECT_EQ(fingerprint(bark_form(), {.masked = true}), first);
+  EXPECT_NE(fingerprint(bark_form(), {}, Vec3(0.4F)), first);
+  EXPECT_NE(fingerprint(bark_form(33)), first);
   TextureForm other = bark_form();
   other.bark->seed = 2;
-  EXPECT_NE(make_texture(other, {}, Vec3(0.5F)), texture);
+  EXPECT_NE(fingerprint(other), first);
+  other = bark_form();
+  other.bark->marks = Vec3(0);
+  EXPECT_NE(fingerprint(other), first);
 }
 
-TEST(TextureForm, LetsGoOfATextureThatNobodyUses) {
-  const std::weak_ptr<const Texture> texture = make_texture(bark_form(), {}, Vec3(0.3F));
-  EXPECT_TRUE(texture.expired());
+TextureForm leaf_form(double relief = 1) {
+  TextureForm form;
+  form.leaf = LeafRecipe{.relief = relief};
+  form.pixels = 32;
+  return form;
+}
+
+TextureForm petal_form() {
+  TextureForm form;
+  form.petal = PetalRecipe{};
+  form.pixels = 16;
+  return form;
+}
+
+TextureForm picture_form(bool masked) {
+  TextureForm form;
+  form.picture = PictureForm{.colour = picture(100, 0), .normals = picture(128, 255), .masked = masked};
+  return form;
+}
+
+TEST(TextureForm, ASketchSaysAllOfATextureButItsPixels) {
+  const TextureShape cut{{{0, 0}, {1, 0}, {0.5F, 1}}, true};
+  for (const TextureForm& form :
+       {bark_form(), leaf_form(), leaf_form(0), petal_form(), picture_form(false), picture_form(true)}) {
+    for (const TextureShape& shape : {TextureShape(), cut}) {
+      const auto sketch = sketch_texture(form, shape, Vec3(0.5F));
+      const auto painted = make_texture(form, shape, Vec3(0.5F));
+      EXPECT_FALSE(sketch->is_painted());
+      EXPECT_TRUE(painted->is_painted());
+      EXPECT_EQ(sketch->bytes(), 0U);
+      EXPECT_EQ(sketch->fingerprint, painted->fingerprint);
+      EXPECT_EQ(sketch->masked, painted->masked);
+      EXPECT_EQ(sketch->has_normals(), painted->has_normals());
+      EXPECT_EQ(sketch->colour.width, painted->colour.width);
+      EXPECT_EQ(sketch->colour.height, painted->colour.height);
+      EXPECT_EQ(sketch->normals.width, painted->normals.width);
+      if (form.picture) {
+        EXPECT_EQ(sketch->mean, painted->mean);
+      }
+    }
+  }
 }
 
 TEST(TextureForm, LeavesFollowTheShape) {
-  TextureForm form;
-  form.leaf = LeafRecipe{};
-  form.pixels = 32;
+  const TextureForm form = leaf_form();
   const auto whole = make_texture(form, {}, Vec3(0.5F));
   const auto cut = make_texture(form, {{{0, 0}, {1, 0}, {0.5F, 1}}, true}, Vec3(0.5F));
   EXPECT_FALSE(whole->masked);
   EXPECT_TRUE(cut->masked);
   EXPECT_EQ(cut->colour.pixel(0, 0)[3], 0);
-}
-
-TEST(TextureForm, ThreadsThatAskAtOnceShareATexture) {
-  std::array<std::shared_ptr<const Texture>, 4> textures;
-  {
-    std::vector<std::jthread> threads;
-    for (auto& texture : textures) {
-      threads.emplace_back([&texture] { texture = make_texture(bark_form(48), {}, Vec3(0.6F)); });
-    }
-  }
-  for (const auto& texture : textures) EXPECT_EQ(texture, textures[0]);
 }
 
 TEST(TextureForm, PicturesHaveTheirOwnMean) {
@@ -131,7 +159,7 @@ TEST(TextureForm, PicturesHaveTheirOwnMean) {
 
   form.picture->masked = true;
   const auto masked = make_texture(form, {}, Vec3(0.5F));
-  EXPECT_NE(masked, opaque);
+  EXPECT_NE(masked->fingerprint, opaque->fingerprint);
   EXPECT_EQ(masked->colour.pixel(1, 0)[3], 0);
 }
 
@@ -152,18 +180,21 @@ TEST(TextureForm, PicturesAreLaidAsTheFormSays) {
   EXPECT_EQ(mesh.uvs, (std::vector<Vec2>{{0, 0.25F}, {2, -0.25F}}));
 }
 
-TEST(TextureForm, PicturesOfTheSamePixelsShareATexture) {
+TEST(TextureForm, PicturesOfTheSamePixelsHaveTheSameFingerprint) {
+  const auto fingerprint = [](const TextureForm& form, Vec3 colour) {
+    return sketch_texture(form, {}, colour)->fingerprint;
+  };
   TextureForm one;
   one.picture = PictureForm{.colour = picture(100, 255)};
   TextureForm two;
   two.picture = PictureForm{.colour = picture(100, 255)};
-  const auto texture = make_texture(one, {}, Vec3(0.5F));
-  EXPECT_EQ(make_texture(two, {}, Vec3(0.1F)), texture);
+  const std::uint64_t first = fingerprint(one, Vec3(0.5F));
+  EXPECT_EQ(fingerprint(two, Vec3(0.1F)), first);
   two.picture->colour = picture(101, 255);
-  EXPECT_NE(make_texture(two, {}, Vec3(0.5F)), texture);
+  EXPECT_NE(fingerprint(two, Vec3(0.5F)), first);
   two.picture->colour = one.picture->colour;
   two.picture->normals = picture(128, 255);
-  EXPECT_NE(make_texture(two, {}, Vec3(0.5F)), texture);
+  EXPECT_NE(fingerprint(two, Vec3(0.5F)), first);
 }
 
 }  // namespace

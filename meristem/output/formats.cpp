@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "meristem/base/version.h"
-#include "meristem/output/gltf/gltf.h"
 #include "meristem/output/mesh/obj.h"
 #include "meristem/output/mesh/ply.h"
 #include "meristem/output/skeleton/skeleton_csv.h"
@@ -36,17 +35,21 @@ constexpr Format kFormats[] = {
     {".glb", "glTF 2.0 binary, for Blender, Godot, three.js and most others",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions& options,
         Progress& progress) {
-       write_glb(grown.meshes, path, {.instanced = options.instanced, .provenance = provenance_of(document)}, progress);
+       write_glb(grown.meshes, path,
+                 {.instances = options.instances, .provenance = provenance_of(document), .pictures = options.pictures},
+                 progress);
      },
-     true, true},
+     GrownPart::textures, true},
     {".obj", "Wavefront OBJ with its MTL file and pictures beside it",
-     [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
-        Progress& progress) { write_obj(grown.meshes, path, {provenance_of(document)}, progress); },
-     true, false, obj_companions},
+     [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions& options,
+        Progress& progress) {
+       write_obj(grown.meshes, path, {provenance_of(document), options.pictures}, progress);
+     },
+     GrownPart::textures, false, obj_companions},
     {".ply", "the mesh as binary PLY, for MeshLab, Open3D and Blender",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_mesh_ply(grown.meshes, path, {provenance_of(document)}, progress); },
-     true},
+     GrownPart::meshes},
     {".skeleton.ply", "the skeletons as points with radius, and edges, in binary PLY",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_skeleton_ply(grown.plant, path, {provenance_of(document)}, progress); }},

@@ -8,11 +8,13 @@
 
 #include "meristem/base/progress.h"
 #include "meristem/document/grow.h"
+#include "meristem/output/gltf/gltf.h"
 
 namespace meristem {
 
 struct FormatOptions {
-  bool instanced = false;  ///< of formats that can: organs are places of one mesh, not copies
+  GltfInstances instances = GltfInstances::automatic;  ///< of formats that can: how organs share a mesh
+  EncodedPictures* pictures = nullptr;                 ///< shared with other files; null: none
 };
 
 /// A kind of file that a grown document can be written to.
@@ -21,10 +23,12 @@ struct Format {
   std::string_view doc;     ///< one line
   void (*write)(const Document& document, const GrownDocument& grown, const std::string& path,
                 const FormatOptions& options, Progress& progress);
-  bool has_meshes = false;  ///< so that levels of detail differ
+  GrownPart needs = GrownPart::plant;  ///< what is written
   bool can_instance = false;
   /// The files that may be written beside it; null where there are none.
   std::vector<std::string> (*companions)(const Document& document, const std::string& path) = nullptr;
+
+  bool has_meshes() const { return needs >= GrownPart::meshes; }  ///< so that levels of detail differ
 };
 
 /// Where a level of detail is written beside `path`, which is of that format: `oak_lod2.glb` for `oak.glb`; `path`

@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "meristem/base/parallel.h"
+#include "meristem/shape/cached_meshes.h"
 #include "meristem/shape/implicit/isosurface.h"
 #include "meristem/shape/implicit/plant_body.h"
-#include "meristem/shape/kept_meshes.h"
 #include "meristem/shape/mesh/front_normals.h"
 #include "meristem/shape/mesh/shading.h"
 #include "meristem/shape/mesh/simplify.h"
@@ -195,20 +195,20 @@ Thickening find_thickening(const Plant& plant) {
 }
 
 std::vector<MeshInstances> make_body_meshes(const Plant& plant, const Detail& detail, const Limits& limits,
-                                            std::vector<Material>& materials, Progress& progress,
-                                            MeshCache::Kept& kept) {
+                                            std::vector<Material>& materials, Progress& progress, CacheRun& results) {
   const std::vector<BodyTask> tasks = tasks_of(plant);
-  std::vector<std::uint64_t> keys;
+  std::vector<CacheKey> keys;
   std::vector<std::shared_ptr<const Mesh>> meshes;
   std::vector<std::size_t> missing;
   for (const BodyTask& task : tasks) {
-    keys.push_back(key_of(task, detail, limits));
-    meshes.push_back(kept.bodies.find(keys.back()));
-    if (meshes.back() == nullptr) missing.push_back(meshes.size() - 1);
+    keys.push_back(results.key([&] { return key_of(task, detail, limits); }));
+    const auto found = results.find<const BodyMesh>(keys.back());
+    results.count<BodyMesh>(found != nullptr);
+    meshes.push_back(found != nullptr ? found->mesh : nullptr);
+    if (found == nullptr) missing.push_back(meshes.size() - 1);
   }
-  kept.bodies_reuse = {.made = missing.size(), .reused = tasks.size() - missing.size()};
   mesh_bodies(tasks, missing, detail, limits, progress, meshes);
-  for (const std::size_t k : missing) kept.bodies.keep(keys[k], meshes[k]);
+  for (const std::size_t k : missing) results.store(keys[k], std::make_shared<const BodyMesh>(BodyMesh{meshes[k]}));
 
   std::vector<MeshInstances> made(tasks.size());
   for (std::size_t k = 0; k < tasks.size(); ++k) {

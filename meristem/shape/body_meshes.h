@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "meristem/base/cache.h"
 #include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
 #include "meristem/plant/plant.h"
@@ -19,10 +20,9 @@ Thickening find_thickening(const Plant& plant);
 /// The blended bodies and crown bodies of all stems, in their order; a body's material has no texture, as bodies have
 /// no uvs, and a crown's is its component's with the crown's colour: those that are new are appended to `materials`.
 /// Beyond level 0 of `detail` they are simplified to its share of their triangles, but to no fewer than 200. Begins
-/// stages of `progress` where there are any. Bodies that are among the `kept` are not made anew. Throws as
+/// stages of `progress` where there are any. Bodies that are among the `results` are not made anew. Throws as
 /// extract_isosurface does, at the component's surface.
 std::vector<MeshInstances> make_body_meshes(const Plant& plant, const Detail& detail, const Limits& limits,
-                                            std::vector<Material>& materials, Progress& progress,
-                                            MeshCache::Kept& kept);
+                                            std::vector<Material>& materials, Progress& progress, CacheRun& results);
 
 }  // namespace meristem

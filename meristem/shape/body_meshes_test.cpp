@@ -12,6 +12,8 @@
 namespace meristem {
 namespace {
 
+CacheRun uncached(nullptr, {});
+
 /// One fork of component "tree" in that surface.
 Plant fork_in(const Surface& surface) {
   Plant plant;
@@ -53,8 +55,7 @@ TEST(BodyMeshes, ABlendedStemIsOneClosedMeshAndNoTubes) {
 TEST(BodyMeshes, TubesHaveNone) {
   Progress progress;
   std::vector<Material> materials(1);
-  MeshCache cache;
-  EXPECT_TRUE(make_body_meshes(fork_in({}), {}, {}, materials, progress, cache.kept()).empty());
+  EXPECT_TRUE(make_body_meshes(fork_in({}), {}, {}, materials, progress, uncached).empty());
   EXPECT_EQ(materials.size(), 1U);
 }
 
@@ -159,8 +160,7 @@ TEST(BodyMeshes, StopWhenAsked) {
   Progress progress;
   progress.cancel();
   std::vector<Material> materials(1);
-  MeshCache cache;
-  EXPECT_THROW(make_body_meshes(fork_in(blended()), {}, {}, materials, progress, cache.kept()), Cancelled);
+  EXPECT_THROW(make_body_meshes(fork_in(blended()), {}, {}, materials, progress, uncached), Cancelled);
 }
 
 }  // namespace

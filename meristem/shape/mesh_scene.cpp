@@ -10,14 +10,15 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <typeinfo>
 #include <utility>
 
 #include <glm/vector_relational.hpp>
 
 #include "meristem/base/parallel.h"
 #include "meristem/shape/body_meshes.h"
+#include "meristem/shape/cached_meshes.h"
 #include "meristem/shape/detail_plan.h"
-#include "meristem/shape/kept_meshes.h"
 #include "meristem/shape/mesh/tangents.h"
 #include "meristem/shape/stem_looks.h"
 #include "meristem/shape/tube/tube_plan.h"
@@ -74,7 +75,7 @@ std::vector<std::size_t> organs_of_prototypes(const Plant& plant, const OrganDet
 /// One stem's tubes: those of parts that look alike share a mesh. They are planned where they were not made before.
 struct StemDress {
   StemLooks looks;
-  std::uint64_t key = 0;
+  CacheKey key;
   std::optional<TubePlan> plan;
   std::shared_ptr<const StemTubes> tubes;
 
@@ -102,18 +103,17 @@ std::uint64_t key_of(const Stem& stem, const StemLooks& looks, const std::vector
   return key.hash();
 }
 
-std::vector<std::unique_ptr<StemDress>> plan_stems(const Plant& plant, const Detail& detail, MeshCache::Kept& kept,
-                                                   bool is_cached) {
+std::vector<std::unique_ptr<StemDress>> plan_stems(const Plant& plant, const Detail& detail, CacheRun& results) {
   std::vector<std::unique_ptr<StemDress>> dresses(plant.stems.size());
   parallel_for(dresses.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       dresses[i] = std::make_unique<StemDress>(plant.stems[i]);
-      if (is_cached) dresses[i]->key = key_of(plant.stems[i], dresses[i]->looks, plant.materials, detail);
+      dresses[i]->key = results.key([&] { return key_of(plant.stems[i], dresses[i]->looks, plant.materials, detail); });
     }
   });
   for (const std::unique_ptr<StemDress>& dress : dresses) {
-    if (is_cached) dress->tubes = kept.tubes.find(dress->key);
-    ++(dress->tubes != nullptr ? kept.stems_reuse.reused : kept.stems_reuse.made);
+    dress->tubes = results.find<const StemTubes>(dress->key);
+    results.count<StemTubes>(dress->tubes != nullptr);
   }
   parallel_for(dresses.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -131,8 +131,8 @@ struct ScenePlan {
   OrganDetail organs;
   std::vector<std::size_t> organ_counts;  // of each prototype
 
-  ScenePlan(const Plant& plant, const Detail& detail, MeshCache::Kept& kept, bool is_cached)
-      : stems(plan_stems(plant, detail, kept, is_cached)),
+  ScenePlan(const Plant& plant, const Detail& detail, CacheRun& results)
+      : stems(plan_stems(plant, detail, results)),
         organs(plan_organs(plant, detail)),
         organ_counts(organs_of_prototypes(plant, organs)) {}
 };
@@ -182,7 +182,7 @@ std::shared_ptr<const StemTubes> make_stem(const StemDress& dress, const std::ve
 
 /// The tubes of each stem.
 std::vector<MeshInstances> clothe_stems(const Plant& plant, const std::vector<std::unique_ptr<StemDress>>& dresses,
-                                        MeshCache::Kept& kept, bool is_cached, Progress& progress) {
+                                        CacheRun& results, Progress& progress) {
   std::vector<std::uint8_t> is_new(dresses.size());
   parallel_for(dresses.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -197,7 +197,7 @@ std::vector<MeshInstances> clothe_stems(const Plant& plant, const std::vector<st
   std::vector<MeshInstances> all;
   for (std::size_t i = 0; i < dresses.size(); ++i) {
     const StemDress& dress = *dresses[i];
-    if (is_cached && is_new[i] != 0) kept.tubes.keep(dress.key, dress.tubes);
+    if (is_new[i] != 0) results.store(dress.key, dress.tubes);
     for (std::size_t k = 0; k < dress.tubes->meshes.size(); ++k) {
       const StemPart& look = *dress.looks.first_part[k];
       MeshInstances& instances = all.emplace_back();
@@ -212,25 +212,25 @@ std::vector<MeshInstances> clothe_stems(const Plant& plant, const std::vector<st
 }
 
 /// The mesh as a material needs it.
-std::shared_ptr<const Mesh> with_kept_tangents(const std::shared_ptr<const Mesh>& mesh, const Material& material,
-                                               MeshCache::Kept& kept) {
+std::shared_ptr<const Mesh> with_cached_tangents(const std::shared_ptr<const Mesh>& mesh, const Material& material,
+                                                 CacheRun& results) {
   if (!needs_tangents(material) || !mesh->tangents.empty()) return mesh;
-  const std::uint64_t key = Fingerprint().add(reinterpret_cast<std::uintptr_t>(mesh.get())).hash();
-  std::shared_ptr<const TangentMesh> found = kept.tangents.find(key);
+  const CacheKey key = Fingerprint().add(reinterpret_cast<std::uintptr_t>(mesh.get())).hash();
+  std::shared_ptr<const TangentMesh> found = results.find<const TangentMesh>(key);
   if (found == nullptr) {
     found = std::make_shared<const TangentMesh>(TangentMesh{mesh, with_needed_tangents(mesh, material)});
-    kept.tangents.keep(key, found);
+    results.store(key, found);
   }
   return found->mesh;
 }
 
 /// The frames of each prototype's organs, in the order of the organs.
-std::vector<MeshInstances> place_organs(const Plant& plant, const ScenePlan& scene, MeshCache::Kept& kept,
+std::vector<MeshInstances> place_organs(const Plant& plant, const ScenePlan& scene, CacheRun& results,
                                         Progress& progress) {
   std::vector<MeshInstances> placed(plant.prototypes.size());
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const OrganPrototype& prototype = plant.prototypes[i];
-    auto mesh = with_kept_tangents(scene.organs.meshes[i], plant.materials[prototype.material], kept);
+    auto mesh = with_cached_tangents(scene.organs.meshes[i], plant.materials[prototype.material], results);
     placed[i] = {prototype.component, std::move(mesh), prototype.material, {}, {}};
     placed[i].frames.reserve(scene.organ_counts[i]);
     placed[i].tints.reserve(scene.organ_counts[i]);
@@ -311,24 +311,21 @@ Box MeshScene::bounds() const {
 }
 
 MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& progress, const Detail& detail,
-                          MeshCache* cache) {
+                          Cache* cache) {
   check_references(plant);
   check_detail(detail);
-  MeshCache own;
-  MeshCache::Kept& kept = cache != nullptr ? cache->kept() : own.kept();
-  kept.begin_run();
-  const bool is_cached = cache != nullptr;
-  const ScenePlan plan(plant, detail, kept, is_cached);
+  CacheRun results(cache, {typeid(StemTubes), typeid(BodyMesh), typeid(TangentMesh)});
+  const ScenePlan plan(plant, detail, results);
   check_limits(plant, {}, plan, limits);
   std::vector<Material> materials = plant.materials;
-  std::vector<MeshInstances> bodies = make_body_meshes(plant, detail, limits, materials, progress, kept);
+  std::vector<MeshInstances> bodies = make_body_meshes(plant, detail, limits, materials, progress, results);
   check_limits(plant, bodies, plan, limits);
   progress.begin("meshing", plant.node_count() + plant.organs.size());
-  std::vector<MeshInstances> meshes = clothe_stems(plant, plan.stems, kept, is_cached, progress);
+  std::vector<MeshInstances> meshes = clothe_stems(plant, plan.stems, results, progress);
   std::move(bodies.begin(), bodies.end(), std::back_inserter(meshes));
-  std::vector<MeshInstances> placed = place_organs(plant, plan, kept, progress);
+  std::vector<MeshInstances> placed = place_organs(plant, plan, results, progress);
   std::move(placed.begin(), placed.end(), std::back_inserter(meshes));
-  kept.end_run();
+  results.end();
   return {std::move(materials), grouped(std::move(meshes))};
 }
 

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "meristem/base/cache.h"
 #include "meristem/base/frame.h"
 #include "meristem/base/limits.h"
 #include "meristem/base/mesh.h"
 #include "meristem/base/progress.h"
 #include "meristem/plant/plant.h"
 #include "meristem/shape/detail.h"
-#include "meristem/shape/mesh_cache.h"
 
 namespace meristem {
 
@@ -43,11 +43,11 @@ struct MeshScene {
 
 /// Clothes a plant: every stem gets its surface (blended bodies and crowns: body_meshes.h), every prototype its
 /// instances (in the order of the plant's organs); how coarsely, `detail` says (detail.h). With a `cache`, stems that
-/// it has clothed before keep their meshes. Begins a stage of `progress`, which counts nodes and organs, and before it
-/// those of bodies. Throws InputError where the limits on triangles or geometry would be passed, before memory is
-/// spent: it names the component that has most. Throws Cancelled, and std::invalid_argument for indices that point
-/// nowhere and details out of range.
+/// it has clothed before keep their meshes (cached_meshes.h). Begins a stage of `progress`, which counts nodes and
+/// organs, and before it those of bodies. Throws InputError where the limits on triangles or geometry would be passed,
+/// before memory is spent: it names the component that has most. Throws Cancelled, and std::invalid_argument for
+/// indices that point nowhere and details out of range.
 MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& progress, const Detail& detail = {},
-                          MeshCache* cache = nullptr);
+                          Cache* cache = nullptr);
 
 }  // namespace meristem

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "document.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -57,7 +58,7 @@ DocumentPointer with_values(const DocumentPointer& document, const py::object& v
   }
   const std::optional<std::uint64_t> other = optional_seed(seed);
   return std::make_shared<DocumentInPython>(document->text, document->file, std::move(overrides),
-                                            other ? other : kept_seed);
+                                            other ? other : kept_seed, document->textures);
 }
 
 /// Files that the document names must be found from where it is written.
@@ -106,8 +107,8 @@ std::shared_ptr<PlantInPython> grow(const DocumentPointer& document, double time
                                     const py::object& progress) {
   if (!std::isfinite(time)) throw py::value_error("time must be a finite number of seconds");
   return run_call(progress, threads, [&](Progress& inner) {
-    return std::make_shared<PlantInPython>(
-        PlantInPython{.origin = document, .grown = grow_document(document->document, inner, time)});
+    GrownDocument grown = grow_document(document->document, inner, {.time = time, .up_to = GrownPart::plant});
+    return std::make_shared<PlantInPython>(document, std::move(grown.plant));
   });
 }
 
@@ -139,12 +140,24 @@ DocumentPointer from_state(const py::tuple& state) {
 }  // namespace
 
 DocumentInPython::DocumentInPython(std::string given_text, std::string given_file, std::vector<Override> values,
-                                   std::optional<std::uint64_t> other_seed)
+                                   std::optional<std::uint64_t> other_seed, std::shared_ptr<PaintedTextures> shared)
     : text(std::move(given_text)),
       file(std::move(given_file)),
       overrides(std::move(values)),
       seed(other_seed),
-      document(read_document(text, file, builtin_components(), overrides, seed)) {}
+      document(read_document(text, file, builtin_components(), overrides, seed)),
+      textures(std::move(shared)) {}
+
+const GrownDocument& PlantInPython::up_to(GrownPart part, Progress& progress) {
+  const std::scoped_lock lock(mutex_);
+  complete_growth(origin->document, grown_, progress, {.up_to = std::min(part, GrownPart::meshes)});
+  has_meshes_ = grown_.up_to >= GrownPart::meshes;
+  if (part <= grown_.up_to) return grown_;
+  // The plants of a batch have their textures in common, not their meshes.
+  const std::scoped_lock painting(origin->textures->mutex);
+  complete_growth(origin->document, grown_, progress, {.up_to = part, .cache = &origin->textures->cache});
+  return grown_;
+}
 
 Value DocumentInPython::tree() const {
   Value tree = document.source.tree;
@@ -179,6 +192,8 @@ their paths, as in set(); `seed` (0 to 2^64 - 1) replaces the document's. Raises
       .def("grow", &grow, py::arg("time") = 0.0, py::kw_only(), py::arg("threads") = 0,
            py::arg("progress") = py::none(),
            R"(Grows the document as it stands at `time` (seconds) and gives a Plant, the same on any number of threads.
+
+What clothes the plant is made when it is first asked for.
 
 `threads` bounds the threads (0: all cores). `progress` is a Progress, or something to call with stage and fraction.
 Other Python threads go on meanwhile, and Ctrl-C stops it. Raises InputError (limits), Cancelled.)")

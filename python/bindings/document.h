@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +19,12 @@ namespace meristem::python {
 
 namespace py = pybind11;
 
+/// The textures of the last plant that has been painted, for the next one of the same document or one made of it.
+struct PaintedTextures {
+  std::mutex mutex;
+  GrowthCache cache;
+};
+
 /// A document and what it was read from, so that it can be read again with other values. It never changes, so calls
 /// that run on other threads may use it.
 struct DocumentInPython {
@@ -25,18 +33,35 @@ struct DocumentInPython {
   std::vector<Override> overrides;
   std::optional<std::uint64_t> seed;
   Document document;
+  std::shared_ptr<PaintedTextures> textures;  ///< shared with the documents that it was made of
 
   /// Throws InputError.
   DocumentInPython(std::string given_text, std::string given_file, std::vector<Override> values,
-                   std::optional<std::uint64_t> other_seed);
+                   std::optional<std::uint64_t> other_seed,
+                   std::shared_ptr<PaintedTextures> shared = std::make_shared<PaintedTextures>());
   /// What the text says, with overrides and seed.
   Value tree() const;
 };
 
-/// A document that has grown.
-struct PlantInPython {
-  std::shared_ptr<const DocumentInPython> origin;
-  GrownDocument grown;
+/// A document that has grown. Its meshes and the pictures on them are made when they are first asked for.
+class PlantInPython {
+ public:
+  PlantInPython(std::shared_ptr<const DocumentInPython> from, Plant plant) : origin(std::move(from)) {
+    grown_.plant = std::move(plant);
+  }
+
+  const std::shared_ptr<const DocumentInPython> origin;
+
+  const Plant& plant() const { return grown_.plant; }
+  /// What has grown, with all up to a part. On a thread without the interpreter's lock. Throws as complete_growth does.
+  const GrownDocument& up_to(GrownPart part, Progress& progress);
+  /// The meshes if they have been made, else null.
+  const MeshScene* present_meshes() const { return has_meshes_ ? &grown_.meshes : nullptr; }
+
+ private:
+  GrownDocument grown_;
+  std::mutex mutex_;  // guards what is being made; what there is does not change
+  std::atomic<bool> has_meshes_{false};
 };
 
 /// Has T.__new__ raise TypeError, where only the library makes objects: one without content would be read all the same.

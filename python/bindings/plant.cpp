@@ -38,11 +38,18 @@ py::list parts_of(const PlantPointer& plant, const std::vector<Part>& parts) {
   return list;
 }
 
+/// What has grown, with all up to a part, which may take its time.
+const GrownDocument& up_to(const PlantPointer& plant, GrownPart part) {
+  return *run_call(py::none(), 0, [&](Progress& inner) { return &plant->up_to(part, inner); });
+}
+
+const MeshScene& meshes_of(const PlantPointer& plant) { return up_to(plant, GrownPart::meshes).meshes; }
+
 /// The organs as columns.
 struct Organs {
   PlantPointer plant;
 
-  const std::vector<Organ>& rows() const { return plant->grown.plant.organs; }
+  const std::vector<Organ>& rows() const { return plant->plant().organs; }
 
   template <class T, class Member>
   py::object column(Member Organ::*member, std::vector<py::ssize_t> inner) const {
@@ -60,7 +67,8 @@ struct Organs {
 
 py::dict organ_light(const PlantPointer& plant, int threads, const py::object& progress) {
   std::vector<LitOrgan> organs = run_call(progress, threads, [&](Progress& inner) {
-    return measure_organ_light(plant->grown.plant, plant->grown.meshes, plant->origin->document.scene, inner);
+    const GrownDocument& grown = plant->up_to(GrownPart::textures, inner);
+    return measure_organ_light(grown.plant, grown.meshes, plant->origin->document.scene, inner);
   });
   const auto owner = std::make_shared<const std::vector<LitOrgan>>(std::move(organs));
   const auto column = [&](double LitOrgan::*member) -> py::object {
@@ -103,7 +111,8 @@ py::object measures_of(const PlantPointer& plant, bool light, bool each, double 
   check_options(fork_diameter, crown_rays);
   const MeasureOptions options{.fork_diameter = fork_diameter, .crown_rays = crown_rays, .organ_light = light};
   const StandMeasures measures = run_call(progress, threads, [&](Progress& inner) {
-    return measure_plant(plant->grown.plant, plant->grown.meshes, plant->origin->document.scene, options, inner);
+    const GrownDocument& grown = plant->up_to(light ? GrownPart::textures : GrownPart::meshes, inner);
+    return measure_plant(grown.plant, grown.meshes, plant->origin->document.scene, options, inner);
   });
   return measures_in_python(measures, each);
 }
@@ -121,7 +130,7 @@ py::object measures_of_skeleton(const std::shared_ptr<Skeleton>& skeleton, const
 }
 
 py::dict table_of(const PlantInPython& plant) {
-  const SkeletonTable table(plant.grown.plant);
+  const SkeletonTable table(plant.plant());
   py::dict columns;
   for (std::size_t c = 0; c < table.columns().size(); ++c) {
     const SkeletonColumn& column = table.columns()[c];
@@ -143,21 +152,27 @@ py::dict table_of(const PlantInPython& plant) {
   return columns;
 }
 
-void save(const PlantPointer& plant, const py::object& path, bool instanced, int lod, int threads,
+void save(const PlantPointer& plant, const py::object& path, bool instanced, bool nodes, int lod, int threads,
           const py::object& progress) {
   const std::string target = file_of(path);
   const Format& format = format_of(target);
-  if (instanced && !format.can_instance) throw py::value_error("only .glb can be instanced");
+  if ((instanced || nodes) && !format.can_instance) throw py::value_error("only .glb can be instanced");
+  if (instanced && nodes) throw py::value_error("leaves are instanced or nodes, not both");
+  const FormatOptions options{.instances = instanced ? GltfInstances::rows
+                                           : nodes   ? GltfInstances::nodes
+                                                     : GltfInstances::automatic};
   if (lod < 0 || lod > kCoarsestDetail) {
     throw py::value_error(fmt::format("lod is {}; expected 0 to {}", lod, kCoarsestDetail));
   }
-  if (lod > 0 && !format.has_meshes) throw py::value_error("only files with meshes have levels of detail");
+  if (lod > 0 && !format.has_meshes()) throw py::value_error("only files with meshes have levels of detail");
   check_grown_output(plant->origin->document, target);
   watch_of(progress)->run(threads, [&](Progress& inner) {
     const Document& document = plant->origin->document;
-    if (lod == 0) return format.write(document, plant->grown, target, {.instanced = instanced}, inner);
-    GrownDocument coarse{plant->grown.plant, mesh_detail(document, plant->grown.plant, {.level = lod}, inner)};
-    format.write(document, coarse, target, {.instanced = instanced}, inner);
+    if (lod == 0) return format.write(document, plant->up_to(format.needs, inner), target, options, inner);
+    // Finer meshes are not needed, but textures are.
+    const Plant& whole = plant->up_to(GrownPart::textures, inner).plant;
+    const GrownDocument coarse{whole, mesh_detail(document, whole, {.level = lod}, inner)};
+    format.write(document, coarse, target, options, inner);
   });
 }
 
@@ -182,7 +197,7 @@ PictureOptions planned_picture(const PlantPointer& plant, const std::optional<st
 
 Image picture_of(const PlantPointer& plant, const PictureOptions& options, int threads, const py::object& progress) {
   return run_call(progress, threads, [&](Progress& inner) {
-    return take_picture(plant->grown, plant->origin->document.scene, options, inner);
+    return take_picture(plant->up_to(GrownPart::textures, inner), plant->origin->document.scene, options, inner);
   });
 }
 
@@ -279,9 +294,12 @@ Columns are read-only arrays over the plant's own memory, one entry an organ.)")
 }
 
 std::string repr(const PlantInPython& plant) {
-  const Counts counts = count(plant.grown.plant, plant.grown.meshes);
-  return fmt::format("<meristem.Plant '{}': {} nodes, {} organs, {} triangles, {:.2f} m high>",
-                     plant.origin->document.name, counts.nodes, counts.organs, counts.triangles, counts.height);
+  const MeshScene* const meshes = plant.present_meshes();
+  const Counts counts = count(plant.plant(), meshes != nullptr ? *meshes : MeshScene());
+  std::string text = fmt::format("<meristem.Plant '{}': {} nodes, {} organs", plant.origin->document.name, counts.nodes,
+                                 counts.organs);
+  if (meshes != nullptr) text += fmt::format(", {} triangles, {:.2f} m high", counts.triangles, counts.height);
+  return text + ">";
 }
 
 }  // namespace
@@ -291,33 +309,35 @@ void bind_plant(py::module_& module) {
   py::class_<PlantInPython, PlantPointer>(
       module, "Plant", R"(A document that has grown: skeletons, organs and the meshes that clothe them.
 
-Document.grow() makes it. It never changes; arrays over its memory keep it for as long as they live.)")
+Document.grow() makes it. It never changes; arrays over its memory keep it for as long as they live. Meshes, and the
+pictures on them, are made when something first asks for them, which then raises InputError where a limit is passed.)")
       .def_property_readonly(
           "document", [](const PlantInPython& p) { return std::const_pointer_cast<DocumentInPython>(p.origin); },
           "The Document that has grown.")
       .def_property_readonly(
-          "stems", [](const PlantPointer& p) { return parts_of(p, p->grown.plant.stems); },
+          "stems", [](const PlantPointer& p) { return parts_of(p, p->plant().stems); },
           "A list of Stem, one for each grown skeleton.")
       .def_property_readonly(
           "organs", [](const PlantPointer& p) { return Organs{p}; }, "All organs as Organs.")
       .def_property_readonly(
-          "prototypes", [](const PlantPointer& p) { return parts_of(p, p->grown.plant.prototypes); },
+          "prototypes", [](const PlantPointer& p) { return parts_of(p, p->plant().prototypes); },
           "A list of OrganPrototype, which organs are instances of.")
       .def_property_readonly(
-          "meshes", [](const PlantPointer& p) { return parts_of(p, p->grown.meshes.meshes); },
+          "meshes", [](const PlantPointer& p) { return parts_of(p, meshes_of(p).meshes); },
           "All surfaces, of stems and organs: a list of MeshInstances.")
       .def_property_readonly(
-          "materials", [](const PlantPointer& p) { return parts_of(p, p->grown.meshes.materials); },
+          "materials",
+          [](const PlantPointer& p) { return parts_of(p, up_to(p, GrownPart::textures).meshes.materials); },
           "A list of Material.")
       .def_property_readonly(
-          "node_count", [](const PlantInPython& p) { return p.grown.plant.node_count(); }, "Nodes of all skeletons.")
+          "node_count", [](const PlantInPython& p) { return p.plant().node_count(); }, "Nodes of all skeletons.")
       .def_property_readonly(
-          "triangle_count", [](const PlantInPython& p) { return p.grown.meshes.triangle_count(); },
+          "triangle_count", [](const PlantPointer& p) { return meshes_of(p).triangle_count(); },
           "Triangles of all instances.")
       .def_property_readonly(
           "bounds",
-          [](const PlantInPython& p) -> py::object {
-            const Box box = p.grown.meshes.bounds();
+          [](const PlantPointer& p) -> py::object {
+            const Box box = meshes_of(p).bounds();
             if (box.is_empty()) return py::none();
             const auto corners = std::make_shared<const std::vector<Vec3>>(std::vector{box.low, box.high});
             return rows_view<float>(corners, *corners);
@@ -338,12 +358,13 @@ tree. Area ratios count from forks of `fork_diameter` metres; the lit share take
 
 "area" (m², of a blade one side), "exposure" (the share of the light's rays that arrive) and "irradiance" (the same times
 the cosine to the surface), both 0 to 1.)")
-      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("instanced") = false, py::arg("lod") = 0,
-           py::arg("threads") = 0, py::arg("progress") = py::none(),
+      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("instanced") = false, py::arg("nodes") = false,
+           py::arg("lod") = 0, py::arg("threads") = 0, py::arg("progress") = py::none(),
            R"(Writes the plant to a file, its format by its ending: .glb, .obj, .ply, .skeleton.ply, .csv, .mtg.
 
-`instanced` writes leaves to .glb as places of one mesh: small files, that not every program reads. `lod` (0 to 8) is
-the level of detail: each has about a quarter of the triangles of the one before. The file is there whole or not at all.
+`instanced` writes leaves to .glb as places of one mesh, as is done by itself beyond 5 million triangles: small files,
+that not every program reads; `nodes` writes them as nodes there, which every program reads. `lod` (0 to 8) is the level
+of detail: each has about a quarter of the triangles of the one before. The file is there whole or not at all.
 Raises InputError for endings that are not known and files that were read, MachineError.)")
       .def("render", &render, py::kw_only(), py::arg("size") = py::none(), py::arg("samples") = py::none(),
            py::arg("view") = py::none(), py::arg("transparent") = false, py::arg("hull") = false,

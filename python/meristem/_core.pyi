@@ -250,6 +250,7 @@ class Plant:
         path: str | os.PathLike[str],
         *,
         instanced: bool = False,
+        nodes: bool = False,
         lod: int = 0,
         threads: int = 0,
         progress: Progress | _ProgressCallback | None = None,

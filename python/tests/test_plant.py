@@ -224,5 +224,31 @@ def test_growth_follows_time() -> None:
 def test_exploding_documents_are_stopped_by_their_limits() -> None:
     content = small_tree()
     content["limits"] = {"triangles": 1000}
-    with pytest.raises(meristem.InputError, match="triangles"):
-        meristem.Document(content).grow()
+    plant = meristem.Document(content).grow()
+    assert len(plant.stems) == 1  # meshes are made where they are asked for
+    for ask in (plant.measure, lambda: plant.meshes, lambda: plant.bounds):
+        with pytest.raises(meristem.InputError, match="triangles"):
+            ask()
+
+
+def test_meshes_and_pictures_are_made_once_and_the_same_whatever_is_asked_for_first(tmp_path: Path) -> None:
+    first, second = grown_small_tree(), grown_small_tree()
+    assert "triangles" not in repr(first)
+    measures = first.measure()
+    assert f"{measures['triangles']} triangles" in repr(first)
+    mesh = first.meshes[0].mesh.positions
+    first.save(tmp_path / "first.glb")
+    second.save(tmp_path / "second.glb")
+    assert (tmp_path / "first.glb").read_bytes() == (tmp_path / "second.glb").read_bytes()
+    assert second.measure() == measures
+    assert np.shares_memory(first.meshes[0].mesh.positions, mesh)
+    assert np.shares_memory(first.materials[0].picture, first.materials[0].picture)
+
+
+def test_plants_of_one_document_share_their_pictures() -> None:
+    document = meristem.Document(small_tree())
+    first = document.grow().materials[0].picture
+    second = document.set({"leaf.length": 0.07}, seed=5).grow().materials[0].picture
+    assert first is not None and second is not None and np.shares_memory(first, second)
+    other = document.set({"tree.colour": "#405060"}).grow().materials[0].picture
+    assert other is not None and not np.array_equal(first, other)

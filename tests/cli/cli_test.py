@@ -550,8 +550,10 @@ class Looks(Case):
         self.assertIn("EXT_mesh_gpu_instancing", gltf["nodes"][-1]["extensions"])
 
     def test_instanced_needs_a_format_that_can(self):
-        errors = self.assert_ends(WRONG_INPUT, "grow", "textured.json", "-o", "a.obj", "--instanced")
-        self.assertIn("--instanced changes none of the files; expected a file that ends in .glb", errors)
+        for option in ("--instanced", "--nodes"):
+            errors = self.assert_ends(WRONG_INPUT, "grow", "textured.json", "-o", "a.obj", option)
+            self.assertIn(f"{option} changes none of the files; expected a file that ends in .glb", errors)
+        self.assert_ends(WRONG_INPUT, "grow", "textured.json", "-o", "a.glb", "--instanced", "--nodes")
 
     def test_same_bytes_on_any_number_of_threads(self):
         for options in ([], ["--instanced"]):

@@ -114,7 +114,7 @@ std::vector<std::string> GraphBuilder::structure_faults() const {
   return texts;
 }
 
-Plant GraphBuilder::grow(double time, const Scene& scene, ExpansionCache* cache) const {
+Plant GraphBuilder::grow(double time, const Scene& scene, Cache* cache) const {
   std::vector<Diagnostic> diagnostics;
   const Structure structure = analyse_structure(graph_, diagnostics);
   if (!diagnostics.empty()) throw InputError(std::move(diagnostics));

@@ -31,7 +31,7 @@ class GraphBuilder {
   /// What analyse_structure reports, a line each.
   std::vector<std::string> structure_faults() const;
   /// Expands the graph; throws InputError if its structure is faulty.
-  Plant grow(double time = 0, const Scene& scene = {}, ExpansionCache* cache = nullptr) const;
+  Plant grow(double time = 0, const Scene& scene = {}, Cache* cache = nullptr) const;
 
  private:
   ComponentIndex index_of(std::string_view id) const;

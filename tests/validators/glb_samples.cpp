@@ -122,7 +122,7 @@ class Samples {
              bool instanced = false) {
     GltfOptions options;
     options.flatten_triangles = flatten_triangles;
-    options.instanced = instanced;
+    options.instances = instanced ? GltfInstances::rows : GltfInstances::nodes;
     options.provenance = {"Sample \"plant\" \xC3\xA9", "A. Author", "CC0-1.0", 7, "0.1.0"};
     Progress progress;
     write_glb(scene, directory_ + "/" + name, options, progress);

@@ -5,18 +5,24 @@
 #include <string>
 
 #include "meristem/base/progress.h"
+#include "meristem/output/write/encoded_pictures.h"
 #include "meristem/output/write/provenance.h"
 #include "meristem/shape/mesh_scene.h"
 
 namespace meristem {
 
+/// How instances of a mesh are written.
+enum class GltfInstances {
+  automatic,  ///< flattened into one mesh a material; in large scenes rows
+  rows,       ///< rows of arrays by EXT_mesh_gpu_instancing: small files, that not every program reads
+  nodes,      ///< flattened; in large scenes nodes that share a mesh: large files, that every program reads
+};
+
 struct GltfOptions {
-  /// Instances of one material are flattened into one mesh up to this many triangles; beyond, nodes share meshes.
-  std::uint64_t flatten_triangles = 5'000'000;
-  /// Instances share meshes by EXT_mesh_gpu_instancing, however few triangles there are: small files, that not every
-  /// program reads.
-  bool instanced = false;
+  GltfInstances instances = GltfInstances::automatic;
+  std::uint64_t flatten_triangles = 5'000'000;  ///< scenes with more triangles are large
   Provenance provenance;
+  EncodedPictures* pictures = nullptr;  ///< shared with other files; null: none
 };
 
 /// Writes `scene` as binary glTF 2.0 to `path` ("-" for standard output): metres, y up, one node a component, materials

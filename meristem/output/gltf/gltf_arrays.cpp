@@ -47,7 +47,7 @@ class ArrayWriter {
     }
     for (const GltfImage& image : layout_.images) {
       progress_.check();
-      file_.write(image.png);
+      file_.write(*image.png);
       pad_gltf(file_, image.range.bytes, 0);
     }
   }

@@ -12,7 +12,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/output/gltf/palette.h"
 #include "meristem/output/write/block_writer.h"
-#include "meristem/output/write/png.h"
+#include "meristem/output/write/encoded_pictures.h"
 
 namespace meristem {
 
@@ -29,8 +29,9 @@ constexpr std::size_t kPaletteColours = 8;
 class LayoutBuilder {
  public:
   LayoutBuilder(const MeshScene& scene, const GltfOptions& options) : scene_(scene) {
-    bakes_all_ = !options.instanced && scene.triangle_count() <= options.flatten_triangles;
-    layout_.has_instance_rows = options.instanced;
+    const bool is_large = scene.triangle_count() > options.flatten_triangles;
+    bakes_all_ = !is_large && options.instances != GltfInstances::rows;
+    layout_.has_instance_rows = !bakes_all_ && options.instances != GltfInstances::nodes;
     layout_.factors = colour_factors(scene);
   }
 
@@ -190,7 +191,7 @@ class LayoutBuilder {
   }
 
   std::size_t add_image(std::string name) {
-    layout_.images.push_back({std::move(name), {}, {}});
+    layout_.images.push_back({std::move(name), nullptr, {}});
     return layout_.images.size() - 1;
   }
 
@@ -202,19 +203,17 @@ class LayoutBuilder {
   std::map<std::tuple<std::uint32_t, std::size_t, bool>, std::size_t> material_indices_;
 };
 
-/// Makes the files of all pictures, side by side.
-void encode_images(GltfLayout& layout, Progress& progress) {
-  parallel_for(2 * layout.textures.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      progress.check();
-      const GltfTexture& texture = layout.textures[k / 2];
-      const bool is_colour = k % 2 == 0;
-      const std::size_t image = is_colour ? texture.colour : texture.normals;
-      if (image == GltfTexture::kNoImage) continue;
-      layout.images[image].png = is_colour ? encode_png(texture.source->colour, PixelKind::srgb)
-                                           : encode_png(texture.source->normals, PixelKind::numbers);
-    }
-  });
+/// Makes the files of all pictures, but those that have been made before.
+void encode_images(GltfLayout& layout, EncodedPictures* known, const Progress& progress) {
+  std::vector<TexturePicture> pictures(layout.images.size());
+  for (const GltfTexture& texture : layout.textures) {
+    using Kind = TexturePicture::Kind;
+    if (texture.colour != GltfTexture::kNoImage) pictures[texture.colour] = {texture.source, Kind::colour};
+    if (texture.normals != GltfTexture::kNoImage) pictures[texture.normals] = {texture.source, Kind::normals};
+  }
+  EncodedPictures own;
+  const auto files = (known != nullptr ? *known : own).encode(pictures, progress);
+  for (std::size_t k = 0; k < files.size(); ++k) layout.images[k].png = files[k];
 }
 
 /// Takes the next `bytes` of the binary chunk; every array begins at a multiple of 4.
@@ -249,7 +248,7 @@ void place_arrays(GltfLayout& layout) {
       }
     }
   }
-  for (GltfImage& image : layout.images) image.range = take(layout, image.png.size());
+  for (GltfImage& image : layout.images) image.range = take(layout, image.png->size());
 }
 
 Box bounds_of(const GltfPiece& piece, Progress& progress) {
@@ -292,7 +291,7 @@ bool is_expressible_as_node(const Frame& frame) {
 
 GltfLayout lay_out_gltf(const MeshScene& scene, const GltfOptions& options, Progress& progress) {
   GltfLayout layout = LayoutBuilder(scene, options).build();
-  encode_images(layout, progress);
+  encode_images(layout, options.pictures, progress);
   place_arrays(layout);
   return layout;
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -94,7 +95,7 @@ struct GltfMaterial {
 
 struct GltfImage {
   std::string name;
-  std::string png;  ///< the bytes of the file
+  std::shared_ptr<const std::string> png;  ///< the bytes of the file
   GltfRange range;
 };
 
@@ -125,8 +126,8 @@ struct GltfLayout {
 };
 
 /// Lays out everything but the bounds, and makes the pictures' bytes. All of `scene` is baked if it has at most
-/// `flatten_triangles` triangles and is not to be instanced, else only meshes placed once. `scene` must outlive the
-/// result. Throws Cancelled.
+/// `flatten_triangles` triangles and instances are not to be rows, else only meshes placed once. `scene` must outlive
+/// the result. Throws Cancelled.
 GltfLayout lay_out_gltf(const MeshScene& scene, const GltfOptions& options, Progress& progress);
 
 /// Fills in the bounds of all primitives. Throws Cancelled.

@@ -54,8 +54,9 @@ TEST(GltfLooks, PicturesAreTheFilesThatPngWrites) {
     return glb.bytes_of(glb.view(glb.json["images"][texture["source"].get<int>()]["bufferView"]));
   };
   const Texture& texture = *scene.materials[0].texture;
-  EXPECT_EQ(picture(material["pbrMetallicRoughness"]["baseColorTexture"]), encode_png(texture.colour));
-  EXPECT_EQ(picture(material["normalTexture"]), encode_png(texture.normals, PixelKind::numbers));
+  EXPECT_EQ(picture(material["pbrMetallicRoughness"]["baseColorTexture"]),
+            encode_png(texture.colour, PixelKind::srgb, PngPacking::quick));
+  EXPECT_EQ(picture(material["normalTexture"]), encode_png(texture.normals, PixelKind::numbers, PngPacking::quick));
 }
 
 TEST(GltfLooks, TheFactorBringsTheTexturesMeanToTheMaterialsColour) {
@@ -146,7 +147,7 @@ TEST(GltfLooks, VertexColoursTimesFactorAreTheTintedColour) {
 }
 
 TEST(GltfLooks, WhereNodesShareMeshesAFewMaterialsStandForTheTints) {
-  GltfOptions options;
+  GltfOptions options{.instances = GltfInstances::nodes};
   options.flatten_triangles = 0;
   const MeshScene scene = tinted_scene(500);
   const Glb glb = written_glb(scene, options);
@@ -177,7 +178,7 @@ Frame row_frame(const Glb& glb, const Json& attributes, std::size_t row) {
 
 TEST(GltfLooks, RowsPlaceEveryInstanceWhereItsFrameDoes) {
   GltfOptions options;
-  options.instanced = true;
+  options.instances = GltfInstances::rows;
   const MeshScene scene = tinted_scene(300);
   const Glb glb = written_glb(scene, options);
   EXPECT_EQ(glb.json["extensionsUsed"], Json({kInstancing}));
@@ -212,7 +213,7 @@ TEST(GltfLooks, RowsPlaceEveryInstanceWhereItsFrameDoes) {
 
 TEST(GltfLooks, InstancedFilesBakeShearsAndAreSmall) {
   GltfOptions options;
-  options.instanced = true;
+  options.instances = GltfInstances::rows;
   std::vector<Frame> frames(1000, shifted({1, 2, 3}));
   frames[7] = sheared();
   const Glb glb = written_glb(scene_of(strip(1000), frames), options);
@@ -227,8 +228,8 @@ TEST(GltfLooks, HaveTheSameBytesOnAnyNumberOfThreads) {
   scene.meshes[0].mesh = triangle_with_tangents();
   for (const int mode : {0, 1, 2}) {
     GltfOptions options;
-    options.instanced = mode == 1;
-    if (mode == 2) options.flatten_triangles = 0;
+    if (mode == 1) options.instances = GltfInstances::rows;
+    if (mode == 2) options = {.instances = GltfInstances::nodes, .flatten_triangles = 0};
     const auto bytes = [&](int threads) {
       const ThreadLimit limit(threads);
       return glb_bytes(scene, options);

@@ -152,8 +152,20 @@ TEST(Gltf, WideIndicesReachEveryInstance) {
   for (std::uint32_t i = 0; i < indices.size(); ++i) ASSERT_EQ(indices[i], i);
 }
 
-TEST(Gltf, PastTheFlatteningLimitNodesShareMeshes) {
+TEST(Gltf, PastTheFlatteningLimitInstancesAreRows) {
   GltfOptions options;
+  options.flatten_triangles = 5999;
+  const MeshScene scene = leafy_scene(1000);
+  const Glb glb = written(scene, options);
+  EXPECT_EQ(glb.json["nodes"].size(), 3U);
+  const Json& rows = glb.json["nodes"][2]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
+  EXPECT_EQ(glb.accessor(rows["TRANSLATION"])["count"], 1000);
+  options.flatten_triangles = 6000;
+  EXPECT_EQ(written(scene, options).json["nodes"].size(), 2U);
+}
+
+TEST(Gltf, PastTheFlatteningLimitNodesShareMeshesWhereAskedFor) {
+  GltfOptions options{.instances = GltfInstances::nodes};
   options.flatten_triangles = 5999;
   const MeshScene scene = leafy_scene(1000);
   const Glb glb = written(scene, options);
@@ -178,7 +190,7 @@ TEST(Gltf, PastTheFlatteningLimitNodesShareMeshes) {
 }
 
 TEST(Gltf, BakesWhatNoNodeCanExpress) {
-  GltfOptions options;
+  GltfOptions options{.instances = GltfInstances::nodes};
   options.flatten_triangles = 0;
   Frame flat;
   flat.axes[2] = Vec3(0);
@@ -191,7 +203,7 @@ TEST(Gltf, BakesWhatNoNodeCanExpress) {
 
 TEST(Gltf, HasTheSameBytesOnAnyNumberOfThreads) {
   for (const std::uint64_t flatten : {0, 5'000'000}) {
-    GltfOptions options;
+    GltfOptions options{.instances = GltfInstances::nodes};
     options.flatten_triangles = flatten;
     const MeshScene scene = leafy_scene(40000);
     const std::string expected = [&] {

@@ -202,7 +202,7 @@ void write_obj(const MeshScene& scene, const std::string& path, const ObjOptions
   for (const std::string& line : provenance_lines(options.provenance)) file.write("# " + line + "\n");
   std::optional<ObjCompanions> companions;
   if (!file.is_stream()) {
-    companions.emplace(scene, factors, names.materials, path, options.provenance, progress);
+    companions.emplace(scene, factors, names.materials, path, options, progress);
     const std::string materials = material_path(path);
     file.write(fmt::format("mtllib {}\n", materials.substr(materials.rfind('/') + 1)));
   }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "meristem/base/progress.h"
+#include "meristem/output/write/encoded_pictures.h"
 #include "meristem/output/write/provenance.h"
 #include "meristem/shape/mesh_scene.h"
 
@@ -12,6 +13,7 @@ namespace meristem {
 
 struct ObjOptions {
   Provenance provenance;
+  EncodedPictures* pictures = nullptr;  ///< shared with other files; null: none
 };
 
 /// Writes `scene` as Wavefront OBJ to `path`: metres, y up, v upward; one object and group a component, by its id;

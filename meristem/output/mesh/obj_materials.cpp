@@ -8,10 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "meristem/base/parallel.h"
-#include "meristem/output/mesh/obj.h"
 #include "meristem/output/write/names.h"
-#include "meristem/output/write/png.h"
 
 namespace meristem {
 
@@ -29,36 +26,6 @@ struct Pictures {
   bool owns = false;  // the pictures are named by this material, the first that has the texture
   std::string colour, normals, mask;
 };
-
-/// One picture of a texture as a file.
-struct Picture {
-  std::string path;
-  const Texture* texture = nullptr;
-  enum class Kind { colour, normals, mask } kind = Kind::colour;
-  std::string png;
-};
-
-/// The alpha of a picture in all four channels: some readers look for a mask in the alpha of its picture, others in its
-/// green.
-Image mask_of(const Image& colour) {
-  Image mask = colour;
-  for (std::size_t i = 0; i < mask.rgba.size(); i += 4) {
-    std::fill_n(mask.rgba.begin() + static_cast<std::ptrdiff_t>(i), 3, mask.rgba[i + 3]);
-  }
-  return mask;
-}
-
-std::string encoded(const Picture& picture) {
-  switch (picture.kind) {
-    case Picture::Kind::colour:
-      return encode_png(picture.texture->colour, PixelKind::srgb);
-    case Picture::Kind::normals:
-      return encode_png(picture.texture->normals, PixelKind::numbers);
-    case Picture::Kind::mask:
-      return encode_png(mask_of(picture.texture->colour), PixelKind::numbers);
-  }
-  return {};
-}
 
 /// The pictures of each material, those of a shared texture named by the first material that has it.
 std::vector<Pictures> pictures_of(const MeshScene& scene, const std::string& obj_path) {
@@ -82,25 +49,24 @@ std::vector<Pictures> pictures_of(const MeshScene& scene, const std::string& obj
   return pictures;
 }
 
-/// Each picture once, encoded.
-std::vector<Picture> encode_pictures(const std::vector<Pictures>& of_materials, Progress& progress) {
-  std::vector<Picture> pictures;
-  const auto add = [&](const std::string& path, const Texture* texture, Picture::Kind kind) {
-    if (!path.empty()) pictures.push_back({path, texture, kind, {}});
+/// Writes each picture once, in the order of the materials.
+void write_pictures(const std::vector<Pictures>& of_materials, EncodedPictures& known, std::deque<AtomicFile>& files,
+                    const Progress& progress) {
+  std::vector<std::string> paths;
+  std::vector<TexturePicture> pictures;
+  const auto add = [&](const std::string& path, const Texture* texture, TexturePicture::Kind kind) {
+    if (path.empty()) return;
+    paths.push_back(path);
+    pictures.push_back({texture, kind});
   };
   for (const Pictures& material : of_materials) {
     if (!material.owns) continue;
-    add(material.colour, material.texture, Picture::Kind::colour);
-    add(material.normals, material.texture, Picture::Kind::normals);
-    add(material.mask, material.texture, Picture::Kind::mask);
+    add(material.colour, material.texture, TexturePicture::Kind::colour);
+    add(material.normals, material.texture, TexturePicture::Kind::normals);
+    add(material.mask, material.texture, TexturePicture::Kind::mask);
   }
-  parallel_for(pictures.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      progress.check();
-      pictures[k].png = encoded(pictures[k]);
-    }
-  });
-  return pictures;
+  const auto bytes = known.encode(pictures, progress);
+  for (std::size_t k = 0; k < paths.size(); ++k) files.emplace_back(paths[k]).write(*bytes[k]);
 }
 
 std::string name_in(const std::string& path) { return path.substr(path.rfind('/') + 1); }
@@ -124,13 +90,12 @@ std::string material_lines(const Material& material, const ColourFactors& factor
 
 ObjCompanions::ObjCompanions(const MeshScene& scene, const std::vector<ColourFactors>& factors,
                              const std::vector<std::string>& names, const std::string& obj_path,
-                             const Provenance& provenance, Progress& progress) {
+                             const ObjOptions& options, Progress& progress) {
   const std::vector<Pictures> of_materials = pictures_of(scene, obj_path);
-  for (const Picture& picture : encode_pictures(of_materials, progress)) {
-    files_.emplace_back(picture.path).write(picture.png);
-  }
+  EncodedPictures own;
+  write_pictures(of_materials, options.pictures != nullptr ? *options.pictures : own, files_, progress);
   AtomicFile& materials = files_.emplace_back(material_path(obj_path));
-  for (const std::string& line : provenance_lines(provenance)) materials.write("# " + line + "\n");
+  for (const std::string& line : provenance_lines(options.provenance)) materials.write("# " + line + "\n");
   const std::vector<bool> is_used = materials_in_use(scene);
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     if (is_used[m]) materials.write(material_lines(scene.materials[m], factors[m], of_materials[m], names[m]));

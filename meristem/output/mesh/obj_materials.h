@@ -8,8 +8,8 @@
 
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/progress.h"
+#include "meristem/output/mesh/obj.h"
 #include "meristem/output/write/colour_factors.h"
-#include "meristem/output/write/provenance.h"
 #include "meristem/shape/mesh_scene.h"
 
 namespace meristem {
@@ -19,7 +19,7 @@ class ObjCompanions {
  public:
   /// Writes the MTL and the pictures of the materials in use; `names` are the materials' in the OBJ.
   ObjCompanions(const MeshScene& scene, const std::vector<ColourFactors>& factors,
-                const std::vector<std::string>& names, const std::string& obj_path, const Provenance& provenance,
+                const std::vector<std::string>& names, const std::string& obj_path, const ObjOptions& options,
                 Progress& progress);
 
   /// Ends the writing; only renaming is left for commit().

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <png.h>
+#include <zlib.h>
 
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/diagnostic.h"
@@ -52,7 +53,8 @@ bool is_opaque(const Image& image) {
 }
 
 /// Nothing with a destructor may live here: libpng leaves it by longjmp.
-void write_rows(png_structp png, png_infop info, const Image& image, PixelKind kind, bool has_alpha) {
+void write_rows(png_structp png, png_infop info, const Image& image, PixelKind kind, bool has_alpha,
+                PngPacking packing) {
   if (setjmp(png_jmpbuf(png)) != 0) return;
   png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
                has_alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
@@ -60,7 +62,14 @@ void write_rows(png_structp png, png_infop info, const Image& image, PixelKind k
   if (kind == PixelKind::srgb) png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   // Named, so that the bytes do not change with libpng's defaults.
   png_set_compression_level(png, 6);
-  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_ALL_FILTERS);
+  if (packing == PngPacking::quick) {
+    // Pictures that chance has painted repeat nothing: looking for what repeats takes five sixths of the time for 5 %
+    // of the bytes. Of the filters these two alone give the same size as all.
+    png_set_compression_strategy(png, Z_RLE);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP | PNG_FILTER_PAETH);
+  } else {
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_ALL_FILTERS);
+  }
   png_write_info(png, info);
   if (!has_alpha) png_set_filler(png, 0, PNG_FILLER_AFTER);
   for (int y = 0; y < image.height; ++y) {
@@ -70,7 +79,8 @@ void write_rows(png_structp png, png_infop info, const Image& image, PixelKind k
 }
 
 /// Gives the bytes of the PNG to `write`, in order.
-void stream_png(const Image& image, PixelKind kind, FunctionRef<void(const void* data, std::size_t size)> write) {
+void stream_png(const Image& image, PixelKind kind, PngPacking packing,
+                FunctionRef<void(const void* data, std::size_t size)> write) {
   if (image.width < 1 || image.height < 1 ||
       image.rgba.size() != std::size_t{4} * image.width * static_cast<std::size_t>(image.height)) {
     throw std::invalid_argument("a picture's size and its bytes do not agree");
@@ -80,7 +90,7 @@ void stream_png(const Image& image, PixelKind kind, FunctionRef<void(const void*
   png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
   if (info != nullptr) {
     png_set_write_fn(png, &target, write_bytes, flush_nothing);
-    write_rows(png, info, image, kind, !is_opaque(image));
+    write_rows(png, info, image, kind, !is_opaque(image), packing);
   } else {
     target.failure = std::make_exception_ptr(MachineError("PNG: libpng could not be set up"));
   }
@@ -92,13 +102,13 @@ void stream_png(const Image& image, PixelKind kind, FunctionRef<void(const void*
 
 void write_png(const Image& image, const std::string& path, PixelKind kind) {
   AtomicFile file(path);
-  stream_png(image, kind, [&](const void* data, std::size_t size) { file.write(data, size); });
+  stream_png(image, kind, PngPacking::small, [&](const void* data, std::size_t size) { file.write(data, size); });
   file.commit();
 }
 
-std::string encode_png(const Image& image, PixelKind kind) {
+std::string encode_png(const Image& image, PixelKind kind, PngPacking packing) {
   std::string bytes;
-  stream_png(image, kind,
+  stream_png(image, kind, packing,
              [&](const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); });
   return bytes;
 }

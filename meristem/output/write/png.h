@@ -10,10 +10,13 @@ namespace meristem {
 /// What a picture's numbers are; readers must not take the brightness of directions for that of colours.
 enum class PixelKind { srgb, numbers };
 
+/// How a PNG is made small: `quick` takes a sixth of the time and 5 % more bytes.
+enum class PngPacking { small, quick };
+
 /// Writes a PNG to `path` ("-" for standard output); same picture, same bytes. Throws MachineError.
 void write_png(const Image& image, const std::string& path, PixelKind kind = PixelKind::srgb);
 
-/// The same bytes in memory.
-std::string encode_png(const Image& image, PixelKind kind = PixelKind::srgb);
+/// The same in memory.
+std::string encode_png(const Image& image, PixelKind kind = PixelKind::srgb, PngPacking packing = PngPacking::small);
 
 }  // namespace meristem

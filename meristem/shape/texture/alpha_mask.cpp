@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/shape/texture/alpha_mask.h"
 
+#include <stdexcept>
+
 #include "meristem/shape/texture/pixel_neighbours.h"
 
 namespace meristem {
@@ -24,7 +26,9 @@ bool AlphaMask::is_hole(Vec2 uv) const {
 const Texture* texture_with_holes(const Material& material, const Mesh& mesh) {
   const Texture* texture = material.texture.get();
   const bool has_holes = texture != nullptr && texture->masked && !texture->colour.is_empty();
-  return has_holes && !mesh.uvs.empty() ? texture : nullptr;
+  if (!has_holes || mesh.uvs.empty()) return nullptr;
+  if (!texture->is_painted()) throw std::invalid_argument("the mask of a texture is asked for, and it is a sketch");
+  return texture;
 }
 
 }  // namespace meristem

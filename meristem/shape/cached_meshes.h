@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// What a mesh scene leaves in a cache for the next one of the same or a changed plant.
 #pragma once
 
 #include <cstdint>
@@ -6,11 +7,9 @@
 #include <vector>
 
 #include "meristem/base/fingerprint.h"
-#include "meristem/base/kept_results.h"
 #include "meristem/base/mesh.h"
 #include "meristem/plant/plant.h"
 #include "meristem/shape/detail.h"
-#include "meristem/shape/mesh_cache.h"
 #include "meristem/shape/tube/tubes.h"
 
 namespace meristem {
@@ -23,23 +22,19 @@ struct StemTubes {
   std::uint64_t bytes() const;
 };
 
-/// A mesh with tangents, and the one without of which it was made.
-struct TangentMesh {
-  std::shared_ptr<const Mesh> plain;
+/// A blended body or a crown.
+struct BodyMesh {
   std::shared_ptr<const Mesh> mesh;
 
   std::uint64_t bytes() const { return mesh->bytes(); }
 };
 
-struct MeshCache::Kept {
-  KeptResults<const StemTubes> tubes;
-  KeptResults<const Mesh> bodies;
-  KeptResults<const TangentMesh> tangents;  // by the address of the plain mesh, which stays as long as it is kept
-  Reuse stems_reuse;
-  Reuse bodies_reuse;
+/// A mesh with tangents, and the one without of which it was made: that stays, so that it can be found by its address.
+struct TangentMesh {
+  std::shared_ptr<const Mesh> plain;
+  std::shared_ptr<const Mesh> mesh;
 
-  void begin_run();
-  void end_run();
+  std::uint64_t bytes() const { return mesh->bytes(); }
 };
 
 /// Adds all that shapes a stem's meshes, but for what clothes it.

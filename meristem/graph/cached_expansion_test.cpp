@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // An expansion with a cache gives the bytes of one without, whatever happened before, and expands only what it must.
-#include "meristem/graph/expansion_cache.h"
-
 #include <algorithm>
 #include <functional>
 
 #include <gtest/gtest.h>
 
 #include "meristem/base/parallel.h"
+#include "meristem/graph/batch.h"
 #include "meristem/graph/table/fingerprint.h"
 #include "tests/support/build_graph.h"
 #include "tests/support/test_components.h"
@@ -46,16 +45,16 @@ struct Settings {
   }
 };
 
-Plant grow(const Settings& settings, ExpansionCache* cache = nullptr) {
+Plant grow(const Settings& settings, Cache* cache = nullptr) {
   return settings.builder().grow(0, known_scene(), cache);
 }
 
 /// Instances that growing one after the other makes anew.
 std::uint64_t made_after(const Settings& first, const Settings& second) {
-  ExpansionCache cache;
+  Cache cache;
   grow(first, &cache);
   EXPECT_EQ(hash_of(grow(second, &cache)), hash_of(grow(second)));
-  return cache.instances().made;
+  return cache.reuse<BatchResult>().made;
 }
 
 Settings with(const std::function<void(Settings&)>& change) {
@@ -66,31 +65,31 @@ Settings with(const std::function<void(Settings&)>& change) {
 
 std::size_t count_of(std::string_view component) { return organs_of(grow(Settings()), component).size(); }
 
-TEST(ExpansionCache, WithoutAChangeNothingIsMadeAnew) {
-  ExpansionCache cache;
+TEST(CachedExpansion, WithoutAChangeNothingIsMadeAnew) {
+  Cache cache;
   const std::string hash = hash_of(grow(Settings(), &cache));
-  const std::uint64_t all = cache.instances().made;
+  const std::uint64_t all = cache.reuse<BatchResult>().made;
   EXPECT_GT(all, 1000U);
-  EXPECT_EQ(cache.instances().reused, 0U);
+  EXPECT_EQ(cache.reuse<BatchResult>().reused, 0U);
   EXPECT_EQ(hash_of(grow(Settings(), &cache)), hash);
-  EXPECT_EQ(cache.instances().made, 0U);
-  EXPECT_EQ(cache.instances().reused, all);
+  EXPECT_EQ(cache.reuse<BatchResult>().made, 0U);
+  EXPECT_EQ(cache.reuse<BatchResult>().reused, all);
 }
 
-TEST(ExpansionCache, AChangeExpandsWhatDependsOnIt) {
+TEST(CachedExpansion, AChangeExpandsWhatDependsOnIt) {
   EXPECT_EQ(made_after({}, with([](Settings& s) { s.width = 0.2; })), count_of("leaf"));
   // One batch for each round of the recursion.
   EXPECT_EQ(made_after({}, with([](Settings& s) { s.length = 2; })), count_of("spray"));
   EXPECT_EQ(made_after({}, with([](Settings& s) { s.depth = 4; })), 4U * 40U);
   // All but the camera and the star.
   const Settings higher = with([](Settings& s) { s.height = 3; });
-  ExpansionCache fresh;
+  Cache fresh;
   grow(higher, &fresh);
-  EXPECT_EQ(made_after({}, higher), fresh.instances().made - 2);
+  EXPECT_EQ(made_after({}, higher), fresh.reuse<BatchResult>().made - 2);
 }
 
-TEST(ExpansionCache, AChangeThatLeavesThePlacesLeavesWhatStandsOnThem) {
-  ExpansionCache cache;
+TEST(CachedExpansion, AChangeThatLeavesThePlacesLeavesWhatStandsOnThem) {
+  Cache cache;
   auto builder = Settings().builder();
   builder.grow(0, known_scene(), &cache);
   builder.component("twig", "pole", {{"height", "0.3*length*rand(0.5, 1)"}, {"nodes", 4}, {"colour", "#aa5500"}});
@@ -100,14 +99,16 @@ TEST(ExpansionCache, AChangeThatLeavesThePlacesLeavesWhatStandsOnThem) {
     twigs += static_cast<std::uint64_t>(std::ranges::count(stem.parts, "twig", &StemPart::component));
   }
   EXPECT_GT(twigs, 100U);
-  EXPECT_EQ(cache.instances().made, twigs);
+  EXPECT_EQ(cache.reuse<BatchResult>().made, twigs);
 }
 
-TEST(ExpansionCache, AnotherSeedTimeSceneOrLimitIsAMiss) {
-  ExpansionCache cache;
+TEST(CachedExpansion, AnotherSeedTimeSceneOrLimitIsAMiss) {
+  Cache cache;
   const Settings settings;
   const std::string hash = hash_of(grow(settings, &cache));
-  const auto makes_all = [&] { return cache.instances().reused == 0 && cache.instances().made > 1000; };
+  const auto makes_all = [&] {
+    return cache.reuse<BatchResult>().reused == 0 && cache.reuse<BatchResult>().made > 1000;
+  };
   grow(with([](Settings& s) { s.seed = 1; }), &cache);
   EXPECT_TRUE(makes_all());
   EXPECT_EQ(hash_of(settings.builder().grow(1, known_scene(), &cache)), hash);
@@ -120,17 +121,17 @@ TEST(ExpansionCache, AnotherSeedTimeSceneOrLimitIsAMiss) {
   EXPECT_TRUE(makes_all());
 }
 
-TEST(ExpansionCache, ASceneWithoutAFingerprintKeepsNothing) {
-  ExpansionCache cache;
+TEST(CachedExpansion, OfASceneWithoutAFingerprintThereIsNothing) {
+  Cache cache;
   for (int k = 0; k < 2; ++k) {
     Settings().builder().grow(0, Scene(), &cache);
-    EXPECT_EQ(cache.instances().reused, 0U);
+    EXPECT_EQ(cache.reuse<BatchResult>().reused, 0U);
     EXPECT_EQ(cache.bytes(), 0U);
   }
 }
 
-TEST(ExpansionCache, HoldsWhatTheLastExpansionUsed) {
-  ExpansionCache cache;
+TEST(CachedExpansion, HoldsWhatTheLastExpansionUsed) {
+  Cache cache;
   grow(Settings(), &cache);
   const std::uint64_t bytes = cache.bytes();
   EXPECT_GT(bytes, 100'000U);
@@ -142,8 +143,8 @@ TEST(ExpansionCache, HoldsWhatTheLastExpansionUsed) {
   EXPECT_EQ(cache.bytes(), 0U);
 }
 
-TEST(ExpansionCache, ShapesOfTheExpansionBeforeAreSharedThoughPlacesChange) {
-  ExpansionCache cache;
+TEST(CachedExpansion, ShapesOfTheExpansionBeforeAreSharedThoughPlacesChange) {
+  Cache cache;
   const Plant first = grow(Settings(), &cache);
   const Plant second = grow(with([](Settings& s) { s.density = 7; }), &cache);
   const auto before = prototypes_of(first, "leaf");
@@ -180,23 +181,23 @@ Settings changed(Settings settings, RandomKey key) {
   return settings;
 }
 
-TEST(ExpansionCache, GivesTheSameBytesAfterAnyEditsOnAnyNumberOfThreads) {
+TEST(CachedExpansion, GivesTheSameBytesAfterAnyEditsOnAnyNumberOfThreads) {
   for (const int threads : {1, 2, 8}) {
     const ThreadLimit limit(threads);
-    ExpansionCache cache;
+    Cache cache;
     Settings settings;
     std::uint64_t reused = 0;
     for (std::uint64_t edit = 0; edit < 40; ++edit) {
       settings = changed(settings, RandomKey(edit));
       ASSERT_EQ(hash_of(grow(settings, &cache)), hash_of(grow(settings))) << edit;
-      reused += cache.instances().reused;
+      reused += cache.reuse<BatchResult>().reused;
     }
     EXPECT_GT(reused, 10'000U);
   }
 }
 
-TEST(ExpansionCache, StaysInOrderWhenCancelledInTheMiddle) {
-  ExpansionCache cache;
+TEST(CachedExpansion, StaysInOrderWhenCancelledInTheMiddle) {
+  Cache cache;
   Settings settings;
   int cancelled = 0;
   for (std::uint64_t edit = 0; edit < 40; ++edit) {
@@ -221,24 +222,24 @@ TEST(ExpansionCache, StaysInOrderWhenCancelledInTheMiddle) {
   EXPECT_GT(cancelled, 5);
 }
 
-TEST(ExpansionCache, AFaultLeavesWhatWasThereBefore) {
-  ExpansionCache cache;
+TEST(CachedExpansion, AFaultLeavesWhatWasThereBefore) {
+  Cache cache;
   grow(Settings(), &cache);
   const Settings settings = with([](Settings& s) { s.height = 3; });
   EXPECT_FALSE(faults_of([&] { settings.builder().mesh_limit(100).grow(0, known_scene(), &cache); }).empty());
   EXPECT_EQ(hash_of(grow(Settings(), &cache)), hash_of(grow(Settings())));
-  EXPECT_EQ(cache.instances().made, 0U);
+  EXPECT_EQ(cache.reuse<BatchResult>().made, 0U);
 }
 
 /// What is wrong, or nothing.
-std::string fault_of(const GraphBuilder& graph, ExpansionCache* cache) {
+std::string fault_of(const GraphBuilder& graph, Cache* cache) {
   std::string text;
   for (const Diagnostic& fault : faults_of([&] { graph.grow(0, known_scene(), cache); })) text += fault.text();
   return text;
 }
 
-TEST(ExpansionCache, FaultsAreThoseThatThereWouldBeWithoutIt) {
-  ExpansionCache cache;
+TEST(CachedExpansion, FaultsAreThoseThatThereWouldBeWithoutIt) {
+  Cache cache;
   int faults = 0;
   Settings settings;
   for (std::uint64_t edit = 0; edit < 40; ++edit) {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "meristem/shape/mesh_cache.h"
+#include "meristem/shape/cached_meshes.h"
 
 #include <optional>
-
-#include "meristem/shape/kept_meshes.h"
 
 namespace meristem {
 
@@ -49,31 +47,5 @@ std::uint64_t StemTubes::bytes() const {
   for (const std::shared_ptr<const Mesh>& mesh : meshes) sum += mesh->bytes();
   return sum;
 }
-
-void MeshCache::Kept::begin_run() {
-  tubes.begin_run();
-  bodies.begin_run();
-  tangents.begin_run();
-  stems_reuse = {};
-  bodies_reuse = {};
-}
-
-void MeshCache::Kept::end_run() {
-  tubes.end_run();
-  bodies.end_run();
-  tangents.end_run();
-}
-
-MeshCache::MeshCache() : kept_(std::make_unique<Kept>()) {}
-MeshCache::~MeshCache() = default;
-MeshCache::MeshCache(MeshCache&&) noexcept = default;
-MeshCache& MeshCache::operator=(MeshCache&&) noexcept = default;
-
-const Reuse& MeshCache::stems() const { return kept_->stems_reuse; }
-const Reuse& MeshCache::bodies() const { return kept_->bodies_reuse; }
-std::uint64_t MeshCache::bytes() const {
-  return kept_->tubes.bytes() + kept_->bodies.bytes() + kept_->tangents.bytes();
-}
-void MeshCache::clear() { *kept_ = {}; }
 
 }  // namespace meristem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "meristem/shape/mesh_cache.h"
+#include "meristem/shape/cached_meshes.h"
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ Plant small_plant() {
   return plant;
 }
 
-MeshScene scene_of(const Plant& plant, MeshCache& cache, const Detail& detail = {}) {
+MeshScene scene_of(const Plant& plant, Cache& cache, const Detail& detail = {}) {
   Progress progress;
   return make_mesh_scene(plant, Limits(), progress, detail, &cache);
 }
@@ -67,30 +67,30 @@ void expect_as_without(const MeshScene& scene, const Plant& plant, const Detail&
   }
 }
 
-TEST(MeshCache, StemsThatHaveNotChangedKeepTheirMeshes) {
-  MeshCache cache;
+TEST(CachedMeshes, StemsThatHaveNotChangedKeepTheirMeshes) {
+  Cache cache;
   Plant plant = small_plant();
   const MeshScene first = scene_of(plant, cache);
-  EXPECT_EQ(cache.stems().made, 3U);
-  EXPECT_EQ(cache.bodies().made, 2U);  // the pole's and the branch's
+  EXPECT_EQ(cache.reuse<StemTubes>().made, 3U);
+  EXPECT_EQ(cache.reuse<BodyMesh>().made, 2U);  // the pole's and the branch's
   plant.organs.resize(9);
   plant.stems[1].skeleton.radius[3] = 0.06F;
   const MeshScene second = scene_of(plant, cache);
-  EXPECT_EQ(cache.stems().made, 1U);
-  EXPECT_EQ(cache.stems().reused, 2U);
-  EXPECT_EQ(cache.bodies().reused, 2U);
+  EXPECT_EQ(cache.reuse<StemTubes>().made, 1U);
+  EXPECT_EQ(cache.reuse<StemTubes>().reused, 2U);
+  EXPECT_EQ(cache.reuse<BodyMesh>().reused, 2U);
   EXPECT_EQ(second.meshes[0].mesh, first.meshes[0].mesh);
   EXPECT_NE(second.meshes[1].mesh, first.meshes[1].mesh);
   expect_as_without(second, plant);
 }
 
-TEST(MeshCache, WhatClothesAStemTellsItApart) {
+TEST(CachedMeshes, WhatClothesAStemTellsItApart) {
   const Plant plain = small_plant();
   const auto made_after = [&](const Plant& changed, const Detail& detail = {}) {
-    MeshCache cache;
+    Cache cache;
     scene_of(plain, cache);
     expect_as_without(scene_of(changed, cache, detail), changed, detail);
-    return cache.stems().made;
+    return cache.reuse<StemTubes>().made;
   };
   EXPECT_EQ(made_after(plain), 0U);
   EXPECT_EQ(made_after(plain, {.level = 1}), 3U);
@@ -113,12 +113,12 @@ TEST(MeshCache, WhatClothesAStemTellsItApart) {
   EXPECT_EQ(made_after(changed), 0U);
 }
 
-TEST(MeshCache, OrgansKeepTheirTangents) {
+TEST(CachedMeshes, OrgansKeepTheirTangents) {
   Plant plant = small_plant();
   auto texture = std::make_shared<Texture>();
   texture->normals = {1, 1, {0, 0, 255, 255}};
   plant.materials[0].texture = texture;
-  MeshCache cache;
+  Cache cache;
   const MeshScene first = scene_of(plant, cache);
   const MeshScene second = scene_of(plant, cache);
   EXPECT_EQ(first.meshes.back().component, "ball");
@@ -127,8 +127,8 @@ TEST(MeshCache, OrgansKeepTheirTangents) {
   expect_as_without(second, plant);
 }
 
-TEST(MeshCache, HoldsWhatTheLastSceneUsed) {
-  MeshCache cache;
+TEST(CachedMeshes, HoldsWhatTheLastSceneUsed) {
+  Cache cache;
   Plant plant = small_plant();
   scene_of(plant, cache);
   const std::uint64_t bytes = cache.bytes();
@@ -142,8 +142,8 @@ TEST(MeshCache, HoldsWhatTheLastSceneUsed) {
   EXPECT_EQ(cache.bytes(), 0U);
 }
 
-TEST(MeshCache, StaysInOrderWhenCancelledOrTooLarge) {
-  MeshCache cache;
+TEST(CachedMeshes, StaysInOrderWhenCancelledOrTooLarge) {
+  Cache cache;
   Plant plant = small_plant();
   scene_of(plant, cache);
   plant.stems[0].skeleton.radius[3] = 0.06F;
@@ -155,7 +155,7 @@ TEST(MeshCache, StaysInOrderWhenCancelledOrTooLarge) {
   Progress progress;
   EXPECT_THROW(make_mesh_scene(plant, few, progress, {}, &cache), InputError);
   expect_as_without(scene_of(plant, cache), plant);
-  EXPECT_EQ(cache.stems().made, 1U);
+  EXPECT_EQ(cache.reuse<StemTubes>().made, 1U);
 }
 
 }  // namespace

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/base/cache.h"
+
+namespace meristem {
+
+std::uint64_t Cache::bytes() const {
+  std::uint64_t sum = 0;
+  for (const auto& [type, shelf] : shelves_) {
+    for (const auto& [key, entry] : shelf.entries) sum += entry.bytes(entry.result.get());
+  }
+  return sum;
+}
+
+CacheRun::CacheRun(Cache* cache, std::initializer_list<std::type_index> types) : cache_(cache), types_(types) {
+  if (cache_ == nullptr) return;
+  for (const std::type_index type : types_) {
+    Cache::Shelf& shelf = cache_->shelves_[type];
+    const std::uint64_t last = shelf.run;
+    std::erase_if(shelf.entries,
+                  [last](const auto& entry) { return !entry.second.is_settled && entry.second.run != last; });
+    shelf.reuse = {};
+    ++shelf.run;
+  }
+}
+
+void CacheRun::end() {
+  if (cache_ == nullptr) return;
+  for (const std::type_index type : types_) {
+    Cache::Shelf& shelf = cache_->shelves_[type];
+    const std::uint64_t run = shelf.run;
+    std::erase_if(shelf.entries, [run](const auto& entry) { return entry.second.run != run; });
+    for (auto& [key, entry] : shelf.entries) entry.is_settled = true;
+  }
+}
+
+Cache::Entry* CacheRun::find_entry(std::type_index type, CacheKey key) {
+  if (cache_ == nullptr || !key) return nullptr;
+  Cache::Shelf& shelf = cache_->shelves_[type];
+  const auto found = shelf.entries.find(*key);
+  if (found == shelf.entries.end()) return nullptr;
+  found->second.run = shelf.run;
+  return &found->second;
+}
+
+void CacheRun::store_entry(std::type_index type, CacheKey key, std::shared_ptr<const void> result,
+                           std::uint64_t (*bytes)(const void*)) {
+  if (cache_ == nullptr || !key) return;
+  Cache::Shelf& shelf = cache_->shelves_[type];
+  shelf.entries.insert_or_assign(*key, Cache::Entry{std::move(result), bytes, shelf.run, false});
+}
+
+void CacheRun::count(std::type_index type, bool is_reused, std::uint64_t many) {
+  if (cache_ == nullptr) return;
+  Reuse& reuse = cache_->shelves_[type].reuse;
+  (is_reused ? reuse.reused : reuse.made) += many;
+}
+
+}  // namespace meristem

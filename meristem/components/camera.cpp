@@ -37,8 +37,8 @@ ComponentType camera_component() {
   });
 }
 
-const View& camera_view(const Graph& graph, const Structure& structure) {
-  return static_cast<const CameraParameters*>(graph.components[structure.root].parameters.get())->view;
+const View& camera_view(const Graph& graph) {
+  return static_cast<const CameraParameters*>(graph.components[graph.structure.root].parameters.get())->view;
 }
 
 }  // namespace meristem

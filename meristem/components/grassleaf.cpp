@@ -142,7 +142,7 @@ glm::dvec2 in_plane(Vec3 vector, const Frame& frame) {
 void note_forces(const Grassleaf& grass, const Site& site, const Emitter& out, Rounding round, ShapeNumbers& numbers) {
   if (!grass.forces || !grass.stages.bend) return;
   const GrassForces& forces = *grass.forces;
-  const Vec3 all = forces.pull + static_cast<float>(forces.light) * unit_vector(out.scene().sun);
+  const Vec3 all = forces.pull + static_cast<float>(forces.light) * out.directions().toward_light(site.frame.origin);
   // The pressure of wind on a plate over the weight of the blade.
   const double speed = glm::length(forces.wind);
   const Vec3 wind = static_cast<float>(0.5 * kAirDensity * speed / forces.weight) * forces.wind;
@@ -153,7 +153,7 @@ void note_forces(const Grassleaf& grass, const Site& site, const Emitter& out, R
   };
   set(all, numbers.pull_x, numbers.pull_y);
   set(wind, numbers.wind_x, numbers.wind_y);
-  set(-kUp, numbers.gravity_x, numbers.gravity_y);
+  set(out.directions().down(site.frame.origin), numbers.gravity_x, numbers.gravity_y);
   numbers.stiffness = round.octaves(forces.strip.stiffness, kRadiusSteps);
   numbers.tip_thickness = round.octaves(forces.strip.tip_thickness, kRadiusSteps);
 }

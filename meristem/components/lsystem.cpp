@@ -46,8 +46,9 @@ Word derive_plant(const Lsystem& plant, const Site& site, Emitter& out) {
   return derive_drawn(grammar, steps, site.key.child("word"), out.limits(), out.progress());
 }
 
-TurtleParameters turtle_of(const Lsystem& plant) {
+TurtleParameters turtle_of(const Lsystem& plant, const Emitter& out) {
   TurtleParameters turtle = plant.turtle;
+  turtle.directions = out.directions();
   turtle.angle = plant.angle.value_or(plant.source().grammar.angle.value_or(kDefaultAngle));
   turtle.azimuth = turtle.angle;
   if (plant.angles) {
@@ -116,8 +117,8 @@ void expand(const Lsystem& plant, const Site& site, Emitter& out) {
   Drawing drawing;
   try {
     const PlantGrammar& source = plant.source();
-    drawing = draw(derive_plant(plant, site, out), source.grammar.alphabet, turtle_of(plant), site.frame, out.limits(),
-                   "components." + out.component(), out.progress());
+    drawing = draw(derive_plant(plant, site, out), source.grammar.alphabet, turtle_of(plant, out), site.frame,
+                   out.limits(), "components." + out.component(), out.progress());
   } catch (const InputError& error) {
     throw_placed(error, plant, out.component());
   }
@@ -181,7 +182,7 @@ const ParameterTable& turtle_table() {
           .number("thinner", &TurtleParameters::thinner, {.min = 0, .max = 1, .above_min = true},
                   "By which ! without a parameter multiplies the radius, and # divides it.")
           .vector("tropism", &TurtleParameters::tropism, {.min = -100, .max = 100},
-                  "What branches bend toward; its length counts, too.")
+                  "What branches bend toward, straight down if not given; its length counts, too.")
           .number("elasticity", &TurtleParameters::elasticity, {.min = -10, .max = 10},
                   "How far they bend at each segment: radians where the pull is at right angles; negative: away.");
   return table;

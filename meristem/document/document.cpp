@@ -60,7 +60,7 @@ class DocumentReader {
     // The links mean something only once all are read.
     if (!has_errors(diagnostics_)) {
       add_camera(document.graph);
-      document.structure = analyse_structure(document.graph, diagnostics_);
+      analyse_structure(document.graph, diagnostics_);
     }
     keep_first(document.graph.limits.diagnostics);
     return std::move(diagnostics_);

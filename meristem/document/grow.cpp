@@ -25,8 +25,7 @@ GrownDocument grow_document(const Document& document, Progress& progress, double
                             GrowthCache* cache) {
   GrownDocument grown;
   grown.plant = placing_faults(document, [&] {
-    return expand(document.graph, document.structure, document.scene, time, progress,
-                  cache != nullptr ? &cache->expansion : nullptr);
+    return expand(document.graph, document.scene, time, progress, cache != nullptr ? &cache->expansion : nullptr);
   });
   grown.meshes = mesh_detail(document, grown.plant, detail, progress, cache != nullptr ? &cache->meshes : nullptr);
   return grown;

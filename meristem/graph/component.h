@@ -74,7 +74,7 @@ struct GrowingComponent : ComponentBase {
 };
 
 /// Where an instance at a site with the frame `site` stands: moved by its own frame, then turned by gravity and light.
-Frame instance_frame(const ComponentBase& base, const Frame& site, Tropism tropism, const Scene& scene);
+Frame instance_frame(const ComponentBase& base, const Frame& site, Tropism tropism, const Directions& directions);
 
 /// The rows of ComponentBase, which follow each component's own.
 const ParameterTable& component_base_table();
@@ -88,6 +88,7 @@ struct Prototype;
 /// What a growing component may ask for.
 struct GrowContext {
   const Scene& scene;
+  const Directions& directions;  ///< the scene's
   const Limits& limits;
   const std::string& component;  ///< id, for errors
   Stand& stand;                  ///< in which it will grow
@@ -236,7 +237,7 @@ ComponentType define_component(ComponentDefinition<P> definition) {
       VaryingValues(prototype.varyings, std::span(&site, 1), time).apply(0, &instance);
       check_rules(*prototype.type, prototype.id, &instance, context.limits);
       Site own = site;
-      own.frame = instance_frame(instance, site.frame, prototype.type->tropism, context.scene);
+      own.frame = instance_frame(instance, site.frame, prototype.type->tropism, context.directions);
       return grow(instance, own, context);
     };
   }

@@ -86,7 +86,7 @@ void Emitter::instance(const ComponentBase& base, const Site& site, std::size_t 
 
 void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   site_ = site;
-  site_.frame = instance_frame(base, site.frame, context_->tropism, context_->scene);
+  site_.frame = instance_frame(base, site.frame, context_->tropism, context_->directions);
   const Frame place = base.place.frame();
   is_placed_ = place.axes != Mat3(1) || place.origin != Vec3(0);
   geometry_frame_ = site_.frame * place;

@@ -94,6 +94,7 @@ class SharedMeshes {
 /// What the emitters of one component's instances have in common.
 struct EmitterContext {
   const Scene& scene;
+  const Directions& directions;  ///< the scene's
   const Limits& limits;
   const std::string& component;  ///< id, for errors
   std::string multiplier;        ///< document path of what multiplies the children, for errors
@@ -189,6 +190,8 @@ class Emitter : private Emitted {
   RandomKey places_on_next_stem() const { return key_of_places(site_.key.child("stem").child(stems_of_instance_)); }
 
   const Scene& scene() const { return context_->scene; }
+  /// Toward the light, and down: what turns by them asks at the place where it turns.
+  const Directions& directions() const { return context_->directions; }
   const Limits& limits() const { return context_->limits; }
   const std::string& component() const { return context_->component; }  ///< id, for errors
   Progress& progress() const { return *context_->progress; }

@@ -49,14 +49,13 @@ struct Grown {
 
 class Expansion {
  public:
-  Expansion(const Graph& graph, const Structure& structure, const Scene& scene, double time, Progress& progress,
-            ExpansionCache* cache)
+  Expansion(const Graph& graph, const Scene& scene, double time, Progress& progress, ExpansionCache* cache)
       : graph_(graph),
-        structure_(structure),
         scene_(scene),
+        directions_(scene.directions()),
         time_(time),
         progress_(progress),
-        links_(graph, structure, scene, progress),
+        links_(graph, directions_, progress),
         assembly_(graph),
         is_cached_(cache != nullptr),
         kept_(is_cached_ ? *cache->kept_ : own_),
@@ -67,7 +66,7 @@ class Expansion {
     surroundings_ = fingerprint_of_surroundings();
     Site root;
     root.key = RandomKey(graph_.seed);
-    ready_.push_back({structure_.root, places_of({root})});
+    ready_.push_back({graph_.structure.root, places_of({root})});
     while (!ready_.empty() || !growing_.empty()) {
       if (ready_.empty()) {
         grow_waiting();
@@ -193,7 +192,7 @@ class Expansion {
 
   void plant(ComponentIndex component, const Site& site, Stand& stand) {
     const Prototype& prototype = graph_.components[component];
-    const GrowContext context{scene_, graph_.limits, prototype.id, stand, progress_};
+    const GrowContext context{scene_, directions_, graph_.limits, prototype.id, stand, progress_};
     stand.add(prototype.type->grow(prototype, site, time_, context));
   }
 
@@ -270,6 +269,7 @@ class Expansion {
     const Tinting tinting(prototype);
     SharedMeshes& meshes = meshes_of(batch.component);
     EmitterContext context{.scene = scene_,
+                           .directions = directions_,
                            .limits = graph_.limits,
                            .component = prototype.id,
                            .multiplier = links_.multiplier(batch.component, links),
@@ -324,7 +324,7 @@ class Expansion {
     if (!prototype.type->placed) return;
     const std::vector<PlacedComponent> placed = prototype.type->placed(prototype.parameters.get());
     std::vector<bool> is_there(placed.size());
-    for (const LinkIndex link : structure_.outgoing[component]) {
+    for (const LinkIndex link : graph_.structure.outgoing[component]) {
       if (graph_.links[link].name != kNoIndex) is_there[graph_.links[link].name] = true;
     }
     for (const Emitted& block : result.blocks) {
@@ -356,8 +356,8 @@ class Expansion {
   }
 
   const Graph& graph_;
-  const Structure& structure_;
   const Scene& scene_;
+  const Directions directions_;
   double time_;
   Progress& progress_;
   LinkPlaces links_;
@@ -373,9 +373,8 @@ class Expansion {
   std::vector<std::shared_ptr<SharedMeshes>> meshes_;  // by component
 };
 
-Plant expand(const Graph& graph, const Structure& structure, const Scene& scene, double time, Progress& progress,
-             ExpansionCache* cache) {
-  return Expansion(graph, structure, scene, time, progress, cache).run();
+Plant expand(const Graph& graph, const Scene& scene, double time, Progress& progress, ExpansionCache* cache) {
+  return Expansion(graph, scene, time, progress, cache).run();
 }
 
 }  // namespace meristem

@@ -366,12 +366,10 @@ TEST(Expand, AHundredThousandInstancesAreExpandedOnceEachAndShareGeometry) {
 }
 
 TEST(Expand, StopsWhenCancelled) {
-  const auto builder = star_of(1000);
-  std::vector<Diagnostic> diagnostics;
-  const Structure structure = analyse_structure(builder.graph(), diagnostics);
+  const Graph graph = star_of(1000).sound_graph();
   Progress progress;
   progress.cancel();
-  EXPECT_THROW(expand(builder.graph(), structure, Scene{}, 0, progress), Cancelled);
+  EXPECT_THROW(expand(graph, Scene{}, 0, progress), Cancelled);
 }
 
 TEST(Expand, MaterialsTakeTheComponentsNameAndColour) {

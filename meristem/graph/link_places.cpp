@@ -87,8 +87,10 @@ class LinkPlaces::Writer {
   bool is_full() const { return sites_.size() > room_; }
 
   PlacementContext context_of(const EmittedStem& stem) const {
-    PlacementContext context{
-        .parent = stem.site, .limits = &all_.graph_.limits, .path = link_path(all_.graph_, index_)};
+    PlacementContext context{.directions = all_.directions_,
+                             .parent = stem.site,
+                             .limits = &all_.graph_.limits,
+                             .path = link_path(all_.graph_, index_)};
     context.parent.key = child_key(stem.site.key);
     return context;
   }
@@ -96,7 +98,6 @@ class LinkPlaces::Writer {
   void add_along(const EmittedStem& stem) {
     if (is_full()) return;
     PlacementContext context = context_of(stem);
-    context.light = unit_vector(all_.scene_.sun);
     context.on_axis = to_.type->makes_stems || to_.type->leads_away;
     context.heads_along = to_.type->leads_away && !is_given("angle");
     context.has_twigs = from_.has_twigs;
@@ -167,8 +168,12 @@ class LinkPlaces::Writer {
   std::vector<Site> sites_;
 };
 
-LinkPlaces::LinkPlaces(const Graph& graph, const Structure& structure, const Scene& scene, Progress& progress)
-    : graph_(graph), structure_(structure), scene_(scene), progress_(progress), ordinals_(ordinals_of_links(graph)) {}
+LinkPlaces::LinkPlaces(const Graph& graph, const Directions& directions, Progress& progress)
+    : graph_(graph),
+      structure_(graph.structure),
+      directions_(directions),
+      progress_(progress),
+      ordinals_(ordinals_of_links(graph)) {}
 
 std::vector<LinkIndex> LinkPlaces::links_followed(ComponentIndex component, const Site& site) const {
   const auto is_at_end = [&](std::uint32_t recursion) {

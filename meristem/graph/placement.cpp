@@ -270,10 +270,11 @@ class AxisWriter {
     site.stem = context_.stem;
     site.node = piece.to;
     site.along = along;
-    site.frame.axes = drooped(site.frame.axes, placement_.droop);
+    site.frame.axes = drooped(site.frame.axes, placement_.droop, context_.directions.down(site.frame.origin));
     if (placement_.face_light > 0) {
       Mat3& axes = site.frame.axes;
-      axes = rotation_toward(axes[2], context_.light, placement_.face_light, axes[1]) * axes;
+      const Vec3 light = context_.directions.toward_light(site.frame.origin);
+      axes = rotation_toward(axes[2], light, placement_.face_light, axes[1]) * axes;
     }
     site.frame.axes *= static_cast<float>(std::max(0.0, placement_.size(site.u)));
   }
@@ -287,8 +288,8 @@ class AxisWriter {
 
 }  // namespace
 
-Mat3 drooped(const Mat3& axes, double droop) {
-  return droop == 0 ? axes : rotation_toward(axes[1], -kUp, droop, axes[0]) * axes;
+Mat3 drooped(const Mat3& axes, double droop, Vec3 down) {
+  return droop == 0 ? axes : rotation_toward(axes[1], down, droop, axes[0]) * axes;
 }
 
 std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context) {

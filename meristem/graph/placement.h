@@ -14,6 +14,7 @@
 #include "meristem/graph/table/selection.h"
 #include "meristem/graph/table/site.h"
 #include "meristem/plant/skeleton.h"
+#include "meristem/scene/directions.h"
 
 namespace meristem {
 
@@ -50,7 +51,7 @@ std::vector<std::string> given_placement(const Value& value);
 Placement overridden(Placement own, const Placement& link, std::span<const std::string> given);
 
 struct PlacementContext {
-  Vec3 light{0, 1, 0};  ///< unit vector toward it
+  Directions directions;  ///< of light and gravity
   bool on_axis =
       false;  ///< places lie on the stem's axis and not on its bark, for children that begin there themselves
   bool heads_along = false;         ///< children head along the stem, whatever the placement's angles say
@@ -64,8 +65,9 @@ struct PlacementContext {
   std::string path;  ///< of what gives the placement in the document, for errors: "links[1]"
 };
 
-/// Unit axes turned so that the heading comes nearer to straight down, or for a negative `droop` up, by that share.
-Mat3 drooped(const Mat3& axes, double droop);
+/// Unit axes turned so that the heading comes nearer to `down`, or for a negative `droop` to its opposite, by that
+/// share.
+Mat3 drooped(const Mat3& axes, double droop, Vec3 down);
 
 /// The places of `placement` on `skeleton`, axis by axis from base to tip; i, n, u count along each axis. An organ's
 /// frame stands on the bark, heads away from the axis by the angle, and turns its upper face (z) toward the axis's tip.

@@ -222,8 +222,8 @@ std::string link_path(const Graph& graph, LinkIndex link) {
   return is_made ? "components." + graph.components[graph.links[link].from].id : fmt::format("links[{}]", link);
 }
 
-Structure analyse_structure(const Graph& graph, std::vector<Diagnostic>& diagnostics) {
-  return Analysis(graph, diagnostics).run();
+void analyse_structure(Graph& graph, std::vector<Diagnostic>& diagnostics) {
+  graph.structure = Analysis(graph, diagnostics).run();
 }
 
 }  // namespace meristem

@@ -108,18 +108,24 @@ GraphBuilder& GraphBuilder::link(std::string_view from, std::string_view to, Lin
 
 std::vector<std::string> GraphBuilder::structure_faults() const {
   std::vector<Diagnostic> diagnostics;
-  analyse_structure(graph_, diagnostics);
+  Graph graph = graph_;
+  analyse_structure(graph, diagnostics);
   std::vector<std::string> texts;
   for (const Diagnostic& diagnostic : diagnostics) texts.push_back(diagnostic.text());
   return texts;
 }
 
-Plant GraphBuilder::grow(double time, const Scene& scene, ExpansionCache* cache) const {
+Graph GraphBuilder::sound_graph() const {
   std::vector<Diagnostic> diagnostics;
-  const Structure structure = analyse_structure(graph_, diagnostics);
+  Graph graph = graph_;
+  analyse_structure(graph, diagnostics);
   if (!diagnostics.empty()) throw InputError(std::move(diagnostics));
+  return graph;
+}
+
+Plant GraphBuilder::grow(double time, const Scene& scene, ExpansionCache* cache) const {
   Progress progress;
-  return expand(graph_, structure, scene, time, progress, cache);
+  return expand(sound_graph(), scene, time, progress, cache);
 }
 
 ComponentIndex GraphBuilder::index_of(std::string_view id) const {

@@ -27,12 +27,12 @@ const ParameterTable& view_table() {
 
 ComponentType camera_component() {
   return define_component<CameraParameters>({
-      .name = "camera",
-      .doc = "The view of pictures and the root of the graph.",
+      .traits = {.name = "camera",
+                 .doc = "The view of pictures and the root of the graph.",
+                 .has_geometry = false,
+                 .is_camera = true},
       .parameters = Table<CameraParameters>("a camera", "The view of pictures and the root of the graph.")
                         .members(&CameraParameters::view, view_table()),
-      .has_geometry = false,
-      .is_camera = true,
       .expand = [](const CameraParameters&, const Site&, Emitter&) {},
   });
 }

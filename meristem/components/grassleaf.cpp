@@ -385,14 +385,15 @@ TextureShape texture_shape(const Grassleaf& grass) {
 
 ComponentType grassleaf_component() {
   return define_component<Grassleaf>({
-      .name = "grassleaf",
-      .doc = "A grass's leaf, from measured or drawn curves, by stages: load, fit, age, vary, bend, reduce, blade.",
+      .traits =
+          {.name = "grassleaf",
+           .doc = "A grass's leaf, from measured or drawn curves, by stages: load, fit, age, vary, bend, reduce, "
+                  "blade.",
+           .material = {.colour = {0.30F, 0.46F, 0.17F}, .roughness = 0.55F, .translucency = 0.3F, .two_sided = true},
+           .variety = 0.08,
+           .blades = {.material = {.colour = {0.38F, 0.5F, 0.24F}, .roughness = 0.6F}, .has_document_colours = true},
+           .stance = BranchStance::along_axis},
       .parameters = grassleaf_table(),
-      .material = {.colour = {0.30F, 0.46F, 0.17F}, .roughness = 0.55F, .translucency = 0.3F, .two_sided = true},
-      .variety = 0.08,
-      .blades = {.colour = {0.38F, 0.5F, 0.24F}, .roughness = 0.6F},
-      .leads_away = true,
-      .tints_blades = true,
       .expand = expand,
       .texture_shape = texture_shape,
   });

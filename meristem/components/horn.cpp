@@ -191,10 +191,15 @@ void check_horn(const Horn& horn, const Place& place, ParameterReader& reader) {
 
 ComponentType horn_component() {
   return define_component<Horn>({
-      .name = "horn",
-      .doc =
-          "A cross-section or a row of primitives along a curve; branch links without placement place children on its "
-          "ribs, child links at its tip.",
+      .traits = {.name = "horn",
+                 .doc = "A cross-section or a row of primitives along a curve; branch links without placement place "
+                        "children on its "
+                        "ribs, child links at its tip.",
+                 .material = {.colour = {0.48F, 0.44F, 0.34F}, .roughness = 0.7F},
+                 .makes_stems = true,
+                 .has_ribs = true,
+                 .stance = BranchStance::on_axis,
+                 .tropism = Tropism::none},
       .parameters =
           Table<Horn>("a horn", "A cross-section or a row of primitives along a curve.")
               .members(&Horn::stem, stem_form_table())
@@ -212,10 +217,6 @@ ComponentType horn_component() {
                        "Corners around primitives; raised, rounder and heavier.")
               .object("surface", &Horn::surface, surface_table, "How the stem of the section 'ring' is clothed.")
               .check(check_horn),
-      .material = {.colour = {0.48F, 0.44F, 0.34F}, .roughness = 0.7F},
-      .makes_stems = true,
-      .has_ribs = true,
-      .tropism = Tropism::none,
       .expand = expand,
   });
 }

@@ -192,8 +192,14 @@ const ParameterTable& turtle_table() {
 
 ComponentType lsystem_component() {
   return define_component<Lsystem>({
-      .name = "lsystem",
-      .doc = "A plant by the rules of a grammar (L-system), drawn by a turtle; ~ in its words places components.",
+      .traits =
+          {.name = "lsystem",
+           .doc = "A plant by the rules of a grammar (L-system), drawn by a turtle; ~ in its words places components.",
+           .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
+           .blades = {.material = {.colour = kLeafGreen, .roughness = 0.6F, .translucency = 0.3F, .two_sided = true}},
+           .makes_stems = true,
+           .has_twigs = true,
+           .stance = BranchStance::on_axis},
       .parameters =
           Table<Lsystem>("an lsystem", "A plant by the rules of a grammar, drawn by a turtle.")
               .lines("grammar", &Lsystem::grammar, read_plant_grammar, "The grammar's text, or a list of its lines.")
@@ -212,10 +218,6 @@ ComponentType lsystem_component() {
               .object("surface", &Lsystem::surface, surface_table, "How the stems are clothed.")
               .never_with("angle", {"angles"})
               .check(check_lsystem),
-      .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
-      .blades = {.colour = kLeafGreen, .roughness = 0.6F, .translucency = 0.3F, .two_sided = true},
-      .makes_stems = true,
-      .has_twigs = true,
       .expand = expand,
       .placed = placed,
   });

@@ -17,9 +17,9 @@
 #include "meristem/base/fingerprint.h"
 #include "meristem/base/parallel.h"
 #include "meristem/graph/batch.h"
+#include "meristem/graph/emitter_context.h"
 #include "meristem/graph/kept.h"
 #include "meristem/graph/link_places.h"
-#include "meristem/graph/looks.h"
 #include "meristem/graph/plant_assembly.h"
 #include "meristem/grow/stand.h"
 
@@ -217,8 +217,7 @@ class Expansion {
   }
 
   bool wants(const std::vector<LinkIndex>& links, bool branches) const {
-    return std::ranges::any_of(
-        links, [&](LinkIndex link) { return (graph_.links[link].kind == LinkKind::branch) == branches; });
+    return std::ranges::any_of(links, [&](LinkIndex link) { return graph_.links[link].is<BranchLink>() == branches; });
   }
 
   Key key_of(const Batch& batch, const std::vector<LinkIndex>& links, const Grown& grown) const {
@@ -266,28 +265,21 @@ class Expansion {
                                                  const Grown& grown) {
     const std::vector<Site>& sites = batch.sites();
     const Prototype& prototype = graph_.components[batch.component];
-    const Tinting tinting(prototype);
     SharedMeshes& meshes = meshes_of(batch.component);
-    EmitterContext context{.scene = scene_,
+    EmitterContext context{.prototype = prototype,
+                           .scene = scene_,
                            .directions = directions_,
                            .limits = graph_.limits,
-                           .component = prototype.id,
+                           .meshes = meshes,
                            .multiplier = links_.multiplier(batch.component, links),
                            .together = sites.size(),
-                           .is_uniform = prototype.varyings.empty(),
                            .time = time_,
-                           .tinting = tinting,
-                           .texture = prototype.base().texture,
-                           .tropism = prototype.type->tropism,
-                           .tints_blades = prototype.type->tints_blades,
                            .key = RandomKey(graph_.seed).child("component").child(prototype.id),
-                           .makes_stems = prototype.type->makes_stems,
                            .wants_child_sites = wants(links, false),
                            .wants_branch_sites = wants(links, true),
-                           .instances = instances_,
-                           .nodes = nodes_,
                            .mesh_bytes = mesh_bytes() - meshes.bytes(),
-                           .meshes = meshes};
+                           .instances = instances_,
+                           .nodes = nodes_};
     // One instance may tell its stages; many tell together how many of them are done.
     Progress part(&progress_);
     context.progress = sites.size() == 1 ? &progress_ : &part;
@@ -325,7 +317,7 @@ class Expansion {
     const std::vector<PlacedComponent> placed = prototype.type->placed(prototype.parameters.get());
     std::vector<bool> is_there(placed.size());
     for (const LinkIndex link : graph_.structure.outgoing[component]) {
-      if (graph_.links[link].name != kNoIndex) is_there[graph_.links[link].name] = true;
+      if (const auto* made = graph_.links[link].as<PlacedLink>()) is_there[made->name] = true;
     }
     for (const Emitted& block : result.blocks) {
       for (const auto& [name, site] : block.named_sites) {

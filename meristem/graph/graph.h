@@ -6,39 +6,15 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/limits.h"
 #include "meristem/graph/component.h"
-#include "meristem/graph/crown_placement.h"
-#include "meristem/graph/placement.h"
+#include "meristem/graph/link.h"
 
 namespace meristem {
-
-using ComponentIndex = std::uint32_t;
-using LinkIndex = std::uint32_t;
-inline constexpr std::uint32_t kNoIndex = 0xffffffffU;
-
-enum class LinkKind {
-  child,   ///< the child stands where the parent's geometry ends
-  branch,  ///< the child is multiplied along the parent's stems or ribs; elsewhere the same as child
-  leaf,    ///< in a recursion the child appears only where it ends; on a grown skeleton at the tips
-  crown,   ///< the child is multiplied in the crown body of the parent's stems
-};
-
-struct Link {
-  ComponentIndex from = 0;
-  ComponentIndex to = 0;
-  LinkKind kind = LinkKind::child;
-  Placement placement;             ///< of branch links
-  std::vector<std::string> given;  ///< which keys of it the document gives
-  CrownPlacement in_crown;         ///< of crown links
-  std::uint32_t name = kNoIndex;   ///< of child links that the parent makes itself: which of the ids it places
-  std::optional<std::uint64_t> fingerprint{};  ///< hash of all that is said of it, if that is known
-};
 
 /// What a graph's links mean together.
 struct Structure {

@@ -7,6 +7,7 @@
 #include "meristem/base/kept_results.h"
 #include "meristem/graph/batch.h"
 #include "meristem/graph/expansion_cache.h"
+#include "meristem/graph/shared_meshes.h"
 #include "meristem/plant/texture.h"
 
 namespace meristem {

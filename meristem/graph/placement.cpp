@@ -257,7 +257,7 @@ class AxisWriter {
 
     const double base = placement_.angle;
     const double tip = placement_.angle_tip.value_or(base);
-    const double angle = context_.heads_along
+    const double angle = context_.stance == BranchStance::along_axis
                              ? 0
                              : base + (tip - base) * site.u +
                                    placement_.angle_spread * places_.child(site.i).child("angle").uniform(0, -1, 1);
@@ -266,7 +266,8 @@ class AxisWriter {
     const Vec3 heading = cosine * tangent + sine * outward;
     const Vec3 upper = sine * tangent - cosine * outward;
     const Vec3 foot = glm::mix(skeleton_.position[piece.from], skeleton_.position[piece.to], along);
-    site.frame = frame_along(context_.on_axis ? foot : foot + site.radius * outward, heading, upper);
+    site.frame =
+        frame_along(context_.stance == BranchStance::on_bark ? foot + site.radius * outward : foot, heading, upper);
     site.stem = context_.stem;
     site.node = piece.to;
     site.along = along;

@@ -50,13 +50,18 @@ std::vector<std::string> given_placement(const Value& value);
 /// replaces both ways of saying so, one with an angle also the angle at the tip.
 Placement overridden(Placement own, const Placement& link, std::span<const std::string> given);
 
+/// How a branch link sets a component on a stem.
+enum class BranchStance {
+  on_bark,     ///< on the bark, heading away from the stem by the link's angle
+  on_axis,     ///< the same from the stem's axis: for stems, which begin within the one that they stand on
+  along_axis,  ///< on the axis and heading along it, unless the link gives an angle: its own form leads away
+};
+
 struct PlacementContext {
-  Directions directions;  ///< of light and gravity
-  bool on_axis =
-      false;  ///< places lie on the stem's axis and not on its bark, for children that begin there themselves
-  bool heads_along = false;         ///< children head along the stem, whatever the placement's angles say
-  bool has_twigs = true;            ///< by default they carry the children
-  std::uint64_t stem = kOnNoStem;   ///< id of the stem, for the places
+  Directions directions;                        ///< of light and gravity
+  BranchStance stance = BranchStance::on_bark;  ///< of the children; `along_axis` leaves the placement's angles aside
+  bool has_twigs = true;                        ///< by default they carry the children
+  std::uint64_t stem = kOnNoStem;               ///< id of the stem, for the places
   Site parent;                      ///< of the instance that made the stem; the places' keys and depths come from it
   std::optional<RandomKey> places;  ///< of where they are, where that is not the parent's: equal ones, equal places
 

@@ -417,5 +417,13 @@ TEST(Placement, KeysThatContradictAreRejected) {
   EXPECT_EQ(fault({{"whorl", 0}}), "whorl");
 }
 
+TEST(Placement, ChildrenDroopToWhereGravityPulls) {
+  const Limits limits;
+  PlacementContext context{.directions = Directions(kUp, {1, 0, 0}), .limits = &limits, .path = "links[0]"};
+  for (const Site& site : place_along(pole(), everywhere({{"count", 5}, {"droop", 1}}), context)) {
+    EXPECT_LT(glm::distance(site.frame.heading(), Vec3(1, 0, 0)), 1e-5F);
+  }
+}
+
 }  // namespace
 }  // namespace meristem

@@ -218,7 +218,7 @@ class Analysis {
 }  // namespace
 
 std::string link_path(const Graph& graph, LinkIndex link) {
-  const bool is_made = graph.links[link].name != kNoIndex;
+  const bool is_made = graph.links[link].is<PlacedLink>();
   return is_made ? "components." + graph.components[graph.links[link].from].id : fmt::format("links[{}]", link);
 }
 

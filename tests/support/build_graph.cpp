@@ -94,12 +94,15 @@ GraphBuilder& GraphBuilder::component(const std::string& id, const std::string& 
 
 GraphBuilder& GraphBuilder::link(std::string_view from, std::string_view to, LinkKind kind,
                                  const Value::Object& placement) {
-  Link link{.from = index_of(from), .to = index_of(to), .kind = kind, .placement = {}};
+  Link link{.from = index_of(from), .to = index_of(to), .kind = ChildLink()};
   ParameterReader reader(variables_, graph_.limits);
   const Place top;
   const Place links(top, "links");
-  link.given = given_placement(Value(placement));
-  reader.read(placement_table(), &link.placement, placement, Place(links, graph_.links.size()));
+  BranchLink branch;
+  branch.given = given_placement(Value(placement));
+  reader.read(placement_table(), &branch.placement, placement, Place(links, graph_.links.size()));
+  if (kind == LinkKind::branch) link.kind = std::move(branch);
+  if (kind == LinkKind::leaf) link.kind = LeafLink();
   if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
   link.fingerprint = fingerprint_of(Value(placement), variables_, {}, 0);
   graph_.links.push_back(std::move(link));

@@ -162,7 +162,7 @@ void maple_expanded(benchmark::State& state) {
   meristem::Plant plant;
   Times times;
   for (auto _ : state) {
-    times.measure([&] { plant = expand(document.graph, document.structure, document.scene, 0, progress); });
+    times.measure([&] { plant = expand(document.graph, document.scene, 0, progress); });
   }
   times.tell(state);
   state.counters["organs"] = static_cast<double>(plant.organs.size());
@@ -173,7 +173,7 @@ BENCHMARK(maple_expanded)->Unit(benchmark::kMillisecond)->UseRealTime();
 void maple_meshed(benchmark::State& state) {
   const Document document = read_large(kMaple);
   Progress progress;
-  const meristem::Plant plant = expand(document.graph, document.structure, document.scene, 0, progress);
+  const meristem::Plant plant = expand(document.graph, document.scene, 0, progress);
   meristem::MeshScene meshes;
   Times times;
   for (auto _ : state) times.measure([&] { meshes = mesh_detail(document, plant, {}, progress); });

@@ -9,7 +9,7 @@
 
 #include "meristem/document/json.h"
 #include "meristem/document/tables.h"
-#include "meristem/graph/placement.h"
+#include "meristem/graph/link.h"
 
 namespace meristem::cli {
 
@@ -127,6 +127,8 @@ std::string reference_page(const Registry& registry) {
   }
   page.heading("All components", component_base_table().doc);
   page.table(component_base_table(), Variation::as_stated);
+  page.heading("Links", link_table().doc);
+  page.table(link_table(), Variation::none);
   page.heading("Branch links", placement_table().doc);
   page.table(placement_table(), Variation::none);
   page.heading("Crown links", crown_placement_table().doc);

@@ -107,7 +107,7 @@ StillOptions chosen_still(const RenderOptions& options, const OutputSettings& ou
 }
 
 View chosen_view(const RenderOptions& options, const Document& document) {
-  View view = camera_view(document.graph, document.structure);
+  View view = camera_view(document.graph);
   if (options.view.empty()) return view;
   const auto [azimuth, altitude] =
       number_pair<double>(options.view, ',', "--view", "AZIMUTH,ALTITUDE in degrees, such as 150,6");

@@ -27,18 +27,18 @@ const ParameterTable& view_table() {
 
 ComponentType camera_component() {
   return define_component<CameraParameters>({
-      .name = "camera",
-      .doc = "The view of pictures and the root of the graph.",
+      .traits = {.name = "camera",
+                 .doc = "The view of pictures and the root of the graph.",
+                 .has_geometry = false,
+                 .is_camera = true},
       .parameters = Table<CameraParameters>("a camera", "The view of pictures and the root of the graph.")
                         .members(&CameraParameters::view, view_table()),
-      .has_geometry = false,
-      .is_camera = true,
       .expand = [](const CameraParameters&, const Site&, Emitter&) {},
   });
 }
 
-const View& camera_view(const Graph& graph, const Structure& structure) {
-  return static_cast<const CameraParameters*>(graph.components[structure.root].parameters.get())->view;
+const View& camera_view(const Graph& graph) {
+  return static_cast<const CameraParameters*>(graph.components[graph.structure.root].parameters.get())->view;
 }
 
 }  // namespace meristem

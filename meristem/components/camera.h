@@ -14,6 +14,6 @@ struct CameraParameters : ComponentBase {
 ComponentType camera_component();
 
 /// The view of a graph whose structure is sound.
-const View& camera_view(const Graph& graph, const Structure& structure);
+const View& camera_view(const Graph& graph);
 
 }  // namespace meristem

@@ -12,8 +12,7 @@ namespace {
 View view_of(const Value::Object& parameters) {
   GraphBuilder builder(builtin_components());
   builder.component("view", "camera", parameters);
-  std::vector<Diagnostic> diagnostics;
-  return camera_view(builder.graph(), analyse_structure(builder.graph(), diagnostics));
+  return camera_view(builder.sound_graph());
 }
 
 TEST(CameraComponent, GivesItsViewInRadians) {

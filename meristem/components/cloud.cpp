@@ -79,9 +79,11 @@ void expand(const Cloud& cloud, const Site&, Emitter& out) {
 
 ComponentType cloud_component() {
   return define_component<Cloud>({
-      .name = "cloud",
-      .doc =
-          "The attraction points of a crown as dots, to see what a crown, a distribution or the scene makes of them.",
+      .traits = {.name = "cloud",
+                 .doc =
+                     "The attraction points of a crown as dots, to see what a crown, a distribution or the scene makes "
+                     "of them.",
+                 .material = {.colour = kDotColour, .roughness = 0.9F}},
       .parameters =
           Table<Cloud>("a cloud", "Attraction points as dots.")
               .object("crown", &Cloud::crown, crown_table,
@@ -95,7 +97,6 @@ ComponentType cloud_component() {
               .check([](const Cloud& cloud, const Place& place, ParameterReader& reader) {
                 check_cloud(cloud.crown, cloud.points, 1, "a cloud", place, reader);
               }),
-      .material = {.colour = kDotColour, .roughness = 0.9F},
       .expand = expand,
       .grow = grow,
   });

@@ -153,8 +153,12 @@ const ParameterTable& growth_table() {
 
 ComponentType colonize_component() {
   return define_component<Colonize>({
-      .name = "colonize",
-      .doc = "A tree that grows into a cloud of attraction points (space colonization).",
+      .traits = {.name = "colonize",
+                 .doc = "A tree that grows into a cloud of attraction points (space colonization).",
+                 .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
+                 .makes_stems = true,
+                 .stance = BranchStance::on_axis,
+                 .after_growth = {"surface", "shed"}},
       .parameters = Table<Colonize>("a colonize", "A tree that grows into a cloud of attraction points.")
                         .object("crown", &Colonize::crown, crown_table,
                                 "The envelope that the points fill; needed unless they come from a file.")
@@ -171,11 +175,8 @@ ComponentType colonize_component() {
                                    "as in \"height < 2 && radius < 0.01\".")
                         .object("surface", &Colonize::surface, surface_table, "How the stems are clothed.")
                         .check(check_colonize),
-      .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
-      .makes_stems = true,
       .expand = expand,
       .grow = grow,
-      .after_growth = {"surface", "shed"},
   });
 }
 

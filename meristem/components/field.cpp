@@ -41,8 +41,9 @@ void expand(const Field& field, const Site& site, Emitter& out) {
 
 ComponentType field_component() {
   return define_component<Field>({
-      .name = "field",
-      .doc = "Places in rows on a level plain, for a crop, an orchard or an avenue.",
+      .traits = {.name = "field",
+                 .doc = "Places in rows on a level plain, for a crop, an orchard or an avenue.",
+                 .has_geometry = false},
       .parameters =
           Table<Field>("a field", "Places in rows.")
               .integer("rows", &Field::rows, {.min = 1, .max = 1e6, .fixed = true}, "One behind the other, along z.")
@@ -55,7 +56,6 @@ ComponentType field_component() {
               .boolean("stagger", &Field::stagger, "Whether every other row is moved by half of the spacing.")
               .number("gaps", &Field::gaps, {.min = 0, .max = 1}, "Share of places that stay empty.")
               .boolean("turned", &Field::turned, "Whether each plant faces anywhere, and not all the same way."),
-      .has_geometry = false,
       .expand = expand,
   });
 }

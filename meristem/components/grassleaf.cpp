@@ -162,7 +162,7 @@ glm::dvec2 in_plane(Vec3 vector, const Frame& frame) {
 void note_forces(const Grassleaf& grass, const Site& site, const Emitter& out, Rounding round, ShapeNumbers& numbers) {
   if (!grass.forces || !grass.stages.bend) return;
   const GrassForces& forces = *grass.forces;
-  const Vec3 all = forces.pull + static_cast<float>(forces.light) * unit_vector(out.scene().sun);
+  const Vec3 all = forces.pull + static_cast<float>(forces.light) * out.directions().toward_light(site.frame.origin);
   // The pressure of wind on a plate over the weight of the blade.
   const double speed = glm::length(forces.wind);
   const Vec3 wind = static_cast<float>(0.5 * kAirDensity * speed / forces.weight) * forces.wind;
@@ -173,7 +173,7 @@ void note_forces(const Grassleaf& grass, const Site& site, const Emitter& out, R
   };
   set(all, numbers.pull_x, numbers.pull_y);
   set(wind, numbers.wind_x, numbers.wind_y);
-  set(-kUp, numbers.gravity_x, numbers.gravity_y);
+  set(out.directions().down(site.frame.origin), numbers.gravity_x, numbers.gravity_y);
   numbers.stiffness = round.octaves(forces.strip.stiffness, kRadiusSteps);
   numbers.tip_thickness = round.octaves(forces.strip.tip_thickness, kRadiusSteps);
 }
@@ -405,14 +405,15 @@ TextureShape texture_shape(const Grassleaf& grass) {
 
 ComponentType grassleaf_component() {
   return define_component<Grassleaf>({
-      .name = "grassleaf",
-      .doc = "A grass's leaf, from measured or drawn curves, by stages: load, fit, age, vary, bend, reduce, blade.",
+      .traits =
+          {.name = "grassleaf",
+           .doc = "A grass's leaf, from measured or drawn curves, by stages: load, fit, age, vary, bend, reduce, "
+                  "blade.",
+           .material = {.colour = {0.30F, 0.46F, 0.17F}, .roughness = 0.55F, .translucency = 0.3F, .two_sided = true},
+           .variety = 0.08,
+           .blades = {.material = {.colour = {0.38F, 0.5F, 0.24F}, .roughness = 0.6F}, .has_document_colours = true},
+           .stance = BranchStance::along_axis},
       .parameters = grassleaf_table(),
-      .material = {.colour = {0.30F, 0.46F, 0.17F}, .roughness = 0.55F, .translucency = 0.3F, .two_sided = true},
-      .variety = 0.08,
-      .blades = {.colour = {0.38F, 0.5F, 0.24F}, .roughness = 0.6F},
-      .leads_away = true,
-      .tints_blades = true,
       .expand = expand,
       .texture_shape = texture_shape,
   });

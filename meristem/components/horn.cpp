@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include <glm/matrix.hpp>
 
@@ -91,14 +90,17 @@ Mesh make_outline_mesh(const Horn& horn, const StemForm& stem, const StemPath& p
   return make_loft(sections).mesh;
 }
 
-/// The curve of a horn that is 1 long, in the horn's own frame. What the world does to it differs from place to place.
-StemPath unit_path(const StemForm& unit, const Site& site, const StemTropisms& tropisms) {
+/// The curve of a horn that is 1 long, in the horn's own frame. What the world does to it, where it is `length` long,
+/// differs from place to place.
+StemPath unit_path(const StemForm& unit, float length, const Site& site, StemTropisms tropisms) {
   Site own;
   own.key = site.key;
-  if (tropisms.gravitropism == 0 && tropisms.phototropism == 0) return grow_stem(unit, own, {});
+  if (!tropisms.act()) return grow_stem(unit, own, {});
   const Frame frame = even_frame(site.frame);
   const Mat3 back = glm::transpose(frame.axes / glm::length(frame.heading()));
   own.frame.axes = glm::transpose(back);
+  tropisms.origin = frame.origin;
+  tropisms.stretch = length * glm::length(frame.heading());
   StemPath path = grow_stem(unit, own, tropisms);
   for (Frame& each : path.frames) each = {back * each.axes, back * each.origin};
   return path;
@@ -106,11 +108,12 @@ StemPath unit_path(const StemForm& unit, const Site& site, const StemTropisms& t
 
 /// Of how the world bends the curve of a horn that stands there.
 std::uint64_t world_key(const Site& site, const StemTropisms& tropisms) {
-  if (tropisms.gravitropism == 0 && tropisms.phototropism == 0) return 0;
+  if (!tropisms.act()) return 0;
   const Mat3 axes = even_frame(site.frame).axes / glm::length(site.frame.heading());
-  const auto [right, heading, light] = std::tuple(axes[0], axes[1], tropisms.light);
-  return shape_key({tropisms.gravitropism, tropisms.phototropism, light.x, light.y, light.z, right.x, right.y, right.z,
-                    heading.x, heading.y, heading.z});
+  const Vec3 right = axes[0], heading = axes[1];
+  const std::uint64_t key = shape_key(
+      {tropisms.gravitropism, tropisms.phototropism, right.x, right.y, right.z, heading.x, heading.y, heading.z});
+  return RandomKey(key).child(tropisms.directions.key_at(site.frame.origin)).bits();
 }
 
 void emit_outline(const Horn& horn, const Site& site, const StemTropisms& tropisms, Emitter& out) {
@@ -121,8 +124,9 @@ void emit_outline(const Horn& horn, const Site& site, const StemTropisms& tropis
   const std::uint64_t chance = unit.gnarl == 0 ? 0 : site.key.bits();
   const std::uint64_t key = RandomKey(form).child(chance).child(world_key(site, tropisms)).bits();
   Frame frame{glm::inverse(site.frame.axes) * even_frame(site.frame).axes, Vec3(0)};
-  frame.axes *= static_cast<float>(horn.stem.length);
-  out.organ(frame, key, [&] { return make_outline_mesh(horn, unit, unit_path(unit, site, tropisms)); });
+  const auto length = static_cast<float>(horn.stem.length);
+  frame.axes *= length;
+  out.organ(frame, key, [&] { return make_outline_mesh(horn, unit, unit_path(unit, length, site, tropisms)); });
 }
 
 /// As wide and as high as the curve is thick there, and in its middle.
@@ -142,7 +146,7 @@ void emit_primitives(const Horn& horn, const Site& site, const std::vector<Rib>&
 }
 
 void expand(const Horn& horn, const Site& site, Emitter& out) {
-  const StemTropisms tropisms{unit_vector(out.scene().sun), horn.gravitropism, horn.phototropism};
+  const StemTropisms tropisms{out.directions(), horn.gravitropism, horn.phototropism};
   StemPath path = grow_stem(horn.stem, site, tropisms);
   out.expect_children(static_cast<std::uint64_t>(horn.ribs));
   const std::vector<Rib> ribs = ribs_of(horn, path);
@@ -187,10 +191,15 @@ void check_horn(const Horn& horn, const Place& place, ParameterReader& reader) {
 
 ComponentType horn_component() {
   return define_component<Horn>({
-      .name = "horn",
-      .doc =
-          "A cross-section or a row of primitives along a curve; branch links without placement place children on its "
-          "ribs, child links at its tip.",
+      .traits = {.name = "horn",
+                 .doc = "A cross-section or a row of primitives along a curve; branch links without placement place "
+                        "children on its "
+                        "ribs, child links at its tip.",
+                 .material = {.colour = {0.48F, 0.44F, 0.34F}, .roughness = 0.7F},
+                 .makes_stems = true,
+                 .has_ribs = true,
+                 .stance = BranchStance::on_axis,
+                 .tropism = Tropism::none},
       .parameters =
           Table<Horn>("a horn", "A cross-section or a row of primitives along a curve.")
               .members(&Horn::stem, stem_form_table())
@@ -208,10 +217,6 @@ ComponentType horn_component() {
                        "Corners around primitives; raised, rounder and heavier.")
               .object("surface", &Horn::surface, surface_table, "How the stem of the section 'ring' is clothed.")
               .check(check_horn),
-      .material = {.colour = {0.48F, 0.44F, 0.34F}, .roughness = 0.7F},
-      .makes_stems = true,
-      .has_ribs = true,
-      .tropism = Tropism::none,
       .expand = expand,
   });
 }

@@ -21,13 +21,13 @@ void expand(const Hydra& hydra, const Site&, Emitter& out) {
 
 ComponentType hydra_component() {
   return define_component<Hydra>({
-      .name = "hydra",
-      .doc = "A star of places for children: leaflets of a palmate leaf, petals of a blossom.",
+      .traits = {.name = "hydra",
+                 .doc = "A star of places for children: leaflets of a palmate leaf, petals of a blossom.",
+                 .has_geometry = false},
       .parameters = Table<Hydra>("a hydra", "A star of places for children.")
                         .members(&Hydra::around, around_table())
                         .per_child("radius", &Hydra::radius, {.unit = Unit::metre, .min = 0, .max = 1000},
                                    "From the middle to where a child stands."),
-      .has_geometry = false,
       .expand = expand,
   });
 }

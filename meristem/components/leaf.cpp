@@ -175,13 +175,14 @@ const ParameterTable& blade_table() {
 
 ComponentType leaf_component() {
   return define_component<Leaf>({
-      .name = "leaf",
-      .doc = "A leaf blade with its stalk; it heads along y with its upper face to z.",
+      .traits =
+          {.name = "leaf",
+           .doc = "A leaf blade with its stalk; it heads along y with its upper face to z.",
+           .material = {.colour = {0.33F, 0.46F, 0.20F}, .roughness = 0.6F, .translucency = 0.35F, .two_sided = true},
+           .variety = 0.12,
+           .tropism = Tropism::face},
       .parameters =
           Table<Leaf>("a leaf", "A leaf blade with its stalk.").members(&Leaf::blade, blade_table()).check(check_leaf),
-      .material = {.colour = {0.33F, 0.46F, 0.20F}, .roughness = 0.6F, .translucency = 0.35F, .two_sided = true},
-      .variety = 0.12,
-      .tropism = Tropism::face,
       .expand = expand,
       .texture_shape = [](const Leaf& leaf) { return leaf_texture_shape(leaf.blade); },
   });

@@ -46,8 +46,9 @@ Word derive_plant(const Lsystem& plant, const Site& site, Emitter& out) {
   return derive_drawn(grammar, steps, site.key.child("word"), out.limits(), out.progress());
 }
 
-TurtleParameters turtle_of(const Lsystem& plant) {
+TurtleParameters turtle_of(const Lsystem& plant, const Emitter& out) {
   TurtleParameters turtle = plant.turtle;
+  turtle.directions = out.directions();
   turtle.angle = plant.angle.value_or(plant.source().grammar.angle.value_or(kDefaultAngle));
   turtle.azimuth = turtle.angle;
   if (plant.angles) {
@@ -116,8 +117,8 @@ void expand(const Lsystem& plant, const Site& site, Emitter& out) {
   Drawing drawing;
   try {
     const PlantGrammar& source = plant.source();
-    drawing = draw(derive_plant(plant, site, out), source.grammar.alphabet, turtle_of(plant), site.frame, out.limits(),
-                   "components." + out.component(), out.progress());
+    drawing = draw(derive_plant(plant, site, out), source.grammar.alphabet, turtle_of(plant, out), site.frame,
+                   out.limits(), "components." + out.component(), out.progress());
   } catch (const InputError& error) {
     throw_placed(error, plant, out.component());
   }
@@ -181,7 +182,7 @@ const ParameterTable& turtle_table() {
           .number("thinner", &TurtleParameters::thinner, {.min = 0, .max = 1, .above_min = true},
                   "By which ! without a parameter multiplies the radius, and # divides it.")
           .vector("tropism", &TurtleParameters::tropism, {.min = -100, .max = 100},
-                  "What branches bend toward; its length counts, too.")
+                  "What branches bend toward, straight down if not given; its length counts, too.")
           .number("elasticity", &TurtleParameters::elasticity, {.min = -10, .max = 10},
                   "How far they bend at each segment: radians where the pull is at right angles; negative: away.");
   return table;
@@ -191,8 +192,14 @@ const ParameterTable& turtle_table() {
 
 ComponentType lsystem_component() {
   return define_component<Lsystem>({
-      .name = "lsystem",
-      .doc = "A plant by the rules of a grammar (L-system), drawn by a turtle; ~ in its words places components.",
+      .traits =
+          {.name = "lsystem",
+           .doc = "A plant by the rules of a grammar (L-system), drawn by a turtle; ~ in its words places components.",
+           .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
+           .blades = {.material = {.colour = kLeafGreen, .roughness = 0.6F, .translucency = 0.3F, .two_sided = true}},
+           .makes_stems = true,
+           .has_twigs = true,
+           .stance = BranchStance::on_axis},
       .parameters =
           Table<Lsystem>("an lsystem", "A plant by the rules of a grammar, drawn by a turtle.")
               .lines("grammar", &Lsystem::grammar, read_plant_grammar, "The grammar's text, or a list of its lines.")
@@ -211,10 +218,6 @@ ComponentType lsystem_component() {
               .object("surface", &Lsystem::surface, surface_table, "How the stems are clothed.")
               .never_with("angle", {"angles"})
               .check(check_lsystem),
-      .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
-      .blades = {.colour = kLeafGreen, .roughness = 0.6F, .translucency = 0.3F, .two_sided = true},
-      .makes_stems = true,
-      .has_twigs = true,
       .expand = expand,
       .placed = placed,
   });

@@ -31,7 +31,7 @@ struct Lsystem : ComponentBase {
   std::optional<double> angle;  ///< degrees; unset: the grammar's
   std::optional<PolarAngles> angles;
   WidthDecay width_decay;
-  TurtleParameters turtle;    ///< without angles and decays
+  TurtleParameters turtle;    ///< without angles, decays and directions
   std::vector<Vec3> palette;  ///< of polygons, by the number of their colour; empty: the green of leaves
   Surface surface;
 

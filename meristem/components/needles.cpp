@@ -82,14 +82,15 @@ const ParameterTable& shoot_table() {
 
 ComponentType needles_component() {
   return define_component<Needles>({
-      .name = "needles",
-      .doc = "The needles of a shoot, or a tuft of them; it heads along y, and children stand at its tip.",
+      .traits =
+          {.name = "needles",
+           .doc = "The needles of a shoot, or a tuft of them; it heads along y, and children stand at its tip.",
+           .material = {.colour = {0.20F, 0.30F, 0.15F}, .roughness = 0.5F, .translucency = 0.15F, .two_sided = true},
+           .variety = 0.1},
       .parameters = Table<Needles>("needles", "The needles of a shoot.")
                         .members(&Needles::shoot, shoot_table())
                         .integer("variants", &Needles::variants, {.min = 1, .max = 64, .fixed = true},
                                  "Different shoots, of which each instance is one; raised, more geometry."),
-      .material = {.colour = {0.20F, 0.30F, 0.15F}, .roughness = 0.5F, .translucency = 0.15F, .two_sided = true},
-      .variety = 0.1,
       .expand = expand,
   });
 }

@@ -127,8 +127,13 @@ void check_organize(const Organize& tree, const Place& place, ParameterReader& r
 
 ComponentType organize_component() {
   return define_component<Organize>({
-      .name = "organize",
-      .doc = "Trees whose buds compete for light and room, metamer by metamer (self-organizing).",
+      .traits = {.name = "organize",
+                 .doc = "Trees whose buds compete for light and room, metamer by metamer (self-organizing).",
+                 .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
+                 .makes_stems = true,
+                 .has_ribs = true,
+                 .stance = BranchStance::on_axis,
+                 .after_growth = {"surface", "leaf_age", "leaf_angle"}},
       .parameters =
           Table<Organize>("an organize", "Trees whose buds compete for light and room.")
               .members(&Organize::growth, organize_growth_table())
@@ -144,12 +149,8 @@ ComponentType organize_component() {
               .members(&Organize::growth, &OrganizeParameters::radii, pipe_table())
               .object("surface", &Organize::surface, surface_table, "How the stems are clothed.")
               .check(check_organize),
-      .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
-      .makes_stems = true,
-      .has_ribs = true,
       .expand = expand,
       .grow = grow,
-      .after_growth = {"surface", "leaf_age", "leaf_angle"},
   });
 }
 

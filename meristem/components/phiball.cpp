@@ -58,8 +58,9 @@ void check_zone(const Phiball& ball, const Place& place, ParameterReader& reader
 
 ComponentType phiball_component() {
   return define_component<Phiball>({
-      .name = "phiball",
-      .doc = "Places for children on a sphere by the golden angle: florets of a head, leaves of a rosette.",
+      .traits = {.name = "phiball",
+                 .doc = "Places for children on a sphere by the golden angle: florets of a head, leaves of a rosette.",
+                 .has_geometry = false},
       .parameters =
           Table<Phiball>("a phiball", "Places for children on a zone of a sphere by the golden angle.")
               .integer("number", &Phiball::number, {.min = 0, .max = 2e9}, "Children on the sphere.")
@@ -79,7 +80,6 @@ ComponentType phiball_component() {
                       "Turns the sphere about its heading.")
               .boolean("pole", &Phiball::pole, "Whether its pole stands on the frame, and not its middle.")
               .check(check_zone),
-      .has_geometry = false,
       .expand = expand,
   });
 }

@@ -48,13 +48,13 @@ const ParameterTable& body_table() {
 
 ComponentType revolution_component() {
   return define_component<Revolution>({
-      .name = "revolution",
-      .doc = "A body of revolution about y: a cone, nut, fruit or pot; children stand at its tip.",
+      .traits = {.name = "revolution",
+                 .doc = "A body of revolution about y: a cone, nut, fruit or pot; children stand at its tip.",
+                 .material = {.colour = {0.48F, 0.33F, 0.2F}, .roughness = 0.6F},
+                 .variety = 0.05},
       .parameters = Table<Revolution>("a revolution", "A body of revolution.")
                         .members(&Revolution::body, body_table())
                         .check(check_silhouette),
-      .material = {.colour = {0.48F, 0.33F, 0.2F}, .roughness = 0.6F},
-      .variety = 0.05,
       .expand = expand,
   });
 }

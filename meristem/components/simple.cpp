@@ -88,10 +88,11 @@ void check_outline(const Simple& simple, const Place& place, ParameterReader& re
 
 ComponentType simple_component() {
   return define_component<Simple>({
-      .name = "simple",
-      .doc =
-          "A box, sphere, cylinder, cone or torus that stands on its frame, or a section of a surface: where the child "
-          "of an area or tube is one too, a surface joins them. Children stand on top.",
+      .traits = {.name = "simple",
+                 .doc = "A box, sphere, cylinder, cone or torus that stands on its frame, or a section of a surface: "
+                        "where the child "
+                        "of an area or tube is one too, a surface joins them. Children stand on top.",
+                 .material = {.colour = {0.69F, 0.66F, 0.61F}, .roughness = 0.8F}},
       .parameters =
           Table<Simple>("a simple", "A primitive that stands on its frame, or a section of a surface.")
               .choice("shape", &Simple::shape, {"box", "sphere", "cylinder", "cone", "torus", "none", "area", "tube"},
@@ -106,7 +107,6 @@ ComponentType simple_component() {
                       "of 2 over the width, a tube an ellipse over width and depth.")
               .boolean("cap", &Simple::cap, "Whether a tube is closed where its surface ends.")
               .check(check_outline),
-      .material = {.colour = {0.69F, 0.66F, 0.61F}, .roughness = 0.8F},
       .expand = expand,
   });
 }

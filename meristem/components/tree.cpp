@@ -25,7 +25,7 @@ std::vector<StemBend> deflections(const Tree& tree, const Site& site, const Emit
   outward.angle = kPi / 2;
   outward.angle_tip.reset();
   outward.angle_spread = outward.droop = outward.face_light = 0;
-  PlacementContext context{.on_axis = true,
+  PlacementContext context{.stance = BranchStance::on_axis,
                            .has_twigs = false,
                            .parent = site,
                            .places = out.places_on_next_stem(),
@@ -42,7 +42,7 @@ std::vector<StemBend> deflections(const Tree& tree, const Site& site, const Emit
 }
 
 void expand(const Tree& tree, const Site& site, Emitter& out) {
-  const StemTropisms tropisms{unit_vector(out.scene().sun), tree.gravitropism, tree.phototropism};
+  const StemTropisms tropisms{out.directions(), tree.gravitropism, tree.phototropism};
   std::vector<StemBend> bends;
   if (tree.deflection != 0) bends = deflections(tree, site, out);
   StemPath path = grow_stem(tree.stem, site, tropisms, bends);
@@ -55,8 +55,13 @@ void expand(const Tree& tree, const Site& site, Emitter& out) {
 
 ComponentType tree_component() {
   return define_component<Tree>({
-      .name = "tree",
-      .doc = "A stem along a curve; branch links place children along it, and stems among them become its branches.",
+      .traits = {.name = "tree",
+                 .doc = "A stem along a curve; branch links place children along it, and stems among them become its "
+                        "branches.",
+                 .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
+                 .makes_stems = true,
+                 .stance = BranchStance::on_axis,
+                 .tropism = Tropism::none},
       .parameters =
           Table<Tree>("a tree", "A stem along a curve.")
               .members(&Tree::stem, stem_form_table())
@@ -69,9 +74,6 @@ ComponentType tree_component() {
                 check_stem_form(tree.stem, place, reader);
                 check_placement(tree.branching, place, reader);
               }),
-      .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
-      .makes_stems = true,
-      .tropism = Tropism::none,
       .expand = expand,
   });
 }

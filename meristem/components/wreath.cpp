@@ -20,13 +20,13 @@ void expand(const Wreath& wreath, const Site&, Emitter& out) {
 
 ComponentType wreath_component() {
   return define_component<Wreath>({
-      .name = "wreath",
-      .doc = "A ring of places for children: bracts about a head, sepals about a fruit.",
+      .traits = {.name = "wreath",
+                 .doc = "A ring of places for children: bracts about a head, sepals about a fruit.",
+                 .has_geometry = false},
       .parameters =
           Table<Wreath>("a wreath", "A ring of places for children.")
               .members(&Wreath::around, around_table())
               .number("diameter", &Wreath::diameter, {.unit = Unit::metre, .min = 0, .max = 1000}, "Of the ring."),
-      .has_geometry = false,
       .expand = expand,
   });
 }

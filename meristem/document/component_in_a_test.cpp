@@ -23,8 +23,7 @@ struct Spike : ComponentBase {
 
 ComponentType spike_component() {
   return define_component<Spike>({
-      .name = "spike",
-      .doc = "A cone with a ring of children near its apex.",
+      .traits = {.name = "spike", .doc = "A cone with a ring of children near its apex."},
       .parameters = Table<Spike>("a spike", "A cone with a ring of children near its apex.")
                         .number("length", &Spike::length,
                                 {.unit = Unit::metre, .min = 0, .max = 100, .above_min = true}, "Base to apex.")

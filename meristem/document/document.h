@@ -73,7 +73,6 @@ struct Document {
   std::string licence;
   std::vector<Variable> variables;
   Graph graph;
-  Structure structure;
   Scene scene;
   OutputSettings output;
   Source source;

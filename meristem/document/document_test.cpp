@@ -233,7 +233,7 @@ TEST(Document, GetsACameraThatLinksToAllWithoutAParent) {
   const Graph& graph = document.graph;
   ASSERT_EQ(graph.components.size(), 4U);
   EXPECT_EQ(graph.components[3].id, "camera_");
-  EXPECT_EQ(document.structure.root, 3U);
+  EXPECT_EQ(document.graph.structure.root, 3U);
   ASSERT_EQ(graph.links.size(), 3U);
   EXPECT_EQ(graph.links[1].to, 0U);
   EXPECT_EQ(graph.links[2].to, 2U);
@@ -244,7 +244,7 @@ TEST(Document, HangsAComponentWhoseOnlyParentIsItselfOnTheCamera) {
                                       R"("a": {"type": "simple"}, "b": {"type": "simple", "recursion": 4})"));
   ASSERT_EQ(document.graph.links.size(), 3U);
   EXPECT_EQ(document.graph.links[2].to, 1U) << "b, which recurses";
-  EXPECT_EQ(document.structure.recursions.size(), 1U);
+  EXPECT_EQ(document.graph.structure.recursions.size(), 1U);
 }
 
 TEST(Document, StopsAtTheLimitOfFaultsAndCountsTheRest) {

@@ -56,7 +56,7 @@ TEST(Override, SetsKeysOfTheDocument) {
   const Document document =
       read_with({"links[1].density=90", "scene.latitude=51.5", "scene.sun.day=172", "output.samples=4",
                  "limits.nodes=1000", "components.tree.points=70", "seed=3", "name=Old oak"});
-  EXPECT_EQ(document.graph.links[1].placement.density, 90);
+  EXPECT_EQ(document.graph.links[1].as<BranchLink>()->placement.density, 90);
   EXPECT_EQ(document.output.samples, 4);
   EXPECT_EQ(document.graph.limits.nodes, 1000U);
   EXPECT_EQ(tree_of(document).points.count, 70U);

@@ -202,9 +202,7 @@ TEST(CachedExpansion, StaysInOrderWhenCancelledInTheMiddle) {
   int cancelled = 0;
   for (std::uint64_t edit = 0; edit < 40; ++edit) {
     settings = changed(settings, RandomKey(edit));
-    const auto graph = settings.builder();
-    std::vector<Diagnostic> diagnostics;
-    const Structure structure = analyse_structure(graph.graph(), diagnostics);
+    const Graph graph = settings.builder().sound_graph();
     int reports = static_cast<int>(edit % 7);
     Progress* told = nullptr;
     Progress progress([&](std::string_view, double) {
@@ -212,7 +210,7 @@ TEST(CachedExpansion, StaysInOrderWhenCancelledInTheMiddle) {
     });
     told = &progress;
     try {
-      expand(graph.graph(), structure, known_scene(), 0, progress, &cache);
+      expand(graph, known_scene(), 0, progress, &cache);
     } catch (const Cancelled&) {
       ++cancelled;
     }

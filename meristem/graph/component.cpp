@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "meristem/graph/table/fingerprint.h"
-#include "meristem/scene/light/sun.h"
 
 namespace meristem {
 
@@ -50,7 +49,7 @@ const ParameterTable& growing_component_table() {
   return table;
 }
 
-Frame instance_frame(const ComponentBase& base, const Frame& site, Tropism tropism, const Scene& scene) {
+Frame instance_frame(const ComponentBase& base, const Frame& site, Tropism tropism, const Directions& directions) {
   Frame frame = site * base.frame.frame();
   if (tropism == Tropism::none) return frame;
   const auto turn = [&](int column, Vec3 target, double share) {
@@ -58,8 +57,10 @@ Frame instance_frame(const ComponentBase& base, const Frame& site, Tropism tropi
     const Vec3 from = normalized_or(frame.axes[column], kUp);
     frame.axes = rotation_toward(from, target, share, fallback) * frame.axes;
   };
-  if (base.gravitropism != 0) turn(1, -kUp, base.gravitropism);
-  if (base.phototropism != 0) turn(tropism == Tropism::face ? 2 : 1, unit_vector(scene.sun), base.phototropism);
+  if (base.gravitropism != 0) turn(1, directions.down(frame.origin), base.gravitropism);
+  if (base.phototropism != 0) {
+    turn(tropism == Tropism::face ? 2 : 1, directions.toward_light(frame.origin), base.phototropism);
+  }
   return frame;
 }
 

@@ -6,8 +6,7 @@
 //
 //   ComponentType spike() {
 //     return define_component<Spike>({
-//         .name = "spike",
-//         .doc = "A cone.",
+//         .traits = {.name = "spike", .doc = "A cone."},
 //         .parameters = Table<Spike>("a spike", "A cone.")
 //                           .number("length", &Spike::length, {.unit = Unit::metre, .min = 0}, "Base to apex."),
 //         .expand = [](const Spike& spike, const Site&, Emitter& out) {
@@ -28,6 +27,7 @@
 
 #include "meristem/base/limits.h"
 #include "meristem/base/progress.h"
+#include "meristem/graph/component_traits.h"
 #include "meristem/graph/emitter.h"
 #include "meristem/graph/table/selection.h"
 #include "meristem/graph/table/table.h"
@@ -74,7 +74,7 @@ struct GrowingComponent : ComponentBase {
 };
 
 /// Where an instance at a site with the frame `site` stands: moved by its own frame, then turned by gravity and light.
-Frame instance_frame(const ComponentBase& base, const Frame& site, Tropism tropism, const Scene& scene);
+Frame instance_frame(const ComponentBase& base, const Frame& site, Tropism tropism, const Directions& directions);
 
 /// The rows of ComponentBase, which follow each component's own.
 const ParameterTable& component_base_table();
@@ -88,6 +88,7 @@ struct Prototype;
 /// What a growing component may ask for.
 struct GrowContext {
   const Scene& scene;
+  const Directions& directions;  ///< the scene's
   const Limits& limits;
   const std::string& component;  ///< id, for errors
   Stand& stand;                  ///< in which it will grow
@@ -101,21 +102,9 @@ struct PlacedComponent {
   std::string hint;       ///< what else its author may have meant, for messages: "or longer names ..."; may be empty
 };
 
-struct ComponentType {
-  std::string name;
-  std::string doc;
+struct ComponentType : ComponentTraits {
   ParameterTable parameters;  ///< own rows, then those of ComponentBase
-  Material material;
-  double variety = 0;         ///< of colours, where the document does not say
-  Material blades;            ///< of the geometry that it emits as blades
-  bool is_camera = false;     ///< the root of every graph
-  bool makes_stems = false;   ///< branch links place children along stems
-  bool has_twigs = false;     ///< by default along twigs alone
-  bool has_ribs = false;      ///< branch links without placement keys have places of their own
-  bool leads_away = false;    ///< its own form leads away from a stem: branch links place it on the axis, along it
-  bool tints_blades = false;  ///< its blades have the document's colours, too
-  Tropism tropism = Tropism::heading;
-  std::size_t size = 0;  ///< of the parameter struct
+  std::size_t size = 0;       ///< of the parameter struct
 
   std::function<std::shared_ptr<void>()> make_parameters;  ///< a struct with the defaults
   std::function<const ComponentBase&(const void* parameters)> base;
@@ -129,7 +118,6 @@ struct ComponentType {
   std::function<void(const Prototype&, std::span<const Site>, Emitter&)> expand;
   /// Whether each instance grows in a stand of its own; empty for components that compete with none.
   std::function<bool(const void* parameters)> grows_alone;
-  std::vector<std::string> after_growth;  ///< parameters that growth does not ask for
   /// Plants one instance in a stand; empty for components that do not grow.
   std::function<std::unique_ptr<Grower>(const Prototype&, const Site&, double time, const GrowContext&)> grow;
 };
@@ -159,30 +147,13 @@ void check_rules(const ComponentType& type, const std::string& id, const void* i
 /// All that defines a component type with parameter struct P, which derives from ComponentBase.
 template <class P>
 struct ComponentDefinition {
-  std::string name;
-  std::string doc;
+  ComponentTraits traits;
   Table<P> parameters;
-  Material material{};
-  double variety = 0;
-  Material blades{};
-  bool has_geometry = true;  ///< else it has no parameters of looks
-  bool is_camera = false;
-  bool makes_stems = false;
-  bool has_twigs = false;  ///< of stems; components that grow have twigs anyway
-  bool has_ribs = false;   ///< branch links without placement keys stand at the branch sites, others along the stems
-  /// Its own form leads away from a stem: branch links place it on the axis and not on the bark, and heading along the
-  /// stem unless they give an `angle`.
-  bool leads_away = false;
-  bool tints_blades = false;  ///< its blades have the document's colours, too
-  Tropism tropism = Tropism::heading;
   /// Makes one instance's geometry and says where children stand, through `out`, relative to the instance's own frame.
   void (*expand)(const P& parameters, const Site& site, Emitter& out) = nullptr;
   /// For components that grow: plants one instance at its site. After growing, `expand` finds the skeleton in
   /// `out.take_grown()`. P derives from GrowingComponent if it competes with others.
   std::unique_ptr<Grower> (*grow)(const P& parameters, const Site& site, const GrowContext& context) = nullptr;
-  /// Parameters that `grow` does not ask for, besides the looks that all components have: where only they change, what
-  /// has grown stays.
-  std::vector<std::string> after_growth{};
   /// What the uvs of its geometry show, for textures that follow a shape.
   TextureShape (*texture_shape)(const P& parameters) = nullptr;
   /// The components that `expand` places by `out.named_site`, by their numbers there.
@@ -192,28 +163,15 @@ struct ComponentDefinition {
 template <class P>
 ComponentType define_component(ComponentDefinition<P> definition) {
   static_assert(std::is_base_of_v<ComponentBase, P>);
-  ComponentType type;
-  type.name = std::move(definition.name);
-  type.doc = std::move(definition.doc);
+  ComponentType type{std::move(definition.traits)};
   if constexpr (std::is_base_of_v<GrowingComponent, P>) {
     std::move(definition.parameters).template include<GrowingComponent>(growing_component_table());
     type.grows_alone = [](const void* parameters) { return static_cast<const P*>(parameters)->alone; };
   }
   std::move(definition.parameters).template include<ComponentBase>(component_base_table()).elsewhere({"type"});
-  if (!definition.has_geometry) {
-    std::move(definition.parameters).without(look_names(), "it has no geometry of its own");
-  }
+  if (!type.has_geometry) std::move(definition.parameters).without(look_names(), "it has no geometry of its own");
   type.parameters = std::move(definition.parameters);
-  type.material = definition.material;
-  type.variety = definition.variety;
-  type.blades = definition.blades;
-  type.is_camera = definition.is_camera;
-  type.makes_stems = definition.makes_stems;
-  type.has_twigs = definition.has_twigs || definition.grow != nullptr;
-  type.has_ribs = definition.has_ribs;
-  type.leads_away = definition.leads_away;
-  type.tints_blades = definition.tints_blades;
-  type.tropism = definition.tropism;
+  if (definition.grow != nullptr) type.has_twigs = true;
   type.size = sizeof(P);
   type.make_parameters = [] { return std::static_pointer_cast<void>(std::make_shared<P>()); };
   if constexpr (requires(const P& parameters) { static_cast<const Surface&>(parameters.surface); }) {
@@ -229,14 +187,13 @@ ComponentType define_component(ComponentDefinition<P> definition) {
     }
   };
   if (definition.grow != nullptr) {
-    type.after_growth = std::move(definition.after_growth);
     type.grow = [grow = definition.grow](const Prototype& prototype, const Site& site, double time,
                                          const GrowContext& context) {
       P instance = *static_cast<const P*>(prototype.parameters.get());
       VaryingValues(prototype.varyings, std::span(&site, 1), time).apply(0, &instance);
       check_rules(*prototype.type, prototype.id, &instance, context.limits);
       Site own = site;
-      own.frame = instance_frame(instance, site.frame, prototype.type->tropism, context.scene);
+      own.frame = instance_frame(instance, site.frame, prototype.type->tropism, context.directions);
       return grow(instance, own, context);
     };
   }

@@ -12,8 +12,7 @@
 
 #include "meristem/base/hash.h"
 #include "meristem/base/math.h"
-#include "meristem/graph/component.h"
-#include "meristem/graph/looks.h"
+#include "meristem/graph/emitter_context.h"
 
 namespace meristem {
 
@@ -52,24 +51,13 @@ std::uint64_t shape_key(std::initializer_list<double> numbers) {
   return hash64(std::string_view(reinterpret_cast<const char*>(numbers.begin()), numbers.size() * sizeof(double)));
 }
 
-std::shared_ptr<const Mesh> SharedMeshes::find(std::uint64_t key) {
-  {
-    const std::scoped_lock lock(mutex_);
-    const auto found = meshes_.find(key);
-    if (found != meshes_.end()) return found->second;
-    if (earlier_ == nullptr) return nullptr;
-  }
-  // Nobody changes the earlier ones any more.
-  const auto found = earlier_->meshes_.find(key);
-  return found == earlier_->meshes_.end() ? nullptr : keep(key, found->second);
-}
-
-std::shared_ptr<const Mesh> SharedMeshes::keep(std::uint64_t key, std::shared_ptr<const Mesh> mesh) {
-  const std::scoped_lock lock(mutex_);
-  const auto [kept, is_new] = meshes_.try_emplace(key, std::move(mesh));
-  if (is_new) bytes_ += kept->second->bytes();
-  return kept->second;
-}
+const Scene& Emitter::scene() const { return context_->scene; }
+const Directions& Emitter::directions() const { return context_->directions; }
+const Limits& Emitter::limits() const { return context_->limits; }
+const std::string& Emitter::component() const { return context_->prototype.id; }
+Progress& Emitter::progress() const { return *context_->progress; }
+double Emitter::time() const { return context_->time; }
+RandomKey Emitter::component_key() const { return context_->key; }
 
 void Emitter::instance(const ComponentBase& base, const Site& site, std::size_t index,
                        FunctionRef<void(const Site&)> expand) {
@@ -86,14 +74,14 @@ void Emitter::instance(const ComponentBase& base, const Site& site, std::size_t 
 
 void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   site_ = site;
-  site_.frame = instance_frame(base, site.frame, context_->tropism, context_->scene);
+  site_.frame = instance_frame(base, site.frame, context_->prototype.type->tropism, context_->directions);
   const Frame place = base.place.frame();
   is_placed_ = place.axes != Mat3(1) || place.origin != Vec3(0);
   geometry_frame_ = site_.frame * place;
   if (!is_finite(site_.frame) || !is_finite(geometry_frame_)) {
     throw InputError(Diagnostic{.message = fmt::format("the frame of instance {} of {} is not finite", site.i, site.n),
                                 .expected = "smaller scales and shifts, here or in what it hangs on",
-                                .path = "components." + context_->component});
+                                .path = "components." + component()});
   }
   tint_ = context_->tinting.tint(base, site.key.child("colour"));
   base_ = &base;
@@ -110,7 +98,7 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
 /// Completes the places for children, drops those that no link wants, and numbers the rest.
 void Emitter::end_instance() {
   if (!has_child_sites_) child_site(Frame{});
-  if (context_->wants_branch_sites && !context_->makes_stems && branch_sites.size() == first_branch_) {
+  if (context_->wants_branch_sites && !context_->prototype.type->makes_stems && branch_sites.size() == first_branch_) {
     branch_sites.insert(branch_sites.end(), child_sites.begin() + static_cast<std::ptrdiff_t>(first_child_),
                         child_sites.end());
   }
@@ -150,7 +138,7 @@ void Emitter::organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> m
 }
 
 void Emitter::blade(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint) {
-  add_organ(local, key, true, make, context_->tints_blades ? tint_ * tint : tint);
+  add_organ(local, key, true, make, context_->prototype.type->blades.has_document_colours ? tint_ * tint : tint);
 }
 
 void Emitter::add_organ(const Frame& local, std::uint64_t key, bool is_blade, FunctionRef<Mesh()> make, Vec3 tint) {
@@ -185,13 +173,13 @@ std::shared_ptr<const Mesh> Emitter::shared_mesh(std::uint64_t key, FunctionRef<
   std::shared_ptr<const Mesh> mesh = context_->meshes.find(key);
   if (mesh == nullptr) {
     Mesh made = make();
-    lay_picture(context_->texture, made);
+    lay_picture(context_->prototype.base().texture, made);
     mesh = context_->meshes.keep(key, std::make_shared<const Mesh>(std::move(made)));
   }
   const std::uint64_t limit = context_->limits.mesh_bytes;
   if (context_->mesh_bytes + context_->meshes.bytes() <= limit) return mesh;
-  throw_past(fmt::format("the shapes of '{}' take more than {} bytes", context_->component, limit), limit, "mesh_bytes",
-             "components." + context_->component);
+  throw_past(fmt::format("the shapes of '{}' take more than {} bytes", component(), limit), limit, "mesh_bytes",
+             "components." + component());
 }
 
 void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* branching) {
@@ -224,7 +212,7 @@ void Emitter::child_site(const Frame& local, float length, float radius) {
 
 void Emitter::child_site_in_world(const Frame& frame, float length, float radius) {
   has_child_sites_ = true;
-  const bool for_branches = context_->wants_branch_sites && !context_->makes_stems;
+  const bool for_branches = context_->wants_branch_sites && !context_->prototype.type->makes_stems;
   if (context_->wants_child_sites || for_branches) add_site(child_sites, frame, 1, length, radius);
 }
 
@@ -301,9 +289,9 @@ void Emitter::throw_too_many_children() const {
   const std::uint64_t limit = context_->limits.instances;
   // Where instances differ, which of them is one too many is a matter of threads.
   const bool is_one = context_->together == 1;
-  std::string who = fmt::format("'{}'", context_->component);
+  std::string who = fmt::format("'{}'", component());
   if (!is_one) who = fmt::format("{} instances of {}", context_->together, who);
-  if (context_->is_uniform && expected_ > 0)
+  if (context_->prototype.varyings.empty() && expected_ > 0)
     who += fmt::format(" with {} children{}", expected_, is_one ? "" : " each");
   throw_past(fmt::format("{} {} places to more than {} instances", who, is_one ? "offers" : "offer", limit), limit,
              "instances", context_->multiplier);
@@ -312,8 +300,8 @@ void Emitter::throw_too_many_children() const {
 void Emitter::count_nodes(std::uint64_t more) {
   const std::uint64_t limit = context_->limits.nodes;
   if (context_->nodes.fetch_add(more, std::memory_order_relaxed) + more <= limit) return;
-  throw_past(fmt::format("with '{}' there are more than {} nodes", context_->component, limit), limit, "nodes",
-             "components." + context_->component);
+  throw_past(fmt::format("with '{}' there are more than {} nodes", component(), limit), limit, "nodes",
+             "components." + component());
 }
 
 Skeleton Emitter::take_grown() {

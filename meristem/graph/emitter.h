@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -19,7 +17,6 @@
 #include "meristem/graph/placement.h"
 #include "meristem/graph/table/site.h"
 #include "meristem/graph/table/varying.h"
-#include "meristem/graph/texture_form.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
 #include "meristem/shape/tube/loft.h"
@@ -27,14 +24,7 @@
 namespace meristem {
 
 struct ComponentBase;
-class Tinting;
-
-/// What of a component light and gravity turn.
-enum class Tropism {
-  heading,  ///< toward the light, or down
-  face,     ///< the upper face toward the light, the heading down
-  none,     ///< nothing: the component bends by itself
-};
+struct EmitterContext;
 
 /// A key for geometry that instances with these numbers share.
 std::uint64_t shape_key(std::initializer_list<double> numbers);
@@ -69,50 +59,6 @@ struct EmittedSection {
   std::uint64_t parent = 0;  ///< id of the section that it continues, or 0
   Vec3 tint{1};
   float birth = 0;
-};
-
-/// Meshes that all instances of one component share, by their keys. May be called from many threads.
-class SharedMeshes {
- public:
-  /// `earlier` are those of an earlier expansion, which are taken over as they are asked for.
-  explicit SharedMeshes(std::shared_ptr<const SharedMeshes> earlier = nullptr) : earlier_(std::move(earlier)) {}
-  /// Null where there is none yet.
-  std::shared_ptr<const Mesh> find(std::uint64_t key);
-  /// Keeps `mesh`, or gives the one that another thread was quicker with.
-  std::shared_ptr<const Mesh> keep(std::uint64_t key, std::shared_ptr<const Mesh> mesh);
-  /// Lets go of the earlier ones that nobody has asked for.
-  void forget_earlier() { earlier_ = nullptr; }
-  std::uint64_t bytes() const { return bytes_; }
-
- private:
-  mutable std::mutex mutex_;
-  std::unordered_map<std::uint64_t, std::shared_ptr<const Mesh>> meshes_;
-  std::shared_ptr<const SharedMeshes> earlier_;
-  std::atomic<std::uint64_t> bytes_{0};
-};
-
-/// What the emitters of one component's instances have in common.
-struct EmitterContext {
-  const Scene& scene;
-  const Limits& limits;
-  const std::string& component;  ///< id, for errors
-  std::string multiplier;        ///< document path of what multiplies the children, for errors
-  std::uint64_t together = 1;    ///< instances that are expanded together
-  bool is_uniform = true;        ///< nothing that the document says differs between them
-  double time = 0;               ///< seconds
-  const Tinting& tinting;        ///< of the instances
-  const TextureForm& texture;    ///< of the instances
-  Tropism tropism = Tropism::heading;
-  bool tints_blades = false;     ///< blades have the instances' tints, too
-  RandomKey key = RandomKey();   ///< of the component, for what its instances draw together
-  Progress* progress = nullptr;  ///< for what takes long in one instance
-  bool makes_stems = false;      ///< children of branch links stand along stems only
-  bool wants_child_sites = true;
-  bool wants_branch_sites = true;
-  std::atomic<std::uint64_t> instances{0};  ///< so far, with the places that are offered to more
-  std::atomic<std::uint64_t> nodes{0};      ///< so far, of all stems
-  std::uint64_t mesh_bytes = 0;             ///< of what other components have made
-  SharedMeshes& meshes;
 };
 
 /// What the instances of one block have emitted. It depends on the component, its instances and the scene alone, and
@@ -188,13 +134,15 @@ class Emitter : private Emitted {
   /// Of where the children stand on the stem that is emitted next, if it brings its branching.
   RandomKey places_on_next_stem() const { return key_of_places(site_.key.child("stem").child(stems_of_instance_)); }
 
-  const Scene& scene() const { return context_->scene; }
-  const Limits& limits() const { return context_->limits; }
-  const std::string& component() const { return context_->component; }  ///< id, for errors
-  Progress& progress() const { return *context_->progress; }
-  double time() const { return context_->time; }
+  const Scene& scene() const;
+  /// Toward the light, and down: what turns by them asks at the place where it turns.
+  const Directions& directions() const;
+  const Limits& limits() const;
+  const std::string& component() const;  ///< id, for errors
+  Progress& progress() const;
+  double time() const;
   /// Of the component, for what its instances have in common. Meshes that depend on it need it in their key.
-  RandomKey component_key() const { return context_->key; }
+  RandomKey component_key() const;
   /// The skeleton that this instance has grown; only for components that grow, and once an instance.
   Skeleton take_grown();
 

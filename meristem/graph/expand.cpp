@@ -18,8 +18,8 @@
 #include "meristem/base/fingerprint.h"
 #include "meristem/base/parallel.h"
 #include "meristem/graph/batch.h"
+#include "meristem/graph/emitter_context.h"
 #include "meristem/graph/link_places.h"
-#include "meristem/graph/looks.h"
 #include "meristem/graph/plant_assembly.h"
 #include "meristem/grow/stand.h"
 
@@ -45,14 +45,13 @@ struct Grown {
 
 class Expansion {
  public:
-  Expansion(const Graph& graph, const Structure& structure, const Scene& scene, double time, Progress& progress,
-            Cache* cache)
+  Expansion(const Graph& graph, const Scene& scene, double time, Progress& progress, Cache* cache)
       : graph_(graph),
-        structure_(structure),
         scene_(scene),
+        directions_(scene.directions()),
         time_(time),
         progress_(progress),
-        links_(graph, structure, scene, progress),
+        links_(graph, directions_, progress),
         assembly_(graph),
         results_(cache, {typeid(BatchResult), typeid(Places), typeid(GrownBatch), typeid(SharedMeshes)}),
         meshes_(graph.components.size()) {}
@@ -61,7 +60,7 @@ class Expansion {
     surroundings_ = fingerprint_of_surroundings();
     Site root;
     root.key = RandomKey(graph_.seed);
-    ready_.push_back({structure_.root, places_of({root})});
+    ready_.push_back({graph_.structure.root, places_of({root})});
     while (!ready_.empty() || !growing_.empty()) {
       if (ready_.empty()) {
         grow_waiting();
@@ -186,7 +185,7 @@ class Expansion {
 
   void plant(ComponentIndex component, const Site& site, Stand& stand) {
     const Prototype& prototype = graph_.components[component];
-    const GrowContext context{scene_, graph_.limits, prototype.id, stand, progress_};
+    const GrowContext context{scene_, directions_, graph_.limits, prototype.id, stand, progress_};
     stand.add(prototype.type->grow(prototype, site, time_, context));
   }
 
@@ -212,8 +211,7 @@ class Expansion {
   }
 
   bool wants(const std::vector<LinkIndex>& links, bool branches) const {
-    return std::ranges::any_of(
-        links, [&](LinkIndex link) { return (graph_.links[link].kind == LinkKind::branch) == branches; });
+    return std::ranges::any_of(links, [&](LinkIndex link) { return graph_.links[link].is<BranchLink>() == branches; });
   }
 
   CacheKey key_of(const Batch& batch, const std::vector<LinkIndex>& links, const Grown& grown) const {
@@ -261,27 +259,21 @@ class Expansion {
                                                  const Grown& grown) {
     const std::vector<Site>& sites = batch.sites();
     const Prototype& prototype = graph_.components[batch.component];
-    const Tinting tinting(prototype);
     SharedMeshes& meshes = meshes_of(batch.component);
-    EmitterContext context{.scene = scene_,
+    EmitterContext context{.prototype = prototype,
+                           .scene = scene_,
+                           .directions = directions_,
                            .limits = graph_.limits,
-                           .component = prototype.id,
+                           .meshes = meshes,
                            .multiplier = links_.multiplier(batch.component, links),
                            .together = sites.size(),
-                           .is_uniform = prototype.varyings.empty(),
                            .time = time_,
-                           .tinting = tinting,
-                           .texture = prototype.base().texture,
-                           .tropism = prototype.type->tropism,
-                           .tints_blades = prototype.type->tints_blades,
                            .key = RandomKey(graph_.seed).child("component").child(prototype.id),
-                           .makes_stems = prototype.type->makes_stems,
                            .wants_child_sites = wants(links, false),
                            .wants_branch_sites = wants(links, true),
-                           .instances = instances_,
-                           .nodes = nodes_,
                            .mesh_bytes = mesh_bytes() - meshes.bytes(),
-                           .meshes = meshes};
+                           .instances = instances_,
+                           .nodes = nodes_};
     // One instance may tell its stages; many tell together how many of them are done.
     Progress part(&progress_);
     context.progress = sites.size() == 1 ? &progress_ : &part;
@@ -318,8 +310,8 @@ class Expansion {
     if (!prototype.type->placed) return;
     const std::vector<PlacedComponent> placed = prototype.type->placed(prototype.parameters.get());
     std::vector<bool> is_there(placed.size());
-    for (const LinkIndex link : structure_.outgoing[component]) {
-      if (graph_.links[link].name != kNoIndex) is_there[graph_.links[link].name] = true;
+    for (const LinkIndex link : graph_.structure.outgoing[component]) {
+      if (const auto* made = graph_.links[link].as<PlacedLink>()) is_there[made->name] = true;
     }
     for (const Emitted& block : result.blocks) {
       for (const auto& [name, site] : block.named_sites) {
@@ -345,8 +337,8 @@ class Expansion {
   }
 
   const Graph& graph_;
-  const Structure& structure_;
   const Scene& scene_;
+  const Directions directions_;
   double time_;
   Progress& progress_;
   LinkPlaces links_;
@@ -362,9 +354,8 @@ class Expansion {
 
 }  // namespace
 
-Plant expand(const Graph& graph, const Structure& structure, const Scene& scene, double time, Progress& progress,
-             Cache* cache) {
-  return Expansion(graph, structure, scene, time, progress, cache).run();
+Plant expand(const Graph& graph, const Scene& scene, double time, Progress& progress, Cache* cache) {
+  return Expansion(graph, scene, time, progress, cache).run();
 }
 
 }  // namespace meristem

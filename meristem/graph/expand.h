@@ -17,7 +17,6 @@ namespace meristem {
 /// must be sound (analyse_structure). With a `cache`, what has not changed since its last expansion is taken from
 /// there: of components, links and scenes that have fingerprints. What it leaves for the next one: batch.h. Textures
 /// are sketches until paint_textures (looks.h). Throws InputError (limits, numbers that are not finite), Cancelled.
-Plant expand(const Graph& graph, const Structure& structure, const Scene& scene, double time, Progress& progress,
-             Cache* cache = nullptr);
+Plant expand(const Graph& graph, const Scene& scene, double time, Progress& progress, Cache* cache = nullptr);
 
 }  // namespace meristem

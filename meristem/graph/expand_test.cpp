@@ -344,16 +344,18 @@ TEST(Expand, AHundredThousandInstancesAreExpandedOnceEachAndShareGeometry) {
   expanded = made = 0;
   struct Counted : ComponentBase {};
   std::vector<ComponentType> types(test_components().types().begin(), test_components().types().end());
-  types.push_back(define_component<Counted>({.name = "counted",
-                                             .doc = "Counts.",
-                                             .parameters = Table<Counted>("a counted", "Counts."),
-                                             .expand = [](const Counted&, const Site& site, Emitter& out) {
-                                               ++expanded;
-                                               out.organ(Frame{}, site.i % 5, [] {
-                                                 ++made;
-                                                 return Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}, {}, {{0, 1, 2}}};
-                                               });
-                                             }}));
+  types.push_back(define_component<Counted>({
+      .traits = {.name = "counted", .doc = "Counts."},
+      .parameters = Table<Counted>("a counted", "Counts."),
+      .expand =
+          [](const Counted&, const Site& site, Emitter& out) {
+            ++expanded;
+            out.organ(Frame{}, site.i % 5, [] {
+              ++made;
+              return Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}, {}, {{0, 1, 2}}};
+            });
+          },
+  }));
   const Registry registry(std::move(types));
   GraphBuilder builder(registry);
   builder.component("view", "camera").component("star", "star", {{"number", 100'000}}).component("c", "counted");
@@ -366,12 +368,10 @@ TEST(Expand, AHundredThousandInstancesAreExpandedOnceEachAndShareGeometry) {
 }
 
 TEST(Expand, StopsWhenCancelled) {
-  const auto builder = star_of(1000);
-  std::vector<Diagnostic> diagnostics;
-  const Structure structure = analyse_structure(builder.graph(), diagnostics);
+  const Graph graph = star_of(1000).sound_graph();
   Progress progress;
   progress.cancel();
-  EXPECT_THROW(expand(builder.graph(), structure, Scene{}, 0, progress), Cancelled);
+  EXPECT_THROW(expand(graph, Scene{}, 0, progress), Cancelled);
 }
 
 TEST(Expand, MaterialsTakeTheComponentsNameAndColour) {

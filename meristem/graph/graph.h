@@ -6,51 +6,17 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/limits.h"
 #include "meristem/graph/component.h"
-#include "meristem/graph/crown_placement.h"
-#include "meristem/graph/placement.h"
+#include "meristem/graph/link.h"
 
 namespace meristem {
 
-using ComponentIndex = std::uint32_t;
-using LinkIndex = std::uint32_t;
-inline constexpr std::uint32_t kNoIndex = 0xffffffffU;
-
-enum class LinkKind {
-  child,   ///< the child stands where the parent's geometry ends
-  branch,  ///< the child is multiplied along the parent's stems or ribs; elsewhere the same as child
-  leaf,    ///< in a recursion the child appears only where it ends; on a grown skeleton at the tips
-  crown,   ///< the child is multiplied in the crown body of the parent's stems
-};
-
-struct Link {
-  ComponentIndex from = 0;
-  ComponentIndex to = 0;
-  LinkKind kind = LinkKind::child;
-  Placement placement;             ///< of branch links
-  std::vector<std::string> given;  ///< which keys of it the document gives
-  CrownPlacement in_crown;         ///< of crown links
-  std::uint32_t name = kNoIndex;   ///< of child links that the parent makes itself: which of the ids it places
-  std::optional<std::uint64_t> fingerprint{};  ///< hash of all that is said of it, if that is known
-};
-
-struct Graph {
-  std::vector<Prototype> components;
-  std::vector<Link> links;
-  std::uint64_t seed = 0;
-  Limits limits;
-};
-
-/// What messages call a link: "links[2]", or the component that made it where the document has no such link.
-std::string link_path(const Graph& graph, LinkIndex link);
-
-/// What a graph's links mean together; made by analyse_structure.
+/// What a graph's links mean together.
 struct Structure {
   struct Recursion {
     ComponentIndex head = 0;              ///< the ancestor that links from below lead back to
@@ -64,11 +30,22 @@ struct Structure {
   std::vector<Recursion> recursions;
 };
 
-/// Finds root and recursions, or reports all that is wrong with the links: no or two roots, components that hang on
-/// nothing, links to the camera, cycles without a recursion, crossing recursions (both named). Two recursions cross
-/// where one begins inside the other and ends outside, having part of the way in common; one that begins inside and
-/// goes its own way lies within the other. Reports at most `graph.limits.diagnostics` faults.
-/// The result is meaningful only if no error was added.
-Structure analyse_structure(const Graph& graph, std::vector<Diagnostic>& diagnostics);
+struct Graph {
+  std::vector<Prototype> components;
+  std::vector<Link> links;
+  Structure structure;  ///< of the links as they were when analyse_structure last went through them
+  std::uint64_t seed = 0;
+  Limits limits;
+};
+
+/// What messages call a link: "links[2]", or the component that made it where the document has no such link.
+std::string link_path(const Graph& graph, LinkIndex link);
+
+/// Sets the graph's structure: finds root and recursions, or reports all that is wrong with the links: no or two roots,
+/// components that hang on nothing, links to the camera, cycles without a recursion, crossing recursions (both named).
+/// Two recursions cross where one begins inside the other and ends outside, having part of the way in common; one that
+/// begins inside and goes its own way lies within the other. Reports at most `graph.limits.diagnostics` faults. The
+/// structure is meaningful only if no error was added.
+void analyse_structure(Graph& graph, std::vector<Diagnostic>& diagnostics);
 
 }  // namespace meristem

@@ -60,63 +60,74 @@ class LinkPlaces::Writer {
         room_(room) {}
 
   std::vector<Site> run(const Emitted& parents) {
-    if (link_.kind == LinkKind::branch) {
-      const bool is_on_ribs = from_.has_ribs && link_.given.empty();
-      if (!is_on_ribs) {
-        for (const EmittedStem& stem : parents.stems) add_along(stem);
-      }
-      if (is_on_ribs || !from_.has_ribs) {
-        for (const Site& site : parents.branch_sites) add_child(site);
-      }
-    } else if (link_.kind == LinkKind::crown) {
-      for (const EmittedStem& stem : parents.stems) add_in_crown(stem);
-    } else if (link_.name != kNoIndex) {
-      for (const auto& [name, site] : parents.named_sites) {
-        if (name == link_.name) add_child(site);
-      }
-    } else if (link_.kind == LinkKind::leaf && from_.makes_stems) {
-      for (const EmittedStem& stem : parents.stems) add_tips(stem);
-    } else {
-      for (const Site& site : parents.child_sites) add_child(site);
-    }
+    std::visit([&](const auto& kind) { add(kind, parents); }, link_.kind);
     return std::move(sites_);
   }
 
  private:
-  bool is_given(std::string_view key) const { return std::ranges::find(link_.given, key) != link_.given.end(); }
+  void add(const ChildLink&, const Emitted& parents) {
+    for (const Site& site : parents.child_sites) add_child(site);
+  }
+
+  void add(const BranchLink& branch, const Emitted& parents) {
+    const bool is_on_ribs = from_.has_ribs && branch.given.empty();
+    if (!is_on_ribs) {
+      for (const EmittedStem& stem : parents.stems) add_along(stem, branch);
+    }
+    if (is_on_ribs || !from_.has_ribs) {
+      for (const Site& site : parents.branch_sites) add_child(site);
+    }
+  }
+
+  void add(const LeafLink&, const Emitted& parents) {
+    if (!from_.makes_stems) return add(ChildLink(), parents);
+    for (const EmittedStem& stem : parents.stems) add_tips(stem);
+  }
+
+  void add(const CrownLink& crown, const Emitted& parents) {
+    for (const EmittedStem& stem : parents.stems) add_in_crown(stem, crown.placement);
+  }
+
+  void add(const PlacedLink& placed, const Emitted& parents) {
+    for (const auto& [name, site] : parents.named_sites) {
+      if (name == placed.name) add_child(site);
+    }
+  }
+
   bool is_full() const { return sites_.size() > room_; }
 
   PlacementContext context_of(const EmittedStem& stem) const {
-    PlacementContext context{
-        .parent = stem.site, .limits = &all_.graph_.limits, .path = link_path(all_.graph_, index_)};
+    PlacementContext context{.directions = all_.directions_,
+                             .parent = stem.site,
+                             .limits = &all_.graph_.limits,
+                             .path = link_path(all_.graph_, index_)};
     context.parent.key = child_key(stem.site.key);
     return context;
   }
 
-  void add_along(const EmittedStem& stem) {
+  void add_along(const EmittedStem& stem, const BranchLink& branch) {
     if (is_full()) return;
+    const auto is_given = [&](const char* key) { return std::ranges::find(branch.given, key) != branch.given.end(); };
     PlacementContext context = context_of(stem);
-    context.light = unit_vector(all_.scene_.sun);
-    context.on_axis = to_.type->makes_stems || to_.type->leads_away;
-    context.heads_along = to_.type->leads_away && !is_given("angle");
+    context.stance = to_.type->stance;
+    if (context.stance == BranchStance::along_axis && is_given("angle")) context.stance = BranchStance::on_axis;
     context.has_twigs = from_.has_twigs;
     context.stem = stem.id();
-    if (!stem.branching) return add_all(place_along(stem.skeleton, link_.placement, context));
+    if (!stem.branching) return add_all(place_along(stem.skeleton, branch.placement, context));
     // A stem's own branching, but for the keys that the link gives.
-    if (!(link_.placement.density || link_.placement.count)) {
+    if (!(branch.placement.density || branch.placement.count)) {
       context.path = "components." + all_.graph_.components[link_.from].id;
     }
-    if (link_.given.empty()) {
+    if (branch.given.empty()) {
       context.places = key_of_places(stem.site.key);
       return add_all(place_along(stem.skeleton, *stem.branching, context));
     }
-    const Placement placement = overridden(*stem.branching, link_.placement, link_.given);
-    add_all(place_along(stem.skeleton, placement, context));
+    add_all(place_along(stem.skeleton, overridden(*stem.branching, branch.placement, branch.given), context));
   }
 
-  void add_in_crown(const EmittedStem& stem) {
+  void add_in_crown(const EmittedStem& stem, const CrownPlacement& placement) {
     if (!stem.surface.crown || is_full()) return;
-    add_all(place_in_crown(stem.skeleton, stem.surface, link_.in_crown, context_of(stem), progress_));
+    add_all(place_in_crown(stem.skeleton, stem.surface, placement, context_of(stem), progress_));
   }
 
   void add_tips(const EmittedStem& stem) {
@@ -167,8 +178,12 @@ class LinkPlaces::Writer {
   std::vector<Site> sites_;
 };
 
-LinkPlaces::LinkPlaces(const Graph& graph, const Structure& structure, const Scene& scene, Progress& progress)
-    : graph_(graph), structure_(structure), scene_(scene), progress_(progress), ordinals_(ordinals_of_links(graph)) {}
+LinkPlaces::LinkPlaces(const Graph& graph, const Directions& directions, Progress& progress)
+    : graph_(graph),
+      structure_(graph.structure),
+      directions_(directions),
+      progress_(progress),
+      ordinals_(ordinals_of_links(graph)) {}
 
 std::vector<LinkIndex> LinkPlaces::links_followed(ComponentIndex component, const Site& site) const {
   const auto is_at_end = [&](std::uint32_t recursion) {
@@ -179,9 +194,9 @@ std::vector<LinkIndex> LinkPlaces::links_followed(ComponentIndex component, cons
   for (const LinkIndex link : structure_.outgoing[component]) {
     const std::uint32_t closed = structure_.recursion_of_link[link];
     const std::uint32_t inside = structure_.recursion_of[component];
-    const bool leads_on = closed != kNoIndex                          ? !is_at_end(closed)
-                          : graph_.links[link].kind == LinkKind::leaf ? inside == kNoIndex || is_at_end(inside)
-                                                                      : true;
+    const bool leads_on = closed != kNoIndex                  ? !is_at_end(closed)
+                          : graph_.links[link].is<LeafLink>() ? inside == kNoIndex || is_at_end(inside)
+                                                              : true;
     if (leads_on) links.push_back(link);
   }
   return links;
@@ -232,8 +247,10 @@ std::optional<std::uint64_t> LinkPlaces::fingerprint(LinkIndex index) const {
   const Link& link = graph_.links[index];
   if (!link.fingerprint) return std::nullopt;
   Fingerprint fingerprint;
-  fingerprint.add(*link.fingerprint).add(link.kind).add(link.name).add(ordinals_[index]);
-  fingerprint.add_text(graph_.components[link.to].id).add(graph_.components[link.to].type->makes_stems);
+  const auto* placed = link.as<PlacedLink>();
+  fingerprint.add(*link.fingerprint).add(link.kind.index()).add(placed != nullptr ? placed->name : kNoIndex);
+  fingerprint.add(ordinals_[index]).add_text(graph_.components[link.to].id);
+  fingerprint.add(graph_.components[link.to].type->stance);
   const auto add_level = [&](std::uint32_t recursion) {
     fingerprint.add(recursion == kNoIndex ? std::size_t{0} : structure_.recursions[recursion].level + 1);
   };

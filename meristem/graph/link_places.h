@@ -10,7 +10,7 @@
 #include "meristem/base/progress.h"
 #include "meristem/graph/batch.h"
 #include "meristem/graph/graph.h"
-#include "meristem/scene/scene.h"
+#include "meristem/scene/directions.h"
 
 namespace meristem {
 
@@ -23,7 +23,7 @@ class LinkPlaces {
   };
 
   /// All of them outlive it.
-  LinkPlaces(const Graph& graph, const Structure& structure, const Scene& scene, Progress& progress);
+  LinkPlaces(const Graph& graph, const Directions& directions, Progress& progress);
 
   /// The links along which a batch has children. All its instances have come by the same links, so they are equally
   /// deep in every recursion, as deep as `site`: a link back leads on until its depth is reached, a leaf link only from
@@ -34,7 +34,7 @@ class LinkPlaces {
   /// with them there would be more instances than the limit allows.
   std::vector<Site> places(LinkIndex link, const BatchResult& parent, Counts before) const;
 
-  /// Hash of what they depend on besides the parent's result and the scene, where all of it is known.
+  /// Hash of what they depend on besides the parent's result and the directions, where all of it is known.
   std::optional<std::uint64_t> fingerprint(LinkIndex link) const;
 
   /// The document path of what to change where the children of a component by these links are too many: the depth of a
@@ -47,8 +47,8 @@ class LinkPlaces {
   [[noreturn]] void throw_too_many(LinkIndex link, std::uint64_t places, Counts before) const;
 
   const Graph& graph_;
-  const Structure& structure_;
-  const Scene& scene_;
+  const Structure& structure_;  // the graph's
+  const Directions& directions_;
   Progress& progress_;
   std::vector<std::uint32_t> ordinals_;  // of links among those between the same two components
 };

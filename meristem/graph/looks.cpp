@@ -86,9 +86,9 @@ void paint_textures(const Graph& graph, std::vector<Material>& materials, Progre
 }
 
 Material blades_of(const Prototype& prototype) {
-  Material material = prototype.type->blades;
+  Material material = prototype.type->blades.material;
   material.name = prototype.id + "_blades";
-  if (prototype.type->tints_blades) material.colour = mean_colour(prototype.base(), material.colour);
+  if (prototype.type->blades.has_document_colours) material.colour = mean_colour(prototype.base(), material.colour);
   return material;
 }
 

@@ -257,7 +257,7 @@ class AxisWriter {
 
     const double base = placement_.angle;
     const double tip = placement_.angle_tip.value_or(base);
-    const double angle = context_.heads_along
+    const double angle = context_.stance == BranchStance::along_axis
                              ? 0
                              : base + (tip - base) * site.u +
                                    placement_.angle_spread * places_.child(site.i).child("angle").uniform(0, -1, 1);
@@ -266,14 +266,16 @@ class AxisWriter {
     const Vec3 heading = cosine * tangent + sine * outward;
     const Vec3 upper = sine * tangent - cosine * outward;
     const Vec3 foot = glm::mix(skeleton_.position[piece.from], skeleton_.position[piece.to], along);
-    site.frame = frame_along(context_.on_axis ? foot : foot + site.radius * outward, heading, upper);
+    site.frame =
+        frame_along(context_.stance == BranchStance::on_bark ? foot + site.radius * outward : foot, heading, upper);
     site.stem = context_.stem;
     site.node = piece.to;
     site.along = along;
-    site.frame.axes = drooped(site.frame.axes, placement_.droop);
+    site.frame.axes = drooped(site.frame.axes, placement_.droop, context_.directions.down(site.frame.origin));
     if (placement_.face_light > 0) {
       Mat3& axes = site.frame.axes;
-      axes = rotation_toward(axes[2], context_.light, placement_.face_light, axes[1]) * axes;
+      const Vec3 light = context_.directions.toward_light(site.frame.origin);
+      axes = rotation_toward(axes[2], light, placement_.face_light, axes[1]) * axes;
     }
     site.frame.axes *= static_cast<float>(std::max(0.0, placement_.size(site.u)));
   }
@@ -287,8 +289,8 @@ class AxisWriter {
 
 }  // namespace
 
-Mat3 drooped(const Mat3& axes, double droop) {
-  return droop == 0 ? axes : rotation_toward(axes[1], -kUp, droop, axes[0]) * axes;
+Mat3 drooped(const Mat3& axes, double droop, Vec3 down) {
+  return droop == 0 ? axes : rotation_toward(axes[1], down, droop, axes[0]) * axes;
 }
 
 std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context) {

@@ -14,6 +14,7 @@
 #include "meristem/graph/table/selection.h"
 #include "meristem/graph/table/site.h"
 #include "meristem/plant/skeleton.h"
+#include "meristem/scene/directions.h"
 
 namespace meristem {
 
@@ -49,13 +50,18 @@ std::vector<std::string> given_placement(const Value& value);
 /// replaces both ways of saying so, one with an angle also the angle at the tip.
 Placement overridden(Placement own, const Placement& link, std::span<const std::string> given);
 
+/// How a branch link sets a component on a stem.
+enum class BranchStance {
+  on_bark,     ///< on the bark, heading away from the stem by the link's angle
+  on_axis,     ///< the same from the stem's axis: for stems, which begin within the one that they stand on
+  along_axis,  ///< on the axis and heading along it, unless the link gives an angle: its own form leads away
+};
+
 struct PlacementContext {
-  Vec3 light{0, 1, 0};  ///< unit vector toward it
-  bool on_axis =
-      false;  ///< places lie on the stem's axis and not on its bark, for children that begin there themselves
-  bool heads_along = false;         ///< children head along the stem, whatever the placement's angles say
-  bool has_twigs = true;            ///< by default they carry the children
-  std::uint64_t stem = kOnNoStem;   ///< id of the stem, for the places
+  Directions directions;                        ///< of light and gravity
+  BranchStance stance = BranchStance::on_bark;  ///< of the children; `along_axis` leaves the placement's angles aside
+  bool has_twigs = true;                        ///< by default they carry the children
+  std::uint64_t stem = kOnNoStem;               ///< id of the stem, for the places
   Site parent;                      ///< of the instance that made the stem; the places' keys and depths come from it
   std::optional<RandomKey> places;  ///< of where they are, where that is not the parent's: equal ones, equal places
 
@@ -64,8 +70,9 @@ struct PlacementContext {
   std::string path;  ///< of what gives the placement in the document, for errors: "links[1]"
 };
 
-/// Unit axes turned so that the heading comes nearer to straight down, or for a negative `droop` up, by that share.
-Mat3 drooped(const Mat3& axes, double droop);
+/// Unit axes turned so that the heading comes nearer to `down`, or for a negative `droop` to its opposite, by that
+/// share.
+Mat3 drooped(const Mat3& axes, double droop, Vec3 down);
 
 /// The places of `placement` on `skeleton`, axis by axis from base to tip; i, n, u count along each axis. An organ's
 /// frame stands on the bark, heads away from the axis by the angle, and turns its upper face (z) toward the axis's tip.

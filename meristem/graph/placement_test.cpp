@@ -69,7 +69,7 @@ Placement everywhere(Value::Object keys) {
 std::vector<Site> places(const Skeleton& skeleton, const Placement& placement, Vec3 light = kUp,
                          std::uint64_t seed = 3) {
   const Limits limits;
-  PlacementContext context{.light = light, .parent = {}, .limits = &limits, .path = "links[0]"};
+  PlacementContext context{.directions = Directions(light), .parent = {}, .limits = &limits, .path = "links[0]"};
   context.parent.key = RandomKey(seed);
   return place_along(skeleton, placement, context);
 }
@@ -319,7 +319,7 @@ TEST(Placement, EveryAxisHasOneTip) {
 TEST(Placement, PlacesPastTheLimitAreCountedInTheMessage) {
   Limits limits;
   limits.instances = 99;
-  const PlacementContext context{.light = kUp, .parent = {}, .limits = &limits, .path = "links[4]"};
+  const PlacementContext context{.parent = {}, .limits = &limits, .path = "links[4]"};
   try {
     place_along(pole(), everywhere({{"count", 50}, {"whorl", 2}}), context);
     ADD_FAILURE() << "no error";
@@ -415,6 +415,14 @@ TEST(Placement, KeysThatContradictAreRejected) {
   EXPECT_EQ(fault({{"where", "depth > 1"}}), "where");
   EXPECT_EQ(fault({{"angle", "i"}}), "angle");
   EXPECT_EQ(fault({{"whorl", 0}}), "whorl");
+}
+
+TEST(Placement, ChildrenDroopToWhereGravityPulls) {
+  const Limits limits;
+  PlacementContext context{.directions = Directions(kUp, {1, 0, 0}), .limits = &limits, .path = "links[0]"};
+  for (const Site& site : place_along(pole(), everywhere({{"count", 5}, {"droop", 1}}), context)) {
+    EXPECT_LT(glm::distance(site.frame.heading(), Vec3(1, 0, 0)), 1e-5F);
+  }
 }
 
 }  // namespace

@@ -218,12 +218,12 @@ class Analysis {
 }  // namespace
 
 std::string link_path(const Graph& graph, LinkIndex link) {
-  const bool is_made = graph.links[link].name != kNoIndex;
+  const bool is_made = graph.links[link].is<PlacedLink>();
   return is_made ? "components." + graph.components[graph.links[link].from].id : fmt::format("links[{}]", link);
 }
 
-Structure analyse_structure(const Graph& graph, std::vector<Diagnostic>& diagnostics) {
-  return Analysis(graph, diagnostics).run();
+void analyse_structure(Graph& graph, std::vector<Diagnostic>& diagnostics) {
+  graph.structure = Analysis(graph, diagnostics).run();
 }
 
 }  // namespace meristem

@@ -32,12 +32,7 @@ std::string fault(const GraphBuilder& builder) {
   return faults.empty() ? "" : faults[0];
 }
 
-Structure structure_of(const GraphBuilder& builder) {
-  std::vector<Diagnostic> diagnostics;
-  Structure structure = analyse_structure(builder.graph(), diagnostics);
-  EXPECT_TRUE(diagnostics.empty()) << diagnostics[0].text();
-  return structure;
-}
+Structure structure_of(const GraphBuilder& builder) { return builder.sound_graph().structure; }
 
 // The level of the recursion with this head.
 std::size_t level_of(const GraphBuilder& builder, char head) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "meristem/base/vec.h"
+#include "meristem/scene/directions.h"
 #include "meristem/scene/light/light.h"
 #include "meristem/scene/light/sun.h"
 #include "meristem/scene/obstacle/obstacles.h"
@@ -15,10 +16,13 @@ namespace meristem {
 struct Scene {
   Light light;                              ///< that plants grow in
   Obstacles obstacles;                      ///< that shade them and that they do not enter
-  SkyDirection sun{0, kPi / 2};             ///< in pictures; from the zenith where the document names no sun
+  SkyDirection sun{0, kPi / 2};             ///< in pictures, and what plants turn to; unless named, in the zenith
   Vec3 ground_colour{0.50F, 0.54F, 0.37F};  ///< sRGB
   /// Hash of all that it was made of, if that is known: what grew in a scene with the same one need not grow again.
   std::optional<std::uint64_t> fingerprint{};
+
+  /// Which ways plants feel in it. To be asked once, and then at every place.
+  Directions directions() const { return Directions(unit_vector(sun)); }
 };
 
 }  // namespace meristem

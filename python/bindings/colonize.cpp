@@ -98,7 +98,7 @@ std::shared_ptr<Skeleton> colonize(const py::object& points, const py::object& r
   return naming_arguments([&] {
     return run_call(progress, threads, [&](Progress& inner) {
       auto all = std::make_shared<Skeleton>();
-      Plant plant = expand(document.graph, document.structure, surroundings, 0, inner);
+      Plant plant = expand(document.graph, surroundings, 0, inner);
       for (Stem& stem : plant.stems) all->append(std::move(stem.skeleton));
       return all;
     });

@@ -181,7 +181,7 @@ PictureOptions planned_picture(const PlantPointer& plant, const std::optional<st
                                bool transparent, bool hull) {
   const Document& document = plant->origin->document;
   PictureOptions picture{.still = {.width = document.output.size[0], .height = document.output.size[1]},
-                         .view = camera_view(document.graph, document.structure),
+                         .view = camera_view(document.graph),
                          .crown_hulls = hull};
   if (size) std::tie(picture.still.width, picture.still.height) = *size;
   picture.still.samples = samples.value_or(document.output.samples);

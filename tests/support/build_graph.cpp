@@ -94,12 +94,15 @@ GraphBuilder& GraphBuilder::component(const std::string& id, const std::string& 
 
 GraphBuilder& GraphBuilder::link(std::string_view from, std::string_view to, LinkKind kind,
                                  const Value::Object& placement) {
-  Link link{.from = index_of(from), .to = index_of(to), .kind = kind, .placement = {}};
+  Link link{.from = index_of(from), .to = index_of(to), .kind = ChildLink()};
   ParameterReader reader(variables_, graph_.limits);
   const Place top;
   const Place links(top, "links");
-  link.given = given_placement(Value(placement));
-  reader.read(placement_table(), &link.placement, placement, Place(links, graph_.links.size()));
+  BranchLink branch;
+  branch.given = given_placement(Value(placement));
+  reader.read(placement_table(), &branch.placement, placement, Place(links, graph_.links.size()));
+  if (kind == LinkKind::branch) link.kind = std::move(branch);
+  if (kind == LinkKind::leaf) link.kind = LeafLink();
   if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
   link.fingerprint = fingerprint_of(Value(placement), variables_, {}, 0);
   graph_.links.push_back(std::move(link));
@@ -108,18 +111,24 @@ GraphBuilder& GraphBuilder::link(std::string_view from, std::string_view to, Lin
 
 std::vector<std::string> GraphBuilder::structure_faults() const {
   std::vector<Diagnostic> diagnostics;
-  analyse_structure(graph_, diagnostics);
+  Graph graph = graph_;
+  analyse_structure(graph, diagnostics);
   std::vector<std::string> texts;
   for (const Diagnostic& diagnostic : diagnostics) texts.push_back(diagnostic.text());
   return texts;
 }
 
-Plant GraphBuilder::grow(double time, const Scene& scene, Cache* cache) const {
+Graph GraphBuilder::sound_graph() const {
   std::vector<Diagnostic> diagnostics;
-  const Structure structure = analyse_structure(graph_, diagnostics);
+  Graph graph = graph_;
+  analyse_structure(graph, diagnostics);
   if (!diagnostics.empty()) throw InputError(std::move(diagnostics));
+  return graph;
+}
+
+Plant GraphBuilder::grow(double time, const Scene& scene, Cache* cache) const {
   Progress progress;
-  return expand(graph_, structure, scene, time, progress, cache);
+  return expand(sound_graph(), scene, time, progress, cache);
 }
 
 ComponentIndex GraphBuilder::index_of(std::string_view id) const {

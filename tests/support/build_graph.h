@@ -27,10 +27,12 @@ class GraphBuilder {
   GraphBuilder& link(std::string_view from, std::string_view to, LinkKind kind = LinkKind::child,
                      const Value::Object& placement = {});
 
-  const Graph& graph() const { return graph_; }
+  const Graph& graph() const { return graph_; }  ///< without its structure
+  /// With it; throws InputError if it is faulty.
+  Graph sound_graph() const;
   /// What analyse_structure reports, a line each.
   std::vector<std::string> structure_faults() const;
-  /// Expands the graph; throws InputError if its structure is faulty.
+  /// Expands the sound graph.
   Plant grow(double time = 0, const Scene& scene = {}, Cache* cache = nullptr) const;
 
  private:

@@ -14,8 +14,7 @@ struct Stick : ComponentBase {
 
 ComponentType stick() {
   return define_component<Stick>({
-      .name = "stick",
-      .doc = "A triangle.",
+      .traits = {.name = "stick", .doc = "A triangle."},
       .parameters = Table<Stick>("a stick", "A triangle.")
                         .number("length", &Stick::length, {.unit = Unit::metre, .min = 0, .max = 10}, "Height.")
                         .number("width", &Stick::width, {.unit = Unit::metre, .min = 0, .max = 10}, "Width.")
@@ -41,8 +40,7 @@ struct Star : ComponentBase {
 
 ComponentType star() {
   return define_component<Star>({
-      .name = "star",
-      .doc = "Multiplies.",
+      .traits = {.name = "star", .doc = "Multiplies."},
       .parameters = Table<Star>("a star", "Multiplies.")
                         .integer("number", &Star::number, {.min = 0, .max = 2e9}, "Children.")
                         .number("step", &Star::step, {.unit = Unit::metre, .min = 0, .max = 10}, "Between children."),
@@ -62,11 +60,12 @@ struct Ribs : ComponentBase {
 
 ComponentType ribs() {
   return define_component<Ribs>({
-      .name = "ribs",
-      .doc = "Multiplies the children of branch links.",
+      .traits = {.name = "ribs",
+                 .doc = "Multiplies the children of branch links.",
+                 .makes_stems = true,
+                 .stance = BranchStance::on_axis},
       .parameters =
           Table<Ribs>("ribs", "Multiplies.").integer("number", &Ribs::number, {.min = 0, .max = 100}, "Ribs."),
-      .makes_stems = true,
       .expand =
           [](const Ribs& ribs, const Site&, Emitter& out) {
             for (int k = 0; k < ribs.number; ++k) {
@@ -85,12 +84,10 @@ struct Pole : ComponentBase {
 
 ComponentType pole() {
   return define_component<Pole>({
-      .name = "pole",
-      .doc = "A straight stem.",
+      .traits = {.name = "pole", .doc = "A straight stem.", .makes_stems = true, .stance = BranchStance::on_axis},
       .parameters = Table<Pole>("a pole", "A straight stem.")
                         .number("height", &Pole::height, {.unit = Unit::metre, .min = 0, .max = 100}, "Of the tip.")
                         .integer("nodes", &Pole::nodes, {.min = 1, .max = 1000}, "Along it."),
-      .makes_stems = true,
       .expand =
           [](const Pole& pole, const Site& site, Emitter& out) {
             Skeleton skeleton;
@@ -111,11 +108,11 @@ struct Root : ComponentBase {};
 
 const Registry& test_components() {
   static const Registry registry({
-      define_component<Root>({.name = "camera",
-                              .doc = "The root.",
-                              .parameters = Table<Root>("a camera", "The root."),
-                              .is_camera = true,
-                              .expand = [](const Root&, const Site&, Emitter&) {}}),
+      define_component<Root>({
+          .traits = {.name = "camera", .doc = "The root.", .is_camera = true},
+          .parameters = Table<Root>("a camera", "The root."),
+          .expand = [](const Root&, const Site&, Emitter&) {},
+      }),
       stick(),
       star(),
       ribs(),

@@ -93,7 +93,7 @@ class Builder {
     NodeIndex last = add_node(path.skeleton, kNoNode, place, 0);
     for (int k = 0; k < form_.segments; ++k) {
       const Vec3 heading = heading_, right = right_;
-      turn(k);
+      turn(k, place);
       path.frames.push_back(k == 0 ? frame(place, heading_, right_) : frame_midway(place, heading, right));
       place += section * heading_;
       last = add_node(path.skeleton, last, place, k + 1);
@@ -127,15 +127,17 @@ class Builder {
   /// A direction in the frame of a straight stem, in the world.
   Vec3 from_stem(Vec3 local) const { return local.x * right_ + local.y * heading_ + local.z * upper(); }
 
-  void turn(int section) {
+  /// The section that begins at `place`.
+  void turn(int section, Vec3 place) {
     if (!way_.empty()) follow_way(static_cast<std::size_t>(section));
     if (form_.spiral != 0) rotate(rotation(heading_, form_.spiral / form_.segments));
     const double curl = form_.curl / form_.segments;
     rotate(rotation(right_, wandered(section, 0) - curl) * rotation(upper(), wandered(section, 1)));
     avoid(section);
-    const auto [gravitropism, phototropism] = std::pair(tropisms_.gravitropism, tropisms_.phototropism);
-    if (gravitropism != 0) turn_toward(gravitropism > 0 ? -kUp : kUp, gravitropism);
-    if (phototropism != 0) turn_toward(phototropism > 0 ? tropisms_.light : -tropisms_.light, phototropism);
+    if (!tropisms_.act()) return;
+    const Vec3 in_scene = tropisms_.origin + tropisms_.stretch * place;
+    follow(tropisms_.directions.down(in_scene), tropisms_.gravitropism);
+    follow(tropisms_.directions.toward_light(in_scene), tropisms_.phototropism);
   }
 
   /// Turns as the spline does between the last section and this one.
@@ -167,7 +169,10 @@ class Builder {
     }
   }
 
-  void turn_toward(Vec3 target, double strength) {
+  /// Turns toward what pulls, or for a negative strength away from it.
+  void follow(Vec3 pull, double strength) {
+    if (strength == 0) return;
+    const Vec3 target = strength > 0 ? pull : -pull;
     const double angle = math::acos(glm::dot(heading_, target));
     const Vec3 axis = normalized_or(glm::cross(heading_, target), right_);
     rotate(rotation(axis, angle * share_of_turn(strength, form_.segments)));

@@ -35,9 +35,14 @@ struct StemBend {
 };
 
 struct StemTropisms {
-  Vec3 light{0, 1, 0};      ///< unit vector toward it
-  double gravitropism = 0;  ///< share of the angle to straight down that the tip has closed; negative: to straight up
+  Directions directions;    ///< of light and gravity
+  double gravitropism = 0;  ///< share of the angle down that the tip has closed; negative: of that up
   double phototropism = 0;  ///< the same for the light; negative: away from it
+  /// Where in the scene a stem stands that is made elsewhere and smaller: its places times `stretch`, from `origin`.
+  Vec3 origin{0};
+  float stretch = 1;
+
+  bool act() const { return gravitropism != 0 || phototropism != 0; }
 };
 
 /// A stem in world space.

@@ -228,9 +228,11 @@ class Turtle {
     state_.up = glm::cross(state_.heading, state_.left);
   }
 
+  DVec3 down() const { return DVec3(parameters_.directions.down(Vec3(state_.place))); }
+
   /// Rolls until the left is level. A heading straight up or down has no level left more than another: it stays.
   void level() {
-    const DVec3 left = glm::cross(DVec3(kUp), state_.heading);
+    const DVec3 left = glm::cross(-down(), state_.heading);
     const double length = glm::length(left);
     if (length < kStraightUp) return;
     state_.left = left / length;
@@ -238,7 +240,9 @@ class Turtle {
   }
 
   void bend() {
-    const DVec3 torque = glm::cross(state_.heading, DVec3(parameters_.tropism));
+    // Adding zero makes negative zeros positive, as they are in a tropism that says the same.
+    const DVec3 pull = parameters_.tropism ? DVec3(*parameters_.tropism) : down() + 0.0;
+    const DVec3 torque = glm::cross(state_.heading, pull);
     const double length = glm::length(torque);
     if (length < kParallel) return;
     const double angle = parameters_.elasticity * length;

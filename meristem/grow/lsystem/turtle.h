@@ -16,6 +16,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@
 #include "meristem/grow/lsystem/grammar.h"
 #include "meristem/grow/lsystem/word.h"
 #include "meristem/plant/skeleton.h"
+#include "meristem/scene/directions.h"
 
 namespace meristem {
 
@@ -42,10 +44,11 @@ struct TurtleParameters {
   double width = 0.01;     ///< radius at the root
   double thinner = 0.7;    ///< by which `!` without a parameter multiplies the radius, and `#` divides it
   double trunk_decay = 1;  ///< from a segment's beginning to its end, outside all brackets; where words have no ! and #
-  double branch_decay = 1;   ///< the same within brackets
-  Vec3 tropism{0, -1, 0};    ///< what segments bend toward
-  double elasticity = 0;     ///< after each segment it turns by this times |heading x tropism|, radians
-  bool stack_angles = true;  ///< a ] of the polar reading brings the angles back, and not the position alone
+  double branch_decay = 1;      ///< the same within brackets
+  std::optional<Vec3> tropism;  ///< what segments bend toward; unset: down, as it is where they end
+  Directions directions;        ///< of the scene: which way is down, for that and for $
+  double elasticity = 0;        ///< after each segment it turns by this times |heading x tropism|, radians
+  bool stack_angles = true;     ///< a ] of the polar reading brings the angles back, and not the position alone
 };
 
 /// The corners of a filled shape, which need not lie in a plane.

@@ -154,6 +154,13 @@ TEST(Turtle, TropismTurnsByTheTorqueAfterEachSegment) {
   EXPECT_NEAR(math::acos(glm::dot(before, after)), 0.22 * 0.5, 1e-5);
 }
 
+TEST(Turtle, DownIsWhereTheSceneSaysForTropismAndLevels) {
+  const Directions eastward(kUp, {1, 0, 0});
+  const Drawing bent = drawn("FF", {.length = 1, .directions = eastward, .elasticity = 0.5});
+  expect_near(bent.skeleton.position[2], {0.479426F, 1.877583F, 0}, 1e-5F);
+  expect_near(drawn("$^(90)F", {.length = 1, .directions = eastward}).skeleton.position.back(), {-1, 0, 0});
+}
+
 TEST(Turtle, TropismIsTheWorldsWhereverTheTurtleBegins) {
   const Frame east{rotation({0, 0, 1}, -3.14159265358979 / 2), {0, 0, 0}};
   const Drawing drawing = drawn("FF", {.length = 1, .elasticity = 0.5}, east);

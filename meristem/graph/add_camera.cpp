@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/graph/add_camera.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace meristem {
+
+namespace {
+
+/// Links the camera to components, and notes what hangs on them.
+class Roots {
+ public:
+  Roots(Graph& graph, ComponentIndex camera)
+      : graph_(graph), camera_(camera), children_(camera), has_parent_(camera), is_reached_(camera) {
+    for (const Link& link : graph.links) {
+      children_[link.from].push_back(link.to);
+      has_parent_[link.to] = true;
+    }
+  }
+
+  void run() {
+    for (ComponentIndex c = 0; c < camera_; ++c) {
+      if (!has_parent_[c]) link_to(c);
+    }
+    for (ComponentIndex c = 0; c < camera_; ++c) {
+      if (!is_reached_[c] && graph_.components[c].base().recursion > 1) link_to(c);
+    }
+    for (ComponentIndex c = 0; c < camera_; ++c) {
+      if (!is_reached_[c]) link_to(c);
+    }
+  }
+
+ private:
+  void link_to(ComponentIndex component) {
+    graph_.links.push_back({.from = camera_, .to = component, .kind = ChildLink{}, .fingerprint = 0});
+    is_reached_[component] = true;
+    std::vector<ComponentIndex> ahead{component};
+    while (!ahead.empty()) {
+      const ComponentIndex next = ahead.back();
+      ahead.pop_back();
+      for (const ComponentIndex child : children_[next]) {
+        if (!is_reached_[child]) ahead.push_back(child);
+        is_reached_[child] = true;
+      }
+    }
+  }
+
+  Graph& graph_;
+  ComponentIndex camera_;  // the last component
+  std::vector<std::vector<ComponentIndex>> children_;
+  std::vector<bool> has_parent_;
+  std::vector<bool> is_reached_;
+};
+
+}  // namespace
+
+void add_camera(Graph& graph, const ComponentType& camera) {
+  const auto is_camera = [](const Prototype& prototype) { return prototype.type->is_camera; };
+  if (std::ranges::any_of(graph.components, is_camera)) return;
+  std::string id = "camera";
+  while (std::ranges::find(graph.components, id, &Prototype::id) != graph.components.end()) id += '_';
+  graph.components.push_back(
+      {.id = std::move(id), .type = &camera, .parameters = camera.make_parameters(), .fingerprint = 0});
+  Roots(graph, static_cast<ComponentIndex>(graph.components.size() - 1)).run();
+}
+
+}  // namespace meristem

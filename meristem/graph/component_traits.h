@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a component type is: the facts that it says of itself, once. Its definition gives them, its type holds them, and
+// whoever has a prototype reads them there.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "meristem/graph/placement.h"
+#include "meristem/plant/material.h"
+
+namespace meristem {
+
+/// What of a component light and gravity turn.
+enum class Tropism {
+  heading,  ///< toward the light, or down
+  face,     ///< the upper face toward the light, the heading down
+  none,     ///< nothing: the component bends by itself
+};
+
+/// A look of its own for some of a component's geometry.
+struct BladeLook {
+  Material material;
+  bool has_document_colours = false;  ///< with the colours that the document gives the component, and their variety
+};
+
+struct ComponentTraits {
+  std::string name;
+  std::string doc;  ///< one sentence
+  Material material;
+  double variety = 0;        ///< of colours, where the document does not say
+  BladeLook blades;          ///< of what it emits as blades
+  bool has_geometry = true;  ///< of its own; else it has no parameters of looks
+  bool is_camera = false;    ///< the root of every graph
+  bool makes_stems = false;  ///< branch links place children along stems
+  bool has_twigs = false;    ///< of stems: by default children stand along twigs alone; what grows has twigs anyway
+  bool has_ribs = false;     ///< branch links without placement keys stand at the branch sites, others along the stems
+  BranchStance stance = BranchStance::on_bark;  ///< how a branch link sets it on a stem
+  Tropism tropism = Tropism::heading;
+  /// Parameters that growth does not ask for, besides the looks that all components have: where only they change, what
+  /// has grown stays.
+  std::vector<std::string> after_growth;
+};
+
+}  // namespace meristem

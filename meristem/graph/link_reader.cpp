@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/graph/link_reader.h"
+
+#include <fmt/format.h>
+
+#include "meristem/graph/table/fingerprint.h"
+#include "meristem/graph/table/table.h"
+
+namespace meristem {
+
+const ParameterTable& link_table() {
+  static const ParameterTable table =
+      Table<LinkHead>("a link", "Joins two components: the child stands on the parent.")
+          .text("from", &LinkHead::from, "The parent's id.")
+          .required()
+          .text("to", &LinkHead::to, "The child's id.")
+          .required()
+          .choice("kind", &LinkHead::kind, {"child", "branch", "leaf", "crown"},
+                  "child: where the parent's geometry ends; branch: along the parent's stems or ribs; leaf: where a "
+                  "recursion ends, or at the tips of stems; crown: in the crown body of the parent's stems.");
+  return table;
+}
+
+LinkReader::LinkReader(Graph& graph, ParameterReader& reader) : graph_(graph), reader_(reader) {
+  for (const Prototype& prototype : graph.components) {
+    component_by_id_.emplace(prototype.id, static_cast<ComponentIndex>(ids_.size()));
+    ids_.push_back(prototype.id);
+  }
+}
+
+void LinkReader::read(const Value& links, const Place& place) {
+  const Value::List* list = links.list();
+  if (list == nullptr) {
+    return reader_.fault(place, fmt::format("the links are {}", links.description()),
+                         R"(a list such as [["view", "tree"]])");
+  }
+  for (std::size_t k = 0; k < list->size(); ++k) read_link((*list)[k], Place(place, k));
+}
+
+void LinkReader::read_link(const Value& value, const Place& place) {
+  Link link;
+  if (const Value::List* pair = value.list()) {
+    if (pair->size() != 2) {
+      return reader_.fault(place, fmt::format("a link is {}", value.description()), R"(a pair ["from", "to"])");
+    }
+    link.from = read_end((*pair)[0], Place(place, std::size_t{0}));
+    link.to = read_end((*pair)[1], Place(place, std::size_t{1}));
+  } else if (value.object() == nullptr) {
+    return reader_.fault(place, fmt::format("a link cannot be {}", value.description()),
+                         R"(["from", "to"] or {"from": ..., "to": ..., "kind": ...})");
+  } else {
+    link.from = read_named_end(value, "from", place);
+    link.to = read_named_end(value, "to", place);
+    read_kind(value, place, link);
+  }
+  link.fingerprint = fingerprint_of(value, reader_.constants(), {}, 0);
+  if (link.from != kNoIndex && link.to != kNoIndex) graph_.links.push_back(std::move(link));
+}
+
+/// What kind of link it is, with that kind's own keys.
+void LinkReader::read_kind(const Value& value, const Place& place, Link& link) {
+  LinkHead head;
+  const std::size_t faults_before = reader_.fault_count();
+  if (const Value* given = value.find("kind")) {
+    const Parameter& row = *link_table().find("kind");
+    row.read(row, &head, *given, Place(place, row.name), reader_);
+  }
+  const bool is_known = reader_.fault_count() == faults_before;
+  if (head.kind == LinkKind::crown) {
+    CrownLink crown;
+    reader_.read(crown_placement_table(), &crown.placement, value, place);
+    check_crown(place, link);
+    link.kind = crown;
+    return;
+  }
+  BranchLink branch;
+  reader_.read(placement_table(), &branch.placement, value, place);
+  branch.given = given_placement(value);
+  if (is_known) check_placement(value, place, link, head.kind);
+  if (head.kind == LinkKind::branch) link.kind = std::move(branch);
+  if (head.kind == LinkKind::leaf) link.kind = LeafLink();
+}
+
+ComponentIndex LinkReader::read_named_end(const Value& link, const char* name, const Place& place) {
+  if (const Value* end = link.find(name)) return read_end(*end, Place(place, name));
+  reader_.fault(place, fmt::format("the link has no '{}'", name), "the id of a component");
+  return kNoIndex;
+}
+
+ComponentIndex LinkReader::read_end(const Value& value, const Place& place) {
+  if (value.text() == nullptr) {
+    reader_.fault(place, fmt::format("the end of a link cannot be {}", value.description()), "the id of a component");
+    return kNoIndex;
+  }
+  const auto found = component_by_id_.find(*value.text());
+  if (found != component_by_id_.end()) return found->second;
+  const std::string nearest = reader_.nearest(*value.text(), ids_);
+  reader_.fault(place, fmt::format("there is no component '{}'", *value.text()),
+                nearest.empty() ? "the id of a component" : "", nearest);
+  return kNoIndex;
+}
+
+void LinkReader::link_placed(const Place& components) {
+  for (ComponentIndex from = 0; from < graph_.components.size(); ++from) {
+    const Prototype& prototype = graph_.components[from];
+    if (prototype.type == nullptr || !prototype.type->placed) continue;
+    const std::vector<PlacedComponent> placed = prototype.type->placed(prototype.parameters.get());
+    for (std::uint32_t k = 0; k < placed.size(); ++k) {
+      const std::string& id = placed[k].id;
+      const auto found = component_by_id_.find(id);
+      if (found != component_by_id_.end()) {
+        graph_.links.push_back({.from = from, .to = found->second, .kind = PlacedLink{k}, .fingerprint = 0});
+        continue;
+      }
+      if (!placed[k].is_needed) continue;
+      const std::string nearest = reader_.nearest(id, ids_);
+      reader_.fault(Place(components, prototype.id),
+                    fmt::format("'{}' places '{}', and there is no such component", prototype.id, id),
+                    nearest.empty() ? fmt::format("a component '{}'{}", id, placed[k].hint) : "", nearest);
+    }
+  }
+}
+
+const Prototype* LinkReader::parent_of(const Link& link) const {
+  if (link.from == kNoIndex || graph_.components[link.from].type == nullptr) return nullptr;
+  return &graph_.components[link.from];
+}
+
+/// Crown links need a crown body.
+void LinkReader::check_crown(const Place& place, const Link& link) {
+  const Prototype* from = parent_of(link);
+  if (from == nullptr) return;
+  const auto& surface = from->type->surface;
+  if (surface && surface(from->parameters.get()).crown) return;
+  reader_.fault(Place(place, "kind"),
+                surface ? fmt::format("the surface of '{}' has no crown", from->id)
+                        : fmt::format("'{}' makes no stems that could have a crown", from->id),
+                R"("crown": {...} in the surface of a component with stems)");
+}
+
+/// Placement keys need a branch link from something that has stems.
+void LinkReader::check_placement(const Value& value, const Place& place, const Link& link, LinkKind kind) {
+  const Prototype* from = parent_of(link);
+  const bool is_branch = kind == LinkKind::branch;
+  if (from == nullptr || (is_branch && from->type->makes_stems)) return;
+  for (const auto& [name, member] : *value.object()) {
+    if (placement_table().find(name) == nullptr) continue;
+    reader_.fault_name(Place(place, name),
+                       is_branch ? fmt::format("'{}' has no meaning here, since '{}' makes no stems", name, from->id)
+                                 : fmt::format("'{}' belongs to branch links", name),
+                       is_branch ? "a link from a component with stems" : "\"kind\": \"branch\", or no such key", "");
+  }
+}
+
+}  // namespace meristem

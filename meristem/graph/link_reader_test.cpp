@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Links as documents write them; what is wrong with them is tested with whole documents.
+#include "meristem/graph/link_reader.h"
+
+#include <gtest/gtest.h>
+
+#include "meristem/graph/add_camera.h"
+#include "meristem/graph/table/table.h"
+#include "tests/support/build_graph.h"
+#include "tests/support/test_components.h"
+
+namespace meristem {
+namespace {
+
+Value pair(const char* from, const char* to) { return Value(Value::List{Value(from), Value(to)}); }
+
+Value link(const char* kind, const Value::Object& keys = {}) {
+  Value::Object written{{"from", "pole"}, {"to", "stick"}, {"kind", kind}};
+  written.insert(written.end(), keys.begin(), keys.end());
+  return Value(std::move(written));
+}
+
+// Of a pole and a stick.
+Graph read(const Value::List& links, std::vector<Diagnostic>& faults) {
+  Graph graph = GraphBuilder(test_components()).component("pole", "pole").component("stick", "stick").graph();
+  ParameterReader reader({}, graph.limits);
+  const Place top;
+  LinkReader(graph, reader).read(Value(links), Place(top, "links"));
+  faults = reader.take_diagnostics();
+  return graph;
+}
+
+Graph sound(const Value::List& links) {
+  std::vector<Diagnostic> faults;
+  Graph graph = read(links, faults);
+  EXPECT_TRUE(faults.empty()) << faults[0].text();
+  return graph;
+}
+
+TEST(LinkReader, ALinkIsOfItsKindAlone) {
+  const Graph graph =
+      sound({pair("pole", "stick"), link("child"), link("leaf"), link("branch", {{"count", 3}, {"angle", 90}})});
+  ASSERT_EQ(graph.links.size(), 4U);
+  EXPECT_TRUE(graph.links[0].is<ChildLink>());
+  EXPECT_TRUE(graph.links[1].is<ChildLink>());
+  EXPECT_TRUE(graph.links[2].is<LeafLink>());
+  const auto* branch = graph.links[3].as<BranchLink>();
+  ASSERT_NE(branch, nullptr);
+  EXPECT_EQ(branch->placement.count, 3);
+  EXPECT_DOUBLE_EQ(branch->placement.angle, kPi / 2);
+}
+
+TEST(LinkReader, EndsAreFoundByTheirIds) {
+  const Graph graph = sound({pair("stick", "pole")});
+  EXPECT_EQ(graph.links[0].from, 1U);
+  EXPECT_EQ(graph.links[0].to, 0U);
+}
+
+TEST(LinkReader, LeavesFaultyLinksOutAndReadsTheRest) {
+  std::vector<Diagnostic> faults;
+  const Graph graph = read({pair("pole", "stock"), pair("pole", "stick")}, faults);
+  EXPECT_EQ(graph.links.size(), 1U);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].path, "links[0][1]");
+  EXPECT_EQ(faults[0].nearest, "stick");
+}
+
+TEST(LinkReader, KeysOfAPlacementBelongToBranchLinks) {
+  std::vector<Diagnostic> faults;
+  read({link("leaf", {{"count", 3}})}, faults);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].path, "links[0].count");
+  EXPECT_EQ(faults[0].message, "'count' belongs to branch links");
+}
+
+TEST(AddCamera, LinksToWhatHangsOnNothing) {
+  Graph graph = sound({pair("pole", "stick")});
+  add_camera(graph, test_components().camera());
+  ASSERT_EQ(graph.components.size(), 3U);
+  EXPECT_EQ(graph.components[2].id, "camera");
+  ASSERT_EQ(graph.links.size(), 2U);
+  EXPECT_EQ(graph.links[1].from, 2U);
+  EXPECT_EQ(graph.links[1].to, 0U);
+  add_camera(graph, test_components().camera());
+  EXPECT_EQ(graph.components.size(), 3U) << "one is enough";
+}
+
+}  // namespace
+}  // namespace meristem

@@ -40,7 +40,7 @@ const std::string kMaize = std::string(MERISTEM_SOURCE_DIR) + "/bench/maize.json
 const std::string kOak = std::string(MERISTEM_SOURCE_DIR) + "/models/oak.json";
 
 Document read(const std::string& file, const std::vector<Override>& overrides = {}) {
-  return read_document(meristem::read_text_file(file), file, meristem::builtin_components(), overrides);
+  return read_document(meristem::read_text_file(file), file, meristem::builtin_components(), {.overrides = overrides});
 }
 
 double share_made(const Reuse& reuse) {

@@ -144,7 +144,7 @@ DocumentInPython::DocumentInPython(std::string given_text, std::string given_fil
       file(std::move(given_file)),
       overrides(std::move(values)),
       seed(other_seed),
-      document(read_document(text, file, builtin_components(), overrides, seed)) {}
+      document(read_document(text, file, builtin_components(), {.overrides = overrides, .seed = seed})) {}
 
 Value DocumentInPython::tree() const {
   Value tree = document.source.tree;

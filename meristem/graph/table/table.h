@@ -300,7 +300,7 @@ class Table {
         [member, load](const Parameter& self, P& object, const Value& value, const Place& place,
                        ParameterReader& reader) {
           reader.file(self, value, place, [&](const std::string& path) {
-            object.*member = {*value.text(), std::make_shared<const T>(load(path, reader.limits()))};
+            object.*member = {*value.text(), reader.kept_file<T>(path, load)};
           });
         },
         [member](const P& object) { return object.*member ? Value((object.*member).path) : Value(); });
@@ -315,7 +315,7 @@ class Table {
         [member, read](const Parameter& self, P& object, const Value& value, const Place& place,
                        ParameterReader& reader) {
           reader.lines(self, value, place, [&](const std::string& text, const std::string& path, auto& warnings) {
-            object.*member = {text, std::make_shared<const T>(read(text, path, reader, warnings))};
+            object.*member = {text, reader.kept_text<T>(text, path, warnings, read)};
           });
         },
         [member](const P& object) { return object.*member ? Value((object.*member).path) : Value(); });
@@ -329,7 +329,7 @@ class Table {
         [member, read](const Parameter& self, P& object, const Value& value, const Place& place,
                        ParameterReader& reader) {
           reader.text_file(self, value, place, [&](const std::string& text, const std::string& path, auto& warnings) {
-            object.*member = {*value.text(), std::make_shared<const T>(read(text, path, reader, warnings))};
+            object.*member = {*value.text(), reader.kept_text<T>(text, path, warnings, read)};
           });
         },
         [member](const P& object) { return object.*member ? Value((object.*member).path) : Value(); });

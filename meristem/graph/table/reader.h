@@ -109,12 +109,12 @@ class ParameterReader {
     Fingerprint key = fingerprint_of_loading(reinterpret_cast<void (*)()>(load));
     return kept<T>(key.add_text(path).add(*hash), [&] { return load(path, limits_); });
   }
-  /// The same for what `read` makes of a text; warnings come as if it were read anew.
+  /// The same for what `make_of` makes of a text; warnings come as if it were read anew.
   template <class T>
   std::shared_ptr<const T> kept_text(const std::string& text, const std::string& path,
                                      std::vector<Diagnostic>& warnings,
-                                     T (*read)(const std::string&, const std::string&, ParameterReader&,
-                                               std::vector<Diagnostic>&)) {
+                                     T (*make_of)(const std::string&, const std::string&, ParameterReader&,
+                                                  std::vector<Diagnostic>&)) {
     struct Read {
       std::shared_ptr<const T> made;
       std::vector<Diagnostic> warnings;
@@ -122,12 +122,12 @@ class ParameterReader {
     };
     const auto make = [&] {
       const std::size_t files_before = files_.size();
-      Read made{std::make_shared<const T>(read(text, path, *this, warnings)), warnings, {}};
+      Read made{std::make_shared<const T>(make_of(text, path, *this, warnings)), warnings, {}};
       made.files.assign(files_.begin() + static_cast<std::ptrdiff_t>(files_before), files_.end());
       return made;
     };
     if (access_.store == nullptr) return make().made;
-    Fingerprint key = fingerprint_of_loading(reinterpret_cast<void (*)()>(read));
+    Fingerprint key = fingerprint_of_loading(reinterpret_cast<void (*)()>(make_of));
     key.add_text(path).add_text(text);
     for (const ExpressionNames::Constant& constant : constants_) key.add_text(constant.name).add(constant.value);
     std::shared_ptr<const Read> found = access_.store->find<Read>(key.hash());

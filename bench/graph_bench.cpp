@@ -57,7 +57,7 @@ const std::string kOak = std::string(MERISTEM_SOURCE_DIR) + "/models/oak.json";
 const std::string kTulip = std::string(MERISTEM_SOURCE_DIR) + "/models/tulip.json";
 
 Document read(const std::string& file, const std::vector<Override>& overrides = {}) {
-  return read_document(meristem::read_text_file(file), file, meristem::builtin_components(), overrides);
+  return read_document(meristem::read_text_file(file), file, meristem::builtin_components(), {.overrides = overrides});
 }
 
 /// A large document; a small one of its kind in small runs.

@@ -40,7 +40,7 @@ Document open_document(const DocumentOptions& options) {
   const bool from_input = options.path == "-";
   const std::string path = from_input ? "-" : find_document(options.path, models_folder());
   Document document = read_document(read_text_file(path), from_input ? "<standard input>" : path, builtin_components(),
-                                    overrides, options.seed);
+                                    {.overrides = std::move(overrides), .seed = options.seed});
   if (!options.quiet) print_diagnostics(document.warnings);
   return document;
 }

@@ -23,11 +23,16 @@ namespace {
 /// Fills a Document from the tree of its text; the reader collects what is wrong.
 class DocumentReader {
  public:
-  DocumentReader(const Value& root, const Registry& registry, std::string folder)
-      : root_(root), registry_(registry), folder_(std::move(folder)) {}
+  DocumentReader(const Value& root, const Registry& registry, const ReadOptions& options, const std::string& file)
+      : root_(root),
+        registry_(registry),
+        options_(options),
+        access_{.folder = std::filesystem::path(file).parent_path().string(),
+                .root = options.root,
+                .store = options.store} {}
 
   /// Returns the faults and warnings.
-  std::vector<Diagnostic> run(Document& document, std::optional<std::uint64_t> seed) {
+  std::vector<Diagnostic> run(Document& document) {
     if (root_.object() == nullptr) {
       return {{.message = fmt::format("the document is {}", root_.description()),
                .expected = "an object with \"meristem\": 1"}};
@@ -44,7 +49,8 @@ class DocumentReader {
     const Value* given_variables = root_.find("variables");
     const VariableValues solved = solve_variables(given_variables, document.graph.limits);
 
-    ParameterReader reader(solved.constants, document.graph.limits, folder_);
+    ParameterReader reader(solved.constants, document.graph.limits, access_);
+    reader.note_expressions(options_.expression_paths);
     document.variables = read_variables(given_variables, solved, reader);
     document.source.variable_notes = note_variables(document.variables, solved, document.source.overridden);
     read_head(reader, document);
@@ -53,9 +59,9 @@ class DocumentReader {
     if (const Value* given = root_.find("links")) links.read(*given, Place(top_, "links"));
     links.link_placed(Place(top_, "components"));
     warn_of_variables(root_, document.variables, reader);
-    document.source.named_files = reader.files();
+    for (const NamedFile& file : reader.files()) document.source.named_files.push_back(file.path);
     take_from(reader);
-    if (seed) document.graph.seed = *seed;
+    if (options_.seed) document.graph.seed = *options_.seed;
 
     // The links mean something only once all are read.
     if (!has_errors(diagnostics_)) {
@@ -116,7 +122,11 @@ class DocumentReader {
     document.scene.fingerprint = fingerprint_of(scene != nullptr ? *scene : Value(), reader.constants(), reader.files(),
                                                 reader.limits().file_bytes);
     light_scene(head.scene.light, Place(top_, "scene"), reader, document.scene);
-    document.scene.obstacles = build_obstacles(head.scene.obstacles);
+    if (head.scene.obstacles.empty()) return;
+    const Value* obstacles = scene->find("obstacles");
+    const auto said = fingerprint_of(*obstacles, reader.constants(), reader.files(), reader.limits().file_bytes);
+    const auto build = [&] { return build_obstacles(head.scene.obstacles); };
+    document.scene.obstacles = said ? *reader.kept<Obstacles>(Fingerprint().add(*said), build) : build();
   }
 
   void read_components(ParameterReader& reader, Graph& graph) {
@@ -168,7 +178,8 @@ class DocumentReader {
 
   const Value& root_;
   const Registry& registry_;
-  const std::string folder_;  // of the document
+  const ReadOptions& options_;
+  const FileAccess access_;
   const Place top_;
   std::vector<Diagnostic> diagnostics_;
   std::size_t hidden_ = 0;  // faults that are only counted
@@ -192,22 +203,23 @@ void Source::place(std::vector<Diagnostic>& diagnostics) const {
 }
 
 Document read_document(std::string text, const std::string& file, const Registry& registry,
-                       const std::vector<Override>& overrides, std::optional<std::uint64_t> seed) {
+                       const ReadOptions& options) {
   Document document;
   document.source = {.file = file, .text = std::move(text)};
   std::vector<Diagnostic> diagnostics;
-  const std::string folder = std::filesystem::path(file).parent_path().string();
+  if (options.store != nullptr) options.store->begin_read();
   try {
     Value& root = document.source.tree;
     root = parse_json(document.source.text);
-    if (root.object() != nullptr) apply_overrides(root, overrides, document.source, diagnostics);
-    if (diagnostics.empty()) diagnostics = DocumentReader(root, registry, folder).run(document, seed);
+    if (root.object() != nullptr) apply_overrides(root, options.overrides, document.source, diagnostics);
+    if (diagnostics.empty()) diagnostics = DocumentReader(root, registry, options, file).run(document);
   } catch (const InputError& error) {
     diagnostics = error.diagnostics();
   }
   document.source.place(diagnostics);
   if (DocumentReader::has_errors(diagnostics)) throw InputError(std::move(diagnostics));
   document.warnings = std::move(diagnostics);
+  if (options.store != nullptr) options.store->end_read();
   return document;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "meristem/graph/graph.h"
+#include "meristem/graph/table/read_store.h"
 #include "meristem/graph/table/value.h"
 #include "meristem/scene/scene.h"
 
@@ -83,11 +84,24 @@ struct Document {
 /// '=' or a path before it; whether that is well formed, read_document checks.
 Override parse_override(std::string_view text);
 
+/// How a document is read.
+struct ReadOptions {
+  std::vector<Override> overrides{};    ///< values that go before those of the text
+  std::optional<std::uint64_t> seed{};  ///< in place of the document's
+  /// Nothing that the document names is read outside of this folder, wherever links and dots lead, and messages tell
+  /// nothing of what is there. Empty: any file may be read.
+  std::string root{};
+  ReadStore* store =
+      nullptr;  ///< what earlier reads made of files is found there, and left for later ones; may be null
+  /// Takes the document paths of all expressions, as far as they were read; may be null.
+  std::vector<std::string>* expression_paths = nullptr;
+};
+
 /// Reads a document's text. `file` is its name in messages, and the files that it names are
 /// sought from that one's folder. Throws one InputError with all faults (up to the limit),
 /// each with line, column and document path.
 Document read_document(std::string text, const std::string& file, const Registry& registry,
-                       const std::vector<Override>& overrides = {}, std::optional<std::uint64_t> seed = {});
+                       const ReadOptions& options = {});
 
 /// Reads a whole file, or standard input for "-". Throws MachineError if it cannot be read, InputError if it is larger
 /// than a document may be.

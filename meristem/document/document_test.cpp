@@ -50,7 +50,7 @@ TEST(Document, ReadsItsHead) {
 }
 
 TEST(Document, TakesTheCallersSeedBeforeItsOwn) {
-  EXPECT_EQ(read_document(with("\"seed\": 3,"), "d", builtin_components(), {}, 8).graph.seed, 8U);
+  EXPECT_EQ(read_document(with("\"seed\": 3,"), "d", builtin_components(), {.seed = 8}).graph.seed, 8U);
 }
 
 TEST(Document, KnowsVariablesInEveryExpression) {

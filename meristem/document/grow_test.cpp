@@ -23,7 +23,7 @@ constexpr const char* kTree = R"j({
 })j";
 
 Document read(const std::string& text, const std::vector<Override>& overrides = {}) {
-  return read_document(text, "tree.json", builtin_components(), overrides);
+  return read_document(text, "tree.json", builtin_components(), {.overrides = overrides});
 }
 
 template <class T>
@@ -67,8 +67,8 @@ TEST(GrowDocument, GivesTheSameBytesOnAnyNumberOfThreads) {
 }
 
 TEST(GrowDocument, GivesOtherBytesForAnotherSeed) {
-  EXPECT_NE(hash_of(read_document(kTree, "", builtin_components(), {}, 5)),
-            hash_of(read_document(kTree, "", builtin_components(), {}, 6)));
+  EXPECT_NE(hash_of(read_document(kTree, "", builtin_components(), {.seed = 5})),
+            hash_of(read_document(kTree, "", builtin_components(), {.seed = 6})));
 }
 
 TEST(GrowDocument, PlacesTheFaultOfALimitInTheText) {

@@ -34,7 +34,7 @@ Document read(const std::string& text, const std::vector<std::string>& overrides
               const std::string& file = "test.json") {
   std::vector<Override> parsed;
   for (const std::string& each : overrides) parsed.push_back(parse_override(each));
-  return read_document(text, file, builtin_components(), parsed);
+  return read_document(text, file, builtin_components(), {.overrides = parsed});
 }
 
 template <class T>

@@ -22,12 +22,18 @@ DVec3 placed(const Frame& frame, DVec3 position) { return DVec3(frame.origin) + 
 
 /// The form's mesh where it stands in the scene.
 TriangleMesh placed_mesh(const ObstacleForm& form) {
-  TriangleMesh mesh = form.mesh ? *form.mesh
+  TriangleMesh mesh = form.mesh ? form.mesh->mesh
                                 : box_mesh(glm::min(DVec3(form.box->low), DVec3(form.box->high)),
                                            glm::max(DVec3(form.box->low), DVec3(form.box->high)));
   const Frame frame = form.place.frame();
   for (DVec3& position : mesh.positions) position = placed(frame, position);
   return mesh;
+}
+
+ObstacleMesh read_obstacle_mesh(const std::string& path, const Limits& limits) {
+  ObstacleMesh read{.mesh = read_mesh(path, limits), .faults = {}};
+  read.faults = closedness_faults(read.mesh);
+  return read;
 }
 
 void check_box(const Box& box, const Place& place, ParameterReader& reader) {
@@ -41,7 +47,7 @@ void check_box(const Box& box, const Place& place, ParameterReader& reader) {
 }
 
 void check_closed(const ObstacleForm& form, const Place& place, ParameterReader& reader) {
-  const std::vector<std::string> faults = closedness_faults(*form.mesh);
+  const std::vector<std::string>& faults = form.mesh->faults;
   if (faults.empty()) return;
   const std::string found = fmt::format("{}", fmt::join(faults, "; "));
   if (form.broken) {
@@ -71,7 +77,7 @@ const ParameterTable& obstacle_table() {
   static const ParameterTable table =
       Table<ObstacleForm>("an obstacle", "A body that plants do not enter and that shades them.")
           .box("box", &ObstacleForm::box, kCoordinate, "Two opposite corners of a box, in any order.")
-          .file("mesh", &ObstacleForm::mesh, read_mesh, "A closed mesh in an OBJ, PLY or GLB file.")
+          .file("mesh", &ObstacleForm::mesh, read_obstacle_mesh, "A closed mesh in an OBJ, PLY or GLB file.")
           .members(&ObstacleForm::place, import_table())
           .boolean("broken", &ObstacleForm::broken,
                    "Whether a mesh that is not closed is used all the same; then most of three views, along x, y and "
@@ -86,7 +92,8 @@ const ParameterTable& obstacle_table() {
 
 void check_obstacles(const std::vector<ObstacleForm>& forms, const Place& place, ParameterReader& reader) {
   double triangles = 0;
-  for (const ObstacleForm& form : forms) triangles += form.mesh ? static_cast<double>(form.mesh->triangles.size()) : 12;
+  for (const ObstacleForm& form : forms)
+    triangles += form.mesh ? static_cast<double>(form.mesh->mesh.triangles.size()) : 12;
   const Limits& limits = reader.limits();
   if (triangles > static_cast<double>(limits.triangles)) {
     return reader.fault_limit(place, "triangles of obstacles", triangles, limits.triangles, "triangles");
@@ -102,7 +109,7 @@ Obstacles build_obstacles(const std::vector<ObstacleForm>& forms) {
   for (const ObstacleForm& form : forms) {
     bodies.push_back({.mesh = placed_mesh(form),
                       .colour = form.colour,
-                      .is_broken = form.broken && !closedness_faults(*form.mesh).empty(),
+                      .is_broken = form.broken && !form.mesh->faults.empty(),
                       .is_hidden = form.hidden});
   }
   return Obstacles(std::move(bodies));

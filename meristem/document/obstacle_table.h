@@ -12,10 +12,16 @@
 
 namespace meristem {
 
+/// A mesh from a file, with what keeps it from being closed (closedness_faults), which takes long to find out.
+struct ObstacleMesh {
+  TriangleMesh mesh;
+  std::vector<std::string> faults;
+};
+
 /// Exactly one of box and mesh is given.
 struct ObstacleForm {
   std::optional<Box> box;  ///< corners as written, in any order
-  Asset<TriangleMesh> mesh;
+  Asset<ObstacleMesh> mesh;
   ImportPlace place;
   bool broken = false;
   bool hidden = false;

@@ -23,7 +23,7 @@ constexpr const char* kOak = R"({
 Document read_with(const std::vector<std::string>& sets) {
   std::vector<Override> overrides;
   for (const std::string& set : sets) overrides.push_back(parse_override(set));
-  return read_document(kOak, "oak.json", builtin_components(), overrides);
+  return read_document(kOak, "oak.json", builtin_components(), {.overrides = overrides});
 }
 
 std::string fault_of(const std::string& set) {
@@ -99,7 +99,7 @@ TEST(Override, RefusesPathsThatAreNone) {
   for (const char* path : {"", "a..b", ".x", "x.", "[0]", "x[", "x[1", "x.[0]", "x[0]y"}) {
     try {
       read_document(R"({"meristem": 1, "components": {"c": {"type": "camera"}}})", "d.json", builtin_components(),
-                    {{path, Value(1)}});
+                    {.overrides = {Override{.path = path, .value = Value(1), .name = {}}}});
       ADD_FAILURE() << path;
     } catch (const InputError& error) {
       EXPECT_EQ(error.diagnostics()[0].message, "'" + std::string(path) + "' is not a path");
@@ -144,7 +144,7 @@ TEST(Override, RejectsPathsThatLeadNowhere) {
 
 TEST(Override, LeavesADocumentThatIsNoObjectToTheReader) {
   try {
-    read_document("[1]", "a.json", builtin_components(), {parse_override("age=3")});
+    read_document("[1]", "a.json", builtin_components(), {.overrides = {parse_override("age=3")}});
     FAIL();
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()),

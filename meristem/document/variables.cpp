@@ -214,6 +214,18 @@ std::vector<Variable> read_variables(const Value* given, const VariableValues& s
   return variables;
 }
 
+namespace {
+
+/// Of a file that is no longer than grammars are.
+std::string text_of_grammar(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return {};
+  if (std::filesystem::file_size(file, error) > kLongestGrammar || error) return {};
+  return read_file(file, kLongestGrammar);
+}
+
+}  // namespace
+
 void warn_of_variables(const Value& root, const std::vector<Variable>& variables, ParameterReader& reader) {
   // Where there are faults, what is unused may be so because of them.
   std::set<std::string, std::less<>> unused;
@@ -227,12 +239,11 @@ void warn_of_variables(const Value& root, const std::vector<Variable>& variables
     const Value* said = root.find(part);
     if (said != nullptr && !unused.empty()) for_each_mention(*said, take_out);
   }
-  for (const std::string& file : reader.files()) {
+  for (const NamedFile& file : reader.files()) {
     if (unused.empty()) break;
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) continue;
-    if (std::filesystem::file_size(file, error) > kLongestGrammar || error) continue;
-    for_each_name(read_file(file, kLongestGrammar), take_out);
+    const auto text = [&] { return text_of_grammar(file.path); };
+    const auto kept = [&] { return reader.kept<std::string>(Fingerprint().add_text(file.path).add(*file.hash), text); };
+    for_each_name(file.hash ? *kept() : text(), take_out);
   }
   const Place top;
   const Place place(top, "variables");

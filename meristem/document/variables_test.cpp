@@ -25,7 +25,7 @@ std::string with(const std::string& variables, const std::string& length = "1") 
 Document read(const std::string& text, const std::vector<std::string>& sets = {}, const std::string& file = "d.json") {
   std::vector<Override> overrides;
   for (const std::string& set : sets) overrides.push_back(parse_override(set));
-  return read_document(text, file, builtin_components(), overrides);
+  return read_document(text, file, builtin_components(), {.overrides = overrides});
 }
 
 std::string faults_of(const std::string& text, const std::vector<std::string>& sets = {}) {

@@ -109,7 +109,7 @@ const std::vector<std::string>& look_names() {
 }
 
 void set_fingerprints(Prototype& prototype, const Value& value, std::span<const ExpressionNames::Constant> constants,
-                      std::span<const std::string> files, const Limits& limits) {
+                      std::span<const NamedFile> files, const Limits& limits) {
   prototype.fingerprint = fingerprint_of(value, constants, files, limits.file_bytes);
   if (!prototype.type->grow || value.object() == nullptr) return;
   Value::Object of_growth = *value.object();

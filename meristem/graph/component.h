@@ -138,7 +138,7 @@ struct Prototype {
 /// Sets its fingerprints: `value` is what the document says of it, with those of `constants` that it names, and `files`
 /// are those that were read with it.
 void set_fingerprints(Prototype& prototype, const Value& value, std::span<const ExpressionNames::Constant> constants,
-                      std::span<const std::string> files, const Limits& limits);
+                      std::span<const NamedFile> files, const Limits& limits);
 
 /// Throws an InputError if an instance's parameters break a rule of their table: they may vary, so what held for those
 /// of the component need not hold for each instance.

@@ -16,7 +16,7 @@ struct Result {
 
 Result read(const Value& value, const std::string& folder = {}) {
   Result result;
-  ParameterReader reader({}, Limits{}, folder);
+  ParameterReader reader({}, Limits{}, {.folder = folder});
   const Place top;
   reader.read(texture_table(), &result.form, value, Place(top, "texture"));
   result.faults = reader.take_diagnostics();

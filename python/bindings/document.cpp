@@ -145,7 +145,7 @@ DocumentInPython::DocumentInPython(std::string given_text, std::string given_fil
       file(std::move(given_file)),
       overrides(std::move(values)),
       seed(other_seed),
-      document(read_document(text, file, builtin_components(), overrides, seed)),
+      document(read_document(text, file, builtin_components(), {.overrides = overrides, .seed = seed})),
       textures(std::move(shared)) {}
 
 const GrownDocument& PlantInPython::up_to(GrownPart part, Progress& progress) {

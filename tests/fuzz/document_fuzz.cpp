@@ -29,7 +29,7 @@ std::vector<Override> tight_limits() {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
   try {
-    const Document document = read_document(text, "fuzz", builtin_components(), tight_limits());
+    const Document document = read_document(text, "fuzz", builtin_components(), {.overrides = tight_limits()});
     const ThreadLimit one_thread(1);
     Progress progress;
     grow_document(document, progress);

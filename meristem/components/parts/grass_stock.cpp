@@ -170,6 +170,27 @@ std::span<const std::uint32_t> StockIndex::find(int rank, std::optional<int> lea
                                      static_cast<std::size_t>(last - first));
 }
 
+Fingerprint fingerprint_of(const GrassSource& source, const StockOptions& options) {
+  Fingerprint key;
+  const auto add_curves = [&](const Asset<std::vector<MeasuredCurve>>& curves) {
+    key.add(curves ? curves->size() : 0);
+    if (!curves) return;
+    for (const MeasuredCurve& curve : *curves) {
+      key.add(curve.rank.has_value()).add(curve.rank.value_or(0));
+      key.add(curve.lindex.has_value()).add(curve.lindex.value_or(0));
+      key.add(curve.age.has_value()).add(curve.age.value_or(0));
+      key.add_array(curve.points).add_array(curve.lines);
+    }
+  };
+  add_curves(source.midrib);
+  add_curves(source.widths);
+  key.add_array(source.midrib_points).add(source.midribs.size());
+  for (const AgedPoints& midrib : source.midribs) key.add(midrib.age).add_array(midrib.points);
+  key.add_array(source.profile.points()).add(source.profile.kind()).add(source.unit);
+  key.add(source.fit.smoothing).add(source.fit.width_smoothing).add(source.fit.pieces);
+  return key.add(options.is_loaded).add(options.is_fitted).add(options.full_age);
+}
+
 GrassStock make_stock(const GrassSource& source, const StockOptions& how) {
   const GrassSource plain{.fit = source.fit};
   const GrassSource& used = how.is_loaded ? source : plain;

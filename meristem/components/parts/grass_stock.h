@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "meristem/base/curve.h"
+#include "meristem/base/fingerprint.h"
 #include "meristem/graph/table/asset.h"
 #include "meristem/graph/table/parameter.h"
 #include "meristem/shape/grass/fit_leaf.h"
@@ -85,6 +86,9 @@ struct StockOptions {
   bool is_fitted = true;  ///< else points are joined by lines
   double full_age = 1;    ///< at which a leaf has its form, where midribs have no ages
 };
+
+/// All that make_stock depends on, points of files with it.
+Fingerprint fingerprint_of(const GrassSource& source, const StockOptions& options);
 
 /// Fits all of it. Throws InputError for midribs that stand alone at an age of 0 or less, and for faults of curves.
 GrassStock make_stock(const GrassSource& source, const StockOptions& options);

@@ -161,8 +161,9 @@ void check_grassleaf(const Grassleaf& grass, const Place& place, ParameterReader
 void prepare_grassleaf(Grassleaf& grass, const Place& place, ParameterReader& reader) {
   const char* row = grass.source.midribs.empty() ? "midrib" : "midribs";
   try {
-    grass.stock = std::make_shared<GrassStock>(make_stock(
-        grass.source, {.is_loaded = grass.stages.load, .is_fitted = grass.stages.fit, .full_age = grass.full_age}));
+    const StockOptions how{.is_loaded = grass.stages.load, .is_fitted = grass.stages.fit, .full_age = grass.full_age};
+    grass.stock =
+        reader.kept<GrassStock>(fingerprint_of(grass.source, how), [&] { return make_stock(grass.source, how); });
   } catch (const InputError& error) {
     for (const Diagnostic& found : error.diagnostics()) reader.fault(Place(place, row), found.message, found.expected);
     return;

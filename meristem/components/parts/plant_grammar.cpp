@@ -73,13 +73,12 @@ void note_placed(PlantGrammar& plant) {
 
 PlantGrammar read_plant_grammar(const std::string& text, const std::string& path, ParameterReader& reader,
                                 std::vector<Diagnostic>& warnings) {
-  std::vector<std::string> included;
+  const auto included = [&](const std::string& name) {
+    return reader.included_text(path, name, Limits().document_bytes);
+  };
   PlantGrammar plant;
-  plant.grammar = read_grammar(text, {.constants = reader.constants(),
-                                      .read = read_beside(path, &included),
-                                      .warnings = &warnings,
-                                      .limits = reader.limits()});
-  for (std::string& file : included) reader.add_file(std::move(file));
+  plant.grammar = read_grammar(
+      text, {.constants = reader.constants(), .read = included, .warnings = &warnings, .limits = reader.limits()});
   note_placed(plant);
   return plant;
 }

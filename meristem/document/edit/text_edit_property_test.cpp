@@ -317,7 +317,7 @@ std::vector<std::string> model_texts() {
 TEST(TextEditProperty, ShippedModelsTakeRandomEdits) {
   std::uint64_t seed = 0;
   for (const std::string& text : model_texts()) {
-    for (int k = 0; k < 8 && !::testing::Test::HasFatalFailure(); ++k) check_edits(text, ++seed, 4);
+    for (int k = 0; k < 4 && !::testing::Test::HasFatalFailure(); ++k) check_edits(text, ++seed, 4);
   }
 }
 

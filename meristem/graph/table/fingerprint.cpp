@@ -64,17 +64,17 @@ void add_value(const Value& value, Fingerprint& to) {
 }  // namespace
 
 std::optional<std::uint64_t> fingerprint_of(const Value& value, std::span<const ExpressionNames::Constant> constants,
-                                            std::span<const std::string> files, std::uint64_t file_bytes) {
+                                            std::span<const NamedFile> files, std::uint64_t file_bytes) {
   Fingerprint fingerprint;
   add_value(value, fingerprint);
   for (const ExpressionNames::Constant& constant : constants) {
     if (files.empty() && !mentions(value, constant.name)) continue;
     fingerprint.add_text(constant.name).add(constant.value);
   }
-  for (const std::string& file : files) {
+  for (const NamedFile& file : files) {
     std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
-    fingerprint.add_text(file).add(hash64(read_file(file, file_bytes)));
+    if (!file.hash && !std::filesystem::is_regular_file(file.path, error)) return std::nullopt;
+    fingerprint.add_text(file.path).add(file.hash ? *file.hash : hash64(read_file(file.path, file_bytes)));
   }
   return fingerprint.hash();
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "meristem/base/expression/expression.h"
+#include "meristem/graph/table/file_access.h"
 #include "meristem/graph/table/value.h"
 
 namespace meristem {
@@ -15,6 +16,6 @@ namespace meristem {
 /// in the `files` that were read with it; where there are such, all constants. Nothing where a file is none to be read
 /// twice, such as a pipe.
 std::optional<std::uint64_t> fingerprint_of(const Value& value, std::span<const ExpressionNames::Constant> constants,
-                                            std::span<const std::string> files, std::uint64_t file_bytes);
+                                            std::span<const NamedFile> files, std::uint64_t file_bytes);
 
 }  // namespace meristem

@@ -116,13 +116,13 @@ void read_value(const Parameter& row, Asset<T>& member, const Value& value, cons
   if (row.load_file != nullptr) {
     return reader.file(row, value, place, [&](const std::string& path) {
       const auto load = reinterpret_cast<LoadAsset<T>>(row.load_file);
-      member = {*value.text(), std::make_shared<const T>(load(path, reader.limits()))};
+      member = {*value.text(), reader.kept_file<T>(path, load)};
     });
   }
   const auto make = [&](const std::string& text, const std::string& path, std::vector<Diagnostic>& warnings) {
     const auto read = reinterpret_cast<TextAsset<T>>(row.make_asset);
     const std::string& written = row.kind == ParameterKind::lines ? text : *value.text();
-    member = {written, std::make_shared<const T>(read(text, path, reader, warnings))};
+    member = {written, reader.kept_text<T>(text, path, warnings, read)};
   };
   if (row.kind == ParameterKind::lines) return reader.lines(row, value, place, make);
   reader.text_file(row, value, place, make);

@@ -216,6 +216,7 @@ std::optional<Expression> ParameterReader::expression(const Value& value, const 
     fault(place, fmt::format("an expression cannot be {}", value.description()), "a text with an expression");
     return std::nullopt;
   }
+  if (expression_places_ != nullptr) expression_places_->push_back(place.text());
   try {
     const ExpressionNames names{.variables = {variables.begin(), variables.end()}, .constants = constants_};
     return Expression::compile(*text, names, limits_.expression_bytes);
@@ -363,10 +364,11 @@ void ParameterReader::file(const Parameter& parameter, const Value& value, const
                            FunctionRef<void(const std::string& path)> load) {
   const std::string* given = text(parameter, value, place);
   if (given == nullptr) return;
-  const std::filesystem::path folder(folder_);
+  const std::filesystem::path folder(access_.folder);
   const std::string path = given->empty() ? "" : (folder / *given).string();
-  files_.push_back(path);
   try {
+    if (!given->empty()) access_.require_within(path);
+    name_file(path);
     load(path);
   } catch (const InputError& error) {
     for (const Diagnostic& found : error.diagnostics()) report_in_file(found, *given, place);
@@ -377,11 +379,11 @@ void ParameterReader::file(const Parameter& parameter, const Value& value, const
 
 /// One fault says both places: this one, and the one in the file.
 void ParameterReader::report_in_file(const Diagnostic& found, const std::string& file, const Place& place) {
-  const std::filesystem::path folder(folder_);
+  const std::filesystem::path folder(access_.folder);
   Diagnostic told = found;
   told.message = fmt::format("'{}': {}", place_in_file(found, file), found.message);
   // The nearest file is named as the document would name it.
-  if (!folder_.empty() && told.nearest.starts_with((folder / "").string())) {
+  if (!access_.folder.empty() && told.nearest.starts_with((folder / "").string())) {
     told.nearest.erase(0, (folder / "").string().size());
   }
   report(place, told, -1);
@@ -431,7 +433,7 @@ void ParameterReader::lines(const Parameter& parameter, const Value& value, cons
   }
   std::vector<Diagnostic> warnings;
   try {
-    read(text, (std::filesystem::path(folder_) / "").string(), warnings);
+    read(text, (std::filesystem::path(access_.folder) / "").string(), warnings);
   } catch (const InputError& error) {
     for (const Diagnostic& found : error.diagnostics()) report_in_text(found, value, place);
   }
@@ -443,6 +445,39 @@ void ParameterReader::text_file(const Parameter& parameter, const Value& value, 
   file(parameter, value, place,
        [&](const std::string& path) { read(read_file(path, limits_.file_bytes), path, warnings); });
   for (const Diagnostic& found : warnings) report_in_file(found, *value.text(), place);
+}
+
+std::string ParameterReader::included_text(const std::string& file, const std::string& name, std::uint64_t most_bytes) {
+  const std::string path = (std::filesystem::path(file).parent_path() / name).string();
+  access_.require_within(path);
+  name_file(path);
+  return read_file(path, most_bytes);
+}
+
+/// Faults are left to whoever reads it.
+void ParameterReader::name_file(const std::string& path) {
+  NamedFile file{.path = path};
+  try {
+    file.hash = file_hash(path);
+  } catch (const InputError&) {
+  } catch (const MachineError&) {
+  }
+  files_.push_back(std::move(file));
+}
+
+std::optional<std::uint64_t> ParameterReader::file_hash(const std::string& path) {
+  return access_.store == nullptr ? std::nullopt : access_.store->file_hash(path, limits_.file_bytes);
+}
+
+Fingerprint ParameterReader::fingerprint_of_loading(void (*load)()) const {
+  static_assert(std::has_unique_object_representations_v<Limits>);
+  const std::string_view limits(reinterpret_cast<const char*>(&limits_), sizeof(Limits));
+  return Fingerprint().add(reinterpret_cast<std::uintptr_t>(load)).add_text(limits);
+}
+
+bool ParameterReader::are_present(const std::vector<NamedFile>& files) {
+  return std::all_of(files.begin(), files.end(),
+                     [&](const NamedFile& file) { return file.hash && file_hash(file.path) == file.hash; });
 }
 
 std::optional<std::size_t> ParameterReader::choice(const Parameter& parameter, const Value& value, const Place& place) {

@@ -12,7 +12,9 @@
 #include "meristem/base/expression/expression.h"
 #include "meristem/base/function_ref.h"
 #include "meristem/base/limits.h"
+#include "meristem/graph/table/file_access.h"
 #include "meristem/graph/table/parameter.h"
+#include "meristem/graph/table/read_store.h"
 #include "meristem/graph/table/varying.h"
 
 namespace meristem {
@@ -31,10 +33,9 @@ class ParameterReader {
   using ReadText =
       FunctionRef<void(const std::string& text, const std::string& path, std::vector<Diagnostic>& warnings)>;
 
-  /// `constants` are the document's variables; paths of files start in `folder`, or where it is empty in the present
-  /// one.
-  ParameterReader(std::vector<ExpressionNames::Constant> constants, const Limits& limits, std::string folder = {})
-      : constants_(std::move(constants)), limits_(limits), folder_(std::move(folder)) {}
+  /// `constants` are the document's variables.
+  ParameterReader(std::vector<ExpressionNames::Constant> constants, const Limits& limits, FileAccess access = {})
+      : constants_(std::move(constants)), limits_(limits), access_(std::move(access)) {}
 
   /// Reads `value` into the struct at `object`, where every number must be one number. Returns the rows that it gives.
   GivenRows read(const ParameterTable& table, void* object, const Value& value, const Place& place);
@@ -83,9 +84,63 @@ class ParameterReader {
   void text_file(const Parameter& parameter, const Value& value, const Place& place, ReadText read);
   /// The document's variables.
   const std::vector<ExpressionNames::Constant>& constants() const { return constants_; }
-  void add_file(std::string path) { files_.push_back(std::move(path)); }
-  /// The paths of all files that were named so far.
-  const std::vector<std::string>& files() const { return files_; }
+  /// The text of a file that another one names, sought from the folder of that one. Throws an InputError.
+  std::string included_text(const std::string& file, const std::string& name, std::uint64_t most_bytes);
+  /// All files that were named so far.
+  const std::vector<NamedFile>& files() const { return files_; }
+
+  /// What `make` gives, or what it gave in an earlier read with this key, a fingerprint of all that it depends on.
+  template <class T, class Make>
+  std::shared_ptr<const T> kept(const Fingerprint& key, Make make) {
+    if (access_.store == nullptr) return std::make_shared<const T>(make());
+    std::shared_ptr<const T> made = access_.store->find<T>(key.hash());
+    if (made == nullptr) {
+      made = std::make_shared<const T>(make());
+      access_.store->keep<T>(key.hash(), made);
+    }
+    return made;
+  }
+  /// The same for what `load` makes of the file at `path`, which reader.file() has named.
+  template <class T>
+  std::shared_ptr<const T> kept_file(const std::string& path, T (*load)(const std::string&, const Limits&)) {
+    const std::optional<std::uint64_t> hash = file_hash(path);
+    if (!hash) return std::make_shared<const T>(load(path, limits_));
+    Fingerprint key = fingerprint_of_loading(reinterpret_cast<void (*)()>(load));
+    return kept<T>(key.add_text(path).add(*hash), [&] { return load(path, limits_); });
+  }
+  /// The same for what `make_of` makes of a text; warnings come as if it were read anew.
+  template <class T>
+  std::shared_ptr<const T> kept_text(const std::string& text, const std::string& path,
+                                     std::vector<Diagnostic>& warnings,
+                                     T (*make_of)(const std::string&, const std::string&, ParameterReader&,
+                                                  std::vector<Diagnostic>&)) {
+    struct Read {
+      std::shared_ptr<const T> made;
+      std::vector<Diagnostic> warnings;
+      std::vector<NamedFile> files;
+    };
+    const auto make = [&] {
+      const std::size_t files_before = files_.size();
+      Read made{std::make_shared<const T>(make_of(text, path, *this, warnings)), warnings, {}};
+      made.files.assign(files_.begin() + static_cast<std::ptrdiff_t>(files_before), files_.end());
+      return made;
+    };
+    if (access_.store == nullptr) return make().made;
+    Fingerprint key = fingerprint_of_loading(reinterpret_cast<void (*)()>(make_of));
+    key.add_text(path).add_text(text);
+    for (const ExpressionNames::Constant& constant : constants_) key.add_text(constant.name).add(constant.value);
+    std::shared_ptr<const Read> found = access_.store->find<Read>(key.hash());
+    if (found == nullptr || !are_present(found->files)) {
+      found = std::make_shared<const Read>(make());
+      access_.store->keep<Read>(key.hash(), found);
+      return found->made;
+    }
+    warnings = found->warnings;
+    files_.insert(files_.end(), found->files.begin(), found->files.end());
+    return found->made;
+  }
+  /// Takes the places of all expressions that are read from here on; null: none.
+  void note_expressions(std::vector<std::string>* places) { expression_places_ = places; }
   /// The table's members from an object, or its shorthand from a bare value.
   GivenRows object(const ParameterTable& table, void* object, const Value& value, const Place& place);
   /// The element with this index of the list or map at `member`.
@@ -103,8 +158,15 @@ class ParameterReader {
 
   std::vector<ExpressionNames::Constant> constants_;
   Limits limits_;
-  std::string folder_;
-  std::vector<std::string> files_;
+  /// Of a file as the store has it; nothing where there is no store.
+  std::optional<std::uint64_t> file_hash(const std::string& path);
+  void name_file(const std::string& path);
+  Fingerprint fingerprint_of_loading(void (*load)()) const;
+  bool are_present(const std::vector<NamedFile>& files);
+
+  FileAccess access_;
+  std::vector<NamedFile> files_;
+  std::vector<std::string>* expression_places_ = nullptr;
   std::vector<std::string> worked_out_;  // document paths of numbers
   std::vector<Diagnostic> diagnostics_;
   std::size_t faults_ = 0;

@@ -74,7 +74,7 @@ struct Result {
 
 Result read(const Value& value, const std::string& folder = {}) {
   Result result;
-  ParameterReader reader({}, Limits{}, folder);
+  ParameterReader reader({}, Limits{}, {.folder = folder});
   const Place top;
   result.varyings = reader.read_varying(rock_table(), &result.rock, value, Place(top, "rock"));
   result.faults = reader.take_diagnostics();

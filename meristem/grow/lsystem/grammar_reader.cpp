@@ -76,7 +76,11 @@ class GrammarReader {
         text_(text, options.file, options.limits),
         faults_(text_, std::max<std::size_t>(1, options.limits.diagnostics)),
         modules_(faults_, grammar_.alphabet),
-        rules_(text_, faults_, options.limits, modules_, options.constants) {}
+        rules_(text_, faults_, options.limits, modules_, options.constants) {
+    if (options.words == nullptr) return;
+    modules_.note_symbols(&symbols_);
+    rules_.note_names(&names_);
+  }
 
   Grammar read();
 
@@ -102,6 +106,7 @@ class GrammarReader {
   void add_rule(Rule rule, std::string_view place, RuleSet& set, std::vector<std::string_view>& places);
 
   void finish();
+  std::vector<GrammarWord> words_of(std::vector<std::string_view> pieces) const;
   void drop_identities(RuleSet& set, std::vector<std::string_view>& places) const;
   bool is_identity(const Rule& rule) const;
 
@@ -117,6 +122,8 @@ class GrammarReader {
   std::vector<std::string_view> open_brackets_;  ///< of the axiom
   std::vector<std::string_view> ignored_;
   std::vector<std::string> defined_;  ///< names of constants
+  std::vector<std::string_view> symbols_;
+  std::vector<std::string_view> names_;
   std::string_view axiom_place_;
 };
 
@@ -134,8 +141,19 @@ Grammar GrammarReader::read() {
       read_line(line);
     }
   }
+  if (options_.words != nullptr) *options_.words = {words_of(symbols_), words_of(names_)};
   finish();
   return std::move(grammar_);
+}
+
+std::vector<GrammarWord> GrammarReader::words_of(std::vector<std::string_view> pieces) const {
+  std::sort(pieces.begin(), pieces.end(), [](auto a, auto b) { return a.data() < b.data(); });
+  std::vector<GrammarWord> words;
+  for (const std::string_view piece : pieces) {
+    GrammarWord word{text_.offset(piece), std::string(piece)};
+    if (words.empty() || words.back() != word) words.push_back(std::move(word));
+  }
+  return words;
 }
 
 // Names come first, so that a symbol may be declared behind its use.
@@ -159,6 +177,7 @@ void GrammarReader::read_define(const Directive& directive) {
   value = trimmed(value.substr(end));
   if (value.starts_with('=')) value = trimmed(value.substr(1));
   defined_.emplace_back(name);
+  if (options_.words != nullptr) names_.push_back(name);
   if (name.empty() || value.empty()) {
     faults_.add(directive.all, "'#define' lacks a name or a value", "#define name = expression");
   } else if (!is_identifier(name)) {
@@ -381,6 +400,7 @@ bool GrammarReader::include(const Directive& directive, std::string_view file, L
   if (!text) return false;
   GrammarOptions options = options_;
   options.file = name;
+  options.words = nullptr;
   options.overrides.clear();
   files.push_back(name);
   try {

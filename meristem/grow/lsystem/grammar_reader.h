@@ -36,6 +36,20 @@
 
 namespace meristem {
 
+/// A word of a grammar's text.
+struct GrammarWord {
+  std::size_t offset = 0;  ///< bytes
+  std::string text;
+
+  bool operator==(const GrammarWord&) const = default;
+};
+
+/// The words of a grammar by which other things are called, in their order.
+struct GrammarWords {
+  std::vector<GrammarWord> symbols;  ///< wherever one stands, also behind #symbols and in contexts
+  std::vector<GrammarWord> names;    ///< in expressions, but for parameters of the rule; and those that #define gives
+};
+
 struct GrammarOptions {
   std::string file;  ///< its name in messages
   /// Names that its expressions may use, and those of included grammars; a `#define` of one is a default that gives
@@ -46,6 +60,7 @@ struct GrammarOptions {
   std::vector<ExpressionNames::Constant> overrides;
   std::function<std::string(const std::string&)> read;  ///< the text of an included grammar; unset: none can be
   std::vector<Diagnostic>* warnings = nullptr;          ///< takes what is odd but not wrong; may be null
+  GrammarWords* words = nullptr;                        ///< takes the words of the text; may be null
   Limits limits;                                        ///< of faults, of the text's and an expression's bytes
 };
 

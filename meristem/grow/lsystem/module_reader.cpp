@@ -22,6 +22,7 @@ std::string plural(std::size_t count, std::string_view noun) {
 }  // namespace
 
 void ModuleReader::declare(std::string_view name) {
+  if (noted_ != nullptr) noted_->push_back(name);
   if (!symbols_.insert(name).second) return;
   const auto place = std::lower_bound(symbol_sizes_.begin(), symbol_sizes_.end(), name.size(), std::greater<>());
   if (place == symbol_sizes_.end() || *place != name.size()) symbol_sizes_.insert(place, name.size());
@@ -54,6 +55,7 @@ std::optional<ModuleText> ModuleReader::next(std::string_view& rest) {
   if (module.symbol == ")") return fail(rest, "')' closes no '('", "a symbol");
   if (is_structural(module.symbol)) return fail(rest, fmt::format("'{}' is no symbol", module.symbol), "a symbol");
   rest.remove_prefix(module.symbol.size());
+  if (noted_ != nullptr) noted_->push_back(module.symbol);
 
   // Parameters, cut at the commas that no inner parentheses hold.
   std::size_t at = 0;

@@ -26,6 +26,8 @@ class ModuleReader {
  public:
   /// Faults go to `faults`, letters to `alphabet`.
   ModuleReader(GrammarFaults& faults, Alphabet& alphabet) : faults_(faults), alphabet_(alphabet) {}
+  /// Takes each symbol as it stands in the text, some of them twice; null: none.
+  void note_symbols(std::vector<std::string_view>* symbols) { noted_ = symbols; }
 
   /// Makes `name`, a piece of the grammar's text, a symbol of its own; others are single characters.
   void declare(std::string_view name);
@@ -47,6 +49,7 @@ class ModuleReader {
 
   GrammarFaults& faults_;
   Alphabet& alphabet_;
+  std::vector<std::string_view>* noted_ = nullptr;
   std::unordered_set<std::string_view> symbols_;  ///< the declared ones
   std::vector<std::size_t> symbol_sizes_;         ///< of these, largest first
 };

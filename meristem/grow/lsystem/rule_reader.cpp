@@ -168,7 +168,23 @@ void RuleReader::read_axiom(std::string_view text, std::vector<std::string_view>
 
 // Expressions.
 
+void RuleReader::note_names_of(std::string_view expression) {
+  const auto is_of_name = [](char c) {
+    return c == '_' || ('0' <= c && c <= '9') || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
+  };
+  for (std::size_t at = 0; at < expression.size();) {
+    std::size_t end = at;
+    while (end < expression.size() && is_of_name(expression[end])) ++end;
+    const std::string_view word = expression.substr(at, end - at);
+    at = std::max(end, at + 1);
+    if (is_identifier(word) && std::find(variables_.begin(), variables_.end(), word) == variables_.end()) {
+      noted_->push_back(word);
+    }
+  }
+}
+
 std::optional<Expression> RuleReader::read_expression(std::string_view text, bool is_condition) {
+  if (noted_ != nullptr) note_names_of(text);
   Condition spelled;
   if (is_condition) {
     spelled = in_expression_spelling(text);

@@ -50,6 +50,9 @@ class RuleReader {
 
   GrammarConstants& constants() { return constants_; }
 
+  /// Takes each name in an expression that is no parameter of its rule, some of them twice; null: none.
+  void note_names(std::vector<std::string_view>* names) { noted_ = names; }
+
   /// A rule with no fault, or nothing after adding its faults. Rules that rewrite a bracket to itself are nothing too.
   std::optional<Rule> read_rule(std::string_view line);
   /// Appends the axiom's modules. `open` has the brackets that are not closed yet.
@@ -72,12 +75,14 @@ class RuleReader {
   bool read_modules(std::string_view text, std::vector<std::string_view>& open, std::vector<ModuleForm>& modules);
   std::optional<Expression> read_expression(std::string_view text, bool is_condition = false);
   void begin_rule();
+  void note_names_of(std::string_view expression);
 
   const GrammarText& text_;
   GrammarFaults& faults_;
   const Limits& limits_;
   ModuleReader& modules_;
   GrammarConstants constants_;
+  std::vector<std::string_view>* noted_ = nullptr;
 
   std::vector<std::string> variables_;                       ///< of the rule
   std::unordered_map<std::string, Expression> expressions_;  ///< of the rule, by their text

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/graph/table/file_access.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "meristem/base/diagnostic.h"
+
+namespace meristem {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The path without links and dots, as far as it exists; empty where that cannot be told.
+fs::path resolved(const std::string& path) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error);
+  if (error) return {};
+  fs::path real = fs::weakly_canonical(absolute, error);
+  // A link that leads nowhere stays as it is, and where it leads is nobody's business.
+  if (error || fs::is_symlink(fs::symlink_status(real, error))) return {};
+  return real;
+}
+
+bool is_within(const fs::path& path, const fs::path& folder) {
+  if (path.empty() || folder.empty()) return false;
+  const auto [rest, ignored] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  return rest == folder.end() || (rest->empty() && std::next(rest) == folder.end());  // "folder/" ends in an empty name
+}
+
+}  // namespace
+
+void FileAccess::require_within(const std::string& path) const {
+  if (root.empty()) return;
+  const bool is_name = path.find('\0') == std::string::npos;
+  if (is_name && is_within(resolved(path), resolved(root))) return;
+  throw InputError(Diagnostic{.message = "this is outside of the folder that may be read", .expected = "a file in it"});
+}
+
+}  // namespace meristem

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <typeinfo>
+#include <unordered_map>
+
+#include "meristem/base/fingerprint.h"
+
+namespace meristem {
+
+/// Keeps what reading a document makes of files and of other things that are dear to make, by the content that they
+/// were made of, for the next reads of the same or a changed document. So an edit reads no file anew: a file counts as
+/// it was first read until reload(). What the last reads without faults have not used is let go. One read at a time
+/// may use it.
+class ReadStore {
+ public:
+  /// Has the next read look which files have changed, by size and time, and read those.
+  void reload();
+
+  /// What has been done since its beginning.
+  struct Counts {
+    std::uint64_t files_read = 0;
+    std::uint64_t made = 0;
+    std::uint64_t reused = 0;
+  };
+  const Counts& counts() const { return counts_; }
+
+  void begin_read() { ++read_; }
+  /// Of a read without faults.
+  void end_read();
+
+  /// Hash of a file's content; nothing where it is no plain file. Throws as read_file does.
+  std::optional<std::uint64_t> file_hash(const std::string& path, std::uint64_t most_bytes);
+
+  /// What was kept under the key, or null.
+  template <class T>
+  std::shared_ptr<const T> find(std::uint64_t key) {
+    return std::static_pointer_cast<const T>(find_any(key_of<T>(key)));
+  }
+  template <class T>
+  void keep(std::uint64_t key, std::shared_ptr<const T> made) {
+    keep_any(key_of<T>(key), std::move(made));
+  }
+
+ private:
+  struct File {
+    std::uint64_t size = 0;
+    std::int64_t time = 0;
+    std::uint64_t hash = 0;
+    std::uint64_t read = 0;   // the last that asked for it
+    bool is_checked = false;  // since the last reload
+  };
+  struct Entry {
+    std::shared_ptr<const void> made;
+    std::uint64_t read = 0;
+  };
+
+  template <class T>
+  static std::uint64_t key_of(std::uint64_t key) {
+    return Fingerprint().add_text(typeid(T).name()).add(key).hash();
+  }
+  std::shared_ptr<const void> find_any(std::uint64_t key);
+  void keep_any(std::uint64_t key, std::shared_ptr<const void> made);
+
+  std::unordered_map<std::string, File> files_;
+  std::unordered_map<std::uint64_t, Entry> entries_;
+  std::uint64_t read_ = 0;
+  Counts counts_;
+};
+
+}  // namespace meristem

@@ -127,6 +127,7 @@ Table<LeafBlade> with_outline(Table<LeafBlade> table) {
           "tip.")
       .choice("corners", &LeafBlade::corners, {"sharp", "round"}, "Of the polygon.")
       .never_with("polygon", {"outline"})
+      .only_with("polygon", {"corners"})
       .number("heart", &LeafBlade::heart, {.min = 0, .max = 1, .fixed = true},
               "How far the base reaches back beside the stalk, a share of the length.")
       .integer("teeth", &LeafBlade::teeth, {.min = 0, .max = 200, .fixed = true},

@@ -11,6 +11,7 @@
 #include "meristem/document/json.h"
 #include "meristem/document/locate.h"
 #include "meristem/document/override.h"
+#include "meristem/document/silent_keys.h"
 #include "meristem/document/tables.h"
 #include "meristem/document/variables.h"
 #include "meristem/graph/table/fingerprint.h"
@@ -61,6 +62,7 @@ class DocumentReader {
     if (!has_errors(diagnostics_)) {
       add_camera(document.graph);
       document.structure = analyse_structure(document.graph, diagnostics_);
+      if (!has_errors(diagnostics_)) check_silent_keys(root_, document.graph, document.structure, diagnostics_);
     }
     keep_first(document.graph.limits.diagnostics);
     return std::move(diagnostics_);

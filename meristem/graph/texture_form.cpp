@@ -63,6 +63,7 @@ const ParameterTable& petal_table() {
           .colour("throat", &PetalRecipe::throat, "At the petal's base.")
           .number("throat_length", &PetalRecipe::throat_length, {.min = 0.01, .max = 1, .fixed = true},
                   "Share of the petal over which the throat's colour fades.")
+          .only_with("throat", {"throat_length"})
           .colour("stripes", &PetalRecipe::stripes, "Of the lines that fan out from the base.")
           .number("relief", &PetalRecipe::relief, kFactor, "Depth of the lines in the light; 0 is flat.")
           .integer("seed", &PetalRecipe::seed, kSeed, "Another one gives another petal of the same kind.");
@@ -192,7 +193,7 @@ const ParameterTable& texture_table() {
           .never_with("bark", {"leaf", "petal", "picture"})
           .never_with("leaf", {"petal", "picture"})
           .never_with("petal", {"picture"})
-          .never_with("picture", {"pixels"});
+          .only_where({{"bark"}, {"leaf"}, {"petal"}}, {"pixels"});
   return table;
 }
 

@@ -287,7 +287,7 @@ TEST(ColonizeComponent, ItsLightIsChecked) {
   EXPECT_EQ(path_of({{"shift", 0.1}, {"shift_m", 0.1}}), "components.tree.light.shift_m");
   EXPECT_EQ(path_of({{"drift", -1}}), "components.tree.light.drift");
   EXPECT_EQ(path_of({{"limit", Value::Object{{"share", 1}}}}), "components.tree.light.limit.share");
-  EXPECT_EQ(path_of({{"limit", Value::Object{{"radius", 0}}}}), "components.tree.light.limit.radius");
+  EXPECT_EQ(path_of({{"limit", Value::Object{{"share", 0.1}, {"radius", 0}}}}), "components.tree.light.limit.radius");
   EXPECT_EQ(path_of({{"shade", Value::Object{{"b", 0.5}}}}), "components.tree.light.shade.b");
   EXPECT_EQ(path_of({{"shade", Value::Object{{"depth", 100}}}}), "components.tree.light.shade.depth");
 }

@@ -157,7 +157,8 @@ Table<LeafBlade> with_bends(Table<LeafBlade> table) {
       .number("petiole", &LeafBlade::petiole, {.unit = Unit::metre, .min = 0, .max = 100},
               "Length of the stalk before the blade.")
       .number("petiole_radius", &LeafBlade::petiole_radius, {.unit = Unit::metre, .min = 1e-5, .max = 1},
-              "Of the stalk.");
+              "Of the stalk.")
+      .only_with("petiole", {"petiole_radius"});
 }
 
 const ParameterTable& blade_table() {

@@ -151,9 +151,9 @@ ComponentType organize_component() {
               .object("surface", &Organize::surface, surface_table, "How the stems are clothed.")
               .only_where({{"surface.style", {"tubes"}}}, {"texture"})
               .without(names_off_stems(), kWhyOffStems)
-              .only_with("operations", {"damage", "takeover", "resource.pass_back"})
+              .only_where({{"operations"}}, {"damage", "takeover", "resource.pass_back"})
               .only_where({{"damage", {true}}}, {"takeover", "resource.pass_back"})
-              .only_with("resource.lambda_curve", {"maturity"})
+              .only_where({{"resource.lambda_curve"}}, {"maturity"})
               .only_where({{"shedding"}, {"operations"}}, {"memory"})
               .check(check_organize),
       .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},

@@ -53,6 +53,7 @@ const ParameterTable& leaf_table() {
           .colour("vein_colour", &LeafRecipe::vein_colour, "Lighter than the leaf if not given.")
           .colour("edge_colour", &LeafRecipe::edge_colour, "Toward the margin, as in autumn.")
           .integer("seed", &LeafRecipe::seed, kSeed, "Another one gives another leaf of the same kind.")
+          .only_where({{"veins", {"pinnate", "palmate"}}}, {"angle"})
           .shorthand("veins");
   return table;
 }

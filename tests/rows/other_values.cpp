@@ -14,15 +14,8 @@ namespace {
 /// JSON, by the names of rows. Paths of files are those beside the base documents.
 const std::map<std::string, std::vector<std::string>>& values_by_name() {
   static const std::map<std::string, std::vector<std::string>> values = {
-      {"colonize.points.file", {R"("other_points.txt")"}},
-      {"cloud.points.file", {R"("other_points.txt")"}},
-      {"grassleaf.midrib", {R"("other_midribs.csv")"}},
-      {"grassleaf.widths", {R"("other_widths.csv")"}},
       {"grassleaf.midrib_points", {"[[0, 0], [0.4, 0.5], [1.3, 0.3]]"}},
-      {"lsystem.grammar", {R"("#axiom\nF(0.4) +(30) F(0.2)")"}},
-      {"lsystem.file", {R"("other_grammar.txt")"}},
-      {"scene.obstacles.mesh", {R"("other_tetrahedron.obj")"}},
-      {"colonize.crown.mesh", {R"("other_tetrahedron.obj")"}},
+      {"lsystem.grammar", {R"("#axiom\nF(0.4) +(30) F")"}},
       {"organize.operations.shoot", {R"("main")"}},
       {"organize.operations.do", {}},
       {"leaf.polygon", {"[[0.4, 0.2], [1, 0.5], [0.3, 0.8]]"}},
@@ -34,6 +27,15 @@ const std::map<std::string, std::vector<std::string>>& values_by_name() {
   return values;
 }
 
+/// Files beside the base documents, by the rows' own names.
+std::vector<std::string> files_of(const std::string& row) {
+  if (row == "mesh") return {R"("other_tetrahedron.obj")", R"("tetrahedron.obj")"};
+  if (row == "file") return {R"("other_points.txt")", R"("points.txt")", R"("other_grammar.txt")"};
+  if (row == "midrib") return {R"("other_midribs.csv")"};
+  if (row == "widths") return {R"("other_widths.csv")"};
+  return {R"("../fuzz/corpus/image/rgb.png")"};
+}
+
 double number_of(const Value& value) { return value.number() != nullptr ? *value.number() : 0; }
 
 std::vector<double> other_numbers(const Parameter& row, double present) {
@@ -41,7 +43,7 @@ std::vector<double> other_numbers(const Parameter& row, double present) {
   const double low = std::max(form.min, -1e3);
   const double high = std::min(form.max, 1e3);
   std::vector<double> numbers = {
-      1.4 * present, 0.6 * present, present + 0.3, present + 1, 0.5 * (low + high), 0.1, 1, 2, 3, 30, low, high};
+      1.4 * present, 0.6 * present, present + 0.3, present + 1, 0.5 * (low + high), 0.1, 1, 2, 3, 8, 12, 30, low, high};
   if (row.kind == ParameterKind::integer || row.kind == ParameterKind::integers) {
     for (double& number : numbers) number = std::round(number);
   }
@@ -66,9 +68,11 @@ std::vector<std::string> texts_of(const Parameter& row) {
     case ParameterKind::selection:
       return {"[0]"};
     case ParameterKind::box:
-      return {"[[-0.5, 0.4, -0.5], [0.4, 1.3, 0.6]]", "[[2, 0, 2], [3, 1, 4]]"};
+      return {"[[-0.5, 0.4, -0.5], [0.4, 1.3, 0.6]]", "[[-0.1, 0.5, -0.2], [0.2, 1, 0.2]]", "[[2, 0, 2], [3, 1, 4]]"};
     case ParameterKind::condition:
       return {R"("height > 0.5")", R"("u > 0.5")"};
+    case ParameterKind::file:
+      return files_of(row.name);
     case ParameterKind::formula:
       return {"0.5", "2"};
     case ParameterKind::integers:
@@ -84,6 +88,7 @@ std::vector<std::string> texts_of(const Parameter& row) {
 
 std::vector<Value> other_values(const std::string& name, const Parameter& row, const Value& present) {
   std::vector<Value> values;
+  if (row.name == "only") return {parse_json("[1]")};  // the first instance is without geometry then
   const auto known = values_by_name().find(name);
   for (const std::string& text : known == values_by_name().end() ? texts_of(row) : known->second) {
     values.push_back(parse_json(text));

@@ -64,7 +64,8 @@ const ParameterTable& forces_table() {
           .vector("pull", &GrassForces::pull, {.min = -100, .max = 100}, "Any other pull, in weights of the leaf.")
           .number("weight", &GrassForces::weight, {.min = 0.01, .max = 1000}, "Of the leaf, newtons a square metre.")
           .members(&GrassForces::strip, strip_table())
-          .only_with("wind", {"weight"});
+          .only_with("wind", {"weight"})
+          .only_where({{"wind"}, {"light"}, {"pull"}}, {"stiffness", "tip_thickness"});
   return table;
 }
 
@@ -78,7 +79,8 @@ const ParameterTable& waves_table() {
                   "Phase of the left edge at the base.")
           .number("right", &EdgeWaves::right, {.unit = Unit::degree, .min = -3600, .max = 3600},
                   "Of the right edge; the same as the left: both rise together.")
-          .only_with("number", {"depth", "left", "right"});
+          .only_with("number", {"depth", "left", "right"})
+          .only_with("depth", {"number"});
   return table;
 }
 
@@ -220,6 +222,7 @@ Table<Grassleaf> grassleaf_table() {
               "In its stead by how much the leaf may change: a share of its length.")
       .never_with("error", {"polygons"})
       .only_where({{"midrib"}, {"widths"}}, {"rank", "leaf", "unit"})
+      .only_where({{"exact", {false}}}, {"vary.variants"})
       .object("stages", &Grassleaf::stages, stages_table, "Which stages act; others hand on what they get.")
       .boolean("exact", &Grassleaf::exact, "Each leaf a mesh of its own, in place of rounding what leaves share.")
       .check(check_grassleaf)

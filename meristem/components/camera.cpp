@@ -19,7 +19,8 @@ const ParameterTable& view_table() {
                   "How high it stands over the horizon as seen from the target; without a position.")
           .number("field_of_view", &View::field_of_view, {.unit = Unit::degree, .min = 1, .max = 150, .fixed = true},
                   "Vertical opening; raised, the picture gets wider and nearer.")
-          .colour("background", &View::background, "Behind the plant; the sky if not given.");
+          .colour("background", &View::background, "Behind the plant; the sky if not given.")
+          .never_with("position", {"azimuth", "altitude"});
   return table;
 }
 

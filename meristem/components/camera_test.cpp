@@ -18,14 +18,13 @@ View view_of(const Value::Object& parameters) {
 TEST(CameraComponent, GivesItsViewInRadians) {
   const View view = view_of({{"position", Value::List{1, 2, 3}},
                              {"target", Value::List{0, 1, 0}},
-                             {"azimuth", 90},
-                             {"altitude", -45},
                              {"field_of_view", 60},
                              {"background", "#ffffff"}});
   EXPECT_EQ(*view.position, Vec3(1, 2, 3));
   EXPECT_EQ(*view.target, Vec3(0, 1, 0));
-  EXPECT_DOUBLE_EQ(view.azimuth, kPi / 2);
-  EXPECT_DOUBLE_EQ(view.altitude, -kPi / 4);
+  const View by_angles = view_of({{"azimuth", 90}, {"altitude", -45}});
+  EXPECT_DOUBLE_EQ(by_angles.azimuth, kPi / 2);
+  EXPECT_DOUBLE_EQ(by_angles.altitude, -kPi / 4);
   EXPECT_DOUBLE_EQ(view.field_of_view, kPi / 3);
   EXPECT_EQ(*view.background, Vec3(1));
 }

@@ -58,7 +58,9 @@ std::unique_ptr<Grower> grow(const Cloud& cloud, const Site& site, const GrowCon
   const std::vector<Vec3> points = make_points(cloud.crown, cloud.points, site.key.child("points"), context);
   std::vector<Vec3> places;
   for (const Vec3 point : points) places.push_back(site.frame.point(point));
-  return std::make_unique<PlacedPoints>(points, kept_points(places, cloud.limit, context));
+  LightLimit limit = cloud.limit;
+  limit.radius *= glm::length(site.frame.heading());
+  return std::make_unique<PlacedPoints>(points, kept_points(places, limit, context));
 }
 
 void expand(const Cloud& cloud, const Site&, Emitter& out) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "meristem/components/parts/growth_scale.h"
 #include "meristem/components/parts/limit_table.h"
 #include "meristem/components/parts/pipe_table.h"
 #include "meristem/components/parts/surface_table.h"
@@ -17,21 +18,30 @@ namespace {
 bool shares_points(const Colonize& tree) { return tree.one_crown || tree.points.file; }
 
 /// The points of one crown or file, moved to the world.
-std::vector<Vec3> points_at(const Colonize& tree, Vec3 place, RandomKey key, const GrowContext& context) {
+std::vector<Vec3> points_at(const Colonize& tree, const Frame& frame, RandomKey key, const GrowContext& context) {
   std::vector<Vec3> points = make_points(tree.crown, tree.points, key, context);
-  for (Vec3& point : points) point += place;
+  for (Vec3& point : points) point = frame.point(point);
   return points;
 }
 
-ColonizeParameters growth_of(const Colonize& tree) {
+/// With all lengths to `scale`.
+ColonizeParameters growth_of(const Colonize& tree, double scale) {
   ColonizeParameters growth = tree.growth;
+  growth.step *= scale;
+  growth.influence *= scale;
+  growth.kill *= scale;
+  growth.radii.tip_radius *= scale;
   growth.light = tree.light.response;
-  growth.light.shift = tree.light.shift_m.value_or(tree.light.shift * growth.step);
+  growth.light.shift = tree.light.shift_m ? scale * *tree.light.shift_m : tree.light.shift * growth.step;
   growth.light.drift = tree.light.drift * growth.step;
+  growth.light.limit.radius *= scale;
+  if (growth.light.shade) growth.light.shade->form.voxel *= scale;
   return growth;
 }
 
 std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowContext& context) {
+  const std::optional<double> scale = growth_scale(site.frame);
+  if (!scale) return make_nothing();
   const RandomKey key = site.key.child("points");
   const bool shares = shares_points(tree);
   std::vector<Seedling> seedlings;
@@ -39,11 +49,12 @@ std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowC
     Seedling& seedling = seedlings.emplace_back();
     seedling.root = site.frame.point(root);
     const std::size_t k = seedlings.size() - 1;
-    if (!shares) seedling.points = points_at(tree, seedling.root, k == 0 ? key : key.child(k), context);
+    const Frame crown{site.frame.axes, seedling.root};
+    if (!shares) seedling.points = points_at(tree, crown, k == 0 ? key : key.child(k), context);
   }
-  if (shares) seedlings[0].points = points_at(tree, site.frame.origin, key, context);
-  return make_colonizer(context.stand, std::move(seedlings), growth_of(tree), site.key.child("growth"), context.scene,
-                        context.limits, context.component, context.progress);
+  if (shares) seedlings[0].points = points_at(tree, site.frame, key, context);
+  return make_colonizer(context.stand, std::move(seedlings), growth_of(tree, *scale), site.key.child("growth"),
+                        context.scene, context.limits, context.component, context.progress);
 }
 
 void expand(const Colonize& tree, const Site& site, Emitter& out) {
@@ -117,7 +128,8 @@ const ParameterTable& light_table() {
           .number("drift", &LightForm::drift, {.unit = Unit::step, .min = 0, .max = 1},
                   "By how much each point moves to where it gets brighter for the node that it pulls.")
           .members(&LightForm::response, response_table())
-          .never_with("shift", {"shift_m"});
+          .never_with("shift", {"shift_m"})
+          .only_where({{"shift"}, {"shift_m"}, {"drift"}}, {"sunlit_weight", "hold_height"});
   return table;
 }
 
@@ -174,6 +186,10 @@ ComponentType colonize_component() {
                                    "Branches that are gone when growth is done: the condition holds where they began, "
                                    "as in \"height < 2 && radius < 0.01\".")
                         .object("surface", &Colonize::surface, surface_table, "How the stems are clothed.")
+                        .only_where({{"surface.style", {"tubes"}}}, {"texture"})
+                        .without(names_off_stems(), kWhyOffStems)
+                        .only_with("roots", {"one_crown"})
+                        .only_with("shed", {"memory"})
                         .check(check_colonize),
       .expand = expand,
       .grow = grow,

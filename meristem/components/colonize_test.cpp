@@ -69,6 +69,53 @@ TEST(ColonizeComponent, GrowsFromItsSite) {
   for (const Vec3 position : there.position) EXPECT_LT(std::abs(position.x - 8), 0.8F);
 }
 
+Value::Object scaled(double scale) { return {{"frame", Value::Object{{"scale", Value::List{scale, scale, scale}}}}}; }
+
+TEST(ColonizeComponent, InAFrameHalfAsLargeItIsHalfAsLarge) {
+  const Value::Object light{{"shift", 0.1}, {"limit", Value::Object{{"share", 0.2}}}, {"shade", Value::Object{}}};
+  const Value::Object parameters =
+      with({{"points", 150}, {"finish", Value::Object{{"subdivide", 1}}}, {"light", light}});
+  Value::Object small = parameters;
+  small.insert(small.end(), {"frame", scaled(0.5)[0].second});
+  const Skeleton whole = tree(parameters).grow().stems.at(0).skeleton;
+  const Skeleton half = tree(small).grow().stems.at(0).skeleton;
+  EXPECT_EQ(half.parent, whole.parent);
+  for (NodeIndex node = 0; node < whole.node_count(); ++node) {
+    ASSERT_EQ(half.position[node], 0.5F * whole.position[node]);
+    ASSERT_EQ(half.radius[node], 0.5F * whole.radius[node]);
+  }
+}
+
+TEST(ColonizeComponent, AMultiplierScalesIt) {
+  const auto under = [](double size) {
+    return tree(with({{"points", 100}}))
+        .component("hydra", "hydra", {{"number", 1}, {"angle", 0}, {"radius", 0}, {"size", size}})
+        .component("other", "colonize", with({{"points", 100}}))
+        .link("view", "hydra")
+        .link("hydra", "other")
+        .grow();
+  };
+  const auto height = [](const Plant& plant) {
+    float highest = 0;
+    for (const Vec3 position : plant.stems.at(1).skeleton.position) highest = std::max(highest, position.y);
+    return highest;
+  };
+  EXPECT_NEAR(height(under(3)), 3 * height(under(1)), 0.3);
+  EXPECT_EQ(under(0).stems.size(), 1U) << "nothing grows in a frame of no size";
+}
+
+TEST(ColonizeComponent, ATurnedFrameTurnsItsCrown) {
+  const Value::Object over{{"rotate", Value::List{0, 0, -90}}};
+  const Skeleton lying = tree(with({{"points", 200}, {"frame", over}})).grow().stems.at(0).skeleton;
+  float farthest = 0, highest = 0;
+  for (const Vec3 position : lying.position) {
+    farthest = std::max(farthest, position.x);
+    highest = std::max(highest, position.y);
+  }
+  EXPECT_GT(farthest, 1.7F);
+  EXPECT_LT(highest, 0.7F);
+}
+
 TEST(ColonizeComponent, TwoTreesOfOneComponentDifferAndStandApart) {
   GraphBuilder builder(builtin_components());
   const auto at = [](double x) {
@@ -240,7 +287,7 @@ TEST(ColonizeComponent, ItsLightIsChecked) {
   EXPECT_EQ(path_of({{"shift", 0.1}, {"shift_m", 0.1}}), "components.tree.light.shift_m");
   EXPECT_EQ(path_of({{"drift", -1}}), "components.tree.light.drift");
   EXPECT_EQ(path_of({{"limit", Value::Object{{"share", 1}}}}), "components.tree.light.limit.share");
-  EXPECT_EQ(path_of({{"limit", Value::Object{{"radius", 0}}}}), "components.tree.light.limit.radius");
+  EXPECT_EQ(path_of({{"limit", Value::Object{{"share", 0.1}, {"radius", 0}}}}), "components.tree.light.limit.radius");
   EXPECT_EQ(path_of({{"shade", Value::Object{{"b", 0.5}}}}), "components.tree.light.shade.b");
   EXPECT_EQ(path_of({{"shade", Value::Object{{"depth", 100}}}}), "components.tree.light.shade.depth");
 }

@@ -171,10 +171,7 @@ void expand(const Horn& horn, const Site& site, Emitter& out) {
 void check_horn(const Horn& horn, const Place& place, ParameterReader& reader) {
   check_stem_form(horn.stem, place, reader);
   const Place outline(place, "outline");
-  if (horn.section != Horn::Section::outline) {
-    if (!horn.outline.empty()) reader.fault(outline, "this section has no outline", "the section 'outline'");
-    return;
-  }
+  if (horn.section != Horn::Section::outline) return;
   LoftSection section;
   for (const Vec2 point : horn.outline) section.points.emplace_back(point.x, 0, point.y);
   const auto fault = find_fault(section);
@@ -216,6 +213,11 @@ ComponentType horn_component() {
               .integer("around", &Horn::around, {.min = 3, .max = 512, .fixed = true},
                        "Corners around primitives; raised, rounder and heavier.")
               .object("surface", &Horn::surface, surface_table, "How the stem of the section 'ring' is clothed.")
+              .only_where({{"section", {"outline"}}}, {"outline"})
+              .only_where({{"section", {"sphere", "cylinder", "cone", "torus"}}}, {"around"})
+              .only_where({{"section", {"ring"}}}, {"surface"})
+              .only_where({{"surface.style", {"tubes"}}}, {"texture"})
+              .only_where({{"section", {"outline", "box", "sphere", "cylinder", "cone", "torus"}}}, names_off_stems())
               .check(check_horn),
       .expand = expand,
   });

@@ -127,6 +127,7 @@ Table<LeafBlade> with_outline(Table<LeafBlade> table) {
           "tip.")
       .choice("corners", &LeafBlade::corners, {"sharp", "round"}, "Of the polygon.")
       .never_with("polygon", {"outline"})
+      .only_with("polygon", {"corners"})
       .number("heart", &LeafBlade::heart, {.min = 0, .max = 1, .fixed = true},
               "How far the base reaches back beside the stalk, a share of the length.")
       .integer("teeth", &LeafBlade::teeth, {.min = 0, .max = 200, .fixed = true},
@@ -156,7 +157,8 @@ Table<LeafBlade> with_bends(Table<LeafBlade> table) {
       .number("petiole", &LeafBlade::petiole, {.unit = Unit::metre, .min = 0, .max = 100},
               "Length of the stalk before the blade.")
       .number("petiole_radius", &LeafBlade::petiole_radius, {.unit = Unit::metre, .min = 1e-5, .max = 1},
-              "Of the stalk.");
+              "Of the stalk.")
+      .only_with("petiole", {"petiole_radius"});
 }
 
 const ParameterTable& blade_table() {

@@ -141,15 +141,6 @@ void check_lsystem(const Lsystem& plant, const Place& place, ParameterReader& re
   if (!plant.steps && !plant.source().grammar.steps) {
     reader.fault(place, "nothing says how many steps the grammar takes", "'steps', or #steps in the grammar");
   }
-  const bool is_polar = plant.turtle.reading == TurtleParameters::Reading::polar;
-  const auto require = [&](bool holds, const char* name, const char* reading) {
-    if (holds) return;
-    reader.fault_name(Place(place, name), fmt::format("'{}' means nothing to this turtle", name),
-                      fmt::format("\"turtle\": \"{}\", or no such key", reading), "");
-  };
-  require(is_polar || !plant.angles, "angles", "polar");
-  require(is_polar || plant.turtle.stack_angles, "stack_angles", "polar");
-  require(!is_polar || plant.turtle.elasticity == 0, "elasticity", "frame");
 }
 
 const ParameterTable& angles_table() {
@@ -216,7 +207,12 @@ ComponentType lsystem_component() {
               .colours("palette", &Lsystem::palette,
                        "Colours of polygons by the number that ' counts, the last for all beyond.")
               .object("surface", &Lsystem::surface, surface_table, "How the stems are clothed.")
+              .only_where({{"surface.style", {"tubes"}}}, {"texture"})
+              .without(names_off_stems(), kWhyOffStems)
               .never_with("angle", {"angles"})
+              .only_where({{"turtle", {"polar"}}}, {"angles", "stack_angles"})
+              .only_where({{"turtle", {"frame"}}}, {"elasticity"})
+              .only_with("elasticity", {"tropism"})
               .check(check_lsystem),
       .expand = expand,
       .placed = placed,

@@ -74,7 +74,8 @@ const ParameterTable& shoot_table() {
           .integer("sides", &NeedleShoot::sides, {.min = 2, .max = 3, .fixed = true},
                    "2: flat, two triangles each; 3: spikes of three.")
           .number("axis_radius", &NeedleShoot::axis_radius, {.unit = Unit::metre, .min = 0, .max = 1},
-                  "Of a thin twig along the shoot, in the needles' colour; 0: none.");
+                  "Of a thin twig along the shoot, in the needles' colour; 0: none.")
+          .only_with("fascicle", {"spread"});
   return table;
 }
 

@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 
 #include "meristem/base/math.h"
+#include "meristem/components/parts/growth_scale.h"
 #include "meristem/components/parts/organize_table.h"
 #include "meristem/components/parts/pipe_table.h"
 #include "meristem/components/parts/surface_table.h"
+#include "meristem/scene/crown/turned_crown.h"
 
 namespace meristem {
 
@@ -19,28 +21,35 @@ constexpr double kMostVoxelsAMetamer = 100;
 constexpr double kMostVoxels = 16;  // over which a bud looks; memory in a round goes with its cube
 constexpr double kEdge = 0.05;      // share by which a knife edge is too near
 
-OrganizeParameters growth_of(const Organize& tree) {
+/// With all lengths to `scale`.
+OrganizeParameters growth_of(const Organize& tree, double scale) {
   OrganizeParameters growth = tree.growth;
+  growth.length *= scale;
+  growth.radii.tip_radius *= scale;
   growth.light = tree.light.model;
+  growth.light.voxel *= scale;
   growth.operations = tree.operations;
   return growth;
 }
 
 std::unique_ptr<Grower> grow(const Organize& tree, const Site& site, const GrowContext& context) {
+  const std::optional<double> scale = growth_scale(site.frame);
+  if (!scale) return make_nothing();
   std::vector<OrganizeSeed> seeds;
-  const CrownPointer room = tree.light.room ? build_crown(*tree.light.room) : nullptr;
+  CrownPointer room = tree.light.room ? build_crown(*tree.light.room) : nullptr;
+  if (room && site.frame.axes != Mat3(1)) room = std::make_shared<TurnedCrown>(std::move(room), site.frame.axes);
   for (const Vec3 root : tree.roots) {
     OrganizeSeed& seed = seeds.emplace_back();
     seed.frame = site.frame;
     seed.frame.origin = site.frame.point(root);
     seed.room = room;
   }
-  return make_organizer(context.stand, std::move(seeds), growth_of(tree), site.key.child("growth"), context.scene,
-                        context.limits, context.component);
+  return make_organizer(context.stand, std::move(seeds), growth_of(tree, *scale), site.key.child("growth"),
+                        context.scene, context.limits, context.component);
 }
 
 /// A place for a leaf beside each lateral bud of the young metamers. A tree that no longer grows has none.
-void offer_leaves(const Organize& tree, const Skeleton& skeleton, Emitter& out) {
+void offer_leaves(const Organize& tree, const Skeleton& skeleton, float scale, Emitter& out) {
   const std::vector<float>& angle = skeleton.extra.find("bud_angle")->second;
   const std::vector<float>& number = skeleton.extra.find("metamer")->second;
   const int youngest_bare = tree.growth.iterations - tree.leaf_age;
@@ -56,16 +65,17 @@ void offer_leaves(const Organize& tree, const Skeleton& skeleton, Emitter& out) 
     const Vec3 axis = normalized_or(internode, kUp);
     const Vec3 side = bud_side(axis, angle[node]);
     const Vec3 bark = skeleton.position[node] + skeleton.radius[node] * side;
-    out.branch_site_on_stem(frame_along(bark, along * axis + aside * side, axis),
-                            number[node] / static_cast<float>(last[skeleton.axis[node]]), glm::length(internode),
+    Frame leaf = frame_along(bark, along * axis + aside * side, axis);
+    leaf.axes *= scale;
+    out.branch_site_on_stem(leaf, number[node] / static_cast<float>(last[skeleton.axis[node]]), glm::length(internode),
                             skeleton.radius[node], node, 1);
   }
 }
 
-void expand(const Organize& tree, const Site&, Emitter& out) {
+void expand(const Organize& tree, const Site& site, Emitter& out) {
   const Skeleton skeleton = out.take_grown();
   out.stem(skeleton, tree.surface);
-  offer_leaves(tree, skeleton, out);
+  offer_leaves(tree, skeleton, glm::length(site.frame.heading()), out);
 }
 
 /// Warns where a little more or less of a number makes another tree, or none.
@@ -106,10 +116,6 @@ void check_schedules(const Organize& tree, const Place& place, ParameterReader& 
 void check_organize(const Organize& tree, const Place& place, ParameterReader& reader) {
   const BudLightModel& light = tree.light.model;
   const Place light_place(place, "light");
-  if (light.kind == BudLightModel::Kind::shadow && tree.light.room) {
-    reader.fault_name(Place(light_place, "room"), "'room' means nothing to light by shadow", "\"model\": \"markers\"",
-                      "");
-  }
   if (light.voxel > 0 && light.voxel * kMostVoxelsAMetamer < tree.growth.length) {
     reader.fault(Place(light_place, "voxel"), "cells are too small for metamers so long",
                  fmt::format("0, or a number (m) of at least {:.4g}", tree.growth.length / kMostVoxelsAMetamer));
@@ -148,6 +154,12 @@ ComponentType organize_component() {
                       "Between shoot and leaf.")
               .members(&Organize::growth, &OrganizeParameters::radii, pipe_table())
               .object("surface", &Organize::surface, surface_table, "How the stems are clothed.")
+              .only_where({{"surface.style", {"tubes"}}}, {"texture"})
+              .without(names_off_stems(), kWhyOffStems)
+              .only_where({{"operations"}}, {"damage", "takeover", "resource.pass_back"})
+              .only_where({{"damage", {true}}}, {"takeover", "resource.pass_back"})
+              .only_where({{"resource.lambda_curve"}}, {"maturity"})
+              .only_where({{"shedding"}, {"operations"}}, {"memory"})
               .check(check_organize),
       .expand = expand,
       .grow = grow,

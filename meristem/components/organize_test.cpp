@@ -50,6 +50,31 @@ std::string warnings(const Value::Object& parameters) {
   return texts;
 }
 
+TEST(OrganizeComponent, InAFrameHalfAsLargeItIsHalfAsLarge) {
+  for (const char* const model : {"shadow", "markers"}) {
+    Value::Object light{{"model", model}};
+    if (light[0].second == Value("markers")) {
+      light.emplace_back("room", Value::Object{{"box", Value::List{Value::List{-0.3, 0, -0.3}, Value::List{1, 2, 1}}}});
+    }
+    const Value::Object whole{{"iterations", 8}, {"light", light}};
+    Value::Object half = whole;
+    half.emplace_back("frame", Value::Object{{"scale", Value::List{0.5, 0.5, 0.5}}});
+    const Skeleton large = skeleton_of(whole), small = skeleton_of(half);
+    ASSERT_EQ(small.parent, large.parent) << model;
+    for (NodeIndex node = 0; node < large.node_count(); ++node) {
+      ASSERT_LT(glm::distance(small.position[node], 0.5F * large.position[node]), 1e-5F) << model;
+      ASSERT_FLOAT_EQ(small.radius[node], 0.5F * large.radius[node]);
+    }
+  }
+}
+
+TEST(OrganizeComponent, ItsLeavesAreAsLargeAsItsFrame) {
+  const Value::Object half{{"iterations", 4}, {"frame", Value::Object{{"scale", Value::List{0.5, 0.5, 0.5}}}}};
+  for (const Organ& leaf : organs_of(leafy(half).grow(), "leaf")) {
+    EXPECT_NEAR(glm::length(leaf.frame.heading()), 0.5, 1e-5);
+  }
+}
+
 Value::Object operation(Value::Object more) {
   Value::Object whole{{"at", 5}, {"do", "cut"}, {"shoot", "main"}};
   for (auto& [key, value] : more) {

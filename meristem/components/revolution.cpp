@@ -40,7 +40,8 @@ const ParameterTable& body_table() {
           .integer("rings", &SolidOfRevolution::rings, {.min = 1, .max = 512, .fixed = true},
                    "Quads along a spline, at least one from point to point; raised, smoother and heavier.")
           .number("sweep", &SolidOfRevolution::sweep, {.unit = Unit::degree, .min = 1, .max = 360, .fixed = true},
-                  "How far it is turned about the axis; below 360 a wedge between two flat sides.");
+                  "How far it is turned about the axis; below 360 a wedge between two flat sides.")
+          .only_where({{"kind", {"spline"}}}, {"rings"});
   return table;
 }
 

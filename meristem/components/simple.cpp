@@ -73,8 +73,6 @@ void expand(const Simple& simple, const Site&, Emitter& out) {
 void check_outline(const Simple& simple, const Place& place, ParameterReader& reader) {
   if (simple.outline.empty()) return;
   const Place outline(place, "outline");
-  if (!is_section(simple.shape))
-    return reader.fault(outline, "this shape has no outline", "the shape 'area' or 'tube'");
   if (const auto fault = find_fault(make_section(simple))) {
     if (fault->point) {
       reader.fault(Place(outline, *fault->point), fault->message, fault->expected);
@@ -106,6 +104,11 @@ ComponentType simple_component() {
                       "Points [x, z] of an area or tube across the heading, one for a tip; an area left out is a row "
                       "of 2 over the width, a tube an ellipse over width and depth.")
               .boolean("cap", &Simple::cap, "Whether a tube is closed where its surface ends.")
+              .only_where({{"shape", {"area", "tube"}}}, {"outline"})
+              .only_where({{"shape", {"sphere", "cylinder", "cone", "torus", "tube"}}}, {"segments"})
+              .never_with("outline", {"segments"})
+              .only_where({{"shape", {"tube"}}}, {"cap"})
+              .only_where({{"shape", {"box", "sphere", "cylinder", "cone", "torus", "area", "tube"}}}, look_names())
               .check(check_outline),
       .expand = expand,
   });

@@ -70,6 +70,8 @@ ComponentType tree_component() {
                       "each.")
               .members(&Tree::branching, placement_table())
               .object("surface", &Tree::surface, surface_table, "How the stem is clothed.")
+              .only_where({{"surface.style", {"tubes"}}}, {"texture"})
+              .without(names_off_stems(), kWhyOffStems)
               .check([](const Tree& tree, const Place& place, ParameterReader& reader) {
                 check_stem_form(tree.stem, place, reader);
                 check_placement(tree.branching, place, reader);

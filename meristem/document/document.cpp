@@ -10,6 +10,7 @@
 #include "meristem/document/json.h"
 #include "meristem/document/locate.h"
 #include "meristem/document/override.h"
+#include "meristem/document/silent_keys.h"
 #include "meristem/document/tables.h"
 #include "meristem/document/variables.h"
 #include "meristem/graph/add_camera.h"
@@ -67,6 +68,7 @@ class DocumentReader {
     if (!has_errors(diagnostics_)) {
       add_camera(document.graph, registry_.camera());
       analyse_structure(document.graph, diagnostics_);
+      if (!has_errors(diagnostics_)) check_silent_keys(root_, document.graph, diagnostics_);
     }
     keep_first(document.graph.limits.diagnostics);
     return std::move(diagnostics_);

@@ -154,7 +154,8 @@ const ParameterTable& light_table() {
           .number("sky", &LightSettings::sky, {.min = 0, .max = 1},
                   "Share of the far light that comes from all of the sky; the rest is the sun's. Raised, sides and "
                   "shade get more.")
-          .list("lamps", &LightSettings::lamps, lamp_table, "Lights within the scene.");
+          .list("lamps", &LightSettings::lamps, lamp_table, "Lights within the scene.")
+          .only_where({{"sun.day"}, {"sun.days"}}, {"latitude"});
   return table;
 }
 

@@ -116,6 +116,18 @@ Value* find_or_add(Value& root, const std::string& path, std::vector<Diagnostic>
   return at;
 }
 
+/// Takes a member away, if it is there.
+void remove_member(Value& root, const std::string& path, std::vector<Diagnostic>& diagnostics) {
+  const std::vector<std::string> elements = path_elements(path);
+  if (!is_known(root, elements, path, diagnostics)) return;
+  Value* at = &root;
+  for (std::size_t k = 0; k + 1 < elements.size() && at != nullptr; ++k) {
+    at = elements[k][0] == '[' ? find_element(*at, elements[k], path, diagnostics) : at->find(elements[k]);
+  }
+  if (at == nullptr || at->object() == nullptr) return;
+  std::erase_if(*at->object(), [&](const Value::Member& member) { return member.first == elements.back(); });
+}
+
 }  // namespace
 
 Override parse_override(std::string_view text) {
@@ -146,7 +158,11 @@ void apply_overrides(Value& root, const std::vector<Override>& overrides, Source
                              .path = path});
       continue;
     }
-    if (Value* target = find_or_add(root, path, diagnostics)) *target = override.value;
+    if (override.value.is_null()) {
+      remove_member(root, path, diagnostics);
+    } else if (Value* target = find_or_add(root, path, diagnostics)) {
+      *target = override.value;
+    }
   }
 }
 

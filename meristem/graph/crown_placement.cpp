@@ -59,6 +59,7 @@ const ParameterTable& crown_placement_table() {
                   "How far children hang: 1 turns their heading straight down, -1 straight up.")
           .number("depth", &CrownPlacement::depth, {.unit = Unit::metre, .min = 0, .max = 1e6, .above_min = true},
                   "Below the body's surface to which they stand; unset, all through it.")
+          .only_where({{"orient", {"outward"}}}, {"turn"})
           .elsewhere({"from", "to", "kind"});
   return table;
 }

@@ -13,6 +13,7 @@
 #include "meristem/base/hash.h"
 #include "meristem/base/math.h"
 #include "meristem/graph/emitter_context.h"
+#include "meristem/graph/vanished.h"
 
 namespace meristem {
 
@@ -32,9 +33,6 @@ bool is_finite(const Frame& frame) {
                               .expected = fmt::format("at most {} (limits.{})", limit, limit_name),
                               .path = std::move(path)});
 }
-
-/// True where the frame's volume is too small to be inverted.
-bool has_vanished(const Frame& frame) { return std::abs(glm::determinant(frame.axes)) < 1e-36F; }
 
 /// Moves a skeleton in world space along with the frame it hangs on. Returns by how much larger it is then.
 float move_geometry(Skeleton& skeleton, const Frame& from, const Frame& to) {

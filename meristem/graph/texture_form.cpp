@@ -48,6 +48,7 @@ const ParameterTable& leaf_table() {
           .colour("vein_colour", &LeafRecipe::vein_colour, "Lighter than the leaf if not given.")
           .colour("edge_colour", &LeafRecipe::edge_colour, "Toward the margin, as in autumn.")
           .integer("seed", &LeafRecipe::seed, kSeed, "Another one gives another leaf of the same kind.")
+          .only_where({{"veins", {"pinnate", "palmate"}}}, {"angle"})
           .shorthand("veins");
   return table;
 }
@@ -58,6 +59,7 @@ const ParameterTable& petal_table() {
           .colour("throat", &PetalRecipe::throat, "At the petal's base.")
           .number("throat_length", &PetalRecipe::throat_length, {.min = 0.01, .max = 1, .fixed = true},
                   "Share of the petal over which the throat's colour fades.")
+          .only_with("throat", {"throat_length"})
           .colour("stripes", &PetalRecipe::stripes, "Of the lines that fan out from the base.")
           .number("relief", &PetalRecipe::relief, kFactor, "Depth of the lines in the light; 0 is flat.")
           .integer("seed", &PetalRecipe::seed, kSeed, "Another one gives another petal of the same kind.");
@@ -197,7 +199,7 @@ const ParameterTable& texture_table() {
           .never_with("bark", {"leaf", "petal", "picture"})
           .never_with("leaf", {"petal", "picture"})
           .never_with("petal", {"picture"})
-          .never_with("picture", {"pixels"});
+          .only_where({{"bark"}, {"leaf"}, {"petal"}}, {"pixels"});
   return table;
 }
 

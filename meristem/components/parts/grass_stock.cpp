@@ -229,7 +229,8 @@ const ParameterTable& grass_source_table() {
           .object("fit", &GrassSource::fit, fit_table, "How closely curves follow what was measured.")
           .never_with("midrib", {"midrib_points", "midribs"})
           .never_with("midribs", {"midrib_points"})
-          .never_with("widths", {"profile"});
+          .never_with("widths", {"profile"})
+          .only_where({{"widths"}}, {"fit.width_smoothing"});
   return table;
 }
 

@@ -26,7 +26,8 @@ const ParameterTable& variety_table() {
           .number("step", &GrassVariety::step, {.min = 1e-3, .max = 1000, .fixed = true},
                   "Of its life, in the unit of ages; lowered, rates that change are followed more closely.")
           .integer("variants", &GrassVariety::variants, {.min = 0, .max = 1'000'000, .fixed = true},
-                   "Lives that leaves share; raised, more meshes; 0: one for each leaf.");
+                   "Lives that leaves share; raised, more meshes; 0: one for each leaf.")
+          .only_where({{"age"}, {"length"}, {"width"}, {"bend"}}, {"step", "variants"});
   return table;
 }
 
@@ -62,7 +63,9 @@ const ParameterTable& forces_table() {
                   "Pull toward the light, in weights of the leaf; negative: away from it.")
           .vector("pull", &GrassForces::pull, {.min = -100, .max = 100}, "Any other pull, in weights of the leaf.")
           .number("weight", &GrassForces::weight, {.min = 0.01, .max = 1000}, "Of the leaf, newtons a square metre.")
-          .members(&GrassForces::strip, strip_table());
+          .members(&GrassForces::strip, strip_table())
+          .only_with("wind", {"weight"})
+          .only_where({{"wind"}, {"light"}, {"pull"}}, {"stiffness", "tip_thickness"});
   return table;
 }
 
@@ -75,7 +78,9 @@ const ParameterTable& waves_table() {
           .number("left", &EdgeWaves::left, {.unit = Unit::degree, .min = -3600, .max = 3600},
                   "Phase of the left edge at the base.")
           .number("right", &EdgeWaves::right, {.unit = Unit::degree, .min = -3600, .max = 3600},
-                  "Of the right edge; the same as the left: both rise together.");
+                  "Of the right edge; the same as the left: both rise together.")
+          .only_with("number", {"depth", "left", "right"})
+          .only_with("depth", {"number"});
   return table;
 }
 
@@ -89,7 +94,8 @@ const ParameterTable& sheath_table() {
                   "Gap between its edges, opposite the blade.")
           .number("ligule", &GrassSheath::ligule, {.unit = Unit::metre, .min = 0, .max = 1}, "Height of the ligule.")
           .number("clasp", &GrassSheath::clasp, {.min = 0.001, .max = 1, .fixed = true},
-                  "Share of the blade over which it unrolls from the sheath's round.");
+                  "Share of the blade over which it unrolls from the sheath's round.")
+          .only_with("length", {"radius", "open", "ligule", "clasp"});
   return table;
 }
 
@@ -118,7 +124,8 @@ const ParameterTable& blade_table() {
                   "Bend from edge to edge; raised, the edges rise more, as in drought and young leaves.")
           .object("waves", &GrassBlade::waves, waves_table, "Waves of the edges.")
           .integer("across", &GrassBlade::across, {.min = 2, .max = 32, .fixed = true},
-                   "Quads from edge to edge, an even number; raised, rolls and waves are rounder.");
+                   "Quads from edge to edge, an even number; raised, rolls and waves are rounder.")
+          .only_with("twist", {"twist_along"});
   return table;
 }
 
@@ -215,6 +222,8 @@ Table<Grassleaf> grassleaf_table() {
       .number("error", &Grassleaf::error, {.min = 1e-6, .max = 1},
               "In its stead by how much the leaf may change: a share of its length.")
       .never_with("error", {"polygons"})
+      .only_where({{"midrib"}, {"widths"}}, {"rank", "leaf", "unit"})
+      .only_where({{"exact", {false}}}, {"vary.variants"})
       .object("stages", &Grassleaf::stages, stages_table, "Which stages act; others hand on what they get.")
       .boolean("exact", &Grassleaf::exact, "Each leaf a mesh of its own, in place of rounding what leaves share.")
       .check(check_grassleaf)

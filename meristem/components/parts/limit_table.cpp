@@ -12,7 +12,8 @@ const ParameterTable& limit_table() {
                   "Of the points, the darkest first, that are left out; 0 leaves out none.")
           .number("radius", &LightLimit::radius, {.unit = Unit::metre, .min = 0.001, .max = 1000},
                   "Points so near to the way of the light dim it.")
-          .number("k", &LightLimit::k, {.min = 0, .max = 100}, "How much each of them dims it: by exp(-k).");
+          .number("k", &LightLimit::k, {.min = 0, .max = 100}, "How much each of them dims it: by exp(-k).")
+          .only_with("share", {"radius", "k"});
   return table;
 }
 

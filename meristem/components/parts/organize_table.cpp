@@ -21,7 +21,8 @@ const ParameterTable& direction_table() {
           .number("up_fade", &DirectionWeights::up_fade, {.min = 0, .max = 1},
                   "What is left of the difference of both after each iteration or order.")
           .boolean("fades_by_order", &DirectionWeights::fades_by_order,
-                   "'up' fades with the branching order, and not with the iterations.");
+                   "'up' fades with the branching order, and not with the iterations.")
+          .only_where({{"up"}, {"up_later"}}, {"up_fade", "fades_by_order"});
   return table;
 }
 
@@ -35,7 +36,8 @@ const ParameterTable& phyllotaxis_table() {
           .number("divergence", &Phyllotaxis::divergence, {.unit = Unit::degree, .min = -360, .max = 360},
                   "Turn of a spiral from bud to bud.")
           .number("jitter", &Phyllotaxis::jitter, {.unit = Unit::degree, .min = 0, .max = 60},
-                  "By how much directions stray at random (standard deviation).");
+                  "By how much directions stray at random (standard deviation).")
+          .only_where({{"phyllotaxis", {"spiral"}}}, {"divergence"});
   return table;
 }
 
@@ -68,7 +70,9 @@ const ParameterTable& resource_table() {
           .integer("laterals", &ResourceModel::laterals, {.min = 0, .max = 1e6},
                    "It holds on axes with at most so many lateral shoots; 0: on all.")
           .number("pass_back", &ResourceModel::pass_back, {.min = 0, .max = 1},
-                  "What each lateral takes of that which a damaged terminal bud passes back down its shoot.");
+                  "What each lateral takes of that which a damaged terminal bud passes back down its shoot.")
+          .only_where({{"model", {"priority"}}}, {"weights", "until", "laterals"})
+          .only_where({{"model", {"borchert_honda"}}, {"until"}, {"laterals"}}, {"lambda", "lambda_curve"});
   return table;
 }
 
@@ -78,7 +82,8 @@ const ParameterTable& shedding_table() {
           .number("below", &Shedding::below, {.min = 0, .max = 1000},
                   "Light of a shoot, a metamer, below which it is shed; raised, clearer stems. 0: none is.")
           .integer("after", &Shedding::after, {.min = 0, .max = 65535},
-                   "Only shoots older than so many iterations are shed.");
+                   "Only shoots older than so many iterations are shed.")
+          .only_with("below", {"after"});
   return table;
 }
 
@@ -165,10 +170,13 @@ const ParameterTable& cut_table() {
 }  // namespace
 
 const ParameterTable& organize_light_table() {
-  static const ParameterTable table = Table<OrganizeLight>("a light", "What light the buds have.")
-                                          .members(&OrganizeLight::model, light_model_table())
-                                          .object("room", &OrganizeLight::room, crown_table,
-                                                  "Where markers are, over each root; everywhere if not given.");
+  static const ParameterTable table =
+      Table<OrganizeLight>("a light", "What light the buds have.")
+          .members(&OrganizeLight::model, light_model_table())
+          .object("room", &OrganizeLight::room, crown_table,
+                  "Where markers are, over each root; everywhere if not given.")
+          .only_where({{"model", {"shadow"}}}, {"voxel", "a", "b", "depth", "reach", "lean"})
+          .only_where({{"model", {"markers"}}}, {"spacing", "occupancy", "perception", "cone", "counts", "room"});
   return table;
 }
 

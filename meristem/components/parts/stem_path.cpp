@@ -215,7 +215,8 @@ const ParameterTable& stem_form_table() {
           .number("gnarl", &StemForm::gnarl, {.unit = Unit::degree, .min = 0, .max = 180},
                   "By how much its direction wanders; raised, more crooked.")
           .number("gnarl_waves", &StemForm::gnarl_waves, {.min = 0, .max = 1000},
-                  "How often it does so from base to tip.");
+                  "How often it does so from base to tip.")
+          .only_with("gnarl", {"gnarl_waves"});
   return table;
 }
 

@@ -30,6 +30,12 @@ const ParameterTable& crown_body_table() {
 
 }  // namespace
 
+const std::vector<std::string>& names_off_stems() {
+  static const std::vector<std::string> names = {"texture.picture.repeat_u", "texture.picture.repeat_v",
+                                                 "texture.picture.shift_u", "texture.picture.shift_v"};
+  return names;
+}
+
 const ParameterTable& surface_table() {
   static const ParameterTable table =
       Table<Surface>("a surface", "How stems are clothed.")
@@ -58,7 +64,10 @@ const ParameterTable& surface_table() {
                   "How far branches swell where they grow out of their mother, in their radii; 0: they start with a "
                   "crease.")
           .number("flare", &Surface::flare, {.min = 0, .max = 5, .fixed = true},
-                  "How much wider a root is at the ground than above it; 1 doubles it.");
+                  "How much wider a root is at the ground than above it; 1 doubles it.")
+          .only_where({{"style", {"tubes"}}}, {"sides", "error", "cap", "uv_scale", "smooth", "collar"})
+          .only_where({{"style", {"blend"}}}, {"resolution", "blend", "thicken", "triangles"})
+          .only_where({{"style", {"blend"}}, {"crown"}}, {"shading"});
   return table;
 }
 

@@ -12,6 +12,7 @@
 #include "meristem/scene/crown/combined_crown.h"
 #include "meristem/scene/crown/profile_crown.h"
 #include "meristem/scene/crown/solid_crowns.h"
+#include "meristem/scene/crown/turned_crown.h"
 
 namespace meristem {
 namespace {
@@ -172,6 +173,19 @@ TEST(CombinedCrown, CrownsThatDoNotMeetIntersectInNothing) {
   const CombinedCrown nested(CombineKind::unite, {std::make_shared<CombinedCrown>(none), a});
   EXPECT_TRUE(nested.contains({0.5F, 0, 0}));
   EXPECT_EQ(nested.bounds().low.x, a->bounds().low.x);
+}
+
+TEST(TurnedCrown, HoldsWhatItsCrownHoldsBeforeItTurns) {
+  const auto crown = std::make_shared<ProfileCrown>(kRoundCrown);
+  const Mat3 axes = 0.4F * Mat3(Vec3(0, 0, 1), Vec3(0.6F, 0.8F, 0), Vec3(-0.8F, 0.6F, 0));
+  const TurnedCrown turned(crown, axes);
+  for_points_around(4, [&](Vec3 point) {
+    if (turned.contains(axes * point) != crown->contains(point)) {
+      // Only rounding may part them.
+      EXPECT_NE(crown->contains(0.9999F * point), crown->contains(1.0001F * point));
+    }
+  });
+  expect_bounds_hold(turned, 1.7F);
 }
 
 TEST(CombinedCrown, RejectsNothingToCombine) {

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/graph/graph.h"
+#include "meristem/graph/table/value.h"
+
+namespace meristem {
+
+/// Reports keys that mean nothing because of what is linked to what: a recursion that no link closes, angles for what
+/// heads along its stem anyway. `root` is the document that the graph was read from, without faults.
+void check_silent_keys(const Value& root, const Graph& graph, std::vector<Diagnostic>& diagnostics);
+
+}  // namespace meristem

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+// No key is passed over in silence: in each of the small documents of this folder, another value for any row of the
+// table that the document is about changes what comes out, or is refused. And each row changes something in one of
+// them. A document is about its component "subject" with its nested tables; "links" about all links, "scene" about the
+// scene, "head" about the rest of the top level.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "meristem/components/registry.h"
+#include "meristem/document/document.h"
+#include "meristem/document/json.h"
+#include "meristem/document/tables.h"
+#include "tests/rows/hash_of_result.h"
+#include "tests/rows/other_values.h"
+
+namespace meristem {
+namespace {
+
+/// Rows that may change nothing, and why.
+const std::map<std::string, std::string>& exceptions() {
+  static const std::map<std::string, std::string> reasons = {
+      {"head.meristem", "there is one version of the format"},
+      {"head.name", "what it is called is for people and files' names"},
+      {"head.description", "for people"},
+      {"head.author", "for people, carried into files"},
+      {"head.licence", "for people, carried into files"},
+      {"limits.diagnostics", "counts faults, of which a sound document has none"},
+  };
+  return reasons;
+}
+
+/// Rows that mean something beside others that are not in this table, and why they may change nothing in one document.
+const std::map<std::string, std::string>& circumstances() {
+  static const std::map<std::string, std::string> reasons = {
+      {"alone", "there may be nobody to compete with"},
+      {"surface.collar", "a stem may have no branches"},
+      {"surface.flare", "a stem may stand on another"},
+      {"palette", "a grammar may draw no polygons"},
+      {"thinner", "a grammar may have no ! without a parameter"},
+      {"broken", "a mesh may be closed"},
+      {"stages.load", "a switch may stand where there is nothing to switch off, as all stages"},
+      {"stages.fit", "as stages.load"},
+      {"stages.age", "as stages.load"},
+      {"stages.vary", "as stages.load"},
+      {"stages.bend", "as stages.load"},
+      {"stages.reduce", "as stages.load"},
+      {"stages.blade", "as stages.load"},
+  };
+  return reasons;
+}
+
+bool may_be_silent(const std::string& name) {
+  return std::ranges::any_of(circumstances(), [&](const auto& entry) { return name.ends_with("." + entry.first); });
+}
+
+struct Base {
+  std::string name;
+  std::string file;
+  std::string text;
+  Value tree;
+};
+
+std::vector<Base> base_documents() {
+  std::vector<Base> bases;
+  for (const auto& entry : std::filesystem::directory_iterator(MERISTEM_ROWS)) {
+    if (entry.path().extension() != ".json") continue;
+    std::ifstream stream(entry.path());
+    Base& base = bases.emplace_back();
+    base.name = entry.path().stem().string();
+    base.file = entry.path().string();
+    base.text.assign(std::istreambuf_iterator<char>(stream), {});
+    base.tree = parse_json(base.text);
+  }
+  std::sort(bases.begin(), bases.end(), [](const Base& a, const Base& b) { return a.name < b.name; });
+  return bases;
+}
+
+const Value* member(const Value* value, std::string_view name) {
+  return value == nullptr ? nullptr : value->find(name);
+}
+
+/// Goes through the rows of the tables that a document is about.
+class RowWalk {
+ public:
+  RowWalk(const Base& base, std::set<std::string>& changing)
+      : base_(base), changing_(changing), hash_(*result_with({})) {}
+
+  void run() {
+    if (base_.name.starts_with("links")) {
+      const Value::List& links = *base_.tree.find("links")->list();
+      for (std::size_t k = 0; k < links.size(); ++k) {
+        if (links[k].object() == nullptr) continue;
+        const Value* kind = links[k].find("kind");
+        const bool is_crown = kind != nullptr && *kind == Value("crown");
+        walk(is_crown ? crown_placement_table() : placement_table(), is_crown ? "crown link" : "link",
+             "links[" + std::to_string(k) + "]", &links[k]);
+      }
+    } else if (base_.name.starts_with("scene")) {
+      walk(head_table().find("scene")->nested(), "scene", "scene", base_.tree.find("scene"));
+    } else if (base_.name.starts_with("head")) {
+      walk_head();
+    } else {
+      const Value* subject = base_.tree.find("components")->find("subject");
+      const std::string& type = *subject->find("type")->text();
+      walk(builtin_components().find(type)->parameters, type, "components.subject", subject);
+    }
+  }
+
+ private:
+  enum class Outcome { changes, refused, silent, unfit };
+
+  void walk_head() {
+    for (const Parameter& row : head_table().parameters) {
+      if (row.name == "scene") continue;
+      if (row.nested != nullptr) {
+        walk(row.nested(), row.name, row.name, base_.tree.find(row.name));
+      } else {
+        try_row("head." + row.name, row, row.name, Value());
+      }
+    }
+    walk(limits_table(), "limits", "limits", base_.tree.find("limits"));
+  }
+
+  void walk(const ParameterTable& table, const std::string& name, const std::string& path, const Value* given) {
+    const std::vector<Value> defaults = table.defaults();
+    for (std::size_t k = 0; k < table.parameters.size(); ++k) {
+      const Parameter& row = table.parameters[k];
+      const Value* present = member(given, row.name);
+      walk_row(row, name + "." + row.name, path + "." + row.name, present, defaults[k]);
+    }
+  }
+
+  void walk_row(const Parameter& row, const std::string& name, const std::string& path, const Value* present,
+                const Value& usual) {
+    if (row.kind == ParameterKind::object) {
+      // Of what is not given, or in short, nothing is asked in this document.
+      const bool is_short = present != nullptr && present->object() == nullptr;
+      if (!is_short && !(present == nullptr && usual.is_null())) walk(row.nested(), name, path, present);
+    } else if (row.kind == ParameterKind::list) {
+      if (present == nullptr) return;
+      for (std::size_t k = 0; k < present->list()->size(); ++k) {
+        walk(row.nested(), name, path + "[" + std::to_string(k) + "]", &(*present->list())[k]);
+      }
+    } else if (row.kind == ParameterKind::map) {
+      if (present == nullptr) return;
+      for (const auto& [key, element] : *present->object()) {
+        if (element.object() != nullptr) walk(row.nested(), name, path + "." + key, &element);
+      }
+    } else {
+      try_row(name, row, path, present != nullptr ? *present : usual);
+    }
+  }
+
+  void try_row(const std::string& name, const Parameter& row, const std::string& path, const Value& present) {
+    if (exceptions().contains(name)) return;
+    Outcome outcome = Outcome::unfit;
+    said_.clear();
+    for (const Value& value : other_values(name, row, present)) {
+      const Outcome found = outcome_of(path, value);
+      if (found == Outcome::unfit) continue;
+      outcome = found;
+      if (found != Outcome::silent) break;
+    }
+    if (outcome == Outcome::changes) changing_.insert(name);
+    if (outcome == Outcome::silent && !may_be_silent(name))
+      ADD_FAILURE() << base_.name << ": " << path << " changes nothing";
+    if (outcome == Outcome::unfit) ADD_FAILURE() << base_.name << ": no value fits " << path << "; " << said_;
+  }
+
+  Outcome outcome_of(const std::string& path, const Value& value) {
+    try {
+      return *result_with({{path, value, ""}}) == hash_ ? Outcome::silent : Outcome::changes;
+    } catch (const InputError& error) {
+      said_ = error.what();
+    }
+    const auto says = [this](const char* words) { return said_.find(words) != std::string::npos; };
+    // A limit that stops growth acts.
+    if (path.starts_with("limits.")) return Outcome::changes;
+    const bool is_refused = says("no meaning") || says("more than one of") || says("both a density and a count") ||
+                            says("belongs to branch links") || says("given both by");
+    return is_refused ? Outcome::refused : Outcome::unfit;
+  }
+
+  std::optional<std::uint64_t> result_with(const std::vector<Override>& overrides) const {
+    return hash_of_result(read_document(base_.text, base_.file, builtin_components(), overrides));
+  }
+
+  const Base& base_;
+  std::set<std::string>& changing_;
+  std::uint64_t hash_ = 0;
+  std::string said_;
+};
+
+/// The names of all rows, those of nested tables once.
+void add_names(const ParameterTable& table, const std::string& name, std::set<std::string>& names,
+               std::vector<const ParameterTable*> above = {}) {
+  above.push_back(&table);
+  for (const Parameter& row : table.parameters) {
+    if (row.nested == nullptr) {
+      names.insert(name + "." + row.name);
+    } else if (std::find(above.begin(), above.end(), &row.nested()) == above.end()) {
+      add_names(row.nested(), name + "." + row.name, names, above);
+    }
+  }
+}
+
+TEST(EveryRow, ChangesTheResultOrIsRefused) {
+  std::set<std::string> changing;
+  for (const Base& base : base_documents()) {
+    try {
+      RowWalk(base, changing).run();
+    } catch (const InputError& error) {
+      ADD_FAILURE() << base.name << ": " << error.what();
+    }
+  }
+  std::set<std::string> names;
+  for (const ComponentType& type : builtin_components().types()) add_names(type.parameters, type.name, names);
+  add_names(placement_table(), "link", names);
+  add_names(crown_placement_table(), "crown link", names);
+  add_names(head_table().find("scene")->nested(), "scene", names);
+  add_names(head_table().find("output")->nested(), "output", names);
+  add_names(limits_table(), "limits", names);
+  for (const std::string& name : names) {
+    if (changing.contains(name) || exceptions().contains(name)) continue;
+    ADD_FAILURE() << name << " changes nothing in any of the documents";
+  }
+}
+
+}  // namespace
+}  // namespace meristem

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/rows/other_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "meristem/document/json.h"
+
+namespace meristem {
+
+namespace {
+
+/// JSON, by the names of rows. Paths of files are those beside the base documents.
+const std::map<std::string, std::vector<std::string>>& values_by_name() {
+  static const std::map<std::string, std::vector<std::string>> values = {
+      {"grassleaf.midrib_points", {"[[0, 0], [0.4, 0.5], [1.3, 0.3]]"}},
+      {"lsystem.grammar", {R"("#axiom\nF(0.4) +(30) F")"}},
+      {"organize.operations.shoot", {R"("main")"}},
+      {"organize.operations.do", {}},
+      {"leaf.polygon", {"[[0.4, 0.2], [1, 0.5], [0.3, 0.8]]"}},
+      {"leaf.profile", {R"({"curve": [[0, 0], [1, 0.5]]})"}},
+      {"revolution.silhouette", {"[[0, 0], [0.05, 0.03], [0, 0.1]]"}},
+      {"horn.outline", {"[[-1, -1], [1, -1], [0, 2]]"}},
+      {"simple.outline", {"[[-0.1, -0.1], [0.1, -0.1], [0, 0.2]]", "[[-0.1, 0], [0, 0.05], [0.1, 0]]"}},
+  };
+  return values;
+}
+
+/// Files beside the base documents, by the rows' own names.
+std::vector<std::string> files_of(const std::string& row) {
+  if (row == "mesh") return {R"("other_tetrahedron.obj")", R"("tetrahedron.obj")"};
+  if (row == "file") return {R"("other_points.txt")", R"("points.txt")", R"("other_grammar.txt")"};
+  if (row == "midrib") return {R"("other_midribs.csv")"};
+  if (row == "widths") return {R"("other_widths.csv")"};
+  return {R"("../fuzz/corpus/image/rgb.png")"};
+}
+
+double number_of(const Value& value) { return value.number() != nullptr ? *value.number() : 0; }
+
+std::vector<double> other_numbers(const Parameter& row, double present) {
+  const NumberForm& form = row.form;
+  const double low = std::max(form.min, -1e3);
+  const double high = std::min(form.max, 1e3);
+  std::vector<double> numbers = {
+      1.4 * present, 0.6 * present, present + 0.3, present + 1, 0.5 * (low + high), 0.1, 1, 2, 3, 8, 12, 30, low, high};
+  if (row.kind == ParameterKind::integer || row.kind == ParameterKind::integers) {
+    for (double& number : numbers) number = std::round(number);
+  }
+  std::erase_if(numbers, [&](double number) {
+    return number == present || number < form.min || number > form.max || (form.above_min && number == form.min);
+  });
+  return numbers;
+}
+
+std::vector<std::string> texts_of(const Parameter& row) {
+  switch (row.kind) {
+    case ParameterKind::colour:
+      return {R"("#123456")"};
+    case ParameterKind::colours:
+      return {R"(["#123456", "#c0a080"])"};
+    case ParameterKind::curve:
+      return {R"({"curve": [[0, 0.4], [1, 0.8]]})", R"({"curve": [[0, 0], [0.5, 1], [1, 0.1]]})"};
+    case ParameterKind::points:
+      return {"[[0.2, 0.1], [0.5, 0.6], [0.1, 1.2]]"};
+    case ParameterKind::places:
+      return {"[[0.3, 0, 0.1]]", "[[0, 0, 0], [1, 0, 0]]"};
+    case ParameterKind::selection:
+      return {"[0]"};
+    case ParameterKind::box:
+      return {"[[-0.5, 0.4, -0.5], [0.4, 1.3, 0.6]]", "[[-0.1, 0.5, -0.2], [0.2, 1, 0.2]]", "[[2, 0, 2], [3, 1, 4]]"};
+    case ParameterKind::condition:
+      return {R"("height > 0.5")", R"("u > 0.5")"};
+    case ParameterKind::file:
+      return files_of(row.name);
+    case ParameterKind::formula:
+      return {"0.5", "2"};
+    case ParameterKind::integers:
+      return {"[100, 200]", "[3, 1]"};
+    case ParameterKind::vector:
+      return {"[0.1, 0.2, 0.3]", "[1.5, 1.2, 0.7]", "[2, 3, 4]", "[30, 20, 10]"};
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+std::vector<Value> other_values(const std::string& name, const Parameter& row, const Value& present) {
+  std::vector<Value> values;
+  if (row.name == "only") return {parse_json("[1]")};  // the first instance is without geometry then
+  const auto known = values_by_name().find(name);
+  for (const std::string& text : known == values_by_name().end() ? texts_of(row) : known->second) {
+    values.push_back(parse_json(text));
+  }
+  if (row.kind == ParameterKind::number || row.kind == ParameterKind::integer) {
+    for (const double number : other_numbers(row, number_of(present))) values.emplace_back(number);
+  }
+  if (row.kind == ParameterKind::boolean) values.emplace_back(present != Value(true));
+  for (const std::string& choice : row.choices) values.emplace_back(choice);
+  std::erase(values, present);
+  return values;
+}
+
+}  // namespace meristem

@@ -386,7 +386,7 @@ TextureShape texture_shape(const Grassleaf& grass) {
 ComponentType grassleaf_component() {
   return define_component<Grassleaf>({
       .name = "grassleaf",
-      .doc = "A grass's leaf, from measured or drawn curves, by stages: load, fit, age, vary, bend, reduce, blade.",
+      .doc = "A grass leaf from measured or drawn curves, in stages: load, fit, age, vary, bend, reduce, blade.",
       .parameters = grassleaf_table(),
       .material = {.colour = {0.30F, 0.46F, 0.17F}, .roughness = 0.55F, .translucency = 0.3F, .two_sided = true},
       .variety = 0.08,

@@ -132,17 +132,18 @@ ComponentType organize_component() {
       .parameters =
           Table<Organize>("an organize", "Trees whose buds compete for light and room.")
               .members(&Organize::growth, organize_growth_table())
-              .object("light", &Organize::light, organize_light_table, "What light the buds have.")
-              .places("roots", &Organize::roots, {.unit = Unit::metre, .min = -1e5, .max = 1e5},
-                      "Where trees of this kind stand; they compete.")
+              .object("light", &Organize::light, organize_light_table, "What light or room the buds find.")
+              .places("roots", &Organize::roots, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-20, 20}},
+                      "Positions of the trees; they compete with each other for light and room.")
               .list_of_kinds("operations", &Organize::operations, operation_kinds, operation_table,
-                             "What is done to the tree, in this order.")
+                             "Cuts and other operations on the trees as they grow, in this order.")
               .integer("leaf_age", &Organize::leaf_age, {.min = 0, .max = 1000},
-                       "Iterations for which metamers offer a place for a leaf; 1: those of the last iteration alone.")
+                       "Number of last iterations whose metamers offer a site for a leaf; raised, leaves "
+                       "also stand on older wood.")
               .number("leaf_angle", &Organize::leaf_angle, {.unit = Unit::degree, .min = 0, .max = 180},
-                      "Between shoot and leaf.")
+                      "Angle between a shoot and its leaves.")
               .members(&Organize::growth, &OrganizeParameters::radii, pipe_table())
-              .object("surface", &Organize::surface, surface_table, "How the stems are clothed.")
+              .object("surface", &Organize::surface, surface_table, "How the skeleton becomes a surface.")
               .check(check_organize),
       .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
       .makes_stems = true,

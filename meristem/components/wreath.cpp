@@ -21,11 +21,11 @@ void expand(const Wreath& wreath, const Site&, Emitter& out) {
 ComponentType wreath_component() {
   return define_component<Wreath>({
       .name = "wreath",
-      .doc = "A ring of places for children: bracts about a head, sepals about a fruit.",
-      .parameters =
-          Table<Wreath>("a wreath", "A ring of places for children.")
-              .members(&Wreath::around, around_table())
-              .number("diameter", &Wreath::diameter, {.unit = Unit::metre, .min = 0, .max = 1000}, "Of the ring."),
+      .doc = "A ring of sites for children: bracts around a head, sepals around a fruit.",
+      .parameters = Table<Wreath>("a wreath", "A ring of sites for children.")
+                        .members(&Wreath::around, around_table())
+                        .number("diameter", &Wreath::diameter, {.unit = Unit::metre, .min = 0, .max = 1000},
+                                "Diameter of the ring on which the children stand."),
       .has_geometry = false,
       .expand = expand,
   });

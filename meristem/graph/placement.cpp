@@ -136,14 +136,14 @@ std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const Axes& a
   return eligible;
 }
 
-/// The pieces of one axis between `start` and `end` that are eligible; those of a lateral begin at its mother's bark,
+/// The pieces of one axis between `start` and `end` that are eligible; those of a lateral begin at its parent's bark,
 /// of which `root_bark` metres lie over the skeleton's root.
 AxisPlaces measure_axis(const Skeleton& skeleton, std::span<const NodeIndex> nodes, const Placement& placement,
                         const std::vector<std::uint8_t>& eligible, float root_bark) {
   AxisPlaces places;
   places.length = axis_length(skeleton, nodes);
-  const NodeIndex mother = nodes.empty() ? kNoNode : skeleton.parent[nodes.front()];
-  const double bark = mother == kNoNode ? root_bark : skeleton.radius[mother];
+  const NodeIndex parent = nodes.empty() ? kNoNode : skeleton.parent[nodes.front()];
+  const double bark = parent == kNoNode ? root_bark : skeleton.radius[parent];
   const double low = std::max(bark, placement.start * places.length);
   const double high = placement.end * places.length;
   float arc = 0;

@@ -182,7 +182,7 @@ and indices.)")
              R"(The tubes of a Skeleton as a Mesh with normals and uvs: a closed body for each axis.
 
 The thickest tube has `sides` sides (3 to 64); a tube strays up to `error` radii from the skeleton; a texture's tile
-covers `uv_scale` metres; radii are levelled over `smooth` radii along an axis; branches grow out of their mother over
+covers `uv_scale` metres; radii are levelled over `smooth` radii along an axis; branches grow out of their parent over
 `collar` radii; roots are `flare` wider at the ground; `cap` is pointed, round or flat.)");
   module.def("convex_hull", &hull_of, py::arg("points"), py::kw_only(), py::arg("threads") = 0,
              py::arg("progress") = py::none(),

@@ -64,7 +64,7 @@ std::vector<float> floats_of(const py::object& object, const char* name, std::si
   return column;
 }
 
-/// Axes must be numbered in the order of their first nodes, each from one mother node on.
+/// Axes must be numbered in the order of their first nodes, each from one parent node on.
 void check_axes(const Skeleton& skeleton) {
   AxisIndex count = 0;
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
@@ -214,7 +214,7 @@ wrong shapes and values.)")
           "32 hexadecimal digits, equal for skeletons of equal bytes.")
       .def_property_readonly(
           "labels", [](const SkeletonPointer& s) { return axis_labels(*s); },
-          "The label of each axis, a list of str: \"main\" for those from a root, else the mother's label, a dot and "
+          "The label of each axis, a list of str: \"main\" for those from a root, else the parent's label, a dot and "
           "the "
           "number of the node that bears it, from the column \"metamer\" if there is one.")
       .def(

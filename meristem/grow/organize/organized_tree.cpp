@@ -157,7 +157,7 @@ std::optional<Vec3> OrganizedTree::free_heading(MetamerIndex from, Vec3 wanted, 
 }
 
 /// The side of the next lateral bud: they go around the axis from one to the next. The first bud of a branch stands
-/// aside, at right angles to branch and mother.
+/// aside, at right angles to branch and parent.
 Vec3 OrganizedTree::next_side(MetamerIndex from, bool is_lateral, std::uint32_t number, Vec3 heading,
                               RandomKey key) const {
   const Phyllotaxis& phyllotaxis = species_->parameters.phyllotaxis;

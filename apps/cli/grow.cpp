@@ -136,11 +136,11 @@ void add_grow(CLI::App& app, Run& run) {
       ->type_name("T");
   command
       ->add_option("--lod", options->lod,
-                   "Write so many coarser levels of detail too, oak_lod1.glb, oak_lod2.glb, ...; the document's "
+                   "Number of coarser levels of detail to write too, oak_lod1.glb, oak_lod2.glb, ...; the document's "
                    "output.lod if not given")
       ->type_name("N");
   command->add_flag("--instanced", options->format.instanced,
-                    "Write leaves to .glb as places of one mesh: small files, that not every program reads");
+                    "Write leaves to .glb as instances of one mesh: small files, which not every program reads");
   std::string endings;
   for (const Format& format : formats()) endings += fmt::format("  {:<14} {}\n", format.ending, format.doc);
   command->footer("Files end in:\n" + endings +

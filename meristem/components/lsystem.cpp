@@ -143,7 +143,7 @@ void check_lsystem(const Lsystem& plant, const Place& place, ParameterReader& re
   const bool is_polar = plant.turtle.reading == TurtleParameters::Reading::polar;
   const auto require = [&](bool holds, const char* name, const char* reading) {
     if (holds) return;
-    reader.fault_name(Place(place, name), fmt::format("'{}' means nothing to this turtle", name),
+    reader.fault_name(Place(place, name), fmt::format("'{}' has no effect on this turtle", name),
                       fmt::format("\"turtle\": \"{}\", or no such key", reading), "");
   };
   require(is_polar || !plant.angles, "angles", "polar");

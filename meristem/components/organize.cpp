@@ -84,7 +84,7 @@ void check_balance(const Organize& tree, const Place& place, ParameterReader& re
   }
   if (growth.resource.division != ResourceModel::Division::borchert_honda || growth.resource.alpha0 != 0) return;
   if (std::abs(of_bud - growth.lateral_threshold) >= kEdge * growth.lateral_threshold) return;
-  reader.warn(alpha, fmt::format("growth stands on a knife edge: a bud in full light makes a resource of {:.4g}, and "
+  reader.warn(alpha, fmt::format("growth is unstable here: a bud in full light makes a resource of {:.4g}, and "
                                  "lateral buds open at {:.4g}; small changes make trees with and without branches. "
                                  "Keep 'alpha' at least {:.0f} % away from there",
                                  of_bud, growth.lateral_threshold, 100 * kEdge));
@@ -107,11 +107,11 @@ void check_organize(const Organize& tree, const Place& place, ParameterReader& r
   const BudLightModel& light = tree.light.model;
   const Place light_place(place, "light");
   if (light.kind == BudLightModel::Kind::shadow && tree.light.room) {
-    reader.fault_name(Place(light_place, "room"), "'room' means nothing to light by shadow", "\"model\": \"markers\"",
-                      "");
+    reader.fault_name(Place(light_place, "room"), "'room' has no effect with the model 'shadow'",
+                      "\"model\": \"markers\"", "");
   }
   if (light.voxel > 0 && light.voxel * kMostVoxelsAMetamer < tree.growth.length) {
-    reader.fault(Place(light_place, "voxel"), "cells are too small for metamers so long",
+    reader.fault(Place(light_place, "voxel"), "the voxels are too small for metamers this long",
                  fmt::format("0, or a number (m) of at least {:.4g}", tree.growth.length / kMostVoxelsAMetamer));
   }
   const double voxels = (std::max(light.perception, light.occupancy)) / light.spacing;

@@ -44,7 +44,8 @@ void check_sun(const SunSettings& sun, const Place& place, ParameterReader& read
   const bool by_place = sun.azimuth || sun.altitude;
   const bool by_day = sun.day || !sun.days.empty();
   if (by_place == by_day) {
-    return reader.fault(place, by_place ? "the sun is given both by its place and by a day" : "the sun has no place",
+    return reader.fault(place,
+                        by_place ? "the sun is given both by its position and by a day" : "the sun has no position",
                         R"({"azimuth": 180, "altitude": 61} or {"day": 126, "hour": 9.5})");
   }
   if (by_place && !(sun.azimuth && sun.altitude)) {

@@ -45,10 +45,10 @@ void check_closed(const ObstacleForm& form, const Place& place, ParameterReader&
   if (faults.empty()) return;
   const std::string found = fmt::format("{}", fmt::join(faults, "; "));
   if (form.broken) {
-    return reader.warn(place, fmt::format("'{}' is not closed and used as it is: {}", form.mesh.path, found));
+    return reader.warn(place, fmt::format("'{}' is not closed and is used as it is: {}", form.mesh.path, found));
   }
   reader.fault(place, fmt::format("'{}' is not closed: {}", form.mesh.path, found),
-               "a closed mesh, or \"broken\": true to use it as well as can be");
+               "a closed mesh, or \"broken\": true to use it anyway");
 }
 
 void check_obstacle(const ObstacleForm& form, const Place& place, ParameterReader& reader) {

@@ -305,7 +305,7 @@ void Emitter::throw_too_many_children() const {
   if (!is_one) who = fmt::format("{} instances of {}", context_->together, who);
   if (context_->is_uniform && expected_ > 0)
     who += fmt::format(" with {} children{}", expected_, is_one ? "" : " each");
-  throw_past(fmt::format("{} {} places to more than {} instances", who, is_one ? "offers" : "offer", limit), limit,
+  throw_past(fmt::format("{} {} sites to more than {} instances", who, is_one ? "offers" : "offer", limit), limit,
              "instances", context_->multiplier);
 }
 

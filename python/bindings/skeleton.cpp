@@ -118,7 +118,7 @@ SkeletonPointer make_skeleton(const py::object& parent, const py::object& positi
   if (extra) {
     for (const auto& [name, column] : *extra) {
       for (const char* known : kColumns) {
-        if (name == known) throw py::value_error(fmt::format("'{}' is no further column", name));
+        if (name == known) throw py::value_error(fmt::format("'{}' is not a further column", name));
       }
       skeleton->extra.emplace(name, floats_of(column, name.c_str(), rows));
     }

@@ -656,8 +656,8 @@ class Measuring(Case):
 
     def test_wrong_uses_of_the_table_of_organs(self):
         for arguments, message in ((["tree.json", "--organs", "tree.json"], "would be written over, and it is read"),
-                                   (["tree.json", "--organs", "-"], "would be written to one place"),
-                                   (["tree.json", "--organs", "./a", "-o", "a"], "would be written to one place"),
+                                   (["tree.json", "--organs", "-"], "would be written to the same file"),
+                                   (["tree.json", "--organs", "./a", "-o", "a"], "would be written to the same file"),
                                    (["walnut.mtg", "--organs", "a.csv"], "--organs says nothing about 'walnut.mtg'"),
                                    (["walnut.mtg", "--light"], "--light says nothing about 'walnut.mtg'")):
             self.write("walnut.mtg", MTG)

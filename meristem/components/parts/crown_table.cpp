@@ -60,7 +60,8 @@ bool check_profiles(const CrownForm& crown, const Place& place, ParameterReader&
     const Place at(place, key);
     const std::optional<double> azimuth = azimuth_of(key);
     if (!azimuth) {
-      reader.fault_name(at, fmt::format("'{}' is no azimuth", key), "degrees from north over east, such as \"90\"", "");
+      reader.fault_name(at, fmt::format("'{}' is not an azimuth", key), "degrees from north over east, such as \"90\"",
+                        "");
       return false;
     }
     if (!check_profile(side.profile, at, reader)) return false;
@@ -96,7 +97,8 @@ void check_crown(const CrownForm& crown, const Place& place, ParameterReader& re
   if (crown.box && !check_box(*crown.box, Place(place, "box"), reader)) return;
   const CrownPointer built = build_crown(crown);
   if (built == nullptr) {
-    return reader.fault(place, "the crown is made of nothing", "at least one profile or crown in its list");
+    return reader.fault(place, "the crown is empty: its list has no parts",
+                        "at least one profile or crown in its list");
   }
   const auto is_zero = [](Vec2 point) { return point.x == 0; };
   if (!crown.profile.empty() && std::all_of(crown.profile.begin(), crown.profile.end(), is_zero)) {
@@ -204,7 +206,7 @@ std::vector<Vec3> points_of_file(const CrownPointer& crown, const PointsForm& fo
   }
   if (points.empty()) {
     refuse(fmt::format("none of the points of '{}' lies in the crown", form.file.path),
-           "points over the root; scale, turn or translate them");
+           "points around the crown; scale, turn or translate them");
   }
   return points;
 }

@@ -36,7 +36,7 @@ OrganizedTree::OrganizedTree(const OrganizedSpecies& species, StandSpace& space,
       senses_(make_bud_sense(species, space, seed, key, metamers_, tree_.scene_light())) {
   if (!senses_->reaches(root_)) {
     species.refuse("roots", "a root is too far away from the origin for metamers so short",
-                   "a place nearer to the origin, or a larger 'length'");
+                   "a position nearer to the origin, or a larger 'length'");
   }
 }
 

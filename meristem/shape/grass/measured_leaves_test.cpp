@@ -80,7 +80,7 @@ TEST(MeasuredLeaves, RejectsRowsOfALeafThatStandApart) {
 }
 
 TEST(MeasuredLeaves, RejectsARankThatIsNoWholeNumber) {
-  EXPECT_TRUE(is_one(midrib_faults("rank,x,y\n1.5,0,0\n0,1,1\n0,2,2\n0,3,3\n"), 2, "1.5 is no whole number"));
+  EXPECT_TRUE(is_one(midrib_faults("rank,x,y\n1.5,0,0\n0,1,1\n0,2,2\n0,3,3\n"), 2, "1.5 is not a whole number"));
 }
 
 TEST(MeasuredLeaves, RejectsMidribsOfTooFewPoints) {

@@ -167,9 +167,9 @@ void save_mtg(const SkeletonPointer& skeleton, const py::object& path, int threa
 void bind_skeleton(py::module_& module) {
   py::class_<Skeleton, SkeletonPointer>(module, "Skeleton", R"(Nodes joined by segments from parent to child.
 
-Columns are read-only arrays over the skeleton's own memory, one entry a node; they stay valid however long they are
-kept. A parent's index is smaller than its children's. The constructor copies: `parent` (n,) whole numbers, -1 for roots;
-`position` (n, 3) metres; `radius` (n,) metres; `axis` and `order` (n,), found by the thickest children if left out;
+Columns are read-only arrays over the skeleton's own memory, one entry per node; they stay valid however long they are
+kept. A parent's index is smaller than its children's. The constructor copies: `parent` (n,) whole numbers, -1 for
+roots; `position` (n, 3) metres; `radius` (n,) metres; `axis` and `order` (n,), found by the thickest children if left out;
 `birth` (n,) growth steps; `extra`: further columns of numbers by name. Raises TypeError for wrong types, ValueError for
 wrong shapes and values.)")
       .def(py::init(&make_skeleton), py::arg("parent"), py::arg("position"), py::kw_only(),

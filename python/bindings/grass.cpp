@@ -195,9 +195,9 @@ void bind_grass(py::module_& module) {
   py::class_<GrassLeaf, GrassLeafPointer>(module, "GrassLeaf",
                                           R"(A grass leaf as seen from its side: its midrib in a plane, and its widths.
 
-`length` of the midrib and `width` across at the widest, metres. The four lists have one number per point of the
-midrib, at least two, from the collar at (0, 0) to the tip: `s` the position along it, from 0 to 1; `x` away from the
-stem and `y` along it, in lengths; `r` the width there as a share of the widest. Arrays are read-only; every stage gives a new
+`length` of the midrib and `width` across at the widest, metres. The four lists have one number per point of the midrib,
+at least two, from the collar at (0, 0) to the tip: `s` the position along it, from 0 to 1; `x` away from the stem and
+`y` along it, in lengths; `r` the width there as a share of the widest. Arrays are read-only; every stage gives a new
 leaf. Raises TypeError and ValueError.)")
       .def(py::init(&make_leaf), py::arg("length"), py::arg("width"), py::arg("s"), py::arg("x"), py::arg("y"),
            py::arg("r"))

@@ -343,8 +343,8 @@ the cosine to the surface), both 0 to 1.)")
            R"(Writes the plant to a file, its format by its ending: .glb, .obj, .ply, .skeleton.ply, .csv, .mtg.
 
 `instanced` writes leaves to .glb as instances of one mesh: small files, which not every program reads. `lod` (0 to 8)
-is the level of detail: each has about a quarter of the triangles of the one before. The file is there whole or not at all.
-Raises InputError for endings that are not known and files that were read, MachineError.)")
+is the level of detail: each has about a quarter of the triangles of the one before. The file is there whole or not at
+all. Raises InputError for endings that are not known and files that were read, MachineError.)")
       .def("render", &render, py::kw_only(), py::arg("size") = py::none(), py::arg("samples") = py::none(),
            py::arg("view") = py::none(), py::arg("transparent") = false, py::arg("hull") = false,
            py::arg("threads") = 0, py::arg("progress") = py::none(),

@@ -169,9 +169,9 @@ void bind_skeleton(py::module_& module) {
 
 Columns are read-only arrays over the skeleton's own memory, one entry per node; they stay valid however long they are
 kept. A parent's index is smaller than its children's. The constructor copies: `parent` (n,) whole numbers, -1 for
-roots; `position` (n, 3) metres; `radius` (n,) metres; `axis` and `order` (n,), found by the thickest children if left out;
-`birth` (n,) growth steps; `extra`: further columns of numbers by name. Raises TypeError for wrong types, ValueError for
-wrong shapes and values.)")
+roots; `position` (n, 3) metres; `radius` (n,) metres; `axis` and `order` (n,), found by the thickest children if left
+out; `birth` (n,) growth steps; `extra`: further columns of numbers by name. Raises TypeError for wrong types,
+ValueError for wrong shapes and values.)")
       .def(py::init(&make_skeleton), py::arg("parent"), py::arg("position"), py::kw_only(),
            py::arg("radius") = py::none(), py::arg("axis") = py::none(), py::arg("order") = py::none(),
            py::arg("birth") = py::none(), py::arg("extra") = py::none())

@@ -54,7 +54,7 @@ struct MeasureCommand {
 void check_kind(const MeasureCommand& command) {
   const auto require = [&](bool holds, const char* option, const char* kind) {
     if (holds) return;
-    throw InputError(Diagnostic{.message = fmt::format("{} says nothing about '{}'", option, command.document.path),
+    throw InputError(Diagnostic{.message = fmt::format("{} has no effect on '{}'", option, command.document.path),
                                 .expected = fmt::format("{} only with {}", option, kind)});
   };
   if (command.reads_mtg()) {

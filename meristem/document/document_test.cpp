@@ -224,7 +224,7 @@ TEST(Document, RejectsLinksThatMakeNoTree) {
                 .find("d.json:2:23: links[1]: the links a > b > a lead in an endless circle"),
             std::string::npos);
   EXPECT_NE(faults_of(with(R"("links": [["c", "a"]],)", two + R"(, "c": {"type": "camera"})"))
-                .find("components.b: nothing that hangs on the camera links to 'b'"),
+                .find("components.b: 'b' cannot be reached from the camera by links"),
             std::string::npos);
 }
 

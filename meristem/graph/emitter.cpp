@@ -92,7 +92,7 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   geometry_frame_ = site_.frame * place;
   if (!is_finite(site_.frame) || !is_finite(geometry_frame_)) {
     throw InputError(Diagnostic{.message = fmt::format("the frame of instance {} of {} is not finite", site.i, site.n),
-                                .expected = "smaller scales and shifts, here or in what it hangs on",
+                                .expected = "smaller scales and shifts, here or in its parents",
                                 .path = "components." + context_->component});
   }
   tint_ = context_->tinting.tint(base, site.key.child("colour"));

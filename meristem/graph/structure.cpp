@@ -108,7 +108,7 @@ class Analysis {
     }
     for (ComponentIndex c = 0; c < graph_.components.size(); ++c) {
       if (state[c] == State::unseen) {
-        error("components." + id(c), fmt::format("nothing that hangs on the camera links to '{}'", id(c)),
+        error("components." + id(c), fmt::format("'{}' cannot be reached from the camera by links", id(c)),
               fmt::format("a link such as [\"{}\", \"{}\"]", id(structure_.root), id(c)));
       }
     }

@@ -131,7 +131,7 @@ TEST(Structure, ComponentsThatHangOnNothingAreNamed) {
   const auto faults = graph(3, {{"v", "A"}, {"B", "C"}, {"C", "B"}}).structure_faults();
   ASSERT_EQ(faults.size(), 2U);
   EXPECT_EQ(faults[0],
-            "components.B: nothing that hangs on the camera links to 'B'; "
+            "components.B: 'B' cannot be reached from the camera by links; "
             "expected a link such as [\"v\", \"B\"]");
 }
 

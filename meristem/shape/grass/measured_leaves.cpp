@@ -100,7 +100,7 @@ std::vector<MeasuredCurve> curves_of(const Columns& columns, const CurveColumns&
                     columns.has(at.age) ? std::optional(columns.numbers[at.age][row]) : std::nullopt};
     if (curves.empty() || name != last) {
       if (!known.insert(name).second) {
-        faults.push_back({.message = fmt::format("{} comes a second time", shown(name)),
+        faults.push_back({.message = fmt::format("{} appears a second time", shown(name)),
                           .expected = "all rows of a leaf together",
                           .line = columns.lines[row]});
       }
@@ -146,7 +146,7 @@ void check_midrib(const MeasuredCurve& midrib) {
   const double nearest = kNear * std::accumulate(steps.begin(), steps.end(), 0.0);
   for (std::size_t k = 1; k < midrib.points.size(); ++k) {
     if (steps[k - 1] <= nearest) {
-      faults.add(k, "the point of the midrib is that of the row before", "another one");
+      faults.add(k, "the point of the midrib repeats the one in the row before", "another one");
     }
   }
   faults.throw_if_any();
@@ -162,7 +162,7 @@ void check_widths(const MeasuredCurve& widths) {
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double step = k == 0 ? length : points[k].x - points[k - 1].x;
     if (k > 0 && std::abs(step) <= kNear * farthest) {
-      faults.add(k, fmt::format("the position s = {} is that of the row before", points[k].x), "another one");
+      faults.add(k, fmt::format("the position s = {} repeats the one in the row before", points[k].x), "another one");
     } else if (step * direction < 0) {
       faults.add(k, fmt::format("the positions s are not sorted: {} after {}", points[k].x, points[k - 1].x),
                  "positions that rise from base to tip");

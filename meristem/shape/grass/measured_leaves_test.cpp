@@ -76,7 +76,7 @@ TEST(MeasuredLeaves, WidthsKnowRanksOrClassesOfThem) {
 
 TEST(MeasuredLeaves, RejectsRowsOfALeafThatStandApart) {
   EXPECT_TRUE(is_one(midrib_faults("rank,x,y\n1,0,0\n1,1,1\n1,2,2\n2,0,0\n2,1,1\n2,2,2\n1,3,3\n1,4,4\n1,5,5\n"), 8,
-                     "rank 1 comes a second time"));
+                     "rank 1 appears a second time"));
 }
 
 TEST(MeasuredLeaves, RejectsARankThatIsNoWholeNumber) {
@@ -104,7 +104,7 @@ TEST(MeasuredLeaves, RejectsNumbersBeyondAnyUnit) {
 }
 
 TEST(MeasuredLeaves, RejectsWidthsAtAPlaceThatIsRepeated) {
-  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n0.5,1\n0.5,0.9\n1,0\n"), 4, "s = 0.5 is that of the row before"));
+  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n0.5,1\n0.5,0.9\n1,0\n"), 4, "s = 0.5 repeats the one in the row before"));
 }
 
 TEST(MeasuredLeaves, RejectsPlacesThatAreNotSorted) {

@@ -88,14 +88,14 @@ TEST(MeasuredLeaves, RejectsMidribsOfTooFewPoints) {
 }
 
 TEST(MeasuredLeaves, RejectsPointsThatAreRepeated) {
-  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1,1\n1,1\n2,1\n"), 4, "that of the row before"));
+  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1,1\n1,1\n2,1\n"), 4, "the one in the row before"));
   EXPECT_TRUE(midrib_faults("x,y\n0,0\n1,1\n2,1\n1,1\n").empty()) << "a midrib may come back";
 }
 
 TEST(MeasuredLeaves, RejectsPointsNearerThanNumbersTellApart) {
-  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1,1\n1.0000000001,1\n2,1\n"), 4, "that of the row before"));
-  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1e-300,0\n1,1\n2,1\n"), 3, "that of the row before"));
-  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n0.5,1\n0.5000000001,1\n1,0\n"), 4, "that of the row before"));
+  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1,1\n1.0000000001,1\n2,1\n"), 4, "the one in the row before"));
+  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1e-300,0\n1,1\n2,1\n"), 3, "the one in the row before"));
+  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n0.5,1\n0.5000000001,1\n1,0\n"), 4, "the one in the row before"));
 }
 
 TEST(MeasuredLeaves, RejectsNumbersBeyondAnyUnit) {

@@ -66,7 +66,8 @@ const ParameterTable& head_table() {
 const ParameterTable& variable_table() {
   static const ParameterTable table =
       Table<Variable>("a variable", "A handle that expressions use by name.")
-          .number("value", &Variable::value, {}, "Value of the variable unless a command sets another one.")
+          .number("value", &Variable::value, {},
+                  "Value of the variable unless a command sets another one; an expression may use the other variables.")
           .required()
           .number("min", &Variable::min, {}, "Smallest sensible value of the variable.")
           .number("max", &Variable::max, {}, "Largest sensible value of the variable.")

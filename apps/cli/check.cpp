@@ -7,7 +7,7 @@
 namespace meristem::cli {
 
 void add_check(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("check", "Say all that is wrong with a document, without growing it");
+  CLI::App* command = app.add_subcommand("check", "Report all that is wrong with a document, without growing it");
   auto options = std::make_shared<DocumentOptions>();
   options->add_to(*command);
   command->footer("Example: meristem check models/oak.json");

@@ -136,10 +136,10 @@ void add_derive(CLI::App& app, Run& run) {
   command->add_option("grammar", options->path, "A grammar's text, or - for standard input")
       ->required()
       ->type_name("FILE");
-  command->add_option("--steps", options->steps, "Derive so many steps; the grammar's #steps if not given")
+  command->add_option("--steps", options->steps, "Number of steps to derive; the grammar's #steps if not given")
       ->type_name("N")
       ->check(CLI::Range(0, kMostSteps));
-  command->add_option("--seed", options->seed, "Draw with this seed; 1 if not given")
+  command->add_option("--seed", options->seed, "Seed of the random draws; 1 if not given")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
   command

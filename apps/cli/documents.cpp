@@ -13,7 +13,7 @@ namespace meristem::cli {
 namespace fs = std::filesystem;
 
 void add_run_options(CLI::App& command, int& threads, bool& quiet) {
-  command.add_option("--threads", threads, "Use so many threads; all cores if not given")
+  command.add_option("--threads", threads, "Number of threads to use; all cores if not given")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   command.add_flag("-q,--quiet", quiet, "Print errors only");

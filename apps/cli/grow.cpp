@@ -158,7 +158,7 @@ void add_grow(CLI::App& app, Run& run) {
       ->type_name("T");
   command
       ->add_option("--lod", options->lod,
-                   "Write so many coarser levels of detail too, oak_lod1.glb, oak_lod2.glb, ...; the document's "
+                   "Number of coarser levels of detail to write too, oak_lod1.glb, oak_lod2.glb, ...; the document's "
                    "output.lod if not given")
       ->type_name("N");
   CLI::Option* const instanced =

@@ -54,7 +54,7 @@ struct MeasureCommand {
 void check_kind(const MeasureCommand& command) {
   const auto require = [&](bool holds, const char* option, const char* kind) {
     if (holds) return;
-    throw InputError(Diagnostic{.message = fmt::format("{} says nothing about '{}'", option, command.document.path),
+    throw InputError(Diagnostic{.message = fmt::format("{} has no effect on '{}'", option, command.document.path),
                                 .expected = fmt::format("{} only with {}", option, kind)});
   };
   if (command.reads_mtg()) {
@@ -77,7 +77,7 @@ bool is_same_place(const std::string& a, const std::string& b) {
 void check_organs(const MeasureCommand& command, std::span<const std::string> inputs) {
   check_output(command.organs, inputs);
   if (is_same_place(command.organs, command.output)) {
-    throw InputError(Diagnostic{.message = "the measures and those of the organs would be written to one place",
+    throw InputError(Diagnostic{.message = "the measures and those of the organs would be written to the same file",
                                 .expected = "-o FILE and --organs FILE to be different"});
   }
 }
@@ -161,7 +161,7 @@ void list_measures() {
 }
 
 void add_mtg_options(CLI::App& command, MeasureCommand& options) {
-  const char* const group = "Of .mtg files, in which plants are coded and digitised";
+  const char* const group = "For .mtg files, in which plants are coded and digitised";
   command
       .add_option("--coordinates", options.coordinates,
                   "The features with the coordinates to the east, to the north and up; XX,YY,ZZ if not given")
@@ -172,11 +172,11 @@ void add_mtg_options(CLI::App& command, MeasureCommand& options) {
       ->group(group);
   std::vector<std::string> names;
   for (const auto& [name, metres] : units()) names.push_back(name);
-  command.add_option("--unit", options.unit, "Of coordinates; m if not given")
+  command.add_option("--unit", options.unit, "Unit of coordinates; m if not given")
       ->type_name("UNIT")
       ->check(CLI::IsMember(names))
       ->group(group);
-  command.add_option("--diameter-unit", options.diameter_unit, "Of diameters; that of --unit if not given")
+  command.add_option("--diameter-unit", options.diameter_unit, "Unit of diameters; that of --unit if not given")
       ->type_name("UNIT")
       ->check(CLI::IsMember(names))
       ->group(group);
@@ -203,7 +203,7 @@ void add_measure(CLI::App& app, Run& run) {
       ->add_option("--organs", options->organs,
                    "Table in CSV to write, with the light on every organ; - for standard output")
       ->type_name("FILE");
-  command->add_flag("--list", options->list, "Say what is measured");
+  command->add_flag("--list", options->list, "List what is measured");
   command->add_flag("--markdown", options->markdown, "Print all measures as the table of the manual")
       ->excludes("--list");
   add_mtg_options(*command, *options);

@@ -204,14 +204,14 @@ void add_render(CLI::App& app, Run& run) {
                    "Lower the quality of a JPEG until the file has at most this many kilobytes")
       ->type_name("KB");
   command->add_option("--size", options->size, "Pixels; the document's output.size if not given")->type_name("WxH");
-  command->add_option("--samples", options->samples, "Paths a pixel: more are slower and less noisy")->type_name("N");
+  command->add_option("--samples", options->samples, "Paths per pixel: more are slower and less noisy")->type_name("N");
   command
       ->add_option("--view", options->view,
                    "Where the camera stands, degrees from north over east and over the horizon")
       ->type_name("AZIMUTH,ALTITUDE");
   command
       ->add_option("--turntable", options->turntable,
-                   "Write so many numbered pictures, the camera going once around: oak_000.png, oak_001.png, ...")
+                   "Number of pictures to write, numbered, the camera going once around: oak_000.png, oak_001.png, ...")
       ->type_name("N");
   command
       ->add_option("--time", options->time,

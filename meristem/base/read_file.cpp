@@ -54,7 +54,7 @@ std::string read_file(const std::string& path, std::uint64_t most_bytes) {
     throw_fault(path, "there is no such file", nearest.empty() ? "the path of a file" : "", nearest);
   }
   if (fs::is_directory(status)) throw_fault(path, "this is a folder", "a file");
-  if (!fs::is_regular_file(status)) throw_fault(path, "this is no plain file", "a file on a disk");
+  if (!fs::is_regular_file(status)) throw_fault(path, "this is not a regular file", "a file on a disk");
   const std::uintmax_t size = fs::file_size(path, error);
   if (error) {
     errno = error.value();

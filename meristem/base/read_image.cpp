@@ -79,7 +79,7 @@ Image parse_jpeg(std::string_view bytes, const std::string& file, const Limits& 
 Image parse_image(std::string_view bytes, const std::string& file, const Limits& limits) {
   if (bytes.substr(0, kPngStart.size()) == kPngStart) return parse_png(bytes, file, limits);
   if (bytes.substr(0, kJpegStart.size()) == kJpegStart) return parse_jpeg(bytes, file, limits);
-  throw_fault(file, "this is no picture that can be read", "a PNG or a JPEG file");
+  throw_fault(file, "this picture cannot be read", "a PNG or a JPEG file");
 }
 
 Image read_image(const std::string& path, const Limits& limits) {

@@ -87,7 +87,7 @@ TEST(ReadImage, TellsFormatsByTheirBytesAndNotByTheirNames) {
 
 TEST(ReadImage, RefusesOtherFiles) {
   const Diagnostic fault = fault_of("GIF89a and so on");
-  EXPECT_EQ(fault.message, "this is no picture that can be read");
+  EXPECT_EQ(fault.message, "this picture cannot be read");
   EXPECT_EQ(fault.expected, "a PNG or a JPEG file");
 }
 

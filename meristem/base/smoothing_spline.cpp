@@ -31,12 +31,12 @@ void check(std::span<const double> x, const std::vector<std::vector<double>>& va
     return std::all_of(all.begin(), all.end(), [](double value) { return std::isfinite(value); });
   };
   require(are_finite(x) && std::adjacent_find(x.begin(), x.end(), std::greater_equal<>()) == x.end(),
-          "the places of a smoothing spline rise");
+          "the positions of a smoothing spline rise");
   for (const std::vector<double>& of_one : values) {
-    require(of_one.size() == x.size(), "a smoothing spline has a value a place");
+    require(of_one.size() == x.size(), "a smoothing spline has a value per position");
     require(are_finite(of_one), "the values of a smoothing spline are finite");
   }
-  require(weights.empty() || weights.size() == x.size(), "a smoothing spline has a weight a place");
+  require(weights.empty() || weights.size() == x.size(), "a smoothing spline has a weight per position");
   require(std::all_of(weights.begin(), weights.end(), [](double weight) { return weight > 0; }),
           "the weights of a smoothing spline are above 0");
   require(std::isfinite(distance) && distance >= 0, "the distance of a smoothing spline is at least 0");

@@ -9,17 +9,20 @@ namespace {
 const ParameterTable& view_table() {
   static const ParameterTable table =
       Table<View>("a camera", "The view of pictures and the root of the graph.")
-          .vector("position", &View::position, {.unit = Unit::metre, .min = -1e7, .max = 1e7},
-                  "Where the camera stands; chosen so that the whole plant is seen if not given.")
-          .vector("target", &View::target, {.unit = Unit::metre, .min = -1e7, .max = 1e7},
-                  "What it looks at; the middle of the plant if not given.")
-          .number("azimuth", &View::azimuth, {.unit = Unit::degree, .min = -360, .max = 360, .fixed = true},
-                  "Where the camera stands as seen from the target, from north over east; without a position.")
+          .vector("position", &View::position, {.unit = Unit::metre, .min = -1e7, .max = 1e7, .usual = {-50, 50}},
+                  "Position of the camera; by default, one from which the whole plant is seen.")
+          .vector("target", &View::target, {.unit = Unit::metre, .min = -1e7, .max = 1e7, .usual = {-50, 50}},
+                  "Point that the camera looks at; by default, the middle of the plant.")
+          .number("azimuth", &View::azimuth,
+                  {.unit = Unit::degree, .min = -360, .max = 360, .usual = {0, 360}, .fixed = true},
+                  "Azimuth of the camera as seen from the target, from north (0) over east (90); a given position "
+                  "replaces it.")
           .number("altitude", &View::altitude, {.unit = Unit::degree, .min = -89, .max = 89, .fixed = true},
-                  "How high it stands over the horizon as seen from the target; without a position.")
-          .number("field_of_view", &View::field_of_view, {.unit = Unit::degree, .min = 1, .max = 150, .fixed = true},
-                  "Vertical opening; raised, the picture gets wider and nearer.")
-          .colour("background", &View::background, "Behind the plant; the sky if not given.")
+                  "Angle of the camera above the horizon as seen from the target; a given position replaces it.")
+          .number("field_of_view", &View::field_of_view,
+                  {.unit = Unit::degree, .min = 1, .max = 150, .usual = {10, 90}, .fixed = true},
+                  "Vertical opening angle of the camera; raised, the view gets wider and its perspective stronger.")
+          .colour("background", &View::background, "Colour behind the plant; by default, the sky.")
           .never_with("position", {"azimuth", "altitude"});
   return table;
 }

@@ -87,15 +87,15 @@ ComponentType cloud_component() {
                      "of them.",
                  .material = {.colour = kDotColour, .roughness = 0.9F}},
       .parameters =
-          Table<Cloud>("a cloud", "Attraction points as dots.")
+          Table<Cloud>("a cloud", "The attraction points of a crown as dots.")
               .object("crown", &Cloud::crown, crown_table,
-                      "The envelope that the points fill; needed unless they come from a file.")
-              .object("points", &Cloud::points, points_table, "The attraction points.")
+                      "Envelope that the attraction points fill; required unless the points come from a file.")
+              .object("points", &Cloud::points, points_table, "Number, distribution or file of the attraction points.")
               .object("limit", &Cloud::limit, limit_table,
-                      "Leaves out the points that lie in the deepest shade, as a tree's light response does.")
-              .number("size", &Cloud::size, {.unit = Unit::metre, .min = 1e-5, .max = 1e4}, "Across a dot.")
+                      "Removes the points in the deepest shade, as the light response of a colonize component does.")
+              .number("size", &Cloud::size, {.unit = Unit::metre, .min = 1e-5, .max = 1e4}, "Diameter of each dot.")
               .colour("removed_colour", &Cloud::removed_colour,
-                      "Of the points that obstacles or the limit leave out; if not given, they are not shown.")
+                      "Colour of the points that obstacles or the light limit remove; by default, they are not shown.")
               .check([](const Cloud& cloud, const Place& place, ParameterReader& reader) {
                 check_cloud(cloud.crown, cloud.points, 1, "a cloud", place, reader);
               }),

@@ -88,20 +88,24 @@ const ParameterTable& shade_form_table() {
   static const ParameterTable table =
       Table<ShadowForm>("a shadow form", "How shade falls.")
           .number("voxel", &ShadowForm::voxel, {.unit = Unit::metre, .min = 0.02, .max = 1000},
-                  "Across a cell of shade; raised, coarser and farther reaching.")
+                  "Edge length of a voxel of the shadow grid; raised, shade is coarser and reaches farther.")
           .number("a", &ShadowForm::amount, {.min = 0, .max = 5},
-                  "Shade that a shoot as long as a cell casts in its own cell; 1 is darkness.")
-          .number("b", &ShadowForm::base, {.min = 1, .max = 1000},
-                  "By which shade is divided from cell to cell; raised, it fades sooner.")
-          .integer("depth", &ShadowForm::depth, {.min = 0, .max = 64}, "How many cells below a shoot are shaded.");
+                  "Shade that a shoot as long as a voxel casts in its own voxel; 1 is darkness.")
+          .number("b", &ShadowForm::base, {.min = 1, .max = 1000, .usual = {1, 3}},
+                  "Factor by which shade weakens from one layer of voxels to the next; raised, it fades sooner.")
+          .integer("depth", &ShadowForm::depth, {.min = 0, .max = 64, .usual = {0, 24}},
+                   "Number of layers of voxels that a shoot shades below its own; raised, shade reaches farther and "
+                   "costs more.");
   return table;
 }
 
 const ParameterTable& shade_table() {
   static const ParameterTable table =
-      Table<ShadeResponse>("a shade response", "The shade of all plants of the stand as they grow.")
+      Table<ShadeResponse>("a shade response",
+                           "How the tree answers to the shade that all plants of the stand cast as they grow.")
           .number("bears", &ShadeResponse::bears, {.min = 0, .max = 1},
-                  "Light below which points do not pull, from 1 in the open to 0 in darkness; raised, less tolerant.")
+                  "Light below which points do not pull, from 1 in the open to 0 in darkness; raised, the tree "
+                  "tolerates less shade.")
           .members(&ShadeResponse::form, shade_form_table());
   return table;
 }
@@ -109,24 +113,30 @@ const ParameterTable& shade_table() {
 const ParameterTable& response_table() {
   static const ParameterTable table =
       Table<LightResponse>("a light response", "How the tree answers to the light of the scene.")
-          .number("sunlit_weight", &LightResponse::sunlit_weight, {.min = 0, .max = 100},
-                  "How strongly nodes in the light feel it; those in the shade of obstacles do with strength 1.")
-          .boolean("hold_height", &LightResponse::hold_height, "Keeps the points' top at its height while they move.")
-          .object("limit", &LightResponse::limit, limit_table, "Leaves out the points that lie in the deepest shade.")
+          .number("sunlit_weight", &LightResponse::sunlit_weight, {.min = 0, .max = 100, .usual = {0, 2}},
+                  "Weight of light that reaches a node, over that of light an obstacle blocks (1); raised, branches "
+                  "turn to the sun more strongly.")
+          .boolean("hold_height", &LightResponse::hold_height,
+                   "Whether the top of the attraction points keeps its height while they move toward the light.")
+          .object("limit", &LightResponse::limit, limit_table,
+                  "Removes the attraction points in the deepest shade before growth begins.")
           .object("shade", &LightResponse::shade, shade_table,
-                  "Lets the plants of the stand shade each other as they grow.");
+                  "Lets the plants of the stand shade each other as they grow; by default, they do not.");
   return table;
 }
 
 const ParameterTable& light_table() {
   static const ParameterTable table =
       Table<LightForm>("a light response", "How the tree answers to the light of the scene.")
-          .number("shift", &LightForm::shift, {.unit = Unit::step, .min = 0, .max = 1},
-                  "By how much all points move toward brighter places in a step; raised, a stronger lean.")
-          .number("shift_m", &LightForm::shift_m, {.unit = Unit::metre, .min = 0, .max = 1000},
-                  "The same in metres, in its stead.")
-          .number("drift", &LightForm::drift, {.unit = Unit::step, .min = 0, .max = 1},
-                  "By how much each point moves to where it gets brighter for the node that it pulls.")
+          .number("shift", &LightForm::shift, {.unit = Unit::step, .min = 0, .max = 1, .usual = {0, 0.2}},
+                  "Distance that all attraction points together move toward brighter places per step; raised, the tree "
+                  "leans more.")
+          .number("shift_m", &LightForm::shift_m, {.unit = Unit::metre, .min = 0, .max = 1000, .usual = {0, 0.02}},
+                  "Distance in metres that all attraction points together move toward brighter places per step; "
+                  "replaces 'shift'.")
+          .number("drift", &LightForm::drift, {.unit = Unit::step, .min = 0, .max = 1, .usual = {0, 0.2}},
+                  "Distance that each attraction point moves per step to where its nearest node finds more light; "
+                  "raised, branches turn to it more.")
           .members(&LightForm::response, response_table())
           .never_with("shift", {"shift_m"})
           .only_where({{"shift"}, {"shift_m"}, {"drift"}}, {"sunlit_weight", "hold_height"});
@@ -136,11 +146,14 @@ const ParameterTable& light_table() {
 const ParameterTable& finish_table() {
   static const ParameterTable table =
       Table<Finish>("a finish", "What is done to the skeleton after growth, in this order.")
-          .number("decimate", &Finish::decimate, {.unit = Unit::step, .min = 0, .max = 1000},
-                  "Removes nodes along branches over this length; 4 keeps about every fourth, 0 all.")
-          .boolean("relax", &Finish::relax, "Moves each node half way to its parent, which softens forks.")
-          .number("subdivide", &Finish::subdivide, {.unit = Unit::step, .min = 0, .max = 1000},
-                  "Spacing of the final nodes along smooth curves; 0 keeps the nodes as they are.");
+          .number(
+              "decimate", &Finish::decimate, {.unit = Unit::step, .min = 0, .max = 1000, .usual = {0, 20}},
+              "Spacing to which the nodes along branches are thinned; 4 keeps about every fourth node, 0 keeps all.")
+          .boolean("relax", &Finish::relax,
+                   "Whether each node moves half way to its parent, which softens the angles of forks.")
+          .number(
+              "subdivide", &Finish::subdivide, {.unit = Unit::step, .min = 0, .max = 1000, .usual = {0, 20}},
+              "Spacing of the final nodes along smooth curves through the branches; 0 keeps the nodes as they are.");
   return table;
 }
 
@@ -148,16 +161,19 @@ const ParameterTable& growth_table() {
   static const ParameterTable table =
       Table<ColonizeParameters>("growth", "How the skeleton grows.")
           .number("step", &ColonizeParameters::step, {.unit = Unit::metre, .min = 0, .max = 1000, .above_min = true},
-                  "Between nodes; lowered, finer and slower.")
+                  "Distance between nodes, which a branch grows per step; lowered, finer branches and slower growth.")
           .number("influence", &ColonizeParameters::influence,
                   {.unit = Unit::metre, .min = 0, .max = 1e6, .above_min = true},
-                  "Within which a point pulls a node; raised, smoother branches.")
+                  "Influence distance, within which an attraction point pulls the nearest node; raised, smoother and "
+                  "fewer branches.")
           .number("kill", &ColonizeParameters::kill, {.unit = Unit::metre, .min = 0, .max = 1e6, .above_min = true},
-                  "Within which a node uses a point up; lowered, denser twigs.")
-          .integer("iterations", &ColonizeParameters::iterations, {.min = 1, .max = 1e6}, "At most so many steps.")
+                  "Kill distance, within which a node uses up an attraction point; lowered, denser twigs.")
+          .integer("iterations", &ColonizeParameters::iterations, {.min = 1, .max = 1e6},
+                   "Largest number of growth steps; growth ends earlier when no attraction points are left in reach.")
           .vector("bias", &ColonizeParameters::bias, {.min = -100, .max = 100},
-                  "Added to each growth direction; [0, 0.2, 0] makes all grow upward a little.")
-          .object("finish", &ColonizeParameters::finish, finish_table, "What is done to the skeleton after growth.");
+                  "Vector added to each growth direction; [0, 0.2, 0] makes all branches grow upward a little.")
+          .object("finish", &ColonizeParameters::finish, finish_table,
+                  "What is done to the skeleton after growth: nodes removed, forks softened, curves smoothed.");
   return table;
 }
 
@@ -171,26 +187,29 @@ ComponentType colonize_component() {
                  .makes_stems = true,
                  .stance = BranchStance::on_axis,
                  .after_growth = {"surface", "shed"}},
-      .parameters = Table<Colonize>("a colonize", "A tree that grows into a cloud of attraction points.")
-                        .object("crown", &Colonize::crown, crown_table,
-                                "The envelope that the points fill; needed unless they come from a file.")
-                        .object("points", &Colonize::points, points_table, "The attraction points.")
-                        .places("roots", &Colonize::roots, {.unit = Unit::metre, .min = -1e5, .max = 1e5},
-                                "Where trees of this kind stand; each has its crown, and they compete.")
-                        .boolean("one_crown", &Colonize::one_crown,
-                                 "One crown over the component's place, which all roots grow into.")
-                        .members(&Colonize::growth, growth_table())
-                        .object("light", &Colonize::light, light_table, "How the tree answers to the light.")
-                        .members(&Colonize::growth, &ColonizeParameters::radii, pipe_table())
-                        .condition("shed", &Colonize::shed, node_variables(),
-                                   "Branches that are gone when growth is done: the condition holds where they began, "
-                                   "as in \"height < 2 && radius < 0.01\".")
-                        .object("surface", &Colonize::surface, surface_table, "How the stems are clothed.")
-                        .only_where({{"surface.style", {"tubes"}}}, {"texture"})
-                        .without(names_off_stems(), kWhyOffStems)
-                        .only_with("roots", {"one_crown"})
-                        .only_with("shed", {"memory"})
-                        .check(check_colonize),
+      .parameters =
+          Table<Colonize>("a colonize", "A tree that grows into a cloud of attraction points.")
+              .object("crown", &Colonize::crown, crown_table,
+                      "Envelope that the attraction points fill; required unless the points come from a file.")
+              .object("points", &Colonize::points, points_table,
+                      "Number, distribution or file of the attraction points.")
+              .places("roots", &Colonize::roots, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-20, 20}},
+                      "Positions of the trees; each has its own crown unless 'one_crown' is set, and all compete for "
+                      "points.")
+              .boolean("one_crown", &Colonize::one_crown,
+                       "Whether all roots share one crown, which stands at the component's origin.")
+              .members(&Colonize::growth, growth_table())
+              .object("light", &Colonize::light, light_table, "How the tree answers to the light of the scene.")
+              .members(&Colonize::growth, &ColonizeParameters::radii, pipe_table())
+              .condition("shed", &Colonize::shed, node_variables(),
+                         "Condition at the base of a branch for shedding it after growth, as in \"height < 2 && radius "
+                         "< 0.01\".")
+              .object("surface", &Colonize::surface, surface_table, "How the skeleton becomes a surface.")
+              .only_where({{"surface.style", {"tubes"}}}, {"texture"})
+              .without(names_off_stems(), kWhyOffStems)
+              .only_with("roots", {"one_crown"})
+              .only_with("shed", {"memory"})
+              .check(check_colonize),
       .expand = expand,
       .grow = grow,
   });

@@ -42,20 +42,25 @@ void expand(const Field& field, const Site& site, Emitter& out) {
 ComponentType field_component() {
   return define_component<Field>({
       .traits = {.name = "field",
-                 .doc = "Places in rows on a level plain, for a crop, an orchard or an avenue.",
+                 .doc = "Sites in rows on a level plain, for a crop, an orchard or an avenue.",
                  .has_geometry = false},
       .parameters =
-          Table<Field>("a field", "Places in rows.")
-              .integer("rows", &Field::rows, {.min = 1, .max = 1e6, .fixed = true}, "One behind the other, along z.")
-              .integer("plants", &Field::plants, {.min = 1, .max = 1e6, .fixed = true}, "In each row, along x.")
+          Table<Field>("a field", "Sites in rows.")
+              .integer("rows", &Field::rows, {.min = 1, .max = 1e6, .usual = {1, 100}, .fixed = true},
+                       "Number of rows, one behind the other along z.")
+              .integer("plants", &Field::plants, {.min = 1, .max = 1e6, .usual = {1, 100}, .fixed = true},
+                       "Number of plants in each row, along x.")
               .number("row_spacing", &Field::row_spacing, {.unit = Unit::metre, .min = 0, .max = 1e5},
-                      "From row to row.")
-              .number("spacing", &Field::spacing, {.unit = Unit::metre, .min = 0, .max = 1e5}, "Within a row.")
-              .number("scatter", &Field::scatter, {.min = 0, .max = 1},
-                      "Share of both spacings by which a place is off at most; raised, less even.")
-              .boolean("stagger", &Field::stagger, "Whether every other row is moved by half of the spacing.")
-              .number("gaps", &Field::gaps, {.min = 0, .max = 1}, "Share of places that stay empty.")
-              .boolean("turned", &Field::turned, "Whether each plant faces anywhere, and not all the same way."),
+                      "Distance from row to row.")
+              .number("spacing", &Field::spacing, {.unit = Unit::metre, .min = 0, .max = 1e5},
+                      "Distance from plant to plant within a row.")
+              .number(
+                  "scatter", &Field::scatter, {.min = 0, .max = 1, .usual = {0, 0.5}},
+                  "Largest random offset of a plant, as a share of both spacings; raised, the field is less regular.")
+              .boolean("stagger", &Field::stagger, "Whether every other row is offset by half the spacing.")
+              .number("gaps", &Field::gaps, {.min = 0, .max = 1}, "Share of the sites that stay empty.")
+              .boolean("turned", &Field::turned,
+                       "Whether each plant faces a random direction; otherwise all face the same way."),
       .expand = expand,
   });
 }

@@ -407,8 +407,7 @@ ComponentType grassleaf_component() {
   return define_component<Grassleaf>({
       .traits =
           {.name = "grassleaf",
-           .doc = "A grass's leaf, from measured or drawn curves, by stages: load, fit, age, vary, bend, reduce, "
-                  "blade.",
+           .doc = "A grass leaf from measured or drawn curves, in stages: load, fit, age, vary, bend, reduce, blade.",
            .material = {.colour = {0.30F, 0.46F, 0.17F}, .roughness = 0.55F, .translucency = 0.3F, .two_sided = true},
            .variety = 0.08,
            .blades = {.material = {.colour = {0.38F, 0.5F, 0.24F}, .roughness = 0.6F}, .has_document_colours = true},

@@ -189,7 +189,7 @@ void check_horn(const Horn& horn, const Place& place, ParameterReader& reader) {
 ComponentType horn_component() {
   return define_component<Horn>({
       .traits = {.name = "horn",
-                 .doc = "A cross-section or a row of primitives along a curve; branch links without placement place "
+                 .doc = "A cross-section or a row of primitives along a curve. Branch links without placement set "
                         "children on its "
                         "ribs, child links at its tip.",
                  .material = {.colour = {0.48F, 0.44F, 0.34F}, .roughness = 0.7F},
@@ -201,18 +201,18 @@ ComponentType horn_component() {
           Table<Horn>("a horn", "A cross-section or a row of primitives along a curve.")
               .members(&Horn::stem, stem_form_table())
               .choice("section", &Horn::section, {"ring", "outline", "box", "sphere", "cylinder", "cone", "torus"},
-                      "What is carried along the curve: a ring, as a stem that others join; an outline; or a primitive "
-                      "on each rib.")
+                      "What the curve carries: 'ring' makes a stem that others join, 'outline' a surface through "
+                      "copies of it, a primitive one on each rib.")
               .points("outline", &Horn::outline, {.min = -1e4, .max = 1e4},
-                      "Points [x, z] around the curve of the section 'outline', as shares of the radius.")
-              .number("twist", &Horn::twist, {.unit = Unit::degree, .min = -36000, .max = 36000},
-                      "Turn of the section and of the ribs about the curve from base to tip.")
-              .integer("ribs", &Horn::ribs, {.min = 1, .max = kMostRibs},
-                       "Places evenly along the curve, both ends included, for primitives and for the children of "
-                       "branch links.")
-              .integer("around", &Horn::around, {.min = 3, .max = 512, .fixed = true},
-                       "Corners around primitives; raised, rounder and heavier.")
-              .object("surface", &Horn::surface, surface_table, "How the stem of the section 'ring' is clothed.")
+                      "Points [x, z] of the cross-section for the section 'outline', as shares of the radius.")
+              .number("twist", &Horn::twist, {.unit = Unit::degree, .min = -36000, .max = 36000, .usual = {-720, 720}},
+                      "Angle by which section and ribs turn about the curve from base to tip.")
+              .integer("ribs", &Horn::ribs, {.min = 1, .max = kMostRibs, .usual = {1, 60}},
+                       "Number of ribs evenly along the curve, both ends included; they bear primitives and the "
+                       "children of branch links.")
+              .integer("around", &Horn::around, {.min = 3, .max = 512, .usual = {3, 64}, .fixed = true},
+                       "Number of corners around each primitive; raised, rounder and heavier.")
+              .object("surface", &Horn::surface, surface_table, "How the stem of the section 'ring' becomes a surface.")
               .only_where({{"section", {"outline"}}}, {"outline"})
               .only_where({{"section", {"sphere", "cylinder", "cone", "torus"}}}, {"around"})
               .only_where({{"section", {"ring"}}}, {"surface"})

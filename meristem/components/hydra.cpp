@@ -22,12 +22,13 @@ void expand(const Hydra& hydra, const Site&, Emitter& out) {
 ComponentType hydra_component() {
   return define_component<Hydra>({
       .traits = {.name = "hydra",
-                 .doc = "A star of places for children: leaflets of a palmate leaf, petals of a blossom.",
+                 .doc = "A star of sites for children: leaflets of a palmate leaf, petals of a blossom.",
                  .has_geometry = false},
-      .parameters = Table<Hydra>("a hydra", "A star of places for children.")
-                        .members(&Hydra::around, around_table())
-                        .per_child("radius", &Hydra::radius, {.unit = Unit::metre, .min = 0, .max = 1000},
-                                   "From the middle to where a child stands."),
+      .parameters =
+          Table<Hydra>("a hydra", "A star of sites for children.")
+              .members(&Hydra::around, around_table())
+              .per_child("radius", &Hydra::radius, {.unit = Unit::metre, .min = 0, .max = 1000, .usual = {0, 0.2}},
+                         "Distance from the centre to the base of a child."),
       .expand = expand,
   });
 }

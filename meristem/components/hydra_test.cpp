@@ -83,7 +83,7 @@ TEST(Hydra, AThousandMillionChildrenAreStopped) {
   const std::vector<Diagnostic> faults = faults_of([] { rays({{"number", 1e9}}); });
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults[0].text(),
-            "components.star: 'star' with 1000000000 children offers places to more than 20000000 instances; "
+            "components.star: 'star' with 1000000000 children offers sites to more than 20000000 instances; "
             "expected at most 20000000 (limits.instances)");
 }
 
@@ -95,7 +95,7 @@ TEST(Hydra, TheProductThatExplodedIsNamed) {
   const std::vector<Diagnostic> faults = faults_of([&] { builder.grow(); });
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults[0].text(),
-            "components.star: 3000 instances of 'star' with 30000 children each offer places to more than 20000000 "
+            "components.star: 3000 instances of 'star' with 30000 children each offer sites to more than 20000000 "
             "instances; expected at most 20000000 (limits.instances)");
 }
 

@@ -117,25 +117,26 @@ void check_leaf(const Leaf& leaf, const Place& place, ParameterReader& reader) {
 Table<LeafBlade> with_outline(Table<LeafBlade> table) {
   return std::move(table)
       .number("length", &LeafBlade::length, {.unit = Unit::metre, .min = 1e-4, .max = 100},
-              "Of the midrib, from the joint with the stalk to the tip.")
-      .number("width", &LeafBlade::width, {.unit = Unit::metre, .min = 1e-5, .max = 100}, "Across where it is widest.")
+              "Length of the midrib, from the joint with the stalk to the tip.")
+      .number("width", &LeafBlade::width, {.unit = Unit::metre, .min = 1e-5, .max = 100},
+              "Width of the blade at its widest.")
       .curve("outline", &LeafBlade::outline,
-             "Half width from base (0) to tip (1) as a share of the largest; the blade's edge.")
+             "Half width of the blade from base (0) to tip (1), as a share of the largest.")
       .points(
-          "polygon", &LeafBlade::polygon, {.min = -2, .max = 2},
-          "The right edge in its stead, for lobes that overhang: pairs of half width and place along, from joint to "
-          "tip.")
-      .choice("corners", &LeafBlade::corners, {"sharp", "round"}, "Of the polygon.")
+          "polygon", &LeafBlade::polygon, {.min = -2, .max = 2, .usual = {0, 1}},
+          "Right edge as points [half width, along] from base to tip, for lobes that overhang; replaces the outline.")
+      .choice("corners", &LeafBlade::corners, {"sharp", "round"},
+              "Whether the corners of the polygon are sharp or round.")
       .never_with("polygon", {"outline"})
       .only_with("polygon", {"corners"})
-      .number("heart", &LeafBlade::heart, {.min = 0, .max = 1, .fixed = true},
-              "How far the base reaches back beside the stalk, a share of the length.")
-      .integer("teeth", &LeafBlade::teeth, {.min = 0, .max = 200, .fixed = true},
-               "On each side; they get smaller toward base and tip.")
-      .number("teeth_depth", &LeafBlade::teeth_depth, {.min = 0, .max = 0.9, .fixed = true},
-              "Of the largest, a share of half the width.")
+      .number("heart", &LeafBlade::heart, {.min = 0, .max = 1, .usual = {0, 0.4}, .fixed = true},
+              "How far the base reaches back beside the stalk, as a share of the length; raised, a deeper heart shape.")
+      .integer("teeth", &LeafBlade::teeth, {.min = 0, .max = 200, .usual = {0, 60}, .fixed = true},
+               "Number of teeth along each edge; they get smaller toward base and tip.")
+      .number("teeth_depth", &LeafBlade::teeth_depth, {.min = 0, .max = 0.9, .usual = {0, 0.4}, .fixed = true},
+              "Depth of the largest tooth, as a share of the half width; raised, the edge is cut deeper.")
       .number("teeth_lean", &LeafBlade::teeth_lean, {.min = 0, .max = 1, .fixed = true},
-              "Toward the tip: 0 even, 1 with the upper side cut straight in.")
+              "Lean of the teeth toward the tip: 0 is symmetric, 1 cuts the side toward the tip straight in.")
       .only_with("teeth", {"teeth_depth", "teeth_lean"});
 }
 
@@ -144,32 +145,34 @@ Table<LeafBlade> with_bends(Table<LeafBlade> table) {
       .number("curl", &LeafBlade::curl, {.unit = Unit::degree, .min = -720, .max = 720},
               "Bend of the midrib from base to tip; raised, the tip sinks more.")
       .number("curl_across", &LeafBlade::curl_across, {.unit = Unit::degree, .min = -350, .max = 350},
-              "Bend from edge to edge; raised, the edges sink more.")
+              "Bend of the blade from edge to edge; raised, the edges sink more.")
       .number("fold", &LeafBlade::fold, {.unit = Unit::degree, .min = -85, .max = 85},
-              "Angle by which both halves rise about the midrib.")
+              "Angle by which both halves rise about the midrib; raised, a steeper V.")
       .curve("profile", &LeafBlade::profile,
-             "Height from midrib (0) to edge (1) on top of that, in shares of half the width; needs points across.")
+             "Height of the blade's surface from midrib (0) to edge (1), as a share of the half width; needs 'across' "
+             "above 2.")
       .integer("waves", &LeafBlade::waves, {.min = 0, .max = 32, .fixed = true},
-               "Along each edge; each has at least four of the rows.")
-      .number("waves_depth", &LeafBlade::waves_depth, {.min = -1, .max = 1, .fixed = true},
-              "Height of their crests, a share of half the width.")
+               "Number of waves along each edge; each takes at least four rows of quads.")
+      .number("waves_depth", &LeafBlade::waves_depth, {.min = -1, .max = 1, .usual = {0, 0.5}, .fixed = true},
+              "Height of the waves' crests at the edge, as a share of the half width.")
       .only_with("waves", {"waves_depth"})
-      .number("petiole", &LeafBlade::petiole, {.unit = Unit::metre, .min = 0, .max = 100},
-              "Length of the stalk before the blade.")
+      .number("petiole", &LeafBlade::petiole, {.unit = Unit::metre, .min = 0, .max = 100, .usual = {0, 0.2}},
+              "Length of the petiole, the stalk below the blade; 0 makes none.")
       .number("petiole_radius", &LeafBlade::petiole_radius, {.unit = Unit::metre, .min = 1e-5, .max = 1},
-              "Of the stalk.")
+              "Radius of the petiole.")
       .only_with("petiole", {"petiole_radius"});
 }
 
 const ParameterTable& blade_table() {
   static const ParameterTable table =
       with_bends(with_outline(Table<LeafBlade>("a leaf", "A leaf blade with its stalk.")))
-          .integer("rows", &LeafBlade::rows, {.min = 1, .max = 256, .fixed = true},
-                   "Quads from base to tip; raised, the outline is followed more closely.")
-          .integer("across", &LeafBlade::across, {.min = 2, .max = 64, .fixed = true},
-                   "Quads from edge to edge, an even number.")
+          .integer("rows", &LeafBlade::rows, {.min = 1, .max = 256, .usual = {1, 32}, .fixed = true},
+                   "Number of quads from base to tip; raised, the mesh follows outline and curl more closely.")
+          .integer("across", &LeafBlade::across, {.min = 2, .max = 64, .usual = {2, 16}, .fixed = true},
+                   "Number of quads from edge to edge, which must be even; raised, bends across are smoother.")
           .choice("edge", &LeafBlade::edge, {"shape", "picture"},
-                  "shape: the mesh follows the outline; picture: a simple hull, out of which the texture cuts it.");
+                  "How the edge is made: 'shape' follows the outline with the mesh, 'picture' cuts it out of a simple "
+                  "hull by the texture.");
   return table;
 }
 

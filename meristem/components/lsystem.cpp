@@ -145,37 +145,44 @@ void check_lsystem(const Lsystem& plant, const Place& place, ParameterReader& re
 
 const ParameterTable& angles_table() {
   static const ParameterTable table =
-      Table<PolarAngles>("angles", "The turns of a polar turtle, in degrees.")
-          .number("elevation", &PolarAngles::elevation, {.min = -360, .max = 360}, "Of ^ and &.")
-          .number("azimuth", &PolarAngles::azimuth, {.min = -360, .max = 360}, "Of + and -.");
+      Table<PolarAngles>("angles", "The angles of a polar turtle, in degrees.")
+          .number("elevation", &PolarAngles::elevation, {.min = -360, .max = 360, .usual = {0, 120}},
+                  "Angle in degrees by which ^ and & turn a polar turtle when they have no parameter.")
+          .number("azimuth", &PolarAngles::azimuth, {.min = -360, .max = 360, .usual = {0, 120}},
+                  "Angle in degrees by which + and - turn a polar turtle when they have no parameter.");
   return table;
 }
 
 const ParameterTable& decay_table() {
   static const ParameterTable table =
-      Table<WidthDecay>("a decay", "By which each segment's radius is multiplied from its beginning to its end.")
-          .number("trunk", &WidthDecay::trunk, {.min = 0, .max = 2}, "Outside all brackets; raised, fuller stems.")
-          .number("branch", &WidthDecay::branch, {.min = 0, .max = 2}, "Within brackets; raised, fuller branches.");
+      Table<WidthDecay>("a decay", "Factors on the radius of stems along each segment.")
+          .number("trunk", &WidthDecay::trunk, {.min = 0, .max = 2, .usual = {0.5, 1.2}},
+                  "Factor on the radius along each segment outside all brackets; lowered, the trunk tapers more.")
+          .number("branch", &WidthDecay::branch, {.min = 0, .max = 2, .usual = {0.5, 1.2}},
+                  "Factor on the radius along each segment within brackets; lowered, branches taper more.");
   return table;
 }
 
 const ParameterTable& turtle_table() {
   static const ParameterTable table =
-      Table<TurtleParameters>("a turtle", "How the word is drawn.")
+      Table<TurtleParameters>("a turtle", "How the turtle draws the word.")
           .choice("turtle", &TurtleParameters::reading, {"frame", "polar"},
-                  "frame: turns are about the turtle's own axes; polar: they change its elevation and azimuth.")
+                  "How turns are read: 'frame' turns about the turtle's own axes, 'polar' changes its elevation and "
+                  "azimuth.")
           .boolean("stack_angles", &TurtleParameters::stack_angles,
-                   "Whether ] brings a polar turtle's angles back, and not its place alone.")
-          .number("length", &TurtleParameters::length, {.unit = Unit::metre, .min = -1000, .max = 1000},
-                  "Of F, G, f and g without a parameter.")
+                   "Whether ] restores a polar turtle's angles along with its position.")
+          .number("length", &TurtleParameters::length,
+                  {.unit = Unit::metre, .min = -1000, .max = 1000, .usual = {0, 0.5}},
+                  "Distance that F, G, f and g go when they have no parameter.")
           .number("width", &TurtleParameters::width, {.unit = Unit::metre, .min = 0, .max = 100},
-                  "Radius at the root; ! and # set radii, too.")
-          .number("thinner", &TurtleParameters::thinner, {.min = 0, .max = 1, .above_min = true},
-                  "By which ! without a parameter multiplies the radius, and # divides it.")
-          .vector("tropism", &TurtleParameters::tropism, {.min = -100, .max = 100},
-                  "What branches bend toward, straight down if not given; its length counts, too.")
-          .number("elasticity", &TurtleParameters::elasticity, {.min = -10, .max = 10},
-                  "How far they bend at each segment: radians where the pull is at right angles; negative: away.");
+                  "Radius of the stem at the root; the symbols ! and # change it.")
+          .number("thinner", &TurtleParameters::thinner, {.min = 0, .max = 1, .usual = {0.4, 1}, .above_min = true},
+                  "Factor on the radius at each ! without a parameter; each # without one divides the radius by it.")
+          .vector("tropism", &TurtleParameters::tropism, {.min = -100, .max = 100, .usual = {-1, 1}},
+                  "Direction toward which segments bend; the bend is proportional to the vector's length.")
+          .number(
+              "elasticity", &TurtleParameters::elasticity, {.min = -10, .max = 10, .usual = {-0.5, 0.5}},
+              "Bend of each segment toward the tropism, in radians where it is at right angles; negative bends away.");
   return table;
 }
 
@@ -193,20 +200,23 @@ ComponentType lsystem_component() {
            .stance = BranchStance::on_axis},
       .parameters =
           Table<Lsystem>("an lsystem", "A plant by the rules of a grammar, drawn by a turtle.")
-              .lines("grammar", &Lsystem::grammar, read_plant_grammar, "The grammar's text, or a list of its lines.")
-              .text_file("file", &Lsystem::file, read_plant_grammar, "A file with it instead.")
+              .lines("grammar", &Lsystem::grammar, read_plant_grammar, "Text of the grammar, or a list of its lines.")
+              .text_file("file", &Lsystem::file, read_plant_grammar, "File with the grammar's text.")
               .one_of({"grammar", "file"})
               .integer("steps", &Lsystem::steps, {.min = 0, .max = kMostSteps},
-                       "How often the rules are applied; unset, as the grammar says.")
-              .number("angle", &Lsystem::angle, {.min = -360, .max = 360},
-                      "Degrees of turns without a parameter; unset, as the grammar says, else 22.5.")
-              .object("angles", &Lsystem::angles, angles_table, "The same for a polar turtle, by kind of turn.")
+                       "Number of times that the rules are applied; by default, as the grammar says.")
+              .number("angle", &Lsystem::angle, {.min = -360, .max = 360, .usual = {0, 120}},
+                      "Angle in degrees of turns without a parameter; by default, as the grammar says, or 22.5.")
+              .object("angles", &Lsystem::angles, angles_table,
+                      "Angles of turns without a parameter for a polar turtle: one for the elevation and one for the "
+                      "azimuth.")
               .members(&Lsystem::turtle, turtle_table())
               .object("width_decay", &Lsystem::width_decay, decay_table,
-                      "How stems get thinner in words without ! and #.")
+                      "How the radius of stems falls along each segment, for grammars without ! and #.")
               .colours("palette", &Lsystem::palette,
-                       "Colours of polygons by the number that ' counts, the last for all beyond.")
-              .object("surface", &Lsystem::surface, surface_table, "How the stems are clothed.")
+                       "Colours of polygons, in the order in which the symbol ' counts; the last holds for all higher "
+                       "numbers.")
+              .object("surface", &Lsystem::surface, surface_table, "How the skeleton becomes a surface.")
               .only_where({{"surface.style", {"tubes"}}}, {"texture"})
               .without(names_off_stems(), kWhyOffStems)
               .never_with("angle", {"angles"})

@@ -50,31 +50,37 @@ void expand(const Needles& needles, const Site& site, Emitter& out) {
 const ParameterTable& shoot_table() {
   static const ParameterTable table =
       Table<NeedleShoot>("needles", "The needles of a shoot.")
-          .integer("count", &NeedleShoot::count, {.min = 1, .max = 2000, .fixed = true}, "Needles, or bundles of them.")
-          .number("length", &NeedleShoot::length, {.unit = Unit::metre, .min = 1e-4, .max = 10}, "Of a needle.")
-          .number("width", &NeedleShoot::width, {.unit = Unit::metre, .min = 1e-5, .max = 1}, "Of a needle.")
+          .integer("count", &NeedleShoot::count, {.min = 1, .max = 2000, .usual = {1, 200}, .fixed = true},
+                   "Number of bundles of needles along the shoot; single needles where 'fascicle' is 1.")
+          .number("length", &NeedleShoot::length, {.unit = Unit::metre, .min = 1e-4, .max = 10, .usual = {0.005, 0.3}},
+                  "Length of a needle.")
+          .number("width", &NeedleShoot::width, {.unit = Unit::metre, .min = 1e-5, .max = 1},
+                  "Width of a needle at its middle.")
           .number("along", &NeedleShoot::along, {.unit = Unit::metre, .min = 0, .max = 100},
-                  "Length of the shoot that they stand on; 0: a tuft.")
+                  "Length of the shoot that bears the needles; 0 makes a tuft that springs from one point.")
           .number("base_angle", &NeedleShoot::base_angle, {.unit = Unit::degree, .min = 0, .max = 180},
-                  "Between the shoot and its lowest needles.")
+                  "Angle between the shoot and its lowest needles; raised, they stand off more.")
           .number("tip_angle", &NeedleShoot::tip_angle, {.unit = Unit::degree, .min = 0, .max = 180},
-                  "Between the shoot and its highest needles.")
+                  "Angle between the shoot and its highest needles; raised, they stand off more.")
           .number("divergence", &NeedleShoot::divergence,
-                  {.unit = Unit::degree, .min = -360, .max = 360, .fixed = true},
-                  "About the shoot, from one to the next.")
-          .integer("fascicle", &NeedleShoot::fascicle, {.min = 1, .max = 100, .fixed = true}, "Needles in a bundle.")
+                  {.unit = Unit::degree, .min = -360, .max = 360, .usual = {0, 180}, .fixed = true},
+                  "Divergence angle: the turn about the shoot from one bundle to the next.")
+          .integer("fascicle", &NeedleShoot::fascicle, {.min = 1, .max = 100, .fixed = true},
+                   "Number of needles per bundle (fascicle): 2 to 5 in pines, 1 in spruces and firs.")
           .number("spread", &NeedleShoot::spread, {.unit = Unit::degree, .min = 0, .max = 90},
-                  "Between the needles of a bundle and its middle.")
+                  "Angle between a bundle's middle and its outer needles; raised, the bundle opens.")
           .number("curl", &NeedleShoot::curl, {.unit = Unit::degree, .min = -120, .max = 120},
                   "Bend of a needle from base to tip; raised, it bends away from the shoot.")
-          .number("flatten", &NeedleShoot::flatten, {.min = 0, .max = 1, .fixed = true},
-                  "Toward both sides: 0 all around, 1 combed into one plane.")
-          .number("irregular", &NeedleShoot::irregular, {.min = 0, .max = 0.9, .fixed = true},
-                  "How much needles differ in length and direction, a share.")
+          .number(
+              "flatten", &NeedleShoot::flatten, {.min = 0, .max = 1, .fixed = true},
+              "How far needles are combed to both sides: 0 leaves them all around the shoot, 1 lays them in one plane.")
+          .number("irregular", &NeedleShoot::irregular, {.min = 0, .max = 0.9, .usual = {0, 0.5}, .fixed = true},
+                  "Random share by which needles differ in length and direction; raised, a rougher shoot.")
           .integer("sides", &NeedleShoot::sides, {.min = 2, .max = 3, .fixed = true},
-                   "2: flat, two triangles each; 3: spikes of three.")
-          .number("axis_radius", &NeedleShoot::axis_radius, {.unit = Unit::metre, .min = 0, .max = 1},
-                  "Of a thin twig along the shoot, in the needles' colour; 0: none.")
+                   "Sides of a needle: 2 is a flat one of two triangles, 3 a spike of three.")
+          .number("axis_radius", &NeedleShoot::axis_radius,
+                  {.unit = Unit::metre, .min = 0, .max = 1, .usual = {0, 0.01}},
+                  "Radius of a thin twig along the shoot, in the colour of the needles; 0 makes none.")
           .only_with("fascicle", {"spread"});
   return table;
 }
@@ -85,13 +91,14 @@ ComponentType needles_component() {
   return define_component<Needles>({
       .traits =
           {.name = "needles",
-           .doc = "The needles of a shoot, or a tuft of them; it heads along y, and children stand at its tip.",
+           .doc = "The needles of a shoot, or a tuft of them; the shoot heads along y, and children stand at its tip.",
            .material = {.colour = {0.20F, 0.30F, 0.15F}, .roughness = 0.5F, .translucency = 0.15F, .two_sided = true},
            .variety = 0.1},
-      .parameters = Table<Needles>("needles", "The needles of a shoot.")
-                        .members(&Needles::shoot, shoot_table())
-                        .integer("variants", &Needles::variants, {.min = 1, .max = 64, .fixed = true},
-                                 "Different shoots, of which each instance is one; raised, more geometry."),
+      .parameters =
+          Table<Needles>("needles", "The needles of a shoot.")
+              .members(&Needles::shoot, shoot_table())
+              .integer("variants", &Needles::variants, {.min = 1, .max = 64, .fixed = true},
+                       "Number of different shoots that the instances share; raised, more variety and more geometry."),
       .expand = expand,
   });
 }

@@ -94,7 +94,7 @@ void check_balance(const Organize& tree, const Place& place, ParameterReader& re
   }
   if (growth.resource.division != ResourceModel::Division::borchert_honda || growth.resource.alpha0 != 0) return;
   if (std::abs(of_bud - growth.lateral_threshold) >= kEdge * growth.lateral_threshold) return;
-  reader.warn(alpha, fmt::format("growth stands on a knife edge: a bud in full light makes a resource of {:.4g}, and "
+  reader.warn(alpha, fmt::format("growth is unstable here: a bud in full light makes a resource of {:.4g}, and "
                                  "lateral buds open at {:.4g}; small changes make trees with and without branches. "
                                  "Keep 'alpha' at least {:.0f} % away from there",
                                  of_bud, growth.lateral_threshold, 100 * kEdge));
@@ -117,7 +117,7 @@ void check_organize(const Organize& tree, const Place& place, ParameterReader& r
   const BudLightModel& light = tree.light.model;
   const Place light_place(place, "light");
   if (light.voxel > 0 && light.voxel * kMostVoxelsAMetamer < tree.growth.length) {
-    reader.fault(Place(light_place, "voxel"), "cells are too small for metamers so long",
+    reader.fault(Place(light_place, "voxel"), "the voxels are too small for metamers this long",
                  fmt::format("0, or a number (m) of at least {:.4g}", tree.growth.length / kMostVoxelsAMetamer));
   }
   const double voxels = (std::max(light.perception, light.occupancy)) / light.spacing;
@@ -143,17 +143,18 @@ ComponentType organize_component() {
       .parameters =
           Table<Organize>("an organize", "Trees whose buds compete for light and room.")
               .members(&Organize::growth, organize_growth_table())
-              .object("light", &Organize::light, organize_light_table, "What light the buds have.")
-              .places("roots", &Organize::roots, {.unit = Unit::metre, .min = -1e5, .max = 1e5},
-                      "Where trees of this kind stand; they compete.")
+              .object("light", &Organize::light, organize_light_table, "What light or room the buds find.")
+              .places("roots", &Organize::roots, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-20, 20}},
+                      "Positions of the trees; they compete with each other for light and room.")
               .list_of_kinds("operations", &Organize::operations, operation_kinds, operation_table,
-                             "What is done to the tree, in this order.")
+                             "Cuts and other operations on the trees as they grow, in this order.")
               .integer("leaf_age", &Organize::leaf_age, {.min = 0, .max = 1000},
-                       "Iterations for which metamers offer a place for a leaf; 1: those of the last iteration alone.")
+                       "Number of last iterations whose metamers offer a site for a leaf; raised, leaves "
+                       "also stand on older wood.")
               .number("leaf_angle", &Organize::leaf_angle, {.unit = Unit::degree, .min = 0, .max = 180},
-                      "Between shoot and leaf.")
+                      "Angle between a shoot and its leaves.")
               .members(&Organize::growth, &OrganizeParameters::radii, pipe_table())
-              .object("surface", &Organize::surface, surface_table, "How the stems are clothed.")
+              .object("surface", &Organize::surface, surface_table, "How the skeleton becomes a surface.")
               .only_where({{"surface.style", {"tubes"}}}, {"texture"})
               .without(names_off_stems(), kWhyOffStems)
               .only_where({{"operations"}}, {"damage", "takeover", "resource.pass_back"})

@@ -59,26 +59,30 @@ void check_zone(const Phiball& ball, const Place& place, ParameterReader& reader
 ComponentType phiball_component() {
   return define_component<Phiball>({
       .traits = {.name = "phiball",
-                 .doc = "Places for children on a sphere by the golden angle: florets of a head, leaves of a rosette.",
+                 .doc = "Sites for children on a sphere by the golden angle: florets of a head, leaves of a rosette.",
                  .has_geometry = false},
       .parameters =
-          Table<Phiball>("a phiball", "Places for children on a zone of a sphere by the golden angle.")
-              .integer("number", &Phiball::number, {.min = 0, .max = 2e9}, "Children on the sphere.")
-              .number("radius", &Phiball::radius, {.unit = Unit::metre, .min = 0, .max = 1e5},
-                      "Of the sphere; 0.1 where neither it nor an area is given.")
-              .number("area", &Phiball::area, {.min = 0, .max = 1e8, .above_min = true},
-                      "Square metres that a child of size 1 takes, from which the radius follows; raised, they stand "
-                      "further apart.")
+          Table<Phiball>("a phiball", "Sites for children on a zone of a sphere by the golden angle.")
+              .integer("number", &Phiball::number, {.min = 0, .max = 2e9, .usual = {0, 500}},
+                       "Number of children on the sphere.")
+              .number("radius", &Phiball::radius, {.unit = Unit::metre, .min = 0, .max = 1e5, .usual = {0, 0.3}},
+                      "Radius of the sphere; by default 0.1, unless 'area' is given.")
+              .number("area", &Phiball::area, {.min = 0, .max = 1e8, .usual = {1e-6, 0.001}, .above_min = true},
+                      "Area in square metres that a child of size 1 takes, which sets the sphere's radius; raised, "
+                      "children stand farther apart.")
               .never_with("radius", {"area"})
-              .number("theta1", &Phiball::theta1, {.unit = Unit::degree, .min = 0, .max = 180},
-                      "From the pole, which lies along the heading, to where the zone begins.")
+              .number(
+                  "theta1", &Phiball::theta1, {.unit = Unit::degree, .min = 0, .max = 180},
+                  "Angle from the sphere's pole, which lies along the heading, to where the zone of children begins.")
               .number("theta2", &Phiball::theta2, {.unit = Unit::degree, .min = 0, .max = 180},
-                      "From the pole to where the zone ends: a small one for a cap, 180 for all of the sphere.")
-              .per_child("size", &Phiball::size, {.min = 0, .max = 1000},
-                         "Scale of a child, which takes an area of its square.")
+                      "Angle from the sphere's pole to where the zone of children ends: small for a cap, 180 for the "
+                      "whole sphere.")
+              .per_child("size", &Phiball::size, {.min = 0, .max = 1000, .usual = {0, 2}},
+                         "Scale of each child, which takes an area in proportion to its square.")
               .number("roll", &Phiball::roll, {.unit = Unit::degree, .min = -36000, .max = 36000},
-                      "Turns the sphere about its heading.")
-              .boolean("pole", &Phiball::pole, "Whether its pole stands on the frame, and not its middle.")
+                      "Turn of the sphere about its heading.")
+              .boolean("pole", &Phiball::pole,
+                       "Whether the sphere's pole stands on the frame; otherwise its centre does.")
               .check(check_zone),
       .expand = expand,
   });

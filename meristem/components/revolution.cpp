@@ -32,15 +32,19 @@ void check_silhouette(const Revolution& component, const Place& place, Parameter
 const ParameterTable& body_table() {
   static const ParameterTable table =
       Table<SolidOfRevolution>("a revolution", "A body of revolution.")
-          .points("silhouette", &SolidOfRevolution::silhouette, {.unit = Unit::metre, .min = -1e4, .max = 1e4},
-                  "Pairs [radius, height] from base to tip; heights may fall, as within a cup.")
-          .choice("kind", &SolidOfRevolution::kind, {"spline", "linear"}, "How they are joined.")
-          .integer("segments", &SolidOfRevolution::segments, {.min = 3, .max = 512, .fixed = true},
-                   "Corners around a whole turn; raised, rounder and heavier.")
-          .integer("rings", &SolidOfRevolution::rings, {.min = 1, .max = 512, .fixed = true},
-                   "Quads along a spline, at least one from point to point; raised, smoother and heavier.")
-          .number("sweep", &SolidOfRevolution::sweep, {.unit = Unit::degree, .min = 1, .max = 360, .fixed = true},
-                  "How far it is turned about the axis; below 360 a wedge between two flat sides.")
+          .points("silhouette", &SolidOfRevolution::silhouette,
+                  {.unit = Unit::metre, .min = -1e4, .max = 1e4, .usual = {0, 0.2}},
+                  "Points [radius, height] of the silhouette from base to tip; heights may fall, as inside a cup.")
+          .choice("kind", &SolidOfRevolution::kind, {"spline", "linear"},
+                  "How the points of the silhouette are joined: by a smooth 'spline' or by 'linear' pieces.")
+          .integer("segments", &SolidOfRevolution::segments, {.min = 3, .max = 512, .usual = {3, 64}, .fixed = true},
+                   "Number of corners around a whole turn; raised, rounder and heavier.")
+          .integer("rings", &SolidOfRevolution::rings, {.min = 1, .max = 512, .usual = {1, 64}, .fixed = true},
+                   "Number of quads along a spline silhouette, at least one from point to point; raised, smoother and "
+                   "heavier.")
+          .number(
+              "sweep", &SolidOfRevolution::sweep, {.unit = Unit::degree, .min = 1, .max = 360, .fixed = true},
+              "Angle through which the silhouette is turned about the axis; below 360 a wedge between two flat sides.")
           .only_where({{"kind", {"spline"}}}, {"rings"});
   return table;
 }

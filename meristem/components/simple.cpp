@@ -86,23 +86,24 @@ void check_outline(const Simple& simple, const Place& place, ParameterReader& re
 
 ComponentType simple_component() {
   return define_component<Simple>({
-      .traits = {.name = "simple",
-                 .doc = "A box, sphere, cylinder, cone or torus that stands on its frame, or a section of a surface: "
-                        "where the child "
-                        "of an area or tube is one too, a surface joins them. Children stand on top.",
-                 .material = {.colour = {0.69F, 0.66F, 0.61F}, .roughness = 0.8F}},
+      .traits =
+          {.name = "simple",
+           .doc =
+               "A box, sphere, cylinder, cone or torus that stands on its frame, or a section of a surface that joins "
+               "the sections of its children. Children stand on top.",
+           .material = {.colour = {0.69F, 0.66F, 0.61F}, .roughness = 0.8F}},
       .parameters =
           Table<Simple>("a simple", "A primitive that stands on its frame, or a section of a surface.")
               .choice("shape", &Simple::shape, {"box", "sphere", "cylinder", "cone", "torus", "none", "area", "tube"},
-                      "The primitive, nothing, or a section of a surface: an area is an open row of points, a tube a "
+                      "A primitive, nothing, or a section of a surface: 'area' is an open row of points, 'tube' a "
                       "closed ring.")
               .vector("size", &Simple::size, {.unit = Unit::metre, .min = 1e-6, .max = 1e4},
                       "Width (x), height (y) and depth (z).")
-              .integer("segments", &Simple::segments, {.min = 3, .max = 512},
-                       "Corners around; raised, rounder and heavier.")
+              .integer("segments", &Simple::segments, {.min = 3, .max = 512, .usual = {3, 64}},
+                       "Number of corners around; raised, rounder and heavier.")
               .points("outline", &Simple::outline, {.unit = Unit::metre, .min = -1e4, .max = 1e4},
-                      "Points [x, z] of an area or tube across the heading, one for a tip; an area left out is a row "
-                      "of 2 over the width, a tube an ellipse over width and depth.")
+                      "Points [x, z] of an area or tube across the heading, one for a tip; by default a line over the "
+                      "width, or an ellipse over width and depth.")
               .boolean("cap", &Simple::cap, "Whether a tube is closed where its surface ends.")
               .only_where({{"shape", {"area", "tube"}}}, {"outline"})
               .only_where({{"shape", {"sphere", "cylinder", "cone", "torus", "tube"}}}, {"segments"})

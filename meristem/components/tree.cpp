@@ -55,27 +55,27 @@ void expand(const Tree& tree, const Site& site, Emitter& out) {
 
 ComponentType tree_component() {
   return define_component<Tree>({
-      .traits = {.name = "tree",
-                 .doc = "A stem along a curve; branch links place children along it, and stems among them become its "
-                        "branches.",
-                 .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
-                 .makes_stems = true,
-                 .stance = BranchStance::on_axis,
-                 .tropism = Tropism::none},
-      .parameters =
-          Table<Tree>("a tree", "A stem along a curve.")
-              .members(&Tree::stem, stem_form_table())
-              .number("deflection", &Tree::deflection, {.unit = Unit::degree, .min = -180, .max = 180},
-                      "By how much it bends away from each of its branches; raised, a zigzag, if it has a segment for "
-                      "each.")
-              .members(&Tree::branching, placement_table())
-              .object("surface", &Tree::surface, surface_table, "How the stem is clothed.")
-              .only_where({{"surface.style", {"tubes"}}}, {"texture"})
-              .without(names_off_stems(), kWhyOffStems)
-              .check([](const Tree& tree, const Place& place, ParameterReader& reader) {
-                check_stem_form(tree.stem, place, reader);
-                check_placement(tree.branching, place, reader);
-              }),
+      .traits =
+          {.name = "tree",
+           .doc = "A stem along a curve; branch links set children along it, and stems among them become its branches.",
+           .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
+           .makes_stems = true,
+           .stance = BranchStance::on_axis,
+           .tropism = Tropism::none},
+      .parameters = Table<Tree>("a tree", "A stem along a curve.")
+                        .members(&Tree::stem, stem_form_table())
+                        .number("deflection", &Tree::deflection,
+                                {.unit = Unit::degree, .min = -180, .max = 180, .usual = {-45, 45}},
+                                "Angle by which the stem bends away from each of its branches; raised, a zigzag, which "
+                                "needs a segment per branch.")
+                        .members(&Tree::branching, placement_table())
+                        .object("surface", &Tree::surface, surface_table, "How the stem becomes a surface.")
+                        .only_where({{"surface.style", {"tubes"}}}, {"texture"})
+                        .without(names_off_stems(), kWhyOffStems)
+                        .check([](const Tree& tree, const Place& place, ParameterReader& reader) {
+                          check_stem_form(tree.stem, place, reader);
+                          check_placement(tree.branching, place, reader);
+                        }),
       .expand = expand,
   });
 }

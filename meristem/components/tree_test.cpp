@@ -95,7 +95,7 @@ TEST(Tree, BranchesOnBranchesAreOneSkeletonWithTheirOrders) {
   for (NodeIndex node = 0; node < tree.skeleton.node_count(); ++node) {
     EXPECT_EQ(tree.part(tree.skeleton.axis[node]).component, names.at(tree.skeleton.order[node]));
   }
-  // Each branch springs from a node on its mother's axis, where her line runs.
+  // Each branch springs from a node on its parent's axis, where its line runs.
   for (NodeIndex node = 1; node < tree.skeleton.node_count(); ++node) {
     const NodeIndex parent = tree.skeleton.parent[node];
     EXPECT_LT(glm::distance(tree.skeleton.position[node], tree.skeleton.position[parent]), 0.4F);

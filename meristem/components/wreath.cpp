@@ -21,12 +21,12 @@ void expand(const Wreath& wreath, const Site&, Emitter& out) {
 ComponentType wreath_component() {
   return define_component<Wreath>({
       .traits = {.name = "wreath",
-                 .doc = "A ring of places for children: bracts about a head, sepals about a fruit.",
+                 .doc = "A ring of sites for children: bracts around a head, sepals around a fruit.",
                  .has_geometry = false},
-      .parameters =
-          Table<Wreath>("a wreath", "A ring of places for children.")
-              .members(&Wreath::around, around_table())
-              .number("diameter", &Wreath::diameter, {.unit = Unit::metre, .min = 0, .max = 1000}, "Of the ring."),
+      .parameters = Table<Wreath>("a wreath", "A ring of sites for children.")
+                        .members(&Wreath::around, around_table())
+                        .number("diameter", &Wreath::diameter, {.unit = Unit::metre, .min = 0, .max = 1000},
+                                "Diameter of the ring on which the children stand."),
       .expand = expand,
   });
 }

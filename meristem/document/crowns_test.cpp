@@ -99,13 +99,13 @@ TEST(CrownDocument, EveryFaultHasItsPlaceAndSaysWhatIsWanted) {
       {R"({"profile": [[1, 2], [1, 1]]})", "crown.profile[1]: the height 1 does not rise; expected a height above 2"},
       {R"({"profile": [[1, 2], [-1, 3]]})", "crown.profile[1]: the radius -1 is negative"},
       {R"({"profile": [[0, 2], [0, 3]]})", "components.tree.crown.profile: the crown is empty"},
-      {R"({"profiles": {}})", "components.tree.crown: the crown is made of nothing"},
+      {R"({"profiles": {}})", "components.tree.crown: the crown is empty: its list has no parts"},
       {R"({"profiles": {"north": [[1, 0], [1, 2]]}})",
-       "d.json:2:24: components.tree.crown.profiles.north: 'north' is no azimuth"},
+       "d.json:2:24: components.tree.crown.profiles.north: 'north' is not an azimuth"},
       {R"({"profiles": {"22.5": [[1, 2], [1, 1]]}})",
        "d.json:2:41: components.tree.crown.profiles.22.5[1]: the height 1"},
       {R"({"profiles": {"-90": [[1, 1], [1, 2]], "270": [[1, 1], [1, 2]]}})", "'270' is the same azimuth as '-90'"},
-      {R"({"union": []})", "components.tree.crown: the crown is made of nothing"},
+      {R"({"union": []})", "components.tree.crown: the crown is empty: its list has no parts"},
       {R"({"union": [{"sphere": {"centre": [0, 1, 0], "radius": -2}}]})",
        "crown.union[0].sphere.radius: the value -2 is out of range"},
       {R"({"union": [{"sphere": {"centre": [0, 1, 0]}}]})", "crown.union[0].sphere: a sphere has no 'radius'"},
@@ -214,7 +214,7 @@ TEST_F(CrownFiles, ACrownCutsOffThePointsOutside) {
   EXPECT_EQ(
       fault_here(R"("points": {"file": "scans/tree.xyz"}, "crown": {"box": [[5, 5, 5], [6, 6, 6]]})"),
       "d.json:2:20: components.tree.points.file: none of the points of 'scans/tree.xyz' lies in the crown; expected "
-      "points over the root; scale, turn or translate them");
+      "points around the crown; scale, turn or translate them");
 }
 
 TEST_F(CrownFiles, PointsOutOfTheWorldAreRefusedUnlessACrownCutsThemOff) {

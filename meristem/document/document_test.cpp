@@ -161,7 +161,8 @@ const Rejection kRejections[] = {
     {"VariableBounds", with("\"variables\": {\"a\": {\"value\": 1, \"min\": 5, \"max\": 2}},"),
      "2:40: variables.a.min: 'min' 5 lies above 'max' 2; expected min of at most max"},
     {"SunTwice", with(R"("scene": {"latitude": 5, "sun": {"day": 1, "azimuth": 1, "altitude": 2}},)"),
-     "2:33: scene.sun: the sun is given both by its place and by a day; expected {\"azimuth\": 180, \"altitude\": 61} "
+     "2:33: scene.sun: the sun is given both by its position and by a day; expected {\"azimuth\": 180, \"altitude\": "
+     "61} "
      "or "
      "{\"day\": 126, \"hour\": 9.5}"},
     {"SunHalf", with(R"("scene": {"sun": {"azimuth": 1}},)"),
@@ -220,10 +221,10 @@ TEST(Document, RejectsLinksThatMakeNoTree) {
                 .find("d.json:2:11: links[0]: the link leads to the camera 'c'"),
             std::string::npos);
   EXPECT_NE(faults_of(with(R"("links": [["a", "b"], ["b", "a"]],)", two))
-                .find("d.json:2:23: links[1]: the links a > b > a go round without end"),
+                .find("d.json:2:23: links[1]: the links a > b > a lead in an endless circle"),
             std::string::npos);
   EXPECT_NE(faults_of(with(R"("links": [["c", "a"]],)", two + R"(, "c": {"type": "camera"})"))
-                .find("components.b: nothing that hangs on the camera links to 'b'"),
+                .find("components.b: 'b' cannot be reached from the camera by links"),
             std::string::npos);
 }
 

@@ -44,7 +44,8 @@ void check_sun(const SunSettings& sun, const Place& place, ParameterReader& read
   const bool by_place = sun.azimuth || sun.altitude;
   const bool by_day = sun.day || !sun.days.empty();
   if (by_place == by_day) {
-    return reader.fault(place, by_place ? "the sun is given both by its place and by a day" : "the sun has no place",
+    return reader.fault(place,
+                        by_place ? "the sun is given both by its position and by a day" : "the sun has no position",
                         R"({"azimuth": 180, "altitude": 61} or {"day": 126, "hour": 9.5})");
   }
   if (by_place && !(sun.azimuth && sun.altitude)) {
@@ -56,24 +57,27 @@ void check_sun(const SunSettings& sun, const Place& place, ParameterReader& read
 
 const ParameterTable& sun_table() {
   static const ParameterTable table =
-      Table<SunSettings>("a sun",
-                         "Where the light comes from: a place on the sky, an hour of a day at the scene's latitude, a "
-                         "whole day, or a season.")
-          .number("azimuth", &SunSettings::azimuth, {.unit = Unit::degree, .min = -360, .max = 360},
-                  "From north over east.")
-          .number("altitude", &SunSettings::altitude, {.unit = Unit::degree, .min = -90, .max = 90},
-                  "Over the horizon.")
-          .number("day", &SunSettings::day, {.unit = Unit::day, .min = 1, .max = 366}, "Day of the year.")
+      Table<SunSettings>(
+          "a sun",
+          "Position of the sun: a direction, an hour of a day at the scene's latitude, a whole day, or a season.")
+          .number("azimuth", &SunSettings::azimuth, {.unit = Unit::degree, .min = -360, .max = 360, .usual = {0, 360}},
+                  "Azimuth of the sun, from north (0) over east (90).")
+          .number("altitude", &SunSettings::altitude, {.unit = Unit::degree, .min = -90, .max = 90, .usual = {0, 90}},
+                  "Altitude of the sun above the horizon; raised, shorter shadows.")
+          .number("day", &SunSettings::day, {.unit = Unit::day, .min = 1, .max = 366},
+                  "Day of the year, from 1 for 1 January.")
           .integers("days", &SunSettings::days, 2, {.unit = Unit::day, .min = 1, .max = 366},
                     "First and last day of a season, which may go on into the next year.")
-          .number("every_days", &SunSettings::every_days, {.unit = Unit::day, .min = 1, .max = 366},
-                  "From one day of the season to the next.")
+          .number("every_days", &SunSettings::every_days, {.unit = Unit::day, .min = 1, .max = 366, .usual = {1, 60}},
+                  "Days from one sampled day of the season to the next; lowered, more positions of the sun and slower "
+                  "growth.")
           .number("every_hours", &SunSettings::every_hours,
-                  {.unit = Unit::hour, .min = 0, .max = 24, .above_min = true},
-                  "Makes a whole day of light, the sun at noon and so many hours apart before and after; 1 in a season "
-                  "if not given.")
+                  {.unit = Unit::hour, .min = 0, .max = 24, .usual = {0.25, 6}, .above_min = true},
+                  "Hours between positions of the sun, before and after noon, for light of a whole day; by default 1 "
+                  "in a season.")
           .number("hour", &SunSettings::hour, {.unit = Unit::hour, .min = 0, .max = 24},
-                  "True solar time; the sun is highest at 12. Of a whole day or season, the hour of pictures.")
+                  "Hour of the day in true solar time, with the sun highest at 12; for a whole day or season, the hour "
+                  "of pictures.")
           .never_with("day", {"days"})
           .only_with("days", {"every_days"})
           .never_with("azimuth", {"every_hours", "hour"})
@@ -83,11 +87,13 @@ const ParameterTable& sun_table() {
 
 const ParameterTable& lamp_table() {
   static const ParameterTable table =
-      Table<Lamp>("a lamp", "A light that shines to all sides.")
-          .vector("position", &Lamp::position, {.unit = Unit::metre, .min = -1e5, .max = 1e5}, "Where it hangs.")
+      Table<Lamp>("a lamp", "A lamp that shines to all sides.")
+          .vector("position", &Lamp::position, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-10, 10}},
+                  "Position of the lamp.")
           .required()
-          .number("strength", &Lamp::strength, {.min = 0, .max = 1e6, .above_min = true},
-                  "One metre away, against all far light together; falls with the square of the distance.");
+          .number("strength", &Lamp::strength, {.min = 0, .max = 1e6, .usual = {0.05, 10}, .above_min = true},
+                  "Strength of the lamp at a distance of one metre, relative to all far light; it falls with the "
+                  "square of the distance.");
   return table;
 }
 
@@ -149,12 +155,13 @@ const ParameterTable& light_table() {
   static const ParameterTable table =
       Table<LightSettings>("a light", "The light of a scene.")
           .number("latitude", &LightSettings::latitude, {.unit = Unit::degree, .min = -90, .max = 90},
-                  "Of the place, north positive; needed for a sun with a day.")
-          .object("sun", &LightSettings::sun, sun_table, "Light from the zenith if not given.")
+                  "Latitude of the scene, north positive; required for a sun with a day.")
+          .object("sun", &LightSettings::sun, sun_table,
+                  "Position of the sun; by default, light comes from the zenith.")
           .number("sky", &LightSettings::sky, {.min = 0, .max = 1},
-                  "Share of the far light that comes from all of the sky; the rest is the sun's. Raised, sides and "
-                  "shade get more.")
-          .list("lamps", &LightSettings::lamps, lamp_table, "Lights within the scene.")
+                  "Share of the far light that comes from the whole sky, the rest being the sun's; raised, sides and "
+                  "shade get more light.")
+          .list("lamps", &LightSettings::lamps, lamp_table, "Lamps within the scene.")
           .only_where({{"sun.day"}, {"sun.days"}}, {"latitude"});
   return table;
 }

@@ -157,7 +157,7 @@ TEST(LsystemDocument, RefusesNamesThatRulesMakeOfOthers) {
 TEST(LsystemDocument, RefusesToPlaceItself) {
   EXPECT_THAT(faults_of_text(R"json({"meristem": 1, "components": {
     "plant": {"type": "lsystem", "steps": 0, "grammar": "#symbols plant\nF~plant"}}})json"),
-              HasSubstr("go round without end"));
+              HasSubstr("lead in an endless circle"));
 }
 
 TEST(LsystemDocument, MayPlaceItselfToADepth) {

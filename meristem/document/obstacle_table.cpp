@@ -14,7 +14,7 @@ namespace meristem {
 
 namespace {
 
-constexpr NumberForm kCoordinate{.unit = Unit::metre, .min = -1e5, .max = 1e5};
+constexpr NumberForm kCoordinate{.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-10, 10}};
 constexpr double kFarthest = 1e6;        // metres along an axis, where a float still tells centimetres apart
 constexpr double kBytesATriangle = 300;  // of the mesh, of what is inside it, and of the tree
 
@@ -51,10 +51,10 @@ void check_closed(const ObstacleForm& form, const Place& place, ParameterReader&
   if (faults.empty()) return;
   const std::string found = fmt::format("{}", fmt::join(faults, "; "));
   if (form.broken) {
-    return reader.warn(place, fmt::format("'{}' is not closed and used as it is: {}", form.mesh.path, found));
+    return reader.warn(place, fmt::format("'{}' is not closed and is used as it is: {}", form.mesh.path, found));
   }
   reader.fault(place, fmt::format("'{}' is not closed: {}", form.mesh.path, found),
-               "a closed mesh, or \"broken\": true to use it as well as can be");
+               "a closed mesh, or \"broken\": true to use it anyway");
 }
 
 void check_obstacle(const ObstacleForm& form, const Place& place, ParameterReader& reader) {
@@ -77,13 +77,14 @@ const ParameterTable& obstacle_table() {
   static const ParameterTable table =
       Table<ObstacleForm>("an obstacle", "A body that plants do not enter and that shades them.")
           .box("box", &ObstacleForm::box, kCoordinate, "Two opposite corners of a box, in any order.")
-          .file("mesh", &ObstacleForm::mesh, read_obstacle_mesh, "A closed mesh in an OBJ, PLY or GLB file.")
+          .file("mesh", &ObstacleForm::mesh, read_obstacle_mesh, "File with a closed mesh (OBJ, PLY or GLB).")
           .members(&ObstacleForm::place, import_table())
           .boolean("broken", &ObstacleForm::broken,
-                   "Whether a mesh that is not closed is used all the same; then most of three views, along x, y and "
-                   "z, say what is inside it.")
-          .colour("colour", &ObstacleForm::colour, "In pictures; its surface is matt.")
-          .boolean("hidden", &ObstacleForm::hidden, "Whether pictures leave it out; growth still minds it.")
+                   "Whether a mesh that is not closed is used anyway; two of three views, along x, y and z, decide "
+                   "what is inside it.")
+          .colour("colour", &ObstacleForm::colour, "Colour of the obstacle in pictures; its surface is matt.")
+          .boolean("hidden", &ObstacleForm::hidden,
+                   "Whether pictures leave the obstacle out; it still blocks growth and light.")
           .one_of({"box", "mesh"})
           .only_with("mesh", {"up", "broken"})
           .check(check_obstacle);

@@ -11,8 +11,9 @@ namespace {
 constexpr double kLargestWhole = 9007199254740992;  // 2^53: up to here a JSON number is exact
 
 const ParameterTable& ground_table() {
-  static const ParameterTable table = Table<GroundSettings>("a ground", "The ground in pictures.")
-                                          .colour("colour", &GroundSettings::colour, "Of the bare ground.");
+  static const ParameterTable table =
+      Table<GroundSettings>("a ground", "The ground in pictures.")
+          .colour("colour", &GroundSettings::colour, "Colour of the bare ground in pictures.");
   return table;
 }
 
@@ -22,7 +23,7 @@ const ParameterTable& scene_table() {
           .members(&SceneSettings::light, light_table())
           .list("obstacles", &SceneSettings::obstacles, obstacle_table,
                 "Bodies that plants do not enter and that shade them.")
-          .object("ground", &SceneSettings::ground, ground_table, "The ground in pictures.")
+          .object("ground", &SceneSettings::ground, ground_table, "Ground in pictures.")
           .check([](const SceneSettings& scene, const Place& place, ParameterReader& reader) {
             check_light(scene.light, place, reader);
             check_obstacles(scene.obstacles, Place(place, "obstacles"), reader);
@@ -33,11 +34,12 @@ const ParameterTable& scene_table() {
 const ParameterTable& output_table() {
   static const ParameterTable table =
       Table<OutputSettings>("an output", "Defaults for pictures and files.")
-          .integers("size", &OutputSettings::size, 2, {.min = 1, .max = 16384}, "Width and height of pictures, pixels.")
-          .integer("samples", &OutputSettings::samples, {.min = 1, .max = 65536},
-                   "Paths a pixel; raised, less noise and slower.")
+          .integers("size", &OutputSettings::size, 2, {.min = 1, .max = 16384, .usual = {256, 4096}},
+                    "Width and height of pictures in pixels.")
+          .integer("samples", &OutputSettings::samples, {.min = 1, .max = 65536, .usual = {1, 512}},
+                   "Number of light paths per pixel; raised, less noise and slower pictures.")
           .integer("lod", &OutputSettings::lod, {.min = 0, .max = kCoarsestDetail},
-                   "Coarser levels of detail that `grow` writes beside each file with meshes.");
+                   "Number of coarser levels of detail that `grow` writes beside each file with meshes.");
   return table;
 }
 
@@ -46,14 +48,16 @@ const ParameterTable& output_table() {
 const ParameterTable& head_table() {
   static const ParameterTable table =
       Table<DocumentHead>("a document", "A plant document.")
-          .integer("meristem", &DocumentHead::format, {.min = 1, .max = kDocumentFormat}, "The format's version.")
+          .integer("meristem", &DocumentHead::format, {.min = 1, .max = kDocumentFormat},
+                   "Version of the document format.")
           .required()
-          .text("name", &DocumentHead::name, "What the plant is called.")
-          .text("description", &DocumentHead::description, "One or two sentences about it.")
-          .text("author", &DocumentHead::author, "Who made it; carried into exports.")
-          .text("licence", &DocumentHead::licence, "Under which it may be used; carried into exports.")
-          .integer("seed", &DocumentHead::seed, {.min = 0, .max = kLargestWhole}, "All that is random comes from it.")
-          .object("scene", &DocumentHead::scene, scene_table, "What surrounds the plants.")
+          .text("name", &DocumentHead::name, "Name of the plant.")
+          .text("description", &DocumentHead::description, "Description of the plant in one or two sentences.")
+          .text("author", &DocumentHead::author, "Author of the document, who is named in exported files.")
+          .text("licence", &DocumentHead::licence, "Licence of the document, which is named in exported files.")
+          .integer("seed", &DocumentHead::seed, {.min = 0, .max = kLargestWhole, .usual = {0, 100}},
+                   "Number from which everything random comes; another one gives another plant of the same kind.")
+          .object("scene", &DocumentHead::scene, scene_table, "What surrounds the plants: light, obstacles and ground.")
           .object("output", &DocumentHead::output, output_table, "Defaults for pictures and files.")
           .elsewhere({"variables", "components", "links", "limits"});
   return table;
@@ -63,36 +67,41 @@ const ParameterTable& variable_table() {
   static const ParameterTable table =
       Table<Variable>("a variable", "A handle that expressions use by name.")
           .number("value", &Variable::value, {},
-                  "Its value unless set otherwise; an expression may use the other variables.")
+                  "Value of the variable unless a command sets another one; an expression may use the other variables.")
           .required()
-          .number("min", &Variable::min, {}, "Least sensible value.")
-          .number("max", &Variable::max, {}, "Greatest sensible value.")
-          .text("unit", &Variable::unit, "As shown to the user.")
-          .text("doc", &Variable::doc, "What it does, in one sentence.")
+          .number("min", &Variable::min, {}, "Smallest sensible value of the variable.")
+          .number("max", &Variable::max, {}, "Largest sensible value of the variable.")
+          .text("unit", &Variable::unit, "Unit of the variable as shown to users.")
+          .text("doc", &Variable::doc, "What the variable does, in one sentence.")
           .boolean("private", &Variable::is_private,
-                   "No handle for users, but a name for what several expressions share.")
+                   "Whether the variable is only a name for what several expressions share, and no handle for users.")
           .shorthand("value");
   return table;
 }
 
 const ParameterTable& limits_table() {
   static const ParameterTable table =
-      Table<Limits>("limits", "Bounds on what the document may ask for; past them growth stops with an error.")
-          .integer("diagnostics", &Limits::diagnostics, {.min = 1, .max = 10000}, "Faults reported at once.")
-          .integer("expression_bytes", &Limits::expression_bytes, {.min = 1, .max = 1e6}, "Length of one expression.")
-          .integer("points", &Limits::points, {.min = 1, .max = 4e9}, "Attraction points of a tree.")
-          .integer("nodes", &Limits::nodes, {.min = 1, .max = 4e9}, "Skeleton nodes.")
+      Table<Limits>("limits", "Bounds on what the document may ask for; growth beyond them stops with an error.")
+          .integer("diagnostics", &Limits::diagnostics, {.min = 1, .max = 10000},
+                   "Largest number of faults reported at once.")
+          .integer("expression_bytes", &Limits::expression_bytes, {.min = 1, .max = 1e6},
+                   "Largest length of one expression in bytes.")
+          .integer("points", &Limits::points, {.min = 1, .max = 4e9}, "Largest number of attraction points.")
+          .integer("nodes", &Limits::nodes, {.min = 1, .max = 4e9}, "Largest number of skeleton nodes.")
           .integer("modules", &Limits::modules, {.min = 1, .max = 4e9},
-                   "Modules of an L-system's word, and parameters.")
-          .integer("instances", &Limits::instances, {.min = 1, .max = 4e9}, "Instances of components in all.")
-          .integer("triangles", &Limits::triangles, {.min = 1, .max = kLargestWhole}, "Triangles after instancing.")
-          .integer("mesh_bytes", &Limits::mesh_bytes, {.min = 1, .max = kLargestWhole}, "Bytes of distinct geometry.")
+                   "Largest number of modules in the word of an L-system, and of their parameters.")
+          .integer("instances", &Limits::instances, {.min = 1, .max = 4e9},
+                   "Largest number of instances of all components together.")
+          .integer("triangles", &Limits::triangles, {.min = 1, .max = kLargestWhole},
+                   "Largest number of triangles, each instance counted.")
+          .integer("mesh_bytes", &Limits::mesh_bytes, {.min = 1, .max = kLargestWhole},
+                   "Largest memory for distinct geometry in bytes.")
           .integer("file_bytes", &Limits::file_bytes, {.min = 1, .max = kLargestWhole},
-                   "Bytes of one file that the document names.")
+                   "Largest size in bytes of a file that the document names.")
           .integer("picture_pixels", &Limits::picture_pixels, {.min = 1, .max = 1e9},
-                   "Pixels of one picture that the document names.")
+                   "Largest number of pixels in a picture that the document names.")
           .integer("texture_pixels", &Limits::texture_pixels, {.min = 1, .max = kLargestWhole},
-                   "Pixels of all textures together; components with the same one share it.");
+                   "Largest number of pixels in all textures together; components with the same texture share it.");
   return table;
 }
 

@@ -30,12 +30,14 @@ bool is_any_of(std::string_view name, const auto& names) { return std::ranges::f
 
 const ParameterTable& transform_table() {
   static const ParameterTable table =
-      Table<Transform>("a transform", "Moves, turns and scales: scaled first, then turned, then moved.")
+      Table<Transform>("a transform", "A transform: scales first, then turns, then moves.")
           .vector("translate", &Transform::translate, {.unit = Unit::metre, .min = -1e6, .max = 1e6},
-                  "Shift along x (right), y (heading) and z.")
+                  "Shift along x (right), y (heading) and z (out of the upper face).")
           .vector("rotate", &Transform::rotate, {.unit = Unit::degree, .min = -1e6, .max = 1e6},
-                  "Pitch about x, roll about y, yaw about z; the roll acts first, then the pitch, then the yaw.")
-          .vector("scale", &Transform::scale, {.min = 1e-4, .max = 1e4}, "Factors along x, y and z.");
+                  "Angles of pitch about x, roll about y and yaw about z; the roll acts first, then the pitch, then "
+                  "the yaw.")
+          .vector("scale", &Transform::scale, {.min = 1e-4, .max = 1e4, .usual = {0.1, 5}},
+                  "Scale factors along x, y and z.");
   return table;
 }
 
@@ -43,9 +45,10 @@ const ParameterTable& transform_table() {
 
 const ParameterTable& growing_component_table() {
   static const ParameterTable table =
-      Table<GrowingComponent>("a growing component", "What components that grow have besides.")
-          .boolean("alone", &GrowingComponent::alone,
-                   "Grows in a stand of its own, without competing with the document's other plants.");
+      Table<GrowingComponent>("a growing component", "Further parameters of components that grow.")
+          .boolean(
+              "alone", &GrowingComponent::alone,
+              "Whether the plant grows in a stand of its own, without competing with the document's other plants.");
   return table;
 }
 
@@ -66,36 +69,44 @@ Frame instance_frame(const ComponentBase& base, const Frame& site, Tropism tropi
 
 const ParameterTable& component_base_table() {
   static const ParameterTable table =
-      Table<ComponentBase>("a component", "What all components have.")
-          .colour("colour", &ComponentBase::colour, "Mean colour; the component's own, or its picture's, if not given.")
+      Table<ComponentBase>("a component", "Parameters that all components have.")
+          .colour("colour", &ComponentBase::colour,
+                  "Mean colour of the surface; by default, the component type's own or its picture's.")
           .colours("colours", &ComponentBase::colours,
-                   "In place of one colour: instances have one of these, or one between two neighbours.")
-          .number("colour_at", &ComponentBase::colour_at, {.min = 0, .max = 1},
-                  "Where in the colours an instance's is, from the first (0) to the last (1); anywhere if not given.")
-          .number("variety", &ComponentBase::variety, {.min = 0, .max = 1, .fixed = true},
-                  "By how much instances differ in lightness and tone; raised, a more mottled crown.")
-          .object("texture", &ComponentBase::texture, texture_table, "What lies on its surface.")
+                   "Colours in place of one: each instance has one of them, or a mixture of two neighbours.")
+          .number(
+              "colour_at", &ComponentBase::colour_at, {.min = 0, .max = 1},
+              "Position of an instance's colour in 'colours', from the first (0) to the last (1); by default, random.")
+          .number("variety", &ComponentBase::variety, {.min = 0, .max = 1, .usual = {0, 0.5}, .fixed = true},
+                  "Range in which instances differ in lightness and tone; raised, a more mottled crown.")
+          .object("texture", &ComponentBase::texture, texture_table, "Texture of the surface.")
           .number("roughness", &ComponentBase::roughness, {.min = 0, .max = 1, .fixed = true},
-                  "0 is glossy, 1 is matt; the component's own if not given.")
+                  "Roughness of the surface: 0 is glossy, 1 is matt; by default, the component type's own.")
           .number("translucency", &ComponentBase::translucency, {.min = 0, .max = 1, .fixed = true},
-                  "Share of the light that passes through a thin blade; the component's own if not given.")
-          .object("place", &ComponentBase::place, transform_table, "Moves this component's geometry only.")
+                  "Share of the light that passes through a thin blade; by default, the component type's own.")
+          .object("place", &ComponentBase::place, transform_table,
+                  "Transform of this component's own geometry; its children stay where they are.")
           .object("frame", &ComponentBase::frame, transform_table,
-                  "Moves this component's coordinate system and all that hangs on it.")
+                  "Transform of this component's coordinate system, with its geometry and all its children.")
           .number("phototropism", &ComponentBase::phototropism, {.min = -1, .max = 1},
-                  "Share of the turn toward the light: of a leaf's upper face, of all else's heading, along stems "
-                  "section by section; negative, away from it.")
+                  "Share of the turn toward the light: of a leaf's upper face, of any other component's heading; "
+                  "negative turns away.")
           .number("gravitropism", &ComponentBase::gravitropism, {.min = -1, .max = 1},
-                  "Share of the turn of its heading straight down, along stems section by section; negative, straight "
-                  "up.")
-          .integer("recursion", &ComponentBase::recursion, {.min = 1, .max = 1000, .fixed = true},
-                   "How many instances in a row a link from below back to this component makes, the first included.")
-          .selection("omit", &ComponentBase::omit,
-                     "Instances without geometry: numbers, ranges and conditions over i, n, u and so on.")
-          .selection("only", &ComponentBase::only, "All instances but these are without geometry.")
+                  "Share of the turn of the heading straight down; along stems it acts segment by segment; negative "
+                  "turns up.")
+          .integer("recursion", &ComponentBase::recursion, {.min = 1, .max = 1000, .usual = {1, 8}, .fixed = true},
+                   "Number of instances in a row that a link from a descendant back to this component makes, including "
+                   "the first.")
+          .selection(
+              "omit", &ComponentBase::omit,
+              "Instances that are left out: numbers, ranges and conditions over i, n, u and the other site variables.")
+          .selection(
+              "only", &ComponentBase::only,
+              "Instances that are kept: numbers, ranges and conditions over i, n, u and the other site variables.")
           .boolean("omit_keeps_children", &ComponentBase::omit_keeps_children,
-                   "Whether what hangs on an omitted instance stays.")
-          .boolean("hidden", &ComponentBase::hidden, "No geometry; children stay.")
+                   "Whether the children of an omitted instance stay.")
+          .boolean("hidden", &ComponentBase::hidden,
+                   "Whether the component's geometry is invisible; its children stay.")
           .never_with("colour", {"colours"})
           .only_with("colours", {"colour_at"})
           .only_where({{"omit"}, {"only"}}, {"omit_keeps_children"});

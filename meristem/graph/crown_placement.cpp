@@ -50,15 +50,15 @@ const ParameterTable& crown_placement_table() {
       Table<CrownPlacement>("a crown link", "Where children stand in a crown body.")
           .number("density", &CrownPlacement::density,
                   {.unit = Unit::per_cubic_metre, .min = 0, .max = 1e9, .above_min = true},
-                  "Places per cubic metre of the body; raised, more children.")
+                  "Density of the sites in the crown body; raised, more children.")
           .choice("orient", &CrownPlacement::orient, {"outward", "random"},
-                  "outward: children head away from the body's surface; random: anywhere.")
-          .number("turn", &CrownPlacement::turn, {.unit = Unit::degree, .min = 0, .max = 180},
-                  "By up to how much outward children turn aside.")
+                  "Heading of the children: 'outward', away from the crown body's surface, or 'random'.")
+          .number("turn", &CrownPlacement::turn, {.unit = Unit::degree, .min = 0, .max = 180, .usual = {0, 90}},
+                  "Largest random angle by which outward children turn aside.")
           .number("droop", &CrownPlacement::droop, {.min = -1, .max = 1},
                   "How far children hang: 1 turns their heading straight down, -1 straight up.")
           .number("depth", &CrownPlacement::depth, {.unit = Unit::metre, .min = 0, .max = 1e6, .above_min = true},
-                  "Below the body's surface to which they stand; unset, all through it.")
+                  "Depth below the crown body's surface to which children stand; by default, they fill it.")
           .only_where({{"orient", {"outward"}}}, {"turn"})
           .elsewhere({"from", "to", "kind"});
   return table;

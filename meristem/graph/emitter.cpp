@@ -291,7 +291,7 @@ void Emitter::throw_too_many_children() const {
   if (!is_one) who = fmt::format("{} instances of {}", context_->together, who);
   if (context_->prototype.varyings.empty() && expected_ > 0)
     who += fmt::format(" with {} children{}", expected_, is_one ? "" : " each");
-  throw_past(fmt::format("{} {} places to more than {} instances", who, is_one ? "offers" : "offer", limit), limit,
+  throw_past(fmt::format("{} {} sites to more than {} instances", who, is_one ? "offers" : "offer", limit), limit,
              "instances", context_->multiplier);
 }
 

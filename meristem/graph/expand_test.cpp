@@ -288,7 +288,7 @@ TEST(Expand, AThousandMillionChildrenAreStoppedBeforeMemoryIsSpent) {
     const ThreadLimit limit(threads);
     const Diagnostic fault = limit_fault(star_of(1'000'000'000), 100'000);
     EXPECT_EQ(fault.text(),
-              "components.star: 'star' offers places to more than 100000 instances; "
+              "components.star: 'star' offers sites to more than 100000 instances; "
               "expected at most 100000 (limits.instances)");
   }
 }

@@ -15,14 +15,16 @@ Frame ImportPlace::frame() const {
 
 const ParameterTable& import_table() {
   static const ParameterTable table =
-      Table<ImportPlace>("a place", "How what is read from a file comes to stand here.")
-          .choice("up", &ImportPlace::up, {"y", "z"}, "The file's axis that points up; with z, its y points north.")
-          .number("scale", &ImportPlace::scale, {.min = 1e-6, .max = 1e6},
-                  "Factor on the file's lengths, first of all.")
+      Table<ImportPlace>("a place", "How the content of a file comes to stand in the scene.")
+          .choice("up", &ImportPlace::up, {"y", "z"},
+                  "Axis of the file that points up; with z, the file's y points north.")
+          .number("scale", &ImportPlace::scale, {.min = 1e-6, .max = 1e6, .usual = {0.001, 10}},
+                  "Scale factor on the file's lengths, applied first.")
           .vector("rotate", &ImportPlace::rotate, {.unit = Unit::degree, .min = -1e6, .max = 1e6},
-                  "Pitch about x, roll about y, yaw about z; after the scale.")
-          .vector("translate", &ImportPlace::translate, {.unit = Unit::metre, .min = -1e8, .max = 1e8},
-                  "Shift along x, y and z, last of all.");
+                  "Angles of pitch about x, roll about y and yaw about z, applied after the scale.")
+          .vector("translate", &ImportPlace::translate,
+                  {.unit = Unit::metre, .min = -1e8, .max = 1e8, .usual = {-10, 10}},
+                  "Shift along x, y and z, applied last.");
   return table;
 }
 

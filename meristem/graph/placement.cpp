@@ -15,39 +15,42 @@ namespace meristem {
 const ParameterTable& placement_table() {
   static const ParameterTable table =
       Table<Placement>("a branch link", "Where children stand along stems.")
-          .number("density", &Placement::density, {.unit = Unit::per_metre, .min = 0, .max = 1e9},
-                  "Places per metre of stem; 40 where neither density nor count is given.")
-          .integer("count", &Placement::count, {.min = 0, .max = 2e9},
-                   "Places on each skeleton, shared out over its axes by their length.")
-          .condition(
-              "where", &Placement::where, node_variables(),
-              "Which parts of the stems carry children. If not given: of what has grown the twigs, \"tip_distance < "
-              "0.4\", of other stems all.")
-          .integer("whorl", &Placement::whorl, {.min = 1, .max = 1000},
-                   "Children at each place, evenly about the axis.")
-          .number("divergence", &Placement::divergence, {.unit = Unit::degree, .min = -360, .max = 360},
-                  "Turn about the axis from place to place: 137.508 spiral, 180 in two rows, 90 crosswise with a whorl "
-                  "of 2.")
-          .number(
-              "roll", &Placement::roll, {.unit = Unit::degree, .min = -360, .max = 360},
-              "Where about the axis the first child stands, from the upper side of what makes the stem to its right; "
-              "anywhere if not given.")
+          .number("density", &Placement::density, {.unit = Unit::per_metre, .min = 0, .max = 1e9, .usual = {0, 200}},
+                  "Density of the sites along the stem; 40 where neither density nor count is given.")
+          .integer("count", &Placement::count, {.min = 0, .max = 2e9, .usual = {0, 500}},
+                   "Number of sites on each skeleton, divided among its axes by their length.")
+          .condition("where", &Placement::where, node_variables(),
+                     "Condition for the parts of stems that bear children; by default, twigs (\"tip_distance < 0.4\") "
+                     "of grown plants, and all of other stems.")
+          .integer("whorl", &Placement::whorl, {.min = 1, .max = 1000, .usual = {1, 8}},
+                   "Number of children per site, evenly around the axis; raised above 1, whorls.")
+          .number("divergence", &Placement::divergence,
+                  {.unit = Unit::degree, .min = -360, .max = 360, .usual = {0, 180}},
+                  "Divergence angle, the turn about the axis from site to site: 137.508 for a spiral, 180 for two "
+                  "rows, 90 with whorls of 2 for crossed pairs.")
+          .number("roll", &Placement::roll, {.unit = Unit::degree, .min = -360, .max = 360},
+                  "Position of the first child around the axis, counted from the upper side to the right of what makes "
+                  "the stem; by default, random.")
           .number("angle", &Placement::angle, {.unit = Unit::degree, .min = 0, .max = 180},
-                  "Between axis and child; raised, children stand off more.")
+                  "Angle between the axis and each child; raised, children stand off more.")
           .number("angle_tip", &Placement::angle_tip, {.unit = Unit::degree, .min = 0, .max = 180},
-                  "The angle at the axis's tip, if it is not the same as at its base.")
-          .number("angle_spread", &Placement::angle_spread, {.unit = Unit::degree, .min = 0, .max = 180},
-                  "The angle varies by up to this much to both sides.")
+                  "Angle between the axis and each child at the axis's tip; by default, the same as at its base.")
+          .number("angle_spread", &Placement::angle_spread,
+                  {.unit = Unit::degree, .min = 0, .max = 180, .usual = {0, 45}},
+                  "Largest random deviation of the angle between axis and child, to both sides.")
           .curve("size", &Placement::size,
-                 "Scale of the children over u, from base to tip of each axis; where it is 0 or below there are none.")
+                 "Scale of the children over u, from base (0) to tip (1) of each axis; there are none where it is 0 or "
+                 "below.")
           .curve("spread", &Placement::spread,
-                 "Relative density over u, from base to tip of each axis; [[0, 0], [1, 1]] crowds the tip.")
+                 "Relative density of the sites over u, from base (0) to tip (1) of each axis; [[0, 0], [1, 1]] crowds "
+                 "the tip.")
           .number("droop", &Placement::droop, {.min = -1, .max = 1},
                   "How far children hang: 1 turns their heading straight down, -1 straight up.")
           .number("face_light", &Placement::face_light, {.min = 0, .max = 1},
-                  "How far children turn their upper face to the light: 0 not at all, 1 wholly.")
-          .number("start", &Placement::start, {.min = 0, .max = 1}, "Share of each axis left free at its base.")
-          .number("end", &Placement::end, {.min = 0, .max = 1}, "Share of each axis at which the places end.")
+                  "Share of the turn of the children's upper face to the light: 0 not at all, 1 all the way.")
+          .number("start", &Placement::start, {.min = 0, .max = 1}, "Share of each axis that is left free at its base.")
+          .number("end", &Placement::end, {.min = 0, .max = 1},
+                  "Position along each axis at which the sites end, as a share of its length.")
           .elsewhere({"from", "to", "kind"})
           .check(check_placement);
   return table;
@@ -133,14 +136,14 @@ std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const Axes& a
   return eligible;
 }
 
-/// The pieces of one axis between `start` and `end` that are eligible; those of a lateral begin at its mother's bark,
+/// The pieces of one axis between `start` and `end` that are eligible; those of a lateral begin at its parent's bark,
 /// of which `root_bark` metres lie over the skeleton's root.
 AxisPlaces measure_axis(const Skeleton& skeleton, std::span<const NodeIndex> nodes, const Placement& placement,
                         const std::vector<std::uint8_t>& eligible, float root_bark) {
   AxisPlaces places;
   places.length = axis_length(skeleton, nodes);
-  const NodeIndex mother = nodes.empty() ? kNoNode : skeleton.parent[nodes.front()];
-  const double bark = mother == kNoNode ? root_bark : skeleton.radius[mother];
+  const NodeIndex parent = nodes.empty() ? kNoNode : skeleton.parent[nodes.front()];
+  const double bark = parent == kNoNode ? root_bark : skeleton.radius[parent];
   const double low = std::max(bark, placement.start * places.length);
   const double high = placement.end * places.length;
   float arc = 0;

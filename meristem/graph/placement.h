@@ -76,7 +76,7 @@ Mat3 drooped(const Mat3& axes, double droop, Vec3 down);
 
 /// The places of `placement` on `skeleton`, axis by axis from base to tip; i, n, u count along each axis. An organ's
 /// frame stands on the bark, heads away from the axis by the angle, and turns its upper face (z) toward the axis's tip.
-/// A lateral axis begins at its mother's bark. A skeleton of one node has no axis to stand on and gets no places.
+/// A lateral axis begins at its parent's bark. A skeleton of one node has no axis to stand on and gets no places.
 /// Throws InputError past the limit of instances.
 std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context);
 

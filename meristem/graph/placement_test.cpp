@@ -244,7 +244,7 @@ TEST(Placement, ChildrenStandOnTheBark) {
   }
 }
 
-TEST(Placement, LateralAxesBeginAtTheirMothersBark) {
+TEST(Placement, LateralAxesBeginAtTheirParentsBark) {
   // A twig whose first segments lie inside a thick trunk.
   Skeleton skeleton;
   add_axis(skeleton, kNoNode, kUp, 2, 2);

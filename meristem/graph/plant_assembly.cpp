@@ -164,7 +164,7 @@ std::vector<Stem> PlantAssembly::joined_stems(const std::vector<std::uint32_t>& 
   std::unordered_map<std::uint64_t, std::uint32_t> number_of_stem;  // by id
   number_of_stem.reserve(count);
   std::vector<std::uint32_t> instances(batches_of_.size(), 0);
-  const auto mother_of = [&](const EmittedStem& stem) {
+  const auto parent_of = [&](const EmittedStem& stem) {
     const auto found = number_of_stem.find(stem.site.stem);
     return found == number_of_stem.end() ? kNoStem : found->second;
   };
@@ -175,7 +175,7 @@ std::vector<Stem> PlantAssembly::joined_stems(const std::vector<std::uint32_t>& 
         // What `place` has moved hangs on nothing.
         const bool is_moved = emitted.moved.has_value();
         LooseStem& stem = stems.emplace_back();
-        stem.mother = is_moved ? kNoStem : mother_of(emitted);
+        stem.parent = is_moved ? kNoStem : parent_of(emitted);
         number_of_stem.emplace(emitted.id(), static_cast<std::uint32_t>(stems.size() - 1));
         stem.part = {.component = graph_.components[made.component].id,
                      .instance = instances[made.component]++,

@@ -53,7 +53,7 @@ class Analysis {
       if (!graph_.components[c].type->is_camera) continue;
       if (structure_.root != kNoIndex) {
         error("components." + id(c), fmt::format("'{}' is a second camera beside '{}'", id(c), id(structure_.root)),
-              "one camera a document");
+              "one camera per document");
       } else {
         structure_.root = c;
       }
@@ -108,7 +108,7 @@ class Analysis {
     }
     for (ComponentIndex c = 0; c < graph_.components.size(); ++c) {
       if (state[c] == State::unseen) {
-        error("components." + id(c), fmt::format("nothing that hangs on the camera links to '{}'", id(c)),
+        error("components." + id(c), fmt::format("'{}' cannot be reached from the camera by links", id(c)),
               fmt::format("a link such as [\"{}\", \"{}\"]", id(structure_.root), id(c)));
       }
     }
@@ -121,7 +121,7 @@ class Analysis {
     Structure::Recursion recursion{.head = head};
     for (auto visit = head_at; visit != path_end; ++visit) recursion.members.push_back(visit->component);
     if (graph_.components[head].base().recursion < 2) {
-      error(link_path(graph_, link), fmt::format("the links {} go round without end", cycle_text(recursion)),
+      error(link_path(graph_, link), fmt::format("the links {} lead in an endless circle", cycle_text(recursion)),
             fmt::format("a \"recursion\" of at least 2 in '{}', or no link back", id(head)));
     }
     structure_.recursion_of_link[link] = static_cast<std::uint32_t>(structure_.recursions.size());

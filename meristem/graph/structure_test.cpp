@@ -103,7 +103,7 @@ TEST(Structure, CrossingRecursionsAreRefusedWithBothNamed) {
 
 TEST(Structure, ACycleWithoutARecursionIsRefusedAtItsLink) {
   EXPECT_EQ(fault(graph(2, {{"v", "A"}, {"A", "B"}, {"B", "A"}}, 1)),
-            "links[2]: the links A > B > A go round without end; "
+            "links[2]: the links A > B > A lead in an endless circle; "
             "expected a \"recursion\" of at least 2 in 'A', or no link back");
   EXPECT_NE(fault(graph(1, {{"v", "A"}, {"A", "A"}}, 1)).find("A > A go round"), std::string::npos);
 }
@@ -126,14 +126,14 @@ TEST(Structure, ComponentsThatHangOnNothingAreNamed) {
   const auto faults = graph(3, {{"v", "A"}, {"B", "C"}, {"C", "B"}}).structure_faults();
   ASSERT_EQ(faults.size(), 2U);
   EXPECT_EQ(faults[0],
-            "components.B: nothing that hangs on the camera links to 'B'; "
+            "components.B: 'B' cannot be reached from the camera by links; "
             "expected a link such as [\"v\", \"B\"]");
 }
 
 TEST(Structure, OneCameraIsTheRoot) {
   auto two = graph(1, {{"v", "A"}});
   two.component("w", "camera");
-  EXPECT_EQ(fault(two), "components.w: 'w' is a second camera beside 'v'; expected one camera a document");
+  EXPECT_EQ(fault(two), "components.w: 'w' is a second camera beside 'v'; expected one camera per document");
   EXPECT_NE(fault(graph(1, {{"v", "A"}, {"A", "v"}})).find("links[1]: the link leads to the camera 'v'"),
             std::string::npos);
   GraphBuilder none(test_components());

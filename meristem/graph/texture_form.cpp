@@ -12,42 +12,49 @@ namespace meristem {
 
 namespace {
 
-constexpr NumberForm kFactor{.min = 0, .max = 4, .fixed = true};
-constexpr NumberForm kRepeat{.min = -1000, .max = 1000, .fixed = true};
+constexpr NumberForm kFactor{.min = 0, .max = 4, .usual = {0, 2}, .fixed = true};
+constexpr NumberForm kRepeat{.min = -1000, .max = 1000, .usual = {0, 10}, .fixed = true};
 constexpr NumberForm kShift{.min = -1000, .max = 1000, .fixed = true};
-constexpr NumberForm kSeed{.min = 0, .max = 1e15, .fixed = true};
+constexpr NumberForm kSeed{.min = 0, .max = 1e15, .usual = {0, 100}, .fixed = true};
 
 const ParameterTable& bark_table() {
   static const ParameterTable table =
-      Table<BarkRecipe>("a bark", "Bark that the program makes, a tile whose edges join.")
-          .choice("style", &BarkRecipe::style, {"smooth", "furrowed", "plated", "peeling"},
-                  "smooth as of beech, furrowed as of oak, plated as of pine, peeling as of birch.")
-          .number("scale", &BarkRecipe::scale, {.min = 0.1, .max = 10, .fixed = true},
-                  "Raised, fewer and larger features on a tile.")
-          .number("relief", &BarkRecipe::relief, kFactor, "Depth of furrows and ridges in the light; 0 is flat.")
-          .number("contrast", &BarkRecipe::contrast, kFactor, "Between its colours; 0 is one even colour.")
-          .colour("seams", &BarkRecipe::seams, "Of furrows, cracks and lenticels; dark bark if not given.")
-          .colour("marks", &BarkRecipe::marks, "Of lichen and, on peeling bark, of what lies open.")
-          .integer("seed", &BarkRecipe::seed, kSeed, "Another one gives another tile of the same kind.")
+      Table<BarkRecipe>("a bark", "Bark that the program paints, as a tile whose edges join.")
+          .choice(
+              "style", &BarkRecipe::style, {"smooth", "furrowed", "plated", "peeling"},
+              "Kind of bark: 'smooth' as of beech, 'furrowed' as of oak, 'plated' as of pine, 'peeling' as of birch.")
+          .number("scale", &BarkRecipe::scale, {.min = 0.1, .max = 10, .usual = {0.2, 4}, .fixed = true},
+                  "Size of the bark's features; raised, fewer and larger ones per tile.")
+          .number("relief", &BarkRecipe::relief, kFactor,
+                  "Depth of furrows and ridges as the light shows it; raised, rougher; 0 is flat.")
+          .number("contrast", &BarkRecipe::contrast, kFactor,
+                  "Contrast between the bark's colours; 0 is one even colour.")
+          .colour("seams", &BarkRecipe::seams, "Colour of furrows, cracks and lenticels; by default, a darker bark.")
+          .colour("marks", &BarkRecipe::marks,
+                  "Colour of lichen and, on peeling bark, of what lies open; by default, chosen by style.")
+          .integer("seed", &BarkRecipe::seed, kSeed,
+                   "Number from which the bark's pattern comes; another one gives another tile of the same kind.")
           .shorthand("style");
   return table;
 }
 
 const ParameterTable& leaf_table() {
   static const ParameterTable table =
-      Table<LeafRecipe>("a leaf's texture", "A leaf with its veins that the program makes, over the blade's outline.")
+      Table<LeafRecipe>("a leaf's texture", "A leaf with its veins that the program paints over the blade's outline.")
           .choice("veins", &LeafRecipe::veins, {"pinnate", "palmate", "parallel"},
-                  "pinnate: side veins from a midrib; palmate: main veins from the base to the lobes; parallel: from "
-                  "base to tip.")
-          .integer("pairs", &LeafRecipe::pairs, {.min = 1, .max = 40, .fixed = true},
-                   "Of side veins; of main veins beside the middle one where they are palmate or parallel.")
+                  "Venation: 'pinnate' with side veins from a midrib, 'palmate' with main veins to the lobes, "
+                  "'parallel' from base to tip.")
+          .integer(
+              "pairs", &LeafRecipe::pairs, {.min = 1, .max = 40, .usual = {2, 15}, .fixed = true},
+              "Number of pairs of side veins (pinnate), or of main veins beside the middle one (palmate and parallel).")
           .number("angle", &LeafRecipe::angle, {.unit = Unit::degree, .min = 15, .max = 90, .fixed = true},
-                  "Between a main vein and its side veins.")
-          .number("contrast", &LeafRecipe::contrast, kFactor, "Of veins and mottling; 0 shows neither.")
-          .number("relief", &LeafRecipe::relief, kFactor, "Depth of the veins in the light; 0 is flat.")
-          .colour("vein_colour", &LeafRecipe::vein_colour, "Lighter than the leaf if not given.")
-          .colour("edge_colour", &LeafRecipe::edge_colour, "Toward the margin, as in autumn.")
-          .integer("seed", &LeafRecipe::seed, kSeed, "Another one gives another leaf of the same kind.")
+                  "Angle between a main vein and its side veins.")
+          .number("contrast", &LeafRecipe::contrast, kFactor, "Contrast of veins and mottling; 0 shows neither.")
+          .number("relief", &LeafRecipe::relief, kFactor, "Depth of the veins as the light shows it; 0 is flat.")
+          .colour("vein_colour", &LeafRecipe::vein_colour, "Colour of the veins; by default, lighter than the leaf.")
+          .colour("edge_colour", &LeafRecipe::edge_colour, "Colour toward the margin, as in autumn; by default, none.")
+          .integer("seed", &LeafRecipe::seed, kSeed,
+                   "Number from which the leaf's pattern comes; another one gives another leaf of the same kind.")
           .only_where({{"veins", {"pinnate", "palmate"}}}, {"angle"})
           .shorthand("veins");
   return table;
@@ -55,30 +62,37 @@ const ParameterTable& leaf_table() {
 
 const ParameterTable& petal_table() {
   static const ParameterTable table =
-      Table<PetalRecipe>("a petal's texture", "A petal that the program makes, over the blade's outline.")
-          .colour("throat", &PetalRecipe::throat, "At the petal's base.")
+      Table<PetalRecipe>("a petal's texture", "A petal that the program paints over the blade's outline.")
+          .colour("throat", &PetalRecipe::throat, "Colour at the petal's base; by default, the petal's own.")
           .number("throat_length", &PetalRecipe::throat_length, {.min = 0.01, .max = 1, .fixed = true},
                   "Share of the petal over which the throat's colour fades.")
           .only_with("throat", {"throat_length"})
-          .colour("stripes", &PetalRecipe::stripes, "Of the lines that fan out from the base.")
-          .number("relief", &PetalRecipe::relief, kFactor, "Depth of the lines in the light; 0 is flat.")
-          .integer("seed", &PetalRecipe::seed, kSeed, "Another one gives another petal of the same kind.");
+          .colour("stripes", &PetalRecipe::stripes,
+                  "Colour of the lines that fan out from the petal's base; by default, faint ones.")
+          .number("relief", &PetalRecipe::relief, kFactor, "Depth of the lines as the light shows it; 0 is flat.")
+          .integer("seed", &PetalRecipe::seed, kSeed,
+                   "Number from which the petal's pattern comes; another one gives another petal of the same kind.");
   return table;
 }
 
 const ParameterTable& picture_table() {
   static const ParameterTable table =
-      Table<PictureForm>("a picture", "Pictures of your own, PNG or JPEG.")
-          .file("colour", &PictureForm::colour, read_image, "What the surface shows.")
+      Table<PictureForm>("a picture", "Pictures of your own (PNG or JPEG) on the surface.")
+          .file("colour", &PictureForm::colour, read_image, "Picture of the surface's colours.")
           .required()
           .file("normals", &PictureForm::normals, read_image,
-                "Its relief as normals: red to the right, green up, blue outward.")
-          .boolean("masked", &PictureForm::masked, "Cuts holes where the picture's alpha is below one half.")
+                "Normal map of the surface's relief: red to the right, green up, blue outward.")
+          .boolean("masked", &PictureForm::masked,
+                   "Whether the surface has holes where the picture's alpha is below one half.")
           .number("repeat_u", &PictureForm::repeat_u, kRepeat,
-                  "Pictures across a surface that is no stem; raised, smaller ones; negative, mirrored.")
-          .number("repeat_v", &PictureForm::repeat_v, kRepeat, "The same from its base to its tip.")
-          .number("shift_u", &PictureForm::shift_u, kShift, "By how many pictures they are moved across.")
-          .number("shift_v", &PictureForm::shift_v, kShift, "The same from base to tip.")
+                  "Number of pictures across a surface other than a stem's tubes; raised, smaller ones; negative, "
+                  "mirrored.")
+          .number("repeat_v", &PictureForm::repeat_v, kRepeat,
+                  "Number of pictures from base to tip of a surface other than a stem's tubes; raised, smaller ones; "
+                  "negative, mirrored.")
+          .number("shift_u", &PictureForm::shift_u, kShift, "Shift of the pictures across the surface, in pictures.")
+          .number("shift_v", &PictureForm::shift_v, kShift,
+                  "Shift of the pictures from base to tip of the surface, in pictures.")
           .shorthand("colour");
   return table;
 }
@@ -189,13 +203,14 @@ std::shared_ptr<const Texture> with_fingerprint(Texture texture, std::uint64_t f
 
 const ParameterTable& texture_table() {
   static const ParameterTable table =
-      Table<TextureForm>("a texture", "What lies on the component's surface: one of these kinds, or none.")
-          .object("bark", &TextureForm::bark, bark_table, "Bark, made by the program.")
-          .object("leaf", &TextureForm::leaf, leaf_table, "A leaf's veins and outline, made by the program.")
-          .object("petal", &TextureForm::petal, petal_table, "A petal, made by the program.")
-          .object("picture", &TextureForm::picture, picture_table, "A picture of your own.")
-          .integer("pixels", &TextureForm::pixels, {.min = 16, .max = 2048, .fixed = true},
-                   "Width and height of what the program makes; raised, finer and larger files.")
+      Table<TextureForm>("a texture", "Texture of a component's surface, of one of these kinds.")
+          .object("bark", &TextureForm::bark, bark_table, "Bark that the program paints.")
+          .object("leaf", &TextureForm::leaf, leaf_table, "A leaf with its veins that the program paints.")
+          .object("petal", &TextureForm::petal, petal_table, "A petal that the program paints.")
+          .object("picture", &TextureForm::picture, picture_table, "Pictures of your own (PNG or JPEG).")
+          .integer(
+              "pixels", &TextureForm::pixels, {.min = 16, .max = 2048, .fixed = true},
+              "Width and height in pixels of a texture that the program paints; raised, finer detail and larger files.")
           .never_with("bark", {"leaf", "petal", "picture"})
           .never_with("leaf", {"petal", "picture"})
           .never_with("petal", {"picture"})

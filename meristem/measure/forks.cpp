@@ -26,10 +26,10 @@ std::optional<double> angle_between(DVec3 a, DVec3 b) {
 void sample_angles(const Skeleton& skeleton, NodeIndex fork, std::span<const NodeIndex> children,
                    std::vector<double>& angles) {
   if (skeleton.is_root(fork)) return;
-  const DVec3 mother = segment(skeleton, fork);
+  const DVec3 parent = segment(skeleton, fork);
   for (const NodeIndex child : children) {
     if (skeleton.axis[child] == skeleton.axis[fork]) continue;
-    if (const auto angle = angle_between(mother, segment(skeleton, child))) angles.push_back(*angle);
+    if (const auto angle = angle_between(parent, segment(skeleton, child))) angles.push_back(*angle);
   }
 }
 

@@ -12,7 +12,7 @@ namespace meristem {
 
 /// One number for each fork or lateral that has it, in the order of the nodes.
 struct ForkSamples {
-  /// Radians between the mother's segment that ends at the fork and the lateral's first one. Laterals on a root, and
+  /// Radians between the parent's segment that ends at the fork and the lateral's first one. Laterals on a root, and
   /// those of which either segment has no length, have none.
   std::vector<double> branching_angles;
   /// The children's cross-sections over the parent's.

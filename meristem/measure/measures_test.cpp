@@ -12,6 +12,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
 #include "meristem/plant/pipe_radii.h"
+#include "tests/support/check_sentence.h"
 
 namespace meristem {
 namespace {
@@ -232,6 +233,10 @@ TEST(MeasureRows, NamesAreDistinctAndSnakeCase) {
     EXPECT_EQ(row.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz_"), std::string_view::npos) << row.name;
     EXPECT_TRUE(row.doc.ends_with('.')) << row.name;
   }
+}
+
+TEST(MeasureRows, EachIsExplainedByASentenceThatStandsAlone) {
+  for (const MeasureRow& row : measure_rows()) EXPECT_EQ(sentence_fault(row.doc), "") << row.name << ": " << row.doc;
 }
 
 TEST(MeasureRows, CountsAreWholeAndRatiosAreNotWhateverTheirValue) {

@@ -13,10 +13,10 @@ namespace {
 TreeForm form_of(const Skeleton& skeleton) { return measure_form(skeleton, Children(skeleton)); }
 
 /// A lateral of one segment.
-void add_lateral(Skeleton& skeleton, NodeIndex mother, Vec3 end, AxisIndex axis) {
-  const NodeIndex node = skeleton.add_node(mother, end, 0);
+void add_lateral(Skeleton& skeleton, NodeIndex parent, Vec3 end, AxisIndex axis) {
+  const NodeIndex node = skeleton.add_node(parent, end, 0);
   skeleton.axis[node] = axis;
-  skeleton.order[node] = static_cast<std::uint16_t>(skeleton.order[mother] + 1);
+  skeleton.order[node] = static_cast<std::uint16_t>(skeleton.order[parent] + 1);
   skeleton.radius[node] = 0.01F;
 }
 

@@ -53,7 +53,7 @@ constexpr Format kFormats[] = {
     {".skeleton.ply", "the skeletons as points with radius, and edges, in binary PLY",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_skeleton_ply(grown.plant, path, {provenance_of(document)}, progress); }},
-    {".csv", "the skeletons as a table, one row a node",
+    {".csv", "the skeletons as a table, one row per node",
      [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_skeleton_csv(grown.plant, path, progress); }},
     {".mtg", "the skeletons as a multiscale tree graph, for OpenAlea and MultiScaleTreeGraph.jl",

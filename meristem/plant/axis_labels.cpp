@@ -52,9 +52,9 @@ std::vector<std::string> axis_labels(const Skeleton& skeleton) {
       continue;
     }
     const NodeIndex bearer = skeleton.parent[node];
-    const AxisIndex mother = skeleton.axis[bearer];
-    const std::uint32_t earlier = borne[std::uint64_t{mother} << 32U | numbers[bearer]]++;
-    label = labels[mother] + '.' + std::to_string(numbers[bearer]) + letters(earlier);
+    const AxisIndex parent = skeleton.axis[bearer];
+    const std::uint32_t earlier = borne[std::uint64_t{parent} << 32U | numbers[bearer]]++;
+    label = labels[parent] + '.' + std::to_string(numbers[bearer]) + letters(earlier);
   }
   return labels;
 }

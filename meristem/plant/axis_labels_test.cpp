@@ -129,14 +129,14 @@ TEST(AxisLabels, StayWhereNodesAreAddedBetween) {
   const Skeleton finer = subdivide(tree, 0.3);
   ASSERT_GT(finer.node_count(), 2 * tree.node_count());
   for (const float metamer : finer.extra.find(kMetamerColumn)->second) EXPECT_EQ(metamer, std::floor(metamer));
-  // A daughter that begins within the fourth metamer is a lateral of it.
+  // A child that begins within the fourth metamer is a lateral of it.
   std::vector<LooseStem> stems(2);
   stems[0].skeleton = std::make_shared<Skeleton>(tree);
-  auto daughter = std::make_shared<Skeleton>();
-  grow(*daughter, kNoNode, 0);
-  grow(*daughter, 0, 0);
-  daughter->position = {Vec3(0, 4.5F, 0), Vec3(1, 4.5F, 0)};
-  stems[1] = {.part = {}, .skeleton = daughter, .mother = 0, .node = 4, .along = 0.5F};
+  auto child = std::make_shared<Skeleton>();
+  grow(*child, kNoNode, 0);
+  grow(*child, 0, 0);
+  child->position = {Vec3(0, 4.5F, 0), Vec3(1, 4.5F, 0)};
+  stems[1] = {.part = {}, .skeleton = child, .parent = 0, .node = 4, .along = 0.5F};
   const std::vector<Stem> joined = join_stems(std::move(stems));
   ASSERT_EQ(joined.size(), 1U);
   const Labels labels = axis_labels(joined[0].skeleton);

@@ -14,16 +14,16 @@ namespace meristem {
 
 namespace {
 
-/// The place on a mother's segment where a daughter springs.
+/// The position on a parent's segment where a child springs.
 struct Graft {
   NodeIndex node = 0;
   float along = 1;
-  std::uint32_t daughter = 0;
+  std::uint32_t child = 0;
 };
 
-Vec3 place_of(const Skeleton& mother, NodeIndex node, float along) {
-  if (mother.is_root(node)) return mother.position[node];
-  return glm::mix(mother.position[mother.parent[node]], mother.position[node], along);
+Vec3 position_on(const Skeleton& stem, NodeIndex node, float along) {
+  if (stem.is_root(node)) return stem.position[node];
+  return glm::mix(stem.position[stem.parent[node]], stem.position[node], along);
 }
 
 bool has_single_root(const Skeleton& skeleton) {
@@ -32,14 +32,14 @@ bool has_single_root(const Skeleton& skeleton) {
 }
 
 bool can_join(const LooseStem& stem, const std::vector<LooseStem>& stems, float reach) {
-  if (stem.mother == kNoStem || !has_single_root(*stem.skeleton)) return false;
-  const Skeleton& mother = *stems[stem.mother].skeleton;
-  if (stem.node >= mother.node_count()) return false;
-  const Vec3 place = place_of(mother, stem.node, stem.along);
-  return glm::distance(place, stem.skeleton->position[0]) <= reach * mother.radius[stem.node] + 1e-4F;
+  if (stem.parent == kNoStem || !has_single_root(*stem.skeleton)) return false;
+  const Skeleton& parent = *stems[stem.parent].skeleton;
+  if (stem.node >= parent.node_count()) return false;
+  const Vec3 position = position_on(parent, stem.node, stem.along);
+  return glm::distance(position, stem.skeleton->position[0]) <= reach * parent.radius[stem.node] + 1e-4F;
 }
 
-/// Puts the stems of one tree, mothers before daughters, into one skeleton.
+/// Puts the stems of one tree, parents before children, into one skeleton.
 class TreeJoiner {
  public:
   TreeJoiner(std::vector<LooseStem>& stems, std::vector<std::vector<Graft>>& grafts)
@@ -57,7 +57,7 @@ class TreeJoiner {
   }
 
  private:
-  /// Where a daughter's root has gone, and what she takes over from her mother there.
+  /// Where a child's root has gone, and what it takes over from its parent there.
   struct Joint {
     NodeIndex node = kNoNode;
     std::uint16_t order = 0;
@@ -84,12 +84,12 @@ class TreeJoiner {
         // Those of a whorl share their node.
         if (next->along > last_along) parent = add_between(from, node, next->along, parent);
         last_along = next->along;
-        joints_[next->daughter] = {parent, tree_.skeleton.order[parent]};
+        joints_[next->child] = {parent, tree_.skeleton.order[parent]};
       }
       const bool gives_way = !is_root && node == 0;
       node_of_[node] = gives_way ? joint.node : add_node(from, node, parent);
       for (; next != grafts.end() && next->node == node; ++next) {
-        joints_[next->daughter] = {node_of_[node], tree_.skeleton.order[node_of_[node]]};
+        joints_[next->child] = {node_of_[node], tree_.skeleton.order[node_of_[node]]};
       }
     }
     stem.skeleton = nullptr;
@@ -133,7 +133,7 @@ class TreeJoiner {
     return values;
   }
 
-  static constexpr float kAtEnd = 0.999F;  // nearer to a segment's end the daughter springs from its node
+  static constexpr float kAtEnd = 0.999F;  // nearer to a segment's end the child springs from its node
 
   std::vector<LooseStem>& stems_;
   std::vector<std::vector<Graft>>& grafts_;
@@ -154,16 +154,16 @@ std::vector<Stem> join_stems(std::vector<LooseStem> stems, float reach) {
   std::vector<std::vector<Graft>> grafts(stems.size());
   for (std::uint32_t k = 0; k < stems.size(); ++k) {
     const bool joins = can_join(stems[k], stems, reach);
-    root[k] = joins ? root[stems[k].mother] : k;
+    root[k] = joins ? root[stems[k].parent] : k;
     members[root[k]].push_back(k);
-    if (joins) grafts[stems[k].mother].push_back({stems[k].node, stems[k].along, k});
+    if (joins) grafts[stems[k].parent].push_back({stems[k].node, stems[k].along, k});
   }
-  for (std::vector<Graft>& places : grafts) {
-    std::stable_sort(places.begin(), places.end(), [](const Graft& a, const Graft& b) {
+  for (std::vector<Graft>& borne : grafts) {
+    std::stable_sort(borne.begin(), borne.end(), [](const Graft& a, const Graft& b) {
       return a.node != b.node ? a.node < b.node : a.along < b.along;
     });
   }
-  // A stem that has no daughters stays as it is.
+  // A stem that has no children stays as it is.
   std::vector<Stem> joined;
   TreeJoiner joiner(stems, grafts);
   for (std::uint32_t k = 0; k < stems.size(); ++k) {

@@ -13,17 +13,17 @@ namespace meristem {
 struct LooseStem {
   StemPart part;
   std::shared_ptr<const Skeleton> skeleton;  ///< not null
-  std::uint32_t mother = kNoStem;            ///< an earlier stem of the list
-  NodeIndex node = 0;                        ///< on the segment of hers that ends in this node
+  std::uint32_t parent = kNoStem;            ///< an earlier stem of the list
+  NodeIndex node = 0;                        ///< on its segment that ends in this node
   float along = 1;                           ///< at this share of it
 };
 
-/// Joins stems to those that they grow on: the mother gets a node where daughters spring, their roots give way to it,
-/// and their axes become laterals of the mother's, of orders counted on from hers. Stems with several roots or none,
-/// and those that begin farther from their place than `reach` radii of the mother there, stay on their own.
+/// Joins stems to those that they grow on: the parent gets a node where children spring, their roots give way to it,
+/// and their axes become laterals of the parent's, of orders counted on from there. Stems with several roots or none,
+/// and those that begin farther from their site than `reach` radii of the parent there, stay on their own.
 ///
 /// Stems come out in the order of their roots in the list; axes are numbered by their first nodes. Cost linear but for
-/// the sorting of places along a segment.
+/// the sorting of children along a segment.
 std::vector<Stem> join_stems(std::vector<LooseStem> stems, float reach = 3);
 
 }  // namespace meristem

@@ -28,9 +28,9 @@ LooseStem stem(std::string component, Skeleton skeleton) {
   return loose;
 }
 
-LooseStem daughter(std::string component, Skeleton skeleton, std::uint32_t mother, NodeIndex node, float along) {
+LooseStem child_stem(std::string component, Skeleton skeleton, std::uint32_t parent, NodeIndex node, float along) {
   LooseStem loose = stem(std::move(component), std::move(skeleton));
-  loose.mother = mother;
+  loose.parent = parent;
   loose.node = node;
   loose.along = along;
   return loose;
@@ -40,8 +40,8 @@ LooseStem daughter(std::string component, Skeleton skeleton, std::uint32_t mothe
 std::vector<LooseStem> small_tree() {
   std::vector<LooseStem> stems;
   stems.push_back(stem("trunk", rod({0, 0, 0}, kUp, 2, 0.2F)));
-  stems.push_back(daughter("bough", rod({0, 1.5F, 0}, {1, 0, 0}, 2, 0.1F), 0, 2, 0.5F));
-  stems.push_back(daughter("twig", rod({1, 1.5F, 0}, {0, 0, 1}, 1, 0.05F), 1, 1, 1));
+  stems.push_back(child_stem("bough", rod({0, 1.5F, 0}, {1, 0, 0}, 2, 0.1F), 0, 2, 0.5F));
+  stems.push_back(child_stem("twig", rod({1, 1.5F, 0}, {0, 0, 1}, 1, 0.05F), 1, 1, 1));
   return stems;
 }
 
@@ -67,7 +67,7 @@ TEST(JoinStems, StemsOnTheSameSegmentSpringInTheirOrderAlongIt) {
   std::vector<LooseStem> stems;
   stems.push_back(stem("trunk", rod({0, 0, 0}, kUp, 1, 0.2F)));
   for (const float along : {0.75F, 0.25F, 0.5F, 0.25F}) {
-    stems.push_back(daughter("bough", rod({0, along, 0}, {1, 0, 0}, 1, 0.1F), 0, 1, along));
+    stems.push_back(child_stem("bough", rod({0, along, 0}, {1, 0, 0}, 1, 0.1F), 0, 1, along));
   }
   const std::vector<Stem> joined = join_stems(std::move(stems));
   ASSERT_EQ(joined.size(), 1U);

@@ -61,13 +61,13 @@ struct Surface {
   float error = 0.03F;  ///< radii by which a tube may stray from its skeleton; raised, fewer rings; 0: one a node
   float uv_scale = 1;   ///< metres of bark that one texture tile covers
   float smooth = 3;  ///< radii along the axis to both sides over which a tube's radius is levelled; 0: as the skeleton
-  float collar = 0.8F;     ///< radii over which branches grow out of their mother; 0: they start with a crease
+  float collar = 0.8F;     ///< radii over which branches grow out of their parent; 0: they start with a crease
   float flare = 0.5F;      ///< how much wider roots are at the ground than above it
   Cap cap = Cap::pointed;  ///< how tips end
 
   // Blended bodies.
   int resolution = 100;  ///< cells along the longest side; raised, finer, and triangles grow with its square
-  float blend = 0.5F;    ///< radii of a branch over which it grows together with its mother; 0: they meet in a crease
+  float blend = 0.5F;    ///< radii of a branch over which it grows together with its parent; 0: they meet in a crease
   bool thicken = true;   ///< twigs thinner than the cells can hold are as thick as they can; else they vanish
   std::optional<int> triangles;  ///< simplified to so many, if its twigs and holes let it
 

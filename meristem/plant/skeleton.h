@@ -21,7 +21,7 @@ inline constexpr NodeIndex kNoNode = 0xffffffffU;
 ///
 /// A parent's index is smaller than its children's, so plain loops run from root to tips and back, and nothing
 /// recurses. A node belongs to the axis on which it lies; the first node of a lateral axis is the first one after the
-/// fork, and its parent lies on the mother axis.
+/// fork, and its parent lies on the parent axis.
 struct Skeleton {
   std::vector<NodeIndex> parent;     ///< kNoNode for roots
   std::vector<Vec3> position;        ///< metres
@@ -52,7 +52,7 @@ struct Children {
   }
 };
 
-/// The nodes of each axis from base to tip: those of axis a are `node[first[a] .. first[a+1])`. The mother node, from
+/// The nodes of each axis from base to tip: those of axis a are `node[first[a] .. first[a+1])`. The parent node, from
 /// which a lateral axis springs, is not among them; it is the parent of the axis's first node.
 struct Axes {
   std::vector<std::uint32_t> first;

@@ -34,7 +34,7 @@ py::array_t<T> view(const std::shared_ptr<const void>& owner, const T* data, std
   return array;
 }
 
-/// Of a column: a number a row.
+/// Of a column: a number per row.
 template <class T>
 py::array_t<T> column_view(const std::shared_ptr<const void>& owner, const std::vector<T>& column) {
   return view(owner, column.data(), {static_cast<py::ssize_t>(column.size())}, {sizeof(T)});

@@ -118,7 +118,7 @@ void bind_colonize(py::module_& module) {
              py::arg("progress") = py::none(),
              R"(Grows into your own attraction points by space colonization, and gives a Skeleton.
 
-`points` (n, 3) and `roots` (3,) or (k, 3) are places in the world, metres. Trees of several roots compete for the
+`points` (n, 3) and `roots` (3,) or (k, 3) are positions in the world, metres. Trees of several roots compete for the
 points and are one skeleton; a root that no point pulls grows straight toward the nearest one first. `step` (m) is the
 length of a segment, points pull within `influence` (m) and are used up within `kill` (m), and growth ends after
 `iterations` steps at the latest; `bias` is added to each direction. `tip_radius` (m) and `pipe_exponent` give radii.

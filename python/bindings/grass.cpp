@@ -134,9 +134,9 @@ and line: columns that are missing, cells that are no numbers, midribs of fewer 
 a row.)");
   module.def("read_widths", &widths_of, py::arg("path"), R"(Reads widths along blades: a list of MeasuredCurve.
 
-The same with the columns s (place from the base) and r (width, or share of the widest) and, if there, rank or
-rankclass, and lindex. What runs from the tip to the base is turned about, with a UserWarning each. Raises InputError
-too for places that are not sorted, and for widths below 0.)");
+The file is a table with the columns s (distance from the base) and r (width, or share of the widest) and, if there,
+rank or rankclass, and lindex. What runs from the tip to the base is turned about, with a UserWarning each. Raises
+InputError as read_midribs does, and for positions that are not sorted and widths below 0.)");
 }
 
 void bind_fit(py::module_& module) {
@@ -146,10 +146,10 @@ void bind_fit(py::module_& module) {
           "leaf", [](const std::shared_ptr<FittedLeaf>& f) { return GrassLeafPointer(f, &f->leaf); }, "The GrassLeaf.")
       .def_property_readonly(
           "midrib_length", [](const FittedLeaf& f) { return f.midrib_length; },
-          "Of the fitted midrib, in the unit of its points.")
+          "Length of the fitted midrib, in the unit of its points.")
       .def_property_readonly(
           "polyline_length", [](const FittedLeaf& f) { return f.polyline_length; },
-          "Of the digitised points joined by lines.")
+          "Length of the digitised points joined by lines.")
       .def_property_readonly(
           "distance", [](const FittedLeaf& f) { return f.distance; },
           "Root mean square distance of the digitised points from the fitted midrib.")
@@ -168,8 +168,8 @@ void bind_fit(py::module_& module) {
              R"(Fits smoothing splines to a digitised midrib and to the widths along a blade: a FittedLeaf.
 
 `x` and `y` (n,) are the midrib's points, away from the stem and up; the leaf begins at the first. `s` and `r` (m,) are
-places from the base and the widths there. Midrib and widths are each taken over their own length. Where the places end
-at 1 they are shares of the length, which then is the midrib's; else the last one is the blade's length. Where `r` are
+distances from the base and the widths there. Midrib and widths are each taken over their own length. Where `s` ends at
+1 it is in shares of the length, which then is the midrib's; else the last one is the blade's length. Where `r` are
 shares of the widest, so is the leaf's width: 1.
 
 `smoothing` is how far the midrib may be from its points, root mean square, as a share of its length (0: the points
@@ -195,17 +195,17 @@ void bind_grass(py::module_& module) {
   py::class_<GrassLeaf, GrassLeafPointer>(module, "GrassLeaf",
                                           R"(A grass leaf as seen from its side: its midrib in a plane, and its widths.
 
-`length` of the midrib and `width` across at the widest, metres. The four lists have one number a point of the midrib,
-at least two, from the collar at (0, 0) to the tip: `s` the place along it, from 0 to 1; `x` away from the stem and `y`
-along it, in lengths; `r` the width there as a share of the widest. Arrays are read-only; every stage gives a new leaf.
-Raises TypeError and ValueError.)")
+`length` of the midrib and `width` across at the widest, metres. The four lists have one number per point of the midrib,
+at least two, from the collar at (0, 0) to the tip: `s` the position along it, from 0 to 1; `x` away from the stem and
+`y` along it, in lengths; `r` the width there as a share of the widest. Arrays are read-only; every stage gives a new
+leaf. Raises TypeError and ValueError.)")
       .def(py::init(&make_leaf), py::arg("length"), py::arg("width"), py::arg("s"), py::arg("x"), py::arg("y"),
            py::arg("r"))
       .def_property_readonly(
-          "length", [](const GrassLeaf& l) { return l.length; }, "Of the midrib, metres.")
+          "length", [](const GrassLeaf& l) { return l.length; }, "Length of the midrib, metres.")
       .def_property_readonly(
-          "width", [](const GrassLeaf& l) { return l.width; }, "Across at the widest, metres.")
-      .def_property_readonly("s", &list_of<&GrassLeaf::s>, "(n,) float64: place along the midrib, from 0 to 1.")
+          "width", [](const GrassLeaf& l) { return l.width; }, "Width at the widest, metres.")
+      .def_property_readonly("s", &list_of<&GrassLeaf::s>, "(n,) float64: position along the midrib, from 0 to 1.")
       .def_property_readonly("x", &list_of<&GrassLeaf::x>, "(n,) float64: away from the stem, in lengths.")
       .def_property_readonly("y", &list_of<&GrassLeaf::y>, "(n,) float64: along the stem, in lengths.")
       .def_property_readonly("r", &list_of<&GrassLeaf::r>, "(n,) float64: width as a share of the widest.")

@@ -148,7 +148,7 @@ One order gives all levels of detail, so the points of a coarser one are among t
   module.def("reduction_order", &order_of, py::arg("leaf"), py::arg("also") = py::list(),
              R"(The ReductionOrder of a leaf: the point nearest to the chord between its present neighbours goes first.
 
-Its error is that of (x, y) and of (s, r) together. `also` are further lists of a number a point, as shares of the
+Its error is that of (x, y) and of (s, r) together. `also` are further lists of a number per point, as shares of the
 length, that count in the same way.)");
   module.def(
       "points_kept", [](const ReductionOrder& o, int pieces) { return array_of(kept_points(o, pieces)); },
@@ -177,7 +177,7 @@ void bind_grass_blade(py::module_& module) {
              R"(The blade over all points of a leaf as a Mesh with normals and uvs, its front face up.
 
 Its collar is at the origin, y along the stem, and the midrib leads away to -z. `twist` is the torsion about the midrib
-from base to tip, `twist_along` (n, 2) the share of it that is reached over the place; `fold` raises each half about the
+from base to tip, `twist_along` (n, 2) the share of it that is reached from 0 to 1; `fold` raises each half about the
 midrib, `roll` bends the section from edge to edge where the blade is widest: all degrees. `waves` of the edges is a
 dict of `number` from base to tip, `depth` as a share of half the width, and the phases `left` and `right`, degrees.
 `across` is the number of quads from edge to edge, even. Over the first `clasp` of its length the blade unrolls from a

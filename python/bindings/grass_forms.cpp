@@ -132,8 +132,8 @@ Raises TypeError, ValueError for a step that is not above 0 or over 100,000 step
 void bind_turns(py::module_& module) {
   module.def("turned", &turn, py::arg("leaf"), py::arg("turns"), R"(The leaf with local turns of its midrib.
 
-`turns` is a list of (from, to, angle): two places along the midrib, 0 to 1, and the degrees by which all beyond is
-turned, positive down; each is spread evenly between its places, or a kink where they are equal. Pieces keep their
+`turns` is a list of (from, to, angle): two positions along the midrib, 0 to 1, and the degrees by which all beyond is
+turned, positive down; each is spread evenly between its positions, or a kink where they are equal. Pieces keep their
 lengths. Raises ValueError.)");
   module.def(
       "inclined",

@@ -99,7 +99,7 @@ and indices.)")
           "(n, 3) float32: unit; None if there are none.")
       .def_property_readonly(
           "uvs", [](const MeshPointer& m) { return optional_rows<float>(m, m->uvs); },
-          "(n, 2) float32: places on textures, v from base to tip; None if there are none.")
+          "(n, 2) float32: positions on textures, v from base to tip; None if there are none.")
       .def_property_readonly(
           "tangents", [](const MeshPointer& m) { return optional_rows<float>(m, m->tangents); },
           "(n, 4) float32: where u rises, and the side; None if there are none.")
@@ -157,7 +157,7 @@ and indices.)")
             return frames_view(m, m->frames.data(), m->frames.size(), sizeof(Frame));
           },
           "(k, 4, 3) float32: of each instance where x, y and z of the mesh point, and its origin. A "
-          "place p of the mesh is at p @ frame[:3] + frame[3].")
+          "point p of the mesh is at p @ frame[:3] + frame[3].")
       .def_property_readonly(
           "tints",
           [](const std::shared_ptr<MeshInstances>& m) -> py::object {
@@ -182,7 +182,7 @@ and indices.)")
              R"(The tubes of a Skeleton as a Mesh with normals and uvs: a closed body for each axis.
 
 The thickest tube has `sides` sides (3 to 64); a tube strays up to `error` radii from the skeleton; a texture's tile
-covers `uv_scale` metres; radii are levelled over `smooth` radii along an axis; branches grow out of their mother over
+covers `uv_scale` metres; radii are levelled over `smooth` radii along an axis; branches grow out of their parent over
 `collar` radii; roots are `flare` wider at the ground; `cap` is pointed, round or flat.)");
   module.def("convex_hull", &hull_of, py::arg("points"), py::kw_only(), py::arg("threads") = 0,
              py::arg("progress") = py::none(),

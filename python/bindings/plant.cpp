@@ -241,7 +241,7 @@ Columns are read-only arrays over the plant's own memory, one entry an organ.)")
             return frames_view(o.plant, &first->frame, o.rows().size(), sizeof(Organ));
           },
           "(n, 4, 3) float32: where x, y (the heading) and z (the upper face) point, and the origin. "
-          "A place p of the prototype is at p @ frame[:3] + frame[3].")
+          "A point p of the prototype is at p @ frame[:3] + frame[3].")
       .def_property_readonly(
           "prototype", [](const Organs& o) { return o.column<std::uint32_t>(&Organ::prototype, {}); },
           "(n,) uint32: index in Plant.prototypes.")
@@ -356,14 +356,14 @@ tree. Area ratios count from forks of `fork_diameter` metres; the lit share take
       .def("organ_light", &organ_light, py::kw_only(), py::arg("threads") = 0, py::arg("progress") = py::none(),
            R"(The light on each organ, in their order: a dict of float64 arrays (n,).
 
-"area" (m², of a blade one side), "exposure" (the share of the light's rays that arrive) and "irradiance" (the same times
+"area" (m², of a blade one side), "exposure" (the share of the light's rays that arrive) and "irradiance" (that times
 the cosine to the surface), both 0 to 1.)")
       .def("save", &save, py::arg("path"), py::kw_only(), py::arg("instanced") = false, py::arg("nodes") = false,
            py::arg("lod") = 0, py::arg("threads") = 0, py::arg("progress") = py::none(),
            R"(Writes the plant to a file, its format by its ending: .glb, .obj, .ply, .skeleton.ply, .csv, .mtg.
 
-`instanced` writes leaves to .glb as places of one mesh, as is done by itself beyond 5 million triangles: small files,
-that not every program reads; `nodes` writes them as nodes there, which every program reads. `lod` (0 to 8) is the level
+`instanced` writes leaves to .glb as instances of one mesh, as is done by itself beyond 5 million triangles: small files,
+which not every program reads; `nodes` writes them as nodes there, which every program reads. `lod` (0 to 8) is the level
 of detail: each has about a quarter of the triangles of the one before. The file is there whole or not at all.
 Raises InputError for endings that are not known and files that were read, MachineError.)")
       .def("render", &render, py::kw_only(), py::arg("size") = py::none(), py::arg("samples") = py::none(),

@@ -302,9 +302,9 @@ void bind_scene(py::module_& module) {
 from the folder of `file`, or the current one. It never changes, and questions may come from many threads. Raises
 InputError with all that is wrong.
 
-Each question takes all its places at once, as arrays in metres; `threads` bounds the threads (0: all cores), `progress`
-is a Progress or something to call with stage and fraction. They raise TypeError for wrong types, ValueError for wrong
-shapes and values, Cancelled.)");
+Each question takes all its positions at once, as arrays in metres; `threads` bounds the threads (0: all cores),
+`progress` is a Progress or something to call with stage and fraction. They raise TypeError for wrong types, ValueError
+for wrong shapes and values, Cancelled.)");
   scene.def(py::init(&make_scene), py::arg("values") = py::none(), py::kw_only(), py::arg("file") = "");
   bind_light(scene);
   bind_obstacles(scene);

@@ -64,7 +64,7 @@ std::vector<float> floats_of(const py::object& object, const char* name, std::si
   return column;
 }
 
-/// Axes must be numbered in the order of their first nodes, each from one mother node on.
+/// Axes must be numbered in the order of their first nodes, each from one parent node on.
 void check_axes(const Skeleton& skeleton) {
   AxisIndex count = 0;
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
@@ -118,7 +118,7 @@ SkeletonPointer make_skeleton(const py::object& parent, const py::object& positi
   if (extra) {
     for (const auto& [name, column] : *extra) {
       for (const char* known : kColumns) {
-        if (name == known) throw py::value_error(fmt::format("'{}' is no further column", name));
+        if (name == known) throw py::value_error(fmt::format("'{}' is not a further column", name));
       }
       skeleton->extra.emplace(name, floats_of(column, name.c_str(), rows));
     }
@@ -167,11 +167,11 @@ void save_mtg(const SkeletonPointer& skeleton, const py::object& path, int threa
 void bind_skeleton(py::module_& module) {
   py::class_<Skeleton, SkeletonPointer>(module, "Skeleton", R"(Nodes joined by segments from parent to child.
 
-Columns are read-only arrays over the skeleton's own memory, one entry a node; they stay valid however long they are
-kept. A parent's index is smaller than its children's. The constructor copies: `parent` (n,) whole numbers, -1 for roots;
-`position` (n, 3) metres; `radius` (n,) metres; `axis` and `order` (n,), found by the thickest children if left out;
-`birth` (n,) growth steps; `extra`: further columns of numbers by name. Raises TypeError for wrong types, ValueError for
-wrong shapes and values.)")
+Columns are read-only arrays over the skeleton's own memory, one entry per node; they stay valid however long they are
+kept. A parent's index is smaller than its children's. The constructor copies: `parent` (n,) whole numbers, -1 for
+roots; `position` (n, 3) metres; `radius` (n,) metres; `axis` and `order` (n,), found by the thickest children if left
+out; `birth` (n,) growth steps; `extra`: further columns of numbers by name. Raises TypeError for wrong types,
+ValueError for wrong shapes and values.)")
       .def(py::init(&make_skeleton), py::arg("parent"), py::arg("position"), py::kw_only(),
            py::arg("radius") = py::none(), py::arg("axis") = py::none(), py::arg("order") = py::none(),
            py::arg("birth") = py::none(), py::arg("extra") = py::none())
@@ -214,7 +214,7 @@ wrong shapes and values.)")
           "32 hexadecimal digits, equal for skeletons of equal bytes.")
       .def_property_readonly(
           "labels", [](const SkeletonPointer& s) { return axis_labels(*s); },
-          "The label of each axis, a list of str: \"main\" for those from a root, else the mother's label, a dot and "
+          "The label of each axis, a list of str: \"main\" for those from a root, else the parent's label, a dot and "
           "the "
           "number of the node that bears it, from the column \"metamer\" if there is one.")
       .def(

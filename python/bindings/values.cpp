@@ -60,7 +60,7 @@ class ValueReader {
     Value::Object members;
     for (const py::handle item : py::list(object.attr("items")())) {
       const auto pair = item.cast<py::tuple>();
-      if (pair.size() != 2) refuse(place, "an item of a mapping is no pair", "a key and a value");
+      if (pair.size() != 2) refuse(place, "an item of a mapping is not a pair", "a key and a value");
       if (!py::isinstance<py::str>(pair[0])) {
         refuse(place, fmt::format("a key is of type {}", type_name(pair[0])), "texts as keys");
       }

@@ -15,7 +15,7 @@ class Diagnostic:
     message: str  #: what is wrong
     expected: str  #: what was expected, or empty
     nearest: str  #: the nearest valid name, or empty
-    path: str  #: its place in the document, such as "components.leaf.length", or empty
+    path: str  #: its document path, such as "components.leaf.length", or empty
     file: str  #: the file, or empty
     line: int  #: from 1; 0 where not known
     column: int  #: in characters from 1; 0 where not known

@@ -84,9 +84,9 @@ def test_no_branch_enters_an_obstacle() -> None:
     points = cloud()
     skeleton = meristem.colonize(points, scene=scene, finish={"relax": False}, kill=0.2)
     children = np.flatnonzero(skeleton.parent >= 0)
-    position, mother = skeleton.position[children], skeleton.position[skeleton.parent[children]]
+    position, parent = skeleton.position[children], skeleton.position[skeleton.parent[children]]
     assert not scene.inside(skeleton.position).any()
-    assert not scene.crosses(mother, position).any()
+    assert not scene.crosses(parent, position).any()
     open_tree = meristem.colonize(points, finish={"relax": False}, kill=0.2)
     assert scene.inside(open_tree.position).sum() > 20
 

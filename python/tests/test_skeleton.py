@@ -117,7 +117,7 @@ def test_trees_keep_their_columns_when_the_stand_is_gone() -> None:
         ({"axis": [0, 0, 0]}, ValueError, "axis and order are given together"),
         ({"axis": [0, 2, 1], "order": [0, 1, 1]}, ValueError, r"axis\[1\] is 2; axes are numbered from 0"),
         ({"axis": [0, 0, 0], "order": [0, 0, 70000]}, ValueError, r"order\[2\] is 70000; expected 0 to 65535"),
-        ({"extra": {"radius": [1, 1, 1]}}, ValueError, "'radius' is no further column"),
+        ({"extra": {"radius": [1, 1, 1]}}, ValueError, "'radius' is not a further column"),
         ({"extra": {"light": [1, 2]}}, ValueError, r"light must have shape \(3,\), not \(2,\)"),
         ({"birth": [0, 1e300, 0]}, ValueError, "birth holds 1e\\+300, which is too large"),
     ],

@@ -658,10 +658,10 @@ class Measuring(Case):
 
     def test_wrong_uses_of_the_table_of_organs(self):
         for arguments, message in ((["tree.json", "--organs", "tree.json"], "would be written over, and it is read"),
-                                   (["tree.json", "--organs", "-"], "would be written to one place"),
-                                   (["tree.json", "--organs", "./a", "-o", "a"], "would be written to one place"),
-                                   (["walnut.mtg", "--organs", "a.csv"], "--organs says nothing about 'walnut.mtg'"),
-                                   (["walnut.mtg", "--light"], "--light says nothing about 'walnut.mtg'")):
+                                   (["tree.json", "--organs", "-"], "would be written to the same file"),
+                                   (["tree.json", "--organs", "./a", "-o", "a"], "would be written to the same file"),
+                                   (["walnut.mtg", "--organs", "a.csv"], "--organs has no effect on 'walnut.mtg'"),
+                                   (["walnut.mtg", "--light"], "--light has no effect on 'walnut.mtg'")):
             self.write("walnut.mtg", MTG)
             self.assertIn(message, self.assert_ends(WRONG_INPUT, "measure", *arguments))
         self.assertIn("No such file or directory",
@@ -688,14 +688,14 @@ class Measuring(Case):
         self.write("walnut.mtg", MTG)
         for arguments, message in ((["--diameter", "Thicknes"], "did you mean 'Thickness'?"),
                                    (["--coordinates", "XX,YY"], "--coordinates cannot be 'XX,YY'"),
-                                   (["--set", "a=1"], "--set says nothing about 'walnut.mtg'"),
+                                   (["--set", "a=1"], "--set has no effect on 'walnut.mtg'"),
                                    (["--unit", "ft"], "--unit")):
             self.assertIn(message, self.assert_ends(WRONG_INPUT, "measure", "walnut.mtg", *arguments))
         self.assertIn("did you mean 'walnut.mtg'?", self.assert_ends(WRONG_INPUT, "measure", "wallnut.mtg"))
 
     def test_wrong_uses(self):
         self.assertIn("document is required", self.assert_ends(WRONG_INPUT, "measure"))
-        self.assertIn("--unit says nothing about 'tree.json'",
+        self.assertIn("--unit has no effect on 'tree.json'",
                       self.assert_ends(WRONG_INPUT, "measure", "tree.json", "--unit", "cm"))
         self.assertIn("No such file or directory",
                       self.assert_ends(FAILED, "measure", "tree.json", "-o", "no/such/folder/a.json", *LONG_GROWTH))

@@ -32,10 +32,10 @@ inline Skeleton forked() {
 
 /// How many pieces a mesh has, by shared vertices.
 inline std::size_t component_count(const Mesh& mesh) {
-  std::vector<std::uint32_t> mother(mesh.vertex_count());
-  std::iota(mother.begin(), mother.end(), 0);
+  std::vector<std::uint32_t> parent(mesh.vertex_count());
+  std::iota(parent.begin(), parent.end(), 0);
   const auto first = [&](std::uint32_t vertex) {
-    while (mother[vertex] != vertex) vertex = mother[vertex] = mother[mother[vertex]];
+    while (parent[vertex] != vertex) vertex = parent[vertex] = parent[parent[vertex]];
     return vertex;
   };
   std::size_t count = mesh.vertex_count();
@@ -44,7 +44,7 @@ inline std::size_t component_count(const Mesh& mesh) {
       const std::uint32_t a = first(triangle[k]);
       const std::uint32_t b = first(triangle[k + 1]);
       count -= a == b ? 0 : 1;
-      mother[a] = b;
+      parent[a] = b;
     }
   }
   return count;

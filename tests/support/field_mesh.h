@@ -135,11 +135,11 @@ inline std::vector<Capsule> forked_trunk(int levels) {
   for (int level = 0; level < levels; ++level) {
     const std::size_t end = capsules.size();
     for (; begin < end; ++begin) {
-      const Capsule mother = capsules[begin];
-      const Vec3 along = mother.b - mother.a;
+      const Capsule parent = capsules[begin];
+      const Vec3 along = parent.b - parent.a;
       const Vec3 aside = 0.75F * glm::length(along) * key.direction(begin);
       for (const float side : {-1.0F, 1.0F}) {
-        capsules.push_back({mother.b, mother.b + 0.75F * along + side * aside, 0.62F * mother.radius});
+        capsules.push_back({parent.b, parent.b + 0.75F * along + side * aside, 0.62F * parent.radius});
       }
     }
   }

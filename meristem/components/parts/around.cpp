@@ -5,15 +5,16 @@ namespace meristem {
 
 const ParameterTable& around_table() {
   static const ParameterTable table =
-      Table<Around>("children around", "Children in even steps about a heading.")
-          .integer("number", &Around::number, {.min = 0, .max = 2e9}, "Children.")
+      Table<Around>("children around", "Children in even steps around a heading.")
+          .integer("number", &Around::number, {.min = 0, .max = 2e9}, "Number of children.")
           .per_child("angle", &Around::angle, {.unit = Unit::degree, .min = 0, .max = 180},
-                     "Between the heading and a child's: 0 along it, 90 straight outward, above it bent back.")
-          .per_child("size", &Around::size, {.min = 0, .max = 1000}, "Scale of a child.")
+                     "Angle between the heading and each child: 0 along the heading, 90 straight outward, beyond 90 "
+                     "bent back.")
+          .per_child("size", &Around::size, {.min = 0, .max = 1000, .usual = {0, 2}}, "Scale of each child.")
           .per_child("roll", &Around::roll, {.unit = Unit::degree, .min = -36000, .max = 36000},
-                     "Turn about the heading, on top of the even one.")
+                     "Turn of each child around the heading, added to the even one.")
           .number("arc", &Around::arc, {.unit = Unit::degree, .min = 0, .max = 360},
-                  "Of the turn over which the children are spread; below 360 a fan.");
+                  "Angle around the heading over which the children are spread; below 360 they form a fan.");
   return table;
 }
 

@@ -20,8 +20,9 @@ namespace meristem {
 
 namespace {
 
-constexpr NumberForm kCoordinate{.unit = Unit::metre, .min = -1e5, .max = 1e5};
-constexpr NumberForm kLength{.unit = Unit::metre, .min = 0, .max = 1e5, .above_min = true};
+constexpr NumberForm kCoordinate{.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-10, 10}};
+constexpr NumberForm kProfile{.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {0, 20}};
+constexpr NumberForm kLength{.unit = Unit::metre, .min = 0, .max = 1e5, .usual = {0.1, 20}, .above_min = true};
 constexpr std::size_t kMostShares = 100;
 constexpr double kFarthestPoint = 1e7;  // metres along an axis, as far as the coordinates of countries go
 
@@ -59,7 +60,8 @@ bool check_profiles(const CrownForm& crown, const Place& place, ParameterReader&
     const Place at(place, key);
     const std::optional<double> azimuth = azimuth_of(key);
     if (!azimuth) {
-      reader.fault_name(at, fmt::format("'{}' is no azimuth", key), "degrees from north over east, such as \"90\"", "");
+      reader.fault_name(at, fmt::format("'{}' is not an azimuth", key), "degrees from north over east, such as \"90\"",
+                        "");
       return false;
     }
     if (!check_profile(side.profile, at, reader)) return false;
@@ -95,7 +97,8 @@ void check_crown(const CrownForm& crown, const Place& place, ParameterReader& re
   if (crown.box && !check_box(*crown.box, Place(place, "box"), reader)) return;
   const CrownPointer built = build_crown(crown);
   if (built == nullptr) {
-    return reader.fault(place, "the crown is made of nothing", "at least one profile or crown in its list");
+    return reader.fault(place, "the crown is empty: its list has no parts",
+                        "at least one profile or crown in its list");
   }
   const auto is_zero = [](Vec2 point) { return point.x == 0; };
   if (!crown.profile.empty() && std::all_of(crown.profile.begin(), crown.profile.end(), is_zero)) {
@@ -122,53 +125,59 @@ void check_points(const PointsForm& points, const Place& place, ParameterReader&
 }
 
 const ParameterTable& profile_table() {
-  static const ParameterTable table = Table<ProfileForm>("a profile", "Half of a crown's outline.")
-                                          .points("profile", &ProfileForm::profile, kCoordinate,
-                                                  "Pairs [radius, height] over the root, heights rising.")
-                                          .required()
-                                          .shorthand("profile");
+  static const ParameterTable table =
+      Table<ProfileForm>("a profile", "Half of a crown's outline on one side.")
+          .points("profile", &ProfileForm::profile, kProfile,
+                  "Points [radius, height] of the crown's outline above the root, with rising heights.")
+          .required()
+          .shorthand("profile");
   return table;
 }
 
 const ParameterTable& ellipsoid_table() {
-  static const ParameterTable table = Table<EllipsoidForm>("an ellipsoid", "A ball stretched along the axes.")
-                                          .vector("centre", &EllipsoidForm::centre, kCoordinate, "Over the root.")
-                                          .required()
-                                          .vector("radii", &EllipsoidForm::radii, kLength, "Along x, y and z.")
-                                          .required();
+  static const ParameterTable table =
+      Table<EllipsoidForm>("an ellipsoid", "A ball stretched along the axes.")
+          .vector("centre", &EllipsoidForm::centre, kCoordinate, "Centre of the ellipsoid, relative to the root.")
+          .required()
+          .vector("radii", &EllipsoidForm::radii, kLength, "Radii of the ellipsoid along x, y and z.")
+          .required();
   return table;
 }
 
 const ParameterTable& sphere_table() {
-  static const ParameterTable table = Table<SphereForm>("a sphere", "A ball.")
-                                          .vector("centre", &SphereForm::centre, kCoordinate, "Over the root.")
-                                          .required()
-                                          .number("radius", &SphereForm::radius, kLength, "From the centre.")
-                                          .required();
+  static const ParameterTable table =
+      Table<SphereForm>("a sphere", "A ball.")
+          .vector("centre", &SphereForm::centre, kCoordinate, "Centre of the sphere, relative to the root.")
+          .required()
+          .number("radius", &SphereForm::radius, kLength, "Radius of the sphere.")
+          .required();
   return table;
 }
 
 const ParameterTable& cone_table() {
   static const ParameterTable table =
       Table<ConeForm>("a cone", "A cone with its apex up.")
-          .vector("base", &ConeForm::base, kCoordinate, "Middle of its lower end, over the root.")
+          .vector("base", &ConeForm::base, kCoordinate, "Centre of the cone's base, relative to the root.")
           .required()
-          .number("radius", &ConeForm::radius, kLength, "At its lower end.")
+          .number("radius", &ConeForm::radius, kLength, "Radius of the cone's base.")
           .required()
-          .number("height", &ConeForm::height, kLength, "From the lower end to the apex.")
+          .number("height", &ConeForm::height, kLength, "Height of the cone from its base to its apex.")
           .required();
   return table;
 }
 
 const ParameterTable& share_table() {
   static const ParameterTable table =
-      Table<ShareForm>("a share", "A part of the points, in a part of the crown.")
-          .number("share", &ShareForm::share, {.min = 0, .max = 1, .above_min = true}, "Of all points.")
+      Table<ShareForm>("a share", "A share of the attraction points for a part of the crown.")
+          .number("share", &ShareForm::share, {.min = 0, .max = 1, .above_min = true},
+                  "Share of all attraction points that goes to this part of the crown.")
           .required()
           .number("above", &ShareForm::above, {.min = 0, .max = 0.999},
-                  "Only over this part of the crown's height; 0.4 is the upper 60 %.")
+                  "Height at which this part of the crown begins, as a share of the crown's height; 0.4 takes the "
+                  "upper 60 %.")
           .number("outer", &ShareForm::outer, {.min = 0.001, .max = 1},
-                  "Only in this outer part of the radius at each height; lowered, a thinner shell. 1 is all.");
+                  "Outer share of the crown's radius that belongs to this part; lowered, a thinner shell; 1 takes all "
+                  "of it.");
   return table;
 }
 
@@ -197,7 +206,7 @@ std::vector<Vec3> points_of_file(const CrownPointer& crown, const PointsForm& fo
   }
   if (points.empty()) {
     refuse(fmt::format("none of the points of '{}' lies in the crown", form.file.path),
-           "points over the root; scale, turn or translate them");
+           "points around the crown; scale, turn or translate them");
   }
   return points;
 }
@@ -221,19 +230,23 @@ void check_shares(const CrownForm& crown, const PointsForm& points, const Place&
 const ParameterTable& crown_table() {
   static const ParameterTable table =
       Table<CrownForm>("a crown", "The envelope that attraction points fill.")
-          .points("profile", &CrownForm::profile, kCoordinate,
-                  "Pairs [radius, height] over the root, heights rising, joined by a natural spline and turned about "
-                  "the vertical.")
+          .points("profile", &CrownForm::profile, kProfile,
+                  "Points [radius, height] of the crown's outline above the root, with rising heights; a spline "
+                  "through them is turned about the vertical.")
           .map("profiles", &CrownForm::profiles, profile_table,
-               "Profiles by azimuth (degrees from north over east), between which the radius changes evenly.")
-          .list("union", &CrownForm::united, crown_table, "What lies in any of these crowns.")
-          .list("intersection", &CrownForm::intersected, crown_table, "What lies in all of these crowns.")
-          .list("difference", &CrownForm::subtracted, crown_table, "The first of these crowns without the others.")
-          .object("ellipsoid", &CrownForm::ellipsoid, ellipsoid_table, "A ball stretched along the axes.")
-          .object("sphere", &CrownForm::sphere, sphere_table, "A ball.")
-          .object("cone", &CrownForm::cone, cone_table, "A cone with its apex up.")
-          .box("box", &CrownForm::box, kCoordinate, "The lower and the upper corner of a box.")
-          .file("mesh", &CrownForm::mesh, read_closed_mesh, "A closed mesh in an OBJ, PLY or GLB file.")
+               "Outlines by azimuth in degrees from north over east, such as \"90\"; the radius changes evenly between "
+               "them.")
+          .list("union", &CrownForm::united, crown_table, "Crowns that are joined: the space that lies in any of them.")
+          .list("intersection", &CrownForm::intersected, crown_table,
+                "Crowns that are intersected: the space that lies in all of them.")
+          .list("difference", &CrownForm::subtracted, crown_table,
+                "Crowns of which all but the first are cut away from the first.")
+          .object("ellipsoid", &CrownForm::ellipsoid, ellipsoid_table, "An ellipsoid along the axes, as the crown.")
+          .object("sphere", &CrownForm::sphere, sphere_table, "A sphere as the crown.")
+          .object("cone", &CrownForm::cone, cone_table, "A cone with its apex up, as the crown.")
+          .box("box", &CrownForm::box, kCoordinate,
+               "Lower and upper corner of a box, relative to the root, as the crown.")
+          .file("mesh", &CrownForm::mesh, read_closed_mesh, "File with a closed mesh (OBJ, PLY or GLB) as the crown.")
           .members(&CrownForm::mesh_place, import_table())
           .one_of({"profile", "profiles", "union", "intersection", "difference", "ellipsoid", "sphere", "cone", "box",
                    "mesh"})
@@ -245,14 +258,16 @@ const ParameterTable& crown_table() {
 const ParameterTable& points_table() {
   static const ParameterTable table =
       Table<PointsForm>("points", "The attraction points in the crown.")
-          .integer("count", &PointsForm::count, {.min = 1, .max = 1e15},
-                   "How many; raised, more and finer branches, and slower.")
-          .list("shares", &PointsForm::shares, share_table,
-                "How many of them go to which part of the crown; the rest is uniform in all of it.")
-          .boolean("blue_noise", &PointsForm::blue_noise, "Whether neighbours keep their distance.")
+          .integer("count", &PointsForm::count, {.min = 1, .max = 1e15, .usual = {100, 50000}},
+                   "Number of attraction points; raised, more and finer branches and slower growth.")
+          .list(
+              "shares", &PointsForm::shares, share_table,
+              "Shares of the attraction points for parts of the crown; the remaining points are uniform in all of it.")
+          .boolean("blue_noise", &PointsForm::blue_noise,
+                   "Whether neighbouring points keep a distance from each other; branches are then spread more evenly.")
           .file("file", &PointsForm::file, read_points,
-                "The points of a scan, in a PLY file or a text with a point a line, over the root; a crown cuts off "
-                "those outside.")
+                "File with the points of a scan, relative to the root (PLY, or text with one point per line); a crown "
+                "removes those outside it.")
           .members(&PointsForm::file_place, import_table())
           .never_with("file", {"count", "shares", "blue_noise"})
           .only_with("file", import_names())

@@ -106,23 +106,27 @@ FittedWidths widths_of_curve(const Curve& profile, int pieces) {
 
 const ParameterTable& fit_table() {
   static const ParameterTable table =
-      Table<FitOptions>("a fit", "How closely curves follow what was measured.")
-          .number("smoothing", &FitOptions::smoothing, {.min = 0, .max = 1, .fixed = true},
-                  "How far midribs may be from their points in the mean, a share of the length; raised, smoother; 0: "
-                  "joined by lines.")
-          .number("width_smoothing", &FitOptions::width_smoothing, {.min = 0, .max = 1, .fixed = true},
-                  "The same for widths, a share of the largest.")
+      Table<FitOptions>("a fit", "How closely fitted curves follow the measured points.")
+          .number("smoothing", &FitOptions::smoothing, {.min = 0, .max = 1, .usual = {0, 0.02}, .fixed = true},
+                  "Tolerance of fitted midribs: mean distance from their points, as a share of the length; raised, "
+                  "smoother; 0 joins the points by lines.")
+          .number("width_smoothing", &FitOptions::width_smoothing,
+                  {.min = 0, .max = 1, .usual = {0, 0.1}, .fixed = true},
+                  "Tolerance of fitted widths: mean distance from the measured ones, as a share of the largest; "
+                  "raised, smoother.")
           .integer("pieces", &FitOptions::pieces, {.min = 4, .max = 1000, .fixed = true},
-                   "Equal pieces of a fitted midrib; raised, it is followed more closely before it is reduced.");
+                   "Number of equal pieces of a fitted midrib; raised, it follows the curve more closely before it is "
+                   "reduced.");
   return table;
 }
 
 const ParameterTable& aged_points_table() {
   static const ParameterTable table =
       Table<AgedPoints>("a midrib", "A midrib at an age.")
-          .number("age", &AgedPoints::age, {.min = -1e4, .max = 1e4, .fixed = true},
-                  "In any unit, as the leaf's own age.")
-          .points("points", &AgedPoints::points, {.min = -1e4, .max = 1e4}, "Pairs, away from the stem and up it.")
+          .number("age", &AgedPoints::age, {.min = -1e4, .max = 1e4, .usual = {0, 1}, .fixed = true},
+                  "Age at which the leaf has this midrib, in the unit of the leaf's own age.")
+          .points("points", &AgedPoints::points, {.min = -1e4, .max = 1e4},
+                  "Points [x, y] along the midrib from the collar: x away from the stem, y up the stem, of any size.")
           .required();
   return table;
 }
@@ -215,18 +219,20 @@ const ParameterTable& grass_source_table() {
   static const ParameterTable table =
       Table<GrassSource>("a grass leaf", "Where midribs and widths come from.")
           .text_file("midrib", &GrassSource::midrib, read_midrib_file,
-                     "A CSV file of digitised midribs: columns x (away from the stem) and y (up), and rank, lindex and "
-                     "age if there are several.")
+                     "CSV file of digitised midribs with columns x (away from the stem) and y (up), and rank, lindex "
+                     "and age if there are several.")
           .points("midrib_points", &GrassSource::midrib_points, {.min = -1e4, .max = 1e4},
-                  "In its stead one midrib: pairs, away from the stem and up it, of any size.")
-          .list("midribs", &GrassSource::midribs, aged_points_table, "In its stead one leaf's midribs by age.")
+                  "Points [x, y] along one midrib from the collar: x away from the stem, y up the stem, of any size.")
+          .list("midribs", &GrassSource::midribs, aged_points_table,
+                "Midribs of one leaf at several ages, which must rise.")
           .text_file("widths", &GrassSource::widths, read_width_file,
-                     "A CSV file of widths: columns s (place from the base, to 1 or in the unit of the midribs) and r, "
-                     "and rank (or rankclass) and lindex if there are several.")
-          .curve("profile", &GrassSource::profile, "In its stead the share of the width from base (0) to tip (1).")
-          .number("unit", &GrassSource::unit, {.unit = Unit::metre, .min = 1e-6, .max = 1000, .fixed = true},
-                  "Of the files.")
-          .object("fit", &GrassSource::fit, fit_table, "How closely curves follow what was measured.")
+                     "CSV file of widths with columns s (distance from the base, or share of the length) and r, and "
+                     "rank (or rankclass) and lindex if there are several.")
+          .curve("profile", &GrassSource::profile, "Width from base (0) to tip (1), as a share of the largest.")
+          .number("unit", &GrassSource::unit,
+                  {.unit = Unit::metre, .min = 1e-6, .max = 1000, .usual = {0.001, 1}, .fixed = true},
+                  "Length of one unit of the measured files.")
+          .object("fit", &GrassSource::fit, fit_table, "How closely fitted curves follow the measured points.")
           .never_with("midrib", {"midrib_points", "midribs"})
           .never_with("midribs", {"midrib_points"})
           .never_with("widths", {"profile"})

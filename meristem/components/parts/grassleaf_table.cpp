@@ -18,15 +18,21 @@ const std::vector<std::string> kSurfaceNames{"s", "u"};
 
 const ParameterTable& variety_table() {
   static const ParameterTable table =
-      Table<GrassVariety>("a variety", "Rates by which a leaf lives, 1 as the plain leaf does.")
-          .formula("age", &GrassVariety::age, kLifeNames, "How fast it ages. A random call draws once for each leaf.")
-          .formula("length", &GrassVariety::length, kLifeNames, "How much length comes out.")
-          .formula("width", &GrassVariety::width, kLifeNames, "How wide it is where it comes out.")
-          .formula("bend", &GrassVariety::bend, kLifeNames, "How far its pieces turn as it ages.")
+      Table<GrassVariety>("a variety", "Rates at which each leaf lives; at 1 it develops as the plain leaf does.")
+          .formula("age", &GrassVariety::age, kLifeNames,
+                   "Rate at which the leaf ages, as a factor; a random call is drawn once per leaf. Raised, it matures "
+                   "earlier.")
+          .formula("length", &GrassVariety::length, kLifeNames,
+                   "Factor on the length that emerges per unit of age; raised, a longer leaf.")
+          .formula("width", &GrassVariety::width, kLifeNames,
+                   "Factor on the width of what emerges; raised, a broader leaf.")
+          .formula("bend", &GrassVariety::bend, kLifeNames,
+                   "Factor on how far the midrib bends per unit of age; raised, the leaf hangs more.")
           .number("step", &GrassVariety::step, {.min = 1e-3, .max = 1000, .fixed = true},
-                  "Of its life, in the unit of ages; lowered, rates that change are followed more closely.")
+                  "Step of the leaf's life, in the unit of ages; lowered, it follows changing rates more closely.")
           .integer("variants", &GrassVariety::variants, {.min = 0, .max = 1'000'000, .fixed = true},
-                   "Lives that leaves share; raised, more meshes; 0: one for each leaf.")
+                   "Number of different lives that the leaves share; raised, more variety and more meshes; 0 gives "
+                   "each leaf its own.")
           .only_where({{"age"}, {"length"}, {"width"}, {"bend"}}, {"step", "variants"});
   return table;
 }
@@ -34,10 +40,12 @@ const ParameterTable& variety_table() {
 const ParameterTable& turn_table() {
   static const ParameterTable table =
       Table<LocalTurn>("a turn", "A change of the midrib's direction.")
-          .number("from", &LocalTurn::from, {.min = 0, .max = 1}, "Place along the midrib where it begins.")
-          .number("to", &LocalTurn::to, {.min = 0, .max = 1}, "Where it ends; the same: a kink.")
-          .number("angle", &LocalTurn::angle, {.unit = Unit::degree, .min = -720, .max = 720},
-                  "By which all beyond is turned; raised, down.")
+          .number("from", &LocalTurn::from, {.min = 0, .max = 1},
+                  "Position along the midrib where the turn begins, from base (0) to tip (1).")
+          .number("to", &LocalTurn::to, {.min = 0, .max = 1},
+                  "Position along the midrib where the turn ends; equal to 'from', it makes a kink.")
+          .number("angle", &LocalTurn::angle, {.unit = Unit::degree, .min = -720, .max = 720, .usual = {-90, 90}},
+                  "Angle by which the leaf beyond the turn is bent; raised, it bends down, away from the stem.")
           .check([](const LocalTurn& turn, const Place& place, ParameterReader& reader) {
             if (turn.to < turn.from)
               reader.fault(Place(place, "to"), "the turn ends before it begins", "'from' or more");
@@ -47,22 +55,26 @@ const ParameterTable& turn_table() {
 
 const ParameterTable& strip_table() {
   static const ParameterTable table =
-      Table<LeafStrip>("a strip", "How a leaf yields.")
+      Table<LeafStrip>("a strip", "How a leaf resists bending.")
           .number("stiffness", &LeafStrip::stiffness, {.min = 1e-3, .max = 1e6},
-                  "Over that by which a leaf of this length hardly carries its weight; raised, it yields less.")
+                  "Bending stiffness at the base over weight and cubed length: 0.1 hardly carries the leaf, 1 is "
+                  "upright; raised, it bends less.")
           .number("tip_thickness", &LeafStrip::tip_thickness, {.min = 0.01, .max = 1},
-                  "Of the tip over the base; raised, a stiffer tip.");
+                  "Thickness of the leaf at its tip, as a share of that at its base; raised, a stiffer tip.");
   return table;
 }
 
 const ParameterTable& forces_table() {
   static const ParameterTable table =
-      Table<GrassForces>("forces", "What bends a leaf.")
-          .vector("wind", &GrassForces::wind, {.min = -60, .max = 60}, "Metres a second, where it blows to.")
-          .number("light", &GrassForces::light, {.min = -100, .max = 100},
-                  "Pull toward the light, in weights of the leaf; negative: away from it.")
-          .vector("pull", &GrassForces::pull, {.min = -100, .max = 100}, "Any other pull, in weights of the leaf.")
-          .number("weight", &GrassForces::weight, {.min = 0.01, .max = 1000}, "Of the leaf, newtons a square metre.")
+      Table<GrassForces>("forces", "Forces that bend a leaf.")
+          .vector("wind", &GrassForces::wind, {.min = -60, .max = 60, .usual = {-15, 15}},
+                  "Velocity of the wind in metres per second, in the direction in which it blows.")
+          .number("light", &GrassForces::light, {.min = -100, .max = 100, .usual = {-3, 3}},
+                  "Pull toward the light, in weights of the leaf; negative pulls away from it.")
+          .vector("pull", &GrassForces::pull, {.min = -100, .max = 100, .usual = {-3, 3}},
+                  "Further pull on the leaf, in weights of the leaf along x, y and z.")
+          .number("weight", &GrassForces::weight, {.min = 0.01, .max = 1000},
+                  "Weight of the leaf in newtons per square metre; raised, wind moves it less.")
           .members(&GrassForces::strip, strip_table())
           .only_with("wind", {"weight"})
           .only_where({{"wind"}, {"light"}, {"pull"}}, {"stiffness", "tip_thickness"});
@@ -71,14 +83,16 @@ const ParameterTable& forces_table() {
 
 const ParameterTable& waves_table() {
   static const ParameterTable table =
-      Table<EdgeWaves>("waves", "Waves of the edges.")
-          .number("number", &EdgeWaves::number, {.min = 0, .max = 100},
-                  "From base to tip; each takes 4 of the polygons.")
-          .number("depth", &EdgeWaves::depth, {.min = -2, .max = 2}, "Of the crests, a share of half the width there.")
+      Table<EdgeWaves>("waves", "Waves of the leaf's edges.")
+          .number("number", &EdgeWaves::number, {.min = 0, .max = 100, .usual = {0, 12}},
+                  "Number of waves along each edge from base to tip; each takes 4 of the polygons.")
+          .number("depth", &EdgeWaves::depth, {.min = -2, .max = 2, .usual = {0, 1}},
+                  "Height of the waves' crests, as a share of the half width there; raised, a more crinkled edge.")
           .number("left", &EdgeWaves::left, {.unit = Unit::degree, .min = -3600, .max = 3600},
-                  "Phase of the left edge at the base.")
-          .number("right", &EdgeWaves::right, {.unit = Unit::degree, .min = -3600, .max = 3600},
-                  "Of the right edge; the same as the left: both rise together.")
+                  "Phase of the left edge's waves at the base.")
+          .number(
+              "right", &EdgeWaves::right, {.unit = Unit::degree, .min = -3600, .max = 3600},
+              "Phase of the right edge's waves at the base; where it equals the left one, both edges rise together.")
           .only_with("number", {"depth", "left", "right"})
           .only_with("depth", {"number"});
   return table;
@@ -86,45 +100,55 @@ const ParameterTable& waves_table() {
 
 const ParameterTable& sheath_table() {
   static const ParameterTable table =
-      Table<GrassSheath>("a sheath", "What holds a blade to its stem.")
-          .number("length", &GrassSheath::length, {.unit = Unit::metre, .min = 0, .max = 100}, "From the collar down.")
-          .number("radius", &GrassSheath::radius, {.unit = Unit::metre, .min = 1e-5, .max = 10},
-                  "Of its upper rim; a little more than the stem's if not given.")
-          .number("open", &GrassSheath::open, {.unit = Unit::degree, .min = 0, .max = 300},
-                  "Gap between its edges, opposite the blade.")
-          .number("ligule", &GrassSheath::ligule, {.unit = Unit::metre, .min = 0, .max = 1}, "Height of the ligule.")
-          .number("clasp", &GrassSheath::clasp, {.min = 0.001, .max = 1, .fixed = true},
-                  "Share of the blade over which it unrolls from the sheath's round.")
+      Table<GrassSheath>("a sheath", "The sheath, which holds a blade to its stem.")
+          .number("length", &GrassSheath::length, {.unit = Unit::metre, .min = 0, .max = 100, .usual = {0, 0.3}},
+                  "Length of the sheath from the collar down; 0 makes none.")
+          .number("radius", &GrassSheath::radius,
+                  {.unit = Unit::metre, .min = 1e-5, .max = 10, .usual = {0.0005, 0.02}},
+                  "Radius of the sheath at its upper rim; by default, a little more than the stem's.")
+          .number("open", &GrassSheath::open, {.unit = Unit::degree, .min = 0, .max = 300, .usual = {0, 90}},
+                  "Gap between the sheath's edges, opposite the blade.")
+          .number("ligule", &GrassSheath::ligule, {.unit = Unit::metre, .min = 0, .max = 1, .usual = {0, 0.01}},
+                  "Height of the ligule, the membrane above the sheath; 0 makes none.")
+          .number("clasp", &GrassSheath::clasp, {.min = 0.001, .max = 1, .usual = {0.01, 0.3}, .fixed = true},
+                  "Share of the blade over which it unrolls from the round of the sheath; raised, it clasps the stem "
+                  "longer.")
           .only_with("length", {"radius", "open", "ligule", "clasp"});
   return table;
 }
 
 const ParameterTable& stages_table() {
   static const ParameterTable table =
-      Table<GrassStages>("stages", "Which stages act.")
-          .boolean("load", &GrassStages::load, "Take curves of the document, not the built-in leaf.")
-          .boolean("fit", &GrassStages::fit, "Smooth curves, not lines from point to point.")
-          .boolean("age", &GrassStages::age, "The leaf at its age, not full grown.")
-          .boolean("vary", &GrassStages::vary, "A life of its own; only with the stage of age.")
-          .boolean("bend", &GrassStages::bend, "Inclination, turns and forces.")
-          .boolean("reduce", &GrassStages::reduce, "So many polygons, not all pieces of the fit.")
-          .boolean("blade", &GrassStages::blade, "Twist, folds, waves, hooks and the sheath, not a flat blade.");
+      Table<GrassStages>("stages", "Stages that act on a leaf.")
+          .boolean("load", &GrassStages::load, "Whether the document's curves are used; otherwise the built-in leaf.")
+          .boolean("fit", &GrassStages::fit,
+                   "Whether smooth curves are fitted to the points; otherwise lines join them.")
+          .boolean("age", &GrassStages::age, "Whether the leaf has the form of its age; otherwise it is full grown.")
+          .boolean("vary", &GrassStages::vary,
+                   "Whether each leaf has a life of its own, by the rates in 'vary'; needs the stage 'age'.")
+          .boolean("bend", &GrassStages::bend, "Whether inclination, turns and forces act.")
+          .boolean("reduce", &GrassStages::reduce,
+                   "Whether the leaf is reduced to its polygons; otherwise it keeps all pieces of the fit.")
+          .boolean("blade", &GrassStages::blade,
+                   "Whether twist, fold, roll, waves, displacements and the sheath act; otherwise the blade is flat.");
   return table;
 }
 
 const ParameterTable& blade_table() {
   static const ParameterTable table =
       Table<GrassBlade>("a blade", "The surface over a grass leaf's midrib.")
-          .number("twist", &GrassBlade::twist, {.unit = Unit::degree, .min = -3600, .max = 3600},
-                  "Torsion about the midrib from base to tip.")
-          .curve("twist_along", &GrassBlade::twist_along, "Share of the twist that is reached, from base to tip.")
+          .number("twist", &GrassBlade::twist, {.unit = Unit::degree, .min = -3600, .max = 3600, .usual = {-360, 360}},
+                  "Torsion of the blade about its midrib from base to tip.")
+          .curve("twist_along", &GrassBlade::twist_along,
+                 "Share of the twist that is reached from base (0) to tip (1).")
           .number("fold", &GrassBlade::fold, {.unit = Unit::degree, .min = -85, .max = 85},
-                  "Angle by which both halves rise about the midrib, a V.")
-          .number("roll", &GrassBlade::roll, {.unit = Unit::degree, .min = -320, .max = 320},
-                  "Bend from edge to edge; raised, the edges rise more, as in drought and young leaves.")
-          .object("waves", &GrassBlade::waves, waves_table, "Waves of the edges.")
+                  "Angle by which both halves rise about the midrib; raised, a steeper V.")
+          .number(
+              "roll", &GrassBlade::roll, {.unit = Unit::degree, .min = -320, .max = 320},
+              "Bend of the blade from edge to edge; raised, the edges rise more, as in drought and in young leaves.")
+          .object("waves", &GrassBlade::waves, waves_table, "Waves of the leaf's edges.")
           .integer("across", &GrassBlade::across, {.min = 2, .max = 32, .fixed = true},
-                   "Quads from edge to edge, an even number; raised, rolls and waves are rounder.")
+                   "Number of quads from edge to edge, which must be even; raised, rolls and waves are rounder.")
           .only_with("twist", {"twist_along"});
   return table;
 }
@@ -189,43 +213,56 @@ void prepare_grassleaf(Grassleaf& grass, const Place& place, ParameterReader& re
 }  // namespace
 
 Table<Grassleaf> grassleaf_table() {
-  return Table<Grassleaf>("a grassleaf", "A grass's leaf, by stages.")
+  return Table<Grassleaf>("a grassleaf", "A grass leaf, in stages.")
       .members(&Grassleaf::source, grass_source_table())
-      .integer("rank", &Grassleaf::rank, {.min = -1000, .max = 1000}, "Of the leaf, where files have ranks.")
+      .integer("rank", &Grassleaf::rank, {.min = -1000, .max = 1000, .usual = {1, 12}},
+               "Rank of the leaf on its stem, which selects curves from files that have ranks.")
       .integer("leaf", &Grassleaf::leaf, {.min = 0, .max = 1e6},
-               "Its lindex in the files; any of its rank if not given.")
+               "Number of the leaf (lindex) in files that have several per rank; by default, a random one of the rank.")
       .number("length", &Grassleaf::length, {.unit = Unit::metre, .min = 1e-4, .max = 100},
-              "Of the full-grown blade; if not given as measured in files, else 0.3.")
-      .number("width", &Grassleaf::width, {.unit = Unit::metre, .min = 1e-5, .max = 100},
-              "Where it is widest; if not given as measured in files, else 0.06 of the length.")
-      .number("age", &Grassleaf::age, {.min = -1e4, .max = 1e4},
-              "Of the leaf: from 0, straight and only begun, to 1, full grown; with midribs by age in their unit.")
-      .number("full_age", &Grassleaf::full_age, {.min = 0, .max = 1e4, .above_min = true, .fixed = true},
-              "At which the blade has come out whole.")
+              "Length of the full-grown blade; by default, as measured in the files, or 0.3.")
+      .number(
+          "width", &Grassleaf::width, {.unit = Unit::metre, .min = 1e-5, .max = 100, .usual = {0.001, 0.06}},
+          "Width of the full-grown blade at its widest; by default, as measured in the files, or 0.06 of the length.")
+      .number(
+          "age", &Grassleaf::age, {.min = -1e4, .max = 1e4, .usual = {0, 1}},
+          "Age of the leaf, from 0 (straight, just emerging) to 1 (full grown); with midribs by age, in their unit.")
+      .number("full_age", &Grassleaf::full_age,
+              {.min = 0, .max = 1e4, .usual = {0.1, 1}, .above_min = true, .fixed = true},
+              "Age at which the blade has fully emerged.")
       .object("vary", &Grassleaf::vary, variety_table, "Rates that give each leaf a life of its own.")
       .number("inclination", &Grassleaf::inclination, {.unit = Unit::degree, .min = 0, .max = 180},
-              "Between stem and leaf at the collar, whatever the age; the midrib's own if not given.")
-      .number("inclination_factor", &Grassleaf::inclination_factor, {.min = 0, .max = 10},
-              "By which that is multiplied; raised, the leaf stands off more.")
-      .list("turns", &Grassleaf::turns, turn_table, "Changes of the midrib's direction, all of which act.")
+              "Angle between stem and leaf at the collar at any age; by default, that of the midrib. Raised, the leaf "
+              "stands off more.")
+      .number("inclination_factor", &Grassleaf::inclination_factor, {.min = 0, .max = 10, .usual = {0, 3}},
+              "Factor on the inclination; raised, the leaf stands off more.")
+      .list("turns", &Grassleaf::turns, turn_table, "Local turns of the midrib, all of which act.")
       .object("forces", &Grassleaf::forces, forces_table,
-              "Wind, light and other pulls that bend it as an elastic strip.")
+              "Wind, light and other forces that bend the leaf as an elastic strip.")
       .members(&Grassleaf::blade, blade_table())
       .formula("f", &Grassleaf::f, kSurfaceNames,
-               "Moves the surface away from the stem: widths of the blade at the place s (0 to 1) and u (-0.5 to 0.5 "
-               "across).")
-      .formula("g", &Grassleaf::g, kSurfaceNames, "The same up the stem.")
-      .formula("h", &Grassleaf::h, kSurfaceNames, "The same across.")
-      .object("sheath", &Grassleaf::sheath, sheath_table, "What holds the blade to its stem.")
-      .integer("polygons", &Grassleaf::polygons, {.min = 1, .max = 1000},
-               "From base to tip, each with a quad on either side of the midrib; lowered, those go that matter least.")
-      .number("error", &Grassleaf::error, {.min = 1e-6, .max = 1},
-              "In its stead by how much the leaf may change: a share of its length.")
+               "Displacement of the surface away from the stem, in widths of the blade, over s (0 at the base to 1) "
+               "and u (-0.5 to 0.5 across).")
+      .formula("g", &Grassleaf::g, kSurfaceNames,
+               "Displacement of the surface up the stem, in widths of the blade, over s (0 at the base to 1) and u "
+               "(-0.5 to 0.5 across).")
+      .formula("h", &Grassleaf::h, kSurfaceNames,
+               "Displacement of the surface across the leaf, in widths of the blade, over s (0 at the base to 1) and u "
+               "(-0.5 to 0.5 across).")
+      .object("sheath", &Grassleaf::sheath, sheath_table, "Sheath that holds the blade to its stem.")
+      .integer("polygons", &Grassleaf::polygons, {.min = 1, .max = 1000, .usual = {1, 64}},
+               "Number of quads from base to tip on either side of the midrib; lowered, the points that matter least "
+               "go first.")
+      .number("error", &Grassleaf::error, {.min = 1e-6, .max = 1, .usual = {0.0005, 0.05}},
+              "Tolerance of the reduction, as a share of the leaf's length, in place of a number of polygons; raised, "
+              "fewer polygons.")
       .never_with("error", {"polygons"})
       .only_where({{"midrib"}, {"widths"}}, {"rank", "leaf", "unit"})
       .only_where({{"exact", {false}}}, {"vary.variants"})
-      .object("stages", &Grassleaf::stages, stages_table, "Which stages act; others hand on what they get.")
-      .boolean("exact", &Grassleaf::exact, "Each leaf a mesh of its own, in place of rounding what leaves share.")
+      .object("stages", &Grassleaf::stages, stages_table,
+              "Stages that act; a stage that is off hands its leaf on unchanged.")
+      .boolean("exact", &Grassleaf::exact,
+               "Whether each leaf has a mesh of its own; otherwise shapes are rounded so that leaves share meshes.")
       .check(check_grassleaf)
       .prepare(prepare_grassleaf);
 }

@@ -7,12 +7,14 @@ namespace meristem {
 
 const ParameterTable& limit_table() {
   static const ParameterTable table =
-      Table<LightLimit>("a limit", "Which points are too dark to grow to.")
+      Table<LightLimit>("a limit", "Which attraction points are too dark to grow to.")
           .number("share", &LightLimit::share, {.min = 0, .max = 0.99},
-                  "Of the points, the darkest first, that are left out; 0 leaves out none.")
-          .number("radius", &LightLimit::radius, {.unit = Unit::metre, .min = 0.001, .max = 1000},
-                  "Points so near to the way of the light dim it.")
-          .number("k", &LightLimit::k, {.min = 0, .max = 100}, "How much each of them dims it: by exp(-k).")
+                  "Share of the attraction points, the darkest first, that is removed; raised, a hollower crown.")
+          .number(
+              "radius", &LightLimit::radius, {.unit = Unit::metre, .min = 0.001, .max = 1000},
+              "Distance from a ray of light within which other points dim it; raised, the shade is wider and softer.")
+          .number("k", &LightLimit::k, {.min = 0, .max = 100},
+                  "Extinction per point: each point near a ray of light dims it by exp(-k); raised, darker shade.")
           .only_with("share", {"radius", "k"});
   return table;
 }

@@ -11,44 +11,54 @@ namespace {
 
 const ParameterTable& direction_table() {
   static const ParameterTable table =
-      Table<DirectionWeights>("directions", "What a new metamer's direction is made of, by weight.")
-          .number("persistence", &DirectionWeights::persistence, {.min = 0, .max = 100},
-                  "Of the direction so far; raised, straighter shoots.")
-          .number("light", &DirectionWeights::light, {.min = -100, .max = 100}, "Of the way to light or room.")
-          .number("up", &DirectionWeights::up, {.min = -100, .max = 100}, "Of straight up; negative: down.")
+      Table<DirectionWeights>("directions", "Weights of the directions that a new metamer's direction is made of.")
+          .number("persistence", &DirectionWeights::persistence, {.min = 0, .max = 100, .usual = {0, 2}},
+                  "Weight of the direction so far; raised, straighter shoots.")
+          .number(
+              "light", &DirectionWeights::light, {.min = -100, .max = 100},
+              "Weight of the direction to light or free room; raised, shoots turn to it more; negative, away from it.")
+          .number("up", &DirectionWeights::up, {.min = -100, .max = 100},
+                  "Weight of straight up; raised, shoots rise more; negative, they turn down.")
           .number("up_later", &DirectionWeights::up_later, {.min = -100, .max = 100},
-                  "What 'up' comes to as the tree grows; below 0, new shoots hang.")
+                  "Weight that 'up' approaches as the tree grows; below 0, later shoots hang.")
           .number("up_fade", &DirectionWeights::up_fade, {.min = 0, .max = 1},
-                  "What is left of the difference of both after each iteration or order.")
+                  "Share of the difference between 'up' and 'up_later' that remains after each iteration or order; "
+                  "raised, a slower change.")
           .boolean("fades_by_order", &DirectionWeights::fades_by_order,
-                   "'up' fades with the branching order, and not with the iterations.")
+                   "Whether 'up' changes with the branching order instead of the iterations.")
           .only_where({{"up"}, {"up_later"}}, {"up_fade", "fades_by_order"});
   return table;
 }
 
 const ParameterTable& phyllotaxis_table() {
   static const ParameterTable table =
-      Table<Phyllotaxis>("a phyllotaxis", "Where lateral buds stand on a shoot.")
+      Table<Phyllotaxis>("a phyllotaxis", "Arrangement of lateral buds on a shoot.")
           .choice("phyllotaxis", &Phyllotaxis::kind, {"spiral", "alternate", "decussate"},
-                  "spiral: each bud turned by 'divergence'; alternate: in two rows; decussate: in crossed pairs.")
-          .number("branching_angle", &Phyllotaxis::branching_angle, {.unit = Unit::degree, .min = 0, .max = 180},
-                  "Between a shoot and its lateral buds.")
-          .number("divergence", &Phyllotaxis::divergence, {.unit = Unit::degree, .min = -360, .max = 360},
-                  "Turn of a spiral from bud to bud.")
-          .number("jitter", &Phyllotaxis::jitter, {.unit = Unit::degree, .min = 0, .max = 60},
-                  "By how much directions stray at random (standard deviation).")
+                  "Arrangement of lateral buds: 'spiral' turns each by 'divergence', 'alternate' sets two rows, "
+                  "'decussate' crossed pairs.")
+          .number("branching_angle", &Phyllotaxis::branching_angle,
+                  {.unit = Unit::degree, .min = 0, .max = 180, .usual = {0, 120}},
+                  "Branching angle between a shoot and its lateral buds; raised, branches stand off more.")
+          .number("divergence", &Phyllotaxis::divergence,
+                  {.unit = Unit::degree, .min = -360, .max = 360, .usual = {0, 180}},
+                  "Divergence angle of a spiral: the turn about the shoot from bud to bud.")
+          .number("jitter", &Phyllotaxis::jitter, {.unit = Unit::degree, .min = 0, .max = 60, .usual = {0, 20}},
+                  "Standard deviation of the random angle by which new metamers stray; raised, more crooked shoots.")
           .only_where({{"phyllotaxis", {"spiral"}}}, {"divergence"});
   return table;
 }
 
 const ParameterTable& weights_table() {
   static const ParameterTable table =
-      Table<PriorityWeights>("weights", "Over the rank of buds and laterals on an axis; the terminal bud is the first.")
-          .number("highest", &PriorityWeights::highest, {.min = 0, .max = 1000, .above_min = true}, "Of the first.")
+      Table<PriorityWeights>("weights",
+                             "Weights over the rank of buds and laterals on an axis; the terminal bud ranks first.")
+          .number("highest", &PriorityWeights::highest, {.min = 0, .max = 1000, .above_min = true},
+                  "Weight of the first rank, the terminal bud; raised, a stronger leading shoot.")
           .number("lowest", &PriorityWeights::lowest, {.min = 0, .max = 1000},
-                  "Of the last; lowered, more goes to the leading shoots.")
+                  "Weight of the last ranks; lowered, more resource goes to the leading shoots.")
           .number("reach", &PriorityWeights::reach, {.min = 0, .max = 1},
-                  "Share of all over which weights fall from the one to the other.");
+                  "Share of the ranks over which the weight falls from highest to lowest; raised, more laterals grow "
+                  "well.");
   return table;
 }
 
@@ -56,21 +66,27 @@ const ParameterTable& resource_table() {
   static const ParameterTable table =
       Table<ResourceModel>("a resource model", "How light becomes resource and is divided among buds.")
           .choice("model", &ResourceModel::division, {"borchert_honda", "priority"},
-                  "borchert_honda: at each fork; priority: along whole axes, by rank.")
-          .number("alpha", &ResourceModel::alpha, {.min = 0, .max = 1000},
-                  "Resource for each unit of light; raised, all grows faster.")
-          .number("alpha0", &ResourceModel::alpha0, {.min = 0, .max = 1e6}, "Resource that needs no light.")
-          .number("lambda", &ResourceModel::lambda, {.min = 0, .max = 1},
-                  "Apical control: above 0.5 the terminal side of a fork has more, below the lateral one.")
+                  "How resource is divided: 'borchert_honda' shares it out at each fork, 'priority' along whole axes "
+                  "by rank.")
+          .number("alpha", &ResourceModel::alpha, {.min = 0, .max = 1000, .usual = {0, 5}},
+                  "Resource per unit of light; raised, the whole tree grows faster.")
+          .number("alpha0", &ResourceModel::alpha0, {.min = 0, .max = 1e6},
+                  "Resource of the whole tree that needs no light; raised, shaded trees still grow.")
+          .number("lambda", &ResourceModel::lambda, {.min = 0, .max = 1, .usual = {0.3, 0.7}},
+                  "Apical control: above 0.5 the terminal side of a fork is favoured, below it the lateral side.")
           .curve("lambda_curve", &ResourceModel::lambda_curve,
-                 "Factor on lambda over the age, from the seed (0) to 'maturity' (1).")
-          .object("weights", &ResourceModel::weights, weights_table, "Of the priority model.")
-          .integer("until", &ResourceModel::until, {.min = 0, .max = 65535},
-                   "The priority model holds for so many iterations, then the other; 0: for all.")
-          .integer("laterals", &ResourceModel::laterals, {.min = 0, .max = 1e6},
-                   "It holds on axes with at most so many lateral shoots; 0: on all.")
-          .number("pass_back", &ResourceModel::pass_back, {.min = 0, .max = 1},
-                  "What each lateral takes of that which a damaged terminal bud passes back down its shoot.")
+                 "Factor on lambda over the tree's age, from the seed (0) to 'maturity' (1).")
+          .object("weights", &ResourceModel::weights, weights_table,
+                  "Weights of buds and laterals by rank, for the model 'priority'.")
+          .integer(
+              "until", &ResourceModel::until, {.min = 0, .max = 65535, .usual = {0, 40}},
+              "Number of first iterations in which the model 'priority' holds, before 'borchert_honda'; 0 for all.")
+          .integer(
+              "laterals", &ResourceModel::laterals, {.min = 0, .max = 1e6, .usual = {0, 50}},
+              "Largest number of lateral shoots on an axis for which the model 'priority' holds; 0 for any number.")
+          .number(
+              "pass_back", &ResourceModel::pass_back, {.min = 0, .max = 1},
+              "Share that each lateral takes of the resource that a damaged terminal bud passes back down its shoot.")
           .only_where({{"model", {"priority"}}}, {"weights", "until", "laterals"})
           .only_where({{"model", {"borchert_honda"}}, {"until"}, {"laterals"}}, {"lambda", "lambda_curve"});
   return table;
@@ -78,11 +94,11 @@ const ParameterTable& resource_table() {
 
 const ParameterTable& shedding_table() {
   static const ParameterTable table =
-      Table<Shedding>("shedding", "Which shoots die for lack of light.")
+      Table<Shedding>("shedding", "Which shoots are shed for lack of light.")
           .number("below", &Shedding::below, {.min = 0, .max = 1000},
-                  "Light of a shoot, a metamer, below which it is shed; raised, clearer stems. 0: none is.")
+                  "Mean light per metamer below which a shoot is shed; raised, more bare stem; 0 sheds none.")
           .integer("after", &Shedding::after, {.min = 0, .max = 65535},
-                   "Only shoots older than so many iterations are shed.")
+                   "Number of iterations that a shoot must have lived before it can be shed.")
           .only_with("below", {"after"});
   return table;
 }
@@ -91,49 +107,57 @@ const ParameterTable& sag_table() {
   static const ParameterTable table =
       Table<Sag>("a sag", "How branches bend under their weight.")
           .number("stiffness", &Sag::stiffness, {.min = 0.001, .max = 1000},
-                  "Modulus of elasticity in gigapascals: green wood has 4 to 12; lowered, branches hang.")
-          .number("density", &Sag::density, {.min = 0, .max = 10000}, "Of green wood, kilograms a cubic metre.")
+                  "Modulus of elasticity in gigapascals, 4 to 12 in green wood; lowered, branches hang more.")
+          .number("density", &Sag::density, {.min = 0, .max = 10000, .usual = {300, 1200}},
+                  "Density of green wood in kilograms per cubic metre; raised, branches hang more.")
           .number("leaf_mass", &Sag::leaf_mass, {.min = 0, .max = 100},
-                  "Kilograms that each metamer of the last iteration carries besides.");
+                  "Mass of leaves in kilograms per metamer of the last iteration; raised, shoots hang more.");
   return table;
 }
 
 const ParameterTable& light_model_table() {
   static const ParameterTable table =
-      Table<BudLightModel>("a light model", "What light buds have.")
+      Table<BudLightModel>("a light model", "What light or room buds find.")
           .choice("model", &BudLightModel::kind, {"shadow", "markers"},
-                  "shadow: what the shade of all plants leaves of the light; markers: the free room that a bud sees.")
-          .number("full", &BudLightModel::full, {.min = 0, .max = 1000}, "Light of a bud without any shade.")
-          .number("voxel", &BudLightModel::voxel, {.unit = Unit::metre, .min = 0, .max = 1000},
-                  "Across a cell of shade; 0: the length of a metamer.")
+                  "What counts as light: 'shadow', what the shade of all plants leaves; 'markers', the free room that "
+                  "a bud sees.")
+          .number("full", &BudLightModel::full, {.min = 0, .max = 1000},
+                  "Light of a bud without any shade; raised, the tree grows faster.")
+          .number("voxel", &BudLightModel::voxel, {.unit = Unit::metre, .min = 0, .max = 1000, .usual = {0, 0.5}},
+                  "Edge length of a voxel of the shadow grid; 0 takes the length of a metamer. Raised, coarser and "
+                  "farther reaching.")
           .number("a", &BudLightModel::a, {.min = 0, .max = 5},
-                  "Shade that a metamer as long as a cell casts in its own cell; raised, sparser crowns.")
-          .number("b", &BudLightModel::b, {.min = 1, .max = 1000},
-                  "By which shade is divided from cell to cell; raised, it fades sooner.")
-          .integer("depth", &BudLightModel::depth, {.min = 0, .max = 64}, "How many cells below a metamer are shaded.")
+                  "Shade that a metamer as long as a voxel casts in its own voxel; raised, sparser crowns.")
+          .number("b", &BudLightModel::b, {.min = 1, .max = 1000, .usual = {1, 4}},
+                  "Factor by which shade weakens from one layer of voxels to the next; raised, it fades sooner.")
+          .integer("depth", &BudLightModel::depth, {.min = 0, .max = 64, .usual = {0, 10}},
+                   "Number of layers of voxels that a metamer shades below its own; raised, shade reaches farther and "
+                   "costs more.")
           .integer("reach", &BudLightModel::reach, {.min = 1, .max = 4},
-                   "Cells around a bud in which it feels where it gets brighter.")
+                   "Number of voxels around a bud within which it senses the direction of more light.")
           .number(
               "lean", &BudLightModel::lean, {.min = 0, .max = 1},
-              "Whether shade falls as the light of the scene does (1) or straight down (0); lowered, trees lean less.")
-          .number("spacing", &BudLightModel::spacing, {.min = 0.05, .max = 100},
-                  "Between markers, in lengths of a metamer; lowered, finer and slower.")
-          .number("occupancy", &BudLightModel::occupancy, {.min = 0, .max = 100},
-                  "Around a metamer, where it takes the markers, in lengths; raised, sparser crowns.")
-          .number("perception", &BudLightModel::perception, {.min = 0.1, .max = 100},
-                  "How far buds see markers, in lengths of a metamer.")
-          .number("cone", &BudLightModel::cone, {.unit = Unit::degree, .min = 1, .max = 360},
-                  "Full angle of what a bud sees.")
+              "How shade falls: 0 straight down, 1 away from the scene's light; raised, trees lean more to that light.")
+          .number("spacing", &BudLightModel::spacing, {.min = 0.05, .max = 100, .usual = {0.3, 2}},
+                  "Edge length of the voxels with one marker each, in lengths of a metamer; lowered, finer and slower.")
+          .number("occupancy", &BudLightModel::occupancy, {.min = 0, .max = 100, .usual = {0, 5}},
+                  "Distance from a metamer within which it takes the markers, in lengths of a metamer; raised, sparser "
+                  "crowns.")
+          .number(
+              "perception", &BudLightModel::perception, {.min = 0.1, .max = 100, .usual = {1, 10}},
+              "Distance within which a bud sees markers, in lengths of a metamer; raised, shoots turn to room earlier.")
+          .number("cone", &BudLightModel::cone, {.unit = Unit::degree, .min = 1, .max = 360, .usual = {30, 180}},
+                  "Full opening angle of the perception cone in which a bud sees markers.")
           .boolean("counts", &BudLightModel::counts,
-                   "Light is 'full' times the markers that a bud has got, and not 'full' for any.");
+                   "Whether light is 'full' per marker that a bud gets; otherwise 'full' for any number of them.");
   return table;
 }
 
 const ParameterTable& schedule_table() {
-  static const ParameterTable table =
-      Table<Schedule>("a schedule", "When an operation acts.")
-          .integer("at", &Schedule::at, {.min = 1, .max = 65535}, "The iteration, after whose growth it acts.")
-          .required();
+  static const ParameterTable table = Table<Schedule>("a schedule", "When an operation acts.")
+                                          .integer("at", &Schedule::at, {.min = 1, .max = 65535, .usual = {1, 40}},
+                                                   "Iteration after whose growth the operation acts.")
+                                          .required();
   return table;
 }
 
@@ -154,13 +178,14 @@ void note_place(Kind& operation, const Place& place, ParameterReader&) {
 
 const ParameterTable& cut_table() {
   static const ParameterTable table =
-      Table<Cut>("a cut", "Takes a shoot away, or what of it is above a metamer.")
+      Table<Cut>("a cut", "A cut, which removes a shoot, or the part of it above a metamer.")
           .members(&Cut::when, schedule_table())
           .text("shoot", &Cut::shoot,
-                "By the numbers of the metamers at which shoots branch off: main.4.2; the stem is main.")
+                "Label of the shoot: the numbers of the metamers at which shoots branch off, as in main.4.2; the stem "
+                "is main.")
           .required()
-          .integer("above", &Cut::above, {.min = 0, .max = 1e9},
-                   "So many metamers of it stay; 0: the shoot goes whole.")
+          .integer("above", &Cut::above, {.min = 0, .max = 1e9, .usual = {0, 20}},
+                   "Number of metamers of the shoot that stay; 0 removes it whole.")
           .elsewhere({operation_kinds().key})
           .check(check_cut)
           .prepare(note_place<Cut>);
@@ -171,10 +196,10 @@ const ParameterTable& cut_table() {
 
 const ParameterTable& organize_light_table() {
   static const ParameterTable table =
-      Table<OrganizeLight>("a light", "What light the buds have.")
+      Table<OrganizeLight>("a light", "What light or room the buds find.")
           .members(&OrganizeLight::model, light_model_table())
           .object("room", &OrganizeLight::room, crown_table,
-                  "Where markers are, over each root; everywhere if not given.")
+                  "Envelope in which there are markers, relative to each root; by default, they are everywhere.")
           .only_where({{"model", {"shadow"}}}, {"voxel", "a", "b", "depth", "reach", "lean"})
           .only_where({{"model", {"markers"}}}, {"spacing", "occupancy", "perception", "cone", "counts", "room"});
   return table;
@@ -183,9 +208,9 @@ const ParameterTable& organize_light_table() {
 const Kinds& operation_kinds() {
   static const Kinds kinds{
       .element = "an operation",
-      .doc = "What is done to a tree after the growth of an iteration.",
+      .doc = "An operation on a tree after the growth of an iteration.",
       .key = "do",
-      .key_doc = "cut: takes a shoot away, or what of it is above a metamer.",
+      .key_doc = "Kind of operation: 'cut' removes a shoot, or the part of it above a metamer.",
       .kinds = {{"cut", cut_table}},
   };
   return kinds;
@@ -198,37 +223,42 @@ const ParameterTable& operation_table() {
 
 const ParameterTable& organize_growth_table() {
   static const ParameterTable table =
-      Table<OrganizeParameters>("growth", "How trees organize themselves.")
-          .integer("iterations", &OrganizeParameters::iterations, {.min = 0, .max = 65535},
-                   "How long they grow; each lets a bud grow one shoot.")
+      Table<OrganizeParameters>("growth", "How trees grow from the competition of their buds.")
+          .integer("iterations", &OrganizeParameters::iterations, {.min = 0, .max = 65535, .usual = {1, 40}},
+                   "Number of iterations of growth, in each of which a bud can grow one shoot; raised, an older tree.")
           .integer("every", &OrganizeParameters::every, {.min = 1, .max = 10000},
-                   "Steps that other plants of the stand take in one iteration.")
+                   "Steps that other plants of the stand take per iteration of this tree; raised, they grow faster "
+                   "beside it.")
           .number("length", &OrganizeParameters::length, {.unit = Unit::metre, .min = 1e-4, .max = 1000},
-                  "Of a metamer.")
+                  "Length of a metamer.")
           .boolean("stretch", &OrganizeParameters::stretch,
-                   "Metamers are longer the more resource their shoot has over whole numbers of them, up to ten times.")
-          .integer("longest_shoot", &OrganizeParameters::longest_shoot, {.min = 1, .max = 1000},
-                   "Metamers that a bud grows in an iteration at most.")
+                   "Whether the metamers of a shoot lengthen, up to ten times, with the resource that exceeds a whole "
+                   "number of them.")
+          .integer("longest_shoot", &OrganizeParameters::longest_shoot, {.min = 1, .max = 1000, .usual = {1, 20}},
+                   "Largest number of metamers that a bud grows per iteration.")
           .integer("maturity", &OrganizeParameters::maturity, {.min = 1, .max = 65535},
-                   "Iterations at which curves over the age end.")
+                   "Number of iterations at which curves over the tree's age end.")
           .object("resource", &OrganizeParameters::resource, resource_table,
-                  "How light becomes resource and is divided among buds.")
+                  "How light becomes resource and is divided among the buds.")
           .number("terminal_threshold", &OrganizeParameters::terminal_threshold, {.min = 0, .max = 1000},
-                  "Resource at which a terminal bud grows.")
-          .number("lateral_threshold", &OrganizeParameters::lateral_threshold, {.min = 0, .max = 1000},
-                  "The same for lateral buds; raised, fewer branches.")
+                  "Resource from which a terminal bud grows; raised, shoots stop sooner.")
+          .number("lateral_threshold", &OrganizeParameters::lateral_threshold, {.min = 0, .max = 1000, .usual = {0, 5}},
+                  "Resource from which a lateral bud grows; raised, fewer branches.")
           .boolean("laterals_wait", &OrganizeParameters::laterals_wait,
-                   "A lateral bud opens only with or after the terminal one beside it.")
-          .boolean("damage", &OrganizeParameters::damage, "Cut buds are damaged and never grow again; else they may.")
+                   "Whether a lateral bud opens only with or after the terminal bud beside it.")
+          .boolean("damage", &OrganizeParameters::damage,
+                   "Whether cut buds are damaged and never grow again; otherwise they may.")
           .number("takeover", &OrganizeParameters::takeover, {.min = 0, .max = 100},
-                  "How far a lateral beside a cut terminal bud turns to where that was going.")
+                  "Weight of the lost axis's direction for a lateral beside its cut terminal bud; raised, it takes "
+                  "over more upright.")
           .object("direction", &OrganizeParameters::direction, direction_table,
-                  "What a new metamer's direction is made of.")
-          .object("stem", &OrganizeParameters::stem, direction_table, "The same for the stem, where it differs.")
+                  "Weights of the directions that a new metamer's direction is made of.")
+          .object("stem", &OrganizeParameters::stem, direction_table,
+                  "Weights of the directions for the stem; by default, those of 'direction'.")
           .members(&OrganizeParameters::phyllotaxis, phyllotaxis_table())
-          .object("shedding", &OrganizeParameters::shedding, shedding_table, "Which shoots die for lack of light.")
+          .object("shedding", &OrganizeParameters::shedding, shedding_table, "Which shoots are shed for lack of light.")
           .object("sag", &OrganizeParameters::sag, sag_table,
-                  "Lets branches bend under their weight, also into obstacles; if not given, they do not.");
+                  "Lets branches bend under their weight, also into obstacles; by default, they do not bend.");
   return table;
 }
 

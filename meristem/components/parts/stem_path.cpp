@@ -200,22 +200,26 @@ class Builder {
 const ParameterTable& stem_form_table() {
   static const ParameterTable table =
       Table<StemForm>("a stem", "A stem along a curve.")
-          .number("length", &StemForm::length, {.unit = Unit::metre, .min = 1e-4, .max = 1000}, "Base to tip.")
-          .number("radius", &StemForm::radius, {.unit = Unit::metre, .min = 1e-6, .max = 100}, "At the base.")
-          .curve("taper", &StemForm::taper, "Share of the radius from base (0) to tip (1).")
-          .integer("segments", &StemForm::segments, {.min = 1, .max = 1000, .fixed = true},
-                   "Straight pieces; raised, smoother bends.")
+          .number("length", &StemForm::length, {.unit = Unit::metre, .min = 1e-4, .max = 1000, .usual = {0.01, 10}},
+                  "Length of the stem from base to tip.")
+          .number("radius", &StemForm::radius, {.unit = Unit::metre, .min = 1e-6, .max = 100, .usual = {0.0005, 0.3}},
+                  "Radius of the stem at its base.")
+          .curve("taper", &StemForm::taper, "Radius from base (0) to tip (1), as a share of the radius at the base.")
+          .integer("segments", &StemForm::segments, {.min = 1, .max = 1000, .usual = {1, 64}, .fixed = true},
+                   "Number of straight segments; raised, smoother bends and more nodes.")
           .places("axis", &StemForm::axis, {.unit = Unit::metre, .min = -1e4, .max = 1e4},
-                  "Points that a spline from the origin runs through, in the stem's own frame; the stem takes its form "
-                  "and keeps its own length.")
-          .number("curl", &StemForm::curl, {.unit = Unit::degree, .min = -3600, .max = 3600},
-                  "Bend from base to tip; raised, it leans away from its upper side, which faces its mother's tip.")
-          .number("spiral", &StemForm::spiral, {.unit = Unit::degree, .min = -36000, .max = 36000},
-                  "By how much the side to which it curls turns about it from base to tip; raised, a corkscrew.")
-          .number("gnarl", &StemForm::gnarl, {.unit = Unit::degree, .min = 0, .max = 180},
-                  "By how much its direction wanders; raised, more crooked.")
+                  "Points of a spline from the origin, in the stem's own frame, whose form the stem takes; its length "
+                  "stays 'length'.")
+          .number(
+              "curl", &StemForm::curl, {.unit = Unit::degree, .min = -3600, .max = 3600},
+              "Bend from base to tip, away from the upper side of the stem, which on a branch faces its parent's tip.")
+          .number(
+              "spiral", &StemForm::spiral, {.unit = Unit::degree, .min = -36000, .max = 36000, .usual = {-1080, 1080}},
+              "Angle by which the direction of the curl turns about the stem from base to tip; raised, a corkscrew.")
+          .number("gnarl", &StemForm::gnarl, {.unit = Unit::degree, .min = 0, .max = 180, .usual = {0, 60}},
+                  "Angle by which the stem's direction wanders at random; raised, a more crooked stem.")
           .number("gnarl_waves", &StemForm::gnarl_waves, {.min = 0, .max = 1000},
-                  "How often it does so from base to tip.")
+                  "Number of random bends from base to tip; raised, shorter bends.")
           .only_with("gnarl", {"gnarl_waves"});
   return table;
 }

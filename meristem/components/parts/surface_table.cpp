@@ -10,21 +10,26 @@ namespace {
 
 const ParameterTable& crown_body_table() {
   static const ParameterTable table =
-      Table<CrownBody>("a crown body", "A closed body about the ends of branches, of balls that grow together.")
+      Table<CrownBody>("a crown body", "A closed body around the ends of branches, made of balls that grow together.")
           .number("diameter", &CrownBody::diameter, {.unit = Unit::metre, .min = 0.001, .max = 1000, .fixed = true},
-                  "Of the balls.")
+                  "Diameter of the balls that the crown body is made of.")
           .number("offset", &CrownBody::offset, {.unit = Unit::metre, .min = -1000, .max = 1000, .fixed = true},
-                  "How far above its branch's end each ball stands.")
-          .number("fuse", &CrownBody::fuse, {.unit = Unit::metre, .min = 0, .max = 1000, .fixed = true},
-                  "Over which balls grow together; raised, smoother and fuller; 0: they meet in creases.")
+                  "Height of each ball's centre above the end of its branch.")
+          .number(
+              "fuse", &CrownBody::fuse, {.unit = Unit::metre, .min = 0, .max = 1000, .fixed = true},
+              "Distance over which the balls grow together; raised, smoother and fuller; 0 lets them meet in creases.")
           .choice("blend", &CrownBody::blend, {"poly", "root", "pasko"},
-                  "How they do: poly: with a fillet; root: all swell each other, slow; pasko: filled creases, slow.")
-          .integer("resolution", &CrownBody::resolution, {.min = 10, .max = 1024, .fixed = true},
-                   "Cells along the body's longest side; raised, finer, with the square as many triangles.")
-          .integer("triangles", &CrownBody::triangles, {.min = 4, .max = 50e6, .fixed = true},
-                   "Simplified to so many, if holes let it; unset, all that the cells give.")
-          .colour("colour", &CrownBody::colour, "Of the body.")
-          .boolean("hidden", &CrownBody::hidden, "Whether it only holds what links of kind crown set into it.");
+                  "How the balls grow together: 'poly' with a fillet, 'root' swelling each other everywhere, 'pasko' "
+                  "with filled creases; both last are slow.")
+          .integer(
+              "resolution", &CrownBody::resolution, {.min = 10, .max = 1024, .fixed = true},
+              "Number of cells along the crown body's longest side; raised, finer, with the square as many triangles.")
+          .integer("triangles", &CrownBody::triangles, {.min = 4, .max = 50e6, .usual = {100, 20000}, .fixed = true},
+                   "Number of triangles to which the crown body is simplified, if its holes let it; by default, all "
+                   "that the cells give.")
+          .colour("colour", &CrownBody::colour, "Colour of the crown body.")
+          .boolean("hidden", &CrownBody::hidden,
+                   "Whether the crown body is invisible and only holds the children of crown links.");
   return table;
 }
 
@@ -38,33 +43,39 @@ const std::vector<std::string>& names_off_stems() {
 
 const ParameterTable& surface_table() {
   static const ParameterTable table =
-      Table<Surface>("a surface", "How stems are clothed.")
+      Table<Surface>("a surface", "How a skeleton becomes a surface.")
           .choice("style", &Surface::style, {"tubes", "blend"},
-                  "tubes: continuous tubes along the axes; blend: one closed body, for low-poly plants.")
-          .choice("shading", &Surface::shading, {"smooth", "flat"}, "flat: each triangle shows its own plane.")
-          .object("crown", &Surface::crown, crown_body_table, "A body about the ends of the branches.")
+                  "Kind of surface: 'tubes' along the axes, or 'blend', one closed body for low-poly plants.")
+          .choice("shading", &Surface::shading, {"smooth", "flat"},
+                  "How light falls on triangles: 'smooth' over their edges, 'flat' with a plane for each.")
+          .object("crown", &Surface::crown, crown_body_table, "A closed body around the ends of the branches.")
           .integer("resolution", &Surface::resolution, {.min = 10, .max = 1024, .fixed = true},
-                   "blend: cells along the body's longest side; raised, finer, with the square as many triangles.")
-          .number("blend", &Surface::blend, {.min = 0, .max = 4, .fixed = true},
-                  "blend: over how many of its radii a branch grows together with its mother; 0: with a crease.")
+                   "Number of cells along the longest side of a blended surface; raised, finer, with the square as "
+                   "many triangles.")
+          .number("blend", &Surface::blend, {.min = 0, .max = 4, .usual = {0, 2}, .fixed = true},
+                  "Distance over which a branch of a blended surface grows together with its parent, in its radii; 0 "
+                  "leaves a crease.")
           .boolean("thicken", &Surface::thicken,
-                   "blend: twigs too thin for the cells are made as thick as they need; else they vanish.")
-          .integer("triangles", &Surface::triangles, {.min = 4, .max = 50e6, .fixed = true},
-                   "blend: simplified to so many, if twigs and holes let it; unset, all that the cells give.")
-          .integer("sides", &Surface::sides, {.min = 3, .max = 64, .fixed = true},
-                   "Sides of the thickest stem, thinner ones have fewer; raised, rounder and heavier.")
-          .number("error", &Surface::error, {.min = 0, .max = 1, .fixed = true},
-                  "How far a tube may stray from its skeleton, in its radii; raised, fewer rings along straight stems.")
-          .choice("cap", &Surface::cap, {"pointed", "round", "flat"}, "How tips end.")
+                   "Whether twigs of a blended surface that are too thin for its cells are thickened; otherwise they "
+                   "vanish.")
+          .integer("triangles", &Surface::triangles, {.min = 4, .max = 50e6, .usual = {100, 20000}, .fixed = true},
+                   "Number of triangles to which a blended surface is simplified, if twigs and holes let it; by "
+                   "default, all that the cells give.")
+          .integer("sides", &Surface::sides, {.min = 3, .max = 64, .usual = {3, 32}, .fixed = true},
+                   "Number of sides of the thickest tube; thinner tubes have fewer. Raised, rounder and heavier.")
+          .number("error", &Surface::error, {.min = 0, .max = 1, .usual = {0, 0.2}, .fixed = true},
+                  "Tolerance of a tube along its skeleton, in its radii; raised, fewer rings along straight stems.")
+          .choice("cap", &Surface::cap, {"pointed", "round", "flat"}, "How tubes end at tips.")
           .number("uv_scale", &Surface::uv_scale, {.unit = Unit::metre, .min = 0.001, .max = 100, .fixed = true},
-                  "Bark that one tile of a texture covers.")
-          .number("smooth", &Surface::smooth, {.min = 0, .max = 20, .fixed = true},
-                  "Over how many radii along a stem the step in thickness at a fork is spread; 0 leaves it.")
-          .number("collar", &Surface::collar, {.min = 0, .max = 3, .fixed = true},
-                  "How far branches swell where they grow out of their mother, in their radii; 0: they start with a "
+                  "Size of the bark that one tile of the texture covers; raised, larger features.")
+          .number("smooth", &Surface::smooth, {.min = 0, .max = 20, .usual = {0, 10}, .fixed = true},
+                  "Distance along a stem over which steps of its radius at forks are smoothed, in radii to either "
+                  "side; 0 keeps the steps.")
+          .number("collar", &Surface::collar, {.min = 0, .max = 3, .usual = {0, 2}, .fixed = true},
+                  "Size of the collar with which a branch grows out of its parent, in the branch's radii; 0 leaves a "
                   "crease.")
-          .number("flare", &Surface::flare, {.min = 0, .max = 5, .fixed = true},
-                  "How much wider a root is at the ground than above it; 1 doubles it.")
+          .number("flare", &Surface::flare, {.min = 0, .max = 5, .usual = {0, 2}, .fixed = true},
+                  "Widening of the stem at the ground, as a share of its radius; 1 doubles it.")
           .only_where({{"style", {"tubes"}}}, {"sides", "error", "cap", "uv_scale", "smooth", "collar"})
           .only_where({{"style", {"blend"}}}, {"resolution", "blend", "thicken", "triangles"})
           .only_where({{"style", {"blend"}}, {"crown"}}, {"shading"});

@@ -22,7 +22,7 @@ std::vector<std::uint8_t> nodes_where(const Skeleton& skeleton, const Axes& axes
 
 /// Metres from a node's parent; 0 for roots.
 float segment_length(const Skeleton& skeleton, NodeIndex node);
-/// Metres from an axis's mother node to its tip.
+/// Metres from an axis's parent node to its tip.
 float axis_length(const Skeleton& skeleton, std::span<const NodeIndex> nodes);
 
 }  // namespace meristem

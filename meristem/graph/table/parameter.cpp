@@ -136,7 +136,7 @@ std::string Parameter::expectation() const {
     case ParameterKind::points:
       return "a list of pairs such as [[0, 1], [0.5, 2]]";
     case ParameterKind::places:
-      return "a list of places such as [[0, 0, 0], [3, 0, 0]]";
+      return "a list of positions such as [[0, 0, 0], [3, 0, 0]]";
     case ParameterKind::condition:
       return fmt::format("a condition over {}", fmt::join(names, ", "));
     case ParameterKind::formula:

@@ -269,7 +269,7 @@ void Colonizer::leave_out_inner_points(std::vector<Seedling>& seedlings, const P
       species_.refuse("roots",
                       fmt::format("a root stands inside an obstacle, at ({:.4g}, {:.4g}, {:.4g})", seedling.root.x,
                                   seedling.root.y, seedling.root.z),
-                      "a place outside all of scene.obstacles");
+                      "a position outside all of scene.obstacles");
     }
     if (seedling.points.empty()) continue;
     const std::vector<std::uint8_t> is_inner = inside_of(obstacles, seedling.points, progress);

@@ -65,9 +65,9 @@ TEST(GrammarFaults, MatchesParentheses) {
 }
 
 TEST(GrammarFaults, RefusesWhatIsNoSymbol) {
-  EXPECT_EQ(fault_of("A -> B -> C"), "2:9: '>' is no symbol; expected a symbol");
-  EXPECT_EQ(fault_of("A -> B:C"), "2:7: ':' is no symbol; expected a symbol");
-  EXPECT_EQ(fault_of("A -> B\x07"), "2:7: control character 0x07 is no symbol; expected a printable character");
+  EXPECT_EQ(fault_of("A -> B -> C"), "2:9: '>' is not a symbol; expected a symbol");
+  EXPECT_EQ(fault_of("A -> B:C"), "2:7: ':' is not a symbol; expected a symbol");
+  EXPECT_EQ(fault_of("A -> B\x07"), "2:7: control character 0x07 is not a symbol; expected a printable character");
 }
 
 TEST(GrammarFaults, FindsWhatARuleLacks) {

@@ -49,11 +49,11 @@ std::optional<ModuleText> ModuleReader::next(std::string_view& rest) {
   module.symbol = symbol_of(rest);
   const auto first_byte = static_cast<unsigned char>(rest.front());
   if (first_byte < 0x20 || first_byte == 0x7F) {
-    return fail(rest, fmt::format("control character 0x{:02x} is no symbol", first_byte), "a printable character");
+    return fail(rest, fmt::format("control character 0x{:02x} is not a symbol", first_byte), "a printable character");
   }
   if (module.symbol == "(") return fail(rest, "'(' follows no symbol", "a symbol before its parameters");
   if (module.symbol == ")") return fail(rest, "')' closes no '('", "a symbol");
-  if (is_structural(module.symbol)) return fail(rest, fmt::format("'{}' is no symbol", module.symbol), "a symbol");
+  if (is_structural(module.symbol)) return fail(rest, fmt::format("'{}' is not a symbol", module.symbol), "a symbol");
   rest.remove_prefix(module.symbol.size());
   if (noted_ != nullptr) noted_->push_back(module.symbol);
 

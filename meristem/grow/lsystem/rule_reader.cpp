@@ -276,7 +276,7 @@ bool RuleReader::split_left_side(std::string_view left_side, Parts& parts) {
   std::string_view rest = left_side;
   auto colons = find_outside_parentheses(rest, ':');
   if (!colons.empty()) {
-    // A name before the first colon is the rule's, if it is no symbol.
+    // A name before the first colon is the rule's, if it is not a symbol.
     const std::string_view id = trimmed(rest.substr(0, colons.front()));
     if (id.size() > 1 && is_identifier(id) && !modules_.is_declared(id)) {
       rest.remove_prefix(colons.front() + 1);

@@ -264,7 +264,7 @@ class Turtle {
     state_.place += scale_ * length * state_.heading;
     const DVec3 far = glm::abs(state_.place);
     if (far.x <= kFarthest && far.y <= kFarthest && far.z <= kFarthest) return;
-    fail("leads out of the world", fmt::format("places within {:.0f} m of its middle", kFarthest));
+    fail("leads out of the world", fmt::format("positions within {:.0f} m of the origin", kFarthest));
   }
 
   void segment(double length) {

@@ -36,7 +36,7 @@ OrganizedTree::OrganizedTree(const OrganizedSpecies& species, StandSpace& space,
       senses_(make_bud_sense(species, space, seed, key, metamers_, tree_.scene_light())) {
   if (!senses_->reaches(root_)) {
     species.refuse("roots", "a root is too far away from the origin for metamers so short",
-                   "a place nearer to the origin, or a larger 'length'");
+                   "a position nearer to the origin, or a larger 'length'");
   }
 }
 
@@ -157,7 +157,7 @@ std::optional<Vec3> OrganizedTree::free_heading(MetamerIndex from, Vec3 wanted, 
 }
 
 /// The side of the next lateral bud: they go around the axis from one to the next. The first bud of a branch stands
-/// aside, at right angles to branch and mother.
+/// aside, at right angles to branch and parent.
 Vec3 OrganizedTree::next_side(MetamerIndex from, bool is_lateral, std::uint32_t number, Vec3 heading,
                               RandomKey key) const {
   const Phyllotaxis& phyllotaxis = species_->parameters.phyllotaxis;

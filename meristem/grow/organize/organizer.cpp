@@ -84,7 +84,7 @@ class Organizer : public Grower {
     if (!species_.scene.obstacles.contain(root)) return;
     species_.refuse(
         "roots", fmt::format("a root stands inside an obstacle, at ({:.4g}, {:.4g}, {:.4g})", root.x, root.y, root.z),
-        "a place outside all of scene.obstacles");
+        "a position outside all of scene.obstacles");
   }
 
   /// Says so where no tree has ever grown a metamer.

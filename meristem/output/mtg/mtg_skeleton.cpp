@@ -44,7 +44,7 @@ class SkeletonReader {
   }
 
  private:
-  /// The feature, which is no further column then.
+  /// The feature, which is not a further column then.
   std::uint32_t feature_of(const std::string& name) {
     const auto feature = tree_.find_feature(name);
     taken_.push_back(name);

@@ -5,7 +5,7 @@
 //   the tree is 7.95 m high; 6.47 m are those above the first segment's end, which is its first fork.
 // - Forks from 2 cm: five are exactly 2 cm thick and count here. Without them the ratios are 0.80 to 1.35.
 // - Angles: laterals of which either segment has no length do not count; so 1711 of 1874 do.
-// - Line 2727 has no values: that segment stands at its mother's node.
+// - Line 2727 has no values: that segment stands at its parent's node.
 #include <gtest/gtest.h>
 
 #include "meristem/base/read_file.h"

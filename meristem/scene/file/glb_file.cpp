@@ -101,12 +101,12 @@ void GlbFile::parse(std::string_view json, const Limits& limits) {
   } catch (const Json::exception&) {
     fail("", "the JSON of the file has a number too large", "finite numbers");
   }
-  if (!root_.is_object()) fail("", "the JSON of the file is no object", "an object");
+  if (!root_.is_object()) fail("", "the JSON of the file is not an object", "an object");
 }
 
 void GlbFile::check_extensions() const {
   for (const Json& extension : list(root_, "extensionsRequired", "")) {
-    if (!extension.is_string()) fail("extensionsRequired", "this is no name", "names of extensions");
+    if (!extension.is_string()) fail("extensionsRequired", "this is not a name", "names of extensions");
     const auto& name = extension.get_ref<const std::string&>();
     if (!is_harmless(name)) {
       fail("", fmt::format("the file cannot be read without the extension {}", in_quotes(name)),
@@ -121,7 +121,7 @@ void GlbFile::fail(const std::string& place, std::string message, std::string ex
 }
 
 const GlbFile::Json* GlbFile::find(const Json& object, const char* key, const std::string& place) const {
-  if (!object.is_object()) fail(place, "this is no object", "an object");
+  if (!object.is_object()) fail(place, "this is not an object", "an object");
   const auto found = object.find(key);
   return found != object.end() ? &*found : nullptr;
 }
@@ -130,7 +130,7 @@ const GlbFile::Json& GlbFile::list(const Json& object, const char* key, const st
   static const Json kNone = Json::array();
   const Json* found = find(object, key, place);
   if (found == nullptr) return kNone;
-  if (!found->is_array()) fail(place, fmt::format("'{}' is no list", key), "a list");
+  if (!found->is_array()) fail(place, fmt::format("'{}' is not a list", key), "a list");
   return *found;
 }
 
@@ -142,7 +142,7 @@ std::optional<std::uint64_t> GlbFile::whole(const Json& object, const char* key,
 
 std::uint64_t GlbFile::as_whole(const Json& value, const std::string& what, const std::string& place) const {
   if (!value.is_number_unsigned() || value.get<std::uint64_t>() > kMostWhole) {
-    fail(place, what + " is no whole number of at least 0, or too large", fmt::format("0 to {}", kMostWhole));
+    fail(place, what + " is not a whole number of at least 0, or is too large", fmt::format("0 to {}", kMostWhole));
   }
   return value.get<std::uint64_t>();
 }
@@ -202,7 +202,7 @@ std::uint64_t GlbFile::component_bytes(std::uint64_t type, const std::string& pl
     case kGltfFloat32:
       return 4;
     default:
-      fail(place, fmt::format("{} is no 'componentType'", type), "5120 to 5123, 5125 or 5126");
+      fail(place, fmt::format("{} is not a 'componentType'", type), "5120 to 5123, 5125 or 5126");
   }
 }
 

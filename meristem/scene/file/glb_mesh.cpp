@@ -49,7 +49,7 @@ class SceneReader {
       const glm::dmat4 placed = outer * local_transform(node, place);
       if (const Json* extensions = glb_.find(node, "extensions", place);
           extensions != nullptr && glb_.find(*extensions, "EXT_mesh_gpu_instancing", place) != nullptr) {
-        glb_.fail(place, "the mesh is placed by the extension 'EXT_mesh_gpu_instancing'", "a node for each place");
+        glb_.fail(place, "the mesh is placed by the extension 'EXT_mesh_gpu_instancing'", "a node for each instance");
       }
       if (const auto mesh = glb_.whole(node, "mesh", place)) add_mesh(*mesh, place, placed);
       add_nodes(node, "children", place, placed);
@@ -69,7 +69,7 @@ class SceneReader {
     for (std::size_t k = nodes.size(); k-- > 0;) {
       const std::uint64_t node = glb_.as_whole(nodes[k], "a node", place);
       if (node >= is_seen_.size()) glb_.fail(place, fmt::format("there is no nodes[{}]", node));
-      if (is_seen_[node]) glb_.fail(place, fmt::format("nodes[{}] hangs in two places", node), "a tree of nodes");
+      if (is_seen_[node]) glb_.fail(place, fmt::format("nodes[{}] has two parents", node), "a tree of nodes");
       is_seen_[node] = true;
       waiting_.push_back({node, outer});
     }
@@ -106,7 +106,7 @@ class SceneReader {
 
   void add_primitive(const Json& primitive, const std::string& place, const glm::dmat4& placed) {
     const std::uint64_t mode = glb_.whole(primitive, "mode", place).value_or(kTriangles);
-    if (mode > kFan) glb_.fail(place, fmt::format("{} is no 'mode'", mode), "0 to 6");
+    if (mode > kFan) glb_.fail(place, fmt::format("{} is not a 'mode'", mode), "0 to 6");
     if (mode < kTriangles) return;  // points and lines
     const GltfNumbers positions = positions_of(primitive, place);
     const std::optional<GltfNumbers> indices = indices_of(primitive, place);
@@ -121,7 +121,7 @@ class SceneReader {
     const auto vertex = [&](std::uint64_t corner) {
       const auto index = indices ? static_cast<std::uint64_t>(indices->number(corner, 0)) : corner;
       if (index >= positions.count) {
-        glb_.fail(place, fmt::format("index {}: there is no vertex {}", corner, index),
+        glb_.fail(place, fmt::format("index {}: there is not a vertex {}", corner, index),
                   fmt::format("fewer than {}", positions.count));
       }
       return static_cast<std::uint32_t>(first + index);

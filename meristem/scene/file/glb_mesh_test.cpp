@@ -162,8 +162,9 @@ TEST(GlbMesh, WhatIsPromisedMustBeThere) {
             "that the file holds");
   EXPECT_EQ(fault_with(R"("byteLength": 72)", R"("byteLength": 4000000000)"),
             "body: bufferViews[1]: the view ends at byte 4000000096 of 168; expected a view within the binary chunk");
-  EXPECT_EQ(fault_with(R"("count": 36)", R"("count": -3)"),
-            "body: accessors[1]: 'count' is no whole number of at least 0, or too large; expected 0 to 1099511627776");
+  EXPECT_EQ(
+      fault_with(R"("count": 36)", R"("count": -3)"),
+      "body: accessors[1]: 'count' is not a whole number of at least 0, or is too large; expected 0 to 1099511627776");
   EXPECT_EQ(fault_with(R"("count": 36)", R"("count": 1e999)"),
             "body: the JSON of the file has a number too large; expected finite numbers");
   EXPECT_EQ(fault_with(R"("byteLength": 96)", R"("byteLength": 96, "byteStride": 4)"),
@@ -171,12 +172,12 @@ TEST(GlbMesh, WhatIsPromisedMustBeThere) {
   EXPECT_EQ(fault_with(R"("mesh": 0)", R"("mesh": 5)"), "body: nodes[0]: there is no meshes[5]; expected fewer than 1");
   EXPECT_EQ(fault_with(R"("bufferView": 1)", R"("bufferView": 2)"),
             "body: accessors[1]: there is no bufferViews[2]; expected fewer than 2");
-  EXPECT_EQ(fault_with(R"([{"mesh": 0}])", "[7]"), "body: nodes[0]: this is no object; expected an object");
+  EXPECT_EQ(fault_with(R"([{"mesh": 0}])", "[7]"), "body: nodes[0]: this is not an object; expected an object");
 
   TriangleMesh wrong = box();
   wrong.triangles[4][1] = 8;
   EXPECT_EQ(fault(glb(box_json(5123, 2), data_of<std::uint16_t>(wrong))),
-            "body: meshes[0].primitives[0]: index 13: there is no vertex 8; expected fewer than 8");
+            "body: meshes[0].primitives[0]: index 13: there is not a vertex 8; expected fewer than 8");
   wrong = box();
   wrong.positions[3].y = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(fault(glb(box_json(5123, 2), data_of<std::uint16_t>(wrong))),
@@ -207,7 +208,7 @@ TEST(GlbMesh, WhatCannotBeReadIsSaid) {
             "body: nodes[0]: the mesh is placed by the extension 'EXT_mesh_gpu_instancing'; expected a node for each "
             "place");
   EXPECT_EQ(fault_with(R"("mesh": 0)", R"("children": [0])"),
-            "body: nodes[0]: nodes[0] hangs in two places; expected a tree of nodes");
+            "body: nodes[0]: nodes[0] has two parents; expected a tree of nodes");
   EXPECT_EQ(fault_with(R"("mesh": 0)", R"("name": "empty")"),
             "body: the file has no faces; expected an OBJ, PLY or GLB file with faces");
 }

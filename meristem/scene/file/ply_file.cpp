@@ -179,7 +179,7 @@ PlyFile::PlyFile(std::string_view bytes, std::string file) : bytes_(bytes), file
 
 void PlyFile::read_header() {
   TextScanner header(bytes_, file_);
-  if (!begins(bytes_)) header.fail("this is no PLY file", "a first line 'ply'");
+  if (!begins(bytes_)) header.fail("this is not a PLY file", "a first line 'ply'");
   const std::vector<std::string> words = {"format", "comment", "obj_info", "element", "property", "end_header"};
   const std::vector<std::string> formats = {"ascii", "binary_little_endian", "binary_big_endian"};
   bool has_format = false;
@@ -208,13 +208,13 @@ void PlyFile::read_header() {
       const std::string_view count = header.word();
       const auto parsed = std::from_chars(count.data(), count.data() + count.size(), element.count);
       if (parsed.ec != std::errc() || parsed.ptr != count.data() + count.size()) {
-        header.fail(fmt::format("'{}' is no number of rows", count), "a whole number of at least 0");
+        header.fail(fmt::format("'{}' is not a number of rows", count), "a whole number of at least 0");
       }
     } else if (word == "property") {
       if (elements_.empty()) header.fail("a property before any element", "an element first");
       elements_.back().properties.push_back(parse_property(header));
     } else if (!word.empty() && word != "comment" && word != "obj_info") {
-      header.fail(fmt::format("{} means nothing in a header", in_quotes(word)),
+      header.fail(fmt::format("{} has no meaning in a header", in_quotes(word)),
                   fmt::format("one of {}", fmt::join(words, ", ")), nearest_name(word, words));
     }
   }

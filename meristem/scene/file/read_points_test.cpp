@@ -118,8 +118,8 @@ TEST(ReadPoints, EveryFaultOfAPlyHasItsPlace) {
             "mean 'ascii'?");
   EXPECT_EQ(with("double y", "doubel y").substr(0, 34), "scan:6:10: 'doubel' is not a type;");
   EXPECT_EQ(with("element vertex 2", "element vertex two"),
-            "scan:3:16: 'two' is no number of rows; expected a whole number of at least 0");
-  EXPECT_EQ(with("end_header", "endheader").substr(0, 45), "scan:10:1: 'endheader' means nothing in a hea");
+            "scan:3:16: 'two' is not a number of rows; expected a whole number of at least 0");
+  EXPECT_EQ(with("end_header", "endheader").substr(0, 45), "scan:10:1: 'endheader' has no meaning in a he");
   EXPECT_EQ(with("2.5 -3", "2.5 nan"), "scan:11: row 1 of 'vertex': z is not a finite number; expected a number (m)");
   EXPECT_EQ(with("4 0 5", "4 0 five"), "scan:12: row 2 of 'vertex': 'five' is not a number; expected a number");
   EXPECT_EQ(with("4 0 5 6e-3\n3 0 1 0\n", "4 0 5"),
@@ -169,7 +169,7 @@ TEST(ReadPoints, FilesThatAreNoneHaveTheirOwnFaults) {
   EXPECT_EQ(fault_of(folder / "scam.xyz").nearest, (folder / "scan.xyz").string());
   EXPECT_EQ(fault_of(folder / "empty.xyz").message, "the file is empty");
   EXPECT_EQ(fault_of(folder).message, "this is a folder");
-  EXPECT_EQ(fault_of("/dev/zero").message, "this is no plain file");
+  EXPECT_EQ(fault_of("/dev/zero").message, "this is not a regular file");
   EXPECT_EQ(fault_of("").message, "there is no such file");
   Limits small;
   small.file_bytes = 5;

@@ -102,7 +102,7 @@ ShadowGrid::Voxel ShadowGrid::voxel_at(Vec3 place) const {
   Voxel voxel;
   for (int k = 0; k < 3; ++k) {
     const double at = std::floor(static_cast<double>(place[k]) / form_.voxel);
-    require(std::abs(at) <= kFarthest, "a place is too far away for its shade");
+    require(std::abs(at) <= kFarthest, "a position is too far away for its shade");
     voxel[k] = static_cast<std::int64_t>(at);
   }
   return voxel;

@@ -161,7 +161,7 @@ class MarkerBricks {
 inline MarkerBricks::FinePlace MarkerBricks::fine(Vec3 place) const {
   const auto along = [&](float at) {
     const double units = at * fine_a_metre_ + 0.5;
-    if (!(std::abs(units) <= kFarthest)) throw std::invalid_argument("a place is too far away for its markers");
+    if (!(std::abs(units) <= kFarthest)) throw std::invalid_argument("a position is too far away for its markers");
     const auto whole = static_cast<std::int64_t>(units);
     return static_cast<double>(whole) > units ? whole - 1 : whole;
   };

@@ -28,10 +28,10 @@ void check_grass_leaf(const GrassLeaf& leaf) {
           "the lists of a grass leaf are equally long");
   for (std::size_t k = 0; k < points; ++k) {
     require(std::isfinite(leaf.s[k] + leaf.x[k] + leaf.y[k] + leaf.r[k]), "the numbers of a grass leaf are finite");
-    require(k == 0 || leaf.s[k] > leaf.s[k - 1], "the places s along a grass leaf rise");
+    require(k == 0 || leaf.s[k] > leaf.s[k - 1], "the positions s along a grass leaf rise");
     require(leaf.r[k] >= 0, "the widths r of a grass leaf are at least 0");
   }
-  require(leaf.s.front() == 0 && leaf.s.back() == 1, "the places s along a grass leaf go from 0 to 1");
+  require(leaf.s.front() == 0 && leaf.s.back() == 1, "the positions s along a grass leaf go from 0 to 1");
 }
 
 double area(const GrassLeaf& leaf) {

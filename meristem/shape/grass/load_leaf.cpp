@@ -233,7 +233,7 @@ GrassLeaf loaded(const GrassLeaf& leaf, const LeafStrip& strip, const LeafLoads&
 double load_for_turn(const GrassLeaf& leaf, const LeafStrip& strip, const LeafLoads& loads, double place,
                      double angle) {
   check(leaf, strip, loads);
-  if (!(place > 0 && place <= 1)) throw std::invalid_argument("the place of a turn is above 0, at most 1");
+  if (!(place > 0 && place <= 1)) throw std::invalid_argument("the position of a turn is above 0, at most 1");
   if (angle == 0) return 0;
   LeafLoads growing = loads;
   growing.gravity = loads.measured_gravity;

@@ -84,7 +84,7 @@ std::optional<int> whole(const Columns& columns, std::size_t column, std::size_t
   if (!columns.has(column)) return std::nullopt;
   const double number = columns.numbers[column][row];
   if (number == std::floor(number) && std::abs(number) <= kMostNumber) return static_cast<int>(number);
-  faults.push_back({.message = fmt::format("{} is no whole number", number),
+  faults.push_back({.message = fmt::format("{} is not a whole number", number),
                     .expected = "the number of a rank or leaf",
                     .line = columns.lines[row]});
   return 0;
@@ -100,7 +100,7 @@ std::vector<MeasuredCurve> curves_of(const Columns& columns, const CurveColumns&
                     columns.has(at.age) ? std::optional(columns.numbers[at.age][row]) : std::nullopt};
     if (curves.empty() || name != last) {
       if (!known.insert(name).second) {
-        faults.push_back({.message = fmt::format("{} comes a second time", shown(name)),
+        faults.push_back({.message = fmt::format("{} appears a second time", shown(name)),
                           .expected = "all rows of a leaf together",
                           .line = columns.lines[row]});
       }
@@ -146,7 +146,7 @@ void check_midrib(const MeasuredCurve& midrib) {
   const double nearest = kNear * std::accumulate(steps.begin(), steps.end(), 0.0);
   for (std::size_t k = 1; k < midrib.points.size(); ++k) {
     if (steps[k - 1] <= nearest) {
-      faults.add(k, "the point of the midrib is that of the row before", "another one");
+      faults.add(k, "the point of the midrib repeats the one in the row before", "another one");
     }
   }
   faults.throw_if_any();
@@ -162,12 +162,12 @@ void check_widths(const MeasuredCurve& widths) {
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double step = k == 0 ? length : points[k].x - points[k - 1].x;
     if (k > 0 && std::abs(step) <= kNear * farthest) {
-      faults.add(k, fmt::format("the place s = {} is that of the row before", points[k].x), "another one");
+      faults.add(k, fmt::format("the position s = {} repeats the one in the row before", points[k].x), "another one");
     } else if (step * direction < 0) {
-      faults.add(k, fmt::format("the places s are not sorted: {} after {}", points[k].x, points[k - 1].x),
-                 "places that rise from base to tip");
+      faults.add(k, fmt::format("the positions s are not sorted: {} after {}", points[k].x, points[k - 1].x),
+                 "positions that rise from base to tip");
     }
-    if (points[k].x < 0) faults.add(k, fmt::format("the place s = {} is negative", points[k].x), "0 or more");
+    if (points[k].x < 0) faults.add(k, fmt::format("the position s = {} is negative", points[k].x), "0 or more");
     if (points[k].y < 0) faults.add(k, fmt::format("the width {} is negative", points[k].y), "0 or more");
   }
   const bool has_width = std::ranges::any_of(points, [](glm::dvec2 point) { return point.y > 0; });

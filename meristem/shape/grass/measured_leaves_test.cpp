@@ -76,11 +76,11 @@ TEST(MeasuredLeaves, WidthsKnowRanksOrClassesOfThem) {
 
 TEST(MeasuredLeaves, RejectsRowsOfALeafThatStandApart) {
   EXPECT_TRUE(is_one(midrib_faults("rank,x,y\n1,0,0\n1,1,1\n1,2,2\n2,0,0\n2,1,1\n2,2,2\n1,3,3\n1,4,4\n1,5,5\n"), 8,
-                     "rank 1 comes a second time"));
+                     "rank 1 appears a second time"));
 }
 
 TEST(MeasuredLeaves, RejectsARankThatIsNoWholeNumber) {
-  EXPECT_TRUE(is_one(midrib_faults("rank,x,y\n1.5,0,0\n0,1,1\n0,2,2\n0,3,3\n"), 2, "1.5 is no whole number"));
+  EXPECT_TRUE(is_one(midrib_faults("rank,x,y\n1.5,0,0\n0,1,1\n0,2,2\n0,3,3\n"), 2, "1.5 is not a whole number"));
 }
 
 TEST(MeasuredLeaves, RejectsMidribsOfTooFewPoints) {
@@ -88,14 +88,14 @@ TEST(MeasuredLeaves, RejectsMidribsOfTooFewPoints) {
 }
 
 TEST(MeasuredLeaves, RejectsPointsThatAreRepeated) {
-  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1,1\n1,1\n2,1\n"), 4, "that of the row before"));
+  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1,1\n1,1\n2,1\n"), 4, "the one in the row before"));
   EXPECT_TRUE(midrib_faults("x,y\n0,0\n1,1\n2,1\n1,1\n").empty()) << "a midrib may come back";
 }
 
 TEST(MeasuredLeaves, RejectsPointsNearerThanNumbersTellApart) {
-  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1,1\n1.0000000001,1\n2,1\n"), 4, "that of the row before"));
-  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1e-300,0\n1,1\n2,1\n"), 3, "that of the row before"));
-  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n0.5,1\n0.5000000001,1\n1,0\n"), 4, "that of the row before"));
+  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1,1\n1.0000000001,1\n2,1\n"), 4, "the one in the row before"));
+  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1e-300,0\n1,1\n2,1\n"), 3, "the one in the row before"));
+  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n0.5,1\n0.5000000001,1\n1,0\n"), 4, "the one in the row before"));
 }
 
 TEST(MeasuredLeaves, RejectsNumbersBeyondAnyUnit) {
@@ -104,7 +104,7 @@ TEST(MeasuredLeaves, RejectsNumbersBeyondAnyUnit) {
 }
 
 TEST(MeasuredLeaves, RejectsWidthsAtAPlaceThatIsRepeated) {
-  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n0.5,1\n0.5,0.9\n1,0\n"), 4, "s = 0.5 is that of the row before"));
+  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n0.5,1\n0.5,0.9\n1,0\n"), 4, "s = 0.5 repeats the one in the row before"));
 }
 
 TEST(MeasuredLeaves, RejectsPlacesThatAreNotSorted) {

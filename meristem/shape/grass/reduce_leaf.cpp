@@ -60,7 +60,7 @@ ReductionOrder reduction_order(const GrassLeaf& leaf, const std::vector<std::vec
   const std::size_t count = leaf.point_count();
   if (count < 2) throw std::invalid_argument("a leaf to reduce has at least 2 points");
   for (const std::vector<double>& list : also) {
-    if (list.size() != count) throw std::invalid_argument("each list of a reduction has a number a point");
+    if (list.size() != count) throw std::invalid_argument("each list of a reduction has a number per point");
   }
   const auto are_finite = [](const std::vector<double>& list) {
     return std::all_of(list.begin(), list.end(), [](double number) { return std::isfinite(number); });

@@ -38,7 +38,7 @@ class BodyFiller {
     const DVec3 last = glm::ceil((body_.high() + body_.reach() - grid_.origin) / grid_.spacing);
     const DVec3 farthest = glm::max(glm::abs(first), glm::abs(last));
     if (!(std::max({farthest.x, farthest.y, farthest.z}) <= 2 * kMostBodyCells)) {
-      throw std::invalid_argument("a body has too many cells for places");
+      throw std::invalid_argument("a body has too many cells for sites");
     }
     const glm::ivec3 low(first);
     const glm::ivec3 size = glm::ivec3(last) - low;

@@ -25,7 +25,7 @@ void part(const Frame& frame, Vec3 half, glm::dmat3& axes, DVec3& sizes) {
     require(is_size(sizes[k]), "a body's sizes are above 0 and finite");
     axes[k] /= length;
   }
-  require(is_finite(DVec3(frame.origin)), "a body's place is finite");
+  require(is_finite(DVec3(frame.origin)), "a body's position is finite");
 }
 
 /// How far an operation swells beyond its sides where these swell by `a` and `b` themselves: blends rise with both
@@ -46,7 +46,7 @@ ImplicitBody ImplicitBody::sphere(DVec3 centre, double radius) { return capsule(
 ImplicitBody ImplicitBody::capsule(DVec3 from, DVec3 to, double radius) { return round_cone(from, radius, to, radius); }
 
 ImplicitBody ImplicitBody::round_cone(DVec3 from, double from_radius, DVec3 to, double to_radius) {
-  require(is_finite(from) && is_finite(to), "a body's place is finite");
+  require(is_finite(from) && is_finite(to), "a body's position is finite");
   require(from_radius >= 0 && to_radius >= 0 && is_size(std::max(from_radius, to_radius)),
           "a cone's radii are not negative, and one is above 0");
   const DVec3 low = glm::min(from - from_radius, to - to_radius);

@@ -24,13 +24,13 @@ struct AxisPoint {
   double radius = 0;
 };
 
-/// The points of an axis from its mother's node on.
+/// The points of an axis from its parent's node on.
 std::vector<AxisPoint> points_of(const Skeleton& skeleton, std::span<const NodeIndex> nodes, Vec3 origin) {
   std::vector<AxisPoint> points;
   if (nodes.empty()) return points;
   const auto place = [&](NodeIndex node) { return DVec3(skeleton.position[node]) - DVec3(origin); };
-  const NodeIndex mother = skeleton.parent[nodes[0]];
-  if (mother != kNoNode) points.push_back({place(mother), skeleton.radius[nodes[0]]});
+  const NodeIndex parent = skeleton.parent[nodes[0]];
+  if (parent != kNoNode) points.push_back({place(parent), skeleton.radius[nodes[0]]});
   for (const NodeIndex node : nodes) points.push_back({place(node), skeleton.radius[node]});
   return points;
 }

@@ -24,7 +24,7 @@ struct Thickening {
   double added = 0;         ///< and what thickening adds to them
 };
 
-/// The body of those axes of `skeleton` that are listed. Axes begin at their mothers' nodes with their own radii,
+/// The body of those axes of `skeleton` that are listed. Axes begin at their parents' nodes with their own radii,
 /// roots with a flat base that flares as `surface` says. Each axis blends with all thicker ones over
 /// `surface.blend` times its first radius. Radii are at least `least_radius` metres; none may be NaN. The body stands
 /// relative to `origin`. Cost linear in nodes.

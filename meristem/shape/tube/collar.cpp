@@ -6,7 +6,7 @@ namespace {
 
 constexpr float kLeastSine = 0.2F;  // of the angle between branch and bark: 11.5 degrees
 constexpr float kGap = 0.3F;        // radii between the first free ring and the next
-constexpr float kThickest = 0.95F;  // of the mother's radius
+constexpr float kThickest = 0.95F;  // of the parent's radius
 constexpr float kLeastFillet = 0.2F;
 constexpr int kBisections = 10;
 constexpr int kTraceSteps = 32;
@@ -45,26 +45,26 @@ Stop walk(const AxisPath& path, Stop from, float metres) {
 
 }  // namespace
 
-Bark::Bark(const AxisPath& mother, std::size_t point, float reach) : radius_(mother.radius(point)) {
+Bark::Bark(const AxisPath& parent, std::size_t point, float reach) : radius_(parent.radius(point)) {
   const auto add = [&](std::size_t from) {
     Cone& cone = cones_[count_++];
-    cone.base = mother.position(from);
-    cone.axis = mother.position(from + 1) - cone.base;
+    cone.base = parent.position(from);
+    cone.axis = parent.position(from + 1) - cone.base;
     const float length2 = glm::dot(cone.axis, cone.axis);
     cone.inverse_length2 = length2 > 0 ? 1 / length2 : 0;
-    cone.base_radius = mother.radius(from);
-    cone.widening = mother.radius(from + 1) - cone.base_radius;
+    cone.base_radius = parent.radius(from);
+    cone.widening = parent.radius(from + 1) - cone.base_radius;
   };
   // Half of the cones before the point, half after it.
   float way = 0;
   for (std::size_t i = point; i > 0 && way < reach && count_ < kMostCones / 2; --i) {
     add(i - 1);
-    way += glm::distance(mother.position(i - 1), mother.position(i));
+    way += glm::distance(parent.position(i - 1), parent.position(i));
   }
   way = 0;
-  for (std::size_t i = point; i + 1 < mother.size() && way < reach && count_ < kMostCones; ++i) {
+  for (std::size_t i = point; i + 1 < parent.size() && way < reach && count_ < kMostCones; ++i) {
     add(i);
-    way += glm::distance(mother.position(i), mother.position(i + 1));
+    way += glm::distance(parent.position(i), parent.position(i + 1));
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The collar with which a branch grows out of its mother: below a first free ring its surface lines run straight back
-// toward the mother and bend over onto her bark in a fillet, so that both surfaces and their normals meet without a
+// The collar with which a branch grows out of its parent: below a first free ring its surface lines run straight back
+// toward the parent and bend over onto its bark in a fillet, so that both surfaces and their normals meet without a
 // crease.
 #pragma once
 
@@ -13,17 +13,17 @@
 
 namespace meristem {
 
-/// The surface of a mother axis near one of her nodes, as cones between her nodes.
+/// The surface of a parent axis near one of its nodes, as cones between its nodes.
 class Bark {
  public:
-  /// `point` counts along the mother's path; what is farther than `reach` metres along it plays no part.
-  Bark(const AxisPath& mother, std::size_t point, float reach);
+  /// `point` counts along the parent's path; what is farther than `reach` metres along it plays no part.
+  Bark(const AxisPath& parent, std::size_t point, float reach);
 
-  /// Metres from the bark, negative inside; exact for cylinders, a little too much where she tapers.
+  /// Metres from the bark, negative inside; exact for cylinders, a little too much where it tapers.
   float distance(Vec3 place) const;
-  /// The bark's outward unit normal nearest to a place.
+  /// The bark's outward unit normal nearest to a position.
   Vec3 normal(Vec3 place) const;
-  float radius() const { return radius_; }  ///< of the mother at the node
+  float radius() const { return radius_; }  ///< of the parent at the node
   /// Where a ray that starts outside meets the bark, or comes nearest to it: metres along the unit `direction`, at most
   /// `farthest`.
   float trace(Vec3 from, Vec3 direction, float farthest) const;
@@ -48,7 +48,7 @@ class Bark {
   float radius_ = 0;
 };
 
-/// Where a branch comes free of its mother.
+/// Where a branch comes free of its parent.
 struct Collar {
   Vec3 centre{0};           ///< of the first free ring
   Vec3 direction{0, 1, 0};  ///< of the branch there

@@ -127,7 +127,7 @@ TEST(Collar, RandomTreesStayClosed) {
       has_next[parent] = true;
       has_next.push_back(false);
     }
-    // Branches as thick as their mother leave it at any angle here: edges and volume must hold, normals need not.
+    // Branches as thick as their parent leave it at any angle here: edges and volume must hold, normals need not.
     Mesh mesh = tubes(tree, Surface{.sides = 12});
     mesh.normals.clear();
     EXPECT_TRUE(check_mesh(mesh, {.outward = false})) << seed;

@@ -40,8 +40,8 @@ std::optional<LoftFault> find_fault(const LoftSection& section) {
   }
   if (const auto repeated = repeated_point(section)) {
     const bool is_end = section.is_closed && *repeated + 1 == points.size();
-    return LoftFault{is_end ? "this point is at the place of its neighbour or of the first point"
-                            : "this point is at the place of the one before",
+    return LoftFault{is_end ? "this point coincides with its neighbour or with the first point"
+                            : "this point coincides with the one before",
                      section.is_closed ? "points that differ; a ring closes by itself" : "points that differ",
                      repeated};
   }

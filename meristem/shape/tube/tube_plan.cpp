@@ -11,8 +11,8 @@ namespace {
 constexpr float kRunsOn = 0.94F;  // cosine of the angle, 20 degrees, up to which one axis goes on another
 constexpr float kCosSharpestMitre = 0.25881905F;     // 75 degrees
 constexpr float kCosSharpestFanOfTwo = -0.8660254F;  // 150 degrees
-constexpr float kHidden = 0.95F;           // of the mother's inner radius that a lateral's first ring may fill
-constexpr float kBarkReach = 6;            // of the mother's radius along her axis that a collar may touch
+constexpr float kHidden = 0.95F;           // of the parent's inner radius that a lateral's first ring may fill
+constexpr float kBarkReach = 6;            // of the parent's radius along its axis that a collar may touch
 constexpr float kFlareHeight = 4;          // of a root's radius
 constexpr float kLeastCollar = 0.3F;       // of a branch's radius that must exceed what roundness allows
 constexpr std::uint32_t kRoundCollar = 6;  // sides: coarser tubes show no collar, which would double a twig's triangles
@@ -52,7 +52,7 @@ TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::v
       choose_rings(static_cast<AxisIndex>(axis));
     }
   });
-  // Sides first: how much of a lateral its mother hides depends on hers.
+  // Sides first: how much of a lateral its parent hides depends on the parent's.
   parallel_for(plans_.size(), kAxesPerBlock, [this](std::size_t begin, std::size_t end) {
     for (std::size_t axis = begin; axis < end; ++axis) choose_sides(static_cast<AxisIndex>(axis));
   });
@@ -77,29 +77,29 @@ AxisPath TubePlan::path(AxisIndex axis) const {
   return {skeleton_, radii_, nodes, skeleton_->parent[nodes[0]], base_radius(axis)};
 }
 
-/// A lateral begins with its own first node's radius, for its base lies within its mother. One that goes on where she
-/// ends shows it, and begins as thick as its taper says, but no thicker than her tip.
+/// A lateral begins with its own first node's radius, for its base lies within its parent. One that goes on where that
+/// ends shows it, and begins as thick as its taper says, but no thicker than the parent's tip.
 float TubePlan::base_radius(AxisIndex axis) const {
   const std::span<const NodeIndex> nodes = axes_.of(axis);
   const float first = radii_[nodes[0]];
-  const NodeIndex mother = skeleton_->parent[nodes[0]];
+  const NodeIndex parent = skeleton_->parent[nodes[0]];
   if (nodes.size() < 2 || !goes_on(axis)) return first;
-  const float before = glm::distance(skeleton_->position[nodes[0]], skeleton_->position[mother]);
+  const float before = glm::distance(skeleton_->position[nodes[0]], skeleton_->position[parent]);
   const float after = glm::distance(skeleton_->position[nodes[1]], skeleton_->position[nodes[0]]);
   const float fallen = after > 0 ? (skeleton_->radius[nodes[0]] - skeleton_->radius[nodes[1]]) * before / after : 0;
-  return std::clamp(first + fallen, first, std::max(first, skeleton_->radius[mother]));
+  return std::clamp(first + fallen, first, std::max(first, skeleton_->radius[parent]));
 }
 
-/// Whether an axis begins at the tip of another and runs on in her direction, or nearly so.
+/// Whether an axis begins at the tip of another and runs on in its direction, or nearly so.
 bool TubePlan::goes_on(AxisIndex axis) const {
   const NodeIndex first = axes_.of(axis)[0];
-  const NodeIndex mother = skeleton_->parent[first];
-  if (mother == kNoNode || axes_.of(skeleton_->axis[mother]).back() != mother) return false;
-  const NodeIndex before = skeleton_->parent[mother];
+  const NodeIndex parent = skeleton_->parent[first];
+  if (parent == kNoNode || axes_.of(skeleton_->axis[parent]).back() != parent) return false;
+  const NodeIndex before = skeleton_->parent[parent];
   if (before == kNoNode) return false;
-  const Vec3 hers = unit_or(skeleton_->position[mother] - skeleton_->position[before], Vec3(0));
-  const Vec3 own = unit_or(skeleton_->position[first] - skeleton_->position[mother], Vec3(0));
-  return glm::dot(hers, own) > kRunsOn;
+  const Vec3 theirs = unit_or(skeleton_->position[parent] - skeleton_->position[before], Vec3(0));
+  const Vec3 own = unit_or(skeleton_->position[first] - skeleton_->position[parent], Vec3(0));
+  return glm::dot(theirs, own) > kRunsOn;
 }
 
 float TubePlan::roundness(std::size_t axis) const {
@@ -108,12 +108,12 @@ float TubePlan::roundness(std::size_t axis) const {
 }
 
 Bark TubePlan::bark_below(const AxisPath& lateral) const {
-  const AxisPath mother = path(skeleton_->axis[lateral.mother]);
-  // Her nearest ring at or before the node.
-  const auto after = std::upper_bound(mother.nodes.begin(), mother.nodes.end(), lateral.mother);
-  const auto before = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - mother.nodes.begin() - 1));
-  const std::size_t point = before + (mother.is_lateral() ? 1 : 0);
-  return {mother, point, kBarkReach * mother.radius(point)};
+  const AxisPath parent = path(skeleton_->axis[lateral.parent]);
+  // Its nearest ring at or before the node.
+  const auto after = std::upper_bound(parent.nodes.begin(), parent.nodes.end(), lateral.parent);
+  const auto before = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - parent.nodes.begin() - 1));
+  const std::size_t point = before + (parent.is_lateral() ? 1 : 0);
+  return {parent, point, kBarkReach * parent.radius(point)};
 }
 
 /// Spreads the steps in which radii fall at forks: each becomes the mean over so much of the axis to both sides, less
@@ -220,15 +220,15 @@ void TubePlan::plan_start(const AxisPath& points, AxisPlan& plan, AxisIndex axis
     if (flares) plan.flare_rings = AxisPlan::kFlareRings;
     return;
   }
-  // What goes on where its mother ends, and is no thicker than she is there, needs no place inside her.
-  if (goes_on(axis) && plan.start_radius <= radii_[points.mother]) return;
-  const float hollow = roundness(skeleton_->axis[points.mother]);
+  // What goes on where its parent ends, and is no thicker than that is there, needs no room inside it.
+  if (goes_on(axis) && plan.start_radius <= radii_[points.parent]) return;
+  const float hollow = roundness(skeleton_->axis[points.parent]);
   const bool is_round = plan.sides >= kRoundCollar;
   if (surface(axis).collar > 0 && is_round && kLeastCollar * plan.start_radius > hollow) {
     plan.collar = plan_collar(points, bark_below(points), surface(axis).collar);
     plan.sink = 2 * hollow;
   }
-  if (!plan.collar) plan.start_radius = std::min(plan.start_radius, room_inside(points.mother));
+  if (!plan.collar) plan.start_radius = std::min(plan.start_radius, room_inside(points.parent));
 }
 
 /// The radius of the largest disc about a node that its tube hides however the disc is turned.

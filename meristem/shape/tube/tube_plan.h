@@ -23,7 +23,7 @@ struct AxisPlan {
   std::uint32_t rings = 0;
   std::uint32_t flare_rings = 0;
   float start_radius = 0;
-  float sink = 0;  ///< metres by which the mother's flats may lie below her bark
+  float sink = 0;  ///< metres by which the parent's flats may lie below its bark
   std::optional<Collar> collar;
   std::uint32_t mesh = 0;          ///< in which it stands
   std::uint64_t first_vertex = 0;  ///< of that mesh
@@ -68,7 +68,7 @@ class TubePlan {
   std::size_t node_count(AxisIndex axis) const { return axes_.of(axis).size(); }
   /// Those of its nodes that get rings.
   AxisPath path(AxisIndex axis) const;
-  /// The mother's surface about a lateral axis's start.
+  /// The parent's surface about a lateral axis's start.
   Bark bark_below(const AxisPath& lateral) const;
 
  private:

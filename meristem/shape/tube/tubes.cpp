@@ -8,7 +8,7 @@
 // gets a fan of rings about its node. On the inner side of a bend rings reach back no farther than their segments let
 // them, so that neighbours never cross.
 //
-// A lateral grows out of its mother with a collar (collar.h), a root flares toward the ground.
+// A lateral grows out of its parent with a collar (collar.h), a root flares toward the ground.
 //
 // Deliberately left to others: smoothing of the axis (plant/finish.h).
 //
@@ -38,7 +38,7 @@ constexpr float kLeastCosine = 0.25881905F;  // of half a bend: the sharpest mit
 constexpr float kInnerReach = 0.45F;         // of the shorter segment; two neighbours leave a tenth of it free
 constexpr float kFanSpacing = 0.05F;         // between a fan's rings, in radii
 constexpr float kStartDepth = 0.5F;          // how far a lateral's closed start reaches back, in radii
-constexpr float kHiddenFillet = 0.3F;        // of a fillet that runs on below the mother's bark
+constexpr float kHiddenFillet = 0.3F;        // of a fillet that runs on below the parent's bark
 constexpr std::array<float, AxisPlan::kFlareRings> kFlareShares{0.1F, 0.25F, 0.5F};  // of the first segment
 constexpr float kSqrt2 = 1.4142135F;
 constexpr auto kDomeStep = static_cast<float>(kPi / 2 / (AxisPlan::kDomeRings + 1));  // along a dome, in radii
@@ -139,7 +139,7 @@ class AxisMesher {
 
   void advance_v(std::size_t i) { v_ += length(i - 1) * tiles_per_metre(0.5F * (radius(i - 1) + radius(i))); }
 
-  /// The closed start: for a lateral a collar or a point behind its first ring, inside the mother; else a disc.
+  /// The closed start: for a lateral a collar or a point behind its first ring, inside the parent; else a disc.
   void start(Vec3 direction) {
     if (plan_.collar) return start_collar();
     const Vec3 centre = path_.position(0);
@@ -186,7 +186,7 @@ class AxisMesher {
     return (radius_at(metres + step) - radius_at(metres)) / std::max(step, kThinnestTube);
   }
 
-  /// The rings between the mother's bark and the first free one, along a curve for each corner that leaves the bark
+  /// The rings between the parent's bark and the first free one, along a curve for each corner that leaves the bark
   /// flat and ends in the branch's own direction.
   void start_collar() {
     const Collar& collar = *plan_.collar;

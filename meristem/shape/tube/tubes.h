@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tubes along the axes of a skeleton: one ring of vertices a node, in the plane that halves the bend (mitred), carried
-// along without twist, joined by triangles, closed at both ends. A lateral tube grows out of its mother with a collar
-// (collar.h); where that is not wanted or has no room it starts inside her with its own first node's radius, or as much
-// of it as she can hide. Steps in thickness are levelled along the axis and roots flare, as the surface says.
+// along without twist, joined by triangles, closed at both ends. A lateral tube grows out of its parent with a collar
+// (collar.h); where that is not wanted or has no room it starts inside it with its own first node's radius, or as much
+// of it as that can hide. Steps in thickness are levelled along the axis and roots flare, as the surface says.
 #pragma once
 
 #include <cstdint>
@@ -26,9 +26,9 @@ struct TubeSize {
 class TubePlan;
 
 /// The tubes of all axes as one mesh with normals and uvs: a closed body for each axis. Axes of a single node without a
-/// mother make nothing.
+/// parent make nothing.
 ///
-/// Laterals have collars where they have at least 6 sides and more thickness than hers hides.
+/// Laterals have collars where they have at least 6 sides and more thickness than the parent's hides.
 /// The thickest tube has `surface.sides` sides (at least 3); the number falls with the cube root of an axis's first
 /// radius, so that nothing deviates more from round than the thickest tube: radius * (1 - cos(pi / sides)). Along an
 /// axis nodes get no ring where axis and radius run straight within `surface.error` radii.

@@ -196,7 +196,7 @@ TEST(Tubes, EveryRadiusAndSegmentIsTurnedWithTheSkeleton) {
   EXPECT_NEAR(signed_volume(moved_mesh) / signed_volume(mesh), 8, 0.08);
 }
 
-TEST(Tubes, ALateralStartsInsideItsMother) {
+TEST(Tubes, ALateralStartsInsideItsParent) {
   for (const double angle : {10.0, 30.0, 60.0, 90.0, 120.0, 160.0}) {
     for (const float branch_radius : {0.02F, 0.1F, 0.2F}) {
       const Skeleton skeleton = fork(angle, 0.2F, branch_radius);

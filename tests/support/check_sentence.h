@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether the sentence of a row can be shown on its own: in a tooltip, an editor's hover or a reference page.
+#pragma once
+
+#include <array>
+#include <cctype>
+#include <string>
+#include <string_view>
+
+namespace meristem {
+
+/// What is wrong with a sentence that must stand alone; empty if nothing is.
+inline std::string sentence_fault(std::string_view sentence) {
+  constexpr std::size_t kLongest = 200;  // bytes: three lines of a tooltip
+  constexpr std::array<std::string_view, 20> kOpenings = {
+      "Of ", "The same", "In its", "That ", "So many",  "How they",     "How it ", "By which", "By how", "Its ",
+      "It ", "They ",    "Their ", "Also ", "Another ", "Within which", "At the ", "At which", "Else",   "Where it ",
+  };
+  constexpr std::array<std::string_view, 9> kLeanings = {"the former", "the latter",   "as above",
+                                                         "see above",  "in its stead", "n its place",
+                                                         "mother",     "daughter",     " ditto"};
+  if (sentence.empty()) return "is empty";
+  if (sentence.size() > kLongest) return "is too long for a tooltip";
+  if (sentence.back() != '.') return "does not end with a full stop";
+  const auto first = static_cast<unsigned char>(sentence.front());
+  if (std::isupper(first) == 0 && std::isdigit(first) == 0) return "does not begin with a capital";
+  for (const std::string_view opening : kOpenings) {
+    if (sentence.starts_with(opening)) return "names no subject: it opens with '" + std::string(opening) + "'";
+  }
+  for (const std::string_view leaning : kLeanings) {
+    if (sentence.find(leaning) != std::string_view::npos) return "has '" + std::string(leaning) + "'";
+  }
+  return "";
+}
+
+}  // namespace meristem

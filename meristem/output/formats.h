@@ -11,6 +11,7 @@
 
 namespace meristem {
 
+/// What a door may ask of a format.
 struct FormatOptions {
   bool instanced = false;  ///< of formats that can: organs are places of one mesh, not copies
 };

@@ -10,6 +10,7 @@
 
 namespace meristem {
 
+/// How instances are written, and where the plant came from.
 struct GltfOptions {
   /// Instances of one material are flattened into one mesh up to this many triangles; beyond, nodes share meshes.
   std::uint64_t flatten_triangles = 5'000'000;

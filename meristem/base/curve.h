@@ -8,7 +8,7 @@
 
 namespace meristem {
 
-enum class CurveKind { spline, linear };
+enum class CurveKind { spline, linear };  ///< how the points of a curve are joined
 
 /// A function y(x) through given points: joined by straight lines, or by the natural cubic spline (second derivative
 /// continuous, and zero at both ends). Outside the points it keeps its end values. Evaluation is O(log n).

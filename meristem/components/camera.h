@@ -11,6 +11,7 @@ struct CameraParameters : ComponentBase {
   View view;
 };
 
+/// The type of that name.
 ComponentType camera_component();
 
 /// The view of a graph whose structure is sound.

@@ -31,6 +31,7 @@ struct Colonize : GrowingComponent {
   Surface surface;
 };
 
+/// The type of that name.
 ComponentType colonize_component();
 
 }  // namespace meristem

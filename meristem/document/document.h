@@ -67,6 +67,7 @@ struct Source {
   void place(std::vector<Diagnostic>& diagnostics) const;
 };
 
+/// A document that was read and found good: what grows, in which scene, and what doors show of it.
 struct Document {
   std::string name;
   std::string description;

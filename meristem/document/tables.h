@@ -12,10 +12,12 @@
 
 namespace meristem {
 
+/// The ground in pictures.
 struct GroundSettings {
   Vec3 colour = Scene{}.ground_colour;
 };
 
+/// The key `scene`.
 struct SceneSettings {
   LightSettings light;
   std::vector<ObstacleForm> obstacles;

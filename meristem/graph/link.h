@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// The links of a graph: which component stands on which, and where its instances stand.
 #pragma once
 
 #include <cstdint>

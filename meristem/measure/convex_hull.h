@@ -27,10 +27,12 @@ double volume_of(const Mesh& mesh);
 /// An outline's area, length around and largest distance between two of its points. For points on a line the length
 /// around is twice the line's.
 struct OutlineSize {
-  double area = 0;
-  double perimeter = 0;
-  double diameter = 0;
+  double area = 0;       ///< square metres
+  double perimeter = 0;  ///< metres
+  double diameter = 0;   ///< metres
 };
+
+/// The size of a closed outline of points in metres, counter-clockwise or not.
 OutlineSize measure_outline(std::span<const Vec2> outline);
 
 }  // namespace meristem

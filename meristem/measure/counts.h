@@ -18,6 +18,7 @@ struct Counts {
   double height = 0;  ///< metres from the lowest to the highest point of the meshes
 };
 
+/// Counts what has grown, and measures how high it is.
 Counts count(const Plant& plant, const MeshScene& meshes);
 
 }  // namespace meristem

@@ -74,6 +74,7 @@ struct StandMeasures {
   std::vector<LitOrgan> organs;  ///< in the plant's order; empty unless options ask for them
 };
 
+/// What is measured besides, and how finely.
 struct MeasureOptions {
   double fork_diameter = 0.02;            ///< metres: area ratios count from forks at least that thick
   std::uint64_t crown_rays = kCrownRays;  ///< for the lit share of each tree, see crown_light.h

@@ -12,6 +12,7 @@
 
 namespace meristem {
 
+/// What a door may ask of a format.
 struct FormatOptions {
   GltfInstances instances = GltfInstances::automatic;  ///< of formats that can: how organs share a mesh
   EncodedPictures* pictures = nullptr;                 ///< shared with other files; null: none

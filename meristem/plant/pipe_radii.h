@@ -8,6 +8,7 @@
 
 namespace meristem {
 
+/// How thick wood is for the tips that it bears: of all models of growth.
 struct PipeModel {
   double tip_radius = 0.004;  ///< metres; raised, all wood gets thicker in proportion
   double exponent = 2.4;      ///< raised, trunks get thinner; 2 keeps the cross-section's area, 3 its cube

@@ -15,8 +15,9 @@
 
 namespace meristem {
 
+/// A way through the scene, and how wide a beam it stands for.
 struct Ray {
-  Vec3 origin;
+  Vec3 origin;       ///< metres, world space
   Vec3 direction;    ///< unit
   float spread = 0;  ///< by how much it stands for a wider cone, metres a metre; raised, textures are blurred more
 };
@@ -46,6 +47,7 @@ struct TexturePlace {
   float uvs_per_metre = 0;  ///< geometric mean of both ways
 };
 
+/// All triangles of a mesh scene, to be met by rays.
 class RayScene {
  public:
   /// `scene` must outlive this. Parts placed more than once are copied, in order, while they have at most

@@ -9,7 +9,7 @@ A room includes and links only itself and the rooms before it. The doors, which 
 include what every program may, the public headers of all rooms, and not each other; nothing in the library includes
 them. A public header includes public headers only, and none of the heavy libraries, so that whoever includes it compiles fast. A
 source includes the header of its own name first, which shows that it compiles alone; the build checks the headers
-without a source. Every file of a room stands in one list of its CMakeLists.txt, so that no test is silently left out.
+without a source. It says what it is for: in a sentence at its head, or above its first declaration. Every file of a room stands in one list of its CMakeLists.txt, so that no test is silently left out.
 A room links the rooms whose headers it includes and no others, so that the links are the architecture, and the folders
 of a room include each other without a circle.
 """
@@ -25,6 +25,7 @@ HEAVY = ("nlohmann/", "embree", "CLI/", "tbb/", "oneapi/", "png.h", "boost/", "t
          "valijson/", "Eigen/")
 LISTS = ("SOURCES", "HEADERS", "TESTS", "PUBLIC", "PRIVATE", "TESTED_WITH")
 
+DECLARATION = re.compile(r"(?!(inline )?namespace\b)(//|[A-Za-z])")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?P<kind>["<])(?P<name>[^">]+)[">]')
 
 
@@ -133,6 +134,28 @@ def public_header_fault(root: Path, public: set[Path], include: Include) -> str 
     return None
 
 
+def check_sentences(root: Path, public: set[Path]) -> Iterator[Fault]:
+    """A public header has a sentence at its head, or one (`///`) above the first thing that it declares."""
+    for path in sorted(public):
+        lines = path.read_text(encoding="utf-8").splitlines()
+        guard = next((k for k, line in enumerate(lines) if line.startswith("#pragma once")), len(lines))
+        if any(line.startswith("// ") and "SPDX-License-Identifier" not in line for line in lines[:guard]):
+            continue
+        declared = first_declaration(lines, guard + 1)
+        if declared is not None and not lines[declared].startswith("//") and "///<" not in lines[declared]:
+            yield Fault(path, declared + 1, "the header says neither at its head nor here what it is for")
+
+
+def first_declaration(lines: list[str], begin: int) -> int | None:
+    """The first line at the left margin that declares something or says what is declared next: directives, namespaces
+    and types that are only named (`class B;`, also of a template) do not count."""
+    for k in range(begin, len(lines)):
+        named = lines[k + 1] if lines[k].startswith("template <") and k + 1 < len(lines) else lines[k]
+        if DECLARATION.match(lines[k]) and not re.fullmatch(r"(class|struct) \w+;", named):
+            return k
+    return None
+
+
 def check_room_lists(root: Path, room: str, lists: dict[str, list[str]]) -> Iterator[Fault]:
     folder = root / "meristem" / room
     cmake = folder / "CMakeLists.txt"
@@ -226,6 +249,7 @@ def check(root: Path) -> list[Fault]:
         faults += check_folders(root, room)
         faults += check_room_includes(root, room, public)
         faults += check_own_headers(root, room)
+    faults += check_sentences(root, public)
     for door in DOORS:
         faults += check_door_includes(root, door, public)
     return faults

@@ -124,6 +124,18 @@ class IncludeRule(unittest.TestCase):
         self.write("meristem/document/a.h", '#include "meristem/document/parse.h"\n')
         self.assert_only_fault("meristem/document/a.h:1:", "not installed")
 
+    def test_a_public_header_says_what_it_is_for(self) -> None:
+        body = "#pragma once\n#include <vector>\n\nnamespace meristem {\n\nclass B;\n\n%sstruct A {};\n\n}  // namespace meristem\n"
+        licence = "// SPDX-License-Identifier: Apache-2.0\n"
+        for text in (licence + body % "/// A thing.\n", licence + "// Things.\n" + body % "", licence + "#pragma once\n"):
+            self.write("meristem/plant/a.h", text)
+            self.assertEqual(self.faults(), [])
+        self.write("meristem/plant/a.h", licence + body % "")
+        self.assert_only_fault("meristem/plant/a.h:9:", "what it is for")
+        self.write("meristem/plant/b.h", licence + body % "")  # not public
+        self.write("meristem/plant/a.h", licence + body % "/// A thing.\n")
+        self.assertEqual(self.faults(), [])
+
     def test_a_source_outside_all_lists_is_found(self) -> None:
         self.write("meristem/shape/forgotten_test.cpp", "")
         self.assert_only_fault("meristem/shape/forgotten_test.cpp:1:", "nothing compiles it")

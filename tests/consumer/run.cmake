@@ -14,4 +14,11 @@ run("install the library" ${CMAKE_COMMAND} --install ${LIBRARY} --prefix ${WORK}
 run("configure the consumer" ${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G ${GENERATOR}
     -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
 run("build the consumer" ${CMAKE_COMMAND} --build ${WORK}/build)
-run("run the consumer" ${CMAKE_COMMAND} -E chdir ${WORK}/build ./consumer)
+run("grow a document" ${CMAKE_COMMAND} -E chdir ${WORK}/build ./grow_document ${MODELS}/oak.json age=10)
+run("grow into points" ${CMAKE_COMMAND} -E chdir ${WORK}/build ./grow_points)
+run("grow a component of one's own" ${CMAKE_COMMAND} -E chdir ${WORK}/build ./own_component)
+foreach(name plant.glb plant.png measures.json skeleton.csv thorns.obj)
+  if(NOT EXISTS ${WORK}/build/${name})
+    message(FATAL_ERROR "the programs did not write ${name}")
+  endif()
+endforeach()

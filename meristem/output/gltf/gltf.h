@@ -18,6 +18,7 @@ enum class GltfInstances {
   nodes,      ///< flattened; in large scenes nodes that share a mesh: large files, that every program reads
 };
 
+/// How instances are written, and where the plant came from.
 struct GltfOptions {
   GltfInstances instances = GltfInstances::automatic;
   std::uint64_t flatten_triangles = 5'000'000;  ///< scenes with more triangles are large

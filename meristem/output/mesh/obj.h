@@ -11,6 +11,7 @@
 
 namespace meristem {
 
+/// What the head of the file says.
 struct ObjOptions {
   Provenance provenance;
   EncodedPictures* pictures = nullptr;  ///< shared with other files; null: none

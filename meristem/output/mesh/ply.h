@@ -10,6 +10,7 @@
 
 namespace meristem {
 
+/// What the head of the file says.
 struct PlyOptions {
   Provenance provenance;
 };

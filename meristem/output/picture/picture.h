@@ -6,6 +6,7 @@
 
 namespace meristem {
 
+/// A still, seen from where, and what is drawn over the plants.
 struct PictureOptions {
   StillOptions still;
   View view;

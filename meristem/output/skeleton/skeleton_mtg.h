@@ -10,6 +10,7 @@
 
 namespace meristem {
 
+/// What the head of the file says.
 struct MtgOptions {
   std::optional<Provenance> provenance;  ///< as comments at the file's head
 };

@@ -7,6 +7,7 @@
 
 namespace meristem {
 
+/// What of several crowns makes one.
 enum class CombineKind {
   unite,      ///< what is in any of the crowns
   intersect,  ///< what is in all of them

@@ -6,6 +6,7 @@
 
 namespace meristem {
 
+/// An ellipsoid with its axes along x, y and z; a sphere where the radii are equal.
 class EllipsoidCrown : public Crown {
  public:
   EllipsoidCrown(Vec3 centre, Vec3 radii) : centre_(centre), radii_(radii) {}
@@ -31,6 +32,7 @@ class ConeCrown : public Crown {
   double height_;
 };
 
+/// A box with its edges along x, y and z.
 class BoxCrown : public Crown {
  public:
   explicit BoxCrown(const Box& box) : box_(box) {}

@@ -13,13 +13,13 @@ namespace meristem {
 
 /// Light from so far away that it comes from one direction everywhere: the sun at one hour, a part of the sky.
 struct FarLight {
-  Vec3 toward = kUp;  ///< unit vector to it
-  double strength = 1;
+  Vec3 toward = kUp;    ///< unit vector to it
+  double strength = 1;  ///< share of all far light
 };
 
 /// Shines to all sides.
 struct Lamp {
-  Vec3 position{0};
+  Vec3 position{0};     ///< metres
   double strength = 1;  ///< one metre away, against all far light together; falls with the square of the distance
 };
 
@@ -27,7 +27,7 @@ struct Lamp {
 struct LightRay {
   Vec3 toward = kUp;                                          ///< unit vector
   double distance = std::numeric_limits<double>::infinity();  ///< metres to where it comes from
-  double strength = 1;
+  double strength = 1;                                        ///< at the place; of all far light together 1
 };
 
 /// All light of a scene. The strengths of sun and sky sum to 1, unless the sun never rises.

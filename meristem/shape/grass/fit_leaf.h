@@ -8,6 +8,7 @@
 
 namespace meristem {
 
+/// How closely a fitted leaf follows its digitised points.
 struct FitOptions {
   /// How far the midrib may be from its digitised points, root mean square, as a share of its length; raised, smoother;
   /// 0: the points joined as they are.
@@ -45,9 +46,9 @@ FittedWidths fit_widths(const MeasuredCurve& widths, const FitOptions& options =
 /// A leaf fitted to measured points, with what can be said of the fit.
 struct FittedLeaf {
   GrassLeaf leaf;
-  double midrib_length = 0;
-  double polyline_length = 0;
-  double distance = 0;
+  double midrib_length = 0;    ///< as of FittedMidrib, in the unit of the points
+  double polyline_length = 0;  ///< the same of the points joined by lines
+  double distance = 0;         ///< root mean square, of the points from the fitted midrib
   bool was_turned = false;
 };
 

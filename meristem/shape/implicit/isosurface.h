@@ -19,6 +19,7 @@
 
 namespace meristem {
 
+/// How finely a body is sampled.
 struct IsosurfaceOptions {
   int resolution = 100;  ///< cells along the longest side of the box about the body's solids, 10 to 1024
   bool normals = true;   ///< from the body's function, else none; where such a one lies behind a triangle, from those

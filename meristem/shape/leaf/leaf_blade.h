@@ -37,7 +37,7 @@ struct LeafBlade {
   int waves = 0;             ///< along each edge; each has at least four rows
   double waves_depth = 0.1;  ///< height of their crests as a share of half the width
   double petiole = 0;        ///< length of the stalk before the blade
-  double petiole_radius = 0.001;
+  double petiole_radius = 0.001;  ///< of the stalk
 
   /// Quads along; more follow outline and curl more closely. They stand where outline and curl need them; each lobe and
   /// bay of the outline gets its row even where that takes more of them.

@@ -1,0 +1,28 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The programs that the manual's page on C++ shows are those that the tests build and run, each as a whole and only
+those. Usage: listings_test.py REPOSITORY
+"""
+
+import pathlib
+import re
+import sys
+
+repository = pathlib.Path(sys.argv[1])
+page = repository / "docs/manual/cpp.md"
+programs = {path.name: path.read_text(encoding="utf-8") for path in (repository / "tests/consumer").glob("*.cpp")}
+licence = "// SPDX-License-Identifier: Apache-2.0\n"
+text = page.read_text(encoding="utf-8")
+failures = 0
+
+for block in re.finditer(r"^```cpp\n(.*?)^```", text, re.MULTILINE | re.DOTALL):
+    names = [name for name, program in programs.items() if program == licence + block[1]]
+    for name in names:
+        del programs[name]
+    if not names:
+        failures += 1
+        print(f"{page}:{1 + text.count(chr(10), 0, block.start())}: this is no program of tests/consumer")
+for name in programs:
+    failures += 1
+    print(f"{page}: does not show {name} as it is")
+sys.exit(failures > 0)

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// A component of one's own: documents can use it beside all others, and it is checked, varied and documented like them.
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "meristem/base/frame.h"
+#include "meristem/components/registry.h"
+#include "meristem/document/document.h"
+#include "meristem/document/grow.h"
+#include "meristem/graph/component.h"
+#include "meristem/output/mesh/obj.h"
+#include "meristem/shape/solid/primitives.h"
+
+namespace {
+
+/// A thorn that carries a ring of children near its tip. Metres and radians.
+struct Thorn : meristem::ComponentBase {
+  double length = 1;
+  double radius = 0.05;
+  int number = 3;
+  double opening = meristem::radians(40);
+};
+
+/// One instance, in its own frame: y along it.
+void expand(const Thorn& thorn, const meristem::Site&, meristem::Emitter& out) {
+  // Thorns of one form share a mesh, which each scales to its length.
+  const double slimness = thorn.radius / thorn.length;
+  meristem::Frame stretched;
+  stretched.axes *= static_cast<float>(thorn.length);
+  out.organ(stretched, meristem::shape_key({slimness}), [&] { return meristem::make_cone(slimness, 1, 8); });
+  out.no_children();  // but those below
+  for (int k = 0; k < thorn.number; ++k) {
+    meristem::Frame child;
+    child.axes = meristem::rotation({0, 1, 0}, 2 * meristem::kPi * k / thorn.number) *
+                 meristem::rotation({1, 0, 0}, thorn.opening);
+    child.origin.y = static_cast<float>(0.9 * thorn.length);
+    out.child_site(child, static_cast<float>(thorn.length));
+  }
+}
+
+meristem::ComponentType thorn_component() {
+  using meristem::Unit;
+  const std::string doc = "A thorn with a ring of children near its tip.";
+  return meristem::define_component<Thorn>({
+      .name = "thorn",
+      .doc = doc,
+      .parameters = meristem::Table<Thorn>("a thorn", doc)
+                        .number("length", &Thorn::length, {.unit = Unit::metre, .min = 0.001, .max = 10}, "To its tip.")
+                        .number("radius", &Thorn::radius, {.unit = Unit::metre, .min = 1e-5, .max = 1}, "At its base.")
+                        .integer("number", &Thorn::number, {.min = 0, .max = 100}, "Children in the ring.")
+                        .number("opening", &Thorn::opening, {.unit = Unit::degree, .min = 0, .max = 180},
+                                "Between the thorn and a child."),
+      .expand = expand,
+  });
+}
+
+const std::string kDocument = R"({
+  "meristem": 1,
+  "variables": {"arms": 4},
+  "components": {
+    "thorn": {"type": "thorn", "number": "arms", "recursion": 4, "length": "0.5 ^ depth", "radius": [0.02, 0.05]},
+    "fruit": {"type": "simple", "shape": "sphere", "size": [0.04, 0.04, 0.04], "colour": "#b03020"}
+  },
+  "links": [["thorn", "thorn"], {"from": "thorn", "to": "fruit", "kind": "leaf"}]
+})";
+
+}  // namespace
+
+int main() {
+  const auto builtin = meristem::builtin_components().types();
+  std::vector<meristem::ComponentType> types(builtin.begin(), builtin.end());
+  types.push_back(thorn_component());
+  const meristem::Registry registry(std::move(types));
+
+  meristem::Progress progress;
+  const meristem::Document document = meristem::read_document(kDocument, "thorns.json", registry);
+  const meristem::GrownDocument grown = meristem::grow_document(document, progress);
+  std::printf("%zu organs\n", grown.plant.organs.size());
+  meristem::write_obj(grown.meshes, "thorns.obj", {}, progress);
+  return grown.plant.organs.size() == 1 + 4 + 16 + 64 + 256 ? 0 : 1;
+}

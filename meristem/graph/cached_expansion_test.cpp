@@ -273,7 +273,7 @@ TEST(Fingerprint, TellsValuesApartAndTheVariablesThatTheyName) {
 }
 
 TEST(Fingerprint, WhatIsNoFileHasNone) {
-  const std::vector<std::string> files{"/dev/null"};
+  const std::vector<NamedFile> files{{.path = "/dev/null"}};
   EXPECT_FALSE(fingerprint_of("x", {}, files, 100).has_value());
 }
 

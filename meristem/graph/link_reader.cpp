@@ -63,7 +63,7 @@ void LinkReader::read_kind(const Value& value, const Place& place, Link& link) {
   const std::size_t faults_before = reader_.fault_count();
   if (const Value* given = value.find("kind")) {
     const Parameter& row = *link_table().find("kind");
-    row.read(row, &head, *given, Place(place, row.name), reader_);
+    row.read(&head, *given, Place(place, row.name), reader_);
   }
   const bool is_known = reader_.fault_count() == faults_before;
   if (head.kind == LinkKind::crown) {

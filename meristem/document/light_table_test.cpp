@@ -16,7 +16,7 @@ namespace {
 Document read_in(const std::string& scene, const std::vector<Override>& overrides = {}) {
   return read_document(
       fmt::format("{{\"scene\":\n{},\n\"meristem\": 1, \"components\": {{\"box\": {{\"type\": \"simple\"}}}}}}", scene),
-      "d.json", builtin_components(), overrides);
+      "d.json", builtin_components(), {.overrides = overrides});
 }
 
 std::string faults_of(const std::string& scene) {

@@ -101,8 +101,7 @@ TEST_F(ObstacleDocument, AnOpenMeshIsAFaultUnlessItIsCalledBroken) {
   EXPECT_EQ(
       fault(R"([{"box": [[0, 0, 0], [1, 1, 1]]}, {"mesh": "open.obj"}])"),
       "scene.obstacles[1].mesh: 'open.obj' is not closed: 3 edges are open, with a triangle on one side only; the "
-      "first goes from (2, 2, 0) to (2, 0, 2); expected a closed mesh, or \"broken\": true to use it as well as "
-      "can be");
+      "first goes from (2, 2, 0) to (2, 0, 2); expected a closed mesh, or \"broken\": true to use it anyway");
   const Document document = read(document_with(R"([{"mesh": "open.obj", "broken": true}])"));
   ASSERT_EQ(document.warnings.size(), 1U);
   EXPECT_EQ(document.warnings[0].severity, Severity::warning);

@@ -208,7 +208,7 @@ std::vector<Variable> read_variables(const Value* given, const VariableValues& s
     reader.fault(value_place(variable, *given->find(first)),
                  circle.size() == 1
                      ? fmt::format("'{}' is worked out from itself", first)
-                     : fmt::format("the variables {} go round without end", circle_text(solved.constants, circle)),
+                     : fmt::format("the variables {} lead in an endless circle", circle_text(solved.constants, circle)),
                  "an expression of variables that can be worked out before");
   }
   return variables;

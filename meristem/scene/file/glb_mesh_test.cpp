@@ -206,7 +206,7 @@ TEST(GlbMesh, WhatCannotBeReadIsSaid) {
             "body: meshes[0].primitives[0]: the primitive has no positions; expected the attribute 'POSITION'");
   EXPECT_EQ(fault_with(R"("mesh": 0)", R"("mesh": 0, "extensions": {"EXT_mesh_gpu_instancing": {}})"),
             "body: nodes[0]: the mesh is placed by the extension 'EXT_mesh_gpu_instancing'; expected a node for each "
-            "place");
+            "instance");
   EXPECT_EQ(fault_with(R"("mesh": 0)", R"("children": [0])"),
             "body: nodes[0]: nodes[0] has two parents; expected a tree of nodes");
   EXPECT_EQ(fault_with(R"("mesh": 0)", R"("name": "empty")"),

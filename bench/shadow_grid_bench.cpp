@@ -19,7 +19,7 @@ using meristem::ShadowForm;
 using meristem::ShadowGrid;
 using meristem::Vec3;
 
-const int kBuds = meristem::bench::sized(20'000, 500);
+const std::uint64_t kBuds = meristem::bench::sized(20'000, 500);
 
 /// Buds all over a ball of 3 m, each near the one before, as along shoots.
 std::vector<Vec3> buds() {

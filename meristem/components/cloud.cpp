@@ -93,7 +93,8 @@ ComponentType cloud_component() {
               .object("points", &Cloud::points, points_table, "Number, distribution or file of the attraction points.")
               .object("limit", &Cloud::limit, limit_table,
                       "Removes the points in the deepest shade, as the light response of a colonize component does.")
-              .number("size", &Cloud::size, {.unit = Unit::metre, .min = 1e-5, .max = 1e4}, "Diameter of each dot.")
+              .number("size", &Cloud::size, {.unit = Unit::metre, .min = 1e-5, .max = 1e4, .usual = {0.005, 0.2}},
+                      "Diameter of each dot.")
               .colour("removed_colour", &Cloud::removed_colour,
                       "Colour of the points that obstacles or the light limit remove; by default, they are not shown.")
               .check([](const Cloud& cloud, const Place& place, ParameterReader& reader) {

@@ -14,7 +14,7 @@ namespace meristem {
 /// How it answers to light, its moves in steps.
 struct LightForm {
   double shift = 0;
-  std::optional<double> shift_m;  ///< metres, in its stead
+  std::optional<double> shift_m;  ///< metres, instead of `shift`
   double drift = 0;
   LightResponse response;  ///< without both
 };
@@ -24,7 +24,7 @@ struct Colonize : GrowingComponent {
   std::optional<CrownForm> crown;
   PointsForm points;
   std::vector<Vec3> roots{Vec3(0)};  ///< where the trees stand, in the component's frame
-  bool one_crown = false;            ///< one crown over the component's place instead of one over each root
+  bool one_crown = false;            ///< one crown over the component's origin instead of one per root
   ColonizeParameters growth;         ///< without its light
   LightForm light;
   std::optional<Condition> shed;  ///< branches that are gone when growth is done

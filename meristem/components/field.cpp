@@ -52,7 +52,7 @@ ComponentType field_component() {
                        "Number of plants in each row, along x.")
               .number("row_spacing", &Field::row_spacing, {.unit = Unit::metre, .min = 0, .max = 1e5},
                       "Distance from row to row.")
-              .number("spacing", &Field::spacing, {.unit = Unit::metre, .min = 0, .max = 1e5},
+              .number("spacing", &Field::spacing, {.unit = Unit::metre, .min = 0, .max = 1e5, .usual = {0, 5}},
                       "Distance from plant to plant within a row.")
               .number(
                   "scatter", &Field::scatter, {.min = 0, .max = 1, .usual = {0, 0.5}},

@@ -5,15 +5,15 @@
 
 namespace meristem {
 
-/// Places in rows on a level plain, as plants are sown: a crop, an orchard, an avenue.
+/// Sites in rows on a level plain, as plants are sown: a crop, an orchard, an avenue.
 struct Field : ComponentBase {
   int rows = 10;
   int plants = 10;            ///< in each row
   double row_spacing = 0.75;  ///< metres
   double spacing = 0.15;      ///< metres, within a row
-  double scatter = 0;         ///< share of the spacings by which a place may be off to either side
+  double scatter = 0;         ///< share of the spacings by which a site may be off to either side
   bool stagger = false;       ///< every other row is moved by half of the spacing
-  double gaps = 0;            ///< share of places that stay empty
+  double gaps = 0;            ///< share of sites that stay empty
   bool turned = true;         ///< each plant faces anywhere
 };
 

@@ -14,7 +14,7 @@ struct Horn : ComponentBase {
   double twist = 0;  ///< radians by which the section turns about the curve from base to tip
   Section section = Section::ring;
   std::vector<Vec2> outline;  ///< x and z, shares of the radius
-  int ribs = 12;              ///< places evenly along the curve, both ends included
+  int ribs = 12;              ///< sites evenly along the curve, both ends included
   int around = 24;            ///< corners around primitives
   Surface surface;            ///< of a ring's stem
 };

@@ -5,7 +5,7 @@
 
 namespace meristem {
 
-/// Places for children in a star.
+/// Sites for children in a star.
 struct Hydra : ComponentBase {
   Around around;
   PerChild radius = 0.0;  ///< metres from the middle to where a child stands, along its heading

@@ -116,9 +116,9 @@ void check_leaf(const Leaf& leaf, const Place& place, ParameterReader& reader) {
 
 Table<LeafBlade> with_outline(Table<LeafBlade> table) {
   return std::move(table)
-      .number("length", &LeafBlade::length, {.unit = Unit::metre, .min = 1e-4, .max = 100},
+      .number("length", &LeafBlade::length, {.unit = Unit::metre, .min = 1e-4, .max = 100, .usual = {0.005, 0.5}},
               "Length of the midrib, from the joint with the stalk to the tip.")
-      .number("width", &LeafBlade::width, {.unit = Unit::metre, .min = 1e-5, .max = 100},
+      .number("width", &LeafBlade::width, {.unit = Unit::metre, .min = 1e-5, .max = 100, .usual = {0.005, 0.2}},
               "Width of the blade at its widest.")
       .curve("outline", &LeafBlade::outline,
              "Half width of the blade from base (0) to tip (1), as a share of the largest.")
@@ -158,8 +158,8 @@ Table<LeafBlade> with_bends(Table<LeafBlade> table) {
       .only_with("waves", {"waves_depth"})
       .number("petiole", &LeafBlade::petiole, {.unit = Unit::metre, .min = 0, .max = 100, .usual = {0, 0.2}},
               "Length of the petiole, the stalk below the blade; 0 makes none.")
-      .number("petiole_radius", &LeafBlade::petiole_radius, {.unit = Unit::metre, .min = 1e-5, .max = 1},
-              "Radius of the petiole.")
+      .number("petiole_radius", &LeafBlade::petiole_radius,
+              {.unit = Unit::metre, .min = 1e-5, .max = 1, .usual = {0.0002, 0.005}}, "Radius of the petiole.")
       .only_with("petiole", {"petiole_radius"});
 }
 

@@ -54,7 +54,7 @@ const ParameterTable& shoot_table() {
                    "Number of bundles of needles along the shoot; single needles where 'fascicle' is 1.")
           .number("length", &NeedleShoot::length, {.unit = Unit::metre, .min = 1e-4, .max = 10, .usual = {0.005, 0.3}},
                   "Length of a needle.")
-          .number("width", &NeedleShoot::width, {.unit = Unit::metre, .min = 1e-5, .max = 1},
+          .number("width", &NeedleShoot::width, {.unit = Unit::metre, .min = 1e-5, .max = 1, .usual = {0.0003, 0.005}},
                   "Width of a needle at its middle.")
           .number("along", &NeedleShoot::along, {.unit = Unit::metre, .min = 0, .max = 100},
                   "Length of the shoot that bears the needles; 0 makes a tuft that springs from one point.")

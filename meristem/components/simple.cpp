@@ -97,7 +97,7 @@ ComponentType simple_component() {
               .choice("shape", &Simple::shape, {"box", "sphere", "cylinder", "cone", "torus", "none", "area", "tube"},
                       "A primitive, nothing, or a section of a surface: 'area' is an open row of points, 'tube' a "
                       "closed ring.")
-              .vector("size", &Simple::size, {.unit = Unit::metre, .min = 1e-6, .max = 1e4},
+              .vector("size", &Simple::size, {.unit = Unit::metre, .min = 1e-6, .max = 1e4, .usual = {0.001, 0.5}},
                       "Width (x), height (y) and depth (z).")
               .integer("segments", &Simple::segments, {.min = 3, .max = 512, .usual = {3, 64}},
                        "Number of corners around; raised, rounder and heavier.")

@@ -5,7 +5,7 @@
 
 namespace meristem {
 
-/// Places for children on a ring.
+/// Sites for children on a ring.
 struct Wreath : ComponentBase {
   Around around;
   double diameter = 0.1;  ///< metres

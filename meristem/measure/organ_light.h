@@ -22,9 +22,9 @@ struct LitOrgan {
 /// The light on each organ, in the plant's order. Organs, itself included, stems and obstacles shade it; holes of
 /// masked textures let light through. `meshes` is what make_mesh_scene makes of the plant.
 ///
-/// Each organ is asked at one place in 10 cm² of its surface, at least 4 and at most 64; a closed one at places on its
-/// dark side too. About a microsecond a place and light. The same on any number of threads. Begins two stages of
-/// `progress`, which count organs. Throws Cancelled, MachineError (memory).
+/// Each organ is asked at one position in 10 cm² of its surface, at least 4 and at most 64; a closed one at positions
+/// on its dark side too. About a microsecond per position and light. The same on any number of threads. Begins two
+/// stages of `progress`, which count organs. Throws Cancelled, MachineError (memory).
 std::vector<LitOrgan> measure_organ_light(const Plant& plant, const MeshScene& meshes, const Scene& scene,
                                           Progress& progress);
 

@@ -9,8 +9,8 @@
 
 namespace meristem {
 
-/// Places on triangles in proportion to area. Numbers that are evenly spread over the unit square give places that are
-/// evenly spread over the surface.
+/// Positions on triangles in proportion to area. Numbers that are evenly spread over the unit square give positions
+/// that are evenly spread over the surface.
 class SurfacePlaces {
  public:
   struct Place {
@@ -25,8 +25,8 @@ class SurfacePlaces {
 
   /// Square metres of the triangles.
   double area() const { return area_before_.empty() ? 0 : area_before_.back(); }
-  /// Below the share `along` of the area lie the triangles before the place's own and a part of that one; `across` says
-  /// where the place is at right angles to this. Both in [0, 1). Only where there is an area.
+  /// Below the share `along` of the area lie the triangles before the position's own and a part of that one; `across`
+  /// says where the position is at right angles to this. Both in [0, 1). Only where there is an area.
   Place at(double along, double across) const;
   Vec3 position(const Place& place) const;
 

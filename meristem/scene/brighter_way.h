@@ -6,7 +6,7 @@
 
 namespace meristem {
 
-/// Where it gets brighter from a place: for each of the scene's lights the unit vector toward it, times
+/// Where it gets brighter from a position: for each of the scene's lights the unit vector toward it, times
 /// `sunlit_weight`, or, where an obstacle is in the way, the unit vector away from the obstacle's centroid on the
 /// ground and at right angles to the light; their sum, weighted by strength. 0 where there is no light.
 ///

@@ -10,8 +10,8 @@ inline constexpr int kCoarsestDetail = 8;
 struct Detail {
   int level = 0;  ///< 0: all there is; raised, fewer triangles; at most kCoarsestDetail
   /// Of the triangles of the level before, that each level has, about; above 0 and below 1. From twice as far a plant
-  /// covers a quarter of the pixels: with a quarter each level has about as many triangles a pixel, and suits twice the
-  /// distance of the one before.
+  /// covers a quarter of the pixels: with a quarter each level has about as many triangles per pixel, and suits twice
+  /// the distance of the one before.
   double share = 0.25;
 
   /// Of the triangles of level 0, that a level has, about.

@@ -22,7 +22,7 @@ struct Ray {
   float spread = 0;  ///< by how much it stands for a wider cone, metres a metre; raised, textures are blurred more
 };
 
-/// A place on a surface.
+/// A position on a surface.
 struct RayHit {
   float distance = 0;          ///< metres along the ray
   std::uint32_t part = 0;      ///< index into MeshScene::meshes
@@ -61,7 +61,7 @@ class RayScene {
   std::optional<RayHit> first_hit(const Ray& ray) const;
   /// Whether any surface lies on the ray, `within` metres.
   bool is_blocked(const Ray& ray, float within = std::numeric_limits<float>::infinity()) const;
-  /// How far off a surface at a place a ray has to start not to meet it again, metres.
+  /// How far off a surface at a position a ray has to start not to meet it again, metres.
   static float clearance(Vec3 place);
   SurfacePoint surface_point(const RayHit& hit) const;
   TexturePlace texture_place(const RayHit& hit) const;

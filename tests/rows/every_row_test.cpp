@@ -189,7 +189,7 @@ class RowWalk {
   }
 
   std::optional<std::uint64_t> result_with(const std::vector<Override>& overrides) const {
-    return hash_of_result(read_document(base_.text, base_.file, builtin_components(), overrides));
+    return hash_of_result(read_document(base_.text, base_.file, builtin_components(), {.overrides = overrides}));
   }
 
   const Base& base_;

@@ -76,7 +76,7 @@ std::uint64_t hash_of_result(const Document& document) {
     hash.add_array(instances.frames).add_array(instances.tints);
   }
   add(hash, document.scene);
-  add(hash, camera_view(document.graph, document.structure));
+  add(hash, camera_view(document.graph));
   hash.add_array(document.output.size).add(document.output.samples).add(document.output.lod);
   return hash.hash();
 }

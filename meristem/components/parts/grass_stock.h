@@ -27,7 +27,7 @@ struct AgedPoints {
 /// Where midribs and widths come from.
 struct GrassSource {
   Asset<std::vector<MeasuredCurve>> midrib;
-  std::vector<Vec2> midrib_points;  ///< in its stead: one curve
+  std::vector<Vec2> midrib_points;  ///< instead of the file: one curve
   std::vector<AgedPoints> midribs;  ///< or one at each of several ages
   Asset<std::vector<MeasuredCurve>> widths;
   Curve profile{{{0.0F, 0.7F}, {0.12F, 0.88F}, {0.35F, 1.0F}, {0.65F, 0.82F}, {0.85F, 0.47F}, {1.0F, 0.0F}}};

@@ -28,7 +28,7 @@ const ParameterTable& variety_table() {
                    "Factor on the width of what emerges; raised, a broader leaf.")
           .formula("bend", &GrassVariety::bend, kLifeNames,
                    "Factor on how far the midrib bends per unit of age; raised, the leaf hangs more.")
-          .number("step", &GrassVariety::step, {.min = 1e-3, .max = 1000, .fixed = true},
+          .number("step", &GrassVariety::step, {.min = 1e-3, .max = 1000, .usual = {0.01, 0.2}, .fixed = true},
                   "Step of the leaf's life, in the unit of ages; lowered, it follows changing rates more closely.")
           .integer("variants", &GrassVariety::variants, {.min = 0, .max = 1'000'000, .fixed = true},
                    "Number of different lives that the leaves share; raised, more variety and more meshes; 0 gives "
@@ -56,7 +56,7 @@ const ParameterTable& turn_table() {
 const ParameterTable& strip_table() {
   static const ParameterTable table =
       Table<LeafStrip>("a strip", "How a leaf resists bending.")
-          .number("stiffness", &LeafStrip::stiffness, {.min = 1e-3, .max = 1e6},
+          .number("stiffness", &LeafStrip::stiffness, {.min = 1e-3, .max = 1e6, .usual = {0.05, 2}},
                   "Bending stiffness at the base over weight and cubed length: 0.1 hardly carries the leaf, 1 is "
                   "upright; raised, it bends less.")
           .number("tip_thickness", &LeafStrip::tip_thickness, {.min = 0.01, .max = 1},
@@ -73,7 +73,7 @@ const ParameterTable& forces_table() {
                   "Pull toward the light, in weights of the leaf; negative pulls away from it.")
           .vector("pull", &GrassForces::pull, {.min = -100, .max = 100, .usual = {-3, 3}},
                   "Further pull on the leaf, in weights of the leaf along x, y and z.")
-          .number("weight", &GrassForces::weight, {.min = 0.01, .max = 1000},
+          .number("weight", &GrassForces::weight, {.min = 0.01, .max = 1000, .usual = {0.5, 10}},
                   "Weight of the leaf in newtons per square metre; raised, wind moves it less.")
           .members(&GrassForces::strip, strip_table())
           .only_with("wind", {"weight"})
@@ -219,7 +219,7 @@ Table<Grassleaf> grassleaf_table() {
                "Rank of the leaf on its stem, which selects curves from files that have ranks.")
       .integer("leaf", &Grassleaf::leaf, {.min = 0, .max = 1e6},
                "Number of the leaf (lindex) in files that have several per rank; by default, a random one of the rank.")
-      .number("length", &Grassleaf::length, {.unit = Unit::metre, .min = 1e-4, .max = 100},
+      .number("length", &Grassleaf::length, {.unit = Unit::metre, .min = 1e-4, .max = 100, .usual = {0.02, 1}},
               "Length of the full-grown blade; by default, as measured in the files, or 0.3.")
       .number(
           "width", &Grassleaf::width, {.unit = Unit::metre, .min = 1e-5, .max = 100, .usual = {0.001, 0.06}},

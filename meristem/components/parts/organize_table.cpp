@@ -106,7 +106,7 @@ const ParameterTable& shedding_table() {
 const ParameterTable& sag_table() {
   static const ParameterTable table =
       Table<Sag>("a sag", "How branches bend under their weight.")
-          .number("stiffness", &Sag::stiffness, {.min = 0.001, .max = 1000},
+          .number("stiffness", &Sag::stiffness, {.min = 0.001, .max = 1000, .usual = {0.5, 20}},
                   "Modulus of elasticity in gigapascals, 4 to 12 in green wood; lowered, branches hang more.")
           .number("density", &Sag::density, {.min = 0, .max = 10000, .usual = {300, 1200}},
                   "Density of green wood in kilograms per cubic metre; raised, branches hang more.")
@@ -229,8 +229,8 @@ const ParameterTable& organize_growth_table() {
           .integer("every", &OrganizeParameters::every, {.min = 1, .max = 10000},
                    "Steps that other plants of the stand take per iteration of this tree; raised, they grow faster "
                    "beside it.")
-          .number("length", &OrganizeParameters::length, {.unit = Unit::metre, .min = 1e-4, .max = 1000},
-                  "Length of a metamer.")
+          .number("length", &OrganizeParameters::length,
+                  {.unit = Unit::metre, .min = 1e-4, .max = 1000, .usual = {0.02, 0.5}}, "Length of a metamer.")
           .boolean("stretch", &OrganizeParameters::stretch,
                    "Whether the metamers of a shoot lengthen, up to ten times, with the resource that exceeds a whole "
                    "number of them.")

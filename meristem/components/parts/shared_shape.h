@@ -29,7 +29,7 @@ inline double power_of_2(double exponent) {
   return is_there ? powers[static_cast<std::size_t>(place)] : math::pow(2, exponent);
 }
 
-/// To so many steps an octave; `value` is above 0.
+/// To so many steps per octave; `value` is above 0.
 inline double to_octaves(double value, double steps) {
   static const double log_of_2 = math::log(2);
   return power_of_2(to_step(math::log(value) / log_of_2, 1 / steps));

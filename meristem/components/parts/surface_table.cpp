@@ -11,7 +11,8 @@ namespace {
 const ParameterTable& crown_body_table() {
   static const ParameterTable table =
       Table<CrownBody>("a crown body", "A closed body around the ends of branches, made of balls that grow together.")
-          .number("diameter", &CrownBody::diameter, {.unit = Unit::metre, .min = 0.001, .max = 1000, .fixed = true},
+          .number("diameter", &CrownBody::diameter,
+                  {.unit = Unit::metre, .min = 0.001, .max = 1000, .usual = {0.05, 2}, .fixed = true},
                   "Diameter of the balls that the crown body is made of.")
           .number("offset", &CrownBody::offset, {.unit = Unit::metre, .min = -1000, .max = 1000, .fixed = true},
                   "Height of each ball's centre above the end of its branch.")
@@ -66,7 +67,8 @@ const ParameterTable& surface_table() {
           .number("error", &Surface::error, {.min = 0, .max = 1, .usual = {0, 0.2}, .fixed = true},
                   "Tolerance of a tube along its skeleton, in its radii; raised, fewer rings along straight stems.")
           .choice("cap", &Surface::cap, {"pointed", "round", "flat"}, "How tubes end at tips.")
-          .number("uv_scale", &Surface::uv_scale, {.unit = Unit::metre, .min = 0.001, .max = 100, .fixed = true},
+          .number("uv_scale", &Surface::uv_scale,
+                  {.unit = Unit::metre, .min = 0.001, .max = 100, .usual = {0.1, 5}, .fixed = true},
                   "Size of the bark that one tile of the texture covers; raised, larger features.")
           .number("smooth", &Surface::smooth, {.min = 0, .max = 20, .usual = {0, 10}, .fixed = true},
                   "Distance along a stem over which steps of its radius at forks are smoothed, in radii to either "

@@ -33,8 +33,8 @@ struct Attraction {
 /// its tree's influence distance, whichever tree brought the point, and is used up when that node is within its tree's
 /// kill distance. The points that a tree brings may lose those in the deepest shade before growth, and may move with
 /// the light that falls on the nodes which they pull, whichever trees those belong to; a point that has moved into an
-/// obstacle rests while it is there. Places are relative to the first tree's root, so that a stand far from the world's
-/// origin loses no digits; each tree speaks of places relative to its own root.
+/// obstacle rests while it is there. Positions are relative to the first tree's root, so that a stand far from the
+/// world's origin loses no digits; each tree speaks of positions relative to its own root.
 class AttractionCloud : public Commons {
  public:
   using Tree = std::uint32_t;
@@ -81,7 +81,7 @@ class AttractionCloud : public Commons {
     Vec3 position{0};
     Tree tree = 0;
     NodeIndex index = 0;    // within its tree
-    std::uint32_t sum = 0;  // its place in sums_ plus one while they are gathered, else 0
+    std::uint32_t sum = 0;  // its index in sums_ plus one while they are gathered, else 0
   };
   struct Sum {
     std::uint32_t node;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How colonizing trees answer to light. Response A moves the whole cloud of attraction points toward brighter places
+// How colonizing trees answer to light. Response A moves the whole cloud of attraction points toward brighter positions
 // before each step. Response B lets light act on single points: those in the deepest shade are left out, each moves as
 // its own nearest node feels, and the cloud's height is held; and points in the shade of what has grown do not pull.
 //

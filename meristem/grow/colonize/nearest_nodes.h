@@ -35,7 +35,7 @@ class NearestNodes {
   void add_nodes(NodeIndex first, std::span<const NewNode> nodes, Progress& progress);
 
   std::size_t living() const { return living_; }
-  /// The living point nearest to a place, if there is one.
+  /// The living point nearest to a position, if there is one.
   std::optional<Vec3> nearest_point(Vec3 place) const;
 
   /// Calls `keeps(position, node, squared distance)` for every living point that a node influences, and removes those

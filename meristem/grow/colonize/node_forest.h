@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The nodes of growing trees, to find those nearest to a place. Nodes only come; trees of them double in size, so each
-// is built into a new one as often as the logarithm of their number.
+// The nodes of growing trees, to find those nearest to a position. Nodes only come; trees of them double in size, so
+// each is built into a new one as often as the logarithm of their number.
 //
 // Based on: J. Bentley, J. Saxe: Decomposable searching problems I (1980).
 #pragma once
@@ -17,8 +17,8 @@
 
 namespace meristem {
 
-/// The nodes nearest to a place, up to kMost of them, the nearest first; of nodes equally near the ones with the lower
-/// numbers. A node may be offered again.
+/// The nodes nearest to a position, up to kMost of them, the nearest first; of nodes equally near the ones with the
+/// lower numbers. A node may be offered again.
 class NearestFew {
  public:
   static constexpr std::size_t kMost = 9;

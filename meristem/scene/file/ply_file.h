@@ -48,7 +48,7 @@ class PlyFile {
 
   const std::vector<PlyElement>& elements() const { return elements_; }
   const PlyElement* find(std::string_view element) const;
-  /// The place of a property; throws InputError, with the nearest name, where the element does not have it.
+  /// The position of a property; throws InputError, with the nearest name, where the element does not have it.
   std::size_t need(const PlyElement& element, std::string_view property) const;
 
   /// Calls `take` for each row of each element, in the order of the file. Throws InputError where the file ends too

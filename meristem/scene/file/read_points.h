@@ -13,7 +13,7 @@ namespace meristem {
 /// Points as a file has them; in double, because scans may carry the coordinates of a whole country.
 using PointCloud = std::vector<DVec3>;
 
-/// The points of a PLY file (properties x, y and z of its element `vertex`), or of a text with a point a line: its
+/// The points of a PLY file (properties x, y and z of its element `vertex`), or of a text with a point per line: its
 /// first three numbers, between blanks, commas or semicolons. In a text, lines that begin with # or // are comments,
 /// and the first other line may be a heading. Throws InputError with file and line or row.
 PointCloud read_points(const std::string& path, const Limits& limits);

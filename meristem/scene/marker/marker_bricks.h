@@ -2,7 +2,7 @@
 // Where markers stand and how many shoots are near each: one marker in every voxel of all space, somewhere within it.
 // Voxels are kept in bricks of 4 x 4 x 4 from the first time that a shoot or a bud comes near, bricks in blocks of
 // 4 x 4 x 4, so that memory goes with what is touched. A brick's markers follow one of 64 patterns drawn from the key;
-// which one is drawn from the key and the brick's place.
+// which one is drawn from the key and the brick's position.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@ class MarkerBricks {
   static constexpr int kMostReach = 32;          // voxels
   static constexpr std::size_t kMostAlong = 2 * kMostReach / kSide + 2;  // bricks that this touches along an axis
 
-  /// A place in units of 2^-16 voxels: then its way to a marker is exact in floats.
+  /// A position in units of 2^-16 voxels: then its way to a marker is exact in floats.
   using FinePlace = std::array<std::int64_t, 3>;
   /// Which voxel, brick or block this is along each axis; four times as many of each as of the next.
   using Place = std::array<std::int32_t, 3>;
@@ -46,7 +46,7 @@ class MarkerBricks {
     std::array<std::uint8_t, kInBrick> shoots{};  ///< near each marker, modulo 256
     std::uint64_t free = kAll;                    ///< markers without a shoot near
     std::uint64_t within = kAll;                  ///< markers that a volume may hold
-    std::uint32_t slot = 0;                       ///< kInBrick * block + place in it
+    std::uint32_t slot = 0;                       ///< kInBrick * block + position in it
     std::uint32_t claims = kNone;                 ///< for the owner of the bricks
     std::uint8_t pattern = 0;
   };
@@ -71,14 +71,14 @@ class MarkerBricks {
   void occupy(Vec3 place);
   void vacate(Vec3 place);
 
-  /// Whether a place is finite and at most 4 million voxels away from the origin, along each axis.
+  /// Whether a position is finite and at most 4 million voxels away from the origin, along each axis.
   bool reaches(Vec3 place) const {
     const double farthest = kFarthest / fine_a_metre_;
     return std::abs(place.x) < farthest && std::abs(place.y) < farthest && std::abs(place.z) < farthest;
   }
-  /// Throws std::invalid_argument for places out of reach.
+  /// Throws std::invalid_argument for positions out of reach.
   FinePlace fine(Vec3 place) const;
-  /// The voxels that a box touches, given by its corners' distance in voxels from a place.
+  /// The voxels that a box touches, given by its corners' distance in voxels from a position.
   static Range voxels(const FinePlace& place, Vec3 low, Vec3 high);
   /// Bricks that hold these voxels, or blocks that hold these bricks.
   static Place holder(const Place& place) { return {place[0] >> 2, place[1] >> 2, place[2] >> 2}; }
@@ -94,7 +94,7 @@ class MarkerBricks {
   }
   /// Those of them that are in a range, which is to meet the holder, as bits.
   static std::uint64_t held(const Place& holder, const Range& range);
-  /// Voxels from a brick's low corner to a place, exact up to 256.
+  /// Voxels from a brick's low corner to a position, exact up to 256.
   static Vec3 from_corner(const Place& brick, const FinePlace& place);
 
   /// kNone where there is none.
@@ -120,10 +120,10 @@ class MarkerBricks {
   std::size_t bytes() const;
 
  private:
-  static constexpr int kVoxelBits = 16;             // of a fine place within its voxel
+  static constexpr int kVoxelBits = 16;             // of a fine position within its voxel
   static constexpr int kBrickBits = 18;             // within its brick
   static constexpr float kFine = 65536;             // a voxel's side
-  static constexpr double kFarthest = 4e6 * 65536;  // past it 32-bit places do not tell voxels apart
+  static constexpr double kFarthest = 4e6 * 65536;  // past it 32-bit positions do not tell voxels apart
 
   /// For each marker of a brick 1 where it is within reach, else 0.
   using Near = std::array<std::uint8_t, kInBrick>;
@@ -147,12 +147,12 @@ class MarkerBricks {
   void refresh(const Brick& brick);
 
   double spacing_;
-  double fine_a_metre_;  // units of fine places
+  double fine_a_metre_;  // units of fine positions
   float reach_;          // voxels
   RandomKey key_;
   std::vector<Pattern> patterns_;
   std::vector<Block> blocks_;
-  std::vector<Entry> table_;  // blocks by the hash of their place, linear probing
+  std::vector<Entry> table_;  // blocks by the hash of their position, linear probing
   std::deque<Brick> bricks_;
   std::unordered_map<std::uint64_t, std::uint32_t> carries_;  // 256s of shoots, by kInBrick * brick + marker
   Recent recent_;

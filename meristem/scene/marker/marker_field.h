@@ -55,10 +55,10 @@ class MarkerField {
   /// several may go to the buds of any.
   std::uint32_t add_volume(CrownPointer crown, Vec3 root);
 
-  /// Whether a place is finite and at most 4 million spacings away from the origin, along each axis.
+  /// Whether a position is finite and at most 4 million spacings away from the origin, along each axis.
   bool reaches(Vec3 place) const { return bricks_.reaches(place); }
   /// A shoot at `place` takes the markers around it; vacate() of the same place gives them back exactly. Throws
-  /// std::invalid_argument for places out of reach, and for vacating where nothing was occupied.
+  /// std::invalid_argument for positions out of reach, and for vacating where nothing was occupied.
   void occupy(Vec3 place) { bricks_.occupy(place); }
   void vacate(Vec3 place) { bricks_.vacate(place); }
 

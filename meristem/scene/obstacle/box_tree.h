@@ -10,14 +10,14 @@
 
 namespace meristem {
 
-/// Boxes in a tree over their middles, to find those around a place without asking each. Empty ones are around none.
+/// Boxes in a tree over their middles, to find those around a position without asking each. Empty ones are around none.
 class BoxTree {
  public:
   /// Throws std::invalid_argument for boxes that are not finite.
   explicit BoxTree(const std::vector<Box>& boxes = {});
 
-  /// Whether `accepts(index)` says yes to any of the boxes that hold a place, their faces included; asked in an order
-  /// that means nothing.
+  /// Whether `accepts(index)` says yes to any of the boxes that hold a position, their faces included; asked in an
+  /// order that means nothing.
   template <class Accepts>
   bool any_around(Vec3 place, Accepts accepts) const;
 
@@ -25,7 +25,7 @@ class BoxTree {
   std::vector<NumberedPlace> middles_;  // of the boxes, in the tree's order
   PointTree tree_;
   std::vector<Box> boxes_;   // in that order
-  std::vector<Box> around_;  // the boxes below each node of the tree, by place
+  std::vector<Box> around_;  // the boxes below each node of the tree, by position
 };
 
 template <class Accepts>

@@ -16,10 +16,10 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// What keeps a mesh from being closed, each kind with its number and first place: open edges, edges where more
+/// What keeps a mesh from being closed, each kind with its number and first position: open edges, edges where more
 /// triangles meet one way than the other, triangles turned against their neighbours, no volume. Empty for closed
-/// meshes. Vertices at one place count as one; triangles without area, which close nothing and open nothing, are passed
-/// over.
+/// meshes. Vertices at one position count as one; triangles without area, which close nothing and open nothing, are
+/// passed over.
 std::vector<std::string> closedness_faults(const TriangleMesh& mesh);
 
 /// A closed mesh that says what is inside it. A point is inside where the surface winds around it a number of times

@@ -9,15 +9,15 @@
 
 namespace meristem {
 
-/// A change of the midrib's direction between two places.
+/// A change of the midrib's direction between two positions.
 struct LocalTurn {
-  double from = 0.5;  ///< place along the midrib where it begins, 0 to 1
+  double from = 0.5;  ///< position along the midrib where it begins, 0 to 1
   double to = 0.6;    ///< and where it ends, at least `from`; equal: a kink
   double angle = 0;   ///< radians by which all beyond is turned; positive: away from the stem, down
 };
 
-/// The leaf with all these turns; each is spread evenly between its places. Its pieces keep their lengths. Throws
-/// std::invalid_argument for places out of range.
+/// The leaf with all these turns; each is spread evenly between its positions. Its pieces keep their lengths. Throws
+/// std::invalid_argument for positions out of range.
 GrassLeaf turned(const GrassLeaf& leaf, const std::vector<LocalTurn>& turns);
 
 /// The leaf turned as a whole about its collar, until it leaves the stem at `angle` radians.

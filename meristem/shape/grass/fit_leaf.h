@@ -34,7 +34,7 @@ struct FittedWidths {
   std::vector<double> r;    ///< share of the largest at the points of equal pieces
   double width = 0;         ///< the largest, as measured
   double length = 0;        ///< the last place, as measured
-  bool are_shares = false;  ///< the places are shares of the length: they end at 1, or from 0.9 on
+  bool are_shares = false;  ///< the positions are shares of the length: they end at 1, or from 0.9 on
   /// Whether the widths are shares, too: their largest is about 1.
   bool are_widths_shares() const { return are_shares && width > 0.9 && width < 1.01; }
   bool was_turned = false;  ///< they ran from the tip to the base
@@ -53,7 +53,7 @@ struct FittedLeaf {
 };
 
 /// Both together. Each is taken over its own length from base to tip, since those who digitise leaves that stand catch
-/// less than all of them. Where the places of the widths are shares, the leaf is as long as its midrib; else as the
+/// less than all of them. Where the positions of the widths are shares, the leaf is as long as its midrib; else as the
 /// blade along which widths were measured.
 FittedLeaf fit_leaf(const MeasuredCurve& midrib, const MeasuredCurve& widths, const FitOptions& options = {});
 

@@ -23,23 +23,23 @@ struct EdgeWaves {
 /// What bends the blade's sections. Angles in radians.
 struct GrassBlade {
   double twist = 0;                                        ///< torsion about the midrib from base to tip
-  Curve twist_along{{{0, 0}, {1, 1}}, CurveKind::linear};  ///< share of it that is reached, over the place
+  Curve twist_along{{{0, 0}, {1, 1}}, CurveKind::linear};  ///< share of it that is reached, over the position
   double fold = 0;                                         ///< by which each half is raised about the midrib, a V
   double roll = 0;  ///< bend from edge to edge where the blade is widest; raised, the edges rise more
   EdgeWaves waves;
   int across = 2;           ///< quads from edge to edge, an even number
   double clasp = 0;         ///< share of the length over which the blade unrolls from the sheath's round
   double clasp_radius = 0;  ///< of that round, metres; 0: it begins as it goes on
-  /// Moves the point at the place s (0 to 1) and u (-0.5 to 0.5 across): away from the stem, along it, and across, in
-  /// widths of the blade. Empty: not at all. The source's f, g and h.
+  /// Moves the point at the position s (0 to 1) and u (-0.5 to 0.5 across): away from the stem, along it, and across,
+  /// in widths of the blade. Empty: not at all. The source's f, g and h.
   std::function<DVec3(double s, double u)> displace;
 };
 
-/// Torsion at a place, radians.
+/// Torsion at a position, radians.
 double torsion(const GrassBlade& blade, double place);
 
 /// By how much twist, waves, clasp and displacement move the edges and the midrib away from those of a flat blade:
-/// lists of one number a point of the leaf, in lengths, for a reduction to keep. None where nothing does.
+/// lists of one number per point of the leaf, in lengths, for a reduction to keep. None where nothing does.
 std::vector<std::vector<double>> blade_relief(const GrassLeaf& leaf, const GrassBlade& blade);
 
 /// The blade on all points of the leaf (smooth normals, front face up; u across, 0 to 1 where it is widest, v from base

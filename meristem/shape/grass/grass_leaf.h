@@ -14,11 +14,11 @@
 namespace meristem {
 
 /// A leaf as seen from its side: x leads away from the stem, y along it, toward the stem's tip. The four lists have one
-/// number a point of the midrib, at least two points, from the collar at (0, 0) to the tip.
+/// number per point of the midrib, at least two points, from the collar at (0, 0) to the tip.
 struct GrassLeaf {
   double length = 1;      ///< of the midrib, metres
   double width = 0.1;     ///< across at the widest, metres
-  std::vector<double> s;  ///< place along the midrib, rising from 0 to 1
+  std::vector<double> s;  ///< position along the midrib, rising from 0 to 1
   std::vector<double> x;  ///< in lengths
   std::vector<double> y;  ///< in lengths
   std::vector<double> r;  ///< width there as a share of the widest, 0 to 1
@@ -43,14 +43,14 @@ std::vector<double> piece_angles(const GrassLeaf& leaf);
 /// Puts the midrib together anew from the angles of its pieces; each keeps its length.
 void set_piece_angles(GrassLeaf& leaf, const std::vector<double>& angles);
 
-/// Gives the leaf a midrib of equal pieces with these angles; nothing is said of its places and widths.
+/// Gives the leaf a midrib of equal pieces with these angles; nothing is said of its positions and widths.
 void lay_even_pieces(GrassLeaf& leaf, const std::vector<double>& angles);
 
 /// The leaf with `pieces` pieces of equal length along the midrib. Each takes the direction that the midrib has over
 /// its middle, so length and shape are kept, and a leaf of that many equal pieces stays as it is.
 GrassLeaf resampled(const GrassLeaf& leaf, std::size_t pieces);
 
-/// The number at `place` along the leaf in a list of one a point, linear between points.
+/// The number at `place` along the leaf in a list of one per point, linear between points.
 double along_leaf(const GrassLeaf& leaf, const std::vector<double>& list, double place);
 
 /// The direction at `place`, from the angles of the pieces, linear between their middles and the same beyond the

@@ -10,7 +10,7 @@
 
 namespace meristem {
 
-/// A leaf as an elastic strip that is held at its collar. Its stiffness at a place is that of its base, times its
+/// A leaf as an elastic strip that is held at its collar. Its stiffness at a position is that of its base, times its
 /// width over the largest, times the cube of its thickness over that at the base.
 struct LeafStrip {
   /// Of the base: bending stiffness per metre of width, over weight per square metre times the cubed length. Raised,

@@ -28,7 +28,7 @@ struct MeasuredCurve {
 /// check_midrib, by their lines.
 std::vector<MeasuredCurve> read_midribs(std::string_view text, const Limits& limits);
 
-/// The same with the columns s (place from the base) and r (width, or share of the widest) and, if there, rank or
+/// The same with the columns s (distance from the base) and r (width, or share of the widest) and, if there, rank or
 /// rankclass, and lindex; faults as of check_widths. What runs from the tip to the base is turned about, with a warning
 /// each.
 std::vector<MeasuredCurve> read_widths(std::string_view text, const Limits& limits, std::vector<Diagnostic>& warnings);
@@ -37,9 +37,9 @@ std::vector<MeasuredCurve> read_widths(std::string_view text, const Limits& limi
 /// length), or numbers that are not finite or above 1e9.
 void check_midrib(const MeasuredCurve& midrib);
 
-/// Throws an InputError if widths have fewer than 3 rows, places that neither rise nor fall all along, two equal
-/// places (as of midribs), numbers that are not finite or above 1e9, a place below 0, a width below 0, or no width
-/// above 0.
+/// Throws an InputError if widths have fewer than 3 rows, positions that neither rise nor fall all along, two equal
+/// positions (as of midribs), numbers that are not finite or above 1e9, a position below 0, a width below 0, or no
+/// width above 0.
 void check_widths(const MeasuredCurve& widths);
 
 /// Whether widths are listed from the tip to the base (falling s), or measured from the tip (narrow where s begins and

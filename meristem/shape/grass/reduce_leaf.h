@@ -17,7 +17,7 @@ struct ReductionOrder {
 
 /// The inner point goes first that is nearest to the chord between its present neighbours. Its error is
 /// sqrt(e_xy^2 + e_r^2), of the distances of (x, y) and of (s, r) from their chords; `also` are further functions of s,
-/// as shares of the length with a number a point, that count in the same way (the edge's height where a blade is
+/// as shares of the length with a number per point, that count in the same way (the edge's height where a blade is
 /// twisted). Ties: the lower index. Throws std::invalid_argument for lists of other lengths, fewer than 2 points, and
 /// numbers that are not finite. Cost: n log n. Based on: Fournier and Pradal (2012), section 2.6.
 ReductionOrder reduction_order(const GrassLeaf& leaf, const std::vector<std::vector<double>>& also = {});

@@ -28,7 +28,7 @@ struct BodyBricks {
   std::vector<Parts> parts;  ///< as chunks
   double error = 0;          ///< metres that values near the surface may be off
 
-  /// The middle of a brick, from which its places count while sampled.
+  /// The middle of a brick, from which its positions count while sampled.
   DVec3 centre(glm::ivec3 brick) const {
     return grid.origin + grid.cell * (static_cast<double>(kBrickSide) * DVec3(brick) + 0.5 * (kBrickSide - 1));
   }

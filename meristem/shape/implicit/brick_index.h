@@ -10,7 +10,7 @@
 
 namespace meristem {
 
-/// A brick's place in a BrickGrid.
+/// A brick's position in a BrickGrid.
 struct BrickNumber {
   std::uint32_t chunk = 0xffffffffU;
   std::uint32_t brick = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The unit cube that marching cubes looks at: its eight corners, twelve edges and six faces, by number.
 //
-// Corner c lies at (c & 1, c >> 1 & 1, c >> 2 & 1). Edge 4 * axis + k runs along `axis`; k is its place in the two
+// Corner c lies at (c & 1, c >> 1 & 1, c >> 2 & 1). Edge 4 * axis + k runs along `axis`; k is its position in the two
 // other axes, the earlier one counting 1 and the later one 2. Face 2 * axis + side is the one where `axis` is `side`.
 #pragma once
 

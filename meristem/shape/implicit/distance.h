@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signed distances, negative inside, and the operations on them, at one place; without branches where compilers can
-// then do several places at once. T is float or double.
+// Signed distances, negative inside, and the operations on them, at one position; without branches where compilers can
+// then do several positions at once. T is float or double.
 //
 // Based on: F. Heuer: Algorithmische Erzeugung von 3D-Low-Poly-Bäumen (2022), equations 2.12 and 2.13; A. Pasko, V.
 // Savchenko: Blending operations for the functionally based constructive geometry (1994); I. Quilez: Smooth minimum
@@ -37,7 +37,7 @@ struct RoundCone {
     const T dz = z - origin.z;
     const T along = dx * axis.x + dy * axis.y + dz * axis.z;
     const T across2 = std::max(T(0), dx * dx + dy * dy + dz * dz - along * along);
-    // The nearest ball lies where the flank's normal from the place meets the axis.
+    // The nearest ball lies where the flank's normal from the position meets the axis.
     const T centre = std::min(std::max(along - std::sqrt(across2) * tangent, low), high);
     const T rest = along - centre;
     return std::sqrt(across2 + rest * rest) - (radius - slope * centre);

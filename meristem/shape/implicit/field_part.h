@@ -110,13 +110,13 @@ class FieldPruner {
   bool has_pasko_ = false;          // alone, it does not rise by what both its sides rise
 };
 
-/// Computes values at many places at once, in float relative to an origin near them. One thread uses one.
+/// Computes values at many positions at once, in float relative to an origin near them. One thread uses one.
 class FieldSampler {
  public:
   explicit FieldSampler(const ImplicitBody& body) : body_(body) {}
 
-  /// The values of the function of `steps` at `count` places relative to the origin of `near`, which has their solids
-  /// among others.
+  /// The values of the function of `steps` at `count` positions relative to the origin of `near`, which has their
+  /// solids among others.
   void sample(std::span<const FieldStep> steps, const NearSolids& near, const float* x, const float* y, const float* z,
               std::size_t count, float* values);
 

@@ -60,7 +60,7 @@ class ImplicitBody {
   ImplicitBody& blend(const ImplicitBody& other, BlendKind kind, double width);
 
   bool is_empty() const { return clauses_.empty(); }
-  /// The value at a place, of everything; +infinity for no body. Cost linear in solids.
+  /// The value at a position, of everything; +infinity for no body. Cost linear in solids.
   double value(DVec3 place) const;
   /// A box that holds the solids (of an intersection what both may share).
   DVec3 low() const { return low_; }

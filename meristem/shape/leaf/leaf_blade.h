@@ -31,7 +31,7 @@ struct LeafBlade {
   double teeth_lean = 0.6;           ///< 0 like a saw cut both ways, toward 1 steeper on the side of the tip
 
   double curl = 0;           ///< total bend of the midrib from joint to tip; positive: the tip sinks
-  double curl_across = 0;    ///< total bend across the widest place, from edge to edge; positive: the edges sink
+  double curl_across = 0;    ///< total bend across the widest point, from edge to edge; positive: the edges sink
   double fold = 0;           ///< angle by which each half is raised about the midrib, a V from above
   Curve profile;             ///< height over the distance from the midrib (0 to 1), both in shares of half the width
   int waves = 0;             ///< along each edge; each has at least four rows
@@ -43,7 +43,7 @@ struct LeafBlade {
   /// bay of the outline gets its row even where that takes more of them.
   int rows = 6;
   int across = 2;  ///< quads across, even, so that a row of points is the midrib
-  /// picture: the mesh is a convex hull of at most about `rows` edges a side, out of which the texture cuts the edge.
+  /// picture: the mesh is a convex hull of at most about `rows` edges per side, out of which the texture cuts the edge.
   Edge edge = Edge::shape;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Squared distances from many planes, weighted by area, as one quadratic function of a place.
+// Squared distances from many planes, weighted by area, as one quadratic function of a position.
 //
 // Based on: M. Garland, P. Heckbert: Surface Simplification Using Quadric Error Metrics (1997), section 4.
 #pragma once

@@ -7,11 +7,11 @@
 
 namespace meristem {
 
-/// The mesh with one normal a face, the low-poly look: no two triangles share a vertex. Uvs stay; tangents go.
+/// The mesh with one normal per face, the low-poly look: no two triangles share a vertex. Uvs stay; tangents go.
 /// Counts nothing into the caller's stage; throws Cancelled.
 Mesh flat_shaded(const Mesh& mesh, Progress& progress);
 
-/// The mesh with one normal a vertex, a mean of those of its triangles: exact for vertices on a sphere. Up where a
+/// The mesh with one normal per vertex, a mean of those of its triangles: exact for vertices on a sphere. Up where a
 /// vertex has no triangles with an area. Uvs stay; tangents go.
 Mesh smooth_shaded(const Mesh& mesh);
 

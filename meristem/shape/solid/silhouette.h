@@ -21,7 +21,7 @@ struct SilhouetteCorner {
 /// on the axis, with radius 0. For a silhouette without a fault.
 std::vector<SilhouetteCorner> silhouette_chain(const SolidOfRevolution& solid);
 
-/// Their places.
+/// Their positions.
 std::vector<glm::dvec2> corners_of(const std::vector<SilhouetteCorner>& chain);
 
 }  // namespace meristem

@@ -17,7 +17,7 @@ class MarkMap {
   explicit MarkMap(int pixels) : pixels_(pixels), values_(static_cast<std::size_t>(pixels) * pixels) {}
 
   /// Raises what lies within `reach` (half width and height, in widths of the tile) of `centre` to the value of `mark`
-  /// at places from -1 to 1 in both directions, where that is higher. Marks are at least about a pixel thick.
+  /// at positions from -1 to 1 in both directions, where that is higher. Marks are at least about a pixel thick.
   void add(Vec2 centre, Vec2 reach, FunctionRef<float(Vec2 place)> mark);
   float at(std::size_t index) const { return values_[index]; }
   /// Between the pixels around; u and v lie in [-1, 2).
@@ -28,7 +28,7 @@ class MarkMap {
   std::vector<float> values_;
 };
 
-/// `count` marks at random places, each drawn by `draw` from a key of its own.
+/// `count` marks at random positions, each drawn by `draw` from a key of its own.
 MarkMap scattered_marks(int pixels, int count, RandomKey key,
                         FunctionRef<void(MarkMap& map, Vec2 centre, RandomKey own, int number)> draw);
 

@@ -12,7 +12,7 @@ namespace meristem {
 
 inline constexpr float kThinnestTube = 1e-6F;  ///< metres: thinner tubes would have degenerate triangles
 
-/// As normalized_or, but in floats: it is asked for a million times a tree.
+/// As normalized_or, but in floats: it is asked for a million times per tree.
 inline Vec3 unit_or(Vec3 vector, Vec3 fallback) {
   const float square = glm::dot(vector, vector);
   return square > 1e-24F && square < 1e24F ? vector * (1 / std::sqrt(square)) : fallback;

@@ -28,7 +28,7 @@ struct LoftFault {
 };
 
 /// Why a surface cannot run through the section: no points, 2 in a ring, more than 1000, numbers that are not finite,
-/// neighbours at the same place, rings along a line or, seen against their area, crossing themselves. Empty where it
+/// neighbours at the same position, rings along a line or, seen against their area, crossing themselves. Empty where it
 /// can.
 std::optional<LoftFault> find_fault(const LoftSection& section);
 

@@ -52,7 +52,7 @@ struct TubeWear {
   bool left_out = false;  ///< they get no tubes; what stands on them is left out, too
 };
 
-/// All axes of a skeleton with their places in meshes.
+/// All axes of a skeleton with their positions in meshes.
 class TubePlan {
  public:
   /// `wear_of_axis` holds an index into `wears` for each axis; empty: all wear the first. The skeleton outlives the

@@ -179,6 +179,14 @@ Place value_place(const Place& variable, const Value& said) {
   return said.object() == nullptr ? variable : Place(variable, "value");
 }
 
+/// Of a file that is no longer than grammars are.
+std::string text_of_grammar(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return {};
+  if (std::filesystem::file_size(file, error) > kLongestGrammar || error) return {};
+  return read_file(file, kLongestGrammar);
+}
+
 }  // namespace
 
 VariableValues solve_variables(const Value* given, const Limits& limits) {
@@ -213,18 +221,6 @@ std::vector<Variable> read_variables(const Value* given, const VariableValues& s
   }
   return variables;
 }
-
-namespace {
-
-/// Of a file that is no longer than grammars are.
-std::string text_of_grammar(const std::string& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return {};
-  if (std::filesystem::file_size(file, error) > kLongestGrammar || error) return {};
-  return read_file(file, kLongestGrammar);
-}
-
-}  // namespace
 
 void warn_of_variables(const Value& root, const std::vector<Variable>& variables, ParameterReader& reader) {
   // Where there are faults, what is unused may be so because of them.

@@ -43,8 +43,7 @@ meristem::ComponentType thorn_component() {
   using meristem::Unit;
   const std::string doc = "A thorn with a ring of children near its tip.";
   return meristem::define_component<Thorn>({
-      .name = "thorn",
-      .doc = doc,
+      .traits = {.name = "thorn", .doc = doc},
       .parameters = meristem::Table<Thorn>("a thorn", doc)
                         .number("length", &Thorn::length, {.unit = Unit::metre, .min = 0.001, .max = 10}, "To its tip.")
                         .number("radius", &Thorn::radius, {.unit = Unit::metre, .min = 1e-5, .max = 1}, "At its base.")

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """The programs that the manual's page on C++ shows are those that the tests build and run, each as a whole and only
-those. Usage: listings_test.py REPOSITORY
+those; and the headers and folders that it names are installed. Usage: listings_test.py REPOSITORY
 """
 
 import pathlib
@@ -9,6 +9,9 @@ import re
 import sys
 
 repository = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(repository / "tests/architecture"))
+import include_rule  # noqa: E402
+
 page = repository / "docs/manual/cpp.md"
 programs = {path.name: path.read_text(encoding="utf-8") for path in (repository / "tests/consumer").glob("*.cpp")}
 licence = "// SPDX-License-Identifier: Apache-2.0\n"
@@ -25,4 +28,10 @@ for block in re.finditer(r"^```cpp\n(.*?)^```", text, re.MULTILINE | re.DOTALL):
 for name in programs:
     failures += 1
     print(f"{page}: does not show {name} as it is")
+installed = {f"{room}/{header}" for room in include_rule.ROOMS
+             for header in include_rule.room_lists(repository / "meristem" / room / "CMakeLists.txt")["HEADERS"]}
+for name in re.findall(r"`([a-z]+/[a-z_/]*(?:\.h|/))`", text):
+    if not any(header == name or (name.endswith("/") and header.startswith(name)) for header in installed):
+        failures += 1
+        print(f"{page}: names {name}, which is not installed")
 sys.exit(failures > 0)

@@ -179,7 +179,8 @@ const ParameterTable& turtle_table() {
           .number("thinner", &TurtleParameters::thinner, {.min = 0, .max = 1, .usual = {0.4, 1}, .above_min = true},
                   "Factor on the radius at each ! without a parameter; each # without one divides the radius by it.")
           .vector("tropism", &TurtleParameters::tropism, {.min = -100, .max = 100, .usual = {-1, 1}},
-                  "Direction toward which segments bend; the bend is proportional to the vector's length.")
+                  "Direction toward which segments bend; by default, straight down. The bend is proportional to the "
+                  "vector's length.")
           .number(
               "elasticity", &TurtleParameters::elasticity, {.min = -10, .max = 10, .usual = {-0.5, 0.5}},
               "Bend of each segment toward the tropism, in radians where it is at right angles; negative bends away.");

@@ -10,6 +10,7 @@
 #include "meristem/document/tables.h"
 #include "meristem/graph/component.h"
 #include "meristem/graph/crown_placement.h"
+#include "meristem/graph/link.h"
 #include "meristem/graph/placement.h"
 #include "tests/support/check_sentence.h"
 
@@ -28,8 +29,8 @@ void collect(const ParameterTable& table, std::vector<const ParameterTable*>& ta
 std::vector<const ParameterTable*> all_tables(const Registry& registry) {
   std::vector<const ParameterTable*> tables;
   for (const ComponentType& type : registry.types()) collect(type.parameters, tables);
-  for (const ParameterTable* table :
-       {&head_table(), &variable_table(), &limits_table(), &placement_table(), &crown_placement_table()}) {
+  for (const ParameterTable* table : {&head_table(), &variable_table(), &limits_table(), &link_table(),
+                                      &placement_table(), &crown_placement_table()}) {
     collect(*table, tables);
   }
   return tables;

@@ -11,13 +11,13 @@ namespace meristem {
 const ParameterTable& link_table() {
   static const ParameterTable table =
       Table<LinkHead>("a link", "Joins two components: the child stands on the parent.")
-          .text("from", &LinkHead::from, "The parent's id.")
+          .text("from", &LinkHead::from, "Id of the parent, which bears the child.")
           .required()
-          .text("to", &LinkHead::to, "The child's id.")
+          .text("to", &LinkHead::to, "Id of the child, which stands on the parent.")
           .required()
           .choice("kind", &LinkHead::kind, {"child", "branch", "leaf", "crown"},
-                  "child: where the parent's geometry ends; branch: along the parent's stems or ribs; leaf: where a "
-                  "recursion ends, or at the tips of stems; crown: in the crown body of the parent's stems.");
+                  "Where children stand: 'child' where the parent ends, 'branch' along its stems or ribs, 'leaf' at "
+                  "tips or where a recursion ends, 'crown' in its crown body.");
   return table;
 }
 

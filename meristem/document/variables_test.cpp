@@ -108,11 +108,11 @@ TEST(Variables, NameTheNearestOfAnUnknownName) {
 
 TEST(Variables, AreOneNumberForAll) {
   EXPECT_EQ(faults_of(with(R"("a": "rand() + 1")", "a")),
-            "d.json:2:20: variables.a: 'value' is one number for all instances, and this expression differs between "
-            "them; expected an expression of numbers and the document's variables");
+            "d.json:2:20: variables.a: 'value' is one number (only those of components vary), and this expression "
+            "differs between instances; expected an expression of numbers and the document's variables");
   EXPECT_EQ(faults_of(with(R"("a": "u", "b": "a")", "b")),
-            "d.json:2:20: variables.a: 'value' is one number for all instances, and this expression differs between "
-            "them; expected an expression of numbers and the document's variables");
+            "d.json:2:20: variables.a: 'value' is one number (only those of components vary), and this expression "
+            "differs between instances; expected an expression of numbers and the document's variables");
 }
 
 TEST(Variables, WithoutAFiniteValueAreFaults) {

@@ -56,9 +56,9 @@ meristem::ComponentType thorn_component() {
 
 const std::string kDocument = R"({
   "meristem": 1,
-  "variables": {"arms": 4},
+  "variables": {"arms": 3},
   "components": {
-    "thorn": {"type": "thorn", "number": "arms", "recursion": 4, "length": "0.5 ^ depth", "radius": [0.02, 0.05]},
+    "thorn": {"type": "thorn", "number": "arms", "recursion": 3, "length": "0.5 ^ depth", "radius": [0.02, 0.05]},
     "fruit": {"type": "simple", "shape": "sphere", "size": [0.04, 0.04, 0.04], "colour": "#b03020"}
   },
   "links": [["thorn", "thorn"], {"from": "thorn", "to": "fruit", "kind": "leaf"}]
@@ -77,5 +77,5 @@ int main() {
   const meristem::GrownDocument grown = meristem::grow_document(document, progress);
   std::printf("%zu organs\n", grown.plant.organs.size());
   meristem::write_obj(grown.meshes, "thorns.obj", {}, progress);
-  return grown.plant.organs.size() == 1 + 4 + 16 + 64 + 256 ? 0 : 1;
+  return grown.plant.organs.size() == 1 + 3 + 9 + 27 ? 0 : 1;
 }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <benchmark/benchmark.h>
+#include <unistd.h>
 
 namespace meristem::bench {
 
@@ -55,7 +56,8 @@ inline std::string short_number(double value) {
 
 class TableReporter : public benchmark::ConsoleReporter {
  public:
-  explicit TableReporter(std::vector<Asked> asked) : asked_(std::move(asked)) {}
+  explicit TableReporter(std::vector<Asked> asked)
+      : ConsoleReporter(isatty(STDOUT_FILENO) != 0 ? OO_Color : OO_None), asked_(std::move(asked)) {}
 
   void ReportRuns(const std::vector<Run>& runs) override {
     ConsoleReporter::ReportRuns(runs);

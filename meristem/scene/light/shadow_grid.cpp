@@ -5,6 +5,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
+#include <utility>
+
+#include "meristem/base/parallel.h"
 
 namespace meristem {
 
@@ -51,15 +54,63 @@ void check(const ShadowForm& form) {
   require(std::abs(glm::dot(light, light) - 1) < 1e-3, "ShadowForm::toward_light is no unit vector");
 }
 
+constexpr std::size_t kAskedAtOnce = 16;  // places
+constexpr int kKeyBits = 21;
+constexpr std::uint64_t kPartOfKey = (1U << kKeyBits) - 1;
+constexpr std::size_t kFew = 64;         // shaders
+constexpr std::size_t kTogether = 8192;  // shaders, so that little is cast past a limit or after a stop
+
 }  // namespace
 
-std::size_t ShadowGrid::Hash::operator()(const BrickPlace& place) const {
+std::size_t ShadowGrid::Bricks::home_of(const BrickPlace& place) const {
   std::uint64_t bits = 0;
   for (const std::int32_t k : place) {
     bits = (bits ^ static_cast<std::uint32_t>(k)) * 0x9E3779B97F4A7C15U;
     bits ^= bits >> 32;
   }
-  return bits;
+  return static_cast<std::size_t>(bits) & (table_.size() - 1);
+}
+
+/// Where a brick stands in the table, or would.
+std::size_t ShadowGrid::Bricks::entry_of(const BrickPlace& place) const {
+  std::size_t at = home_of(place);
+  while (table_[at].brick != kNone && !is_same(table_[at].place, place)) at = (at + 1) & (table_.size() - 1);
+  return at;
+}
+
+ShadowGrid::Brick& ShadowGrid::Bricks::add(const BrickPlace& place) {
+  if (2 * (size() + 1) > table_.size()) {
+    const std::vector<Entry> before =
+        std::exchange(table_, std::vector<Entry>(std::max<std::size_t>(2 * table_.size(), 16)));
+    for (const Entry& entry : before) {
+      if (entry.brick != kNone) table_[entry_of(entry.place)] = entry;
+    }
+  }
+  Entry& entry = table_[entry_of(place)];
+  if (entry.brick != kNone) return bricks_[entry.brick];
+  entry.place = place;
+  if (free_.empty()) {
+    entry.brick = static_cast<std::uint32_t>(bricks_.size());
+    return bricks_.emplace_back();
+  }
+  entry.brick = free_.back();
+  free_.pop_back();
+  return bricks_[entry.brick];
+}
+
+void ShadowGrid::Bricks::erase(const BrickPlace& place) {
+  std::size_t hole = entry_of(place);
+  free_.push_back(table_[hole].brick);
+  // Bring back those behind it that could not stand there because of it.
+  for (std::size_t at = (hole + 1) & (table_.size() - 1); table_[at].brick != kNone;
+       at = (at + 1) & (table_.size() - 1)) {
+    const std::size_t way_from_home = (at - home_of(table_[at].place)) & (table_.size() - 1);
+    const std::size_t way_from_hole = (at - hole) & (table_.size() - 1);
+    if (way_from_home < way_from_hole) continue;
+    table_[hole] = table_[at];
+    hole = at;
+  }
+  table_[hole] = {};
 }
 
 ShadowGrid::ShadowGrid(const ShadowForm& form) : form_(form) {
@@ -113,47 +164,194 @@ bool ShadowGrid::reaches(Vec3 place) const {
   return std::abs(place.x) <= farthest && std::abs(place.y) <= farthest && std::abs(place.z) <= farthest;
 }
 
-void ShadowGrid::change(Vec3 place, double weight, int sign) {
-  require(std::abs(weight) * form_.amount <= kMostShade, "the weight of a shader is out of range");
-  const Voxel shader = voxel_at(place);
-  std::array<std::uint64_t, kDeepest + 1> amounts;
-  for (std::size_t q = 0; q < layers_.size(); ++q) {
-    amounts[q] = static_cast<std::uint64_t>(sign * rounded(weight * layers_[q].shade * kOne));
-  }
-  BrickPlace low;
-  BrickPlace high;
-  for (int k = 0; k < 3; ++k) {
-    low[k] = static_cast<std::int32_t>((shader[k] + bounds_.low[k]) >> kBits);
-    high[k] = static_cast<std::int32_t>((shader[k] + bounds_.high[k]) >> kBits);
-  }
-  for (std::int32_t z = low[2]; z <= high[2]; ++z) {
-    for (std::int32_t y = low[1]; y <= high[1]; ++y) {
-      for (std::int32_t x = low[0]; x <= high[0]; ++x) change_brick({x, y, z}, shader, amounts.data());
+/// Shaders with what they cast in each layer, by the bricks that they are in.
+struct ShadowGrid::Together {
+  std::vector<Voxel> voxels;
+  std::vector<std::uint64_t> amounts;  // by shader and layer
+  std::vector<Group> groups;
+  std::array<std::vector<Fall>, kSlabs> falls;  // what each slab gets
+  std::size_t layers;
+
+  const std::uint64_t* amounts_of(std::size_t shader) const { return amounts.data() + shader * layers; }
+};
+
+/// Casts what falls on the bricks of one slab. A group's shaders reach the same bricks around theirs, so each of these
+/// is looked up once for all of them.
+class ShadowGrid::SlabCaster {
+ public:
+  SlabCaster(const ShadowGrid& grid, const Together& together, Bricks& bricks, std::atomic<std::uint64_t>& made,
+             std::uint64_t most_made, const Progress& progress)
+      : grid_(grid), together_(together), bricks_(bricks), made_(made), most_made_(most_made), progress_(progress) {
+    for (int k = 0; k < 3; ++k) {
+      first_[k] = grid.bounds_.low[k] >> kBits;
+      count_[k] = ((kSide - 1 + grid.bounds_.high[k]) >> kBits) - first_[k] + 1;
     }
+    near_.resize(static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]));
+  }
+
+  void cast(const Fall& fall) {
+    const Group& group = together_.groups[fall.group];
+    std::fill(near_.begin(), near_.end(), nullptr);
+    z_ = fall.z;
+    for (std::uint32_t shader = group.begin; shader < group.end; ++shader) {
+      progress_.check();  // the deepest pyramids take a millisecond each
+      const Voxel& voxel = together_.voxels[shader];
+      const std::uint64_t* const amounts = together_.amounts_of(shader);
+      for (std::size_t q = 0; q < together_.layers; ++q) {
+        if (amounts[q] != 0) cast_layer(group, voxel, grid_.layers_[q].block, amounts[q]);
+      }
+    }
+    for (std::size_t k = 0; k < near_.size(); ++k) {
+      if (near_[k] != nullptr && near_[k]->sum == 0) unsummed_.push_back(place_of(group, k));
+    }
+  }
+
+  /// Lets go of the bricks where no shade is left.
+  void drop_empty() {
+    for (const BrickPlace& place : unsummed_) {
+      const Brick* const found = bricks_.find(place);
+      // The sum may wrap to 0 over voxels that are not.
+      if (found == nullptr || found->sum != 0) continue;
+      const auto& shade = found->shade;
+      if (std::all_of(shade.begin(), shade.end(), [](std::uint64_t s) { return s == 0; })) bricks_.erase(place);
+    }
+  }
+
+ private:
+  void cast_layer(const Group& group, const Voxel& voxel, const Block& layer, std::uint64_t amount) {
+    // The layer's voxels, counted from the first of the group's brick.
+    std::array<int, 3> low;
+    std::array<int, 3> high;
+    for (int k = 0; k < 3; ++k) {
+      low[k] = static_cast<int>(voxel[k] & kMask) + layer.low[k];
+      high[k] = static_cast<int>(voxel[k] & kMask) + layer.high[k];
+    }
+    Block part;
+    part.low[2] = std::max(low[2] - kSide * z_, 0);
+    part.high[2] = std::min(high[2] - kSide * z_, kSide - 1);
+    if (part.low[2] > part.high[2]) return;
+    for (int y = low[1] >> kBits; y <= high[1] >> kBits; ++y) {
+      part.low[1] = std::max(low[1] - kSide * y, 0);
+      part.high[1] = std::min(high[1] - kSide * y, kSide - 1);
+      for (int x = low[0] >> kBits; x <= high[0] >> kBits; ++x) {
+        part.low[0] = std::max(low[0] - kSide * x, 0);
+        part.high[0] = std::min(high[0] - kSide * x, kSide - 1);
+        change_block(brick_at(group, x, y), part, amount);
+      }
+    }
+  }
+
+  BrickPlace place_of(const Group& group, std::size_t near) const {
+    const auto width = static_cast<std::size_t>(count_[0]);
+    return {group.brick[0] + first_[0] + static_cast<std::int32_t>(near % width),
+            group.brick[1] + first_[1] + static_cast<std::int32_t>(near / width), group.brick[2] + z_};
+  }
+
+  Brick& brick_at(const Group& group, int x, int y) {
+    const auto k = static_cast<std::size_t>((y - first_[1]) * count_[0] + x - first_[0]);
+    if (near_[k] != nullptr) return *near_[k];
+    const std::size_t before = bricks_.size();
+    near_[k] = &bricks_.add(place_of(group, k));
+    const bool is_new = bricks_.size() > before;
+    if (is_new && made_.fetch_add(1, std::memory_order_relaxed) >= most_made_) throw TooMuchMemory();
+    return *near_[k];
+  }
+
+  const ShadowGrid& grid_;
+  const Together& together_;
+  Bricks& bricks_;
+  std::atomic<std::uint64_t>& made_;
+  std::uint64_t most_made_;
+  const Progress& progress_;
+  std::array<int, 3> first_;  // brick that a group's shaders may reach, from theirs
+  std::array<int, 3> count_;
+  std::vector<Brick*> near_;  // those at z_, by x and y; null until something falls there
+  int z_ = 0;
+  std::vector<BrickPlace> unsummed_;
+};
+
+ShadowGrid::BrickPlace ShadowGrid::brick_of(const Voxel& voxel) {
+  return {static_cast<std::int32_t>(voxel[0] >> kBits), static_cast<std::int32_t>(voxel[1] >> kBits),
+          static_cast<std::int32_t>(voxel[2] >> kBits)};
+}
+
+void ShadowGrid::add(Vec3 place, double weight) {
+  const Shader shader{place, weight};
+  cast_together({&shader, 1}, Progress(), std::numeric_limits<std::uint64_t>::max());
+}
+
+void ShadowGrid::cast(std::span<const Shader> shaders, const Progress& progress, std::uint64_t most_bytes) {
+  for (std::size_t first = 0; first < shaders.size(); first += kTogether) {
+    cast_together(shaders.subspan(first, std::min(kTogether, shaders.size() - first)), progress,
+                  most_bytes / kBrickBytes);
   }
 }
 
-void ShadowGrid::change_brick(const BrickPlace& place, const Voxel& shader, const std::uint64_t* amounts) {
-  std::array<int, 3> from;  // the shader's voxel to the brick's first
-  for (int k = 0; k < 3; ++k) from[k] = static_cast<int>(std::int64_t{place[k]} * kSide - shader[k]);
-  Brick* brick = nullptr;
-  for (std::size_t q = 0; q < layers_.size(); ++q) {
-    // The part of the layer that lies in the brick.
-    Block part;
-    bool is_empty = amounts[q] == 0;
-    for (int k = 0; k < 3; ++k) {
-      part.low[k] = std::max(layers_[q].block.low[k] - from[k], 0);
-      part.high[k] = std::min(layers_[q].block.high[k] - from[k], kSide - 1);
-      is_empty = is_empty || part.low[k] > part.high[k];
-    }
-    if (is_empty) continue;
-    if (brick == nullptr) brick = &bricks_[place];
-    change_block(*brick, part, amounts[q]);
+void ShadowGrid::cast_together(std::span<const Shader> shaders, const Progress& progress, std::uint64_t most_bricks) {
+  progress.check();
+  // Bring them into the order of their bricks and voxels. Bricks far apart may have one key; then they take turns.
+  struct Placed {
+    std::uint64_t key;
+    std::uint32_t voxel;
+    std::uint32_t shader;
+  };
+  std::vector<Placed> order(shaders.size());
+  std::vector<Voxel> voxels(shaders.size());
+  for (std::size_t k = 0; k < shaders.size(); ++k) {
+    require(std::abs(shaders[k].weight) * form_.amount <= kMostShade, "the weight of a shader is out of range");
+    const Voxel voxel = voxel_at(shaders[k].place);
+    const auto part = [&](int axis) { return static_cast<std::uint64_t>(voxel[axis] >> kBits) & kPartOfKey; };
+    order[k] = {part(0) | part(1) << kKeyBits | part(2) << 2 * kKeyBits,
+                static_cast<std::uint32_t>(index_in_brick(voxel[0], voxel[1], voxel[2])),
+                static_cast<std::uint32_t>(k)};
+    voxels[k] = voxel;
   }
-  // The sum may wrap to 0 over voxels that are not.
-  if (brick == nullptr || brick->sum != 0) return;
-  const auto& shade = brick->shade;
-  if (std::all_of(shade.begin(), shade.end(), [](std::uint64_t s) { return s == 0; })) bricks_.erase(place);
+  std::sort(order.begin(), order.end(), [](const Placed& a, const Placed& b) {
+    if (a.key != b.key) return a.key < b.key;
+    return a.voxel != b.voxel ? a.voxel < b.voxel : a.shader < b.shader;
+  });
+
+  // Shaders in one voxel cast as one.
+  Together together;
+  together.layers = layers_.size();
+  together.voxels.reserve(order.size());
+  together.amounts.reserve(order.size() * layers_.size());
+  for (const Placed& placed : order) {
+    const Voxel& voxel = voxels[placed.shader];
+    if (together.voxels.empty() || together.voxels.back() != voxel) {
+      const BrickPlace brick = brick_of(voxel);
+      const auto index = static_cast<std::uint32_t>(together.voxels.size());
+      if (together.groups.empty() || !is_same(together.groups.back().brick, brick))
+        together.groups.push_back({brick, index, 0});
+      together.groups.back().end = index + 1;
+      together.voxels.push_back(voxel);
+      together.amounts.resize(together.amounts.size() + layers_.size(), 0);
+    }
+    std::uint64_t* const amounts = together.amounts.data() + together.amounts.size() - layers_.size();
+    for (std::size_t q = 0; q < layers_.size(); ++q) {
+      amounts[q] += static_cast<std::uint64_t>(rounded(shaders[placed.shader].weight * layers_[q].shade * kOne));
+    }
+  }
+  for (std::uint32_t k = 0; k < together.groups.size(); ++k) {
+    for (int z = bounds_.low[2] >> kBits; z <= (kSide - 1 + bounds_.high[2]) >> kBits; ++z) {
+      const BrickPlace above{0, 0, together.groups[k].brick[2] + z};
+      together.falls[static_cast<std::size_t>(slab_of(above))].push_back({k, z});
+    }
+  }
+
+  const std::uint64_t before = brick_count();
+  const std::uint64_t most_made = most_bricks > before ? most_bricks - before : 0;
+  std::atomic<std::uint64_t> made{0};
+  // A few are cast by one thread sooner than others are woken.
+  const std::size_t grain = shaders.size() < kFew ? kSlabs : 1;
+  parallel_for(kSlabs, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t slab = begin; slab < end; ++slab) {
+      if (together.falls[slab].empty()) continue;
+      SlabCaster caster(*this, together, bricks_[slab], made, most_made, progress);
+      for (const Fall& fall : together.falls[slab]) caster.cast(fall);
+      caster.drop_empty();
+    }
+  });
 }
 
 void ShadowGrid::change_block(Brick& brick, const Block& block, std::uint64_t amount) {
@@ -162,21 +360,61 @@ void ShadowGrid::change_block(Brick& brick, const Block& block, std::uint64_t am
     for (int y = block.low[1]; y <= block.high[1]; ++y) {
       std::uint64_t* const row = brick.shade.data() + index_in_brick(block.low[0], y, z);
       for (int x = 0; x < width; ++x) row[x] += amount;
-      brick.sum += amount * static_cast<std::uint64_t>(width);
+    }
+  }
+  const int rows = (block.high[1] - block.low[1] + 1) * (block.high[2] - block.low[2] + 1);
+  brick.sum += amount * static_cast<std::uint64_t>(width * rows);
+}
+
+std::size_t ShadowGrid::brick_count() const {
+  std::size_t count = 0;
+  for (const Bricks& slab : bricks_) count += slab.size();
+  return count;
+}
+
+const ShadowGrid::Brick* ShadowGrid::find(const BrickPlace& place) const {
+  return bricks_[static_cast<std::size_t>(slab_of(place))].find(place);
+}
+
+const ShadowGrid::Brick* ShadowGrid::find(const BrickPlace& place, Recent& recent) const {
+  const auto lane = static_cast<std::size_t>((place[0] & 1) | (place[1] & 1) << 1 | (place[2] & 1) << 2);
+  if (!is_same(recent.places_[lane], place)) {
+    recent.places_[lane] = place;
+    recent.bricks_[lane] = find(place);
+  }
+  return recent.bricks_[lane];
+}
+
+double ShadowGrid::shade(Vec3 place) const {
+  Recent recent;
+  double found = 0;
+  shade({&place, 1}, {&found, 1}, recent);
+  return found;
+}
+
+void ShadowGrid::shade(std::span<const Vec3> places, std::span<double> found, Recent& recent) const {
+  // All voxels of a few places are on their way from memory before the first is read.
+  std::array<const std::uint64_t*, kAskedAtOnce> voxels;
+  for (std::size_t first = 0; first < places.size(); first += kAskedAtOnce) {
+    const std::size_t count = std::min(kAskedAtOnce, places.size() - first);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Voxel voxel = voxel_at(places[first + k]);
+      const Brick* const brick = find(brick_of(voxel), recent);
+      voxels[k] = brick == nullptr ? nullptr : brick->shade.data() + index_in_brick(voxel[0], voxel[1], voxel[2]);
+      __builtin_prefetch(voxels[k]);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      found[first + k] = voxels[k] == nullptr ? 0 : as_number(*voxels[k]) / kOne;
     }
   }
 }
 
-double ShadowGrid::shade(Vec3 place) const {
-  const Voxel voxel = voxel_at(place);
-  const auto found =
-      bricks_.find({static_cast<std::int32_t>(voxel[0] >> kBits), static_cast<std::int32_t>(voxel[1] >> kBits),
-                    static_cast<std::int32_t>(voxel[2] >> kBits)});
-  if (found == bricks_.end()) return 0;
-  return as_number(found->second.shade[index_in_brick(voxel[0], voxel[1], voxel[2])]) / kOne;
+Vec3 ShadowGrid::brighter_way(Vec3 place) const {
+  Recent recent;
+  return brighter_way(place, recent);
 }
 
-Vec3 ShadowGrid::brighter_way(Vec3 place) const {
+Vec3 ShadowGrid::brighter_way(Vec3 place, Recent& recent) const {
   const Voxel voxel = voxel_at(place);
 
   // Look up the bricks around once.
@@ -190,8 +428,7 @@ Vec3 ShadowGrid::brighter_way(Vec3 place) const {
   for (int k = 0; k < 8; ++k) {
     const BrickPlace at{first[0] + (k & 1), first[1] + (k >> 1 & 1), first[2] + (k >> 2)};
     if (at[0] > last[0] || at[1] > last[1] || at[2] > last[2]) continue;
-    const auto found = bricks_.find(at);
-    if (found != bricks_.end()) bricks[k] = &found->second;
+    bricks[k] = find(at, recent);
   }
   const auto shade_at = [&](std::int64_t x, std::int64_t y, std::int64_t z) -> std::uint64_t {
     const Brick* const brick =
@@ -211,9 +448,6 @@ Vec3 ShadowGrid::brighter_way(Vec3 place) const {
   return total > 0 ? Vec3(sum / total) : Vec3(0);
 }
 
-std::size_t ShadowGrid::bytes() const {
-  constexpr std::size_t kLinks = 2 * sizeof(void*);  // of the map
-  return bricks_.size() * (sizeof(decltype(bricks_)::value_type) + kLinks);
-}
+std::size_t ShadowGrid::bytes() const { return brick_count() * kBrickBytes; }
 
 }  // namespace meristem

@@ -10,10 +10,15 @@
 #pragma once
 
 #include <array>
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
-#include <unordered_map>
+#include <deque>
+#include <limits>
+#include <span>
 #include <vector>
 
+#include "meristem/base/progress.h"
 #include "meristem/base/vec.h"
 
 namespace meristem {
@@ -29,29 +34,13 @@ struct ShadowForm {
   bool operator==(const ShadowForm&) const = default;
 };
 
+/// What casts shade.
+struct Shader {
+  Vec3 place{0};
+  double weight = 1;  ///< as often it casts its shade; below 0 it takes back what was cast
+};
+
 class ShadowGrid {
- public:
-  /// Throws std::invalid_argument for a form out of range.
-  explicit ShadowGrid(const ShadowForm& form);
-
-  /// Adds what a shader at `place` casts, `weight` times over; remove() of the same place and weight takes it back
-  /// exactly. Weights are kept to 2^-32 of a shade. Throws std::invalid_argument for places that are not finite or more
-  /// than 10^10 voxels away, and for weights that are not finite or cast over 10^6 shades.
-  void add(Vec3 place, double weight = 1) { change(place, weight, 1); }
-  void remove(Vec3 place, double weight = 1) { change(place, weight, -1); }
-  /// Whether a place is not too far away to cast and to ask.
-  bool reaches(Vec3 place) const;
-
-  /// The sum of what was cast on the place's voxel. From many threads at once, as brighter_way.
-  double shade(Vec3 place) const;
-  /// The way out of the shade: minus the mean of the unit vectors to the voxels around, weighted by their shade. The
-  /// more one-sided the shade, the longer, up to 1; zero where there is none or as much on every side.
-  Vec3 brighter_way(Vec3 place) const;
-
-  const ShadowForm& form() const { return form_; }
-  bool empty() const { return bricks_.empty(); }
-  std::size_t bytes() const;  ///< of shaded space
-
  private:
   static constexpr int kSide = 8;  // voxels of a brick
   using Voxel = std::array<std::int64_t, 3>;
@@ -61,9 +50,80 @@ class ShadowGrid {
     std::array<std::uint64_t, std::size_t{kSide} * kSide * kSide> shade{};
     std::uint64_t sum = 0;
   };
-  struct Hash {
-    std::size_t operator()(const BrickPlace& place) const;
+
+ public:
+  /// Bricks that were asked for before, of which all neighbours fit. For one thread, as long as nothing is cast.
+  class Recent {
+   public:
+    Recent() { places_.fill({std::numeric_limits<std::int32_t>::min(), 0, 0}); }
+
+   private:
+    friend class ShadowGrid;
+    std::array<BrickPlace, 8> places_;
+    std::array<const Brick*, 8> bricks_{};
   };
+
+  /// Throws std::invalid_argument for a form out of range.
+  explicit ShadowGrid(const ShadowForm& form);
+
+  /// Adds what a shader at `place` casts, `weight` times over; remove() of the same place and weight takes it back
+  /// exactly. Weights are kept to 2^-32 of a shade. Throws std::invalid_argument for places that are not finite or more
+  /// than 10^10 voxels away, and for weights that are not finite or cast over 10^6 shades.
+  void add(Vec3 place, double weight = 1);
+  void remove(Vec3 place, double weight = 1) { add(place, -weight); }
+  /// The same of many, on all threads. Throws TooMuchMemory before it takes more than `most_bytes`, and Cancelled; then
+  /// some of them are cast.
+  void cast(std::span<const Shader> shaders, const Progress& progress,
+            std::uint64_t most_bytes = std::numeric_limits<std::uint64_t>::max());
+  struct TooMuchMemory {};
+  /// Whether a place is not too far away to cast and to ask.
+  bool reaches(Vec3 place) const;
+
+  /// The sum of what was cast on the place's voxel. From many threads at once, as brighter_way.
+  double shade(Vec3 place) const;
+  /// The same of some places, as many as `found`; many places far apart are asked sooner than one by one.
+  void shade(std::span<const Vec3> places, std::span<double> found, Recent& recent) const;
+  /// The way out of the shade: minus the mean of the unit vectors to the voxels around, weighted by their shade. The
+  /// more one-sided the shade, the longer, up to 1; zero where there is none or as much on every side.
+  Vec3 brighter_way(Vec3 place, Recent& recent) const;
+  Vec3 brighter_way(Vec3 place) const;
+
+  const ShadowForm& form() const { return form_; }
+  bool empty() const { return brick_count() == 0; }
+  std::size_t bytes() const;  ///< of shaded space
+
+ private:
+  /// Bricks by their places. A small table leads to them, so that looking one up costs one look into memory.
+  class Bricks {
+   public:
+    std::size_t size() const { return bricks_.size() - free_.size(); }
+    /// Null where there is none.
+    const Brick* find(const BrickPlace& place) const { return table_.empty() ? nullptr : entry_at(entry_of(place)); }
+    Brick* find(const BrickPlace& place) {
+      return const_cast<Brick*>(static_cast<const Bricks*>(this)->find(place));  // NOLINT: it is ours to change
+    }
+    /// The one that is there, or a new one without shade; it stays where it is.
+    Brick& add(const BrickPlace& place);
+    /// Lets go of a brick without shade that is there.
+    void erase(const BrickPlace& place);
+
+   private:
+    static constexpr std::uint32_t kNone = ~0U;
+    struct Entry {
+      BrickPlace place{};
+      std::uint32_t brick = kNone;
+    };
+    std::size_t home_of(const BrickPlace& place) const;
+    std::size_t entry_of(const BrickPlace& place) const;
+    const Brick* entry_at(std::size_t entry) const {
+      return table_[entry].brick == kNone ? nullptr : &bricks_[table_[entry].brick];
+    }
+
+    std::vector<Entry> table_;  // linear probing, at most half in use; as many as a power of two, or none
+    std::deque<Brick> bricks_;
+    std::vector<std::uint32_t> free_;  // of them, for those that come next
+  };
+  static constexpr std::size_t kBrickBytes = sizeof(Brick) + 64;  // with what leads to it
   /// Voxels from `low` to `high`, both included; counted from a shader's own, or from a brick's first.
   struct Block {
     std::array<int, 3> low{};
@@ -79,8 +139,31 @@ class ShadowGrid {
     DVec3 toward;
   };
 
-  void change(Vec3 place, double weight, int sign);
-  void change_brick(const BrickPlace& place, const Voxel& shader, const std::uint64_t* amounts);
+  /// Bricks are kept by their z, so that threads can work on them side by side.
+  static constexpr int kSlabs = 16;
+  /// Shaders of one brick, one after another in those that are cast together.
+  struct Group {
+    BrickPlace brick;
+    std::uint32_t begin;
+    std::uint32_t end;
+  };
+  /// What a group casts on the bricks that are `z` from its own.
+  struct Fall {
+    std::uint32_t group;
+    int z;
+  };
+  struct Together;  // shaders that are cast together
+  class SlabCaster;
+
+  static bool is_same(const BrickPlace& a, const BrickPlace& b) {
+    return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2])) == 0;  // the comparison of arrays is a call
+  }
+  static int slab_of(const BrickPlace& place) { return place[2] & (kSlabs - 1); }
+  static BrickPlace brick_of(const Voxel& voxel);
+  void cast_together(std::span<const Shader> shaders, const Progress& progress, std::uint64_t most_bricks);
+  std::size_t brick_count() const;
+  const Brick* find(const BrickPlace& place) const;
+  const Brick* find(const BrickPlace& place, Recent& recent) const;
   static void change_block(Brick& brick, const Block& block, std::uint64_t amount);
   Voxel voxel_at(Vec3 place) const;
 
@@ -88,7 +171,7 @@ class ShadowGrid {
   std::vector<Layer> layers_;
   Block bounds_;  // of the layers
   std::vector<Neighbour> neighbours_;
-  std::unordered_map<BrickPlace, Brick, Hash> bricks_;
+  std::array<Bricks, kSlabs> bricks_;
 };
 
 }  // namespace meristem

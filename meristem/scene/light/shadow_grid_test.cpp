@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "meristem/base/math.h"
+#include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
 
 namespace meristem {
@@ -23,11 +24,6 @@ Vec3 voxel(int x, int y, int z) {
 ShadowForm form(Vec3 toward_light = kUp) {
   return {.voxel = kVoxel, .amount = 0.25, .base = 2, .depth = 3, .toward_light = toward_light, .reach = 2};
 }
-
-struct Shader {
-  Vec3 place;
-  double weight;
-};
 
 /// Shaders within some metres of `middle`.
 std::vector<Shader> crowd(int count, Vec3 middle) {
@@ -266,6 +262,68 @@ TEST(ShadowGrid, RefusesFormsOutOfRange) {
   EXPECT_TRUE(is_refused([](ShadowForm& f) { f.depth = 65; }));
   EXPECT_TRUE(is_refused([](ShadowForm& f) { f.reach = 5; }));
   EXPECT_TRUE(is_refused([](ShadowForm& f) { f.toward_light = {0, 0, 0}; }));
+}
+
+TEST(ShadowGrid, ManyAtOnceCastWhatTheyCastOneByOne) {
+  // Some of them twice in a voxel, some taken back at once, on any number of threads.
+  std::vector<Shader> shaders = crowd(2000, Vec3(0));
+  for (std::size_t k = 0; k < 500; ++k) shaders.push_back({shaders[k].place, -shaders[k].weight});
+  for (std::size_t k = 500; k < 700; ++k) shaders.push_back(shaders[k]);
+  ShadowGrid wanted(form());
+  for (const Shader& shader : shaders) wanted.add(shader.place, shader.weight);
+  for (const int threads : {1, 2, 3, 8}) {
+    const ThreadLimit limit(threads);
+    ShadowGrid grid(form());
+    grid.cast(shaders, Progress());
+    EXPECT_EQ(grid.bytes(), wanted.bytes());
+    for (const Shader& shader : shaders) {
+      ASSERT_EQ(grid.shade(shader.place), wanted.shade(shader.place));
+      ASSERT_EQ(grid.brighter_way(shader.place), wanted.brighter_way(shader.place));
+    }
+  }
+}
+
+TEST(ShadowGrid, ManyPlacesAreAskedAsEachAlone) {
+  ShadowGrid grid(form());
+  std::vector<Vec3> places;
+  for (const Shader& shader : crowd(300, Vec3(0))) {
+    grid.add(shader.place, shader.weight);
+    places.push_back(shader.place);
+    places.push_back(50.0F * shader.place);
+  }
+  std::vector<double> found(places.size());
+  ShadowGrid::Recent recent;
+  grid.shade(places, found, recent);
+  for (std::size_t k = 0; k < places.size(); ++k) EXPECT_EQ(found[k], grid.shade(places[k]));
+}
+
+TEST(ShadowGrid, CastsNoMoreThanItMayHold) {
+  const std::vector<Shader> shaders = crowd(2000, Vec3(0));
+  ShadowGrid whole(form());
+  whole.cast(shaders, Progress());
+  ShadowGrid enough(form());
+  EXPECT_NO_THROW(enough.cast(shaders, Progress(), whole.bytes()));
+  for (const int threads : {1, 8}) {
+    const ThreadLimit limit(threads);
+    ShadowGrid too_small(form());
+    EXPECT_THROW(too_small.cast(shaders, Progress(), whole.bytes() - 1), ShadowGrid::TooMuchMemory);
+  }
+}
+
+TEST(ShadowGrid, BricksComeAndGoInAnyOrder) {
+  // Many far apart, so that those that are looked for share a way in the table.
+  const RandomKey key(9);
+  ShadowGrid grid(form());
+  std::vector<Vec3> places;
+  for (std::uint64_t k = 0; k < 600; ++k) places.push_back(200.0F * key.direction(k));
+  for (const Vec3 place : places) grid.add(place);
+  for (std::size_t k = 0; k < places.size(); k += 2) grid.remove(places[k]);
+  ShadowGrid wanted(form());
+  for (std::size_t k = 1; k < places.size(); k += 2) wanted.add(places[k]);
+  EXPECT_EQ(grid.bytes(), wanted.bytes());
+  for (const Vec3 place : places) ASSERT_EQ(grid.shade(place), wanted.shade(place));
+  for (std::size_t k = 1; k < places.size(); k += 2) grid.remove(places[k]);
+  EXPECT_TRUE(grid.empty());
 }
 
 }  // namespace

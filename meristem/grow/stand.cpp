@@ -3,40 +3,55 @@
 
 #include <cstdint>
 
+#include "meristem/base/parallel.h"
+
 namespace meristem {
+
+namespace {
+
+constexpr std::size_t kMostBlocks = 256;  // of members that a thread takes at once
+
+std::size_t grain_of(std::size_t members) { return 1 + members / kMostBlocks; }
+
+}  // namespace
 
 void Stand::grow(Progress& progress) {
   std::vector<std::uint64_t> steps_left;
+  std::vector<std::size_t> growing;
   std::uint64_t steps = 0;
-  for (const auto& member : members_) {
-    steps_left.push_back(static_cast<std::uint64_t>(member->step_limit()));
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    steps_left.push_back(static_cast<std::uint64_t>(members_[k]->step_limit()));
     steps += steps_left.back();
+    if (steps_left.back() > 0) growing.push_back(k);
   }
   progress.begin("growing", steps);
-  // Let every member that may still grow take one step, round after round.
-  bool any_grows = steps > 0;
-  while (any_grows) {
-    any_grows = false;
+  std::vector<std::uint8_t> may_grow(members_.size(), 0);
+  while (!growing.empty()) {
     for (const Shared& shared : commons_) shared.commons->begin_round(progress);
-    for (std::size_t k = 0; k < members_.size(); ++k) {
-      if (steps_left[k] == 0) continue;
-      const bool may_grow = members_[k]->step(progress);
+    // Let every member that may still grow take one step.
+    parallel_for(growing.size(), grain_of(growing.size()), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) may_grow[growing[k]] = members_[growing[k]]->step(progress) ? 1 : 0;
+    });
+    for (const std::size_t k : growing) {
+      members_[k]->tell();
       // A member that ends early has done all of its share.
-      const std::uint64_t done = may_grow ? 1 : steps_left[k];
+      const std::uint64_t done = may_grow[k] != 0 ? 1 : steps_left[k];
       steps_left[k] -= done;
       progress.advance(done);
-      any_grows = any_grows || steps_left[k] > 0;
     }
+    std::erase_if(growing, [&](std::size_t k) { return steps_left[k] == 0; });
   }
 }
 
 std::vector<Skeleton> Stand::take_skeletons(Progress& progress) {
   commons_.clear();  // finishing needs memory, and nothing of what they competed for
-  std::vector<Skeleton> skeletons;
-  for (std::unique_ptr<Grower>& member : members_) {
-    skeletons.push_back(member->take_skeleton(progress));
-    member.reset();
-  }
+  std::vector<Skeleton> skeletons(members_.size());
+  parallel_for(members_.size(), grain_of(members_.size()), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      skeletons[k] = members_[k]->take_skeleton(progress);
+      members_[k].reset();
+    }
+  });
   return skeletons;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plants that grow together: round after round each takes one step, and what they compete for is brought up to date
-// between rounds, so that all of them see the same state and none is served first.
+// Plants that grow together: round after round all of them take a step side by side, each then tells what it has done,
+// and what they compete for is brought up to date before the next round. So all see the same state, none is served
+// first, and threads decide nothing.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +20,14 @@ class Grower {
   virtual ~Grower() = default;
   /// The most steps it will take; 0 for a member that does not grow.
   virtual int step_limit() const = 0;
-  /// Grows one step. Returns whether it may grow further; once it does not, step() is not called again.
+  /// Grows one step, while others do: it reads the commons and changes nothing but itself. Returns whether it may grow
+  /// further; once it does not, step() is not called again.
   virtual bool step(Progress& progress) = 0;
-  /// The finished skeleton, post-processed, with radii, axes and orders; called once, after the last step.
+  /// Tells the commons what the step has done; called after each one, once all have taken theirs, in the members'
+  /// order.
+  virtual void tell() {}
+  /// The finished skeleton, post-processed, with radii, axes and orders; called once, after the last step, while others
+  /// finish theirs.
   virtual Skeleton take_skeleton(Progress& progress) = 0;
 };
 
@@ -47,9 +53,8 @@ class Stand {
 
   void add(std::unique_ptr<Grower> member) { members_.push_back(std::move(member)); }
 
-  /// Grows all members together, one step after another in their order, until none can grow further or all have reached
-  /// their step limits. Passes on what members throw: InputError when one exceeds its limits, Cancelled when asked to
-  /// stop.
+  /// Grows all members together, step by step, until none can grow further or all have reached their step limits.
+  /// Passes on what members throw: InputError when one exceeds its limits, Cancelled when asked to stop.
   void grow(Progress& progress);
 
   /// The skeletons in the members' order; to be called once, after grow().

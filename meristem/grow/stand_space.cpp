@@ -12,11 +12,11 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kShootsPerCheck = 16;  // the deepest pyramids take a millisecond each
-constexpr double kLongestShoot = 1e5;        // voxels; longer ones cast no more shade
+constexpr std::size_t kShootsPerCheck = 16;
+constexpr double kLongestShoot = 1e5;  // voxels; longer ones cast no more shade
 
-void require_bytes(const char* what, std::size_t bytes, std::uint64_t most, const std::string& path) {
-  if (bytes > most) throw_limit(what, static_cast<double>(bytes), most, "mesh_bytes", path);
+[[noreturn]] void refuse_bytes(const char* what, std::uint64_t bytes, std::uint64_t most, const std::string& path) {
+  throw_limit(what, static_cast<double>(bytes), most, "mesh_bytes", path);
 }
 
 }  // namespace
@@ -38,6 +38,12 @@ MarkerField& StandSpace::markers(const MarkerForm& form, RandomKey key, const Ob
   return found->field;
 }
 
+void StandSpace::take(ShootChanges& changes) {
+  auto& shoots = changes_.shoots_;
+  shoots.insert(shoots.end(), changes.shoots_.begin(), changes.shoots_.end());
+  changes.shoots_.clear();
+}
+
 void StandSpace::begin_round(Progress& progress) {
   parallel_for(grids_.size() + fields_.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
@@ -48,34 +54,39 @@ void StandSpace::begin_round(Progress& progress) {
       }
     }
   });
-  shoots_.clear();
+  changes_.shoots_ = {};
   for (Field& field : fields_) share_out(field, progress);
 }
 
 void StandSpace::cast_shade(Grid& felt, const Progress& progress) const {
-  for (std::size_t k = 0; k < shoots_.size(); ++k) {
-    if (k % kShootsPerCheck == 0) {
-      progress.check();
-      require_bytes("bytes of shade", felt.grid.bytes(), felt.most_bytes, felt.path);
-    }
+  std::vector<Shader> shaders;
+  shaders.reserve(changes_.shoots_.size());
+  for (const ShootChanges::Shoot& shoot : changes_.shoots_) {
     // What is too far away for a fine grid is too far away to matter.
-    if (!felt.grid.reaches(shoots_[k].place)) continue;
-    const double weight = std::min(shoots_[k].length / felt.grid.form().voxel, kLongestShoot);
-    felt.grid.add(shoots_[k].place, shoots_[k].is_lost ? -weight : weight);
+    if (!felt.grid.reaches(shoot.place)) continue;
+    const double weight = std::min(shoot.length / felt.grid.form().voxel, kLongestShoot);
+    shaders.push_back({shoot.place, shoot.is_lost ? -weight : weight});
+  }
+  progress.check();
+  try {
+    felt.grid.cast(shaders, progress, felt.most_bytes);
+  } catch (const ShadowGrid::TooMuchMemory&) {
+    refuse_bytes("bytes of shade", felt.most_bytes + 1, felt.most_bytes, felt.path);
   }
 }
 
 void StandSpace::take_markers(Field& felt, const Progress& progress) const {
-  for (std::size_t k = 0; k < shoots_.size(); ++k) {
+  for (std::size_t k = 0; k < changes_.shoots_.size(); ++k) {
     if (k % kShootsPerCheck == 0) {
       progress.check();
-      require_bytes("bytes of markers", felt.field.bytes(), felt.most_bytes, felt.path);
+      if (felt.field.bytes() > felt.most_bytes)
+        refuse_bytes("bytes of markers", felt.field.bytes(), felt.most_bytes, felt.path);
     }
-    if (!felt.field.reaches(shoots_[k].place)) continue;
-    if (shoots_[k].is_lost) {
-      felt.field.vacate(shoots_[k].place);
+    if (!felt.field.reaches(changes_.shoots_[k].place)) continue;
+    if (changes_.shoots_[k].is_lost) {
+      felt.field.vacate(changes_.shoots_[k].place);
     } else {
-      felt.field.occupy(shoots_[k].place);
+      felt.field.occupy(changes_.shoots_[k].place);
     }
   }
 }
@@ -95,8 +106,7 @@ void StandSpace::share_out(Field& felt, Progress& progress) {
   try {
     felt.field.share_out(seekers, rooms, progress, felt.most_bytes);
   } catch (const MarkerField::TooMuchMemory&) {
-    throw_limit("bytes of markers in a round", static_cast<double>(felt.most_bytes) + 1, felt.most_bytes, "mesh_bytes",
-                felt.path);
+    refuse_bytes("bytes of markers in a round", felt.most_bytes + 1, felt.most_bytes, felt.path);
   }
   for (std::size_t k = 0; k < felt.seekers.size(); ++k) {
     felt.seekers[k]->take_room(std::span(rooms).subspan(first[k], first[k + 1] - first[k]));

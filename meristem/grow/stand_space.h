@@ -28,7 +28,26 @@ class RoomSeeker {
   virtual void take_room(std::span<const Room> rooms) = 0;
 };
 
-/// What plants do in a round is felt from the next one on.
+/// Where a plant has grown leafy shoots and lost them, one after another.
+class ShootChanges {
+ public:
+  /// A leafy shoot of `length` metres ends at a place (world space). One as long as a voxel casts one shade.
+  void grow(Vec3 place, double length) { shoots_.push_back({place, length, false}); }
+  /// One that was grown before is gone: light and room are as if it had never been.
+  void lose(Vec3 place, double length) { shoots_.push_back({place, length, true}); }
+
+ private:
+  friend class StandSpace;
+  struct Shoot {
+    Vec3 place{0};
+    double length = 0;
+    bool is_lost = false;
+  };
+  std::vector<Shoot> shoots_;
+};
+
+/// What plants do in a round is felt from the next one on. Plants tell of it once their step is done; while they step
+/// they only read.
 class StandSpace : public Commons {
  public:
   /// The grid of a form, the same one for equal forms; it stays where it is. Growth throws InputError at `path`, a
@@ -41,19 +60,14 @@ class StandSpace : public Commons {
   /// Whether anything is felt; if not, telling of shoots is lost work.
   bool is_felt() const { return !grids_.empty() || !fields_.empty(); }
 
-  /// A leafy shoot of `length` metres ends at a place (world space). One as long as a voxel casts one shade.
-  void grow_shoot(Vec3 place, double length) { shoots_.push_back({place, length, false}); }
-  /// One that was told of is gone: light and room are as if it had never been.
-  void lose_shoot(Vec3 place, double length) { shoots_.push_back({place, length, true}); }
+  void grow_shoot(Vec3 place, double length) { changes_.grow(place, length); }
+  void lose_shoot(Vec3 place, double length) { changes_.lose(place, length); }
+  /// Takes note of all `changes`, and empties them.
+  void take(ShootChanges& changes);
 
   void begin_round(Progress& progress) override;
 
  private:
-  struct Shoot {
-    Vec3 place{0};
-    double length = 0;
-    bool is_lost = false;
-  };
   struct Grid {
     ShadowGrid grid;
     std::uint64_t most_bytes = 0;
@@ -71,7 +85,7 @@ class StandSpace : public Commons {
 
   std::deque<Grid> grids_;
   std::deque<Field> fields_;
-  std::vector<Shoot> shoots_;
+  ShootChanges changes_;
 };
 
 }  // namespace meristem

@@ -11,16 +11,16 @@
 namespace meristem {
 namespace {
 
-// Grows for a number of steps and writes its name at each.
+// Grows for a number of steps and tells its name at each.
 class Counting : public Grower {
  public:
   Counting(char name, int steps, int limit, std::string& log) : name_(name), steps_(steps), limit_(limit), log_(log) {}
   int step_limit() const override { return limit_; }
   bool step(Progress& progress) override {
     progress.check();
-    log_ += name_;
     return --steps_ > 0;
   }
+  void tell() override { log_ += name_; }
   Skeleton take_skeleton(Progress&) override { return {}; }
 
  private:
@@ -30,7 +30,7 @@ class Counting : public Grower {
   std::string& log_;
 };
 
-TEST(Stand, MembersStepInTurnUntilEachIsDone) {
+TEST(Stand, MembersTellInTurnUntilEachIsDone) {
   std::string log;
   Stand stand;
   stand.add(std::make_unique<Counting>('a', 3, 10, log));

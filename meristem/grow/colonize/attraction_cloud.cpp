@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "meristem/base/parallel.h"
 #include "meristem/grow/colonize/approach.h"
 #include "meristem/scene/light_of_points.h"
 
@@ -15,6 +16,8 @@ namespace meristem {
 namespace {
 
 constexpr double kUnit = 274'877'906'944;  // 2^38: sums of up to 2^25 unit vectors fit into 64 bits
+
+constexpr std::size_t kTreesAtOnce = 64;
 
 std::int64_t in_units(double component) { return static_cast<std::int64_t>(component * kUnit); }
 
@@ -29,10 +32,10 @@ AttractionCloud::Tree AttractionCloud::join(Vec3 root, const std::vector<Vec3>& 
   member.offset = root - origin_;
   member.attraction = attraction;
   if (attraction.light.shade) member.shade = shade;
+  any_feels_shade_ = any_feels_shade_ || member.shade != nullptr;
   const auto reach = static_cast<float>(attraction.kill);
   member.kill2 = reach * reach;
   member.points = points.size();
-  points_.reserve(points_.size() + points.size());
   for (const Vec3 point : points) points_.push_back(point - origin_);
   add_node(tree, Vec3(0));
   return tree;
@@ -40,7 +43,7 @@ AttractionCloud::Tree AttractionCloud::join(Vec3 root, const std::vector<Vec3>& 
 
 void AttractionCloud::add_node(Tree tree, Vec3 position) {
   Member& member = trees_[tree];
-  new_nodes_.push_back({member.offset + position, tree, member.node_count++, 0});
+  new_nodes_.push_back({member.offset + position, tree, member.node_count++, 0, member.kill2});
 }
 
 std::optional<Vec3> AttractionCloud::nearest_point(Tree tree) const {
@@ -69,26 +72,23 @@ void AttractionCloud::begin_round(Progress& progress) {
   hand_over_pulls();
 }
 
-bool AttractionCloud::is_used_up(NodeIndex node, float distance2) const {
-  return distance2 <= trees_[nodes_[node].tree].kill2;
-}
-
 /// Uses points up, and sums up the others by node.
 void AttractionCloud::gather_still(NodeIndex first_new, bool kills) {
-  still_->sweep([&](Vec3 point, NodeIndex node, float distance2) {
-    const bool goes = kills && is_used_up(node, distance2);
-    Member& member = trees_[nodes_[node].tree];
-    if (!goes && is_too_dark(member, point)) return true;
-    if (goes || node >= first_new) ++member.advances;
+  const auto keeps = [&](Vec3 point, NodeIndex node, float distance2) {
+    const bool goes = kills && distance2 <= nodes_[node].kill2;
+    if (!goes && any_feels_shade_ && is_too_dark(trees_[nodes_[node].tree], point)) return true;
+    if (goes || node >= first_new) ++trees_[nodes_[node].tree].advances;
     if (!goes) add_pull(node, point);
     return !goes;
-  });
+  };
+  // Points side by side belong to nodes of many rounds, which lie far apart in memory.
+  still_->sweep(keeps, [&](NodeIndex node) { __builtin_prefetch(&nodes_[node]); });
 }
 
 /// The same of points that move in between: they pull from where they go to.
 void AttractionCloud::gather_moving(bool kills, const Progress& progress) {
   moving_->sweep([&](Vec3 point, NodeIndex node, float distance2) {
-    const bool goes = kills && is_used_up(node, distance2);
+    const bool goes = kills && distance2 <= nodes_[node].kill2;
     Member& member = trees_[nodes_[node].tree];
     if (goes) ++member.advances;
     if (!goes && !is_too_dark(member, point)) member.now_closest2 = std::min(member.now_closest2, distance2);
@@ -197,9 +197,8 @@ void AttractionCloud::take_new_nodes(Progress& progress) {
   new_nodes_.clear();
 }
 
-/// Hands the sums to their trees in the order of the nodes.
+/// Hands the sums to their trees, there in the order of the nodes.
 void AttractionCloud::hand_over_pulls() {
-  std::sort(sums_.begin(), sums_.end(), [](const Sum& a, const Sum& b) { return a.node < b.node; });
   for (const Sum& sum : sums_) {
     Node& node = nodes_[sum.node];
     node.sum = 0;
@@ -207,6 +206,12 @@ void AttractionCloud::hand_over_pulls() {
     trees_[node.tree].pulls.push_back({node.index, units / kUnit});
   }
   sums_.clear();
+  parallel_for(trees_.size(), kTreesAtOnce, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      std::sort(trees_[k].pulls.begin(), trees_[k].pulls.end(),
+                [](const Pull& a, const Pull& b) { return a.node < b.node; });
+    }
+  });
 }
 
 void AttractionCloud::add_pull(std::uint32_t index, Vec3 point) {

@@ -82,6 +82,7 @@ class AttractionCloud : public Commons {
     Tree tree = 0;
     NodeIndex index = 0;    // within its tree
     std::uint32_t sum = 0;  // its index in sums_ plus one while they are gathered, else 0
+    float kill2 = 0;        // of its tree, so that points need not look there
   };
   struct Sum {
     std::uint32_t node;
@@ -93,7 +94,6 @@ class AttractionCloud : public Commons {
   void start_moving();
   bool is_too_dark(const Member& member, Vec3 point) const;
   void take_new_nodes(Progress& progress);
-  bool is_used_up(NodeIndex node, float distance2) const;
   void gather_still(NodeIndex first_new, bool kills);
   void gather_moving(bool kills, const Progress& progress);
   static void note_closeness(Member& member);
@@ -102,6 +102,7 @@ class AttractionCloud : public Commons {
 
   const Scene* scene_ = nullptr;
   Vec3 origin_{0};
+  bool any_feels_shade_ = false;
   std::vector<Member> trees_;
   std::vector<Vec3> points_;  // until the first round; from then on they are in one of these
   std::optional<NearestNodes> still_;

@@ -18,6 +18,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/base/parallel.h"
 #include "meristem/grow/colonize/approach.h"
 #include "meristem/grow/colonize/attraction_cloud.h"
 #include "meristem/grow/colonize/child_places.h"
@@ -25,10 +26,12 @@
 #include "meristem/grow/colonize/growth_direction.h"
 #include "meristem/grow/stand_space.h"
 #include "meristem/plant/finish.h"
+#include "meristem/plant/join_skeletons.h"
 
 namespace meristem {
 namespace {
 
+constexpr std::size_t kTreesAtOnce = 4;
 constexpr int kBarrenSteps = 30;
 constexpr int kMostTurns = 4;
 // Length of the random vector added to the unit direction at a node's first turn; twice that at its second. Without
@@ -81,8 +84,10 @@ class Tree {
     note_node(kNoNode, Vec3(0));
   }
 
-  /// Returns whether the tree may grow further.
+  /// Returns whether the tree may grow further. Reads the cloud alone, so that trees may step side by side.
   bool step();
+  /// Tells cloud and space of the nodes of the step.
+  void tell();
   Skeleton take_skeleton() { return std::move(skeleton_); }
   Vec3 root() const { return root_; }
 
@@ -111,6 +116,7 @@ class Tree {
   AttractionCloud::Tree member_;
   Vec3 root_;
   Skeleton skeleton_;
+  NodeIndex told_ = 1;  // so many nodes are known to cloud and space; the root is from the start
   ChildPlaces places_;
   std::vector<std::uint8_t> turns_;  // by node
   Approach approach_;
@@ -194,10 +200,17 @@ std::optional<Vec3> Tree::place_child(const Pull& pull) {
 }
 
 void Tree::add_node(NodeIndex parent, Vec3 position) {
-  cloud_->add_node(member_, position);
-  if (space_->is_felt()) space_->grow_shoot(root_ + position, species_->parameters.step);
-  species_->require_nodes(cloud_->node_count(), "step");
+  species_->require_nodes(cloud_->node_count() + skeleton_.node_count() - told_ + 1, "step");
   note_node(parent, position);
+}
+
+void Tree::tell() {
+  for (; told_ < skeleton_.node_count(); ++told_) {
+    const Vec3 position = skeleton_.position[told_];
+    cloud_->add_node(member_, position);
+    if (space_->is_felt()) space_->grow_shoot(root_ + position, species_->parameters.step);
+    species_->require_nodes(cloud_->node_count(), "step");
+  }
 }
 
 void Tree::note_node(NodeIndex parent, Vec3 position) {
@@ -223,11 +236,14 @@ class Colonizer : public Grower {
       check_points(cloud.point_count() + seedlings[k].points.size());
       trees_.emplace_back(species_, cloud, space, seedlings[k], key.child("tree").child(k));
     }
-    grows_.assign(trees_.size(), true);
+    grows_.assign(trees_.size(), 1);
   }
 
   int step_limit() const override { return species_.parameters.iterations; }
   bool step(Progress& progress) override;
+  void tell() override {
+    for (Tree& tree : trees_) tree.tell();
+  }
   Skeleton take_skeleton(Progress& progress) override;
 
  private:
@@ -247,17 +263,18 @@ class Colonizer : public Grower {
 
   Species species_;
   std::vector<Tree> trees_;
-  std::vector<bool> grows_;  // by tree
+  std::vector<std::uint8_t> grows_;  // by tree, so that each can be written by a thread of its own
 };
 
 bool Colonizer::step(Progress& progress) {
   progress.check();
-  bool any_grows = false;
-  for (std::size_t k = 0; k < trees_.size(); ++k) {
-    if (grows_[k]) grows_[k] = trees_[k].step();
-    any_grows = any_grows || grows_[k];
-  }
-  return any_grows;
+  parallel_for(trees_.size(), kTreesAtOnce, [&](std::size_t begin, std::size_t end) {
+    progress.check();
+    for (std::size_t k = begin; k < end; ++k) {
+      if (grows_[k] != 0) grows_[k] = trees_[k].step() ? 1 : 0;
+    }
+  });
+  return std::ranges::count(grows_, 0) < static_cast<std::ptrdiff_t>(grows_.size());
 }
 
 /// Removes the points that lie in obstacles.
@@ -291,13 +308,15 @@ double total_length(const Skeleton& skeleton) {
 }
 
 Skeleton Colonizer::take_skeleton(Progress& progress) {
-  Skeleton all;
-  for (Tree& tree : trees_) {
-    Skeleton skeleton = finish(tree.take_skeleton(), progress);
-    for (Vec3& position : skeleton.position) position += tree.root();
-    all.append(std::move(skeleton));
-  }
-  return all;
+  std::vector<Skeleton> finished(trees_.size());
+  parallel_for(trees_.size(), kTreesAtOnce, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      progress.check();
+      finished[k] = finish(trees_[k].take_skeleton(), progress);
+      for (Vec3& position : finished[k].position) position += trees_[k].root();
+    }
+  });
+  return join_skeletons(std::move(finished));
 }
 
 Skeleton Colonizer::finish(Skeleton skeleton, Progress& progress) const {

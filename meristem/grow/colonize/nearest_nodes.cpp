@@ -2,6 +2,7 @@
 #include "meristem/grow/colonize/nearest_nodes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -13,7 +14,8 @@
 namespace meristem {
 namespace {
 
-constexpr int kPartLevel = 5;              // 32 parts at most
+constexpr int kPartLevel = 5;  // 32 parts at most
+constexpr std::size_t kCandidatesAtOnce = 1024;
 constexpr std::size_t kNodesToShare = 64;  // fewer new nodes are not worth a second thread
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
@@ -81,29 +83,72 @@ void NearestNodes::add_nodes(NodeIndex first, std::span<const NewNode> nodes, Pr
     candidates.within2.push_back(just_above(node.influence * node.influence));
     candidates.are_alike = candidates.are_alike && node.influence == nodes[0].influence;
   }
-  if (nodes.size() < kNodesToShare) {
+  if (nodes.size() >= kNodesToShare) return descend_in_parts(candidates, progress);
+  progress.check();
+  std::vector<std::uint32_t> all(nodes.size());
+  std::iota(all.begin(), all.end(), 0U);
+  start_descent(0, 0, all, candidates);
+}
+
+/// Sends each candidate to the parts that it may be near, and lets these be descended side by side. Parts are disjoint,
+/// so each may be written by a thread of its own.
+void NearestNodes::descend_in_parts(const Candidates& candidates, const Progress& progress) {
+  const std::size_t parts = influenced_.size();
+  const std::size_t count = candidates.x.size();
+  const std::size_t blocks = (count + kCandidatesAtOnce - 1) / kCandidatesAtOnce;
+  std::vector<std::vector<std::uint32_t>> near(blocks * parts);
+  parallel_for(count, kCandidatesAtOnce, [&](std::size_t begin, std::size_t end) {
     progress.check();
-    start_descent(0, 0, candidates);
-    return;
-  }
-  // Parts are disjoint, so each may be written by a thread of its own.
-  parallel_for(influenced_.size(), 1, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t>* const own = near.data() + begin / kCandidatesAtOnce * parts;
+    for (auto candidate = static_cast<std::uint32_t>(begin); candidate < end; ++candidate) {
+      // From the top of the tree down, so that far halves are passed by at once.
+      std::array<std::uint32_t, (1U << kPartLevel) + 1> open{0};
+      std::size_t open_count = is_near(0, candidate, candidates) ? 1 : 0;
+      while (open_count > 0) {
+        const std::uint32_t place = open[--open_count];
+        if (place >= parts - 1) {
+          own[place - (parts - 1)].push_back(candidate);
+          continue;
+        }
+        for (const std::uint32_t child : {2 * place + 1, 2 * place + 2}) {
+          open[open_count] = child;
+          open_count += is_near(child, candidate, candidates) ? 1 : 0;
+        }
+      }
+    }
+  });
+  parallel_for(parts, 1, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t> all;
     for (std::size_t part = begin; part < end; ++part) {
       progress.check();
-      start_descent(part_level_, static_cast<std::uint32_t>(part), candidates);
+      all.clear();
+      for (std::size_t block = 0; block < blocks; ++block) {
+        const std::vector<std::uint32_t>& some = near[block * parts + part];
+        all.insert(all.end(), some.begin(), some.end());
+      }
+      if (!all.empty()) start_descent(part_level_, static_cast<std::uint32_t>(part), all, candidates);
     }
   });
   for (std::uint32_t node = PointTree::place(part_level_, 0); node-- > 0;) join_halves(node);
 }
 
-void NearestNodes::start_descent(int level, std::uint32_t index, const Candidates& candidates) {
-  const std::size_t count = candidates.x.size();
+/// `near` are the candidates that may be near, by rising numbers.
+void NearestNodes::start_descent(int level, std::uint32_t index, std::span<const std::uint32_t> near,
+                                 const Candidates& candidates) {
   // Room for the list of all and one for each level.
+  const std::size_t count = near.size();
   Descent descent{&candidates,
                   std::vector<std::uint32_t>(count * static_cast<std::size_t>(tree_.leaf_level() - level + 2))};
-  std::iota(descent.stack.begin(), descent.stack.begin() + static_cast<std::ptrdiff_t>(count), 0U);
+  std::copy(near.begin(), near.end(), descent.stack.begin());
   const std::size_t top = push_near(PointTree::place(level, index), 0, count, descent);
   if (top > count) descend(level, index, count, top, descent);
+}
+
+/// Whether a candidate may take over a point in a node of the tree.
+bool NearestNodes::is_near(std::uint32_t place, std::uint32_t candidate, const Candidates& candidates) const {
+  const Vec3 position(candidates.x[candidate], candidates.y[candidate], candidates.z[candidate]);
+  const float within2 = std::min(farthest2_[place], candidates.within2[candidate]);
+  return distance2(tree_.boxes()[place], position) < within2;
 }
 
 /// Puts those of the candidates from `first` to `last` on the stack that may take over a point in a node of the tree,

@@ -39,12 +39,18 @@ class NearestNodes {
   std::optional<Vec3> nearest_point(Vec3 place) const;
 
   /// Calls `keeps(position, node, squared distance)` for every living point that a node influences, and removes those
-  /// for which it says no. The order means nothing.
-  template <class Keeps>
-  void sweep(Keeps keeps) {
+  /// for which it says no. The order means nothing. `expect(node)` is called a little before, so that what is known of
+  /// a node can be fetched meanwhile.
+  template <class Keeps, class Expect>
+  void sweep(Keeps keeps, Expect expect) {
     for (std::vector<Leaf>& part : influenced_) {
       std::size_t left = 0;
-      for (const Leaf leaf : part) {
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        const Leaf leaf = part[i];
+        const Leaf next = part[std::min(i + 1, part.size() - 1)];
+        for (std::uint32_t k = begin_[next]; k < end_[next]; ++k) {
+          if (node_[k] != kNoNode) expect(node_[k]);
+        }
         for (std::uint32_t k = begin_[leaf]; k < end_[leaf];) {
           if (node_[k] == kNoNode || keeps(Vec3(x_[k], y_[k], z_[k]), node_[k], distance2_[k])) {
             ++k;
@@ -56,6 +62,11 @@ class NearestNodes {
       }
       part.resize(left);
     }
+  }
+
+  template <class Keeps>
+  void sweep(Keeps keeps) {
+    sweep(keeps, [](NodeIndex) {});
   }
 
  private:
@@ -75,9 +86,11 @@ class NearestNodes {
     std::vector<std::uint32_t> stack;  // which of them are near a node of the tree lies above those near its parent
   };
 
-  void start_descent(int level, std::uint32_t index, const Candidates& candidates);
+  void descend_in_parts(const Candidates& candidates, const Progress& progress);
+  void start_descent(int level, std::uint32_t index, std::span<const std::uint32_t> near, const Candidates& candidates);
   void descend(int level, std::uint32_t index, std::size_t first, std::size_t last, Descent& descent);
   std::size_t push_near(std::uint32_t place, std::size_t first, std::size_t last, Descent& descent) const;
+  bool is_near(std::uint32_t place, std::uint32_t candidate, const Candidates& candidates) const;
   bool compare(Leaf leaf, std::span<const std::uint32_t> near, const Candidates& candidates);
   void join_halves(std::uint32_t place) {
     farthest2_[place] = std::max(farthest2_[2 * place + 1], farthest2_[2 * place + 2]);

@@ -23,9 +23,9 @@ bool is_full_everywhere(const Light& light) {
 }
 
 /// From straight up to the light.
-Vec3 leaning(Vec3 toward_light, double lean) {
+Vec3 leaning(Vec3 up, Vec3 toward_light, double lean) {
   const auto share = static_cast<float>(lean);
-  return normalized_or(share * toward_light + (1 - share) * kUp, kUp);
+  return normalized_or(share * toward_light + (1 - share) * up, up);
 }
 
 class ShadeSense : public BudSense {
@@ -36,31 +36,30 @@ class ShadeSense : public BudSense {
         root_(root),
         metamers_(metamers),
         light_(light),
-        shade_(space.shade(form_of(species), species.limits.mesh_bytes, species.path("light.voxel"))) {}
+        shade_(space.shade(form_of(species, root), species.limits.mesh_bytes, species.path("light.voxel"))) {}
 
   void sense(BudLight& found, const Progress& progress) override {
-    const BudLightModel& model = species_.parameters.light;
-    const double own_per_metre = model.a / shade_.form().voxel;
     parallel_for(metamers_.count(), kGrain, [&](std::size_t begin, std::size_t end) {
       progress.check();
+      std::vector<MetamerIndex> asked;
+      std::vector<Vec3> places;
       for (auto metamer = static_cast<MetamerIndex>(begin); metamer < end; ++metamer) {
-        const bool terminal = metamers_.competes(metamer, false);
-        const bool lateral = metamers_.competes(metamer, true);
-        if (!terminal && !lateral) continue;
-        const double full = model.full * light_.at(metamer);
-        const double of_others = shade_.shade(place(metamer)) - own_per_metre * metamers_.length(metamer);
-        const auto left = static_cast<float>(std::clamp(full - of_others, 0.0, full));
-        if (terminal) found.terminal[metamer] = left;
-        if (lateral) found.lateral[metamer] = left;
+        if (!metamers_.competes(metamer, false) && !metamers_.competes(metamer, true)) continue;
+        asked.push_back(metamer);
+        places.push_back(place(metamer));
       }
+      std::vector<double> shade(places.size());
+      ShadowGrid::Recent recent;
+      shade_.shade(places, shade, recent);
+      for (std::size_t k = 0; k < asked.size(); ++k) tell(asked[k], shade[k], found);
     });
   }
 
   bool reaches(Vec3 place) const override { return shade_.reaches(place); }
 
   /// Out of the shade of plants, and as far as obstacles take the light also out of theirs.
-  Vec3 way(MetamerIndex metamer, bool) const override {
-    const Vec3 from_plants = normalized_or(shade_.brighter_way(place(metamer)), Vec3(0));
+  Vec3 way(MetamerIndex metamer, bool, ShadowGrid::Recent& recent) const override {
+    const Vec3 from_plants = normalized_or(shade_.brighter_way(place(metamer), recent), Vec3(0));
     const float blocked = 1 - std::min(1.0F, light_.at(metamer));
     if (blocked <= 0) return from_plants;
     const Vec3 from_obstacles = normalized_or(Vec3(brighter_way(species_.scene, place(metamer), 1)), Vec3(0));
@@ -68,16 +67,26 @@ class ShadeSense : public BudSense {
   }
 
  private:
-  static ShadowForm form_of(const OrganizedSpecies& species) {
+  static ShadowForm form_of(const OrganizedSpecies& species, Vec3 root) {
     const BudLightModel& model = species.parameters.light;
     return {.voxel = model.voxel > 0 ? model.voxel : species.parameters.length,
             .amount = model.a,
             .base = model.b,
             .depth = model.depth,
-            .toward_light = leaning(species.scene.light.mean_direction(), model.lean),
+            .toward_light = leaning(-species.directions.down(root), species.scene.light.mean_direction(), model.lean),
             .reach = model.reach};
   }
   Vec3 place(MetamerIndex metamer) const { return root_ + metamers_.tip[metamer]; }
+  /// The light of a metamer's buds in so much shade, of which its own does not count.
+  void tell(MetamerIndex metamer, double shade, BudLight& found) const {
+    const BudLightModel& model = species_.parameters.light;
+    const double own_per_metre = model.a / shade_.form().voxel;
+    const double full = model.full * light_.at(metamer);
+    const double of_others = shade - own_per_metre * metamers_.length(metamer);
+    const auto left = static_cast<float>(std::clamp(full - of_others, 0.0, full));
+    if (metamers_.competes(metamer, false)) found.terminal[metamer] = left;
+    if (metamers_.competes(metamer, true)) found.lateral[metamer] = left;
+  }
 
   const OrganizedSpecies& species_;
   Vec3 root_;
@@ -129,7 +138,7 @@ class RoomSense : public BudSense, public RoomSeeker {
 
   bool reaches(Vec3 place) const override { return field_->reaches(place); }
 
-  Vec3 way(MetamerIndex metamer, bool is_lateral) const override {
+  Vec3 way(MetamerIndex metamer, bool is_lateral, ShadowGrid::Recent&) const override {
     const bool is_second = is_lateral && metamers_.competes(metamer, false);
     return normalized_or(rooms_[first_room_[metamer] + (is_second ? 1 : 0)].way, Vec3(0));
   }

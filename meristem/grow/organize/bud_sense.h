@@ -40,8 +40,8 @@ class BudSense {
   /// The light of all buds that compete, as the stand's space is now.
   virtual void sense(BudLight& light, const Progress& progress) = 0;
   /// The unit vector in which a bud finds more of it, after sense(); 0 where that is no way in particular. From many
-  /// threads at once.
-  virtual Vec3 way(MetamerIndex metamer, bool is_lateral) const = 0;
+  /// threads at once, each with a `recent` of its own.
+  virtual Vec3 way(MetamerIndex metamer, bool is_lateral, ShadowGrid::Recent& recent) const = 0;
   /// Whether buds at a place in world space can perceive anything; if not, it is too far from the world's origin.
   virtual bool reaches(Vec3 place) const = 0;
 };

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "meristem/base/parallel.h"
 #include "meristem/grow/colonize/colonize.h"
 #include "meristem/grow/stand_space.h"
 #include "meristem/scene/crown/crown_points.h"
@@ -32,14 +33,15 @@ class PassingRoof : public Grower {
   PassingRoof(Stand& stand, int comes, int goes, float height)
       : space_(stand.commons<StandSpace>()), comes_(comes), goes_(goes), height_(height) {}
   int step_limit() const override { return goes_ + 1; }
-  bool step(Progress&) override {
+  bool step(Progress&) override { return round_ < goes_; }
+  void tell() override {
     if (round_ == comes_) {
       for_each_leaf([&](Vec3 place) { space_.grow_shoot(place, 3); });
     }
     if (round_ == goes_) {
       for_each_leaf([&](Vec3 place) { space_.lose_shoot(place, 3); });
     }
-    return round_++ < goes_;
+    ++round_;
   }
   Skeleton take_skeleton(Progress&) override { return {}; }
 
@@ -227,6 +229,26 @@ TEST(OrganizeInAStand, AloneItDoesNotMatterHowManyRoundsAnIterationTakes) {
   const std::string every_round = skeleton_hash(grow_organized(parameters));
   parameters.every = 3;
   EXPECT_EQ(skeleton_hash(grow_organized(parameters)), every_round);
+}
+
+TEST(OrganizeInAStand, MembersStepSideBySideWithTheSameBytes) {
+  const Scene scene;
+  std::vector<std::string> hashes;
+  for (const int threads : {1, 2, 3, 8}) {
+    const ThreadLimit limit(threads);
+    Stand stand;
+    add_colonizer(stand, scene);
+    OrganizeParameters parameters = full(12);
+    parameters.shedding.below = 0.2;
+    parameters.sag = Sag{.stiffness = 0.5};
+    for (std::uint64_t k = 0; k < 9; ++k) add_organizer(stand, parameters, k, scene, at(2.0F * static_cast<float>(k)));
+    stand.add(make_organizer(stand, {{at(-2), nullptr}, {at(-4), nullptr}, {at(-6), nullptr}}, full(12), RandomKey(1),
+                             scene, {}, "row"));
+    add_colonizer(stand, scene);
+    std::string& all = hashes.emplace_back();
+    for (const Skeleton& tree : grow(stand)) all += skeleton_hash(tree);
+  }
+  for (const std::string& hash : hashes) EXPECT_EQ(hash, hashes[0]);
 }
 
 }  // namespace

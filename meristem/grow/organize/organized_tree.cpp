@@ -30,7 +30,8 @@ OrganizedTree::OrganizedTree(const OrganizedSpecies& species, StandSpace& space,
     : species_(&species),
       root_(seed.frame.origin),
       tree_(species.scene, space, root_,
-            Metamers(normalized_or(seed.frame.heading(), kUp), normalized_or(seed.frame.right(), Vec3(1, 0, 0)), key),
+            Metamers(normalized_or(seed.frame.heading(), -species.directions.down(root_)),
+                     normalized_or(seed.frame.right(), Vec3(1, 0, 0)), key),
             species.parameters.sag, species.parameters.radii),
       metamers_(tree_.metamers()),
       senses_(make_bud_sense(species, space, seed, key, metamers_, tree_.scene_light())) {
@@ -51,40 +52,15 @@ void OrganizedTree::sense(int iteration, const Progress& progress) {
   divide_resource(metamers_, light_, parameters.resource, iteration, age, flow_);
 }
 
-void OrganizedTree::iterate(int iteration, std::uint64_t metamers, const Progress& progress) {
-  // Count what will grow before any of it is made.
-  std::vector<Sprout> sprouts = find_sprouts();
-  std::uint64_t more = 0;
-  for (const Sprout& sprout : sprouts) more += static_cast<std::uint64_t>(sprout.metamers);
-  if (metamers + more > species_->limits.nodes) {
-    throw_limit(fmt::format("metamers in iteration {}", iteration), static_cast<double>(metamers + more),
-                species_->limits.nodes, "nodes", species_->path("resource.alpha"));
-  }
-  // All see the light of the round's begin.
-  parallel_for(sprouts.size(), kSproutsAtOnce, [&](std::size_t begin, std::size_t end) {
-    progress.check();
-    for (std::size_t k = begin; k < end; ++k) sprouts[k].way = senses_->way(sprouts[k].from, sprouts[k].is_lateral);
-  });
-  tree_.reserve(metamers_.count() + more);
-  for (std::size_t k = 0; k < sprouts.size(); ++k) {
-    if (k % kGrain == 0) progress.check();
-    grow(sprouts[k], iteration);
-  }
-  progress.check();
-  tree_.sag(iteration);
-  progress.check();
-  shed(iteration);
-  operate(iteration, progress);
-}
-
-std::vector<OrganizedTree::Sprout> OrganizedTree::find_sprouts() const {
+std::uint64_t OrganizedTree::plan() {
   const OrganizeParameters& parameters = species_->parameters;
-  std::vector<Sprout> sprouts;
+  std::uint64_t metamers = 0;
   const auto add = [&](MetamerIndex from, bool is_lateral, double resource, double threshold) {
     if (!(resource >= threshold)) return false;
     const double whole = std::clamp(std::floor(resource), 1.0, static_cast<double>(parameters.longest_shoot));
     const double stretch = parameters.stretch ? std::clamp(resource / whole, 0.1, 10.0) : 1;
-    sprouts.push_back(
+    metamers += static_cast<std::uint64_t>(whole);
+    sprouts_.push_back(
         {from, is_lateral, static_cast<int>(whole), static_cast<float>(stretch * parameters.length), Vec3(0)});
     return true;
   };
@@ -98,7 +74,31 @@ std::vector<OrganizedTree::Sprout> OrganizedTree::find_sprouts() const {
     const double threshold = terminal.is_damaged() ? parameters.terminal_threshold : parameters.lateral_threshold;
     if (may_open) add(metamer, true, flow_.lateral(metamer), threshold);
   }
-  return sprouts;
+  return metamers;
+}
+
+void OrganizedTree::iterate(int iteration, const Progress& progress) {
+  std::vector<Sprout> sprouts = std::exchange(sprouts_, {});
+  // All see the light of the round's begin.
+  parallel_for(sprouts.size(), kSproutsAtOnce, [&](std::size_t begin, std::size_t end) {
+    progress.check();
+    ShadowGrid::Recent recent;
+    for (std::size_t k = begin; k < end; ++k) {
+      sprouts[k].way = senses_->way(sprouts[k].from, sprouts[k].is_lateral, recent);
+    }
+  });
+  std::uint64_t more = 0;
+  for (const Sprout& sprout : sprouts) more += static_cast<std::uint64_t>(sprout.metamers);
+  tree_.reserve(metamers_.count() + more);
+  for (std::size_t k = 0; k < sprouts.size(); ++k) {
+    if (k % kGrain == 0) progress.check();
+    grow(sprouts[k], iteration);
+  }
+  progress.check();
+  tree_.sag(iteration);
+  progress.check();
+  shed(iteration);
+  operate(iteration, progress);
 }
 
 /// Grows the metamers of one bud, as far as nothing stands in their way.
@@ -131,7 +131,8 @@ Vec3 OrganizedTree::wanted_heading(const Sprout& sprout, MetamerIndex from, Vec3
   const DirectionWeights& weights = order == 0 && parameters.stem ? *parameters.stem : parameters.direction;
   const double steps = weights.fades_by_order ? order : iteration - 1;
   const double up = weights.up_later + (weights.up - weights.up_later) * math::pow(weights.up_fade, steps);
-  DVec3 sum = weights.persistence * DVec3(bud) + weights.light * DVec3(sprout.way) + up * DVec3(kUp);
+  const Vec3 straight_up = -species_->directions.down(root_ + metamers_.tip[from]);
+  DVec3 sum = weights.persistence * DVec3(bud) + weights.light * DVec3(sprout.way) + up * DVec3(straight_up);
   if (is_first_of_lateral && metamers_.terminal[from].is_damaged()) {
     sum += parameters.takeover * DVec3(metamers_.heading(from));
   }

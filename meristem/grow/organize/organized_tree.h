@@ -25,9 +25,12 @@ class OrganizedTree {
 
   /// Counts the light of all buds as the stand's space is now, and divides the resource that it makes.
   void sense(int iteration, const Progress& progress);
-  /// Grows, sags, sheds, and people do to it what they will; after sense(). `metamers` are those of the whole component
-  /// so far.
-  void iterate(int iteration, std::uint64_t metamers, const Progress& progress);
+  /// Finds the buds that will grow in this iteration; after sense(). Returns how many metamers they will make at most.
+  std::uint64_t plan();
+  /// Grows, sags, sheds, and people do to it what they will; after plan().
+  void iterate(int iteration, const Progress& progress);
+  /// Tells the stand's space of all that.
+  void tell() { tree_.tell(); }
 
   const Metamers& metamers() const { return tree_.metamers(); }
   bool has_grown() const { return has_grown_; }
@@ -45,7 +48,6 @@ class OrganizedTree {
     Vec3 way{0};       // to light or room: a unit vector, or 0
   };
 
-  std::vector<Sprout> find_sprouts() const;
   void grow(const Sprout& sprout, int iteration);
   Vec3 wanted_heading(const Sprout& sprout, MetamerIndex from, Vec3 bud, int iteration) const;
   std::optional<Vec3> free_heading(MetamerIndex from, Vec3 wanted, float length, RandomKey key) const;
@@ -62,6 +64,7 @@ class OrganizedTree {
   std::unique_ptr<BudSense> senses_;
   BudLight light_;
   ResourceFlow flow_;
+  std::vector<Sprout> sprouts_;  // of the iteration
   bool has_grown_ = false;
 };
 

@@ -13,12 +13,16 @@
 #include <fmt/format.h>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/base/parallel.h"
 #include "meristem/grow/organize/organize.h"
 #include "meristem/grow/organize/organized_tree.h"
+#include "meristem/plant/join_skeletons.h"
 
 namespace meristem {
 
 namespace {
+
+constexpr std::size_t kMostBlocks = 256;  // of trees that a thread takes at once
 
 void require(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(what);
@@ -41,7 +45,8 @@ class Organizer : public Grower {
  public:
   Organizer(Stand& stand, std::vector<OrganizeSeed> seeds, const OrganizeParameters& parameters, RandomKey key,
             const Scene& scene, const Limits& limits, std::string component)
-      : species_{parameters, scene, limits, std::move(component)}, space_(stand.commons<StandSpace>()) {
+      : species_{parameters, scene, limits, std::move(component), scene.directions()},
+        space_(stand.commons<StandSpace>()) {
     for (std::size_t k = 0; k < seeds.size(); ++k) {
       require_open(seeds[k].frame.origin);
       trees_.emplace_back(species_, space_, seeds[k], key.child(k));
@@ -59,25 +64,46 @@ class Organizer : public Grower {
     if (round % species_.parameters.every != 0) return true;
     const int iteration = round / species_.parameters.every + 1;
     const bool is_last = iteration > species_.parameters.iterations;
-    for (OrganizedTree& tree : trees_) {
-      tree.sense(iteration, progress);
-      if (!is_last) tree.iterate(iteration, count_metamers(), progress);
+    std::vector<std::uint64_t> planned(trees_.size());
+    for_each_tree([&](std::size_t k) {
+      trees_[k].sense(iteration, progress);
+      if (!is_last) planned[k] = trees_[k].plan();
+    });
+    if (is_last) {
+      require_growth();
+      return false;
     }
-    if (is_last) require_growth();
-    return !is_last;
+    require_nodes(planned, iteration);
+    for_each_tree([&](std::size_t k) { trees_[k].iterate(iteration, progress); });
+    return true;
+  }
+
+  void tell() override {
+    for (OrganizedTree& tree : trees_) tree.tell();
   }
 
   Skeleton take_skeleton(Progress& progress) override {
-    Skeleton all;
-    for (OrganizedTree& tree : trees_) all.append(tree.take_skeleton(progress));
-    return all;
+    std::vector<Skeleton> skeletons(trees_.size());
+    for_each_tree([&](std::size_t k) { skeletons[k] = trees_[k].take_skeleton(progress); });
+    return join_skeletons(std::move(skeletons));
   }
 
  private:
-  std::uint64_t count_metamers() const {
-    std::uint64_t sum = 0;
-    for (const OrganizedTree& tree : trees_) sum += tree.metamers().count();
-    return sum;
+  /// Trees stand side by side and feel each other only through the stand.
+  template <class Visit>
+  void for_each_tree(Visit visit) {
+    parallel_for(trees_.size(), 1 + trees_.size() / kMostBlocks, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) visit(k);
+    });
+  }
+
+  /// Counts what will grow before any of it is made.
+  void require_nodes(const std::vector<std::uint64_t>& planned, int iteration) const {
+    std::uint64_t metamers = 0;
+    for (std::size_t k = 0; k < trees_.size(); ++k) metamers += trees_[k].metamers().count() + planned[k];
+    if (metamers <= species_.limits.nodes) return;
+    throw_limit(fmt::format("metamers in iteration {}", iteration), static_cast<double>(metamers),
+                species_.limits.nodes, "nodes", species_.path("resource.alpha"));
   }
 
   void require_open(Vec3 root) const {

@@ -38,14 +38,15 @@ Pose BranchLoad::bend(const Metamers& metamers, int iteration) const {
   // From the root on: turn each internode by what its moment has grown, and carry along what it bears.
   std::vector<Mat3> turned(count, Mat3(1));
   Pose pose{std::vector<Vec3>(count, Vec3(0)), metamers.side, moment_};
-  pose.moment.resize(count, Vec2(0));
+  pose.moment.resize(count, Vec3(0));
   for (MetamerIndex metamer = 1; metamer < count; ++metamer) {
     const MetamerIndex parent = metamers.parent[metamer];
     const DVec3 lever = first[metamer] - mass[metamer] * DVec3(metamers.tip[parent]);
-    // The moment of weights at a lever r is r x (0, -g m, 0).
-    const DVec3 moment = kGravity * DVec3(lever.z, 0, -lever.x);
-    const DVec3 grown = moment - DVec3(pose.moment[metamer].x, 0, pose.moment[metamer].y);
-    pose.moment[metamer] = Vec2(moment.x, moment.z);
+    // The moment of weights m at a lever r is r x g m.
+    const DVec3 down(directions_.down(root_ + metamers.tip[parent]));
+    const DVec3 moment = kGravity * glm::cross(lever, down);
+    const DVec3 grown = moment - DVec3(pose.moment[metamer]);
+    pose.moment[metamer] = Vec3(moment);
     const double r = radius[metamer];
     const double rigidity = sag_.stiffness * 1e9 * kPi / 4 * r * r * r * r;
     const double size = std::sqrt(squared_length(grown));

@@ -10,6 +10,7 @@
 
 #include "meristem/grow/organize/metamers.h"
 #include "meristem/plant/pipe_radii.h"
+#include "meristem/scene/directions.h"
 
 namespace meristem {
 
@@ -23,27 +24,31 @@ struct Sag {
 struct Pose {
   std::vector<Vec3> tip;     ///< metres from the root
   std::vector<Vec3> side;    ///< unit vectors from the axis to the lateral bud
-  std::vector<Vec2> moment;  ///< newton metres, x and z, that each internode is bent for; of trees that do not sag none
+  std::vector<Vec3> moment;  ///< newton metres that each internode is bent for; of trees that do not sag none
 };
 
 /// The load of a tree's branches and what it has bent.
 class BranchLoad {
  public:
-  BranchLoad(const Sag& sag, const PipeModel& radii) : sag_(sag), radii_(radii) {}
+  /// Of a tree with its root at `root`, whose weight pulls where `directions` say.
+  BranchLoad(const Sag& sag, const PipeModel& radii, const Directions& directions = {}, Vec3 root = Vec3(0))
+      : sag_(sag), radii_(radii), directions_(directions), root_(root) {}
 
   /// How the metamers stand once all internodes are bent by what their load has grown since the moments that were taken
   /// last; what goes on them moves and turns along. Nothing comes below the ground, which is level at the root;
   /// obstacles are not asked. `iteration` is the newest.
   Pose bend(const Metamers& metamers, int iteration) const;
   /// What the internodes are bent for from now on; those beyond the end are bent for nothing.
-  void take(std::vector<Vec2> moment) { moment_ = std::move(moment); }
+  void take(std::vector<Vec3> moment) { moment_ = std::move(moment); }
   /// Follows Metamers::remove().
   void remove(const std::vector<std::uint8_t>& gone);
 
  private:
   Sag sag_;
   PipeModel radii_;
-  std::vector<Vec2> moment_;  // newton metres about the base of each metamer, as it was bent: x and z
+  Directions directions_;
+  Vec3 root_;
+  std::vector<Vec3> moment_;  // newton metres about the base of each metamer, as it was bent
 };
 
 }  // namespace meristem

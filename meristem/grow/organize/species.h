@@ -15,6 +15,7 @@ struct OrganizedSpecies {
   const Scene& scene;
   Limits limits;
   std::string component;
+  Directions directions;  ///< of the scene
 
   /// Of a parameter in the document.
   std::string path(const std::string& parameter) const;

@@ -8,7 +8,7 @@ namespace meristem {
 StandingTree::StandingTree(const Scene& scene, StandSpace& space, Vec3 root, Metamers seed,
                            const std::optional<Sag>& sag, const PipeModel& radii)
     : space_(space), root_(root), metamers_(std::move(seed)), scene_light_(scene, root) {
-  if (sag) load_.emplace(*sag, radii);
+  if (sag) load_.emplace(*sag, radii, scene.directions(), root);
 }
 
 MetamerIndex StandingTree::grow(MetamerIndex from, bool is_lateral, int iteration, Vec3 tip, Vec3 side) {
@@ -16,7 +16,7 @@ MetamerIndex StandingTree::grow(MetamerIndex from, bool is_lateral, int iteratio
   metamers_.tip[made] = tip;
   metamers_.side[made] = side;
   scene_light_.add(world(made));
-  if (space_.is_felt()) space_.grow_shoot(world(made), metamers_.length(made));
+  if (space_.is_felt()) changes_.grow(world(made), metamers_.length(made));
   return made;
 }
 
@@ -29,8 +29,8 @@ void StandingTree::move(Pose pose) {
     if (metamers_.tip[metamer] == before[metamer] && metamers_.tip[parent] == before[parent]) continue;
     scene_light_.move(metamer, world(metamer));
     if (!space_.is_felt()) continue;
-    space_.lose_shoot(root_ + before[metamer], glm::distance(before[metamer], before[parent]));
-    space_.grow_shoot(world(metamer), metamers_.length(metamer));
+    changes_.lose(root_ + before[metamer], glm::distance(before[metamer], before[parent]));
+    changes_.grow(world(metamer), metamers_.length(metamer));
   }
 }
 
@@ -41,7 +41,7 @@ void StandingTree::sag(int iteration) {
 void StandingTree::remove(std::vector<std::uint8_t>& gone, Bud after) {
   for (MetamerIndex metamer = 1; metamer < metamers_.count(); ++metamer) {
     if (gone[metamers_.parent[metamer]] != 0) gone[metamer] = 1;
-    if (gone[metamer] != 0 && space_.is_felt()) space_.lose_shoot(world(metamer), metamers_.length(metamer));
+    if (gone[metamer] != 0 && space_.is_felt()) changes_.lose(world(metamer), metamers_.length(metamer));
   }
   metamers_.remove(gone, after);
   scene_light_.remove(gone);

@@ -16,8 +16,8 @@ namespace meristem {
 
 /// A tree's metamers where they stand in a scene. What changes them changes by the same call what depends on their
 /// places: the light and room that the stand's plants take from each other, to the last bit, the light of the scene
-/// that reaches each metamer, and the load of the branches. `scene` and `space` outlive it; it stays where it is, as
-/// others keep references to its parts.
+/// that reaches each metamer, and the load of the branches. The stand's plants hear of it by tell(). `scene` and
+/// `space` outlive it; it stays where it is, as others keep references to its parts.
 class StandingTree {
  public:
   /// `seed` is one metamer, at `root` in world space. Branches bend under their load where a `sag` is given.
@@ -41,11 +41,14 @@ class StandingTree {
   void sag(int iteration);
   /// Takes metamers away as Metamers::remove().
   void remove(std::vector<std::uint8_t>& gone, Bud after);
+  /// Tells the stand's space what was grown, moved and removed since the last time.
+  void tell() { space_.take(changes_); }
   /// What has grown; then nothing is left.
   Metamers take_metamers() { return std::move(metamers_); }
 
  private:
   StandSpace& space_;
+  ShootChanges changes_;
   Vec3 root_;
   Metamers metamers_;
   SceneLight scene_light_;

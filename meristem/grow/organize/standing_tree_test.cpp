@@ -33,9 +33,9 @@ Pose random_pose(RandomKey key, const Metamers& of) {
   for (MetamerIndex metamer = 1; metamer < of.count(); ++metamer) {
     pose.tip[metamer] = pose.tip[of.parent[metamer]] + 0.3F * key.direction(metamer);
     pose.side[metamer] = key.child("side").direction(metamer);
-    pose.moment.push_back(Vec2(static_cast<float>(key.child("moment").uniform(metamer, -1, 1)), 0.5F));
+    pose.moment.push_back(Vec3(static_cast<float>(key.child("moment").uniform(metamer, -1, 1)), 0, 0.5F));
   }
-  pose.moment.insert(pose.moment.begin(), Vec2(0));
+  pose.moment.insert(pose.moment.begin(), Vec3(0));
   return pose;
 }
 
@@ -69,6 +69,7 @@ struct Grown {
   }
   void next_round() {
     Progress progress;
+    tree->tell();
     space.begin_round(progress);
   }
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Instances of one component that have come by one link are a batch, and expand together. What a batch makes depends on
-// what the document says of the component, on its places, the scene and the time, and on nothing else that happens in
-// the expansion: so a batch with the same fingerprint need not expand again. The same holds of the places that a link
+// what the document says of the component, on its sites, the scene and the time, and on nothing else that happens in
+// the expansion: so a batch with the same fingerprint need not expand again. The same holds of the sites that a link
 // gives, which depend on the batch that it leads from, and of a stand.
 #include "meristem/graph/expand.h"
 

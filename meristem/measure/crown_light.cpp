@@ -2,11 +2,11 @@
 // In:  a crown's convex hull, the sun's positions, obstacles. Out: the share of the hull that each position lights.
 //
 // A convex body shades itself exactly where it faces away, so the area that faces the sun is a sum over triangles. Only
-// the obstacles' shadow on it is sampled, with rays from places that are spread evenly over it: one after another by
+// the obstacles' shadow on it is sampled, with rays from positions that are spread evenly over it: one after another by
 // area along the triangles, across them by steps of the golden ratio.
 //
 // Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund
-// 2020, equation 5.5, which counts random places on the whole hull and tests them against it as well.
+// 2020, equation 5.5, which counts random positions on the whole hull and tests them against it as well.
 #include "meristem/measure/crown_light.h"
 
 #include <algorithm>

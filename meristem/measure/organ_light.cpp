@@ -2,7 +2,7 @@
 // In:  a plant with its meshes, and the scene around it. Out: for each organ the share of the scene's light that
 // arrives.
 //
-// From evenly spread places on an organ's surface a ray goes toward every light. It starts just off the surface, on the
+// From evenly spread points on an organ's surface a ray goes toward every light. It starts just off the surface, on the
 // side that faces the light, and is stopped by whatever a picture would show in its way. What leaves let through or
 // throw back is not followed.
 #include "meristem/measure/organ_light.h"

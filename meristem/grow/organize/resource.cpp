@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Both models first become one number a metamer: the share of what comes to it that goes to its lateral side. So one
+// Both models first become one number per metamer: the share of what comes to it that goes to its lateral side. So one
 // pass from the root on divides the resource by either of them, and along any axis by another one. What damaged
 // terminal buds pass back is a share of the same, since it rises in proportion to what comes to the axis.
 #include "meristem/grow/organize/resource.h"

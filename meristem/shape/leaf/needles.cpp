@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bundles stand on a helix along the shoot and lean from the angle at its base to that at its tip. Combing presses
 // their directions toward the plane of the shoot's two sides. A needle is a kite of two triangles, or a spike of three
-// around its upper edge; a flat one bends at its widest place.
+// around its upper edge; a flat one bends at its widest point.
 #include "meristem/shape/leaf/needles.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 // Based on: M. Garland, P. Heckbert: Surface Simplification Using Quadric Error Metrics (1997); T. K. Dey,
 // H. Edelsbrunner, S. Guha, D. V. Nekhayev: Topology Preserving Edge Contraction (1999), the link condition.
 // Deviations: the new vertex then moves along the mean normal so that the volume stays, without which crowns of spheres
-// brought to 100 triangles lose a fifth of it; a weak spring keeps the place near the edge where the planes leave it
+// brought to 100 triangles lose a fifth of it; a weak spring keeps the position near the edge where the planes leave it
 // open, and among edges that cost nothing short ones go first. The queue holds vertices instead of edges, each for its
 // edges to higher vertices, in steps of cost; costs are taken anew when a vertex comes to its front: sums of quadrics
 // only grow, so an old cost is a lower bound.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Birch and cherry: thin pale sheets that wrap the stem and peel off across it, lenticels drawn out into long dashes,
-// and rough black places where the bark has burst.
+// and rough black patches where the bark has burst.
 #include <cmath>
 
 #include "meristem/shape/texture/bark_style.h"

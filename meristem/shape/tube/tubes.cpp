@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a skeleton to closed tubes, one an axis. Two passes: the first counts each axis's rings, so that every axis
+// From a skeleton to closed tubes, one per axis. Two passes: the first counts each axis's rings, so that every axis
 // knows where in the arrays it writes; the second writes all axes side by side.
 //
 // A ring lies in its node's mitre plane, at right angles to the middle of the two directions that meet there. A frame

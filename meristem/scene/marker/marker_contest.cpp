@@ -20,7 +20,7 @@ constexpr float kUnseen = 1e18F;  // where markers are that nobody sees
 
 }  // namespace
 
-LookedAt looked_at(MarkerBricks& bricks, const std::vector<LookAround>& around, const Progress& progress) {
+LookedAt looked_at(MarkerBricks& bricks, std::vector<LookAround> around, const Progress& progress) {
   LookedAt all;
   std::size_t look_count = 0;
   std::size_t sighting_count = 0;
@@ -29,13 +29,15 @@ LookedAt looked_at(MarkerBricks& bricks, const std::vector<LookAround>& around, 
     sighting_count += part.sightings.size();
   }
   all.looks.reserve(look_count);
-  all.lookers.resize(sighting_count);
 
   // Count the lookers of each brick.
   std::vector<std::uint32_t> ranks(MarkerBricks::kInBrick * bricks.block_count(), kNone);
-  for (const LookAround& part : around) {
+  std::vector<std::uint32_t> look_counts;
+  for (LookAround& part : around) {
     progress.check();
     all.looks.insert(all.looks.end(), part.looks.begin(), part.looks.end());
+    look_counts.push_back(static_cast<std::uint32_t>(part.looks.size()));
+    part.looks = {};  // rounds of large stands take most of the memory of their growth
     for (const Sighting& sighting : part.sightings) {
       std::uint32_t& rank = ranks[sighting.slot];
       if (rank == kNone) {
@@ -50,13 +52,16 @@ LookedAt looked_at(MarkerBricks& bricks, const std::vector<LookAround>& around, 
   for (std::uint32_t& begin : all.begins) begin = std::exchange(end, end + begin);
 
   // Enter them; each begin moves on to the next one's.
+  all.lookers.resize(sighting_count);
   std::uint32_t first_look = 0;
-  for (const LookAround& part : around) {
+  for (std::size_t k = 0; k < around.size(); ++k) {
     progress.check();
+    LookAround& part = around[k];
     for (const Sighting& sighting : part.sightings) {
       all.lookers[all.begins[ranks[sighting.slot]]++] = first_look + sighting.look;
     }
-    first_look += static_cast<std::uint32_t>(part.looks.size());
+    first_look += look_counts[k];
+    part.sightings = {};
   }
   all.begins.insert(all.begins.begin(), 0);
   return all;

@@ -24,7 +24,7 @@ struct LookedAt {
 };
 
 /// Makes the bricks that are not there yet. Throws Cancelled.
-LookedAt looked_at(MarkerBricks& bricks, const std::vector<LookAround>& around, const Progress& progress);
+LookedAt looked_at(MarkerBricks& bricks, std::vector<LookAround> around, const Progress& progress);
 
 /// The markers of one brick, and the nearest looker to each so far. Of equally near ones that with the lower number of
 /// its seeker.

@@ -156,9 +156,9 @@ void MarkerField::share_out(std::span<const Seeker> seekers, std::span<Room> roo
                             std::uint64_t most_bytes) {
   if (seekers.size() != rooms.size()) throw std::invalid_argument("share_out: not as many rooms as seekers");
   const std::uint64_t most_sightings = std::min<std::uint64_t>(most_bytes / kBytesASighting, kMostSightings);
-  const auto around = look_around(bricks_, seekers, volumes_.size(), most_sightings, progress);
+  auto around = look_around(bricks_, seekers, volumes_.size(), most_sightings, progress);
   if (!around) throw TooMuchMemory();
-  const LookedAt looked = looked_at(bricks_, *around, progress);
+  const LookedAt looked = looked_at(bricks_, std::move(*around), progress);
   learn_claims(looked, progress);
 
   std::vector<Tally> tallies(looked.looks.size());

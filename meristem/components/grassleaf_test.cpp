@@ -260,7 +260,7 @@ TEST(Grassleaf, LivesFollowTheSeed) {
   };
   EXPECT_EQ(length_of(1), length_of(1));
   EXPECT_NE(length_of(1), length_of(2));
-  const Object each{{"length", "rand(0.5, 2)"}, {"variants", 1}};
+  const Object each{{"length", "rand(0.5, 2)"}, {"step", 0.05}};
   EXPECT_EQ(field_of(9, strip({{"vary", each}, {"exact", true}})).prototypes.size(), 9U);
 }
 

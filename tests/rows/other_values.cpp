@@ -14,15 +14,15 @@ namespace {
 /// JSON, by the names of rows. Paths of files are those beside the base documents.
 const std::map<std::string, std::vector<std::string>>& values_by_name() {
   static const std::map<std::string, std::vector<std::string>> values = {
-      {"grassleaf.midrib_points", {"[[0, 0], [0.4, 0.5], [1.3, 0.3]]"}},
-      {"lsystem.grammar", {R"("#axiom\nF(0.4) +(30) F")"}},
-      {"organize.operations.shoot", {R"("main")"}},
-      {"organize.operations.do", {}},
-      {"leaf.polygon", {"[[0.4, 0.2], [1, 0.5], [0.3, 0.8]]"}},
-      {"leaf.profile", {R"({"curve": [[0, 0], [1, 0.5]]})"}},
-      {"revolution.silhouette", {"[[0, 0], [0.05, 0.03], [0, 0.1]]"}},
-      {"horn.outline", {"[[-1, -1], [1, -1], [0, 2]]"}},
-      {"simple.outline", {"[[-0.1, -0.1], [0.1, -0.1], [0, 0.2]]", "[[-0.1, 0], [0, 0.05], [0.1, 0]]"}},
+      {"a grassleaf.midrib_points", {"[[0, 0], [0.4, 0.5], [1.3, 0.3]]"}},
+      {"an lsystem.grammar", {R"("#axiom\nF(0.4) +(30) F")"}},
+      {"an operation.shoot", {R"("main")"}},
+      {"an operation.do", {}},
+      {"a leaf.polygon", {"[[0.4, 0.2], [1, 0.5], [0.3, 0.8]]"}},
+      {"a leaf.profile", {R"({"curve": [[0, 0], [1, 0.5]]})"}},
+      {"a revolution.silhouette", {"[[0, 0], [0.05, 0.03], [0, 0.1]]"}},
+      {"a horn.outline", {"[[-1, -1], [1, -1], [0, 2]]"}},
+      {"a simple.outline", {"[[-0.1, -0.1], [0.1, -0.1], [0, 0.2]]", "[[-0.1, 0], [0, 0.05], [0.1, 0]]"}},
   };
   return values;
 }

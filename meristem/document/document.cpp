@@ -74,6 +74,8 @@ class DocumentReader {
     return std::move(diagnostics_);
   }
 
+  const std::vector<ParameterReader::Meaningless>& meaningless() const { return meaningless_; }
+
   static bool has_errors(const std::vector<Diagnostic>& diagnostics) {
     return std::any_of(diagnostics.begin(), diagnostics.end(),
                        [](const Diagnostic& d) { return d.severity == Severity::error; });
@@ -84,6 +86,7 @@ class DocumentReader {
     std::vector<Diagnostic> found = reader.take_diagnostics();
     const auto errors =
         std::count_if(found.begin(), found.end(), [](const Diagnostic& d) { return d.severity == Severity::error; });
+    meaningless_.insert(meaningless_.end(), reader.meaningless().begin(), reader.meaningless().end());
     hidden_ += reader.fault_count() - static_cast<std::size_t>(errors);
     diagnostics_.insert(diagnostics_.end(), std::make_move_iterator(found.begin()),
                         std::make_move_iterator(found.end()));
@@ -184,6 +187,7 @@ class DocumentReader {
   const FileAccess access_;
   const Place top_;
   std::vector<Diagnostic> diagnostics_;
+  std::vector<ParameterReader::Meaningless> meaningless_;
   std::size_t hidden_ = 0;  // faults that are only counted
 };
 
@@ -214,7 +218,13 @@ Document read_document(std::string text, const std::string& file, const Registry
     Value& root = document.source.tree;
     root = parse_json(document.source.text);
     if (root.object() != nullptr) apply_overrides(root, options.overrides, document.source, diagnostics);
-    if (diagnostics.empty()) diagnostics = DocumentReader(root, registry, options, file).run(document);
+    for (bool again = diagnostics.empty(); again;) {
+      DocumentReader reader(root, registry, options, file);
+      diagnostics = reader.run(document);
+      // What is set goes before the document: what this says and means nothing beside it gives way.
+      again = give_way(root, reader.meaningless(), document.source.overridden);
+      if (again) document = Document{.source = std::move(document.source)};
+    }
   } catch (const InputError& error) {
     diagnostics = error.diagnostics();
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstring>
 
 #include <fmt/format.h>
 
@@ -164,6 +165,36 @@ void apply_overrides(Value& root, const std::vector<Override>& overrides, Source
       *target = override.value;
     }
   }
+}
+
+namespace {
+
+/// "components.view" of "components.view.position[0]", "links[1]" of "links[1].angle", "scene" of "scene.latitude".
+std::string part_of(const std::string& path) {
+  const std::size_t first = path.find('.');
+  return path.substr(0, path.starts_with("components.") ? path.find_first_of(".[", first + 1) : first);
+}
+
+}  // namespace
+
+bool give_way(Value& root, const std::vector<ParameterReader::Meaningless>& meaningless,
+              const std::vector<std::string>& overridden) {
+  const auto contains = [](const std::string& outer, const std::string& inner) {
+    return inner.starts_with(outer) && (inner.size() == outer.size() || std::strchr(".[", inner[outer.size()]));
+  };
+  const auto is_set = [&](const std::string& path) {
+    return std::ranges::any_of(overridden, [&](const auto& set) { return contains(set, path) || contains(path, set); });
+  };
+  bool any = false;
+  for (const auto& [path, other] : meaningless) {
+    const std::string& weaker = is_set(path) ? other : path;
+    const auto is_beside = [&weaker](const auto& set) { return part_of(set) == part_of(weaker); };
+    if (weaker.empty() || is_set(weaker) || std::ranges::none_of(overridden, is_beside)) continue;
+    std::vector<Diagnostic> none;
+    remove_member(root, weaker, none);
+    any = true;
+  }
+  return any;
 }
 
 }  // namespace meristem

@@ -89,8 +89,8 @@ void check_meanings(const ParameterTable& table, const void* object, const Value
     for (const std::string& path : meaning.parameters) {
       if (!is_given(path)) continue;
       at_path(place, path, [&](const Place& at) {
-        reader.fault_name(at, fmt::format("'{}' has no meaning {}", path, lack(meaning, table, object)),
-                          wishes(meaning), "");
+        reader.fault_meaning(at, fmt::format("'{}' has no meaning {}", path, lack(meaning, table, object)),
+                             wishes(meaning));
       });
     }
   }

@@ -82,6 +82,11 @@ void ParameterReader::fault_name(const Place& place, std::string message, std::s
   fault(place, std::move(message), std::move(expected), std::move(nearest), kAtName);
 }
 
+void ParameterReader::fault_meaning(const Place& place, std::string message, std::string expected, const Place* other) {
+  meaningless_.push_back({place.text(), other == nullptr ? std::string() : other->text()});
+  fault_name(place, std::move(message), std::move(expected), "");
+}
+
 std::string ParameterReader::nearest(std::string_view name, std::span<const std::string> candidates) const {
   return faults_ < limits_.diagnostics ? nearest_name(name, candidates) : std::string();
 }
@@ -195,10 +200,12 @@ void ParameterReader::check_given(const ParameterTable& table, const GivenRows& 
   }
   for (const ParameterTable::Company& rule : table.company) {
     if (!given.contains(rule.parameter) || given.contains(rule.other) == rule.is_wanted) continue;
-    fault_name(
+    const Place other(place, rule.other);
+    fault_meaning(
         Place(place, rule.parameter),
         fmt::format("'{}' has no meaning {} '{}'", rule.parameter, rule.is_wanted ? "without" : "beside", rule.other),
-        rule.is_wanted ? fmt::format("'{}' beside it", rule.other) : "only one of them", "");
+        rule.is_wanted ? fmt::format("'{}' beside it", rule.other) : "only one of them",
+        rule.is_wanted ? nullptr : &other);
   }
 }
 

@@ -47,6 +47,13 @@ class ParameterReader {
              int text_offset = -1);
   /// The same for a member's name instead of its value.
   void fault_name(const Place& place, std::string message, std::string expected, std::string nearest);
+  /// The same for a parameter that means nothing where it stands, or nothing beside `other`.
+  void fault_meaning(const Place& place, std::string message, std::string expected, const Place* other = nullptr);
+  /// Document paths of such parameters so far, and of what they mean nothing beside, if it is that.
+  struct Meaningless {
+    std::string path, other;
+  };
+  const std::vector<Meaningless>& meaningless() const { return meaningless_; }
   /// The candidate nearest to `name`, until so many faults are reported that no more are shown.
   std::string nearest(std::string_view name, std::span<const std::string> candidates) const;
   void warn(const Place& place, std::string message);
@@ -169,6 +176,7 @@ class ParameterReader {
   std::vector<std::string>* expression_places_ = nullptr;
   std::vector<std::string> worked_out_;  // document paths of numbers
   std::vector<Diagnostic> diagnostics_;
+  std::vector<Meaningless> meaningless_;
   std::size_t faults_ = 0;
   /// What a component's instances have copies of and is being read: its struct, or an element of a list in it.
   struct Holder {

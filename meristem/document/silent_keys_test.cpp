@@ -11,10 +11,10 @@ namespace meristem {
 namespace {
 
 Document read(const std::string& components, const std::vector<std::string>& sets = {}) {
-  std::vector<Override> overrides;
-  for (const std::string& set : sets) overrides.push_back(parse_override(set));
+  ReadOptions options;
+  for (const std::string& set : sets) options.overrides.push_back(parse_override(set));
   return read_document(R"({"meristem": 1, "components": )" + components + "}", "plant.json", builtin_components(),
-                       overrides);
+                       options);
 }
 
 std::string fault_of(const std::string& components, const std::vector<std::string>& sets = {}) {
@@ -28,7 +28,7 @@ std::string fault_of(const std::string& components, const std::vector<std::strin
 
 TEST(SilentKeys, ARecursionThatNoLinkClosesIsAFault) {
   EXPECT_EQ(fault_of(R"({"box": {"type": "simple", "recursion": 3}})"),
-            "plant.json:1:60: components.box.recursion: 'recursion' has no meaning here: no link leads back to 'box'; "
+            "plant.json:1:58: components.box.recursion: 'recursion' has no meaning here: no link leads back to 'box'; "
             "expected a link from 'box', or from what hangs on it, to 'box', or no such key");
   EXPECT_EQ(fault_of(R"({"box": {"type": "simple", "recursion": 3}}, "links": [["box", "box"]])"), "no fault");
 }
@@ -48,27 +48,28 @@ constexpr const char* kViewed =
 
 TEST(SilentKeys, WhatIsSetGoesBeforeTheDocument) {
   const Document document = read(kViewed, {"view.position=[0, 1, 5]", "box.shape=cone"});
-  EXPECT_EQ(*camera_view(document.graph, document.structure).position, Vec3(0, 1, 5));
+  EXPECT_EQ(*camera_view(document.graph).position, Vec3(0, 1, 5));
   EXPECT_EQ(document.source.tree.find("components")->find("view")->find("azimuth"), nullptr);
   EXPECT_EQ(document.source.tree.find("components")->find("box")->find("cap"), nullptr);
 }
 
 TEST(SilentKeys, WhatIsSetItselfMustMeanSomething) {
-  EXPECT_EQ(fault_of(kViewed, {"view.position=[0, 1, 5]", "view.azimuth=10"}),
-            "set view.azimuth: components.view.azimuth: 'azimuth' has no meaning beside 'position'; expected only one "
-            "of them");
+  EXPECT_EQ(
+      fault_of(kViewed, {"view.position=[0, 1, 5]", "view.azimuth=10"}),
+      "--set view.azimuth: components.view.azimuth: 'azimuth' has no meaning beside 'position'; expected only one "
+      "of them");
   EXPECT_NE(fault_of(kViewed, {"box.outline=[[0, 0]]", "box.segments=5"}), "no fault");
 }
 
 TEST(SilentKeys, OtherFaultsOfTheDocumentDoNotGiveWay) {
   const char* const faulty = R"({"box": {"type": "simple", "cap": true}, "ball": {"type": "simple"}})";
-  EXPECT_EQ(fault_of(faulty, {"ball.shape=sphere"}).substr(0, 33), "plant.json:1:60: components.box.c");
+  EXPECT_EQ(fault_of(faulty, {"ball.shape=sphere"}).substr(0, 33), "plant.json:1:58: components.box.c");
 }
 
 TEST(SilentKeys, NullTakesAKeyAway) {
   EXPECT_EQ(read(kViewed, {"view.azimuth=null"}).source.tree.find("components")->find("view")->find("azimuth"),
             nullptr);
-  EXPECT_EQ(fault_of(kViewed, {"veiw.azimuth=null"}).substr(0, 45), "set veiw.azimuth: components.veiw.azimuth: th");
+  EXPECT_EQ(fault_of(kViewed, {"veiw.azimuth=null"}).substr(0, 45), "--set veiw.azimuth: components.veiw.azimuth: ");
 }
 
 }  // namespace

@@ -31,6 +31,8 @@ const std::map<std::string, std::string>& exceptions() {
       {"a document.description", "for people"},
       {"a document.author", "for people, carried into files"},
       {"a document.licence", "for people, carried into files"},
+      {"an obstacle.broken", "what is not closed is refused without it"},
+      {"an operation.do", "there is one kind"},
       {"limits.diagnostics", "counts faults, of which a sound document has none"},
   };
   return reasons;
@@ -48,7 +50,10 @@ const std::map<std::string, std::string>& circumstances() {
       {"an lsystem.thinner", "a grammar may have no ! without a parameter"},
       {"a decay.trunk", "a grammar may set the widths itself"},
       {"a decay.branch", "as trunk"},
-      {"an obstacle.broken", "a mesh may be closed"},
+      {"an organize.laterals_wait", "no lateral bud may be ready before its terminal one"},
+      {"an organize.terminal_threshold", "all terminal buds may have enough, or none"},
+      {"a resource model.laterals", "no axis may have so many"},
+      {"shedding.below", "no shoot may be old enough"},
       {"stages.load", "a switch may stand where there is nothing to switch off, as all stages"},
       {"stages.fit", "as stages.load"},
       {"stages.age", "as stages.load"},
@@ -190,7 +195,8 @@ class RowWalk {
     // A limit that stops growth acts.
     if (path.starts_with("limits.")) return Outcome::changes;
     const bool is_refused = says("no meaning") || says("more than one of") || says("both a density and a count") ||
-                            says("belongs to branch links") || says("given both by");
+                            says("belongs to branch links") || says("given both by") || says("has no 'crown'") ||
+                            says("only one of");
     return is_refused ? Outcome::refused : Outcome::unfit;
   }
 

@@ -16,8 +16,9 @@ const std::map<std::string, std::vector<std::string>>& values_by_name() {
   static const std::map<std::string, std::vector<std::string>> values = {
       {"a grassleaf.midrib_points", {"[[0, 0], [0.4, 0.5], [1.3, 0.3]]"}},
       {"an lsystem.grammar", {R"("#axiom\nF(0.4) +(30) F")"}},
-      {"an operation.shoot", {R"("main")"}},
+      {"an operation.shoot", {R"("main.2")", R"("main.3")", R"("main.4")", R"("main.5")", R"("main.7")"}},
       {"an operation.do", {}},
+      {"a resource model.lambda_curve", {R"({"curve": [[0, 1], [1, 0.9]]})"}},
       {"a leaf.polygon", {"[[0.4, 0.2], [1, 0.5], [0.3, 0.8]]"}},
       {"a leaf.profile", {R"({"curve": [[0, 0], [1, 0.5]]})"}},
       {"a revolution.silhouette", {"[[0, 0], [0.05, 0.03], [0, 0.1]]"}},

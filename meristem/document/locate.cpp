@@ -243,6 +243,19 @@ std::optional<std::size_t> offset_of(const Diagnostic& diagnostic, std::string_v
 
 }  // namespace
 
+std::vector<std::size_t> places_of_bytes(std::string_view text, std::size_t begin) {
+  std::vector<std::size_t> places;
+  std::string read;
+  std::size_t at = begin + 1;
+  while (at < text.size() && text[at] != '"') {
+    const std::size_t next = decode(text, at, read);
+    places.resize(read.size(), at);
+    at = next;
+  }
+  places.push_back(at);
+  return places;
+}
+
 TextPosition text_position(std::string_view text, std::size_t offset) { return PositionCounter(text).at(offset); }
 
 void locate_diagnostics(std::string_view text, std::span<Diagnostic> diagnostics) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "meristem/base/diagnostic.h"
 
@@ -17,6 +18,9 @@ struct TextPosition {
 /// Where the byte at `offset` stands; offsets past the end count as the end. A byte order mark does not count, bytes
 /// within a character count as its first.
 TextPosition text_position(std::string_view text, std::size_t offset);
+
+/// Where in the JSON `text` each byte of the text value at `begin` stands, escapes counted, and last its closing quote.
+std::vector<std::size_t> places_of_bytes(std::string_view text, std::size_t begin);
 
 /// Fills line and column of the diagnostics that have a path, from the JSON `text` in which they arose: those of the
 /// value at the path, of the member's name (kAtName), or of a byte within the text there. Paths not in the text take

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/document/edit/edits.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "meristem/document/edit/path.h"
+#include "meristem/document/edit/rename.h"
+#include "meristem/document/edit/text_edit.h"
+#include "meristem/document/tables.h"
+
+namespace meristem {
+
+namespace {
+
+/// The path from the root: those that begin with no key of the document are variables, or begin with a component.
+std::string whole_path(const PlacedTree& tree, const std::string& path) {
+  const std::string_view first = std::string_view(path).substr(0, path.find_first_of(".["));
+  const std::vector<std::string> keys = head_table().names();
+  const bool is_key = std::find(keys.begin(), keys.end(), first) != keys.end() || first.empty();
+  if (first.size() == path.size()) {
+    const Value* variables = tree.root().value->find("variables");
+    const bool is_variable = variables != nullptr && variables->find(path) != nullptr;
+    return is_variable || !is_key ? "variables." + path : path;
+  }
+  return is_key ? path : "components." + path;
+}
+
+/// The member's name where the path is one of `group`: "components", "variables"; else empty.
+std::string named_in(const PlacedTree& tree, const std::string& path, std::string_view group) {
+  const PathTarget target = find_path(tree, path);
+  const Value::Object* top = tree.root().value->object();
+  if (top == nullptr || target.places.size() != 2 || (*top)[target.places[0]].first != group) return {};
+  const Value::Object* members = target.container().value->object();
+  return members == nullptr ? std::string() : (*members)[target.places[1]].first;
+}
+
+/// Components and variables themselves must be there; what they say may be added.
+void require_named(const PlacedTree& tree, const std::string& path) {
+  const PathTarget target = follow_path(tree, path);
+  const Value::Object* top = tree.root().value->object();
+  if (top == nullptr || target.places.size() != 1 || target.missing.empty()) return;
+  const std::string& group = (*top)[target.places[0]].first;
+  const bool is_part = group == "components" && target.missing.size() > 1;
+  if (is_part || (group == "variables" && target.missing.size() > 1)) throw_missing(target, path);
+}
+
+bool names_component(const Value& link, const std::string& id) {
+  const auto is_it = [&](const Value* end) { return end != nullptr && end->text() != nullptr && *end->text() == id; };
+  if (is_it(link.find("from")) || is_it(link.find("to"))) return true;
+  const Value::List* ends = link.list();
+  return ends != nullptr && std::any_of(ends->begin(), ends->end(), [&](const Value& end) { return is_it(&end); });
+}
+
+/// A component goes with its links: from the last on, so that the others keep their numbers.
+Patch remove_component(const PlacedTree& tree, const std::string& path, const std::string& id) {
+  Patch patch = remove_value(tree, path);
+  const Value* links = tree.root().value->find("links");
+  if (links == nullptr || links->list() == nullptr) return patch;
+  for (std::size_t k = links->list()->size(); k-- > 0;) {
+    if (!names_component((*links->list())[k], id)) continue;
+    const PlacedTree present(apply_patch(tree.text(), patch));
+    patch = joined_patches(patch, remove_value(present, fmt::format("links[{}]", k)));
+  }
+  return patch;
+}
+
+/// All places of expressions, as far as the text can be read.
+std::vector<std::string> expression_paths(const PlacedTree& tree, const EditContext& context) {
+  std::vector<std::string> paths;
+  try {
+    ReadOptions reading = context.reading;
+    reading.expression_paths = &paths;
+    read_document(tree.text(), context.file, context.registry, reading);
+  } catch (const InputError&) {
+    // What could be read is known all the same.
+  }
+  return paths;
+}
+
+/// Whether the last good document's component places the other by its name.
+bool places(const Document* document, const std::string& placer, const std::string& id) {
+  if (document == nullptr) return false;
+  for (const Prototype& prototype : document->graph.components) {
+    if (prototype.id != placer || prototype.type == nullptr || !prototype.type->placed) continue;
+    for (const PlacedComponent& placed : prototype.type->placed(prototype.parameters.get())) {
+      if (placed.id == id) return true;
+    }
+  }
+  return false;
+}
+
+struct Patcher {
+  const PlacedTree& tree;
+  const EditContext& context;
+
+  Patch operator()(const SetValue& edit) const {
+    std::string path = whole_path(tree, edit.path);
+    require_named(tree, path);
+    // A variable's bare name means its value.
+    const bool is_bare = edit.path.find_first_of(".[") == std::string::npos;
+    if (is_bare && edit.value.object() == nullptr && path.starts_with("variables.")) {
+      const PathTarget target = follow_path(tree, path);
+      if (target.missing.empty() && target.last().value->object() != nullptr) path += ".value";
+      if (!target.missing.empty() && edit.path == path.substr(std::string_view("variables.").size())) {
+        throw_missing(target, path);
+      }
+    }
+    return set_value(tree, path, edit.value);
+  }
+  Patch operator()(const UnsetValue& edit) const {
+    const std::string path = whole_path(tree, edit.path);
+    const PathTarget target = follow_path(tree, path);
+    if (target.missing.empty()) return remove_value(tree, path);
+    if (target.missing.front().is_index) throw_missing(target, path);
+    return {};
+  }
+  Patch operator()(const InsertValue& edit) const {
+    return insert_value(tree, whole_path(tree, edit.path), edit.value, edit.index);
+  }
+  Patch operator()(const RemoveValue& edit) const {
+    const std::string path = whole_path(tree, edit.path);
+    const std::string id = named_in(tree, path, "components");
+    return id.empty() ? remove_value(tree, path) : remove_component(tree, path, id);
+  }
+  Patch operator()(const RenameValue& edit) const {
+    const std::string path = whole_path(tree, edit.path);
+    if (const std::string id = named_in(tree, path, "components"); !id.empty()) {
+      return rename_component(tree, id, edit.name, context.registry,
+                              [&](const std::string& placer) { return places(context.document, placer, id); });
+    }
+    if (const std::string variable = named_in(tree, path, "variables"); !variable.empty()) {
+      return rename_variable(tree, variable, edit.name, context.registry, expression_paths(tree, context));
+    }
+    return rename_member(tree, path, edit.name);
+  }
+  Patch operator()(const MoveValue& edit) const { return move_value(tree, whole_path(tree, edit.path), edit.index); }
+};
+
+}  // namespace
+
+Patch patch_of(const Edit& edit, const PlacedTree& tree, const EditContext& context) {
+  return std::visit(Patcher{tree, context}, edit);
+}
+
+}  // namespace meristem

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/document/edit/rename.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/expression/expression.h"
+#include "meristem/document/edit/grammar_text_value.h"
+#include "meristem/document/edit/path.h"
+#include "meristem/document/edit/text_edit.h"
+#include "meristem/document/json.h"
+#include "meristem/document/locate.h"
+#include "meristem/graph/table/node_condition.h"
+#include "meristem/graph/table/site.h"
+
+namespace meristem {
+
+namespace {
+
+bool is_of_name(char c) {
+  return c == '_' || ('0' <= c && c <= '9') || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
+}
+
+[[noreturn]] void refuse(const std::string& path, std::string message, std::string expected) {
+  throw InputError(Diagnostic{.message = std::move(message), .expected = std::move(expected), .path = path});
+}
+
+/// The member of an object with where it stands; null where there is none.
+PlacedValue member_of(const PlacedTree& tree, PlacedValue object, std::string_view name) {
+  const Value::Object* members = object.value == nullptr ? nullptr : object.value->object();
+  for (std::size_t k = 0; members != nullptr && k < members->size(); ++k) {
+    if ((*members)[k].first == name) return tree.part(object, k);
+  }
+  return {};
+}
+
+/// Calls `take(id, grammar, path)` for each grammar that stands in the document.
+template <class Take>
+void for_each_grammar(const PlacedTree& tree, const Registry& registry, Take take) {
+  const PlacedValue components = member_of(tree, tree.root(), "components");
+  for (std::size_t k = 0; components.value != nullptr && k < part_count(*components.value); ++k) {
+    const PlacedValue component = tree.part(components, k);
+    const std::string& id = (*components.value->object())[k].first;
+    const Value* named = component.value->find("type");
+    const ComponentType* type = named != nullptr && named->text() != nullptr ? registry.find(*named->text()) : nullptr;
+    if (type == nullptr) continue;
+    for (const Parameter& row : type->parameters.parameters) {
+      if (row.kind != ParameterKind::lines) continue;
+      const PlacedValue grammar = member_of(tree, component, row.name);
+      if (grammar.value == nullptr) continue;
+      take(id, GrammarInDocument(tree, grammar), fmt::format("components.{}.{}", id, row.name));
+    }
+  }
+}
+
+Splice text_over(const PlacedTree& tree, PlacedValue value, const std::string& text) {
+  const TextNode& node = tree.at(value);
+  return {node.begin, node.end - node.begin, write_json_line(Value(text))};
+}
+
+/// Where links name the component.
+void rename_in_links(const PlacedTree& tree, const std::string& id, const std::string& name, Patch& patch) {
+  const PlacedValue links = member_of(tree, tree.root(), "links");
+  if (links.value == nullptr || links.value->list() == nullptr) return;
+  for (std::size_t k = 0; k < part_count(*links.value); ++k) {
+    const PlacedValue link = tree.part(links, k);
+    std::vector<PlacedValue> ends{member_of(tree, link, "from"), member_of(tree, link, "to")};
+    if (link.value->list() != nullptr) {
+      for (std::size_t end = 0; end < part_count(*link.value); ++end) ends.push_back(tree.part(link, end));
+    }
+    for (const PlacedValue end : ends) {
+      if (end.value != nullptr && end.value->text() != nullptr && *end.value->text() == id) {
+        patch.push_back(text_over(tree, end, name));
+      }
+    }
+  }
+}
+
+/// The name wherever it stands in an expression.
+void rename_in_expression(const PlacedTree& tree, PlacedValue value, const std::string& variable,
+                          const std::string& name, const std::string& path, Patch& patch) {
+  const std::string& text = *value.value->text();
+  std::vector<std::size_t> places;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at;
+    while (end < text.size() && is_of_name(text[end])) ++end;
+    const std::string_view word = std::string_view(text).substr(at, end - at);
+    if (word == name) refuse(path, fmt::format("'{}' has a meaning here already", name), "another name");
+    if (word == variable) {
+      if (places.empty()) places = places_of_bytes(tree.text(), tree.at(value).begin);
+      patch.push_back({places[at], places[end] - places[at], name});
+    }
+    at = std::max(end, at + 1);
+  }
+}
+
+bool has_meaning(const std::string& name) {
+  const auto is_in = [&](const auto& names) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  return is_builtin_name(name) || is_in(site_variables()) || is_in(node_variables());
+}
+
+Patch in_order(Patch patch) {
+  std::stable_sort(patch.begin(), patch.end(), [](const Splice& a, const Splice& b) { return a.offset < b.offset; });
+  // An expression may have been read twice.
+  patch.erase(std::unique(patch.begin(), patch.end()), patch.end());
+  return patch;
+}
+
+void append(Patch& patch, const Patch& more) { patch.insert(patch.end(), more.begin(), more.end()); }
+
+}  // namespace
+
+Patch rename_component(const PlacedTree& tree, const std::string& id, const std::string& name, const Registry& registry,
+                       const std::function<bool(const std::string& placer)>& placed_by) {
+  const std::string path = path_below("components", id);
+  if (name.empty() || !std::all_of(name.begin(), name.end(), is_of_name)) {
+    refuse(path, fmt::format("'{}' cannot name a component", name), "letters, digits and _");
+  }
+  Patch patch = rename_member(tree, path, name);
+  if (patch.empty()) return patch;
+  rename_in_links(tree, id, name, patch);
+  for_each_grammar(tree, registry,
+                   [&](const std::string& placer, const GrammarInDocument& grammar, const std::string& at) {
+                     if (grammar.has_symbol(id) && (grammar.places(id) || placed_by(placer))) {
+                       append(patch, grammar.with_symbol(id, name, at));
+                     }
+                   });
+  return in_order(std::move(patch));
+}
+
+Patch rename_variable(const PlacedTree& tree, const std::string& variable, const std::string& name,
+                      const Registry& registry, const std::vector<std::string>& expression_paths) {
+  const std::string path = path_below("variables", variable);
+  if (!is_identifier(name)) {
+    refuse(path, fmt::format("'{}' is not a name", name), "letters, digits and _, not beginning with a digit");
+  }
+  if (has_meaning(name)) {
+    refuse(path, fmt::format("'{}' has a meaning in expressions already", name), "another name");
+  }
+  Patch patch = rename_member(tree, path, name);
+  if (patch.empty()) return patch;
+  for (const std::string& expression : expression_paths) {
+    const PathTarget target = follow_path(tree, expression);
+    if (!target.missing.empty() || target.last().value->text() == nullptr) continue;
+    rename_in_expression(tree, target.last(), variable, name, expression, patch);
+  }
+  for_each_grammar(tree, registry, [&](const std::string&, const GrammarInDocument& grammar, const std::string& at) {
+    append(patch, grammar.with_name(variable, name, at));
+  });
+  return in_order(std::move(patch));
+}
+
+}  // namespace meristem

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// A document while it is being worked on: the one door through which editors change it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "meristem/base/progress.h"
+#include "meristem/document/document.h"
+#include "meristem/document/edit/patch.h"
+#include "meristem/document/grow.h"
+#include "meristem/shape/scene_keys.h"
+
+namespace meristem {
+
+// What an edit does. Paths are those of overrides and of messages: "age" (a variable), "leaf.length" (of a component),
+// "components.leaf.length", "links[1].density"; "links[]" is behind the last element. All throw an InputError for paths
+// that lead nowhere.
+
+/// Has the path say the value. Members on the way that are not there are added, elements must be there.
+struct SetValue {
+  std::string path;
+  Value value;
+};
+/// Takes a member out where it is there, so that its default holds.
+struct UnsetValue {
+  std::string path;
+};
+/// Puts an element before that of the path, or adds a member that is not there yet, the last or number `index`.
+struct InsertValue {
+  std::string path;
+  Value value;
+  std::optional<std::size_t> index{};
+};
+/// Takes out what is there; a component with all links from and to it.
+struct RemoveValue {
+  std::string path;
+};
+/// Gives a member another name: components and variables wherever the document speaks of them, in links, expressions
+/// and grammars that stand in it. A component's chance follows its name, so that it will grow in another way.
+struct RenameValue {
+  std::string path;
+  std::string name;
+};
+/// Moves a member or element within its object or list, so that it is number `index`.
+struct MoveValue {
+  std::string path;
+  std::size_t index = 0;
+};
+using Edit = std::variant<SetValue, UnsetValue, InsertValue, RemoveValue, RenameValue, MoveValue>;
+
+/// A change of the text, and what takes it back.
+struct Change {
+  Patch patch;
+  Patch inverse;
+};
+
+struct SessionOptions {
+  std::vector<Override> overrides{};    ///< as of read_document
+  std::optional<std::uint64_t> seed{};  ///< as of read_document
+  std::string root{};                   ///< as of read_document
+  std::size_t most_undone = 1000;       ///< edits that can be taken back; the oldest are forgotten
+};
+
+/// Text, document and what has grown of it, kept together. An edit changes the text's bytes that it must change and no
+/// others; where the new text is faulty the session keeps it with its faults, and document and growth stay those of the
+/// last text without. Reading and growing anew makes only what the edit has changed; files are read again by reload()
+/// alone. One call at a time.
+class Session {
+ public:
+  /// `file` is the text's name in messages, from whose folder the files that it names are sought. `registry` outlives
+  /// the session. Never throws for what the text says: see faults().
+  Session(std::string text, std::string file, const Registry& registry, SessionOptions options = {});
+
+  const std::string& text() const { return text_; }
+  const std::string& file() const { return file_; }
+  /// Errors of the present text, or if there are none the document's warnings.
+  const std::vector<Diagnostic>& faults() const { return faults_; }
+  /// Whether the present text has no errors, so that document() is what it says.
+  bool is_good() const { return is_good_; }
+  /// Of the last text without errors; null before there was one.
+  const Document* document() const { return document_ ? &*document_ : nullptr; }
+
+  /// Makes the edits, one after another, as one step. Throws an InputError where one of them cannot be made, or the
+  /// text is no JSON; then nothing has changed.
+  Change edit(const std::vector<Edit>& edits);
+  Change edit(std::string path, Value value) { return edit({SetValue{std::move(path), std::move(value)}}); }
+  /// Puts the patch into the text, as of somebody who types. Throws std::invalid_argument where it does not fit.
+  Change edit_text(const Patch& patch);
+  /// Takes the last step back, or makes it again; nothing where there is none.
+  std::optional<Change> undo();
+  std::optional<Change> redo();
+  std::size_t undo_count() const { return done_.size(); }
+  std::size_t redo_count() const { return undone_.size(); }
+
+  /// Values that go before those of the text until others are given, as while a hand drags; the text stays.
+  void set_overrides(std::vector<Override> overrides);
+  /// Reads the files that have changed on the disk since they were read, and the document with them.
+  void reload();
+
+  /// Grows the document; what has changed since the last growth is made anew. Throws an InputError (limits; also where
+  /// there was never a document), Cancelled; then grown() stays.
+  const GrownDocument& grow(Progress& progress, double time = 0, const Detail& detail = {});
+  /// The last that has grown; null before.
+  const GrownDocument* grown() const { return grown_ ? &*grown_ : nullptr; }
+  /// Keys of what has grown, and how it differs from the growth before.
+  const SceneKeys& keys() const { return keys_; }
+  const SceneDifference& difference() const { return difference_; }
+  const GrowthCache& cache() const { return cache_; }
+  /// What reading has done; see ReadStore::Counts.
+  const ReadStore::Counts& read_counts() const { return store_.counts(); }
+
+ private:
+  ReadOptions reading();
+  void read();
+  Change take_over(Patch patch);
+  Change step_back(std::vector<Change>& from, std::vector<Change>& to);
+
+  std::string text_;
+  std::string file_;
+  const Registry* registry_;
+  SessionOptions options_;
+  ReadStore store_;
+  std::vector<Diagnostic> faults_;
+  bool is_good_ = false;
+  std::optional<Document> document_;
+  std::vector<Change> done_;
+  std::vector<Change> undone_;
+  GrowthCache cache_;
+  std::optional<GrownDocument> grown_;
+  SceneKeyMaker key_maker_;
+  SceneKeys keys_;
+  SceneDifference difference_;
+};
+
+}  // namespace meristem

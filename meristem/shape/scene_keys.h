@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keys of what a mesh scene is made of, so that whoever shows one scene after another takes over only what has changed.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "meristem/shape/mesh_scene.h"
+
+namespace meristem {
+
+/// Equal keys, equal content: hashes of all that a part holds.
+struct SceneKeys {
+  /// What stands in one place of MeshScene::meshes.
+  struct Batch {
+    std::string component;
+    std::uint32_t number = 0;     ///< among those of its component
+    std::uint64_t mesh = 0;       ///< of the mesh that its instances share
+    std::uint64_t material = 0;   ///< of how it looks
+    std::uint64_t instances = 0;  ///< of their frames and tints
+
+    bool operator==(const Batch&) const = default;
+  };
+  std::vector<Batch> batches;            ///< in the order of MeshScene::meshes
+  std::vector<std::uint64_t> materials;  ///< in that of MeshScene::materials
+};
+
+/// Makes keys. What scenes share, because a growth has kept it, is hashed once.
+class SceneKeyMaker {
+ public:
+  SceneKeys keys_of(const MeshScene& scene);
+
+ private:
+  struct Known {
+    std::weak_ptr<const void> content;
+    std::uint64_t key = 0;
+  };
+  template <class Content>
+  std::uint64_t key_of(const std::shared_ptr<const Content>& content);
+
+  std::unordered_map<const void*, Known> known_;
+};
+
+/// What one scene has that another has not.
+struct SceneDifference {
+  /// Keys in rising order.
+  struct Keys {
+    std::vector<std::uint64_t> added;
+    std::vector<std::uint64_t> removed;
+  };
+  Keys meshes;
+  Keys materials;
+  /// Places of batches: those added and changed in the later scene, those removed in the earlier one. Batches are the
+  /// same one where they have their component and number in common, and have changed where a key differs.
+  struct Batches {
+    std::vector<std::size_t> added;
+    std::vector<std::size_t> changed;
+    std::vector<std::size_t> removed;
+  };
+  Batches batches;
+
+  bool is_empty() const {
+    return meshes.added.empty() && meshes.removed.empty() && materials.added.empty() && materials.removed.empty() &&
+           batches.added.empty() && batches.changed.empty() && batches.removed.empty();
+  }
+};
+
+SceneDifference difference(const SceneKeys& before, const SceneKeys& after);
+
+}  // namespace meristem

@@ -130,7 +130,8 @@ void take_pictures(const Document& document, const std::vector<Picture>& picture
   const Detail& detail = chosen.detail;
   const PictureFileOptions file = chosen_file(chosen);
   double grown_time = pictures.back().time;
-  GrownDocument grown = grow_document(document, progress, {.time = grown_time, .detail = detail});
+  GrowthCache cache;  // what does not change with time is made once
+  GrownDocument grown = grow_document(document, progress, {.time = grown_time, .detail = detail, .cache = &cache});
   const Vec3 middle = grown.meshes.bounds().centre();
   if (pictures.front().time != grown_time) {
     const double aspect = static_cast<double>(options.still.width) / options.still.height;
@@ -140,7 +141,7 @@ void take_pictures(const Document& document, const std::vector<Picture>& picture
   for (const Picture& picture : pictures) {
     if (picture.time != grown_time) {
       grown_time = picture.time;
-      grown = grow_document(document, progress, {.time = grown_time, .detail = detail});
+      grown = grow_document(document, progress, {.time = grown_time, .detail = detail, .cache = &cache});
     }
     options.view = turned(view, middle, picture.turn);
     if (chosen.fingerprint) {

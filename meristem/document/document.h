@@ -92,8 +92,8 @@ struct ReadOptions {
   /// Nothing that the document names is read outside of this folder, wherever links and dots lead, and messages tell
   /// nothing of what is there. Empty: any file may be read.
   std::string root{};
-  ReadStore* store =
-      nullptr;  ///< what earlier reads made of files is found there, and left for later ones; may be null
+  /// What earlier reads made of files is found there, and left for later ones; null: every file is read.
+  ReadStore* store = nullptr;
   /// Takes the document paths of all expressions, as far as they were read; may be null.
   std::vector<std::string>* expression_paths = nullptr;
 };

@@ -122,6 +122,7 @@ const std::vector<std::string>& look_names() {
 void set_fingerprints(Prototype& prototype, const Value& value, std::span<const ExpressionNames::Constant> constants,
                       std::span<const NamedFile> files, const Limits& limits) {
   prototype.fingerprint = fingerprint_of(value, constants, files, limits.file_bytes);
+  prototype.depends_on_time = mentions(value, "t");
   if (!prototype.type->grow || value.object() == nullptr) return;
   Value::Object of_growth = *value.object();
   std::erase_if(of_growth, [&](const Value::Member& member) {

@@ -131,6 +131,7 @@ struct Prototype {
   /// Hash of all that is said of it; nothing where that is not known, and then nothing it makes can be kept.
   std::optional<std::uint64_t> fingerprint{};
   std::optional<std::uint64_t> growth_fingerprint{};  ///< of what its growth depends on
+  bool depends_on_time = true;                        ///< whether an expression of it may ask for t
 
   const ComponentBase& base() const { return type->base(parameters.get()); }
 };

@@ -81,14 +81,15 @@ class Expansion {
     static_assert(std::has_unique_object_representations_v<Limits>);
     if (!scene_.fingerprint) return std::nullopt;
     const std::string_view limits(reinterpret_cast<const char*>(&graph_.limits), sizeof(Limits));
-    return results_.key([&] { return Fingerprint().add(*scene_.fingerprint).add(time_).add_text(limits).hash(); });
+    return results_.key([&] { return Fingerprint().add(*scene_.fingerprint).add_text(limits).hash(); });
   }
 
   /// That of one component in these surroundings.
   CacheKey fingerprint_of(ComponentIndex component, CacheKey of_document) const {
     if (!surroundings_ || !of_document) return std::nullopt;
-    const std::string_view id = graph_.components[component].id;
-    return Fingerprint().add(*surroundings_).add_text(id).add(*of_document).hash();
+    const Prototype& prototype = graph_.components[component];
+    const double time = prototype.depends_on_time ? time_ : 0;
+    return Fingerprint().add(*surroundings_).add_text(prototype.id).add(time).add(*of_document).hash();
   }
 
   std::shared_ptr<const Places> places_of(std::vector<Site> sites) const {

@@ -27,6 +27,7 @@ void add(const Vec3& vector, Fingerprint& to) { to.add(vector.x).add(vector.y).a
 
 std::uint64_t hash_of(const Texture& texture) {
   Fingerprint fingerprint;
+  if (texture.fingerprint != 0) return fingerprint.add(texture.fingerprint).add(texture.is_painted()).hash();
   fingerprint.add_text(texture.name).add(texture.masked);
   add(texture.mean, fingerprint);
   for (const Image* image : {&texture.colour, &texture.normals}) {

@@ -57,8 +57,10 @@ DocumentPointer with_values(const DocumentPointer& document, const py::object& v
     overrides.push_back(std::move(more));
   }
   const std::optional<std::uint64_t> other = optional_seed(seed);
-  return std::make_shared<DocumentInPython>(document->text, document->file, std::move(overrides),
-                                            other ? other : kept_seed, document->textures);
+  auto made = std::make_shared<DocumentInPython>(document->text, document->file, std::move(overrides),
+                                                 other ? other : kept_seed, document->shared);
+  made->has_other_values = !values.is_none();
+  return made;
 }
 
 /// Files that the document names must be found from where it is written.
@@ -107,8 +109,10 @@ std::shared_ptr<PlantInPython> grow(const DocumentPointer& document, double time
                                     const py::object& progress) {
   if (!std::isfinite(time)) throw py::value_error("time must be a finite number of seconds");
   return run_call(progress, threads, [&](Progress& inner) {
-    GrownDocument grown = grow_document(document->document, inner, {.time = time, .up_to = GrownPart::plant});
-    return std::make_shared<PlantInPython>(document, std::move(grown.plant));
+    GrowthOptions options{.time = time, .up_to = GrownPart::plant};
+    std::unique_lock<std::mutex> growing(document->shared->growing, std::defer_lock);
+    if (document->has_other_values && growing.try_lock()) options.cache = &document->shared->growth;
+    return std::make_shared<PlantInPython>(document, grow_document(document->document, inner, options).plant);
   });
 }
 
@@ -140,13 +144,25 @@ DocumentPointer from_state(const py::tuple& state) {
 }  // namespace
 
 DocumentInPython::DocumentInPython(std::string given_text, std::string given_file, std::vector<Override> values,
-                                   std::optional<std::uint64_t> other_seed, std::shared_ptr<PaintedTextures> shared)
+                                   std::optional<std::uint64_t> other_seed, std::shared_ptr<SharedWork> shared_work)
     : text(std::move(given_text)),
       file(std::move(given_file)),
       overrides(std::move(values)),
       seed(other_seed),
-      document(read_document(text, file, builtin_components(), {.overrides = overrides, .seed = seed})),
-      textures(std::move(shared)) {}
+      shared(std::move(shared_work)) {
+  const std::scoped_lock reading(shared->reading);
+  shared->files.reload();
+  document =
+      read_document(text, file, builtin_components(), {.overrides = overrides, .seed = seed, .store = &shared->files});
+}
+
+DocumentInPython::DocumentInPython(Document read, std::vector<Override> values, std::optional<std::uint64_t> other_seed)
+    : text(read.source.text),
+      file(read.source.file),
+      overrides(std::move(values)),
+      seed(other_seed),
+      document(std::move(read)),
+      shared(std::make_shared<SharedWork>()) {}
 
 const GrownDocument& PlantInPython::up_to(GrownPart part, Progress& progress) {
   const std::scoped_lock lock(mutex_);
@@ -154,8 +170,8 @@ const GrownDocument& PlantInPython::up_to(GrownPart part, Progress& progress) {
   has_meshes_ = grown_.up_to >= GrownPart::meshes;
   if (part <= grown_.up_to) return grown_;
   // The plants of a batch have their textures in common, not their meshes.
-  const std::scoped_lock painting(origin->textures->mutex);
-  complete_growth(origin->document, grown_, progress, {.up_to = part, .cache = &origin->textures->cache});
+  const std::scoped_lock painting(origin->shared->painting);
+  complete_growth(origin->document, grown_, progress, {.up_to = part, .cache = &origin->shared->textures});
   return grown_;
 }
 
@@ -188,7 +204,8 @@ their paths, as in set(); `seed` (0 to 2^64 - 1) replaces the document's. Raises
            R"(The document with other values, by their paths, and another seed.
 
 {"age": 20} sets a variable, {"leaf.length": 0.1} a component's parameter, {"links[1].density": 90} or
-{"scene.latitude": 50} a key. Files are read anew. Raises InputError.)")
+{"scene.latitude": 50} a key. Files that have changed are read anew. Growing it makes only what has changed since the
+last growth of such a document. Raises InputError.)")
       .def("grow", &grow, py::arg("time") = 0.0, py::kw_only(), py::arg("threads") = 0,
            py::arg("progress") = py::none(),
            R"(Grows the document as it stands at `time` (seconds) and gives a Plant, the same on any number of threads.

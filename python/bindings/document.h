@@ -19,10 +19,15 @@ namespace meristem::python {
 
 namespace py = pybind11;
 
-/// The textures of the last plant that has been painted, for the next one of the same document or one made of it.
-struct PaintedTextures {
-  std::mutex mutex;
-  GrowthCache cache;
+/// What a document and those that set() makes of it share: the textures of the last plant that has been painted, what
+/// reading has made of files, and what the last growth of one of them has left.
+struct SharedWork {
+  std::mutex painting;
+  GrowthCache textures;
+  std::mutex reading;
+  ReadStore files;
+  std::mutex growing;
+  GrowthCache growth;
 };
 
 /// A document and what it was read from, so that it can be read again with other values. It never changes, so calls
@@ -33,12 +38,15 @@ struct DocumentInPython {
   std::vector<Override> overrides;
   std::optional<std::uint64_t> seed;
   Document document;
-  std::shared_ptr<PaintedTextures> textures;  ///< shared with the documents that it was made of
+  std::shared_ptr<SharedWork> shared;  ///< with the documents that it was made of
+  bool has_other_values = false;       ///< than the one that set() made it of, so that growing it may find much done
 
   /// Throws InputError.
   DocumentInPython(std::string given_text, std::string given_file, std::vector<Override> values,
                    std::optional<std::uint64_t> other_seed,
-                   std::shared_ptr<PaintedTextures> shared = std::make_shared<PaintedTextures>());
+                   std::shared_ptr<SharedWork> shared_work = std::make_shared<SharedWork>());
+  /// Of one that was read already.
+  explicit DocumentInPython(Document read, std::vector<Override> values, std::optional<std::uint64_t> other_seed);
   /// What the text says, with overrides and seed.
   Value tree() const;
 };
@@ -49,6 +57,8 @@ class PlantInPython {
   PlantInPython(std::shared_ptr<const DocumentInPython> from, Plant plant) : origin(std::move(from)) {
     grown_.plant = std::move(plant);
   }
+  PlantInPython(std::shared_ptr<const DocumentInPython> from, GrownDocument grown)
+      : origin(std::move(from)), grown_(std::move(grown)), has_meshes_(grown_.up_to >= GrownPart::meshes) {}
 
   const std::shared_ptr<const DocumentInPython> origin;
 
@@ -81,6 +91,7 @@ void bind_document(py::module_& module);
 void bind_skeleton(py::module_& module);
 void bind_mesh(py::module_& module);
 void bind_plant(py::module_& module);
+void bind_session(py::module_& module);
 void bind_word(py::module_& module);
 
 }  // namespace meristem::python

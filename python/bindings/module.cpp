@@ -22,6 +22,7 @@ PYBIND11_MODULE(_core, module) {
   bind_colonize(module);
   bind_plant(module);
   bind_document(module);
+  bind_session(module);
   bind_word(module);
   bind_component_types(module);
   module.attr("__version__") = std::string(meristem::version());

@@ -13,6 +13,7 @@ long as they are kept.
 
 from . import grass
 from ._batch import BatchResult, batch
+from ._change import Change
 from ._collect import collect
 from ._core import (
     Document,
@@ -24,6 +25,7 @@ from ._core import (
     Plant,
     Progress,
     Scene,
+    Session,
     Skeleton,
     Stem,
     Word,
@@ -54,6 +56,7 @@ setattr(Document, "_repr_markdown_", describe)
 __all__ = [
     "BatchResult",
     "Cancelled",
+    "Change",
     "Diagnostic",
     "Document",
     "Error",
@@ -67,6 +70,7 @@ __all__ = [
     "Plant",
     "Progress",
     "Scene",
+    "Session",
     "Skeleton",
     "Stem",
     "Variable",

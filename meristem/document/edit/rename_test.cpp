@@ -21,16 +21,13 @@ const std::string kFern = R"json({
       "A(1)",
       "A(q) : q > r -> F(q*r)[+~leaf]B A(q*size) // leaf size",
       "#interpret",
-      "B -> ~K /* K */"]
-}
-, "leaf" : {"type" : "leaf", "length" : "size*x1e5", "width" : {"range" : [ "size", 0.2 ]}},
-           "K" : {"type" : "simple", "size" : [ "size", 1e5, "2*size" ], "colour" : "#b03020"},
-                 "size" : {
-  "type" : "simple", "omit" : ["i > size"]
-}
-}
-, "links" : [ [ "plant", "size" ], {"from" : "leaf", "to" : "size"} ]
-})";
+      "B -> ~K /* K */"]},
+    "leaf": {"type": "leaf", "length": "size*x1e5", "width": {"range": ["size", 0.2]}},
+    "K": {"type": "simple", "size": ["size", 1e5, "2*size"], "colour": "#b03020"},
+    "size": {"type": "simple", "omit": ["i > size"]}
+  },
+  "links": [["plant", "size"], {"from": "leaf", "to": "size"}]
+})json";
 
 std::string renamed(const std::string& text, const std::string& path, const std::string& name) {
   Session session(text, "fern.json", builtin_components());
@@ -89,21 +86,17 @@ TEST(Rename, AShorterNameInAGrammarIsDeclaredNoMore) {
                                                                      {"\"from\": \"leaf\"", "\"from\": \"L\""}}));
 }
 
-TEST(Rename, WhatAGrammarCallsAlikeButDoesNotPlaceStays){const std::string text = R"json({"meristem": 1, "components": {
-    "plant": {"type": "lsystem", "steps": 1, "grammar": "F F(2)"},
-    "F" : {
-  "type" : "simple"
-}
-}
-})";
+TEST(Rename, WhatAGrammarCallsAlikeButDoesNotPlaceStays) {
+  const std::string text = R"json({"meristem": 1, "components": {
+    "plant": {"type": "lsystem", "steps": 1, "grammar": "F F(2)"}, "F": {"type": "simple"}}})json";
   EXPECT_EQ(renamed(text, "components.F", "box"), replaced(text, {{"\"F\": {", "\"box\": {"}}));
 }
 
 TEST(Rename, SymbolsThatWouldRunTogetherArePartedByBlanks) {
   const std::string text = R"json({"meristem": 1, "components": {
     "plant": {"type": "lsystem", "steps": 1, "grammar": "F~XF\n"}, "X": {"type": "simple"}}})json";
-EXPECT_EQ(renamed(text, "components.X", "bud"),
-          replaced(text, {{"F~XF", "#symbols bud\\nF~bud F"}, {"\"X\": {", "\"bud\": {"}}));
+  EXPECT_EQ(renamed(text, "components.X", "bud"),
+            replaced(text, {{"F~XF", "#symbols bud\\nF~bud F"}, {"\"X\": {", "\"bud\": {"}}));
 }
 
 TEST(Rename, VariablesKeepTheirNameInAllExpressions) {

@@ -90,12 +90,12 @@ void Session::reload() {
   read();
 }
 
-const GrownDocument& Session::grow(Progress& progress, double time, const Detail& detail) {
+const GrownDocument& Session::grow(Progress& progress, GrowthOptions options) {
   if (!document_) throw InputError(faults_);
-  GrownDocument grown = grow_document(*document_, progress, time, detail, &cache_);
-  SceneKeys keys = key_maker_.keys_of(grown.meshes);
-  difference_ = meristem::difference(keys_, keys);
-  keys_ = std::move(keys);
+  options.cache = &cache_;
+  GrownDocument grown = grow_document(*document_, progress, options);
+  keys_before_ = std::exchange(keys_, key_maker_.keys_of(grown.meshes));
+  difference_ = meristem::difference(keys_before_, keys_);
   grown_ = std::move(grown);
   return *grown_;
 }

@@ -98,18 +98,20 @@ class Session {
   std::size_t undo_count() const { return done_.size(); }
   std::size_t redo_count() const { return undone_.size(); }
 
+  const std::vector<Override>& overrides() const { return options_.overrides; }
   /// Values that go before those of the text until others are given, as while a hand drags; the text stays.
   void set_overrides(std::vector<Override> overrides);
   /// Reads the files that have changed on the disk since they were read, and the document with them.
   void reload();
 
-  /// Grows the document; what has changed since the last growth is made anew. Throws an InputError (limits; also where
-  /// there was never a document), Cancelled; then grown() stays.
-  const GrownDocument& grow(Progress& progress, double time = 0, const Detail& detail = {});
+  /// Grows the document with the session's own cache: what has changed since the last growth is made anew. Throws an
+  /// InputError (limits; also where there was never a document), Cancelled; then grown() stays.
+  const GrownDocument& grow(Progress& progress, GrowthOptions options = {});
   /// The last that has grown; null before.
   const GrownDocument* grown() const { return grown_ ? &*grown_ : nullptr; }
   /// Keys of what has grown, and how it differs from the growth before.
   const SceneKeys& keys() const { return keys_; }
+  const SceneKeys& keys_before() const { return keys_before_; }  ///< of the growth before
   const SceneDifference& difference() const { return difference_; }
   const GrowthCache& cache() const { return cache_; }
   /// What reading has done; see ReadStore::Counts.
@@ -135,6 +137,7 @@ class Session {
   std::optional<GrownDocument> grown_;
   SceneKeyMaker key_maker_;
   SceneKeys keys_;
+  SceneKeys keys_before_;
   SceneDifference difference_;
 };
 

@@ -25,13 +25,11 @@ const std::string kBush = R"json({
   },
   "components": {
     "stem": {"type": "tree", "length": 1.50, "radius": 0.01},
-    "leaf": {"type": "leaf", "length": "size*(1 + 0.1*gauss(0,1))",
-                  "width" : 0.03
-}
-}
-, "links" : [
-  {"from" : "stem", "to" : "leaf", "kind" : "branch", "count" : "many"}  // all around
-]
+    "leaf": {"type": "leaf", "length": "size*(1 + 0.1*gauss(0,1))", "width": 0.03}
+  },
+  "links": [
+    {"from": "stem", "to": "leaf", "kind": "branch", "count": "many"}  // all around
+  ]
 }
 )json";
 

@@ -27,22 +27,6 @@ bool contains_name(std::string_view text, std::string_view name) {
   return false;
 }
 
-/// Whether a text of the value names it. Values nest no deeper than a document may.
-bool mentions(const Value& value, std::string_view name) {
-  if (const std::string* text = value.text()) return contains_name(*text, name);
-  if (const Value::List* list = value.list()) {
-    for (const Value& element : *list) {
-      if (mentions(element, name)) return true;
-    }
-  }
-  if (const Value::Object* object = value.object()) {
-    for (const auto& [key, member] : *object) {
-      if (mentions(member, name)) return true;
-    }
-  }
-  return false;
-}
-
 void add_value(const Value& value, Fingerprint& to) {
   if (const bool* boolean = value.boolean()) {
     to.add(Kind::boolean).add(*boolean);
@@ -62,6 +46,21 @@ void add_value(const Value& value, Fingerprint& to) {
 }
 
 }  // namespace
+
+bool mentions(const Value& value, std::string_view name) {
+  if (const std::string* text = value.text()) return contains_name(*text, name);
+  if (const Value::List* list = value.list()) {
+    for (const Value& element : *list) {
+      if (mentions(element, name)) return true;
+    }
+  }
+  if (const Value::Object* object = value.object()) {
+    for (const auto& [key, member] : *object) {
+      if (mentions(member, name)) return true;
+    }
+  }
+  return false;
+}
 
 std::optional<std::uint64_t> fingerprint_of(const Value& value, std::span<const ExpressionNames::Constant> constants,
                                             std::span<const NamedFile> files, std::uint64_t file_bytes) {

@@ -5,12 +5,16 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "meristem/base/expression/expression.h"
 #include "meristem/graph/table/file_access.h"
 #include "meristem/graph/table/value.h"
 
 namespace meristem {
+
+/// Whether a text of the value has the name as a word of its own.
+bool mentions(const Value& value, std::string_view name);
 
 /// Hash of what a document says in one place: the value, the constants whose names occur in its texts, and what stands
 /// in the `files` that were read with it; where there are such, all constants. Nothing where a file is none to be read

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/document/edit/session.h"
+
+#include <cmath>
+#include <mutex>
+
+#include <pybind11/stl.h>
+
+#include "call.h"
+#include "document.h"
+#include "errors.h"
+#include "meristem/components/registry.h"
+#include "meristem/document/json.h"
+#include "meristem/document/models.h"
+#include "values.h"
+
+namespace meristem::python {
+
+namespace {
+
+struct SessionInPython {
+  SessionInPython(Session given, std::optional<std::uint64_t> other_seed)
+      : session(std::move(given)), seed(other_seed) {}
+
+  Session session;
+  const std::optional<std::uint64_t> seed;
+  std::mutex mutex;  // one call at a time
+
+  /// Waiting could stop other threads for good, as they need the interpreter's lock.
+  std::unique_lock<std::mutex> lock() {
+    std::unique_lock<std::mutex> lock(mutex, std::try_to_lock);
+    if (!lock) throw std::runtime_error("another thread is using the session");
+    return lock;
+  }
+};
+using SessionPointer = std::shared_ptr<SessionInPython>;
+
+std::optional<std::uint64_t> optional_seed(const py::object& seed) {
+  if (seed.is_none()) return {};
+  return seed_of(seed);
+}
+
+SessionPointer make_session(std::string text, std::string file, const py::object& set, const py::object& seed,
+                            const py::object& root) {
+  SessionOptions options{.overrides = to_overrides(set), .seed = optional_seed(seed), .root = path_of(root)};
+  Session session(std::move(text), std::move(file), builtin_components(), options);
+  return std::make_shared<SessionInPython>(std::move(session), options.seed);
+}
+
+SessionPointer session_of(const py::object& content, const py::object& file, const py::object& set,
+                          const py::object& seed, const py::object& root) {
+  const Value value = to_value(content);
+  const std::string* const text = value.text();
+  const std::string named = path_of(file);
+  return make_session(text != nullptr ? *text : write_json(value), named.empty() ? "<python>" : named, set, seed, root);
+}
+
+SessionPointer open(const py::object& path, const py::object& set, const py::object& seed, const py::object& root) {
+  const std::string folder = py::module_::import("meristem._models").attr("folder")().cast<std::string>();
+  const std::string file = find_document(path_of(path), folder);
+  return make_session(read_text_file(file), file, set, seed, root);
+}
+
+py::list to_python(const Patch& patch) {
+  py::list splices;
+  for (const Splice& splice : patch) {
+    splices.append(py::make_tuple(splice.offset, splice.length, py::str(splice.replacement)));
+  }
+  return splices;
+}
+
+/// None where there was no step.
+py::object to_python(const std::optional<Change>& change) {
+  if (!change) return py::none();
+  return py::module_::import("meristem._change").attr("Change")(to_python(change->patch), to_python(change->inverse));
+}
+
+py::object edit(const SessionPointer& self, const std::vector<Edit>& edits) {
+  const auto lock = self->lock();
+  return to_python(std::optional(self->session.edit(edits)));
+}
+
+py::object edit_values(const SessionPointer& self, const py::object& values) {
+  std::vector<Edit> edits;
+  for (Override& given : to_overrides(values)) edits.emplace_back(SetValue{given.path, std::move(given.value)});
+  return edit(self, edits);
+}
+
+py::object edit_text(const SessionPointer& self,
+                     const std::vector<std::tuple<std::size_t, std::size_t, std::string>>& splices) {
+  const auto lock = self->lock();
+  Patch patch;
+  for (const auto& [offset, length, replacement] : splices) patch.push_back({offset, length, replacement});
+  return to_python(std::optional(self->session.edit_text(patch)));
+}
+
+std::optional<std::size_t> optional_index(const py::object& index) {
+  if (index.is_none()) return {};
+  return index.cast<std::size_t>();
+}
+
+std::shared_ptr<DocumentInPython> document_of(const SessionPointer& self) {
+  const auto lock = self->lock();
+  if (self->session.document() == nullptr) return nullptr;
+  return std::make_shared<DocumentInPython>(*self->session.document(), self->session.overrides(), self->seed);
+}
+
+std::shared_ptr<PlantInPython> grow(const SessionPointer& self, double time, int threads, const py::object& progress) {
+  if (!std::isfinite(time)) throw py::value_error("time must be a finite number of seconds");
+  const std::shared_ptr<DocumentInPython> document = document_of(self);
+  const auto lock = self->lock();
+  return run_call(progress, threads, [&](Progress& inner) {
+    GrownDocument grown = self->session.grow(inner, {.time = time});
+    return std::make_shared<PlantInPython>(document, std::move(grown));
+  });
+}
+
+/// "leaf[0]", "leaf[1]", ... of the batches at these places.
+py::list names_of(const SceneKeys& keys, const std::vector<std::size_t>& places) {
+  py::list names;
+  for (const std::size_t k : places)
+    names.append(fmt::format("{}[{}]", keys.batches[k].component, keys.batches[k].number));
+  return names;
+}
+
+py::dict difference_of(const SessionPointer& self) {
+  const auto lock = self->lock();
+  const Session& session = self->session;
+  py::dict found;
+  found["added"] = names_of(session.keys(), session.difference().batches.added);
+  found["changed"] = names_of(session.keys(), session.difference().batches.changed);
+  found["removed"] = names_of(session.keys_before(), session.difference().batches.removed);
+  return found;
+}
+
+std::string repr(const SessionPointer& self) {
+  const auto lock = self->lock();
+  const std::size_t faults = self->session.is_good() ? 0 : self->session.faults().size();
+  return fmt::format("<meristem.Session of '{}', {} steps to undo, {} faults>", self->session.file(),
+                     self->session.undo_count(), faults);
+}
+
+constexpr const char* kChange =
+    "Gives the Change, which undo() takes back. Raises InputError where a path leads nowhere.";
+
+void bind_edits(py::class_<SessionInPython, SessionPointer>& session) {
+  static const std::string set = std::string("Has the path say the value. ") + kChange;
+  static const std::string unset =
+      std::string("Takes a member out where it is there, so that its default holds. ") + kChange;
+  static const std::string remove =
+      std::string("Takes out what is there; a component with all links from and to it. ") + kChange;
+  session
+      .def("edit", &edit_values, py::arg("values"),
+           R"(Sets values by their paths as one step, as in set(): {"age": 20, "leaf.length": 0.1}.
+
+The text changes where it must and nowhere else: comments, layout and lines' ends stay. Members that are not there are
+added. Gives the Change. Raises InputError where a path leads nowhere; then nothing has changed.)")
+      .def(
+          "set",
+          [](const SessionPointer& s, const std::string& path, const py::object& value) {
+            return edit(s, {SetValue{path, to_value(value)}});
+          },
+          py::arg("path"), py::arg("value"), set.c_str())
+      .def(
+          "unset", [](const SessionPointer& s, const std::string& path) { return edit(s, {UnsetValue{path}}); },
+          py::arg("path"), unset.c_str())
+      .def(
+          "insert",
+          [](const SessionPointer& s, const std::string& path, const py::object& value, const py::object& index) {
+            return edit(s, {InsertValue{path, to_value(value), optional_index(index)}});
+          },
+          py::arg("path"), py::arg("value"), py::arg("index") = py::none(),
+          R"(Puts an element before that of the path, "links[0]", or behind the last, "links[]"; or adds a member.
+
+A member's name must be free; it is the last, or number `index`. Gives the Change. Raises InputError.)")
+      .def(
+          "remove", [](const SessionPointer& s, const std::string& path) { return edit(s, {RemoveValue{path}}); },
+          py::arg("path"), remove.c_str())
+      .def(
+          "rename",
+          [](const SessionPointer& s, const std::string& path, const std::string& name) {
+            return edit(s, {RenameValue{path, name}});
+          },
+          py::arg("path"), py::arg("name"),
+          R"(Gives a member another name: components and variables wherever the document speaks of them.
+
+Those are links, expressions, and grammars that stand in the document. What is drawn at random for a component follows
+its name. Gives the Change. Raises InputError where the name is taken or would have another meaning.)")
+      .def(
+          "move",
+          [](const SessionPointer& s, const std::string& path, std::size_t index) {
+            return edit(s, {MoveValue{path, index}});
+          },
+          py::arg("path"), py::arg("index"),
+          "Moves a member or element within its object or list, so that it is number `index`. Gives the Change. Raises "
+          "InputError.")
+      .def("edit_text", &edit_text, py::arg("patch"),
+           "Puts a patch as that of a Change into the text, as of somebody who types. Gives the Change. Raises "
+           "ValueError "
+           "where it does not fit.");
+}
+
+}  // namespace
+
+void bind_session(py::module_& module) {
+  py::class_<SessionInPython, SessionPointer> session(module, "Session",
+                                                      R"(A document while it is being worked on.
+
+Edits change the text where they must and nowhere else, and can be undone. Where the text is faulty it is kept with its
+faults, and document and growth stay those of the last text without. Growing makes only what has changed. `content`,
+`file`, `set` and `seed` are as those of Document; nothing that the document names is read outside of the folder `root`,
+if one is given. One thread at a time; another one that comes meanwhile gets a RuntimeError.)");
+  session.def(py::init(&session_of), py::arg("content"), py::kw_only(), py::arg("file") = "",
+              py::arg("set") = py::none(), py::arg("seed") = py::none(), py::arg("root") = "");
+  bind_edits(session);
+  session
+      .def_static(
+          "open", &open, py::arg("path"), py::kw_only(), py::arg("set") = py::none(), py::arg("seed") = py::none(),
+          py::arg("root") = "",
+          "A session of the document in a file, or of a shipped model by its name. Raises MachineError where the "
+          "file cannot be read.")
+      .def(
+          "undo",
+          [](const SessionPointer& s) {
+            const auto lock = s->lock();
+            return to_python(s->session.undo());
+          },
+          "Takes the last step back. Gives the Change, or None where there is none.")
+      .def(
+          "redo",
+          [](const SessionPointer& s) {
+            const auto lock = s->lock();
+            return to_python(s->session.redo());
+          },
+          "Makes the step again that was taken back last. Gives the Change, or None where there is none.")
+      .def(
+          "preview",
+          [](const SessionPointer& s, const py::object& values) {
+            const auto lock = s->lock();
+            s->session.set_overrides(to_overrides(values));
+          },
+          py::arg("values") = py::none(),
+          "Values that go before those of the text until others are given, as while a hand drags; the text stays.")
+      .def(
+          "reload",
+          [](const SessionPointer& s) {
+            const auto lock = s->lock();
+            s->session.reload();
+          },
+          "Reads the files that have changed since they were read, and the document with them.")
+      .def("grow", &grow, py::arg("time") = 0.0, py::kw_only(), py::arg("threads") = 0,
+           py::arg("progress") = py::none(),
+           R"(Grows the document of the last text without faults and gives a Plant, as Document.grow does.
+
+What has changed since the last growth is made anew; `difference` says what that is. Raises InputError (limits; also
+where there was never a document without faults), Cancelled.)")
+      .def_property_readonly(
+          "text",
+          [](const SessionPointer& s) {
+            const auto lock = s->lock();
+            return s->session.text();
+          },
+          "The document's text as it is now.")
+      .def_property_readonly(
+          "file", [](const SessionPointer& s) { return s->session.file(); }, "Its name, or '<python>'.")
+      .def_property_readonly("document", &document_of,
+                             "The Document of the last text without faults; None before there was one.")
+      .def_property_readonly(
+          "faults",
+          [](const SessionPointer& s) {
+            const auto lock = s->lock();
+            return to_python(s->session.faults());
+          },
+          "What is wrong with the text, or if nothing is, what is odd: a tuple of Diagnostic.")
+      .def_property_readonly(
+          "is_good",
+          [](const SessionPointer& s) {
+            const auto lock = s->lock();
+            return s->session.is_good();
+          },
+          "Whether the text has no faults, so that `document` is what it says.")
+      .def_property_readonly(
+          "undo_count", [](const SessionPointer& s) { return s->session.undo_count(); },
+          "Steps that undo() can take back.")
+      .def_property_readonly(
+          "redo_count", [](const SessionPointer& s) { return s->session.redo_count(); },
+          "Steps that redo() can make again.")
+      .def_property_readonly("difference", &difference_of,
+                             R"(How the meshes of the last growth differ from those of the one before.
+
+A dict of lists of names, 'added', 'changed' and 'removed': "leaf[0]" is the first of the component leaf in
+Plant.meshes.)")
+      .def("__repr__", &repr);
+}
+
+}  // namespace meristem::python

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Edits through a session: the text, the document and what grows of it. `edit`: one number changes at every step, from
+// the text's patch to the meshes and their keys; counters tell how long the text and the document took of it, how many
+// meshes came out otherwise, and `to_cold`, the time of reading and growing all of it over ours in the same run.
+// `avenue`: reading after an edit of a leaf where houses stand, `to_open` over the same without houses.
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "bench/harness.h"
+#include "meristem/components/registry.h"
+#include "meristem/document/edit/session.h"
+
+namespace {
+
+using meristem::Edit;
+using meristem::Progress;
+using meristem::RemoveValue;
+using meristem::Session;
+using meristem::SetValue;
+using meristem::bench::Asked;
+using meristem::bench::sized;
+
+const std::string kModels = std::string(MERISTEM_SOURCE_DIR) + "/models/";
+
+Session open(const std::string& model, const std::vector<Edit>& first = {}) {
+  const std::string file = kModels + model;
+  Session session(meristem::read_text_file(file), file, meristem::builtin_components());
+  if (!first.empty()) session.edit(first);
+  return session;
+}
+
+/// The shortest time of all calls, ms.
+class Shortest {
+ public:
+  template <class Call>
+  void measure(Call call) {
+    const auto begin = std::chrono::steady_clock::now();
+    call();
+    ms_ = std::min(ms_, 1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  }
+  double ms() const { return ms_; }
+
+ private:
+  double ms_ = 1e9;
+};
+
+/// Steps around a value, each another one than before.
+class Values {
+ public:
+  explicit Values(double middle) : middle_(middle) {}
+  double next() { return middle_ * (1 + 0.001 * (++step_ % 100)); }
+
+ private:
+  double middle_;
+  int step_ = 0;
+};
+
+void edit(benchmark::State& state, const std::string& model, const std::vector<Edit>& first, const char* path,
+          double value) {
+  Session session = open(model, first);
+  Progress progress;
+  Values values(value);
+  Shortest cold;
+  for (int k = 0; k < sized(5, 1); ++k) {
+    cold.measure([&] {
+      grow_document(read_document(session.text(), session.file(), meristem::builtin_components()), progress);
+    });
+  }
+  session.grow(progress);
+  Shortest whole;
+  Shortest reading;
+  std::size_t other_meshes = 0;
+  for (auto _ : state) {
+    whole.measure([&] {
+      reading.measure([&] { session.edit(path, values.next()); });
+      session.grow(progress);
+    });
+    other_meshes = session.difference().meshes.added.size();
+  }
+  state.counters["best_ms"] = whole.ms();
+  state.counters["read_ms"] = reading.ms();
+  state.counters["cold_ms"] = cold.ms();
+  state.counters["to_cold"] = cold.ms() / whole.ms();
+  state.counters["triangles"] = static_cast<double>(session.grown()->meshes.triangle_count());
+  state.counters["other_meshes"] = static_cast<double>(other_meshes);
+}
+
+/// One limb of the crown: about 200,000 triangles.
+const std::vector<Edit> kOneLimb = {SetValue{"trunk.count", 1}};
+
+void maple_leaves(benchmark::State& state) { edit(state, "large-maple.json", kOneLimb, "leaf.curl", 25); }
+void maple_shoots(benchmark::State& state) { edit(state, "large-maple.json", kOneLimb, "shoot.radius", 0.0024); }
+void maple_trunk(benchmark::State& state) { edit(state, "large-maple.json", kOneLimb, "tree_height", 21); }
+void oak_leaves(benchmark::State& state) { edit(state, "oak.json", {}, "leafiness", 1); }
+BENCHMARK(maple_leaves)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(maple_shoots)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(maple_trunk)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(oak_leaves)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void avenue(benchmark::State& state) {
+  Session with_houses = open("avenue.json");
+  Session without = open("avenue.json", {RemoveValue{"scene.obstacles"}});
+  Values values(0.11);
+  Shortest houses;
+  Shortest open_street;
+  for (auto _ : state) {
+    const double width = values.next();
+    houses.measure([&] { with_houses.edit("leaf.width", width); });
+    open_street.measure([&] { without.edit("leaf.width", width); });
+  }
+  state.counters["best_ms"] = houses.ms();
+  state.counters["to_open"] = houses.ms() / open_street.ms();
+  state.counters["files_read"] = static_cast<double>(with_houses.read_counts().files_read);
+}
+BENCHMARK(avenue)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  return meristem::bench::run(count, arguments,
+                              {{"maple_leaves", "best_ms", Asked::at_most, 10},
+                               {"maple_shoots", "best_ms", Asked::at_most, 20},
+                               {"maple_trunk", "best_ms", Asked::at_most, 20},
+                               {"oak_leaves", "best_ms", Asked::at_most, 20},
+                               {"avenue", "to_open", Asked::at_most, 1.5},
+                               {"avenue", "best_ms", Asked::at_most, 1}});
+}

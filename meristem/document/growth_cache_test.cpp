@@ -93,6 +93,17 @@ TEST(GrowthCache, LooksOfATreeDoNotGrowItAnew) {
   }
 }
 
+TEST(GrowthCache, AtAnotherTimeOnlyWhatAsksForItIsMadeAnew) {
+  const Document document = read(kTwoTrees, {"leaf.curl=\"20 + t\""});
+  GrowthCache cache;
+  grow(document, &cache);
+  EXPECT_EQ(hash_of(grow(document, &cache, 3)), hash_of(grow(document, nullptr, 3)));
+  EXPECT_EQ(cache.reuse<GrownBatch>().made, 0U);
+  EXPECT_GT(cache.reuse<BatchResult>().made, 0U);
+  EXPECT_EQ(cache.reuse<BatchResult>().reused, 3U);  // the camera and both trees
+  EXPECT_EQ(cache.reuse<StemTubes>().made, 0U);
+}
+
 TEST(GrowthCache, WhatCompetesGrowsAnewTogether) {
   for (const char* change : {"spread=0.4", "tree.points=400", "shrub.frame.translate[0]=1.2", "seed=3"}) {
     EXPECT_EQ(Changed(change).cache.reuse<GrownBatch>().made, 2U) << change;

@@ -23,7 +23,7 @@ const std::string kFern = R"json({
       "#interpret",
       "B -> ~K /* K */"]},
     "leaf": {"type": "leaf", "length": "size*x1e5", "width": {"range": ["size", 0.2]}},
-    "K": {"type": "simple", "size": ["size", 1e5, "2*size"], "colour": "#b03020"},
+    "K": {"type": "simple", "size": ["size", 1e0, "2*size"], "colour": "#b03020"},
     "size": {"type": "simple", "omit": ["i > size"]}
   },
   "links": [["plant", "size"], {"from": "leaf", "to": "size"}]
@@ -105,7 +105,7 @@ TEST(Rename, VariablesKeepTheirNameInAllExpressions) {
                              {"A(q*size)", "A(q*scale)"},
                              {"\"size*x1e5\", \"width\": {\"range\": [\"size\"",
                               "\"scale*x1e5\", \"width\": {\"range\": [\"scale\""},
-                             {"[\"size\", 1e5, \"2*size\"]", "[\"scale\", 1e5, \"2*scale\"]"},
+                             {"[\"size\", 1e0, \"2*size\"]", "[\"scale\", 1e0, \"2*scale\"]"},
                              {"\"i > size\"", "\"i > scale\""}}));
   EXPECT_EQ(renamed(kFern, "variables.r", "ratio"), replaced(kFern, {{"\"r\": \"size", "\"ratio\": \"size"},
                                                                      {"#define r", "#define ratio"},

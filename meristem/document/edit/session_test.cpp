@@ -25,7 +25,7 @@ const std::string kBush = R"json({
   },
   "components": {
     "stem": {"type": "tree", "length": 1.50, "radius": 0.01},
-    "leaf": {"type": "leaf", "length": "size*(1 + 0.1*gauss(0,1))", "width": 0.03}
+    "leaf": {"type": "leaf", "length": "size", "width": 0.03}
   },
   "links": [
     {"from": "stem", "to": "leaf", "kind": "branch", "count": "many"}  // all around
@@ -200,7 +200,9 @@ TEST(Session, TellsWhatGrewAnewByKeys) {
   EXPECT_EQ(session.difference().meshes.added.size(), 1U);
   EXPECT_TRUE(session.difference().materials.added.empty());
 
-  session.edit({RemoveValue{"leaf"}});
+  session.edit({RemoveValue{"components.leaf"}});
+  session.grow(progress);
+  EXPECT_EQ(session.difference().batches.removed.size(), 1U);
 }
 
 TEST(Session, GrowsTheSameAsWithoutACache) {
@@ -279,9 +281,14 @@ TEST_F(SessionWithFiles, AReloadThatFindsAllAsItWasReadsNothing) {
   EXPECT_EQ(session.read_counts().files_read, 4U);
 }
 
-TEST_F(SessionWithFiles, WhatIsUndoneIsThereStill) {
+TEST_F(SessionWithFiles, WhatIsTakenBackIsThereStill) {
   Session session = this->session();
-  session.edit({RemoveValue{"grass"}});
+  session.edit({RemoveValue{"components.grass"}});
+  session.edit("plant.width", 0.01);
+  session.undo();
+  session.undo();
+  EXPECT_TRUE(session.is_good());
+  EXPECT_EQ(session.read_counts().files_read, 4U);
 }
 
 TEST_F(SessionWithFiles, NothingOutsideOfTheRootIsRead) {

@@ -61,8 +61,11 @@ void add_camera(Graph& graph, const ComponentType& camera) {
   if (std::ranges::any_of(graph.components, is_camera)) return;
   std::string id = "camera";
   while (std::ranges::find(graph.components, id, &Prototype::id) != graph.components.end()) id += '_';
-  graph.components.push_back(
-      {.id = std::move(id), .type = &camera, .parameters = camera.make_parameters(), .fingerprint = 0});
+  graph.components.push_back({.id = std::move(id),
+                              .type = &camera,
+                              .parameters = camera.make_parameters(),
+                              .fingerprint = 0,
+                              .depends_on_time = false});
   Roots(graph, static_cast<ComponentIndex>(graph.components.size() - 1)).run();
 }
 

@@ -350,8 +350,10 @@ std::optional<Varying> ParameterReader::varying(const Parameter& parameter, cons
             "a list of two numbers");
       return std::nullopt;
     }
-    const auto first = number(parameter, (*ends)[0], Place(place, std::size_t{0}));
-    const auto last = number(parameter, (*ends)[1], Place(place, std::size_t{1}));
+    const Place named(place, "range");
+    const Place& range_place = value.list() != nullptr ? place : named;
+    const auto first = number(parameter, (*ends)[0], Place(range_place, std::size_t{0}));
+    const auto last = number(parameter, (*ends)[1], Place(range_place, std::size_t{1}));
     varying.first = first.value_or(0);
     varying.last = last.value_or(0);
   }

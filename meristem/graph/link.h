@@ -24,7 +24,7 @@ struct ChildLink {};
 /// The child is multiplied along the parent's stems or ribs; elsewhere the same as a child link.
 struct BranchLink {
   Placement placement;
-  std::vector<std::string> given;  ///< keys of it that the document gives
+  GivenRows given;  ///< which rows of it the document gives
 };
 
 /// In a recursion the child appears only where it ends; on a grown skeleton at the tips.

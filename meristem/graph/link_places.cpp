@@ -70,7 +70,7 @@ class LinkPlaces::Writer {
   }
 
   void add(const BranchLink& branch, const Emitted& parents) {
-    const bool is_on_ribs = from_.has_ribs && branch.given.empty();
+    const bool is_on_ribs = from_.has_ribs && branch.given.is_empty();
     if (!is_on_ribs) {
       for (const EmittedStem& stem : parents.stems) add_along(stem, branch);
     }
@@ -107,10 +107,10 @@ class LinkPlaces::Writer {
 
   void add_along(const EmittedStem& stem, const BranchLink& branch) {
     if (is_full()) return;
-    const auto is_given = [&](const char* key) { return std::ranges::find(branch.given, key) != branch.given.end(); };
     PlacementContext context = context_of(stem);
     context.stance = to_.type->stance;
-    if (context.stance == BranchStance::along_axis && is_given("angle")) context.stance = BranchStance::on_axis;
+    if (context.stance == BranchStance::along_axis && branch.given.contains("angle"))
+      context.stance = BranchStance::on_axis;
     context.has_twigs = from_.has_twigs;
     context.stem = stem.id();
     if (!stem.branching) return add_all(place_along(stem.skeleton, branch.placement, context));
@@ -118,7 +118,7 @@ class LinkPlaces::Writer {
     if (!(branch.placement.density || branch.placement.count)) {
       context.path = "components." + all_.graph_.components[link_.from].id;
     }
-    if (branch.given.empty()) {
+    if (branch.given.is_empty()) {
       context.places = key_of_places(stem.site.key);
       return add_all(place_along(stem.skeleton, *stem.branching, context));
     }

@@ -74,8 +74,7 @@ void LinkReader::read_kind(const Value& value, const Place& place, Link& link) {
     return;
   }
   BranchLink branch;
-  reader_.read(placement_table(), &branch.placement, value, place);
-  branch.given = given_placement(value);
+  branch.given = reader_.read(placement_table(), &branch.placement, value, place);
   if (is_known) check_placement(value, place, link, head.kind);
   if (head.kind == LinkKind::branch) link.kind = std::move(branch);
   if (head.kind == LinkKind::leaf) link.kind = LeafLink();

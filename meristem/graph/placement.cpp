@@ -65,37 +65,13 @@ void check_placement(const Placement& placement, const Place& place, ParameterRe
   }
 }
 
-std::vector<std::string> given_placement(const Value& value) {
-  std::vector<std::string> given;
-  for (const auto& [name, member] : *value.object()) {
-    if (placement_table().find(name) != nullptr) given.push_back(name);
+Placement overridden(Placement own, const Placement& link, const GivenRows& given) {
+  if (given.contains("density") || given.contains("count")) {
+    own.density.reset();
+    own.count.reset();
   }
-  return given;
-}
-
-Placement overridden(Placement own, const Placement& link, std::span<const std::string> given) {
-  const auto is_given = [&](std::string_view name) { return std::ranges::find(given, name) != given.end(); };
-  const auto take = [&](std::string_view name, auto Placement::*member) {
-    if (is_given(name)) own.*member = link.*member;
-  };
-  if (is_given("density") || is_given("count")) {
-    own.density = link.density;
-    own.count = link.count;
-  }
-  if (is_given("angle")) own.angle_tip.reset();
-  take("where", &Placement::where);
-  take("whorl", &Placement::whorl);
-  take("divergence", &Placement::divergence);
-  take("roll", &Placement::roll);
-  take("angle", &Placement::angle);
-  take("angle_tip", &Placement::angle_tip);
-  take("angle_spread", &Placement::angle_spread);
-  take("size", &Placement::size);
-  take("spread", &Placement::spread);
-  take("droop", &Placement::droop);
-  take("face_light", &Placement::face_light);
-  take("start", &Placement::start);
-  take("end", &Placement::end);
+  if (given.contains("angle")) own.angle_tip.reset();
+  given.copy(&link, &own);
   return own;
 }
 

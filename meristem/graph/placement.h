@@ -43,12 +43,9 @@ const ParameterTable& placement_table();
 /// The rule between its rows, for components that have them as their own.
 void check_placement(const Placement& placement, const Place& place, ParameterReader& reader);
 
-/// The keys of a placement among an object's members.
-std::vector<std::string> given_placement(const Value& value);
-
-/// `own` with those members that `link` was given, by their names in the table. A link that says how many there are
+/// `own` with those members that `link` was given. A link that says how many there are
 /// replaces both ways of saying so, one with an angle also the angle at the tip.
-Placement overridden(Placement own, const Placement& link, std::span<const std::string> given);
+Placement overridden(Placement own, const Placement& link, const GivenRows& given);
 
 /// How a branch link sets a component on a stem.
 enum class BranchStance {

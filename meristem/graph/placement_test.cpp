@@ -51,19 +51,31 @@ Skeleton twigs(float length) {
   return skeleton;
 }
 
-Placement placement(Value::Object keys) {
-  Placement result;
+GivenRows read(const Value::Object& keys, Placement& placement) {
   ParameterReader reader({}, Limits{});
   const Place top;
-  reader.read(placement_table(), &result, Value(std::move(keys)), Place(top, "link"));
+  const GivenRows given = reader.read(placement_table(), &placement, Value(keys), Place(top, "link"));
   EXPECT_EQ(reader.fault_count(), 0U) << reader.diagnostics()[0].text();
+  return given;
+}
+
+Placement placement(const Value::Object& keys) {
+  Placement result;
+  read(keys, result);
   return result;
+}
+
+// As a link with these keys makes it.
+Placement overridden_by(const Value::Object& keys, const Placement& own) {
+  Placement link;
+  const GivenRows given = read(keys, link);
+  return overridden(own, link, given);
 }
 
 // Along the whole stem unless `keys` say otherwise.
 Placement everywhere(Value::Object keys) {
   keys.emplace_back("where", "1");
-  return placement(std::move(keys));
+  return placement(keys);
 }
 
 std::vector<Site> places(const Skeleton& skeleton, const Placement& placement, Vec3 light = kUp,
@@ -378,7 +390,7 @@ TEST(Placement, ADensityCurveKeepsItsCounts) {
 
 TEST(Placement, ALinkOverridesWhatItIsGiven) {
   const Placement own = placement({{"count", 5}, {"angle", 70}, {"angle_tip", 30}, {"roll", 20}, {"whorl", 3}});
-  const auto with = [&](const Value::Object& keys) { return overridden(own, placement(keys), given_placement(keys)); };
+  const auto with = [&](const Value::Object& keys) { return overridden_by(keys, own); };
   EXPECT_EQ(with({}), own);
   const Placement dense = with({{"density", 8}});
   EXPECT_EQ(dense.density, 8);
@@ -398,9 +410,10 @@ TEST(Placement, EveryKeyCanOverride) {
                            {"roll", 9},     {"angle", 9},      {"angle_tip", 8}, {"angle_spread", 9},
                            {"size", curve}, {"spread", curve}, {"droop", 0.5},   {"face_light", 0.5},
                            {"start", 0.1},  {"end", 0.9}};
-  EXPECT_EQ(overridden(Placement{}, placement(keys), given_placement(keys)), placement(keys));
-  // Whatever is a row: a key that is added to the table must be taken over as well.
-  EXPECT_EQ(given_placement(keys).size() + 1, placement_table().parameters.size());  // count stands beside density
+  EXPECT_EQ(overridden_by(keys, Placement{}), placement(keys));
+  // All rows; count stands beside density.
+  Placement read_again;
+  EXPECT_EQ(read(keys, read_again).count() + 1, placement_table().parameters.size());
 }
 
 TEST(Placement, KeysThatContradictAreRejected) {

@@ -99,8 +99,7 @@ GraphBuilder& GraphBuilder::link(std::string_view from, std::string_view to, Lin
   const Place top;
   const Place links(top, "links");
   BranchLink branch;
-  branch.given = given_placement(Value(placement));
-  reader.read(placement_table(), &branch.placement, placement, Place(links, graph_.links.size()));
+  branch.given = reader.read(placement_table(), &branch.placement, placement, Place(links, graph_.links.size()));
   if (kind == LinkKind::branch) link.kind = std::move(branch);
   if (kind == LinkKind::leaf) link.kind = LeafLink();
   if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());

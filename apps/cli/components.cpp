@@ -7,6 +7,7 @@
 #include "commands.h"
 #include "meristem/components/registry.h"
 #include "meristem/document/json.h"
+#include "meristem/document/parameter_tables.h"
 #include "meristem/document/schema.h"
 #include "meristem/document/tables.h"
 #include "meristem/graph/crown_placement.h"
@@ -86,16 +87,22 @@ void add_components(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("components", "List the types of components, or one type's parameters");
   auto name = std::make_shared<std::string>();
   auto schema = std::make_shared<bool>(false);
+  auto json = std::make_shared<bool>(false);
   auto markdown = std::make_shared<bool>(false);
   command->add_option("name", *name, "A type, for its parameters; or link, variable, document, limits")
       ->type_name("NAME");
   command->add_flag("--schema", *schema, "Print the JSON Schema of documents");
-  command->add_flag("--markdown", *markdown, "Print all parameters as a page of the manual")->excludes("--schema");
+  command->add_flag("--json", *json, "Print all tables as JSON for editors")->excludes("--schema");
+  command->add_flag("--markdown", *markdown, "Print all parameters as a page of the manual")
+      ->excludes("--schema")
+      ->excludes("--json");
   command->footer("Example: meristem components leaf");
-  command->callback([name, schema, markdown, &run] {
-    run = [name, schema, markdown] {
+  command->callback([name, schema, json, markdown, &run] {
+    run = [name, schema, json, markdown] {
       if (*schema) {
         fmt::print("{}", write_json(document_schema(builtin_components())));
+      } else if (*json) {
+        fmt::print("{}\n", write_json_line(parameter_tables(builtin_components())));
       } else if (*markdown) {
         fmt::print("{}", reference_page(builtin_components()));
       } else if (name->empty()) {

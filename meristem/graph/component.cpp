@@ -119,15 +119,22 @@ const std::vector<std::string>& look_names() {
   return names;
 }
 
+std::vector<std::string> rows_after_growth(const ComponentType& type) {
+  std::vector<std::string> names = type.after_growth;
+  for (const std::string_view look : kLooks) {
+    if (type.parameters.find(look) != nullptr) names.emplace_back(look);
+  }
+  return names;
+}
+
 void set_fingerprints(Prototype& prototype, const Value& value, std::span<const ExpressionNames::Constant> constants,
                       std::span<const NamedFile> files, const Limits& limits) {
   prototype.fingerprint = fingerprint_of(value, constants, files, limits.file_bytes);
   prototype.depends_on_time = mentions(value, "t");
   if (!prototype.type->grow || value.object() == nullptr) return;
   Value::Object of_growth = *value.object();
-  std::erase_if(of_growth, [&](const Value::Member& member) {
-    return is_any_of(member.first, kLooks) || is_any_of(member.first, prototype.type->after_growth);
-  });
+  const std::vector<std::string> after = rows_after_growth(*prototype.type);
+  std::erase_if(of_growth, [&](const Value::Member& member) { return is_any_of(member.first, after); });
   prototype.growth_fingerprint = fingerprint_of(Value(std::move(of_growth)), constants, files, limits.file_bytes);
 }
 

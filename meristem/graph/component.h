@@ -104,7 +104,6 @@ struct PlacedComponent {
 
 struct ComponentType : ComponentTraits {
   ParameterTable parameters;  ///< own rows, then those of ComponentBase
-  std::size_t size = 0;       ///< of the parameter struct
 
   std::function<std::shared_ptr<void>()> make_parameters;  ///< a struct with the defaults
   std::function<const ComponentBase&(const void* parameters)> base;
@@ -135,6 +134,10 @@ struct Prototype {
 
   const ComponentBase& base() const { return type->base(parameters.get()); }
 };
+
+/// The names of those rows of a component that grows which growth does not ask for: where only they change, what has
+/// grown stays.
+std::vector<std::string> rows_after_growth(const ComponentType& type);
 
 /// Sets its fingerprints: `value` is what the document says of it, with those of `constants` that it names, and `files`
 /// are those that were read with it.
@@ -173,7 +176,6 @@ ComponentType define_component(ComponentDefinition<P> definition) {
   if (!type.has_geometry) std::move(definition.parameters).without(look_names(), "it has no geometry of its own");
   type.parameters = std::move(definition.parameters);
   if (definition.grow != nullptr) type.has_twigs = true;
-  type.size = sizeof(P);
   type.make_parameters = [] { return std::static_pointer_cast<void>(std::make_shared<P>()); };
   if constexpr (requires(const P& parameters) { static_cast<const Surface&>(parameters.surface); }) {
     type.surface = [](const void* parameters) -> const Surface& { return static_cast<const P*>(parameters)->surface; };

@@ -5,6 +5,7 @@
 
 #include "document.h"
 #include "meristem/components/registry.h"
+#include "meristem/document/parameter_tables.h"
 #include "meristem/document/schema.h"
 #include "values.h"
 
@@ -49,6 +50,11 @@ void bind_component_types(py::module_& module) {
   module.def("components", &components, R"(The types of components and their parameters: {type: {"doc", "parameters"}}.
 
 Each parameter, by its name: {"doc", "expected", "required", "default"}, objects also have "parameters" of their own.)");
+  module.def(
+      "parameter_tables", [] { return to_python(parameter_tables(builtin_components())); },
+      R"(All tables of what documents may say, for editors, a dict in the form of `meristem components --json`.
+
+{"components": {type: {"table", ...}}, "tables": {name: {"rows": [{"name", "kind", "min", "max", "usual", ...}]}}, ...})");
   module.def(
       "schema", [] { return to_python(document_schema(builtin_components())); },
       "The JSON Schema (draft 7) of documents, a dict.");

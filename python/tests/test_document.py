@@ -265,3 +265,10 @@ def test_components_tell_their_parameters() -> None:
     step = types["colonize"]["parameters"]["step"]
     assert step["default"] == 0.05 and "(m)" in step["expected"] and step["doc"]
     assert "colonize" in str(meristem.schema())
+
+
+def test_parameter_tables_tell_editors_the_usual_range() -> None:
+    tables = meristem.parameter_tables()
+    rows = tables["tables"][tables["components"]["colonize"]["table"]]["rows"]
+    step = next(row for row in rows if row["name"] == "step")
+    assert step["min"] <= step["usual"][0] < step["default"] < step["usual"][1] <= step["max"]

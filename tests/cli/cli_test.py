@@ -726,6 +726,23 @@ class Listing(Case):
         schema = json.loads(self.run_program("components", "--schema").stdout)
         self.assertEqual(schema["$schema"], "http://json-schema.org/draft-07/schema#")
 
+    def test_tables_are_json_for_editors(self):
+        done = self.run_program("components", "--json")
+        self.assertEqual(done.returncode, DONE)
+        self.assertEqual(done.stdout.count(b"\n"), 1)
+        tables = json.loads(done.stdout)
+        self.assertEqual(tables["format"], 1)
+        rows = {row["name"]: row for row in tables["tables"][tables["components"]["leaf"]["table"]]["rows"]}
+        length = rows["length"]
+        self.assertEqual((length["kind"], length["unit"], length["min"], length["max"], length["default"]),
+                         ("number", "m", 0.0001, 100, 0.08))
+        self.assertTrue(length["min"] <= length["usual"][0] < 0.08 < length["usual"][1] <= 1)
+        self.assertEqual(length["varies"], "instance")
+        for table in tables["tables"].values():
+            for row in table["rows"]:
+                self.assertIn(row.get("table", "leaf"), tables["tables"])
+        self.assert_ends(WRONG_INPUT, "components", "--json", "--schema")
+
     def test_models(self):
         lines = self.run_program("models").stdout.decode().splitlines()
         self.assertIn("oak", [line.split()[0] for line in lines])

@@ -110,8 +110,8 @@ UsualSpan usual_range(const Parameter& row, const Value& fallback) {
   if (span.low >= span.high && std::isnan(form.usual.low)) span.low = std::max(form.min, span.high - size);
   const bool is_whole = row.kind == ParameterKind::integer || row.kind == ParameterKind::integers;
   if (form.above_min && span.low <= form.min) {
-    // A tenth of the way to the default, or a hundredth of all.
-    const double way = held ? (held->low - form.min) / 10 : (span.high - form.min) / 100;
+    // A tenth of the way to the default, or a hundredth of all: a row that must be given may have no good default.
+    const double way = held && held->low > form.min ? (held->low - form.min) / 10 : (span.high - form.min) / 100;
     span.low = is_whole ? std::floor(form.min) + 1 : form.min + way;
   }
   if (is_whole) span = {std::ceil(span.low), std::floor(span.high)};

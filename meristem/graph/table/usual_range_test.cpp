@@ -60,6 +60,7 @@ TEST(UsualRange, FollowsTheUnitWithoutADefault) {
 TEST(UsualRange, LeavesOutAnEndThatIsNotAllowed) {
   EXPECT_EQ(usual({.unit = Unit::metre, .min = 0, .max = 100, .above_min = true}, 0.5), Ends(0.05, 2));
   EXPECT_EQ(usual({.min = 0, .max = 1, .above_min = true}), Ends(0.01, 1));
+  EXPECT_EQ(usual({.min = 0, .max = 1, .above_min = true}, 0), Ends(0.01, 1));
   EXPECT_EQ(usual({.min = 0, .above_min = true}, 3, ParameterKind::integer), Ends(1, 20));
 }
 

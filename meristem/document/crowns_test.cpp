@@ -186,7 +186,8 @@ class CrownFiles : public testing::Test {
     const Scene scene;
     Stand stand;
     const std::string component = "tree";
-    return make_points(tree.crown, tree.points, RandomKey(1), {scene, scene.directions(), limits, component, stand, progress});
+    return make_points(tree.crown, tree.points, RandomKey(1),
+                       {scene, scene.directions(), limits, component, stand, progress});
   }
 
   const TemporaryFolder temporary_;

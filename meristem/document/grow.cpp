@@ -38,9 +38,8 @@ void paint(const Document& document, GrownDocument& grown, Progress& progress, G
 
 GrownDocument grow_document(const Document& document, Progress& progress, const GrowthOptions& options) {
   GrownDocument grown;
-  grown.plant = placing_faults(document, [&] {
-    return expand(document.graph, document.scene, options.time, progress, options.cache);
-  });
+  grown.plant = placing_faults(
+      document, [&] { return expand(document.graph, document.scene, options.time, progress, options.cache); });
   complete_growth(document, grown, progress, options);
   return grown;
 }

@@ -226,7 +226,7 @@ def test_a_kink_turns_all_beyond_by_degrees() -> None:
     assert [bent.x[-1], bent.y[-1]] == pytest.approx([0.5, 0.5])
     both = grass.turned(straight_leaf(), [(0.2, 0.2, 30), (0.6, 0.8, 60)])
     assert both.angles[[0, 4, 9]] == pytest.approx([0, 30, 90])
-    with pytest.raises(ValueError, match="between two places"):
+    with pytest.raises(ValueError, match="between two positions"):
         grass.turned(straight_leaf(), [(0.8, 0.2, 10)])
 
 

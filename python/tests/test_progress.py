@@ -19,7 +19,7 @@ from plants import LONG_GROWTH, grown_small_tree, long_growth, small_tree
 def test_progress_tells_stages_and_rising_fractions() -> None:
     told: list[tuple[str, float]] = []
     meristem.Document(small_tree()).grow(progress=lambda stage, fraction: told.append((stage, fraction)))
-    assert "meshing" in {stage for stage, _ in told}
+    assert "expanding" in {stage for stage, _ in told}
     # A stage begins at 0 and rises to 1, also where two of the same name follow each other.
     begins = [k for k, (_, fraction) in enumerate(told) if fraction == 0] + [len(told)]
     assert begins[0] == 0

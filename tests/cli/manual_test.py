@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every whole document in the manual is accepted, also by the grower. Usage: manual_test.py PROGRAM FOLDER
 
-A block of ```json that begins with a brace and says "meristem" is a whole document; other blocks are parts.
+A block of ```json that begins with a brace and says "meristem" is a whole document; other blocks are parts. One whose
+name, in a paragraph of its own before it, is `wrong.json` shows faults, and is refused.
 """
 
 import pathlib
@@ -16,16 +17,17 @@ documents = 0
 failures = 0
 for page in sorted(pathlib.Path(folder).glob("**/*.md")):
     text = page.read_text(encoding="utf-8")
-    for block in re.finditer(r"^```json\n(.*?)^```", text, re.MULTILINE | re.DOTALL):
-        if '"meristem"' not in block[1]:
+    for block in re.finditer(r"^(`wrong\.json`:\n\n)?```json\n(.*?)^```", text, re.MULTILINE | re.DOTALL):
+        is_wrong, content = block[1] is not None, block[2]
+        if '"meristem"' not in content:
             continue
         documents += 1
         with tempfile.TemporaryDirectory() as scratch:
-            done = subprocess.run([program, "grow", "-", "-q", "-o", scratch + "/plant.glb"], input=block[1].encode(),
+            done = subprocess.run([program, "grow", "-", "-q", "-o", scratch + "/plant.glb"], input=content.encode(),
                                   stderr=subprocess.PIPE, timeout=120)
-        if done.returncode != 0:
+        if (done.returncode != 0) != is_wrong:
             failures += 1
             line = 1 + text.count("\n", 0, block.start())
-            print(f"{page}:{line}: this document is refused:\n{done.stderr.decode()}")
-print(f"{documents} documents, {failures} refused")
+            print(f"{page}:{line}: this document is {'accepted' if is_wrong else 'refused'}:\n{done.stderr.decode()}")
+print(f"{documents} documents, {failures} faults")
 sys.exit(documents == 0 or failures > 0)

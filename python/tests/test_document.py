@@ -271,4 +271,4 @@ def test_parameter_tables_tell_editors_the_usual_range() -> None:
     tables = meristem.parameter_tables()
     rows = tables["tables"][tables["components"]["colonize"]["table"]]["rows"]
     step = next(row for row in rows if row["name"] == "step")
-    assert step["min"] <= step["usual"][0] < step["default"] < step["usual"][1] <= step["max"]
+    assert step["above"] < step["usual"][0] < step["default"] < step["usual"][1] <= step["max"]

@@ -58,7 +58,8 @@ std::string picture_fingerprint(const GrownDocument& grown, const Scene& scene, 
   const View& view = options.view;
   add(view.position, all);
   add(view.target, all);
-  all.add(view.azimuth).add(view.altitude).add(view.field_of_view);
+  if (!view.position) all.add(view.azimuth).add(view.altitude);  // a position replaces them
+  all.add(view.field_of_view);
   add(view.background, all);
   all.add(scene.sun.azimuth).add(scene.sun.altitude);
   for (const Lamp& lamp : scene.light.lamps) {

@@ -48,6 +48,15 @@ TEST(PictureFingerprint, DiffersWhereAnythingThatIsDrawnDiffers) {
   }
 }
 
+TEST(PictureFingerprint, IsBlindToAnglesThatAPositionReplaces) {
+  Subject placed;
+  placed.options.view.position = Vec3(1, 2, 3);
+  Subject turned = placed;
+  turned.options.view.azimuth += 1;
+  turned.options.view.altitude += 0.2;
+  EXPECT_EQ(placed.fingerprint(), turned.fingerprint());
+}
+
 TEST(PictureFingerprint, FramesHaveNoGapsThatItCouldRead) { EXPECT_EQ(sizeof(Frame), 12 * sizeof(float)); }
 
 }  // namespace

@@ -108,7 +108,12 @@ void LinkReader::link_placed(const Place& components) {
       const std::string& id = placed[k].id;
       const auto found = component_by_id_.find(id);
       if (found != component_by_id_.end()) {
-        graph_.links.push_back({.from = from, .to = found->second, .kind = PlacedLink{k}, .fingerprint = 0});
+        // Made in its place: g++ 12 warns of what a moved variant does not hold.
+        Link& link = graph_.links.emplace_back();
+        link.from = from;
+        link.to = found->second;
+        link.kind = PlacedLink{k};
+        link.fingerprint = 0;
         continue;
       }
       if (!placed[k].is_needed) continue;

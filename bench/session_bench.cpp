@@ -126,6 +126,6 @@ int main(int count, char** arguments) {
                                {"maple_shoots", "best_ms", Asked::at_most, 20},
                                {"maple_trunk", "best_ms", Asked::at_most, 20},
                                {"oak_leaves", "best_ms", Asked::at_most, 20},
-                               {"avenue", "to_open", Asked::at_most, 1.5},
+                               {"avenue", "to_open", Asked::at_most, 1},
                                {"avenue", "best_ms", Asked::at_most, 1}});
 }

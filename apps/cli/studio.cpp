@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -36,9 +37,10 @@ void open_browser(const std::string& address) {
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
   const pid_t child = ::fork();
   if (child != 0) return;
-  // A grandchild, which the system collects; it must not take the studio's Ctrl-C.
+  // It must not take the studio's Ctrl-C, nor write between its lines.
   ::setsid();
-  if (std::freopen("/dev/null", "w", stdout) == nullptr || std::freopen("/dev/null", "w", stderr) == nullptr) _exit(1);
+  const int nowhere = ::open("/dev/null", O_RDWR);
+  if (nowhere < 0 || ::dup2(nowhere, 1) < 0 || ::dup2(nowhere, 2) < 0) _exit(1);
   ::execlp("xdg-open", "xdg-open", address.c_str(), static_cast<char*>(nullptr));
   _exit(1);
 }

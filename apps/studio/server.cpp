@@ -48,7 +48,8 @@ constexpr int kMostHttpConnections = 64;
 constexpr std::chrono::seconds kHttpPatience{30};
 constexpr std::chrono::milliseconds kFarewell{300};    // for closing sockets
 constexpr std::size_t kMostQueuedBytes = 512'000'000;  // for a page that does not read
-constexpr std::size_t kMostQueuedNews = 64;            // beyond which progress is not told
+constexpr std::uint64_t kMostBeyond = 1'000'000;
+constexpr std::size_t kMostQueuedNews = 64;  // beyond which progress is not told
 
 class SocketConnection;
 
@@ -57,11 +58,11 @@ struct Serving {
   Host& host;
   std::string token;
   std::uint16_t port = 0;
-  asio::io_context io{1};
-  Worker messages{};
-  std::set<SocketConnection*> sockets{};
-  int http_connections = 0;
   std::string tables{};
+  std::set<SocketConnection*> sockets{};  // that are open, or will be
+  int http_connections = 0;
+  Worker messages{};
+  asio::io_context io{1};  // the last, as what it has to do speaks of the others
 };
 
 bool is_progress(std::string_view message) { return message.substr(0, 17) == R"({"is": "working",)"; }
@@ -72,17 +73,17 @@ class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
   SocketConnection(Serving& serving, beast::tcp_stream stream) : serving_(serving), socket_(std::move(stream)) {
     serving_.sockets.insert(this);
   }
-  ~SocketConnection() { serving_.sockets.erase(this); }
   SocketConnection(const SocketConnection&) = delete;
   SocketConnection& operator=(const SocketConnection&) = delete;
 
   void accept(const HttpRequest& request) {
     beast::get_lowest_layer(socket_).expires_never();
     socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
-    socket_.read_message_max(serving_.host.limits.message_bytes);
+    // A little more, so that the session may say which limit a message has passed; larger ones close the socket.
+    socket_.read_message_max(serving_.host.limits.message_bytes + kMostBeyond);
     socket_.auto_fragment(false);
     socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
-      if (error) return;
+      if (error) return self->end();
       self->is_open_ = true;
       self->begin();
     });
@@ -113,14 +114,10 @@ class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
       self->buffer_.consume(self->buffer_.size());
       self->buffer_.shrink_to_fit();
       // The next message is read once this one is done with, so that none are heaped up.
-      self->serving_.messages.post([self, message, is_text = self->socket_.got_text()] {
-        if (self->session_ != nullptr) {
-          // Bytes are no message; the session says so, as of any other text that is no JSON.
-          self->session_->receive(is_text ? std::string_view(*message) : std::string_view());
-        }
-        asio::post(self->socket_.get_executor(), [self] {
-          if (self->is_open_) self->read();
-        });
+      self->do_with_session([message, is_text = self->socket_.got_text()](SocketConnection& here) {
+        if (here.session_ == nullptr) return;
+        // Bytes are no message; the session says so, as of any other text that is no JSON.
+        here.session_->receive(is_text ? std::string_view(*message) : std::string_view());
       });
     });
   }
@@ -142,7 +139,20 @@ class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
   }
 
   void end_session() {
-    serving_.messages.post([self = shared_from_this()] { self->session_ = nullptr; });
+    serving_.sockets.erase(this);
+    do_with_session([](SocketConnection& here) { here.session_ = nullptr; });
+  }
+
+  /// Has the thread for messages do something, and then reads on. The connection goes on this thread, not on that one.
+  template <class Act>
+  void do_with_session(Act act) {
+    serving_.messages.post([self = shared_from_this(), act = std::move(act)]() mutable {
+      act(*self);
+      asio::io_context& io = self->serving_.io;
+      asio::post(io, [self = std::move(self)] {
+        if (self->is_open_) self->read();
+      });
+    });
   }
 
   Serving& serving_;
@@ -175,11 +185,10 @@ class SocketOutbox : public Outbox {
 };
 
 void SocketConnection::begin() {
-  serving_.messages.post([self = shared_from_this()] {
-    auto outbox = std::make_shared<SocketOutbox>(self->serving_.io, self->weak_from_this());
-    self->session_ = std::make_unique<StudioSession>(self->serving_.host, std::move(outbox));
+  do_with_session([](SocketConnection& here) {
+    auto outbox = std::make_shared<SocketOutbox>(here.serving_.io, here.weak_from_this());
+    here.session_ = std::make_unique<StudioSession>(here.serving_.host, std::move(outbox));
   });
-  read();
 }
 
 /// One connection that asks for pages, until it becomes a socket.
@@ -396,7 +405,11 @@ void serve(Host& host, const ServeOptions& options, const std::function<void(con
   accept_next(serving, acceptor);
   ready(fmt::format("http://127.0.0.1:{}/{}/", serving.port, serving.token));
   serving.io.run();
-  serving.messages.stop();  // before the connections go, whose sessions it has
+  // Nothing may speak to the sockets any more when they go.
+  serving.messages.stop();
+  for (SocketConnection* socket : serving.sockets) socket->drop_session();
+  host.growth.stop();
+  host.exports.stop();
 }
 
 }  // namespace meristem::studio

@@ -49,7 +49,6 @@ class StudioSession {
 
  private:
   using Answer = Value::Object;
-  struct Later {};  // a job answers
   struct Opened {
     std::string text;
     std::string file;  // absolute

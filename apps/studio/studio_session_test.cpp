@@ -287,7 +287,7 @@ TEST(StudioSession, KeepsWithinTheBudgetOfTriangles) {
 }
 
 TEST(StudioSession, SendsDraftsFirstAndThenAllOfIt) {
-  Studio studio(std::chrono::milliseconds(200));
+  Studio studio(std::chrono::milliseconds(2000));
   studio.ask("view", R"("drag_triangles": 100)");
   studio.open_bush();
   studio.show();

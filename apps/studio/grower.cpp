@@ -264,8 +264,8 @@ void Grower::show() {
       times.push_back(Value::Object{{"name", name}, {"ms", std::round(milliseconds * 10) / 10}});
     told.emplace_back("stages", std::move(times));
     told.emplace_back(
-        "reuse", Value::List{reuse_value("growth", cache_.reuse_in_all()),
-                             reuse_value("meshes", (sight.is_draft ? coarse_caches_[0] : full_cache_).reuse_in_all())});
+        "reuse", Value::List{reuse_value("growth", cache_.reuse<int>()),
+                             reuse_value("meshes", (sight.is_draft ? coarse_caches_[0] : full_cache_).reuse<int>())});
     for (auto& member : counts_value(*sight.grown)) told.push_back(std::move(member));
     const std::lock_guard lock(mutex_);
     if (is_closed_) return;

@@ -208,6 +208,32 @@ TEST_F(CrownFiles, PointsAreTurnedUpScaledTurnedAndMoved) {
   EXPECT_LT(glm::length(turned[0] - Vec3(1, 0, 0)), 1e-5F);
 }
 
+TEST_F(CrownFiles, PointsWithTheCoordinatesOfACountryAreMovedToTheMillimetre) {
+  write("scans/map.xyz", "3456789.126 105.25 5765432.381\n3456790.001 106.75 5765431.906\n");
+  const std::vector<Vec3> points =
+      points_of(R"("points": {"file": "scans/map.xyz", "translate": [-3456789.001, -105.125, -5765432.256]})");
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_LT(glm::length(points[0] - Vec3(0.125F, 0.125F, 0.125F)), 1e-6F);
+  EXPECT_LT(glm::length(points[1] - Vec3(1, 1.625F, -0.35F)), 1e-6F);
+  const std::vector<Vec3> up =
+      points_of(R"("points": {"file": "scans/map.xyz", "scale": 0.001, "rotate": [0, 90, 0],
+                              "translate": [-5765.432256, -0.1, 3456.789001]})");
+  EXPECT_LT(glm::length(up[0] - Vec3(0.000125F, 0.00525F, -0.000125F)), 1e-8F) << "turns and scales, too";
+}
+
+TEST_F(CrownFiles, AMeshWithTheCoordinatesOfACountryIsMovedToTheMillimetre) {
+  write("map.obj",
+        "v 3456789.1 10 5765432.3\nv 3456790.1 10 5765432.3\nv 3456789.1 11 5765432.3\nv 3456789.1 10 5765433.3\n"
+        "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const Document document = read_here(R"("crown": {"mesh": "map.obj", "translate": [-3456789.1, -10, -5765432.3]})");
+  const auto& tree = *static_cast<const Colonize*>(document.graph.components[0].parameters.get());
+  const CrownPointer made = build_crown(*tree.crown);
+  EXPECT_NEAR(made->bounds().low.x, 0, 1e-6);
+  EXPECT_NEAR(made->bounds().high.z, 1, 1e-6);
+  EXPECT_TRUE(made->contains({0.01F, 0.01F, 0.01F}));
+  EXPECT_FALSE(made->contains({-0.01F, 0.01F, 0.01F}));
+}
+
 TEST_F(CrownFiles, ACrownCutsOffThePointsOutside) {
   EXPECT_EQ(
       points_of(R"("points": {"file": "scans/tree.xyz", "up": "z"}, "crown": {"profile": [[1, 0], [1, 3]]})").size(),

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <glm/mat3x3.hpp>
 
 #include "meristem/graph/table/table.h"
 #include "meristem/scene/file/read_mesh.h"
@@ -18,15 +17,13 @@ constexpr NumberRange kCoordinate{.unit = Unit::metre, .min = -1e5, .max = 1e5, 
 constexpr double kFarthest = 1e6;        // metres along an axis, where a float still tells centimetres apart
 constexpr double kBytesATriangle = 300;  // of the mesh, of what is inside it, and of the tree
 
-DVec3 placed(const Frame& frame, DVec3 position) { return DVec3(frame.origin) + glm::dmat3(frame.axes) * position; }
-
 /// The form's mesh where it stands in the scene.
 TriangleMesh placed_mesh(const ObstacleParameters& form) {
   TriangleMesh mesh = form.mesh ? form.mesh->mesh
                                 : box_mesh(glm::min(DVec3(form.box->low), DVec3(form.box->high)),
                                            glm::max(DVec3(form.box->low), DVec3(form.box->high)));
-  const Frame frame = form.pose.frame();
-  for (DVec3& position : mesh.positions) position = placed(frame, position);
+  const DFrame frame = form.pose.frame();
+  for (DVec3& position : mesh.positions) position = frame.point(position);
   return mesh;
 }
 

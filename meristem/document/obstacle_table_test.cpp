@@ -82,6 +82,14 @@ TEST_F(ObstacleDocument, BoxesAndMeshesAreScaledThenTurnedThenMoved) {
   for (const Obstacle& body : placed.bodies()) EXPECT_TRUE(closedness_faults(body.mesh).empty());
 }
 
+TEST_F(ObstacleDocument, MapCoordinatesAreMovedToTheMillimetre) {
+  write("map.obj",
+        "v 3456789.1 10 5765432.3\nv 3456790.1 10 5765432.3\nv 3456789.1 11 5765432.3\nv 3456789.1 10 5765433.3\n"
+        "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const Obstacles moved = obstacles(R"([{"mesh": "map.obj", "translate": [-3456789.1, -10, -5765432.3]}])");
+  EXPECT_LT(glm::distance(moved.bodies()[0].mesh.positions[3], DVec3(0, 0, 1)), 1e-8);
+}
+
 TEST_F(ObstacleDocument, LooksAreKept) {
   const Obstacles looks = obstacles(
       R"([{"box": [[0, 0, 0], [1, 1, 1]], "colour": "#ff0000"}, {"mesh": "cube.obj", "hidden": true, "broken": true}])");

@@ -188,7 +188,7 @@ TEST(Closedness, TellsEachKindOfFaultWithItsPlace) {
 
 TEST(MeshCrown, IsPlacedByItsFrame) {
   const auto mesh = std::make_shared<const ClosedMesh>(cube(DVec3(-0.5)));
-  const Frame frame{.axes = 2.0F * rotation({0, 1, 0}, kPi / 4), .origin = {3, 5, 0}};
+  const DFrame frame{.axes = 2.0 * exact_rotation({0, 1, 0}, kPi / 4), .origin = {3, 5, 0}};
   const MeshCrown crown(mesh, frame);
   EXPECT_TRUE(crown.contains({3 + 1.4F, 5, 0}));
   EXPECT_FALSE(crown.contains({3 + 1.43F, 5, 0}));

@@ -146,6 +146,63 @@ TEST(CrownDocument, FaultyPointsHaveTheirPlace) {
             std::string::npos);
 }
 
+// A tree of two roots with few points, and a cloud that shows them.
+Plant tree_with_cloud(const std::string& tree, const std::string& cloud) {
+  const std::string text = fmt::format(R"({{"meristem": 1, "seed": 5, "components": {{
+    "dots": {{"type": "cloud", {}}},
+    "tree": {{"type": "colonize", "crown": {{"sphere": {{"centre": [0, 3, 0], "radius": 2}}}}, "points": 12,
+              "step": 0.05, "influence": 6, "kill": 0.1, "finish": {{}}, {}}}}}}})",
+                                       cloud, tree);
+  const Document document = read_document(text, "d.json", builtin_components());
+  Progress progress;
+  return grow_document(document, progress, {.up_to = GrownPart::plant}).plant;
+}
+
+/// The largest distance from a dot to the tree's nearest node.
+float farthest_from_tree(const Plant& plant) {
+  float farthest = 0;
+  for (const Organ& dot : plant.organs) {
+    float nearest = 1e9F;
+    for (const Vec3 node : plant.stems.at(0).skeleton.position) {
+      nearest = std::min(nearest, glm::distance(node, dot.frame.origin));
+    }
+    farthest = std::max(farthest, nearest);
+  }
+  return farthest;
+}
+
+TEST(CrownDocument, ACloudShowsThePointsThatItsTreeGrowsTo) {
+  for (const char* const tree :
+       {R"("alone": false)", R"("roots": [[0, 0, 0], [5, 0, 1]])", R"("frame": {"translate": [1, 0, 2], "rotate": [0, 0, 30]})",
+        R"("roots": [[-1, 0, 0], [2, 0, 1]], "one_crown": true, "frame": {"scale": [2, 2, 2]})"}) {
+    const Plant plant = tree_with_cloud(tree, R"("of": "tree")");
+    EXPECT_GE(plant.organs.size(), 12U);
+    const float scale = std::string(tree).find("scale") == std::string::npos ? 1 : 2;
+    EXPECT_LT(farthest_from_tree(plant), scale * 0.11F) << tree;
+  }
+}
+
+TEST(CrownDocument, ACloudMayStandElsewhereThanItsTree) {
+  const Plant there = tree_with_cloud(R"("alone": false)", R"("of": "tree")");
+  const Plant away = tree_with_cloud(R"("alone": false)", R"("of": "tree", "frame": {"translate": [4, 0, 0]})");
+  ASSERT_EQ(away.organs.size(), there.organs.size());
+  for (std::size_t k = 0; k < away.organs.size(); ++k) {
+    EXPECT_LT(glm::distance(away.organs[k].frame.origin, there.organs[k].frame.origin + Vec3(4, 0, 0)), 1e-5F);
+  }
+}
+
+TEST(CrownDocument, ACloudOfATreeThatIsNotThereNamesTheNearest) {
+  try {
+    tree_with_cloud(R"("alone": false)", R"("of": "tre")");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.diagnostics()[0].message, "there is no colonize 'tre'");
+    EXPECT_EQ(error.diagnostics()[0].nearest, "tree");
+    EXPECT_EQ(error.diagnostics()[0].path, "components.dots.of");
+    EXPECT_GT(error.diagnostics()[0].line, 0);
+  }
+}
+
 /// A folder with files for one test.
 class CrownFiles : public testing::Test {
  protected:

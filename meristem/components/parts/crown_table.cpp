@@ -312,8 +312,20 @@ CrownPointer build_crown(const CrownParameters& form) {
   return nullptr;
 }
 
-std::vector<Vec3> make_points(const std::optional<CrownParameters>& crown, const PointsParameters& points,
-                              RandomKey key, const GrowContext& context) {
+std::vector<PointsOfRoot> points_of_roots(const RootsInCrowns& trees, RandomKey key, const GrowContext& context) {
+  std::vector<PointsOfRoot> all(trees.roots.size());
+  if (trees.share_points()) {
+    all[0].points = make_points(trees.crown, trees.points, key, context);
+    return all;
+  }
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    all[k] = {trees.roots[k], make_points(trees.crown, trees.points, k == 0 ? key : key.child(k), context)};
+  }
+  return all;
+}
+
+std::vector<Vec3> make_points(const std::optional<CrownParameters>& crown, const PointsParameters& points, RandomKey key,
+                              const GrowContext& context) {
   if (points.file) return points_of_file(crown ? build_crown(*crown) : nullptr, points, context);
   PointDistribution distribution{.count = points.count, .blue_noise = points.blue_noise};
   for (const ShareParameters& share : points.shares) {

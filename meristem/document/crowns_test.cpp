@@ -151,7 +151,7 @@ Plant tree_with_cloud(const std::string& tree, const std::string& cloud) {
   const std::string text = fmt::format(R"({{"meristem": 1, "seed": 5, "components": {{
     "dots": {{"type": "cloud", {}}},
     "tree": {{"type": "colonize", "crown": {{"sphere": {{"centre": [0, 3, 0], "radius": 2}}}}, "points": 12,
-              "step": 0.05, "influence": 6, "kill": 0.1, "finish": {{}}, {}}}}}}})",
+              "step": 0.05, "influence": 6, "kill": 0.1, "finish": {{"decimate": 0, "relax": false, "subdivide": 0}}, {}}}}}}})",
                                        cloud, tree);
   const Document document = read_document(text, "d.json", builtin_components());
   Progress progress;

@@ -123,10 +123,12 @@ void grow(const GrowOptions& options) {
 
   const ThreadLimit threads(options.document.threads);
   std::vector<std::string> summary;
+  std::vector<Diagnostic> warnings;
   {
     TerminalProgress terminal(options.document.quiet);
     Progress& progress = terminal.progress();
     GrownDocument grown = grow_document(document, progress, {.time = time, .up_to = needed_part(formats)});
+    warnings = grown.warnings;
     EncodedPictures pictures;
     const FormatOptions format{.instances = options.instances(), .pictures = &pictures};
     const std::string written = write_level(document, grown, levels[0], format, progress);
@@ -139,6 +141,7 @@ void grow(const GrowOptions& options) {
     }
   }
   if (options.document.quiet) return;
+  print_diagnostics(warnings);
   for (const std::string& line : summary) print_status(line);
 }
 

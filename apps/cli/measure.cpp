@@ -88,14 +88,20 @@ StandMeasures measure_document(const MeasureCommand& command) {
   check_output(command.output, inputs);
   if (!command.organs.empty()) check_organs(command, inputs);
   const ThreadLimit threads(command.document.threads);
-  TerminalProgress terminal(command.document.quiet);
-  MeasureOptions options = command.measures;
-  options.organ_light |= !command.organs.empty();
-  // Light falls through the holes of textures.
-  const GrownPart up_to = options.organ_light ? GrownPart::textures : GrownPart::meshes;
-  const GrownDocument grown = grow_document(document, terminal.progress(), {.up_to = up_to});
-  StandMeasures stand = measure_plant(grown.plant, grown.meshes, document.scene, options, terminal.progress());
-  if (!command.organs.empty()) write_organ_csv(grown.plant, stand.organs, command.organs, terminal.progress());
+  StandMeasures stand;
+  std::vector<Diagnostic> warnings;
+  {
+    TerminalProgress terminal(command.document.quiet);
+    MeasureOptions options = command.measures;
+    options.organ_light |= !command.organs.empty();
+    // Light falls through the holes of textures.
+    const GrownPart up_to = options.organ_light ? GrownPart::textures : GrownPart::meshes;
+    const GrownDocument grown = grow_document(document, terminal.progress(), {.up_to = up_to});
+    warnings = grown.warnings;
+    stand = measure_plant(grown.plant, grown.meshes, document.scene, options, terminal.progress());
+    if (!command.organs.empty()) write_organ_csv(grown.plant, stand.organs, command.organs, terminal.progress());
+  }
+  if (!command.document.quiet) print_diagnostics(warnings);
   return stand;
 }
 

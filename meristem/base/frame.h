@@ -28,8 +28,8 @@ struct Frame {
   Frame operator*(const Frame& inner) const { return {axes * inner.axes, point(inner.origin)}; }
 };
 
-/// A frame in 64 bits, for what comes from files with the coordinates of a country: a 32-bit float a thousand kilometres
-/// from the origin is 6 cm from its neighbours.
+/// A frame in 64 bits, for what comes from files with the coordinates of a country: a 32-bit float a thousand
+/// kilometres from the origin is 6 cm from its neighbours.
 struct DFrame {
   DMat3 axes{1};
   DVec3 origin{0};

@@ -101,9 +101,10 @@ ComponentType cloud_component() {
                                     {"phototropism", "phototropism"}}}},
       .parameters =
           Table<Cloud>("a cloud", "The attraction points of a crown as dots.")
-              .text("of", &Cloud::of,
-                    "Id of a colonize component beside the cloud, whose own attraction points the dots then show: crown, "
-                    "points, roots, light limit and frame are those of the tree unless the cloud gives its own.")
+              .text(
+                  "of", &Cloud::of,
+                  "Id of a colonize component beside the cloud, whose own attraction points the dots then show: crown, "
+                  "points, roots, light limit and frame are those of the tree unless the cloud gives its own.")
               .object("crown", &Cloud::crown, crown_table,
                       "Envelope that the attraction points fill; required unless the points come from a file.")
               .object("points", &Cloud::points, points_table, "Number, distribution or file of the attraction points.")

@@ -58,7 +58,8 @@ void expand(const Colonize& tree, const Site& site, Emitter& out) {
 }
 
 void check_colonize(const Colonize& tree, const DocumentPath& path, ParameterReader& reader) {
-  check_cloud(tree.crown, tree.points, roots_of(tree).share_points() ? 1 : tree.roots.size(), "a colonize", path, reader);
+  check_cloud(tree.crown, tree.points, roots_of(tree).share_points() ? 1 : tree.roots.size(), "a colonize", path,
+              reader);
   const ColonizeParameters& growth = tree.growth;
   if (growth.kill >= growth.influence) {
     reader.fault(DocumentPath(path, "kill"),

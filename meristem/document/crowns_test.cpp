@@ -173,7 +173,8 @@ float farthest_from_tree(const Plant& plant) {
 
 TEST(CrownDocument, ACloudShowsThePointsThatItsTreeGrowsTo) {
   for (const char* const tree :
-       {R"("alone": false)", R"("roots": [[0, 0, 0], [5, 0, 1]])", R"("frame": {"translate": [1, 0, 2], "rotate": [0, 0, 30]})",
+       {R"("alone": false)", R"("roots": [[0, 0, 0], [5, 0, 1]])",
+        R"("frame": {"translate": [1, 0, 2], "rotate": [0, 0, 30]})",
         R"("roots": [[-1, 0, 0], [2, 0, 1]], "one_crown": true, "frame": {"scale": [2, 2, 2]})"}) {
     const Plant plant = tree_with_cloud(tree, R"("of": "tree")");
     EXPECT_GE(plant.organs.size(), 12U);
@@ -272,8 +273,7 @@ TEST_F(CrownFiles, PointsWithTheCoordinatesOfACountryAreMovedToTheMillimetre) {
   ASSERT_EQ(points.size(), 2U);
   EXPECT_LT(glm::length(points[0] - Vec3(0.125F, 0.125F, 0.125F)), 1e-6F);
   EXPECT_LT(glm::length(points[1] - Vec3(1, 1.625F, -0.35F)), 1e-6F);
-  const std::vector<Vec3> up =
-      points_of(R"("points": {"file": "scans/map.xyz", "scale": 0.001, "rotate": [0, 90, 0],
+  const std::vector<Vec3> up = points_of(R"("points": {"file": "scans/map.xyz", "scale": 0.001, "rotate": [0, 90, 0],
                               "translate": [-5765.432256, -0.1, 3456.789001]})");
   EXPECT_LT(glm::length(up[0] - Vec3(0.000125F, 0.00525F, -0.000125F)), 1e-8F) << "turns and scales, too";
 }

@@ -8,8 +8,8 @@ namespace meristem {
 DFrame ImportPose::frame() const {
   DFrame frame{.axes = DMat3(scale), .origin = translate};
   if (rotate != DVec3(0)) {
-    const DMat3 turn = exact_rotation({0, 0, 1}, rotate.z) * exact_rotation({1, 0, 0}, rotate.x) *
-                       exact_rotation({0, 1, 0}, rotate.y);
+    const DMat3 turn =
+        exact_rotation({0, 0, 1}, rotate.z) * exact_rotation({1, 0, 0}, rotate.x) * exact_rotation({0, 1, 0}, rotate.y);
     frame.axes = turn * frame.axes;
   }
   // With z up, y goes north: to -z.

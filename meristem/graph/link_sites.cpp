@@ -149,7 +149,8 @@ class LinkSites::Writer {
     sites_.insert(sites_.end(), sites.begin(), sites.end());
   }
 
-  /// A path element is the child's id, or that of what it shows, told apart where a parent links to the same child more than once.
+  /// A path element is the child's id, or that of what it shows, told apart where a parent links to the same child more
+  /// than once.
   RandomKey child_key(RandomKey parent) const { return parent.child(to_.drawn_as()).child(all_.ordinals_[index_]); }
 
   /// Counts recursion depths. A recursion entered from outside, or within one that begins anew, starts at 0.

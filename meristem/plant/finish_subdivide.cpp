@@ -132,8 +132,7 @@ std::vector<InnerNode> nodes_on_curve(const Skeleton& old, const Branch& branch,
     while (branch.chord[piece] < chord && piece + 1 < branch.chord.size()) ++piece;
     const double from = branch.chord[piece - 1];
     const double along = (chord - from) / (branch.chord[piece] - from);
-    nodes.push_back(
-        {Vec3(curve(chord)), branch.node[piece - 1], branch.node[piece], static_cast<float>(along)});
+    nodes.push_back({Vec3(curve(chord)), branch.node[piece - 1], branch.node[piece], static_cast<float>(along)});
   }
   return nodes;
 }

@@ -112,7 +112,7 @@ std::shared_ptr<PlantInPython> grow(const DocumentPointer& document, double time
     GrowthOptions options{.time = time, .up_to = GrownPart::plant};
     std::unique_lock<std::mutex> growing(document->shared->growing, std::defer_lock);
     if (document->has_other_values && growing.try_lock()) options.cache = &document->shared->growth;
-    return std::make_shared<PlantInPython>(document, grow_document(document->document, inner, options).plant);
+    return std::make_shared<PlantInPython>(document, grow_document(document->document, inner, options));
   });
 }
 

@@ -324,8 +324,8 @@ std::vector<PointsOfRoot> points_of_roots(const RootsInCrowns& trees, RandomKey 
   return all;
 }
 
-std::vector<Vec3> make_points(const std::optional<CrownParameters>& crown, const PointsParameters& points, RandomKey key,
-                              const GrowContext& context) {
+std::vector<Vec3> make_points(const std::optional<CrownParameters>& crown, const PointsParameters& points,
+                              RandomKey key, const GrowContext& context) {
   if (points.file) return points_of_file(crown ? build_crown(*crown) : nullptr, points, context);
   PointDistribution distribution{.count = points.count, .blue_noise = points.blue_noise};
   for (const ShareParameters& share : points.shares) {

@@ -79,8 +79,8 @@ void rename_in_links(const LocatedTree& tree, const std::string& id, const std::
 }
 
 /// Where components name the one that they show.
-void rename_where_shown(const LocatedTree& tree, const std::string& id, const std::string& name, const Registry& registry,
-                        Patch& patch) {
+void rename_where_shown(const LocatedTree& tree, const std::string& id, const std::string& name,
+                        const Registry& registry, Patch& patch) {
   const LocatedValue components = member_of(tree, tree.root(), "components");
   if (components.value == nullptr || components.value->object() == nullptr) return;
   for (std::size_t k = 0; k < part_count(*components.value); ++k) {

@@ -228,7 +228,8 @@ void read_value(const Parameter& self, Vec3& member, const Value& value, const D
   read_coordinates(self, value, path, reader, member);
 }
 
-void read_value(const Parameter& self, DVec3& member, const Value& value, const DocumentPath& path, ParameterReader& reader) {
+void read_value(const Parameter& self, DVec3& member, const Value& value, const DocumentPath& path,
+                ParameterReader& reader) {
   read_coordinates(self, value, path, reader, member);
 }
 

@@ -97,8 +97,7 @@ TEST(ColonizeAmongObstacles, WhatIsDoneAfterGrowthEntersThemNeither) {
                               Finish{.relax = false, .subdivide = 3}}) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       ColonizeParameters parameters{.step = 0.05, .influence = 0.8, .kill = 0.12, .finish = finish};
-      std::vector<Vec3> points = ball_points({0, 2, 0}, 1, 300);
-      for (Vec3& point : points) point.x += 0.01F * static_cast<float>(seed);
+      std::vector<Vec3> points = ball_points({0, 2, 0}, 1, 300, seed);
       const Skeleton tree = grow({{{Vec3(0), std::move(points)}, parameters}}, scene)[0];
       ASSERT_TRUE(check_skeleton(tree));
       std::size_t crossing = 0;

@@ -47,7 +47,8 @@ void check_parameters(const ColonizeParameters& parameters) {
   }
 }
 
-/// Whether no obstacle is at `to` or on the way there, both relative to a tree's root. A root may stand on one's surface.
+/// Whether no obstacle is at `to` or on the way there, both relative to a tree's root. A root may stand on one's
+/// surface.
 bool is_open(const Obstacles& obstacles, Vec3 root, Vec3 from, Vec3 to) {
   if (obstacles.empty()) return true;
   const Vec3 begin = from == Vec3(0) ? 0.001F * to : from;

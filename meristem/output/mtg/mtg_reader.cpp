@@ -424,10 +424,10 @@ class TreeReader {
   std::vector<MtgVertex> latest_;                 // of each column
   std::map<std::string, MtgVertex, std::less<>> aliases_;
   Names names_;
-  std::vector<Setting> settings_;  // of each vertex
+  std::vector<Setting> settings_;      // of each vertex
   std::vector<MtgVertex> finer_base_;  // the nearest of a finer scale along these, or kNoVertex
-  std::vector<bool> has_parts_;    // each vertex
-  VertexRange named_;              // of which the line's values speak
+  std::vector<bool> has_parts_;        // each vertex
+  VertexRange named_;                  // of which the line's values speak
 };
 
 }  // namespace

@@ -29,8 +29,8 @@ struct MeasuredCurve {
 std::vector<MeasuredCurve> read_midribs(std::string_view text, const Limits& limits, std::vector<Diagnostic>& warnings);
 
 /// The same with the columns s (distance from the base) and r (width, or share of the widest) and, if there, rank or
-/// rankclass, and lindex; repeats and faults as of check_widths. What runs from the tip to the base is turned about, with a warning
-/// each.
+/// rankclass, and lindex; repeats and faults as of check_widths. What runs from the tip to the base is turned about,
+/// with a warning each.
 std::vector<MeasuredCurve> read_widths(std::string_view text, const Limits& limits, std::vector<Diagnostic>& warnings);
 
 /// Throws an InputError if a midrib has fewer than 3 points, two equal ones in a row (nearer than a millionth of its

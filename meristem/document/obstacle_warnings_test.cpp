@@ -15,9 +15,9 @@ namespace {
 // A wall from x = 1 to 1.5, into which a component may be told to go.
 std::vector<Diagnostic> warnings_of(const std::string& components, const std::string& links = "[]",
                                     const std::string& box = "[[1, -1, -5], [1.5, 9, 5]]") {
-  const std::string text =
-      fmt::format("{{\"meristem\": 1, \"scene\": {{\"obstacles\": [{{\"box\": {}}}]}},\n\"components\": {{{}}}, \"links\": {}}}",
-                  box, components, links);
+  const std::string text = fmt::format(
+      "{{\"meristem\": 1, \"scene\": {{\"obstacles\": [{{\"box\": {}}}]}},\n\"components\": {{{}}}, \"links\": {}}}",
+      box, components, links);
   const Document document = read_document(text, "d.json", builtin_components());
   Progress progress;
   return grow_document(document, progress, {.up_to = GrownPart::plant}).warnings;
@@ -41,16 +41,19 @@ TEST(ObstacleWarnings, AHornAndAGrammarAreNamedToo) {
   ASSERT_FALSE(horn.empty());
   EXPECT_EQ(horn[0].path, "components.cob");
   const auto grammar = warnings_of(
-      R"("weed": {"type": "lsystem", "steps": 1, "grammar": "F(2)", "frame": {"rotate": [0, 0, -90]}})");
+      R"("weed": {"type": "lsystem", "steps": 1, "grammar": "F(2)", "frame": {
+    "rotate" : [ 0, 0, -90 ]}
+})");
   ASSERT_EQ(grammar.size(), 1U);
-  EXPECT_EQ(grammar[0].path, "components.weed");
+EXPECT_EQ(grammar[0].path, "components.weed");
 }
 
 TEST(ObstacleWarnings, AWallThatIsThinnerThanASegmentIsNotMissed) {
   const auto warnings = warnings_of(
-      R"("weed": {"type": "lsystem", "steps": 1, "grammar": "F(2)", "frame": {"rotate": [0, 0, -90]}})", "[]",
+      R"("weed": {"type": "lsystem", "steps": 1, "grammar": "F(2)", "frame": {
+  "rotate" : [ 0, 0, -90 ]}})", "[]",
       "[[1, -1, -5], [1.001, 9, 5]]");
-  EXPECT_EQ(warnings.size(), 1U);
+EXPECT_EQ(warnings.size(), 1U);
 }
 
 TEST(ObstacleWarnings, WhatStaysOutsideIsNotNamed) {

@@ -35,7 +35,6 @@ constexpr double kTurnPlaceStep = 0.01;  // of the midrib
 constexpr double kErrorSteps = 4;        // an octave
 constexpr double kAirDensity = 1.2;      // kg/m3
 constexpr double kAgeTolerance = 1e-9;
-constexpr int kPiecesAWave = 4;
 constexpr double kUsualLength = 0.3;    // metres, where neither document nor file says it
 constexpr double kUsualSheath = 0.005;  // metres, of its radius away from stems
 constexpr double kSheathOverStem = 1.12;

@@ -153,6 +153,23 @@ TEST(Grassleaf, ExactLeavesAreAsTheyAreAsked) {
   EXPECT_NEAR(math::atan2(-tip.z, tip.y), radians(12.3), 1e-5);
 }
 
+TEST(Grassleaf, WavesThatItsPolygonsCannotShowAreWarnedOf) {
+  const auto warnings_of = [](const Object& leaf) {
+    ParameterReader reader({}, Limits());
+    const ComponentType type = grassleaf_component();
+    const std::shared_ptr<void> parameters = type.make_parameters();
+    reader.read_varying(type.parameters, parameters.get(), leaf, DocumentPath());
+    return reader.take_diagnostics();
+  };
+  const Object waves{{"number", 6}, {"depth", 0.5}};
+  const auto warnings = warnings_of(strip({{"waves", waves}, {"polygons", 20}}));
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0].severity, Severity::warning);
+  EXPECT_EQ(warnings[0].message, "20 polygons are too few to show 6 waves, which are left out; it takes 24 or more");
+  EXPECT_TRUE(warnings_of(strip({{"waves", waves}, {"polygons", 24}})).empty());
+  EXPECT_TRUE(warnings_of(strip({{"waves", waves}, {"polygons", 20}, {"stages", Object{{"reduce", false}}}})).empty());
+}
+
 TEST(Grassleaf, NumbersThatVaryDoNotSpoilItsTexture) {
   const Object veins{{"leaf", Object{{"veins", "parallel"}}}, {"pixels", 32}};
   const auto normals_of = [&](const Object& leaf) { return field_of(1, leaf).materials[0].texture->normals.rgba; };

@@ -139,6 +139,9 @@ class Emitter : private Emitted {
   const Directions& directions() const;
   const Limits& limits() const;
   const std::string& component() const;  ///< id, for errors
+  /// Whether what stands so many bytes from the beginning of the component's struct, a number or a list, differs from
+  /// instance to instance.
+  bool varies(std::size_t offset) const;
   Progress& progress() const;
   double time() const;
   /// Of the component, for what its instances have in common. Meshes that depend on it need it in their key.

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "meristem/base/vec.h"
+
 namespace meristem {
 
 namespace {

@@ -292,8 +292,9 @@ Value recursion_rule(const Registry& registry) {
   const Value no_placer = Object{{"properties", Object{{"type", Object{{"not", Object{{"enum", placers}}}}}}}};
   const Value some_links =
       Object{{"required", List{"links"}}, {"properties", Object{{"links", Object{{"minItems", 1}}}}}};
-  return any_of({some_links, Object{{"not", all_components(no_placer)}},
-                 all_components(Object{{"not", Object{{"required", List{"recursion"}}}}})});
+  List cases{some_links, all_components(Object{{"not", Object{{"required", List{"recursion"}}}}})};
+  if (!placers.empty()) cases.emplace_back(Object{{"not", all_components(no_placer)}});
+  return any_of(std::move(cases));
 }
 
 }  // namespace

@@ -191,7 +191,7 @@ void check_grassleaf(const Grassleaf& grass, const DocumentPath& path, Parameter
   }
 }
 
-/// Fits what the document gives; what is wrong with it is a fault at its place.
+/// Fits what the document gives; what is wrong with it is a fault at its path.
 void prepare_grassleaf(Grassleaf& grass, const DocumentPath& path, ParameterReader& reader) {
   const char* row = grass.source.midribs.empty() ? "midrib" : "midribs";
   try {

@@ -34,7 +34,7 @@ struct ObstacleParameters {
 
 const ParameterTable& obstacle_table();  ///< of ObstacleParameters
 
-/// Reports more triangles than the limits allow; `place` is the list's.
+/// Reports more triangles than the limits allow; `path` is the list's.
 void check_obstacles(const std::vector<ObstacleParameters>& forms, const DocumentPath& path, ParameterReader& reader);
 
 /// The obstacles that checked forms mean.

@@ -47,7 +47,7 @@ class LeadingSum {
 
 }  // namespace
 
-/// Writes the places that one link gives on one block of the parent's instances.
+/// Writes the sites that one link gives on one block of the parent's instances.
 class LinkSites::Writer {
  public:
   Writer(const LinkSites& all, LinkIndex index, Progress& progress, std::uint64_t room)
@@ -175,7 +175,7 @@ class LinkSites::Writer {
   const ComponentType& from_;
   const Prototype& to_;
   Progress& progress_;
-  std::uint64_t room_;  // more places than that are too many, and need not be found
+  std::uint64_t room_;  // more sites than that are too many, and need not be found
   std::vector<Site> sites_;
 };
 

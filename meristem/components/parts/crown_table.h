@@ -71,7 +71,7 @@ const ParameterTable& crown_table();   ///< of CrownParameters
 const ParameterTable& points_table();  ///< of PointsParameters
 
 /// Reports a crown that is missing, shares whose part of it is empty, and more points than allowed where it is filled
-/// `times` times. `place` is the component's, `component` what messages call it: "a colonize".
+/// `times` times. `path` is the component's, `component` what messages call it: "a colonize".
 void check_cloud(const std::optional<CrownParameters>& crown, const PointsParameters& points, std::size_t times,
                  std::string_view component, const DocumentPath& path, ParameterReader& reader);
 

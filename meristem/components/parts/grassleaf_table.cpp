@@ -205,7 +205,7 @@ void warn_of_lost_waves(const Grassleaf& grass, const DocumentPath& path, Parame
                           grass.polygons, waves.number, std::ceil(kPiecesAWave * waves.number)));
 }
 
-/// Fits what the document gives; what is wrong with it is a fault at its place.
+/// Fits what the document gives; what is wrong with it is a fault at its path.
 void prepare_grassleaf(Grassleaf& grass, const DocumentPath& path, ParameterReader& reader) {
   const char* row = grass.source.midribs.empty() ? "midrib" : "midribs";
   try {

@@ -57,7 +57,7 @@ class MarkerField {
 
   /// Whether a position is finite and at most 4 million spacings away from the origin, along each axis.
   bool reaches(Vec3 position) const { return bricks_.reaches(position); }
-  /// A shoot at `place` takes the markers around it; vacate() of the same place gives them back exactly. Throws
+  /// A shoot at `position` takes the markers around it; vacate() of the same position gives them back exactly. Throws
   /// std::invalid_argument for positions out of reach, and for vacating where nothing was occupied.
   void occupy(Vec3 position) { bricks_.occupy(position); }
   void vacate(Vec3 position) { bricks_.vacate(position); }

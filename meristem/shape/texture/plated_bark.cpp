@@ -26,7 +26,7 @@ Canvas paint_plated_bark(const BarkPaints& paints) {
     const float dv = plate * slip[i];
     const TileableCells::Spot spot = plates.at(u + 0.2F * du, v + 0.45F * dv);
 
-    // Rise steeply from the cracks, which nearly close in places.
+    // Rise steeply from the cracks, which nearly close here and there.
     const float edge = spot.border / plate;
     const float gap = 0.035F + 0.045F * gaps[i];
     const float crest = rise(gap - 0.02F, gap + 0.07F, edge);

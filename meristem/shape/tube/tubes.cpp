@@ -87,7 +87,7 @@ struct Mitre {
   }
 };
 
-/// Writes one axis into its place.
+/// Writes one axis into its part of the mesh.
 class AxisMesher {
  public:
   AxisMesher(const TubePlan& tubes, AxisIndex axis, std::span<const Turn> corners, Mesh& mesh)
@@ -461,7 +461,7 @@ std::vector<Mesh> make_tubes(const TubePlan& plan, Progress& progress) {
     meshes[k].uvs.resize(size.vertices);
     meshes[k].triangles.resize(size.triangles);
   }
-  // Let every axis fill its place.
+  // Let every axis fill its part of the mesh.
   const CornerTable corners(plan.most_sides());
   parallel_for(plan.axis_count(), kAxesPerBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t axis = begin; axis < end; ++axis) {

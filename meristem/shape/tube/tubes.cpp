@@ -342,7 +342,8 @@ class AxisMesher {
     }
   }
 
-  /// Triangles from the last ring to a tip `metres` farther along the surface: a vertex a side, as each has its own u.
+  /// Triangles from the last ring to a tip `metres` farther along the surface: a vertex per side, as each has its own
+  /// u.
   void close_tip(Vec3 tip, Vec3 direction, float metres) {
     const std::uint32_t rim = next_vertex_ - plan_.sides - 1;
     const float tip_v = v_ + metres * tiles_per_metre(radius(path_.size() - 1));

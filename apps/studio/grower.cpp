@@ -25,10 +25,6 @@ double share_of_step(int step) { return std::pow(kStep, step); }
 
 Value number_value(std::uint64_t number) { return static_cast<double>(number); }
 
-Value::Object reuse_value(const char* what, Reuse reuse) {
-  return {{"what", what}, {"made", number_value(reuse.made)}, {"reused", number_value(reuse.reused)}};
-}
-
 double organ_triangles(const Plant& plant) {
   double triangles = 0;
   for (const Organ& organ : plant.organs)
@@ -299,9 +295,6 @@ void Grower::show() {
     for (const auto& [name, milliseconds] : stages)
       times.push_back(Value::Object{{"name", name}, {"ms", std::round(milliseconds * 10) / 10}});
     told.emplace_back("stages", std::move(times));
-    told.emplace_back(
-        "reuse", Value::List{reuse_value("growth", cache_.reuse_in_all()),
-                             reuse_value("meshes", (sight.is_draft ? coarse_caches_[0] : full_cache_).reuse_in_all())});
     for (auto& member : counts_value(*sight.grown)) told.push_back(std::move(member));
     const std::lock_guard lock(mutex_);
     if (is_closed_) return;

@@ -295,6 +295,7 @@ void Grower::show() {
     for (const auto& [name, milliseconds] : stages)
       times.push_back(Value::Object{{"name", name}, {"ms", std::round(milliseconds * 10) / 10}});
     told.emplace_back("stages", std::move(times));
+    told.emplace_back("reuse", Value::List{});  // the stages say it: what was reused does not begin
     for (auto& member : counts_value(*sight.grown)) told.push_back(std::move(member));
     const std::lock_guard lock(mutex_);
     if (is_closed_) return;

@@ -25,7 +25,7 @@ std::vector<Diagnostic> growth_warnings(const Document& document, bool quiet) {
 void check(const CheckOptions& options) {
   const Document document = open_document(options.document);
   const bool quiet = options.document.quiet;
-  const ThreadLimit threads(options.document.threads);
+  const ThreadLimit threads = limited_threads(options.document.threads, quiet);
   if (!options.is_quick) {
     const std::vector<Diagnostic> warnings = growth_warnings(document, quiet);
     if (!quiet) print_diagnostics(warnings);

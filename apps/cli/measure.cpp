@@ -87,7 +87,7 @@ StandMeasures measure_document(const MeasureCommand& command) {
   const std::vector<std::string> inputs = input_files(document);
   check_output(command.output, inputs);
   if (!command.organs.empty()) check_organs(command, inputs);
-  const ThreadLimit threads(command.document.threads);
+  const ThreadLimit threads = limited_threads(command.document.threads, command.document.quiet);
   StandMeasures stand;
   std::vector<Diagnostic> warnings;
   {
@@ -128,7 +128,7 @@ StandMeasures measure_mtg(const MeasureCommand& command) {
       skeleton_of(read_mtg(read_file(path, limits.file_bytes), path, limits), path, geometry, limits);
   check_output(command.output, std::span(&path, 1));
 
-  const ThreadLimit threads(command.document.threads);
+  const ThreadLimit threads = limited_threads(command.document.threads, command.document.quiet);
   StandMeasures stand;
   {
     TerminalProgress terminal(command.document.quiet);

@@ -172,7 +172,7 @@ void render(const RenderOptions& options) {
     if (!options.fingerprint) check_output(picture.path, inputs);
   }
 
-  const ThreadLimit threads(options.document.threads);
+  const ThreadLimit threads = limited_threads(options.document.threads, options.document.quiet);
   std::vector<Diagnostic> warnings;
   {
     TerminalProgress terminal(options.document.quiet);

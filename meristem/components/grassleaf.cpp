@@ -272,7 +272,7 @@ double value_of(const std::optional<Formula>& formula, std::span<const double> n
   return value;
 }
 
-/// The rates of one leaf's life. Each random call of an expression draws once a leaf.
+/// The rates of one leaf's life. Each random call of an expression draws once per leaf.
 class LifeRates {
  public:
   LifeRates(const GrassVariety& vary, RandomKey key, const Emitter& out) : vary_(vary), key_(key), out_(out) {}

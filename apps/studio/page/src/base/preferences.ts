@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Small choices that outlive the page. A browser that keeps nothing is no fault.
+
+export function preference(name: string): string | null {
+  try {
+    return localStorage.getItem(`meristem.${name}`);
+  } catch {
+    return null;
+  }
+}
+
+export function prefer(name: string, value: string): void {
+  try {
+    localStorage.setItem(`meristem.${name}`, value);
+  } catch {
+    // Nothing is kept.
+  }
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the page shows besides the document.
+import type { Fault, Grown, Hello, Working } from './server/protocol.ts';
+import type { PacketHead } from './server/packet.ts';
+import type { Drawing } from './view/plant_scene.ts';
+import type { ViewFacts } from './view/view.ts';
+import type { KeptWork } from './recovery.ts';
+
+export interface GrowthState {
+  grown: Grown | null;
+  shown: Pick<PacketHead, 'draft' | 'level' | 'triangles' | 'instances' | 'of' | 'hash'> | null;
+  working: Working | null;
+  failed: { message: string; faults: Fault[] } | null;
+  is_paused: boolean;
+}
+
+export const kNoGrowth: GrowthState = { grown: null, shown: null, working: null, failed: null, is_paused: false };
+
+export interface ServerState {
+  link: 'connecting' | 'open' | 'lost';
+  hello: Hello | null;
+}
+
+export interface ViewState {
+  drawing: Drawing;
+  hidden: ReadonlySet<string>; // components that are not drawn
+  shows_ground: boolean;
+  facts: ViewFacts | null;
+}
+
+export type Theme = 'system' | 'light' | 'dark';
+
+export type Dialog = 'open' | 'save' | 'models' | 'export' | 'shortcuts' | null;
+
+export interface ShellState {
+  dialog: Dialog;
+  side: 'inspector' | 'text';
+  theme: Theme;
+  is_dark: boolean;
+  shows_hints: boolean;
+  kept: { work: KeptWork; before: string } | null; // unsaved work that is offered again
+  conflict: { path: string } | null; // a file that someone else has changed
+}
+
+export interface Toast {
+  id: number;
+  text: string;
+  is_fault: boolean;
+}

@@ -161,10 +161,10 @@ void add_grow(CLI::App& app, Run& run) {
                    "Number of coarser levels of detail to write too, oak_lod1.glb, oak_lod2.glb, ...; the document's "
                    "output.lod if not given")
       ->type_name("N");
-  CLI::Option* const instanced =
-      command->add_flag("--instanced", options->instanced,
-                        "Write leaves to .glb as places of one mesh, as is done by itself beyond 5 million triangles: "
-                        "small files, that not every program reads");
+  CLI::Option* const instanced = command->add_flag(
+      "--instanced", options->instanced,
+      "Write leaves to .glb as instances of one mesh, as is done by itself beyond 5 million triangles: "
+      "small files, that not every program reads");
   command
       ->add_flag("--nodes", options->nodes,
                  "Beyond 5 million triangles, write leaves to .glb as nodes instead: large files, that every program "

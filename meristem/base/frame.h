@@ -5,7 +5,7 @@
 
 namespace meristem {
 
-/// A place and its directions: an affine map from local to outer coordinates.
+/// An origin and directions: an affine map from local to outer coordinates.
 ///
 /// Columns of `axes` are the images of x (to the right), y (the heading) and z (the upper face); unit and orthogonal
 /// unless the frame scales. `origin` is in metres. The default is the world's own frame: y up.

@@ -22,7 +22,7 @@ constexpr double kDefaultAngle = 22.5;  // degrees
 constexpr float kShapeSteps = 8192;     // of a polygon's extent, to which its corners are rounded to be shared
 constexpr Vec3 kLeafGreen{0.31F, 0.47F, 0.19F};
 
-/// Faults of the grammar while it derives, at the place in the document where the grammar stands.
+/// Faults of the grammar while it derives, at the path in the document where the grammar stands.
 [[noreturn]] void throw_placed(const InputError& error, const Lsystem& plant, const std::string& component) {
   std::vector<Diagnostic> placed = error.diagnostics();
   for (Diagnostic& found : placed) {
@@ -124,11 +124,11 @@ void expand(const Lsystem& plant, const Site& site, Emitter& out) {
   }
   emit_polygons(plant, site, drawing, out);
   const float length = glm::length(site.frame.heading()) * static_cast<float>(plant.turtle.length);
-  const std::vector<TurtlePlace> places = std::move(drawing.places);
+  const std::vector<TurtleSite> places = std::move(drawing.places);
   out.stem(std::move(drawing.skeleton), plant.surface);
-  for (const TurtlePlace& place : places) {
+  for (const TurtleSite& mark : places) {
     out.progress().check();
-    out.named_site(plant.source().placed_of_letter[place.letter], place.frame, length, place.radius, place.node);
+    out.named_site(plant.source().placed_of_letter[mark.letter], mark.frame, length, mark.radius, mark.node);
   }
 }
 
@@ -136,10 +136,10 @@ std::vector<PlacedComponent> placed(const Lsystem& plant) {
   return plant.grammar || plant.file ? plant.source().placed : std::vector<PlacedComponent>();
 }
 
-void check_lsystem(const Lsystem& plant, const Place& place, ParameterReader& reader) {
+void check_lsystem(const Lsystem& plant, const DocumentPath& path, ParameterReader& reader) {
   if (!plant.grammar && !plant.file) return;  // told by the table
   if (!plant.steps && !plant.source().grammar.steps) {
-    reader.fault(place, "nothing says how many steps the grammar takes", "'steps', or #steps in the grammar");
+    reader.fault(path, "nothing says how many steps the grammar takes", "'steps', or #steps in the grammar");
   }
 }
 

@@ -11,7 +11,7 @@ namespace meristem {
 
 namespace {
 
-/// What `work` returns; places what it throws in the document's text.
+/// What `work` returns; locates what it throws in the document's text.
 template <class Work>
 auto placing_faults(const Document& document, Work&& work) {
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What flows through an expansion: places where instances of one component stand, and what these have made. Neither
+// What flows through an expansion: sites where instances of one component stand, and what these have made. Neither
 // changes once it is there, so both can be kept for the next expansion.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace meristem {
 
-struct Places {
+struct Sites {
   std::vector<Site> sites;
   std::uint64_t hash = 0;  ///< of all bytes of the sites; 0 where nobody will ask for it
 
@@ -27,7 +27,7 @@ std::uint64_t hash_of(const std::vector<Site>& sites);
 struct BatchResult {
   std::vector<Emitted> blocks;
   std::uint64_t nodes = 0;    ///< of all stems
-  std::uint64_t offered = 0;  ///< places for children
+  std::uint64_t offered = 0;  ///< sites for children
 
   std::uint64_t bytes() const;
 };

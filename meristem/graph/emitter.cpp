@@ -93,7 +93,7 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   first_named_ = named_sites.size();
 }
 
-/// Completes the places for children, drops those that no link wants, and numbers the rest.
+/// Completes the sites for children, drops those that no link wants, and numbers the rest.
 void Emitter::end_instance() {
   if (!has_child_sites_) child_site(Frame{});
   if (context_->wants_branch_sites && !context_->prototype.type->makes_stems && branch_sites.size() == first_branch_) {
@@ -120,7 +120,7 @@ void Emitter::end_instance() {
   if (uncounted_ >= kCountedTogether / 8) count_sites();
 }
 
-/// Each name's places count by themselves.
+/// Each name's sites count by themselves.
 void Emitter::number_named_sites() {
   std::unordered_map<std::uint32_t, std::uint32_t> count;
   for (std::size_t k = first_named_; k < named_sites.size(); ++k) {

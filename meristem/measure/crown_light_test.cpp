@@ -9,7 +9,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
 #include "meristem/measure/convex_hull.h"
-#include "meristem/measure/surface_places.h"
+#include "meristem/measure/surface_points.h"
 #include "meristem/measure/tree_form.h"
 #include "tests/support/evaluation_trees.h"
 
@@ -52,7 +52,7 @@ Scene street() {
                     {box_obstacle({-3, 0, 3}, {3, 8, 6}), box_obstacle({4, 0, -5}, {6, 3, 5})});
 }
 
-/// As the source counts it: random places on the whole hull, tested against hull and obstacles alike.
+/// As the source counts it: random positions on the whole hull, tested against hull and obstacles alike.
 double lit_share_by_counting(const Mesh& hull, Vec3 toward, const Scene& scene, std::uint64_t rays) {
   Obstacle self;
   for (const Vec3 position : hull.positions) self.mesh.positions.emplace_back(position);
@@ -60,12 +60,12 @@ double lit_share_by_counting(const Mesh& hull, Vec3 toward, const Scene& scene, 
   std::vector<Obstacle> bodies = scene.obstacles.bodies();
   bodies.push_back(self);
   const Obstacles obstacles(bodies);
-  const SurfacePlaces places(hull);
+  const SurfacePoints places(hull);
   const RandomKey key(11);
   std::uint64_t lit = 0;
   for (std::uint64_t k = 0; k < rays; ++k) {
-    const Vec3 place = places.position(places.at(key.uniform(k), key.uniform(k, 1)));
-    lit += obstacles.first_hit(place + 1e-4F * toward, toward, std::numeric_limits<double>::infinity()) ? 0 : 1;
+    const Vec3 point = places.position(places.at(key.uniform(k), key.uniform(k, 1)));
+    lit += obstacles.first_hit(point + 1e-4F * toward, toward, std::numeric_limits<double>::infinity()) ? 0 : 1;
   }
   return static_cast<double>(lit) / static_cast<double>(rays);
 }
@@ -132,7 +132,7 @@ TEST(CrownLight, AgreesWithPlainCounting) {
   constexpr std::uint64_t kCounted = 4000;
   const CrownLight light = measure_crown_light(ball, scene);
   for (std::size_t k = 2; k < light.lit_shares.size(); k += 4) {
-    // Five standard errors of a half: one in two million would fail by chance, and the places are always the same.
+    // Five standard errors of a half: one in two million would fail by chance, and the positions are always the same.
     const double tolerance = 5 * 0.5 / std::sqrt(static_cast<double>(kCounted));
     EXPECT_NEAR(light.lit_shares[k], lit_share_by_counting(ball, scene.light.sun[k].toward, scene, kCounted),
                 tolerance);

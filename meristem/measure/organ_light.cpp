@@ -13,7 +13,7 @@
 
 #include "meristem/base/parallel.h"
 #include "meristem/measure/foliage.h"
-#include "meristem/measure/surface_places.h"
+#include "meristem/measure/surface_points.h"
 #include "meristem/shape/ray_scene.h"
 #include "meristem/shape/texture/alpha_mask.h"
 
@@ -23,10 +23,10 @@ namespace {
 constexpr double kAreaOfPlace = 0.001;  // square metres
 constexpr int kLeastPlaces = 4;
 constexpr int kMostPlaces = 64;
-constexpr int kTrials = 16;  // for a place that is not in a hole
+constexpr int kTrials = 16;  // for a position that is not in a hole
 constexpr std::size_t kRaysPerBlock = 4096;
 
-using Place = SurfacePlaces::Place;
+using Point = SurfacePoints::Point;
 
 /// The surface that the organs of a prototype share.
 class OrganSurface {
@@ -35,19 +35,19 @@ class OrganSurface {
 
   bool is_empty() const { return !(places_.area() > 0); }
 
-  /// The place at `along` and `across`, or one after it that is not in a hole.
-  Place solid_place(double along, double across) const {
-    Place place = places_.at(along, across);
+  /// The position at `along` and `across`, or one after it that is not in a hole.
+  Point solid_place(double along, double across) const {
+    Point place = places_.at(along, across);
     for (int trial = 1; trial < kTrials && is_hole(place); ++trial) {
       place = places_.at(fraction(along + trial * kSquareSteps[0]), fraction(across + trial * kSquareSteps[1]));
     }
     return place;
   }
 
-  Vec3 position(const Place& place) const { return places_.position(place); }
+  Vec3 position(const Point& place) const { return places_.position(place); }
 
-  /// The normal of a place's triangle under a frame; (0, 0, 0) where it is flattened to a line.
-  Vec3 face_normal(const Place& place, const Frame& frame) const {
+  /// The normal of a position's triangle under a frame; (0, 0, 0) where it is flattened to a line.
+  Vec3 face_normal(const Point& place, const Frame& frame) const {
     const auto [a, b, c] = mesh_.triangles[place.triangle];
     const Vec3 to_b = frame.vector(mesh_.positions[b] - mesh_.positions[a]);
     const Vec3 to_c = frame.vector(mesh_.positions[c] - mesh_.positions[a]);
@@ -55,7 +55,7 @@ class OrganSurface {
   }
 
  private:
-  bool is_hole(const Place& place) const {
+  bool is_hole(const Point& place) const {
     if (mask_ == nullptr) return false;
     const auto [a, b, c] = mesh_.triangles[place.triangle];
     return mask_->is_hole(place.weights.x * mesh_.uvs[a] + place.weights.y * mesh_.uvs[b] +
@@ -63,7 +63,7 @@ class OrganSurface {
   }
 
   const Mesh& mesh_;
-  SurfacePlaces places_;
+  SurfacePoints places_;
   const AlphaMask* mask_;  // null: no holes
 };
 
@@ -85,7 +85,7 @@ class OrganSurfaces {
   std::vector<OrganSurface> surfaces_;
 };
 
-/// Strengths of the rays that go to some places.
+/// Strengths of the rays that go to some positions.
 struct LightSum {
   double sent = 0;
   double arrived = 0;
@@ -125,7 +125,7 @@ int place_count(double area) {
   return static_cast<int>(std::clamp(wanted, double{kLeastPlaces}, double{kMostPlaces}));
 }
 
-/// The light on organ number `index`. Organs of one prototype are asked at different places.
+/// The light on organ number `index`. Organs of one prototype are asked at different positions.
 LightSum light_on(const Organ& organ, const OrganSurface& surface, int places, std::size_t index, const Shade& shade,
                   const Progress& progress) {
   LightSum sum;
@@ -133,7 +133,7 @@ LightSum light_on(const Organ& organ, const OrganSurface& surface, int places, s
   const double start = fraction(static_cast<double>(index) * kSquareSteps[1]);
   for (int k = 0; k < places; ++k) {
     progress.check();
-    const Place place = surface.solid_place((k + first) / places, fraction(start + k * kGoldenStep));
+    const Point place = surface.solid_place((k + first) / places, fraction(start + k * kGoldenStep));
     const Vec3 normal = surface.face_normal(place, organ.frame);
     if (normal != Vec3(0)) shade.add_place(organ.frame.point(surface.position(place)), normal, sum);
   }

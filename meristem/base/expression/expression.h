@@ -12,7 +12,7 @@
 // step(edge, x) noise(x [, y [, z]]) rand() rand(low, high) gauss(mean, deviation), and their names in grammars
 // ran(x), which is rand(0, x), and nran(mean, deviation). Constants: pi, e, golden (137.508°).
 //
-// Both branches of `?:` are evaluated. Random calls draw from the lane's key by their place in the
+// Both branches of `?:` are evaluated. Random calls draw from the lane's key by their position in the
 // expression: the k-th in the text, from 0 and left to right, draws the key's k-th number. The manual has it all:
 // docs/manual/expressions.md.
 #pragma once

@@ -12,7 +12,7 @@
 namespace meristem {
 
 /// Angles in radians, lengths in metres. A stem ends the same however many sections it has.
-struct StemForm {
+struct StemParameters {
   double length = 1;
   double radius = 0.02;                                           ///< at the base
   Curve taper{{{0.0F, 1.0F}, {1.0F, 0.15F}}, CurveKind::linear};  ///< share of the radius over u; below 0 counts as 0
@@ -38,7 +38,7 @@ struct StemTropisms {
   Directions directions;    ///< of light and gravity
   double gravitropism = 0;  ///< share of the angle down that the tip has closed; negative: of that up
   double phototropism = 0;  ///< the same for the light; negative: away from it
-  /// Where in the scene a stem stands that is made elsewhere and smaller: its places times `stretch`, from `origin`.
+  /// Where in the scene a stem stands that is made elsewhere and smaller: its positions times `stretch`, from `origin`.
   Vec3 origin{0};
   float stretch = 1;
 
@@ -53,10 +53,10 @@ struct StemPath {
 };
 
 /// The stem that begins at `site`, whose key its wandering follows.
-StemPath grow_stem(const StemForm& form, const Site& site, const StemTropisms& tropisms,
+StemPath grow_stem(const StemParameters& form, const Site& site, const StemTropisms& tropisms,
                    std::span<const StemBend> bends = {});
 
 /// Reports an axis whose points coincide, or are too many.
-void check_stem_form(const StemForm& form, const Place& place, ParameterReader& reader);
+void check_stem_form(const StemParameters& form, const DocumentPath& path, ParameterReader& reader);
 
 }  // namespace meristem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walks along a word and draws it: stems, polygons, and places for other components.
+// Walks along a word and draws it: stems, polygons, and sites of other components.
 //
 //   F G  a segment             f g  the same way without one       [ ]  a side branch
 //   + -  left, right           & ^  down, up                       \ /  roll
@@ -60,7 +60,7 @@ struct TurtlePolygon {
 };
 
 /// Where a `~` places a component.
-struct TurtlePlace {
+struct TurtleSite {
   LetterIndex letter = kNoLetter;  ///< that names it
   Frame frame;                     ///< heading along y, up along z; scaled by the letter's first parameter
   float radius = 0;                ///< of the stem there
@@ -72,7 +72,7 @@ struct Drawing {
                       ///< where a ] has ended a branch, if one of no length
   std::vector<Vec3> corners;
   std::vector<TurtlePolygon> polygons;  ///< by their ends
-  std::vector<TurtlePlace> places;
+  std::vector<TurtleSite> places;
 };
 
 /// Draws a word of `alphabet`'s letters in the world, beginning at `start` along its heading, its z up; lengths and
@@ -82,8 +82,8 @@ struct Drawing {
 /// the straightest. Segments without a length make no node.
 ///
 /// Throws InputError at `path` for braces without their like, polygons of more than 2,000 corners, a ~ without a name,
-/// brackets nested deeper than a million, places and radii beyond a million kilometres, and beyond the limits of nodes
-/// and, with polygons and places, of instances, before they are made; Cancelled.
+/// brackets nested deeper than a million, positions and radii beyond a million kilometres, and beyond the limits of
+/// nodes and, with polygons and sites, of instances, before they are made; Cancelled.
 Drawing draw(const Word& word, const Alphabet& alphabet, const TurtleParameters& parameters, const Frame& start,
              const Limits& limits, const std::string& path, Progress& progress);
 

@@ -31,7 +31,7 @@ enum class TurtleAction : std::uint8_t {
 /// with it.
 struct LetterMeaning {
   TurtleAction action = TurtleAction::none;
-  bool records = false;  ///< whether the place it leads to is a corner of an open polygon
+  bool records = false;  ///< whether the position it leads to is a corner of an open polygon
   std::uint16_t arity = 0;
   double sign = 1;
   double angle = std::numeric_limits<double>::quiet_NaN();  ///< degrees

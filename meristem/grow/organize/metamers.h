@@ -58,8 +58,8 @@ void erase_marked(std::vector<T>& column, const std::vector<std::uint8_t>& marks
   column.resize(kept);
 }
 
-/// The metamers of one tree, structure of arrays. Metamer 0 is the seed: a place without length and without a lateral
-/// bud. What a metamer bears has a larger index, so that loops run from seed to tips and back.
+/// The metamers of one tree, structure of arrays. Metamer 0 is the seed: a position without length and without a
+/// lateral bud. What a metamer bears has a larger index, so that loops run from seed to tips and back.
 ///
 /// A metamer has a number on its axis, from 1 at the base. Shoots are named by the numbers of the metamers where they
 /// branch off: `main`, `main.4`, `main.4.2`. Numbers and names never change, and are never used again unless an open

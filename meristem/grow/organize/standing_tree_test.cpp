@@ -16,7 +16,7 @@ constexpr Vec3 kRoot{3, 0.25F, -7};
 constexpr PipeModel kPipes{.tip_radius = 0.005, .exponent = 2, .memory = 1};
 constexpr Sag kSoft{.stiffness = 0.5, .density = 900, .leaf_mass = 0.01};
 
-/// A wall whose shade falls on some places, and a lamp.
+/// A wall whose shade falls on some positions, and a lamp.
 Scene walled() {
   Scene scene;
   scene.obstacles = Obstacles({Obstacle{.mesh = box_mesh({4, 0, -9}, {4.5, 3, -5})}});
@@ -87,9 +87,9 @@ void expect_the_same(Grown& one, Grown& other, RandomKey key) {
     RC_ASSERT(one.tree->scene_light().at(metamer) == other.tree->scene_light().at(metamer));
   }
   for (std::uint64_t k = 0; k < 300; ++k) {
-    const Vec3 place = kRoot + 3 * static_cast<float>(key.uniform(k)) * key.child("way").direction(k);
-    RC_ASSERT(one.grid->shade(place) == other.grid->shade(place));
-    RC_ASSERT(one.grid->brighter_way(place) == other.grid->brighter_way(place));
+    const Vec3 position = kRoot + 3 * static_cast<float>(key.uniform(k)) * key.child("way").direction(k);
+    RC_ASSERT(one.grid->shade(position) == other.grid->shade(position));
+    RC_ASSERT(one.grid->brighter_way(position) == other.grid->brighter_way(position));
   }
   Box around;
   around.add(kRoot - 1.5F);

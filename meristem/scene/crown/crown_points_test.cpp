@@ -279,7 +279,7 @@ TEST(BlueNoise, StaysUniformInVolume) {
 }
 
 TEST(BlueNoise, EndsWhereOnlyFewPlacesAreLeft) {
-  // Far from the origin floats are so coarse that not every point finds a place of its own.
+  // Far from the origin floats are so coarse that not every point finds a position of its own.
   const BoxCrown box({Vec3(90'000), Vec3(90'000.03F)});
   EXPECT_EQ(place(box, {.count = 2000, .blue_noise = true}).size(), 2000U);
 }

@@ -18,7 +18,7 @@ struct Edge {
   bool is_forward = false;  // from the smaller to the larger
 };
 
-/// For each position the first one at the same place.
+/// For each position the first one at the same position.
 std::vector<std::uint32_t> welded(const std::vector<DVec3>& positions) {
   std::vector<std::uint32_t> order(positions.size());
   std::iota(order.begin(), order.end(), 0U);

@@ -79,7 +79,7 @@ DVec3 centroid_of(const Obstacle& body, DVec3 middle) {
   return total != 0 ? middle + sum / total : middle;
 }
 
-/// Says whether a place is inside one body.
+/// Says whether a position is inside one body.
 class Inside {
  public:
   explicit Inside(const Obstacle& body) : box_(box_around(body.mesh)) {
@@ -90,9 +90,9 @@ class Inside {
 
   const Box& box() const { return box_; }
 
-  /// Of a place in its box.
-  bool contains(Vec3 place) const {
-    const DVec3 at(place);
+  /// Of a position in its box.
+  bool contains(Vec3 point) const {
+    const DVec3 at(point);
     if (views_.size() == 1) return views_[0].contains(at);
     int votes = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -153,8 +153,8 @@ Obstacles::Obstacles(std::vector<Obstacle> bodies) {
 const std::vector<Obstacle>& Obstacles::bodies() const { return content_->bodies; }
 Box Obstacles::bounds() const { return content_->bounds; }
 
-bool Obstacles::contain(Vec3 place) const {
-  return content_->boxes.any_around(place, [&](std::uint32_t k) { return content_->insides[k].contains(place); });
+bool Obstacles::contain(Vec3 point) const {
+  return content_->boxes.any_around(point, [&](std::uint32_t k) { return content_->insides[k].contains(point); });
 }
 
 bool Obstacles::cross(Vec3 from, Vec3 to) const {

@@ -25,9 +25,10 @@ namespace {
 constexpr double kEndWeight = 1000;  // of the points that stay: where a blade is held, and both ends of its widths
 constexpr int kSteps = 8;            // along the spline, a piece
 constexpr int kEvenings = 20;        // rounds at most that make chords equally long
-constexpr double kEven = 1e-7;       // of the length: a place that moves by less stays
-constexpr double kWhole = 1e-6;      // of the last place: nearer to 0 than that it is 0
-constexpr double kLeastShares = 0.9, kMostShares = 1.001;  // where places of widths end that are shares of the length
+constexpr double kEven = 1e-7;       // of the length: a position that moves by less stays
+constexpr double kWhole = 1e-6;      // of the last position: nearer to 0 than that it is 0
+constexpr double kLeastShares = 0.9,
+                 kMostShares = 1.001;  // where positions of widths end that are shares of the length
 
 using Points = std::vector<glm::dvec2>;
 
@@ -73,7 +74,7 @@ Points follow_midrib(const Points& points, const std::vector<double>& lengths, c
   return followed;
 }
 
-/// Root mean square over `points` of the distance to the nearest place on `curve`.
+/// Root mean square over `points` of the distance to the nearest point on `curve`.
 double mean_distance(const Points& points, const Points& curve) {
   double squares = 0;
   for (const glm::dvec2 point : points) {
@@ -93,7 +94,7 @@ double share_in_piece(const std::vector<double>& places, double place, std::size
   return step > 0 ? std::clamp((place - places[k]) / step, 0.0, 1.0) : 0;
 }
 
-/// The points at rising places along others.
+/// The points at rising positions along others.
 Points points_at(const Points& followed, const std::vector<double>& lengths, const std::vector<double>& places) {
   Points points;
   std::size_t k = 0;
@@ -150,7 +151,7 @@ struct WidthCurve {
 WidthCurve smooth_widths(const Points& points, double smoothing) {
   WidthCurve smoothed;
   std::vector<double> places, widths;
-  // A place that is not measured has the width of the next one.
+  // A position that is not measured has the width of the next one.
   if (points.front().x > kWhole * points.back().x) {
     places.push_back(0);
     widths.push_back(points.front().y);

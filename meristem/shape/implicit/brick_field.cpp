@@ -35,17 +35,17 @@ struct Region {
 
 glm::ivec3 corner_of(int k, int side) { return {k % side, k / side % side, k / (side * side)}; }
 
-/// The places of the corners of a brick's blocks about its middle.
+/// The positions of the corners of a brick's blocks about its middle.
 struct BlockPlaces {
   std::array<float, kBrickSize> x, y, z;  // block after block
 
   explicit BlockPlaces(double cell) {
     for (int k = 0; k < kBrickSize; ++k) {
       const glm::ivec3 corner = kBlockSide * corner_of(k / kBlockSize, 2) + corner_of(k % kBlockSize, kBlockSide);
-      const DVec3 place = cell * (DVec3(corner) - kMiddle);
-      x[k] = static_cast<float>(place.x);
-      y[k] = static_cast<float>(place.y);
-      z[k] = static_cast<float>(place.z);
+      const DVec3 position = cell * (DVec3(corner) - kMiddle);
+      x[k] = static_cast<float>(position.x);
+      y[k] = static_cast<float>(position.y);
+      z[k] = static_cast<float>(position.z);
     }
   }
 };
@@ -123,7 +123,7 @@ class Descent {
       if (level.holds_surface(k)) open |= 1U << k;
     }
     if (open == 0) return level;
-    // Of the cubes of single blocks only the places of corners are sampled, a cell within them.
+    // Of the cubes of single blocks only the positions of corners are sampled, a cell within them.
     pruner_.keep(open, side == 2 ? kHalfDiagonal * 2 * cell : 0, level.steps);
     return level;
   }
@@ -154,9 +154,9 @@ class Descent {
     for (int k = 0; k < 8; ++k) {
       std::array<float, kBlockSize> values;
       if (level.holds_surface(k)) {
-        const int place = kBlockSize * k;
-        sampler_.sample(level.steps[k], near_, &places_.x[place], &places_.y[place], &places_.z[place], kBlockSize,
-                        values.data());
+        const int position = kBlockSize * k;
+        sampler_.sample(level.steps[k], near_, &places_.x[position], &places_.y[position], &places_.z[position],
+                        kBlockSize, values.data());
       } else {
         values.fill(static_cast<float>(level.sign[k] * bricks_.grid.cell));
       }

@@ -117,7 +117,7 @@ class BrickMesher {
     DVec3 farthest = glm::abs(grid.origin);
     for (const BrickChunk& chunk : grid.chunks) {
       topology_.emplace_back(chunk.at.size());
-      for (const glm::ivec3 at : chunk.at) farthest = glm::max(farthest, glm::abs(grid.place(kSide * (at + 1))));
+      for (const glm::ivec3 at : chunk.at) farthest = glm::max(farthest, glm::abs(grid.position(kSide * (at + 1))));
     }
     // Where coordinates are large for the cells, rounding must not bring vertices together.
     const double rounding = kRounding * std::max({farthest.x, farthest.y, farthest.z}) / grid.cell;
@@ -277,8 +277,8 @@ class BrickMesher {
     return cell_surface(pattern, values);
   }
 
-  /// The place of a cell's inner point: the mean of its edges' points, or beside it where that lies in line with two of
-  /// them, as among values that are alike.
+  /// The position of a cell's inner point: the mean of its edges' points, or beside it where that lies in line with two
+  /// of them, as among values that are alike.
   Vec3 inner_point(const Neighbourhood& around, glm::ivec3 place, glm::ivec3 cell, const CellSurface& surface,
                    std::size_t which) const {
     std::array<DVec3, 12> points;

@@ -22,7 +22,7 @@ constexpr int kLeastResolution = 10;
 constexpr int kMostResolution = 1024;
 constexpr double kGradientStep = 0.25;  // of a cell
 
-/// Takes the normals of places from a body's function, at four places about each.
+/// Takes the normals of positions from a body's function, at four positions about each.
 class NormalSampler {
  public:
   NormalSampler(const ImplicitBody& body, const BodyBricks& bricks)
@@ -38,8 +38,8 @@ class NormalSampler {
     z_.resize(count);
     values_.resize(count);
     for (std::size_t k = 0; k < count; ++k) {
-      const Vec3 place(DVec3(places[k / kCorners.size()]) - centre);
-      const Vec3 beside = place + step_ * kCorners[k % kCorners.size()];
+      const Vec3 position(DVec3(places[k / kCorners.size()]) - centre);
+      const Vec3 beside = position + step_ * kCorners[k % kCorners.size()];
       x_[k] = beside.x;
       y_[k] = beside.y;
       z_[k] = beside.z;

@@ -22,7 +22,7 @@ struct BarkRecipe {
   double relief = 1;          ///< depth of its normals; 0 is flat
   double contrast = 1;        ///< of colours; 0 is even
   std::optional<Vec3> seams;  ///< sRGB, colour of furrows, gaps and lenticels; dark bark if unset
-  std::optional<Vec3> marks;  ///< sRGB, colour of lichen and peeled places; little of them if unset
+  std::optional<Vec3> marks;  ///< sRGB, colour of lichen and peeled patches; little of them if unset
   std::uint64_t seed = 1;     ///< another tile of the same kind
 
   bool operator==(const BarkRecipe&) const = default;

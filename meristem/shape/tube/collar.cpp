@@ -11,7 +11,7 @@ constexpr float kLeastFillet = 0.2F;
 constexpr int kBisections = 10;
 constexpr int kTraceSteps = 32;
 
-/// A place on a path: at a share of the way from a point to the next.
+/// A position on a path: at a share of the way from a point to the next.
 struct Stop {
   std::size_t point = 0;
   float share = 0;
@@ -25,14 +25,14 @@ Vec3 place_at(const AxisPath& path, Stop stop) {
   return glm::mix(path.position(stop.point), path.position(stop.point + 1), stop.share);
 }
 
-/// Metres from a place to the path's end.
+/// Metres from a position to the path's end.
 float way_left(const AxisPath& path, Stop from) {
   float way = (1 - from.share) * gap_after(path, from.point);
   for (std::size_t i = from.point + 1; i + 1 < path.size(); ++i) way += gap_after(path, i);
   return way;
 }
 
-/// The place so many metres on; the path goes at least that far.
+/// The position so many metres on; the path goes at least that far.
 Stop walk(const AxisPath& path, Stop from, float metres) {
   metres += from.share * gap_after(path, from.point);
   while (from.point + 2 < path.size() && metres > gap_after(path, from.point)) {
@@ -68,11 +68,11 @@ Bark::Bark(const AxisPath& parent, std::size_t point, float reach) : radius_(par
   }
 }
 
-Bark::Nearest Bark::nearest(Vec3 place) const {
+Bark::Nearest Bark::nearest(Vec3 position) const {
   Nearest best{1e30F, kUp};
   for (std::size_t k = 0; k < count_; ++k) {
     const Cone& cone = cones_[k];
-    const Vec3 offset = place - cone.base;
+    const Vec3 offset = position - cone.base;
     const float share = glm::clamp(glm::dot(offset, cone.axis) * cone.inverse_length2, 0.0F, 1.0F);
     const Vec3 outward = offset - share * cone.axis;
     const float distance = std::sqrt(glm::dot(outward, outward)) - (cone.base_radius + share * cone.widening);
@@ -81,9 +81,9 @@ Bark::Nearest Bark::nearest(Vec3 place) const {
   return best;
 }
 
-float Bark::distance(Vec3 place) const { return nearest(place).distance; }
+float Bark::distance(Vec3 position) const { return nearest(position).distance; }
 
-Vec3 Bark::normal(Vec3 place) const { return unit_or(nearest(place).outward, Vec3(0, 1, 0)); }
+Vec3 Bark::normal(Vec3 position) const { return unit_or(nearest(position).outward, Vec3(0, 1, 0)); }
 
 float Bark::trace(Vec3 from, Vec3 direction, float farthest) const {
   float way = 0;

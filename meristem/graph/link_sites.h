@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what a batch of instances has made to the places where the children of its links stand.
+// From what a batch of instances has made to the sites where the children of its links stand.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace meristem {
 
-class LinkPlaces {
+class LinkSites {
  public:
   /// So many instances there are.
   struct Counts {
@@ -23,14 +23,14 @@ class LinkPlaces {
   };
 
   /// All of them outlive it.
-  LinkPlaces(const Graph& graph, const Directions& directions, Progress& progress);
+  LinkSites(const Graph& graph, const Directions& directions, Progress& progress);
 
   /// The links along which a batch has children. All its instances have come by the same links, so they are equally
   /// deep in every recursion, as deep as `site`: a link back leads on until its depth is reached, a leaf link only from
   /// there.
   std::vector<LinkIndex> links_followed(ComponentIndex component, const Site& site) const;
 
-  /// The places that a link gives its child, over all instances of the parent in their order. Throws InputError where
+  /// The sites that a link gives its child, over all instances of the parent in their order. Throws InputError where
   /// with them there would be more instances than the limit allows.
   std::vector<Site> places(LinkIndex link, const BatchResult& parent, Counts before) const;
 

@@ -228,9 +228,9 @@ export class Studio {
 
   private show_packet(bytes: ArrayBuffer): void {
     const packet = read_packet(bytes);
-    const { draft, level, triangles, instances, of, hash } = packet.head;
+    const { draft, share, triangles, instances, of, hash } = packet.head;
     this.view?.apply(packet);
-    this.growth.merge({ shown: { draft: draft ?? false, level: level ?? null, triangles, instances, of, hash } });
+    this.growth.merge({ shown: { draft: draft ?? false, share: share ?? 1, triangles, instances, of, hash } });
     this.refresh_view();
     // The next packet comes when this one has been drawn.
     requestAnimationFrame(() => this.connection.tell('shown', { packet: packet.head.packet }));

@@ -8,7 +8,7 @@ import type { KeptWork } from './recovery.ts';
 
 export interface GrowthState {
   grown: Grown | null;
-  shown: Pick<PacketHead, 'draft' | 'level' | 'triangles' | 'instances' | 'of' | 'hash'> | null;
+  shown: Pick<PacketHead, 'draft' | 'share' | 'triangles' | 'instances' | 'of' | 'hash'> | null;
   working: Working | null;
   failed: { message: string; faults: Fault[] } | null;
   is_paused: boolean;

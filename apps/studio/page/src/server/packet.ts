@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scene packets: a head in JSON, and arrays that are used where they lie.
 
-/// First byte from the packet's first, and how many numbers.
+/// First byte, counted from the first array, and how many numbers.
 export type ArrayPlace = [number, number];
 
 export interface PacketPicture {
@@ -69,7 +69,7 @@ export interface PacketHead {
   fit?: boolean;
   hash: string;
   draft?: boolean;
-  level?: number | null;
+  share?: number; // of all triangles, that was asked of the meshes
   triangles: number;
   instances: number;
   of: { triangles: number; instances: number; nodes: number };
@@ -94,6 +94,7 @@ export interface PacketHead {
 export interface Packet {
   head: PacketHead;
   buffer: ArrayBuffer;
+  first: number; // byte of the first array
 }
 
 const kMagic = 0x3150534d; // MSP1
@@ -104,11 +105,11 @@ export function read_packet(buffer: ArrayBuffer): Packet {
   const view = new DataView(buffer);
   if (buffer.byteLength < 8 || view.getUint32(0, true) !== kMagic) throw new Error('these bytes are no scene packet');
   const length = view.getUint32(4, true);
-  return { head: JSON.parse(kDecoder.decode(new Uint8Array(buffer, 8, length))) as PacketHead, buffer };
+  return { head: JSON.parse(kDecoder.decode(new Uint8Array(buffer, 8, length))) as PacketHead, buffer, first: 8 + length };
 }
 
-export const floats = (packet: Packet, [at, count]: ArrayPlace) => new Float32Array(packet.buffer, at, count);
-export const signed_bytes = (packet: Packet, [at, count]: ArrayPlace) => new Int8Array(packet.buffer, at, count);
-export const bytes = (packet: Packet, [at, count]: ArrayPlace) => new Uint8Array(packet.buffer, at, count);
-export const shorts = (packet: Packet, [at, count]: ArrayPlace) => new Uint16Array(packet.buffer, at, count);
-export const words = (packet: Packet, [at, count]: ArrayPlace) => new Uint32Array(packet.buffer, at, count);
+export const floats = (packet: Packet, [at, count]: ArrayPlace) => new Float32Array(packet.buffer, packet.first + at, count);
+export const signed_bytes = (packet: Packet, [at, count]: ArrayPlace) => new Int8Array(packet.buffer, packet.first + at, count);
+export const bytes = (packet: Packet, [at, count]: ArrayPlace) => new Uint8Array(packet.buffer, packet.first + at, count);
+export const shorts = (packet: Packet, [at, count]: ArrayPlace) => new Uint16Array(packet.buffer, packet.first + at, count);
+export const words = (packet: Packet, [at, count]: ArrayPlace) => new Uint32Array(packet.buffer, packet.first + at, count);

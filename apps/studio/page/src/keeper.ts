@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keeps unsaved work 300 ms after each edit, and offers it again after a reload or a crash.
-import { preference, prefer } from './base/preferences.ts';
+import { of_this_page, remember_for_this_page } from './base/preferences.ts';
 import type { KeptWork } from './recovery.ts';
 import { forget, keep, kept_work, work_key } from './recovery.ts';
 import type { Hello, Opened } from './server/protocol.ts';
@@ -11,36 +11,41 @@ const kPause = 300;
 export class Keeper {
   private timer_ = 0;
   private last_text_ = '';
+  private is_first_ = true;
 
   constructor(private readonly studio_: Studio) {
     studio_.document.state.subscribe(() => this.look());
   }
 
-  /// What a page without a wish of its own begins with: what was open last, or the oak.
-  async first_document(hello: Hello): Promise<OpenWish> {
+  /// What a page begins with: after a reload what it had open, else what the server was started with.
+  first_document(hello: Hello): OpenWish {
+    const last = of_this_page();
+    if (last?.startsWith('model:')) return { model: last.slice(6) };
+    if (last?.startsWith('file:')) return { path: last.slice(5) };
     if (hello.document !== null) return { path: hello.document };
-    if (hello.model !== null) return { model: hello.model };
-    const last = preference('last') ?? 'model:oak';
-    if (last.startsWith('model:')) return { model: last.slice(6) };
-    const kept = (await kept_work()).find((one) => one.key === last);
-    if (last.startsWith('file:')) {
-      const path = last.slice(5);
-      return (await this.is_there(path)) ? { path } : kept ? { text: kept.text, path: null } : { model: 'oak' };
-    }
-    return kept ? { text: kept.text, path: null } : { model: 'oak' };
+    return { model: hello.model ?? 'oak' };
   }
 
-  /// Offers kept work of the document that was opened, where it says something else.
+  /// Offers kept work of the document that was opened, where it says something else; on the page's first document also
+  /// what was left of another one.
   async offer(opened: Opened, model: string | null): Promise<void> {
     const key = work_key(opened.path, model);
-    prefer('last', key);
-    const work = (await kept_work()).find((one) => one.key === key);
-    if (!work) return this.studio_.shell.merge({ kept: null });
-    if (work.text === opened.text) {
-      if (key !== 'new') await forget(key);
-      return;
-    }
-    this.studio_.shell.merge({ kept: { work, before: opened.text } });
+    remember_for_this_page(key);
+    const all = await kept_work();
+    const work = all.find((one) => one.key === key);
+    const other = this.is_first_ ? all.find((one) => one.key !== key) : undefined;
+    this.is_first_ = false;
+    if (work && work.text === opened.text && key !== 'new') await forget(key);
+    if (work && work.text !== opened.text) this.studio_.shell.merge({ kept: { work, before: opened.text } });
+    else this.studio_.shell.merge({ kept: other ? { work: other, before: null } : null });
+  }
+
+  /// Opens the document of kept work, which is then offered with what differs.
+  open_other(work: KeptWork): void {
+    this.studio_.shell.merge({ kept: null });
+    if (work.model !== null) void this.studio_.open({ model: work.model });
+    else if (work.path !== null) void this.studio_.open({ path: work.path });
+    else void this.studio_.open({ text: work.text, path: null });
   }
 
   restore(work: KeptWork): void {
@@ -58,15 +63,6 @@ export class Keeper {
     clearTimeout(this.timer_);
     const { path, model } = this.studio_.document.state.get();
     await forget(work_key(path, model));
-  }
-
-  private async is_there(path: string): Promise<boolean> {
-    const cut = path.lastIndexOf('/');
-    const folder = cut < 0 ? '' : path.slice(0, cut);
-    const listed = await this.studio_.connection
-      .request<{ files: { name: string }[] }>('files', { folder })
-      .catch(() => ({ files: [] }));
-    return listed.files.some((one) => one.name === path.slice(cut + 1));
   }
 
   private look(): void {

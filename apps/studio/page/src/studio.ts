@@ -136,13 +136,16 @@ export class Studio {
     this.take_back(await this.document.redo(), 'Redone');
   }
 
-  async open(wish: OpenWish): Promise<void> {
+  /// Resolves to whether it could be opened.
+  async open(wish: OpenWish): Promise<boolean> {
     try {
       const opened = await this.connection.request<Opened>('open', wish);
       this.take_opened(opened, wish.model ?? null);
       await this.keeper.offer(opened, wish.model ?? null);
+      return true;
     } catch (fault) {
       if (fault instanceof Refusal) this.tell(fault.message, true);
+      return false;
     }
   }
 
@@ -217,7 +220,8 @@ export class Studio {
       this.document.resume();
       return;
     }
-    await this.open(await this.keeper.first_document(hello));
+    const wish = this.keeper.first_document(hello);
+    if (!(await this.open(wish))) await this.open({ model: 'oak' });
   }
 
   private tell_budgets(): void {

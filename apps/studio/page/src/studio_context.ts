@@ -2,7 +2,7 @@
 import { createContext, useContext } from 'react';
 
 import { use_store } from './base/store.ts';
-import type { DocumentState } from './document/document_model.ts';
+import type { DocumentState } from './document/document_state.ts';
 import type { Studio } from './studio.ts';
 
 export const StudioContext = createContext<Studio | null>(null);

@@ -38,7 +38,8 @@ export interface ShellState {
   theme: Theme;
   is_dark: boolean;
   shows_hints: boolean;
-  kept: { work: KeptWork; before: string } | null; // unsaved work that is offered again
+  /// Unsaved work that is offered again, and the text that was opened; null where it is of another document.
+  kept: { work: KeptWork; before: string | null } | null;
   conflict: { path: string } | null; // a file that someone else has changed
 }
 

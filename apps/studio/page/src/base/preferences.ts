@@ -16,3 +16,20 @@ export function prefer(name: string, value: string): void {
     // Nothing is kept.
   }
 }
+
+/// What this tab of this server had open, after a reload.
+export function of_this_page(): string | null {
+  try {
+    return sessionStorage.getItem(location.pathname);
+  } catch {
+    return null;
+  }
+}
+
+export function remember_for_this_page(key: string): void {
+  try {
+    sessionStorage.setItem(location.pathname, key);
+  } catch {
+    // Nothing is kept.
+  }
+}

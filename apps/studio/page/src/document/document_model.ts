@@ -4,45 +4,15 @@
 import { Store } from '../base/store.ts';
 import type { Connection } from '../server/connection.ts';
 import { Lost } from '../server/connection.ts';
-import type { Edit, Edited, Fault, Opened, Reading, Variable } from '../server/protocol.ts';
+import type { Edit, Edited, Fault, Opened, Reading } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
+import type { DocumentState } from './document_state.ts';
+import { kNoDocument, reading_of, sets_the_same, tree_of } from './document_state.ts';
 import { text_hash } from './hash.ts';
-import type { JsonNode } from './json.ts';
-import { parse_json } from './json.ts';
 import type { Patch } from './patch.ts';
 import { apply_patch, inverse_patch, patch_between, patch_of_plain, plain_patch, rebased } from './patch.ts';
 import type { UndoState } from './undo_list.ts';
-import { kNothingDone, step_back, step_forward, with_last, with_step } from './undo_list.ts';
-
-export interface DocumentState {
-  path: string | null; // of the file, below the server's folder
-  model: string | null; // the shipped model that it began as
-  name: string;
-  text: string;
-  hash: string;
-  saved: string | null; // hash of the file as it is on the disk
-  base: string; // hash of the text as it was opened or saved
-  tree: JsonNode | null; // of the last text that is JSON
-  good: boolean;
-  faults: Fault[];
-  variables: Variable[];
-  undo: UndoState;
-}
-
-export const kNoDocument: DocumentState = {
-  path: null,
-  model: null,
-  name: '',
-  text: '',
-  hash: '',
-  saved: null,
-  base: '',
-  tree: null,
-  good: true,
-  faults: [],
-  variables: [],
-  undo: kNothingDone,
-};
+import { step_back, step_forward, with_last, with_step } from './undo_list.ts';
 
 interface Waiting {
   edits: Edit[];
@@ -252,23 +222,4 @@ export class DocumentModel {
 export interface UndoStepTaken {
   label: string;
   chosen: string;
-}
-
-function reading_of(reading: Reading): Pick<DocumentState, 'good' | 'faults' | 'variables'> | object {
-  const { good, faults, variables } = reading;
-  // The values of a faulty text are not known: the last good ones stay.
-  return variables.length > 0 || good ? { good, faults, variables } : { good, faults };
-}
-
-function tree_of(text: string, last: JsonNode | null): JsonNode | null {
-  try {
-    return parse_json(text);
-  } catch {
-    return last;
-  }
-}
-
-function sets_the_same(a: Edit[], b: Edit[]): boolean {
-  const paths = (edits: Edit[]): string => JSON.stringify(edits.map((edit) => ('set' in edit ? edit.set : null)));
-  return paths(a) === paths(b) && !paths(a).includes('null');
 }

@@ -39,13 +39,13 @@ export function App(): ReactElement {
         </aside>
         <section className="centre" aria-label="The plant">
           <ViewPanel />
-          <Hints />
         </section>
         <aside className="right" aria-label="Inspector and text">
           <div className="side-tabs">
             <Segments label="Side panel" value={side} choices={kSides} choose={(one) => studio.shell.merge({ side: one })} />
           </div>
           {side === 'inspector' ? <Inspector /> : <TextPanel />}
+          {side === 'inspector' && <Hints />}
         </aside>
       </main>
       <StatusLine />

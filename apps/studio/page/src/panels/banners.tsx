@@ -16,7 +16,7 @@ export function LostBanner(): ReactElement | null {
     <div className="banner warning" role="alert">
       <Icon name="warning" />
       <p>
-        The server is gone. Start <code>meristem studio</code> again: this page goes on where it was, and your work is kept in the browser.
+        The server is gone. Your work is kept in this browser: start <code>meristem studio</code> again and open the address that it prints.
       </p>
     </div>
   );
@@ -28,9 +28,10 @@ export function KeptBanner(): ReactElement | null {
   const [shows, set_shows] = useState(false);
   if (!kept) return null;
   const { work, before } = kept;
+  const when = new Date(work.at).toLocaleString([], { dateStyle: 'medium', timeStyle: 'short' });
+  if (before === null) return <OtherWork name={work.name} when={when} open={() => studio.keeper.open_other(work)} />;
   const lines = line_difference(before, work.text);
   const differing = lines.filter((one) => one.sign !== ' ').length;
-  const when = new Date(work.at).toLocaleString([], { dateStyle: 'medium', timeStyle: 'short' });
   return (
     <div className="banner" role="alert" data-banner="kept">
       <Icon name="reset" />
@@ -53,6 +54,22 @@ export function KeptBanner(): ReactElement | null {
           ))}
         </pre>
       )}
+    </div>
+  );
+}
+
+function OtherWork({ name, when, open }: { name: string; when: string; open: () => void }): ReactElement {
+  const studio = use_studio();
+  return (
+    <div className="banner" role="alert" data-banner="other">
+      <Icon name="reset" />
+      <p>
+        There are unsaved changes of <strong>{name}</strong> from {when}.
+      </p>
+      <Button press={() => studio.shell.merge({ kept: null })}>Not now</Button>
+      <Button kind="main" press={open}>
+        Open it
+      </Button>
     </div>
   );
 }

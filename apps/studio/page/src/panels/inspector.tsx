@@ -55,7 +55,7 @@ function InspectorHead({ path, value }: { path: string; value: Json | undefined 
   const faults = use_faults(path);
   const [head, second] = steps_of(path);
   const type = is_object(value) && typeof value['type'] === 'string' ? value['type'] : null;
-  const title = second === undefined ? (head ?? 'Document') : typeof second === 'number' ? `Link ${second + 1}` : second;
+  const title = second === undefined ? capital(head ?? 'document') : typeof second === 'number' ? `Link ${second + 1}` : second;
   const doc = type !== null ? studio.tables.components[type]?.doc : undefined;
   return (
     <div className="inspector-head">
@@ -67,6 +67,11 @@ function InspectorHead({ path, value }: { path: string; value: Json | undefined 
       {path !== '' && <Faults faults={faults} />}
     </div>
   );
+}
+
+function capital(text: string | number): string {
+  const word = String(text);
+  return word.charAt(0).toUpperCase() + word.slice(1);
 }
 
 interface GroupProps {

@@ -12,24 +12,6 @@ import { slider_range, within_hard_range } from '../tables/tables.ts';
 import { TextField } from './text_field.tsx';
 import type { RowActions } from './row_actions.ts';
 
-export type NumberForm = 'number' | 'range' | 'expression' | 'both';
-
-export function form_of(value: Json | undefined): NumberForm {
-  if (typeof value === 'string') return 'expression';
-  if (Array.isArray(value)) return 'range';
-  return is_object(value) ? 'both' : 'number';
-}
-
-/// The same number in another form.
-export function in_form(form: NumberForm, value: Json | undefined, number: number): Json {
-  const range = Array.isArray(value) ? value : is_object(value) && Array.isArray(value['range']) ? value['range'] : [number, number];
-  const said = is_object(value) && typeof value['apply'] === 'string' ? value['apply'] : typeof value === 'string' ? value : null;
-  if (form === 'range') return range;
-  if (form === 'expression') return said ?? String(typeof range[0] === 'number' ? range[0] : number);
-  if (form === 'both') return { range, apply: said ?? 'v' };
-  return typeof range[0] === 'number' ? range[0] : number;
-}
-
 interface NumberRowProps {
   row: Row;
   label: string;

@@ -15,6 +15,7 @@ import { fault_text } from '../rows/row_editor.tsx';
 import type { Studio } from '../studio.ts';
 import { completion_source } from './completion.ts';
 import { kDocumentLanguage } from './json_language.ts';
+import { with_line_ends } from './line_ends.ts';
 
 const kFromDocument = Annotation.define<boolean>();
 
@@ -98,10 +99,4 @@ export class TextEditor {
     });
     this.view_.dispatch(setDiagnostics(this.view_.state, marks), { annotations: kFromDocument.of(true) });
   }
-}
-
-/// Lines that were typed end as those of the document do.
-export function with_line_ends(typed: string, text: string): string {
-  const ends_in_two = text.includes('\r\n') && !/(^|[^\r])\n/.test(text);
-  return ends_in_two ? typed.replace(/(^|[^\r])\n/g, '$1\r\n').replace(/(^|[^\r])\n/g, '$1\r\n') : typed;
 }

@@ -12,6 +12,8 @@ export interface Light {
   sun_colour: three.IUniform<three.Color>;
   sky_colour: three.IUniform<three.Color>;
   ground_colour: three.IUniform<three.Color>;
+  crown_centre: three.IUniform<three.Vector3>;
+  crown_size: three.IUniform<three.Vector3>; // half of the box that holds the plant
 }
 
 interface Picture {

@@ -70,7 +70,7 @@ export class Orbit {
     box.getCenter(this.target_);
     this.place();
     const inverse = new three.Matrix4().copy(this.camera.matrixWorld).invert();
-    const tan_y = Math.tan((kFieldOfView / 2) * kRadians) * 0.86;
+    const tan_y = Math.tan((kFieldOfView / 2) * kRadians) * 0.94;
     const tan_x = tan_y * this.camera.aspect;
     let distance = 0.01;
     for (let corner = 0; corner < 8; corner += 1) {

@@ -48,6 +48,8 @@ uniform vec3 ground_colour;
 uniform float translucency;
 uniform float gloss;
 uniform float emphasis;
+uniform vec3 crown_centre;
+uniform vec3 crown_size;
 varying vec3 v_normal;
 varying vec3 v_position;
 varying vec3 v_tint;
@@ -87,11 +89,13 @@ void main() {
   float facing = dot(n, sun);
   float lit = max(0.0, (facing + 0.15) / 1.15);
   vec3 light = mix(ground_colour, sky_colour, 0.5 + 0.5 * n.y) + sun_colour * lit;
+  // Deep inside the plant less of the sky is seen.
+  light *= mix(0.5, 1.0, smoothstep(0.1, 0.95, length((v_position - crown_centre) / crown_size)));
   // Light from behind comes through warmer than it is thrown back.
   vec3 through = sun_colour * translucency * max(0.0, -facing) * vec3(1.1, 1.2, 0.6);
   vec3 shine = sun_colour * gloss * pow(max(0.0, dot(n, normalize(sun + to_eye))), 24.0);
   vec3 seen = albedo * (light + through) + shine;
-  seen = mix(seen, vec3(0.16, 0.62, 0.36), 0.35 * emphasis * (1.0 - 0.6 * abs(dot(n, to_eye))));
+  seen = mix(seen, vec3(0.16, 0.62, 0.36), 0.22 * emphasis * (1.0 - 0.6 * abs(dot(n, to_eye))));
   // A soft shoulder, so that petals in the sun keep their colour.
   seen = seen / (1.0 + 0.18 * seen);
   gl_FragColor = vec4(seen, 1.0);

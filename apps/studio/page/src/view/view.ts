@@ -40,6 +40,8 @@ export class View {
     sun_colour: { value: new three.Color(1.35, 1.27, 1.1) },
     sky_colour: { value: new three.Color(0.62, 0.7, 0.8) },
     ground_colour: { value: new three.Color(0.3, 0.29, 0.24) },
+    crown_centre: { value: new three.Vector3() },
+    crown_size: { value: new three.Vector3(1, 1, 1) },
   };
   private readonly renderer_: three.WebGLRenderer;
   private readonly scene_ = new three.Scene();
@@ -79,7 +81,11 @@ export class View {
     this.box_.makeEmpty();
     if (bounds) this.box_.set(new three.Vector3(...bounds[0]), new three.Vector3(...bounds[1]));
     if (packet.head.fit) this.fit();
-    if (bounds) this.ground_.suit(this.box_);
+    if (bounds) {
+      this.ground_.suit(this.box_);
+      this.box_.getCenter(this.light_.crown_centre.value);
+      this.box_.getSize(this.light_.crown_size.value).multiplyScalar(0.5).addScalar(1e-6);
+    }
     this.ask();
   }
 

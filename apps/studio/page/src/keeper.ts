@@ -28,8 +28,8 @@ export class Keeper {
 
   /// Offers kept work of the document that was opened, where it says something else; on the page's first document also
   /// what was left of another one.
-  async offer(opened: Opened, model: string | null): Promise<void> {
-    const key = work_key(opened.path, model);
+  async offer(opened: Opened): Promise<void> {
+    const key = work_key(opened.path, opened.model);
     remember_for_this_page(key);
     const all = await kept_work();
     const work = all.find((one) => one.key === key);

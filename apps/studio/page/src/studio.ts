@@ -7,7 +7,7 @@ import type { Json } from './document/json.ts';
 import { Keeper } from './keeper.ts';
 import { Connection } from './server/connection.ts';
 import { read_packet } from './server/packet.ts';
-import type { Edit, Hello, News, Opened } from './server/protocol.ts';
+import type { Edit, Grown, Hello, News, Opened, Saved } from './server/protocol.ts';
 import { Refusal } from './server/protocol.ts';
 import type { GrowthState, ServerState, ShellState, Theme, Toast, ViewState } from './studio_state.ts';
 import { kNoGrowth } from './studio_state.ts';
@@ -140,8 +140,8 @@ export class Studio {
   async open(wish: OpenWish): Promise<boolean> {
     try {
       const opened = await this.connection.request<Opened>('open', wish);
-      this.take_opened(opened, wish.model ?? null);
-      await this.keeper.offer(opened, wish.model ?? null);
+      this.take_opened(opened);
+      await this.keeper.offer(opened);
       return true;
     } catch (fault) {
       if (fault instanceof Refusal) this.tell(fault.message, true);
@@ -154,9 +154,9 @@ export class Studio {
     await this.document.idle();
     const { path: known, saved } = this.document.state.get();
     try {
-      const answer = await this.connection.request<{ path: string; saved: string }>('save', { path, saved: path === known ? saved : null, over });
+      const answer = await this.connection.request<Saved>('save', { path, saved: path === known ? saved : null, over });
       await this.keeper.forget_open();
-      this.document.take_saved(answer.path, answer.saved);
+      this.document.take_saved(answer);
       this.tell(`Saved ${answer.path}`);
       return true;
     } catch (fault) {
@@ -171,11 +171,11 @@ export class Studio {
     this.shell.merge({ theme });
   }
 
-  private take_opened(opened: Opened, model: string | null): void {
+  private take_opened(opened: Opened): void {
     this.growth.set({ ...kNoGrowth, is_paused: this.growth.get().is_paused });
     this.dragged.set({});
     this.locks.set(new Set());
-    this.document.take_opened(opened, model);
+    this.document.take_opened(opened);
     this.first_values.set(Object.fromEntries(opened.variables.map((one) => [one.name, one.expression ?? one.value])));
     this.view_state.merge({ hidden: new Set() });
     this.choose('');
@@ -203,8 +203,15 @@ export class Studio {
   private hear(news: News): void {
     if (news.is === 'hello') void this.greet(news);
     if (news.is === 'working') this.growth.merge({ working: news.stage === null ? null : news });
-    if (news.is === 'grown') this.growth.merge({ grown: news, failed: null });
+    if (news.is === 'grown') this.take_grown(news);
     if (news.is === 'failed' && news.job === 'grow') this.growth.merge({ failed: { message: news.message, faults: news.faults } });
+  }
+
+  /// What is not known until full detail is made stays what it was.
+  private take_grown(grown: Grown): void {
+    const before = this.growth.get().grown;
+    const { triangles, components } = grown;
+    this.growth.merge({ grown: { ...grown, triangles: triangles ?? before?.triangles ?? null, components: components ?? before?.components ?? null }, failed: null });
   }
 
   /// The server is there, or there again: then it is told what the page has.

@@ -15,9 +15,8 @@ import { size_text } from './file_dialogs.tsx';
 
 const kInstances = [
   ['automatic', 'As the size asks'],
-  ['flattened', 'All in one mesh'],
-  ['shared', 'Nodes that share meshes'],
-  ['gpu', 'Places of one mesh (EXT_mesh_gpu_instancing)'],
+  ['rows', 'Rows of places (EXT_mesh_gpu_instancing)'],
+  ['nodes', 'A node each, which every program reads'],
 ] as const;
 
 interface NumberOption {
@@ -30,7 +29,7 @@ interface NumberOption {
   fallback: number;
 }
 
-const kLevel: NumberOption = { name: 'lod', label: 'Level of detail', step: 1, low: 0, high: 8, fallback: 0 };
+const kLevel: NumberOption = { name: 'lod', label: 'Coarser levels beside it', step: 1, low: 0, high: 8, fallback: 0 };
 const kTime: NumberOption = { name: 'time', label: 'Time', unit: 's', step: 0.1, low: 0, high: 1e6, fallback: 0 };
 const kPicture: NumberOption[] = [
   { name: 'width', label: 'Width', unit: 'px', step: 10, low: 16, high: 8192, fallback: 1200 },
@@ -38,10 +37,14 @@ const kPicture: NumberOption[] = [
   { name: 'samples', label: 'Samples', step: 4, low: 1, high: 1024, fallback: 64 },
 ];
 
+function is_picture(ending: string): boolean {
+  return /\.?(png|jpg)$/.test(ending);
+}
+
 function options_of(format: Format | undefined): NumberOption[] {
   if (!format) return [];
   const options = format.levels ? [kLevel] : [];
-  return format.ending === '.png' || format.ending === 'png' ? [...options, kTime, ...kPicture] : [...options, kTime];
+  return is_picture(format.ending) ? [...options, kTime, ...kPicture] : [...options, kTime];
 }
 
 export function ExportDialog({ close }: { close: () => void }): ReactElement {
@@ -55,7 +58,9 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
   const [files, set_files] = useState<MadeFile[] | null>(null);
   const [is_busy, set_busy] = useState(false);
   const format = formats.find((one) => one.ending === ending);
-  const wish = { format: ending, name: null, options };
+  const [as_seen, set_as_seen] = useState(true);
+  const camera = is_picture(ending) && as_seen ? studio.view?.orbit.as_document : undefined;
+  const wish = { format: ending, name: null, options: camera ? { ...options, camera } : options };
   const make = (): void => {
     set_busy(true);
     set_files(null);
@@ -104,6 +109,12 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
             ))}
           </select>
         </div>
+      )}
+      {is_picture(ending) && (
+        <label className="check-line">
+          <input type="checkbox" checked={as_seen} onChange={(event) => set_as_seen(event.target.checked)} />
+          From where the view looks
+        </label>
       )}
       {ending.endsWith('png') && (
         <label className="check-line">

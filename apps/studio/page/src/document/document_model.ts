@@ -4,7 +4,7 @@
 import { Store } from '../base/store.ts';
 import type { Connection } from '../server/connection.ts';
 import { Lost } from '../server/connection.ts';
-import type { Edit, Edited, Fault, Opened, Reading } from '../server/protocol.ts';
+import type { Edit, Edited, Fault, Opened, Reading, Saved } from '../server/protocol.ts';
 import { Refusal } from '../server/protocol.ts';
 import type { DocumentState } from './document_state.ts';
 import { kNoDocument, reading_of, sets_the_same, tree_of } from './document_state.ts';
@@ -42,13 +42,13 @@ export class DocumentModel {
     return hash !== base;
   }
 
-  take_opened(opened: Opened, model: string | null): void {
+  take_opened(opened: Opened): void {
     this.waiting_.length = 0;
     this.state.set({
       ...kNoDocument,
       ...reading_of(opened),
       path: opened.path,
-      model,
+      model: opened.model,
       name: opened.name,
       text: opened.text,
       hash: opened.hash,
@@ -64,8 +64,9 @@ export class DocumentModel {
     this.send_whole();
   }
 
-  take_saved(path: string, saved: string): void {
-    this.state.merge({ path, saved, base: saved, model: null, name: path.split('/').at(-1) ?? path });
+  take_saved({ path, name, saved, good, faults, variables }: Saved): void {
+    const reading = good !== undefined && faults && variables ? reading_of({ good, faults, variables, tree: null }) : {};
+    this.state.merge({ ...reading, path, saved, base: saved, model: null, name });
   }
 
   take_reading(hash: string, reading: Reading): void {

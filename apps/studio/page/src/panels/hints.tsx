@@ -11,7 +11,8 @@ import { use_studio } from '../studio_context.ts';
 export function Hints(): ReactElement | null {
   const studio = use_studio();
   const { shows_hints, kept } = use_store(studio.shell);
-  if (!shows_hints || kept) return null;
+  const chosen = use_store(studio.chosen);
+  if (!shows_hints || kept || chosen !== '') return null;
   const close = (): void => {
     prefer('hints', 'seen');
     studio.shell.merge({ shows_hints: false });

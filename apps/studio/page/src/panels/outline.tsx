@@ -86,7 +86,7 @@ function OutlineItem({ item }: { item: Item }): ReactElement {
   const { faults } = use_document();
   const below = faults.filter((one) => item.path !== '' && (one.path === item.path || one.path.startsWith(`${item.path}.`) || one.path.startsWith(`${item.path}[`)));
   const { component } = item;
-  const count = component === undefined ? undefined : grown?.components[component]?.instances;
+  const count = component === undefined ? undefined : grown?.components?.[component]?.instances;
   const is_hidden = component !== undefined && view.hidden.has(component);
   const toggle = (): void => {
     const hidden = new Set(view.hidden);

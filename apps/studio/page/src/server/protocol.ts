@@ -44,10 +44,18 @@ export type Edit =
 
 export interface Opened extends Reading {
   path: string | null;
+  model: string | null; // the shipped one's name
   name: string;
   text: string;
   hash: string;
   saved: string | null;
+}
+
+/// What saving tells; the reading where the path is another one than before.
+export interface Saved extends Partial<Reading> {
+  path: string;
+  name: string;
+  saved: string;
 }
 
 export interface Edited extends Reading {
@@ -85,6 +93,7 @@ export interface ExportOptions {
   height?: number;
   samples?: number;
   transparent?: boolean;
+  camera?: { position: number[]; target: number[]; field_of_view: number };
 }
 
 export interface MadeFile {
@@ -120,8 +129,9 @@ export interface Grown {
   reuse: { what: string; made: number; reused: number }[];
   nodes: number;
   instances: number;
-  triangles: number;
-  components: Record<string, { instances: number; triangles: number }>;
+  /// Null until full detail was made.
+  triangles: number | null;
+  components: Record<string, { instances: number; triangles: number }> | null;
 }
 
 export interface Failed {
@@ -139,7 +149,7 @@ export type News = Hello | Working | Grown | Failed;
 export class Refusal extends Error {
   constructor(
     message: string,
-    readonly facts: { stale?: boolean; changed?: boolean; limit?: string; faults?: Fault[] },
+    readonly facts: { stale?: boolean; changed?: boolean; cancelled?: boolean; limit?: string; faults?: Fault[] },
   ) {
     super(message);
   }

@@ -23,6 +23,10 @@ export class Orbit {
   get state(): CameraState {
     return { azimuth: this.azimuth_, altitude: this.altitude_, distance: this.distance_, target: this.target_.toArray() };
   }
+  /// As documents and exports write a camera.
+  get as_document(): { position: number[]; target: number[]; field_of_view: number } {
+    return { position: this.camera.position.toArray(), target: this.target_.toArray(), field_of_view: kFieldOfView };
+  }
   get distance(): number {
     return this.distance_;
   }

@@ -29,7 +29,7 @@ interface NumberOption {
   fallback: number;
 }
 
-const kLevel: NumberOption = { name: 'lod', label: 'Coarser levels beside it', step: 1, low: 0, high: 8, fallback: 0 };
+const kLevel: NumberOption = { name: 'lod', label: 'Coarser levels', step: 1, low: 0, high: 8, fallback: 0 };
 const kTime: NumberOption = { name: 'time', label: 'Time', unit: 's', step: 0.1, low: 0, high: 1e6, fallback: 0 };
 const kPicture: NumberOption[] = [
   { name: 'width', label: 'Width', unit: 'px', step: 10, low: 16, high: 8192, fallback: 1200 },

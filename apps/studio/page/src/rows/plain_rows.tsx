@@ -173,12 +173,14 @@ function CurveDrawing({ value }: { value: Json | undefined }): ReactElement | nu
   if (points.length !== list.length) return null;
   const [xs, ys] = [points.map((one) => one[0] ?? 0), points.map((one) => one[1] ?? 0)];
   const [left, low] = [Math.min(...xs), Math.min(0, ...ys)];
-  let [wide, high] = [Math.max(...xs) - left || 1, Math.max(...ys) - low || 1];
-  // Points of a plane keep their shape; a curve over 0 to 1 fills the width.
-  if (!is_object(value)) [wide, high] = [Math.max(wide, high * 5.5), Math.max(high, wide / 5.5)];
-  const place = (x: number, y: number): string => `${(4 + (112 * (x - left)) / wide).toFixed(1)},${(44 - (40 * (y - low)) / high).toFixed(1)}`;
+  const [wide, high] = [Math.max(...xs) - left || 1, Math.max(...ys) - low || 1];
+  // A curve over 0 to 1 fills the box; points of a plane keep their shape, in the middle.
+  const is_curve = is_object(value);
+  const scale = Math.min(112 / wide, 40 / high);
+  const [across, up] = is_curve ? [112 / wide, 40 / high] : [scale, scale];
+  const place = (x: number, y: number): string => `${(60 + (x - left - wide / 2) * across).toFixed(1)},${(24 - (y - low - high / 2) * up).toFixed(1)}`;
   return (
-    <svg className="curve-drawing" viewBox="0 0 120 48" preserveAspectRatio="none" aria-hidden="true">
+    <svg className="curve-drawing" viewBox="0 0 120 48" preserveAspectRatio={is_curve ? 'none' : 'xMidYMid'} aria-hidden="true">
       <polyline points={points.map(([x = 0, y = 0]) => place(x, y)).join(' ')} />
     </svg>
   );

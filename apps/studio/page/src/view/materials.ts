@@ -28,6 +28,8 @@ export class Materials {
     fragmentShader: kWireFragment,
     uniforms: { line: { value: new three.Color(0.2, 0.3, 0.24) } },
     wireframe: true,
+    transparent: true,
+    depthWrite: false,
   });
   private readonly said_: PacketMaterial[] = [];
   private readonly made_ = new Map<string, three.ShaderMaterial>();

@@ -115,7 +115,7 @@ void main() {
 
 export const kWireFragment = /* glsl */ `
 uniform vec3 line;
-void main() { gl_FragColor = vec4(line, 1.0); }
+void main() { gl_FragColor = vec4(line, 0.4); }
 `;
 
 export const kLineVertex = /* glsl */ `

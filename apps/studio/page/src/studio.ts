@@ -2,6 +2,7 @@
 // The page's one model: the connection, the open document, growth and view, and what panels do with them.
 import { prefer, preference } from './base/preferences.ts';
 import { Store } from './base/store.ts';
+import { ToastList } from './base/toast_list.ts';
 import { DocumentModel } from './document/document_model.ts';
 import type { Json } from './document/json.ts';
 import { Keeper } from './keeper.ts';
@@ -9,10 +10,10 @@ import { Connection } from './server/connection.ts';
 import { read_packet } from './server/packet.ts';
 import type { Edit, Grown, Hello, News, Opened, Saved } from './server/protocol.ts';
 import { Refusal } from './server/protocol.ts';
-import type { GrowthState, ServerState, ShellState, Theme, Toast, ViewState } from './studio_state.ts';
+import type { GrowthState, ServerState, ShellState, Theme, ViewState } from './studio_state.ts';
 import { kNoGrowth } from './studio_state.ts';
 import type { Tables } from './tables/tables.ts';
-import type { View } from './view/view.ts';
+import type { View, ViewFacts } from './view/view.ts';
 
 export interface OpenWish {
   path?: string | null;
@@ -20,16 +21,16 @@ export interface OpenWish {
   text?: string;
 }
 
-const kToastTime = 6000;
 const kBudgets = { software: { drag_triangles: 60_000, rest_triangles: 250_000 }, card: { drag_triangles: 1_000_000, rest_triangles: 4_000_000 } };
 
 export class Studio {
   readonly chosen = new Store('');
   readonly growth = new Store<GrowthState>(kNoGrowth);
   readonly server = new Store<ServerState>({ link: 'connecting', hello: null });
-  readonly view_state = new Store<ViewState>({ drawing: 'shaded', hidden: new Set(), shows_ground: true, facts: null });
+  readonly view_state = new Store<ViewState>({ drawing: 'shaded', hidden: new Set(), shows_ground: true });
+  readonly view_facts = new Store<ViewFacts | null>(null); // of the last picture
   readonly shell: Store<ShellState>;
-  readonly toasts = new Store<Toast[]>([]);
+  readonly toasts = new ToastList();
   readonly dragged = new Store<Record<string, Json>>({});
   readonly locks = new Store<ReadonlySet<string>>(new Set());
   /// Values of the variables as the document was opened, to which handles are reset.
@@ -38,9 +39,9 @@ export class Studio {
   readonly connection: Connection;
   readonly keeper: Keeper;
   view: View | null = null;
-  private next_toast_ = 1;
   private is_dragging_told_ = false;
   private drag_waits_ = false;
+  private keeps_camera_ = false; // the next packet is the first of a connection, and not of a document
 
   constructor(
     readonly tables: Tables,
@@ -65,14 +66,7 @@ export class Studio {
   }
 
   tell(text: string, is_fault = false): void {
-    const toast = { id: this.next_toast_, text, is_fault };
-    this.next_toast_ += 1;
-    this.toasts.set([...this.toasts.get().slice(-3), toast]);
-    setTimeout(() => this.dismiss(toast.id), kToastTime);
-  }
-
-  dismiss(id: number): void {
-    this.toasts.set(this.toasts.get().filter((one) => one.id !== id));
+    this.toasts.add(text, is_fault);
   }
 
   choose(path: string): void {
@@ -107,6 +101,7 @@ export class Studio {
   async edit(edits: Edit[], label: string): Promise<void> {
     // Until the text says them, fields show the values that are meant.
     const meant = Object.fromEntries(edits.flatMap((edit) => ('set' in edit ? [[edit.set, edit.value]] : [])));
+    this.drag_waits_ = false; // the edit ends the drag at the server, too
     this.dragged.set(meant);
     await this.document.edit(edits, label);
     if (this.dragged.get() === meant) this.dragged.set({});
@@ -222,6 +217,7 @@ export class Studio {
     if (this.growth.get().is_paused) this.connection.tell('pause', { paused: true });
     if (!is_first) {
       const { text, path } = this.document.state.get();
+      this.keeps_camera_ = true;
       const opened = await this.connection.request<Opened>('open', { text, path }).catch(() => null);
       if (opened) this.document.take_reading(opened.hash, opened);
       this.document.resume();
@@ -239,6 +235,8 @@ export class Studio {
 
   private show_packet(bytes: ArrayBuffer): void {
     const packet = read_packet(bytes);
+    if (this.keeps_camera_) packet.head.fit = false;
+    this.keeps_camera_ = false;
     const { draft, share, triangles, instances, of, hash } = packet.head;
     this.view?.apply(packet);
     this.growth.merge({ shown: { draft: draft ?? false, share: share ?? 1, triangles, instances, of, hash } });

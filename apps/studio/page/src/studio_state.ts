@@ -3,7 +3,6 @@
 import type { Fault, Grown, Hello, Working } from './server/protocol.ts';
 import type { PacketHead } from './server/packet.ts';
 import type { Drawing } from './view/plant_scene.ts';
-import type { ViewFacts } from './view/view.ts';
 import type { KeptWork } from './recovery.ts';
 
 export interface GrowthState {
@@ -25,7 +24,6 @@ export interface ViewState {
   drawing: Drawing;
   hidden: ReadonlySet<string>; // components that are not drawn
   shows_ground: boolean;
-  facts: ViewFacts | null;
 }
 
 export type Theme = 'system' | 'light' | 'dark';
@@ -41,10 +39,4 @@ export interface ShellState {
   /// Unsaved work that is offered again, and the text that was opened; null where it is of another document.
   kept: { work: KeptWork; before: string | null } | null;
   conflict: { path: string } | null; // a file that someone else has changed
-}
-
-export interface Toast {
-  id: number;
-  text: string;
-  is_fault: boolean;
 }

@@ -18,7 +18,12 @@ export function Dialog({ title, width = 'narrow', close, children, footer }: Dia
   const name = useId();
   useEffect(() => {
     const dialog = element.current;
+    const before = document.activeElement;
     if (dialog && !dialog.open) dialog.showModal();
+    // Taken out of the page, a dialog does not give the keyboard back by itself.
+    return () => {
+      if (before instanceof HTMLElement) before.focus();
+    };
   }, []);
   return (
     <dialog

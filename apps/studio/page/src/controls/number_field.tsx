@@ -54,12 +54,13 @@ export function NumberField(props: NumberFieldProps): ReactElement {
     hand.current = null;
     if (!held) return;
     if (!held.moves) {
+      if (commits) input.current?.focus();
       if (commits) input.current?.select();
-    } else if (commits) {
-      props.commit(held.now);
-    } else {
-      props.cancel();
+      return;
     }
+    input.current?.blur();
+    if (commits) props.commit(held.now);
+    else props.cancel();
   };
   const down = (event: PointerEvent<HTMLInputElement>): void => {
     if (event.button !== 0 || typed !== null || document.activeElement === event.currentTarget) return;
@@ -112,6 +113,10 @@ export function NumberField(props: NumberFieldProps): ReactElement {
         onBlur={() => finish(typed)}
         onKeyDown={key}
         onPointerDown={down}
+        onMouseDown={(event) => {
+          // A hand that drags across selects nothing.
+          if (hand.current) event.preventDefault();
+        }}
         onPointerMove={move}
         onPointerUp={() => let_go(true)}
         onPointerCancel={() => let_go(false)}

@@ -8,13 +8,13 @@ import { use_studio } from '../studio_context.ts';
 /// Short news that go by themselves.
 export function Toasts(): ReactElement {
   const studio = use_studio();
-  const toasts = use_store(studio.toasts);
+  const toasts = use_store(studio.toasts.shown);
   return (
     <div className="toasts" role="status" aria-live="polite">
       {toasts.map((toast) => (
         <div key={toast.id} className={`toast${toast.is_fault ? ' fault' : ''}`}>
           <span>{toast.text}</span>
-          <IconButton is_small icon="close" label="Dismiss" press={() => studio.dismiss(toast.id)} />
+          <IconButton is_small icon="close" label="Dismiss" press={() => studio.toasts.dismiss(toast.id)} />
         </div>
       ))}
     </div>

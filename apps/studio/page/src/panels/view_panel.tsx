@@ -26,7 +26,7 @@ export function ViewPanel(): ReactElement {
   const look = (azimuth: number, altitude: number) => () => studio.view?.look_from(azimuth, altitude);
   return (
     <div className="view">
-      <canvas ref={canvas} tabIndex={0} role="img" aria-label="The plant in three dimensions. Arrow keys turn, Shift with them moves, plus and minus zoom, F fits." />
+      <canvas ref={canvas} tabIndex={0} role="application" aria-label="The plant in three dimensions. Arrow keys turn, Shift with them moves, plus and minus zoom, F fits." />
       <Nothing />
       <div className="view-tools" role="toolbar" aria-label="View">
         <Segments label="Drawing" value={view.drawing} choices={kDrawings} choose={(drawing) => studio.change_view({ drawing })} />
@@ -55,7 +55,7 @@ export function ViewPanel(): ReactElement {
 function attach(studio: Studio, canvas: HTMLCanvasElement): void {
   try {
     const view = new View(canvas, {
-      drawn: (facts) => studio.view_state.merge({ facts }),
+      drawn: (facts) => studio.view_facts.set(facts),
       restored: () => studio.connection.tell('all'),
     });
     studio.attach_view(view);
@@ -65,7 +65,7 @@ function attach(studio: Studio, canvas: HTMLCanvasElement): void {
 }
 
 function Compass(): ReactElement {
-  const { facts } = use_store(use_studio().view_state);
+  const facts = use_store(use_studio().view_facts);
   const azimuth = facts?.camera.azimuth ?? 180;
   // Up on the screen is where the camera looks.
   const north = ((180 - azimuth) * Math.PI) / 180;
@@ -84,7 +84,7 @@ function Compass(): ReactElement {
 }
 
 function Scale(): ReactElement | null {
-  const { facts } = use_store(use_studio().view_state);
+  const facts = use_store(use_studio().view_facts);
   if (!facts) return null;
   const { pixels, text } = scale_bar(facts.metres_per_pixel);
   return (

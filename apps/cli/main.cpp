@@ -99,6 +99,7 @@ int main(int argc, char** argv) {
   cli::add_check(app, run);
   cli::add_components(app, run);
   cli::add_models(app, run);
+  cli::add_studio(app, run);
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is a failed write like any other
   try {
     app.parse(argc, argv);

@@ -108,7 +108,7 @@ class CommandLine(Case):
         self.assertIn(b"grow", self.run_program().stdout)
 
     def test_every_command_has_help_with_an_example(self):
-        for command in ([], ["grow"], ["render"], ["measure"], ["derive"], ["check"], ["components"], ["models"]):
+        for command in ([], ["grow"], ["render"], ["measure"], ["derive"], ["check"], ["components"], ["models"], ["studio"]):
             done = self.run_program(*command, "--help")
             self.assertEqual(done.returncode, DONE)
             self.assertIn(b"Example: meristem", done.stdout, command)

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "apps/studio/job_watch.h"
+#include "apps/studio/page_files.h"
+#include "apps/studio/server.h"
+#include "commands.h"
+#include "documents.h"
+#include "meristem/components/registry.h"
+#include "meristem/document/models.h"
+#include "terminal.h"
+
+namespace meristem::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct StudioOptions {
+  std::string document;
+  std::string root;
+  int port = -1;
+  bool no_browser = false;
+};
+
+/// Opens the address in the user's browser, where there is a desktop with one.
+void open_browser(const std::string& address) {
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
+  const pid_t child = ::fork();
+  if (child != 0) return;
+  // It must not take the studio's Ctrl-C, nor write between its lines.
+  ::setsid();
+  const int nowhere = ::open("/dev/null", O_RDWR);
+  if (nowhere < 0 || ::dup2(nowhere, 1) < 0 || ::dup2(nowhere, 2) < 0) _exit(1);
+  ::execlp("xdg-open", "xdg-open", address.c_str(), static_cast<char*>(nullptr));
+  _exit(1);
+}
+
+/// The folder that is served: as asked for, else that of the document, else the present one.
+std::string served_folder(const StudioOptions& options, const std::string& file) {
+  if (!options.root.empty()) return options.root;
+  if (file.empty()) return ".";
+  const std::string folder = fs::path(file).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+void run_studio(const StudioOptions& options) {
+  const std::string models = models_folder();
+  std::string file;
+  std::string model;
+  if (!options.document.empty()) {
+    file = find_document(options.document, models);
+    const std::string name = fs::path(file).stem().string();
+    if (file == model_path(models, name)) {
+      model = name;
+      file.clear();
+    }
+  }
+  studio::Host host{.registry = builtin_components(),
+                    .root = studio::RootFolder(served_folder(options, file)),
+                    .models_folder = models};
+  host.has_picture = &studio::has_model_picture;
+  if (const std::uint64_t memory = studio::memory_of_machine(); memory > 0) {
+    host.limits.memory_bytes = std::min(host.limits.memory_bytes, memory / 4 * 3);
+  }
+  if (options.document.empty()) model = "oak";
+  if (!model.empty()) host.model = model;
+  if (!file.empty()) {
+    host.document = host.root.relative(file);
+    if (!host.document) {
+      throw InputError(Diagnostic{.message = fmt::format("'{}' is not in the folder '{}'", file, options.root),
+                                  .expected = "a document below --root"});
+    }
+    host.root.read(*host.document);  // tells now what is wrong with it
+  }
+  studio::ServeOptions serving;
+  if (options.port >= 0) serving.port = static_cast<std::uint16_t>(options.port);
+  std::signal(SIGCHLD, SIG_IGN);  // whoever opened the browser is not waited for
+  studio::serve(host, serving, [&](const std::string& address) {
+    if (!studio::has_page())
+      print_status("meristem: this program was built without the studio's page, which needs node");
+    fmt::print("{}\n", address);
+    std::fflush(stdout);
+    if (!options.no_browser) open_browser(address);
+  });
+}
+
+}  // namespace
+
+void add_studio(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("studio", "Grow and change a document in a browser");
+  auto options = std::make_shared<StudioOptions>();
+  command
+      ->add_option("document", options->document,
+                   "A plant document or the name of a shipped model; the oak if not given")
+      ->type_name("DOC");
+  command
+      ->add_option(
+          "--port", options->port,
+          fmt::format("Port of 127.0.0.1 to listen on; {} or one of the next if not given", studio::kUsualPort))
+      ->type_name("N")
+      ->check(CLI::Range(0, 65535));
+  command->add_flag("--no-browser", options->no_browser, "Print the address and open no browser");
+  command
+      ->add_option("--root", options->root,
+                   "The one folder in which documents and the files that they name are read and written; the "
+                   "document's own, or the present one, if not given")
+      ->type_name("FOLDER");
+  command->footer("Example: meristem studio oak\nCtrl-C ends it.");
+  command->callback([options, &run] { run = [options] { run_studio(*options); }; });
+}
+
+}  // namespace meristem::cli

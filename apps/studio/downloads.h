@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files that were exported, until the page has fetched them.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace meristem::studio {
+
+/// Keeps the files of the last exports in a folder of its own, which goes with it. Calls from any thread.
+class Downloads {
+ public:
+  Downloads();
+  ~Downloads();
+  Downloads(const Downloads&) = delete;
+  Downloads& operator=(const Downloads&) = delete;
+
+  /// An empty folder for the files of one export, and its number.
+  struct Folder {
+    std::uint64_t number = 0;
+    std::filesystem::path path;
+  };
+  /// The oldest goes where there are too many.
+  Folder add();
+  /// The path of a file; nothing where there is none.
+  std::optional<std::string> find(std::uint64_t number, const std::string& name) const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::filesystem::path folder_;  // empty until there is an export
+  std::deque<std::uint64_t> kept_;
+  std::uint64_t count_ = 0;
+};
+
+}  // namespace meristem::studio

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "export_job.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "meristem/base/atomic_file.h"
+#include "meristem/components/camera.h"
+#include "meristem/output/formats.h"
+#include "meristem/output/picture/picture.h"
+#include "meristem/output/write/picture_file.h"
+#include "refusal.h"
+
+namespace meristem::studio {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_picture(const ExportOptions& options) { return options.format == ".png" || options.format == ".jpg"; }
+bool is_document(const ExportOptions& options) { return options.format == ".json"; }
+
+const Format* format_with(const std::string& ending) {
+  for (const Format& format : formats()) {
+    if (format.ending == ending) return &format;
+  }
+  return nullptr;
+}
+
+GltfInstances instances_of(const ExportOptions& options) {
+  if (options.instances == "rows") return GltfInstances::rows;
+  if (options.instances == "nodes") return GltfInstances::nodes;
+  return GltfInstances::automatic;
+}
+
+StillOptions still_of(const ExportOptions& options, const Document& document) {
+  StillOptions still{.width = options.width.value_or(document.output.size[0]),
+                     .height = options.height.value_or(document.output.size[1]),
+                     .samples = options.samples.value_or(document.output.samples),
+                     .transparent = options.transparent};
+  check_still_options(still);
+  return still;
+}
+
+View view_of(const ExportOptions& options, const Document& document) {
+  View view = camera_view(document.graph);
+  if (!options.camera) return view;
+  view.position = options.camera->position;
+  view.target = options.camera->target;
+  view.field_of_view = radians(options.camera->field_of_view_deg);
+  return view;
+}
+
+/// What there is already, or it grows.
+GrownDocument grown_for(const ExportSource& source, const ExportOptions& options, GrownPart part, Progress& progress) {
+  if (source.grown == nullptr) return grow_document(*source.document, progress, {.time = options.time, .up_to = part});
+  GrownDocument grown{.plant = source.grown->plant};
+  if (part == GrownPart::plant) return grown;
+  grown.meshes = mesh_detail(*source.document, grown.plant, {}, progress);
+  grown.up_to = GrownPart::textures;
+  return grown;
+}
+
+void write_text(const std::string& text, const std::string& path) {
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+void write_levels(const ExportSource& source, const ExportOptions& options, const Format& format,
+                  const std::string& path, Progress& progress) {
+  GrownDocument grown = grown_for(source, options, format.needs, progress);
+  EncodedPictures pictures;
+  const FormatOptions how{.instances = instances_of(options), .pictures = &pictures};
+  format.write(*source.document, grown, path, how, progress);
+  if (!format.has_meshes()) return;
+  for (int level = 1; level <= options.lod; ++level) {
+    grown.meshes = {};
+    grown.meshes = mesh_detail(*source.document, grown.plant, {.level = level}, progress);
+    format.write(*source.document, grown, detail_path(format, path, level), how, progress);
+  }
+}
+
+void write_still(const ExportSource& source, const ExportOptions& options, const std::string& path,
+                 Progress& progress) {
+  const PictureOptions picture{.still = still_of(options, *source.document),
+                               .view = view_of(options, *source.document)};
+  const GrownDocument grown = grown_for(source, options, GrownPart::textures, progress);
+  write_picture(take_picture(grown, source.document->scene, picture, progress), path, {});
+}
+
+/// In single quotes for a shell, where it needs them.
+std::string quoted(const std::string& word) {
+  const auto is_plain = [](char letter) {
+    return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
+           std::string_view("-_./=,+:@").find(letter) != std::string_view::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain) && word[0] != '-') return word;
+  std::string text = "'";
+  for (const char letter : word) text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return text + "'";
+}
+
+}  // namespace
+
+std::string file_name_of(const std::string& text) {
+  std::string name;
+  for (const char letter : text.substr(0, 60)) {
+    const bool is_letter = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_';
+    if (is_letter) {
+      name += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    } else if (!name.empty() && name.back() != '-') {
+      name += '-';
+    }
+  }
+  while (!name.empty() && name.back() == '-') name.pop_back();
+  return name.empty() ? "plant" : name;
+}
+
+Value formats_value() {
+  Value::List list;
+  const auto add = [&list](std::string ending, std::string doc, bool has_levels, bool can_instance) {
+    list.push_back(Value::Object{
+        {"ending", std::move(ending)}, {"doc", std::move(doc)}, {"levels", has_levels}, {"instances", can_instance}});
+  };
+  for (const Format& format : formats())
+    add(std::string(format.ending), std::string(format.doc), format.has_meshes(), format.can_instance);
+  add(".png", "a picture, ray-cast", false, false);
+  add(".jpg", "a picture, ray-cast, as a smaller file", false, false);
+  add(".json", "the document", false, false);
+  return list;
+}
+
+void check_export(const ExportOptions& options) {
+  if (!is_picture(options) && !is_document(options) && format_with(options.format) == nullptr)
+    throw Refusal("there is no such format to export");
+  if (!options.instances.empty() && options.instances != "automatic" && options.instances != "rows" &&
+      options.instances != "nodes") {
+    throw Refusal("'instances' is one of automatic, rows and nodes");
+  }
+  if (options.transparent && options.format == ".jpg") throw Refusal("a JPEG has no transparency");
+}
+
+Value export_files(const ExportSource& source, const ExportOptions& options, Downloads& downloads, Progress& progress) {
+  const Downloads::Folder folder = downloads.add();
+  const std::string first = source.name + options.format;
+  const std::string path = (folder.path / first).string();
+  if (is_document(options)) {
+    write_text(source.text, path);
+  } else if (is_picture(options)) {
+    write_still(source, options, path, progress);
+  } else {
+    write_levels(source, options, *format_with(options.format), path, progress);
+  }
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder.path))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end(), [&first](const std::string& a, const std::string& b) {
+    return std::pair(a != first, a) < std::pair(b != first, b);
+  });
+  Value::List files;
+  for (const std::string& name : names) {
+    std::error_code ignored;
+    files.push_back(Value::Object{{"name", name},
+                                  {"bytes", static_cast<double>(fs::file_size(folder.path / name, ignored))},
+                                  {"address", fmt::format("downloads/{}/{}", folder.number, name)}});
+  }
+  return files;
+}
+
+std::string export_command(const std::string& program, const std::string& file, const ExportOptions& options,
+                           const std::string& name) {
+  const std::string target = quoted(name + options.format);
+  if (is_document(options)) return fmt::format("cp {} {}", quoted(file), target);
+  std::string command =
+      fmt::format("{} {} {} -o {}", program, is_picture(options) ? "render" : "grow", quoted(file), target);
+  if (options.seed) command += fmt::format(" --seed {}", *options.seed);
+  if (options.time != 0) command += fmt::format(" --time {}", options.time);
+  if (is_picture(options)) {
+    if (options.width && options.height) command += fmt::format(" --size {}x{}", *options.width, *options.height);
+    if (options.samples) command += fmt::format(" --samples {}", *options.samples);
+    if (options.transparent) command += " --transparent";
+    if (options.camera) {
+      // The side from which it is seen; how near, the command chooses so that all is in the picture.
+      const DVec3 away = DVec3(options.camera->position) - DVec3(options.camera->target);
+      const double azimuth = degrees(std::atan2(away.x, -away.z));
+      const double altitude = degrees(std::atan2(away.y, std::hypot(away.x, away.z)));
+      command += fmt::format(" --view {:.4g},{:.4g}", azimuth, std::clamp(altitude, -89.0, 89.0));
+    }
+    return command;
+  }
+  if (options.lod > 0) command += fmt::format(" --lod {}", options.lod);
+  if (options.instances == "rows") command += " --instanced";
+  if (options.instances == "nodes") command += " --nodes";
+  return command;
+}
+
+}  // namespace meristem::studio

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a studio writes of a document: files to download, and the command line that writes the same.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "grower.h"
+#include "host.h"
+#include "meristem/document/document.h"
+#include "request.h"
+
+namespace meristem::studio {
+
+/// What is exported: a document, and what has grown of it already.
+struct ExportSource {
+  std::shared_ptr<const Document> document;  ///< with the seed that was asked for
+  std::string text;                          ///< as it stands
+  std::string name;                          ///< for files, without ending
+  std::shared_ptr<const GrownWish> grown;    ///< of the same document and time; null: it grows anew
+};
+
+/// A name that files may have, out of any text.
+std::string file_name_of(const std::string& text);
+
+/// All endings that can be exported, as the page lists them.
+Value formats_value();
+
+/// Throws a Refusal for options that do not fit.
+void check_export(const ExportOptions& options);
+
+/// Writes the files to a new folder of the downloads, and gives the "files" of the answer. Throws InputError,
+/// MachineError, Cancelled.
+Value export_files(const ExportSource& source, const ExportOptions& options, Downloads& downloads, Progress& progress);
+
+/// The line for a terminal that does the same with the document in `file`.
+std::string export_command(const std::string& program, const std::string& file, const ExportOptions& options,
+                           const std::string& name);
+
+}  // namespace meristem::studio

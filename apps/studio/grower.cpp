@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "grower.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <new>
+#include <utility>
+
+#include "job_news.h"
+#include "job_watch.h"
+#include "meristem/document/json.h"
+#include "written_values.h"
+
+namespace meristem::studio {
+
+namespace {
+
+constexpr int kMostTries = 10;        // to meet a budget of triangles
+constexpr double kAboutBudget = 1.1;  // of the budget, that is near enough
+constexpr double kWellBelow = 0.45;   // of the budget, that is less than need be
+constexpr double kStep = 0.70710678;  // from one share of triangles to the next; few steps, so that caches are of use
+
+double share_of_step(int step) { return std::pow(kStep, step); }
+
+Value number_value(std::uint64_t number) { return static_cast<double>(number); }
+
+Value::Object reuse_value(const char* what, Reuse reuse) {
+  return {{"what", what}, {"made", number_value(reuse.made)}, {"reused", number_value(reuse.reused)}};
+}
+
+double organ_triangles(const Plant& plant) {
+  double triangles = 0;
+  for (const Organ& organ : plant.organs)
+    triangles += static_cast<double>(plant.prototypes[organ.prototype].mesh->triangle_count());
+  return triangles;
+}
+
+Value component_counts(const MeshScene& scene) {
+  std::map<std::string, std::pair<std::uint64_t, std::uint64_t>> counts;
+  for (const MeshInstances& instances : scene.meshes) {
+    counts[instances.component].first += instances.frames.size();
+    counts[instances.component].second += instances.triangle_count();
+  }
+  Value::Object object;
+  for (const auto& [component, count] : counts) {
+    object.emplace_back(
+        component, Value::Object{{"instances", number_value(count.first)}, {"triangles", number_value(count.second)}});
+  }
+  return object;
+}
+
+}  // namespace
+
+void Grower::open(Wish wish) {
+  const std::lock_guard lock(mutex_);
+  if (running_ != nullptr) running_->cancel();
+  wish_ = std::move(wish);
+  ++wished_;
+  last_input_ = {};
+  grown_ = nullptr;
+  shown_ = {};
+  fits_ = true;
+  forgets_ = true;
+  is_other_ = true;
+  schedule();
+}
+
+void Grower::want(Wish wish, bool at_once) {
+  const std::lock_guard lock(mutex_);
+  if (at_once && running_ != nullptr) running_->cancel();
+  wish_ = std::move(wish);
+  ++wished_;
+  last_input_ = Clock::now();
+  schedule();
+}
+
+void Grower::set_parts(const ShownParts& parts) {
+  const std::lock_guard lock(mutex_);
+  if (parts == parts_) return;
+  if (parts.time != parts_.time) {
+    ++wished_;
+    last_input_ = Clock::now();
+  }
+  parts_ = parts;
+  schedule();
+}
+
+ShownParts Grower::parts() const {
+  const std::lock_guard lock(mutex_);
+  return parts_;
+}
+
+void Grower::acknowledge(std::uint64_t packet) {
+  const std::lock_guard lock(mutex_);
+  if (packet != awaited_) return;
+  awaited_ = 0;
+  schedule();
+}
+
+void Grower::send_all() {
+  const std::lock_guard lock(mutex_);
+  forgets_ = true;
+  shown_ = {};
+  awaited_ = 0;  // who asks has lost what was on its way
+  schedule();
+}
+
+void Grower::cancel() {
+  const std::lock_guard lock(mutex_);
+  if (running_ != nullptr) running_->cancel();
+  done_ = wished_;
+}
+
+void Grower::pause(bool is_paused) {
+  const std::lock_guard lock(mutex_);
+  is_paused_ = is_paused;
+  schedule();
+}
+
+void Grower::close() {
+  const std::lock_guard lock(mutex_);
+  is_closed_ = true;
+  if (running_ != nullptr) running_->cancel();
+}
+
+std::shared_ptr<const GrownWish> Grower::grown() const {
+  const std::lock_guard lock(mutex_);
+  return grown_;
+}
+
+void Grower::schedule() {
+  if (is_scheduled_ || is_closed_) return;
+  is_scheduled_ = true;
+  host_.growth.post([self = shared_from_this()] { self->work(); });
+}
+
+void Grower::work() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_scheduled_ = false;
+    if (is_closed_) return;
+  }
+  grow();
+  show();
+}
+
+/// Does a part of the work, of which it tells; faults and limits become news.
+template <class Work>
+void Grower::run(const std::string& hash, Work&& work) {
+  JobNews news(outbox_, "grow");
+  JobWatch watch(news.progress(), host_.limits);
+  const std::uint64_t number = [&] {
+    const std::lock_guard lock(mutex_);
+    running_ = &news.progress();
+    return wished_;
+  }();
+  try {
+    work(news);
+  } catch (const Cancelled&) {
+    if (const std::optional<Refusal> limit = watch.reached()) send_failure(hash, limit->what(), limit->members());
+  } catch (const InputError& error) {
+    send_failure(hash, error.what(), {{"faults", faults_value(error.diagnostics(), {}, "")}});
+  } catch (const std::bad_alloc&) {
+    send_failure(hash, "there is not enough memory (memory_bytes)", {{"limit", "memory_bytes"}});
+  } catch (const std::exception& error) {
+    send_failure(hash, error.what(), {});
+  }
+  const std::lock_guard lock(mutex_);
+  running_ = nullptr;
+  if (wished_ != number) schedule();
+}
+
+void Grower::send_failure(const std::string& hash, const std::string& message, Value::Object members) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (is_closed_) return;
+  }
+  Value::Object news{{"is", "failed"}, {"job", "grow"}, {"hash", hash}, {"message", message}};
+  for (auto& member : members) news.push_back(std::move(member));
+  outbox_->send_text(write_json_line(news));
+}
+
+void Grower::grow() {
+  Wish wish;
+  double time = 0;
+  std::uint64_t number = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    if (done_ == wished_ || is_paused_ || wish_.document == nullptr) return;
+    wish = wish_;
+    time = parts_.time;
+    number = wished_;
+    done_ = number;  // whatever becomes of it
+    if (std::exchange(is_other_, false)) {
+      for (GrowthCache* cache : {&cache_, &full_cache_, &coarse_caches_[0], &coarse_caches_[1]}) cache->clear();
+      coarser_ = {};
+      full_ = nullptr;
+      full_of_ = nullptr;
+    }
+  }
+  run(wish.hash, [&](JobNews& news) {
+    GrownDocument grown =
+        grow_document(*wish.document, news.progress(), {.time = time, .up_to = GrownPart::plant, .cache = &cache_});
+    grown.up_to = GrownPart::meshes;  // they follow when it is known how coarse they may be
+    complete_growth(*wish.document, grown, news.progress(), {.time = time, .cache = &cache_});
+    auto made = std::make_shared<GrownWish>(GrownWish{.wish = wish, .time = time, .plant = std::move(grown.plant)});
+    stages_ = news.stages();
+    const std::lock_guard lock(mutex_);
+    if (!is_other_) grown_ = std::move(made);
+  });
+}
+
+bool Grower::is_shown(const Sight& sight) const {
+  return shown_.grown == sight.grown && shown_.parts == sight.parts && (!shown_.is_draft || sight.is_draft);
+}
+
+void Grower::show() {
+  Sight sight;
+  bool fits = false;
+  bool forgets = false;
+  {
+    const std::lock_guard lock(mutex_);
+    if (awaited_ != 0 || grown_ == nullptr || is_closed_) return;
+    const Clock::time_point still = last_input_ + host_.still_after;
+    sight = {.grown = grown_, .parts = parts_, .is_draft = Clock::now() < still};
+    if (sight.is_draft) {
+      host_.growth.post_at(still, [self = shared_from_this()] {
+        const std::lock_guard later(self->mutex_);
+        self->schedule();
+      });
+    }
+    if (is_shown(sight)) return;
+    fits = std::exchange(fits_, false);
+    forgets = std::exchange(forgets_, false);
+    shown_ = sight;  // also where it cannot be made, so that it is tried once
+  }
+  if (forgets) packets_.forget();
+  bool is_sent = false;
+  run(sight.grown->wish.hash, [&](JobNews& news) {
+    const ShownParts& parts = sight.parts;
+    const std::uint64_t budget = sight.is_draft ? parts.drag_triangles : parts.rest_triangles;
+    double share = 1;
+    std::shared_ptr<const MeshScene> meshes;
+    if (parts.surface) meshes = meshes_within(sight.grown, sight.is_draft, budget, share, news.progress());
+    const std::uint64_t all = full_of_ == sight.grown ? full_->triangle_count() : triangles_of(*sight.grown);
+    std::string packet =
+        packets_.next({.meshes = meshes.get(),
+                       .skeletons = parts.skeleton ? &sight.grown->plant : nullptr,
+                       .most_segments = static_cast<std::size_t>(budget)},
+                      {.hash = sight.grown->wish.hash,
+                       .is_draft = sight.is_draft,
+                       .fits = fits,
+                       .share = share,
+                       .all = {.triangles = all,
+                               .instances = sight.grown->plant.organs.size() + sight.grown->plant.stems.size(),
+                               .nodes = sight.grown->plant.node_count()}},
+                      news.progress());
+    std::vector<std::pair<std::string, double>> stages = std::exchange(stages_, {});
+    for (auto& stage : news.stages()) stages.push_back(std::move(stage));
+    Value::Object told{{"is", "grown"}, {"hash", sight.grown->wish.hash}, {"dragged", sight.grown->wish.is_dragged}};
+    Value::List times;
+    for (const auto& [name, milliseconds] : stages)
+      times.push_back(Value::Object{{"name", name}, {"ms", std::round(milliseconds * 10) / 10}});
+    told.emplace_back("stages", std::move(times));
+    told.emplace_back(
+        "reuse", Value::List{reuse_value("growth", cache_.reuse_in_all()),
+                             reuse_value("meshes", (sight.is_draft ? coarse_caches_[0] : full_cache_).reuse_in_all())});
+    for (auto& member : counts_value(*sight.grown)) told.push_back(std::move(member));
+    const std::lock_guard lock(mutex_);
+    if (is_closed_) return;
+    awaited_ = packets_.number();
+    outbox_->send_text(write_json_line(told));
+    outbox_->send_packet(std::move(packet));
+    is_sent = true;
+  });
+  const std::lock_guard lock(mutex_);
+  fits_ = fits_ || (fits && !is_sent);
+}
+
+Value::Object Grower::counts_value(const GrownWish& grown) const {
+  Value::Object counts{{"nodes", number_value(grown.plant.node_count())}};
+  const bool is_known = full_of_.get() == &grown;
+  counts.emplace_back("instances", number_value(is_known ? full_->instance_count() : grown.plant.organs.size()));
+  counts.emplace_back("triangles", is_known ? number_value(full_->triangle_count()) : Value());
+  counts.emplace_back("components", is_known ? component_counts(*full_) : Value());
+  return counts;
+}
+
+/// Of what all there is would have, about.
+std::uint64_t Grower::triangles_of(const GrownWish& grown) const {
+  const double stems = triangles_per_node_ * static_cast<double>(grown.plant.node_count());
+  return static_cast<std::uint64_t>(stems + organ_triangles(grown.plant));
+}
+
+std::shared_ptr<const MeshScene> Grower::full_meshes(const std::shared_ptr<const GrownWish>& grown,
+                                                     Progress& progress) {
+  if (full_of_ == grown) return full_;
+  const Plant& plant = grown->plant;
+  full_ = std::make_shared<const MeshScene>(mesh_detail(*grown->wish.document, plant, {}, progress, &full_cache_));
+  full_of_ = grown;
+  const auto nodes = static_cast<double>(std::max<std::uint64_t>(plant.node_count(), 1));
+  triangles_per_node_ = std::max(0.1, (static_cast<double>(full_->triangle_count()) - organ_triangles(plant)) / nodes);
+  return full_;
+}
+
+std::shared_ptr<const MeshScene> Grower::meshes_within(const std::shared_ptr<const GrownWish>& grown, bool is_draft,
+                                                       std::uint64_t budget, double& share, Progress& progress) {
+  // At rest all is made first: it tells how much there is. A draft goes by what there was before.
+  const bool is_made = !is_draft || full_of_ == grown || triangles_of(*grown) <= budget;
+  std::uint64_t all = triangles_of(*grown);
+  if (is_made) {
+    std::shared_ptr<const MeshScene> full = full_meshes(grown, progress);
+    all = full->triangle_count();
+    if (all <= budget) return full;
+  }
+  const std::size_t which = is_draft ? 0 : 1;
+  const double wanted = static_cast<double>(budget) / static_cast<double>(std::max<std::uint64_t>(all, 1));
+  const int first = std::max(1, static_cast<int>(std::ceil(std::log(wanted) / std::log(kStep) - 1e-9)));
+  std::shared_ptr<const MeshScene> made;
+  for (int k = 0; k < kMostTries; ++k) {
+    const int step = std::max(1, first + coarser_[which]);
+    share = share_of_step(step);
+    made = std::make_shared<const MeshScene>(mesh_detail(
+        *grown->wish.document, grown->plant, {.level = 1, .share = share}, progress, &coarse_caches_[which]));
+    const auto count = static_cast<double>(made->triangle_count());
+    if (count < kWellBelow * static_cast<double>(budget) && step > 1) --coarser_[which];  // the next time
+    if (count <= kAboutBudget * static_cast<double>(budget)) break;
+    ++coarser_[which];
+  }
+  return made;
+}
+
+}  // namespace meristem::studio

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Grows the newest state of a document beside the editing of it, and sends what is to be shown.
+//
+// The newest wish wins without starving: a growth in hand ends, is shown, and then the newest wish is taken. At most
+// one packet is on its way; the next is made, of the newest state alone, once the page says that it shows the one
+// before. While inputs follow each other, packets are drafts, coarser levels of detail of what has grown.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host.h"
+#include "meristem/document/grow.h"
+#include "meristem/output/packet/scene_packet.h"
+
+namespace meristem::studio {
+
+class JobNews;
+
+/// A state of the document.
+struct Wish {
+  std::shared_ptr<const Document> document;
+  std::string hash;         ///< of its text
+  bool is_dragged = false;  ///< with values of a drag
+};
+
+/// What has grown of it.
+struct GrownWish {
+  Wish wish;
+  double time = 0;  ///< seconds, of the document
+  Plant plant{};    ///< painted
+};
+
+/// What of a plant the page wants to see.
+struct ShownParts {
+  std::uint64_t drag_triangles = 60'000;   ///< at most about so many while inputs follow each other
+  std::uint64_t rest_triangles = 250'000;  ///< and then
+  bool surface = true;
+  bool skeleton = false;
+  double time = 0;  ///< seconds, of the document
+
+  bool operator==(const ShownParts&) const = default;
+};
+
+/// Calls from any thread.
+class Grower : public std::enable_shared_from_this<Grower> {
+ public:
+  /// `host` outlives it.
+  Grower(Host& host, std::shared_ptr<Outbox> outbox) : host_(host), outbox_(std::move(outbox)) {}
+
+  /// Another document: what is in hand is dropped, and the page forgets what it shows.
+  void open(Wish wish);
+  /// `at_once` where the hand has let go: what is in hand is dropped.
+  void want(Wish wish, bool at_once = false);
+  /// An input that does not change what grows keeps drafts going.
+  void set_parts(const ShownParts& parts);
+  ShownParts parts() const;
+  void acknowledge(std::uint64_t packet);
+  /// Has the next packet be a whole scene.
+  void send_all();
+  /// Drops the growth in hand; the next wish grows again.
+  void cancel();
+  /// While paused nothing begins to grow.
+  void pause(bool is_paused);
+  /// Sends nothing any more and drops all. What is in hand may end later.
+  void close();
+  /// The last that has grown; null before.
+  std::shared_ptr<const GrownWish> grown() const;
+
+ private:
+  using Clock = Worker::Clock;
+
+  /// What a packet showed.
+  struct Sight {
+    std::shared_ptr<const GrownWish> grown;
+    ShownParts parts;
+    bool is_draft = false;
+  };
+
+  void schedule();
+  void work();
+  void grow();
+  void show();
+  bool is_shown(const Sight& sight) const;
+  template <class Work>
+  void run(const std::string& hash, Work&& work);
+  void send_failure(const std::string& hash, const std::string& message, Value::Object members);
+
+  // Of the worker's thread alone.
+  std::shared_ptr<const MeshScene> full_meshes(const std::shared_ptr<const GrownWish>& grown, Progress& progress);
+  std::shared_ptr<const MeshScene> meshes_within(const std::shared_ptr<const GrownWish>& grown, bool is_draft,
+                                                 std::uint64_t budget, double& share, Progress& progress);
+  std::uint64_t triangles_of(const GrownWish& grown) const;
+  Value::Object counts_value(const GrownWish& grown) const;
+
+  Host& host_;
+  const std::shared_ptr<Outbox> outbox_;
+
+  mutable std::mutex mutex_;  // of these
+  Wish wish_;
+  ShownParts parts_;
+  std::uint64_t wished_ = 0;  // number of the wish
+  std::uint64_t done_ = 0;    // of the last that has grown, or will not
+  Clock::time_point last_input_{};
+  std::shared_ptr<const GrownWish> grown_;
+  Sight shown_;
+  std::uint64_t awaited_ = 0;  // the packet on its way; 0: none
+  Progress* running_ = nullptr;
+  bool is_scheduled_ = false;
+  bool is_paused_ = false;
+  bool is_closed_ = false;
+  bool fits_ = false;      // the next packet is the first of a document
+  bool forgets_ = false;   // the next packet is a whole scene
+  bool is_other_ = false;  // another document has come since the last growth
+
+  // Of the worker's thread alone.
+  GrowthCache cache_;
+  GrowthCache full_cache_;
+  std::array<GrowthCache, 2> coarse_caches_;  // of drafts and of what is shown at rest
+  std::array<int, 2> coarser_{};              // steps beyond those that the count of triangles asks for
+  std::shared_ptr<const GrownWish> full_of_;
+  std::shared_ptr<const MeshScene> full_;
+  double triangles_per_node_ = 12;  // of stems
+  std::vector<std::pair<std::string, double>> stages_;
+  PacketMaker packets_;
+};
+
+}  // namespace meristem::studio

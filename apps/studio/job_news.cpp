@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "job_news.h"
+
+#include "meristem/document/json.h"
+
+namespace meristem::studio {
+
+namespace {
+
+constexpr std::chrono::milliseconds kBetweenNews{100};
+
+}  // namespace
+
+JobNews::JobNews(std::shared_ptr<Outbox> outbox, std::string job, std::optional<double> request)
+    : outbox_(std::move(outbox)),
+      job_(std::move(job)),
+      request_(request),
+      progress_([this](std::string_view stage, double share) { look(stage, share); }) {}
+
+JobNews::~JobNews() {
+  if (has_told_) send(std::nullopt, 1);
+}
+
+void JobNews::look(std::string_view stage, double share) {
+  const Clock::time_point now = Clock::now();
+  if (begins_.empty() || begins_.back().first != stage) begins_.emplace_back(stage, now);
+  if (now - sent_ < kBetweenNews) return;
+  sent_ = now;
+  has_told_ = true;
+  send(stage, share);
+}
+
+void JobNews::send(std::optional<std::string_view> stage, double share) {
+  Value::Object news{{"is", "working"}, {"job", job_}};
+  if (request_) news.emplace_back("re", *request_);
+  news.emplace_back("stage", stage ? Value(std::string(*stage)) : Value());
+  news.emplace_back("share", share);
+  outbox_->send_text(write_json_line(news));
+}
+
+std::vector<std::pair<std::string, double>> JobNews::stages() const {
+  std::vector<std::pair<std::string, double>> stages;
+  for (std::size_t k = 0; k < begins_.size(); ++k) {
+    const Clock::time_point end = k + 1 < begins_.size() ? begins_[k + 1].second : Clock::now();
+    stages.emplace_back(begins_[k].first, std::chrono::duration<double, std::milli>(end - begins_[k].second).count());
+  }
+  return stages;
+}
+
+}  // namespace meristem::studio

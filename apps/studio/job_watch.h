@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stops a job that takes too long or too much memory.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "host.h"
+#include "meristem/base/progress.h"
+#include "refusal.h"
+
+namespace meristem::studio {
+
+/// Watches one job while it lives, and cancels its progress where a limit is reached.
+class JobWatch {
+ public:
+  JobWatch(Progress& progress, const StudioLimits& limits);
+  ~JobWatch();
+  JobWatch(const JobWatch&) = delete;
+  JobWatch& operator=(const JobWatch&) = delete;
+
+  /// The limit for which it was cancelled; nothing where it was not, or by others.
+  std::optional<Refusal> reached() const;
+
+ private:
+  enum class Limit { none, time, memory };
+  void run();
+
+  Progress& progress_;
+  const StudioLimits limits_;
+  std::atomic<Limit> reached_{Limit::none};
+  std::mutex mutex_;
+  std::condition_variable news_;
+  bool ends_ = false;
+  std::thread thread_;
+};
+
+/// Bytes of memory that the program has in use now; 0 where that is not known.
+std::uint64_t memory_in_use();
+/// Of the machine; 0 where that is not known.
+std::uint64_t memory_of_machine();
+
+}  // namespace meristem::studio

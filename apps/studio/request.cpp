@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "request.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "meristem/document/json.h"
+#include "meristem/shape/detail.h"
+#include "refusal.h"
+
+namespace meristem::studio {
+
+namespace {
+
+constexpr double kGreatestWhole = 9007199254740992;  // up to which doubles hold all whole numbers
+constexpr std::size_t kMostParts = 100'000;          // splices, edits or values of one request
+
+/// Reads the members of a request and refuses what they should not be.
+class Members {
+ public:
+  explicit Members(const Value& object) : object_(object) {}
+
+  bool has(const char* name) const {
+    const Value* member = object_.find(name);
+    return member != nullptr && !member->is_null();
+  }
+
+  const Value& value(const char* name) const {
+    const Value* member = object_.find(name);
+    if (member == nullptr) throw Refusal(fmt::format("the request has no '{}'", name));
+    return *member;
+  }
+
+  const std::string& text(const char* name) const {
+    const std::string* text = value(name).text();
+    if (text == nullptr) throw Refusal(fmt::format("'{}' is no text", name));
+    return *text;
+  }
+
+  double number(const char* name, double low, double high) const {
+    const double* number = value(name).number();
+    if (number == nullptr || !(*number >= low && *number <= high))
+      throw Refusal(fmt::format("'{}' is no number from {} to {}", name, low, high));
+    return *number;
+  }
+
+  std::uint64_t whole(const char* name, double low = 0, double high = kGreatestWhole) const {
+    const double whole = number(name, low, high);
+    if (whole != std::floor(whole)) throw Refusal(fmt::format("'{}' is no whole number", name));
+    return static_cast<std::uint64_t>(whole);
+  }
+
+  bool flag(const char* name) const {
+    const bool* flag = value(name).boolean();
+    if (flag == nullptr) throw Refusal(fmt::format("'{}' is neither true nor false", name));
+    return *flag;
+  }
+
+  const Value::List& list(const char* name) const {
+    const Value::List* list = value(name).list();
+    if (list == nullptr) throw Refusal(fmt::format("'{}' is no list", name));
+    if (list->size() > kMostParts) throw Refusal(fmt::format("'{}' has more than {} parts", name, kMostParts));
+    return *list;
+  }
+
+  const Value::Object& object(const char* name) const {
+    const Value::Object* object = value(name).object();
+    if (object == nullptr) throw Refusal(fmt::format("'{}' is no object", name));
+    if (object->size() > kMostParts) throw Refusal(fmt::format("'{}' has more than {} parts", name, kMostParts));
+    return *object;
+  }
+
+  std::optional<std::string> optional_text(const char* name) const {
+    return has(name) ? std::optional(text(name)) : std::nullopt;
+  }
+  std::optional<bool> optional_flag(const char* name) const {
+    return has(name) ? std::optional(flag(name)) : std::nullopt;
+  }
+  std::optional<std::uint64_t> optional_whole(const char* name, double low = 0, double high = kGreatestWhole) const {
+    return has(name) ? std::optional(whole(name, low, high)) : std::nullopt;
+  }
+
+ private:
+  const Value& object_;
+};
+
+constexpr double kMostSeconds = 1e9;
+
+double checked_time(const Members& members) { return members.number("time", -kMostSeconds, kMostSeconds); }
+
+std::vector<UnitSplice> splices_of(const Members& members) {
+  std::vector<UnitSplice> splices;
+  for (const Value& value : members.list("patch")) {
+    const Value::List* parts = value.list();
+    const auto is_count = [](const Value& part) {
+      const double* number = part.number();
+      return number != nullptr && *number >= 0 && *number <= kGreatestWhole && *number == std::floor(*number);
+    };
+    if (parts == nullptr || parts->size() != 3 || !is_count((*parts)[0]) || !is_count((*parts)[1]) ||
+        (*parts)[2].text() == nullptr) {
+      throw Refusal("a splice is [offset, length, \"replacement\"]");
+    }
+    splices.push_back({static_cast<std::size_t>(*(*parts)[0].number()), static_cast<std::size_t>(*(*parts)[1].number()),
+                       *(*parts)[2].text()});
+  }
+  return splices;
+}
+
+Edit edit_of(const Value& value) {
+  const Members members(value);
+  if (members.has("set")) return SetValue{members.text("set"), members.value("value")};
+  if (members.has("unset")) return UnsetValue{members.text("unset")};
+  if (members.has("insert")) {
+    return InsertValue{members.text("insert"), members.value("value"), members.optional_whole("index")};
+  }
+  if (members.has("remove")) return RemoveValue{members.text("remove")};
+  if (members.has("rename")) return RenameValue{members.text("rename"), members.text("name")};
+  if (members.has("move")) return MoveValue{members.text("move"), members.whole("index")};
+  throw Refusal("an edit is one of set, unset, insert, remove, rename and move");
+}
+
+std::vector<Edit> edits_of(const Members& members) {
+  std::vector<Edit> edits;
+  for (const Value& value : members.list("edits")) edits.push_back(edit_of(value));
+  return edits;
+}
+
+std::vector<Override> overrides_of(const Members& members) {
+  std::vector<Override> overrides;
+  for (const auto& [path, value] : members.object("values")) {
+    overrides.push_back({.path = path, .value = value, .name = "the value of " + path});
+  }
+  return overrides;
+}
+
+OpenRequest open_request(const Members& members) {
+  OpenRequest request{.path = members.optional_text("path"),
+                      .model = members.optional_text("model"),
+                      .text = members.optional_text("text")};
+  const bool is_one = request.model ? !request.path && !request.text : request.path || request.text;
+  if (!is_one) throw Refusal("a document is opened by its path, by a model's name, or by a text");
+  return request;
+}
+
+ViewRequest view_request(const Members& members) {
+  ViewRequest request{.drag_triangles = members.optional_whole("drag_triangles", 100, 1e9),
+                      .rest_triangles = members.optional_whole("rest_triangles", 100, 1e9),
+                      .surface = members.optional_flag("surface"),
+                      .skeleton = members.optional_flag("skeleton")};
+  if (members.has("time")) request.time = checked_time(members);
+  return request;
+}
+
+Vec3 vector_of(const Members& members, const char* name) {
+  const Value::List& list = members.list(name);
+  Vec3 vector(0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double* number = list.size() == 3 ? list[k].number() : nullptr;
+    if (number == nullptr || !(std::abs(*number) <= 1e6)) throw Refusal(fmt::format("'{}' is no [x, y, z]", name));
+    vector[static_cast<int>(k)] = static_cast<float>(*number);
+  }
+  return vector;
+}
+
+CameraOptions camera_of(const Members& members) {
+  return {.position = vector_of(members, "position"),
+          .target = vector_of(members, "target"),
+          .field_of_view_deg = members.number("field_of_view", 1, 150)};
+}
+
+ExportOptions export_options(const Members& members) {
+  ExportOptions options{.format = members.text("format"), .name = members.optional_text("name")};
+  if (!members.has("options")) return options;
+  members.object("options");
+  const Members given(members.value("options"));
+  options.lod = static_cast<int>(given.optional_whole("lod", 0, kCoarsestDetail).value_or(0));
+  options.instances = given.optional_text("instances").value_or("");
+  options.seed = given.optional_whole("seed");
+  if (given.has("time")) options.time = checked_time(given);
+  const auto pixels = [&](const char* name) -> std::optional<int> {
+    if (!given.has(name)) return std::nullopt;
+    return static_cast<int>(given.whole(name, 1, 16384));
+  };
+  options.width = pixels("width");
+  options.height = pixels("height");
+  if (given.has("samples")) options.samples = static_cast<int>(given.whole("samples", 1, 65536));
+  options.transparent = given.optional_flag("transparent").value_or(false);
+  if (given.has("camera")) {
+    given.object("camera");
+    options.camera = camera_of(Members(given.value("camera")));
+  }
+  return options;
+}
+
+Request request_of(const std::string& what, const Members& members) {
+  if (what == "open") return open_request(members);
+  if (what == "splice") return SpliceRequest{members.text("base"), splices_of(members)};
+  if (what == "text") return TextRequest{members.text("text")};
+  if (what == "edit") return EditRequest{members.text("base"), edits_of(members)};
+  if (what == "drag") return DragRequest{overrides_of(members)};
+  if (what == "view") return view_request(members);
+  if (what == "shown") return ShownRequest{members.whole("packet")};
+  if (what == "all") return AllRequest{};
+  if (what == "cancel") return CancelRequest{};
+  if (what == "pause") return PauseRequest{members.flag("paused")};
+  if (what == "files") return FilesRequest{members.text("folder")};
+  if (what == "save") {
+    return SaveRequest{members.text("path"), members.optional_text("saved"),
+                       members.optional_flag("over").value_or(false)};
+  }
+  if (what == "models") return ModelsRequest{};
+  if (what == "measures") return MeasuresRequest{};
+  if (what == "export") return ExportRequest{export_options(members)};
+  if (what == "command") return CommandRequest{export_options(members)};
+  throw Refusal(fmt::format("there is no request '{}'", what.substr(0, 40)));
+}
+
+/// A message may hold a document of the greatest size, with all of its characters escaped, and still be refused for its
+/// own length alone.
+Limits message_limits() {
+  Limits limits;
+  limits.document_bytes = std::numeric_limits<std::uint64_t>::max();
+  limits.nesting += 8;
+  return limits;
+}
+
+Value read_json(std::string_view message) {
+  try {
+    return parse_json(message, message_limits());
+  } catch (const InputError& error) {
+    throw Refusal(fmt::format("the message is no JSON: {}", error.what()));
+  }
+}
+
+double id_of(const Value& message) {
+  if (message.object() == nullptr) throw Refusal("the message is no object");
+  return static_cast<double>(Members(message).whole("id"));
+}
+
+}  // namespace
+
+std::optional<double> request_id(std::string_view message) noexcept {
+  try {
+    return id_of(read_json(message));
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+NumberedRequest read_request(std::string_view message) {
+  const Value value = read_json(message);
+  const double id = id_of(value);
+  const Members members(value);
+  return {id, request_of(members.text("do"), members)};
+}
+
+}  // namespace meristem::studio

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the page asks for, as protocol.md defines it, read from the text of a message.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "meristem/document/document.h"
+#include "meristem/document/edit/session.h"
+#include "text_units.h"
+
+namespace meristem::studio {
+
+struct OpenRequest {
+  std::optional<std::string> path;
+  std::optional<std::string> model;
+  std::optional<std::string> text;
+};
+struct SpliceRequest {
+  std::string base;
+  std::vector<UnitSplice> patch;
+};
+struct TextRequest {
+  std::string text;
+};
+struct EditRequest {
+  std::string base;
+  std::vector<Edit> edits;
+};
+struct DragRequest {
+  std::vector<Override> values;
+};
+struct ViewRequest {
+  std::optional<std::uint64_t> drag_triangles;
+  std::optional<std::uint64_t> rest_triangles;
+  std::optional<bool> surface;
+  std::optional<bool> skeleton;
+  std::optional<double> time;
+};
+struct ShownRequest {
+  std::uint64_t packet = 0;
+};
+struct AllRequest {};
+struct CancelRequest {};
+struct PauseRequest {
+  bool paused = false;
+};
+struct FilesRequest {
+  std::string folder;
+};
+struct SaveRequest {
+  std::string path;
+  std::optional<std::string> saved;
+  bool over = false;
+};
+struct ModelsRequest {};
+struct MeasuresRequest {};
+
+/// From where a picture is seen.
+struct CameraOptions {
+  Vec3 position{0};
+  Vec3 target{0};
+  double field_of_view_deg = 35;  ///< vertical
+};
+
+/// What is written how.
+struct ExportOptions {
+  std::string format;                 ///< an ending, with its dot
+  std::optional<std::string> name;    ///< without ending; the document's if not given
+  int lod = 0;                        ///< coarser levels that are written too
+  std::string instances;              ///< automatic (or empty), rows, nodes
+  std::optional<std::uint64_t> seed;  ///< in place of the document's
+  double time = 0;                    ///< seconds
+  std::optional<int> width;           ///< of pictures, pixels
+  std::optional<int> height;
+  std::optional<int> samples;
+  bool transparent = false;
+  std::optional<CameraOptions> camera;
+};
+struct ExportRequest {
+  ExportOptions options;
+};
+struct CommandRequest {
+  ExportOptions options;
+};
+
+using Request = std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest,
+                             ShownRequest, AllRequest, CancelRequest, PauseRequest, FilesRequest, SaveRequest,
+                             ModelsRequest, MeasuresRequest, ExportRequest, CommandRequest>;
+
+struct NumberedRequest {
+  double id = 0;
+  Request request;
+};
+
+/// The number of a message that is no good otherwise, for its refusal; nothing where it has none.
+std::optional<double> request_id(std::string_view message) noexcept;
+
+/// Throws a Refusal for everything that protocol.md does not allow.
+NumberedRequest read_request(std::string_view message);
+
+}  // namespace meristem::studio

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "request.h"
+
+#include <gtest/gtest.h>
+
+#include "refusal.h"
+
+namespace meristem::studio {
+namespace {
+
+template <class Kind>
+Kind read(const std::string& message) {
+  return std::get<Kind>(read_request(message).request);
+}
+
+std::string refusal(const std::string& message) {
+  try {
+    read_request(message);
+  } catch (const Refusal& refused) {
+    return refused.what();
+  }
+  return "";
+}
+
+TEST(Request, ReadsEachKind) {
+  EXPECT_EQ(read<OpenRequest>(R"({"do": "open", "id": 1, "model": "oak"})").model, "oak");
+  EXPECT_EQ(read<OpenRequest>(R"({"do": "open", "id": 1, "text": "{}", "path": null})").path, std::nullopt);
+  const auto splice = read<SpliceRequest>(R"({"do": "splice", "id": 1, "base": "a", "patch": [[0, 2, "x"]]})");
+  EXPECT_EQ(splice.patch, (std::vector<UnitSplice>{{0, 2, "x"}}));
+  const auto edit = read<EditRequest>(
+      R"({"do": "edit", "id": 1, "base": "a", "edits": [{"set": "age", "value": 3}, {"unset": "a.b"},
+          {"insert": "links[]", "value": []}, {"remove": "a"}, {"rename": "a", "name": "b"}, {"move": "a", "index": 2}]})");
+  ASSERT_EQ(edit.edits.size(), 6U);
+  EXPECT_EQ(std::get<MoveValue>(edit.edits[5]).index, 2U);
+  EXPECT_EQ(read<DragRequest>(R"({"do": "drag", "id": 1, "values": {"age": 3}})").values[0].path, "age");
+  const auto view = read<ViewRequest>(R"({"do": "view", "id": 1, "skeleton": true, "rest_triangles": 1000})");
+  EXPECT_EQ(view.skeleton, true);
+  EXPECT_EQ(view.surface, std::nullopt);
+  EXPECT_EQ(view.rest_triangles, 1000U);
+  EXPECT_EQ(read<ShownRequest>(R"({"do": "shown", "id": 1, "packet": 7})").packet, 7U);
+  EXPECT_TRUE(read<PauseRequest>(R"({"do": "pause", "id": 1, "paused": true})").paused);
+  EXPECT_EQ(read<SaveRequest>(R"({"do": "save", "id": 1, "path": "a.json", "saved": null})").saved, std::nullopt);
+  const auto exported = read<ExportRequest>(
+      R"({"do": "export", "id": 1, "format": ".png", "name": "a", "options": {"width": 64, "height": 32, "samples": 2,
+          "camera": {"position": [1, 2, 3], "target": [0, 0, 0], "field_of_view": 30}}})");
+  EXPECT_EQ(exported.options.width, 64);
+  EXPECT_EQ(exported.options.camera->position, Vec3(1, 2, 3));
+  for (const char* plain : {"all", "cancel", "models", "measures"})
+    EXPECT_EQ(refusal(std::string(R"({"id": 1, "do": ")") + plain + "\"}"), "") << plain;
+}
+
+TEST(Request, SaysWhatIsWrong) {
+  EXPECT_NE(refusal("").find("no JSON"), std::string::npos);
+  EXPECT_NE(refusal("[]").find("no object"), std::string::npos);
+  EXPECT_NE(refusal("{}").find("'id'"), std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1.5, "do": "all"})").find("whole"), std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "dance"})").find("'dance'"), std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "open"})").find("by its path"), std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "open", "model": "oak", "text": ""})").find("by its path"), std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "splice", "base": "a", "patch": [[1, 2]]})").find("splice"), std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "splice", "base": "a", "patch": [[-1, 2, ""]]})").find("splice"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "edit", "base": "a", "edits": [{}]})").find("one of set"), std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "view", "time": "now"})").find("'time'"), std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "view", "rest_triangles": 1e30})").find("'rest_triangles'"), std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "export", "format": ".png", "options": {"width": 0}})").find("'width'"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "export", "format": ".png", "options": []})").find("'options'"),
+            std::string::npos);
+}
+
+TEST(Request, OfNoGoodStillHasANumber) {
+  EXPECT_EQ(request_id(R"({"id": 12, "do": "dance"})"), 12);
+  EXPECT_EQ(request_id("{"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace meristem::studio

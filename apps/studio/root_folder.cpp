@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "root_folder.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "meristem/base/atomic_file.h"
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/limits.h"
+#include "meristem/base/read_file.h"
+#include "meristem/graph/table/file_access.h"
+#include "refusal.h"
+#include "text_units.h"
+
+namespace meristem::studio {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestPath = 1000;
+constexpr std::size_t kMostEntries = 5000;  // of a folder that are listed
+
+[[noreturn]] void refuse_outside() { throw Refusal("this is outside of the folder that may be read"); }
+
+bool is_name(std::string_view name) { return !name.empty() && name[0] != '.' && name.find('\0') == std::string::npos; }
+
+}  // namespace
+
+RootFolder::RootFolder(const std::string& path) {
+  std::error_code error;
+  const fs::path real = fs::canonical(path, error);
+  if (error || !fs::is_directory(real, error)) throw MachineError(fmt::format("'{}' is no folder", path));
+  path_ = real.string();
+}
+
+std::string RootFolder::name() const {
+  const std::string name = fs::path(path_).filename().string();
+  return name.empty() ? path_ : name;
+}
+
+std::string RootFolder::absolute(const std::string& relative) const {
+  if (relative.empty()) return path_;
+  if (relative.size() > kLongestPath) refuse_outside();
+  for (std::size_t begin = 0; begin <= relative.size();) {
+    const std::size_t end = std::min(relative.find('/', begin), relative.size());
+    if (!is_name(std::string_view(relative).substr(begin, end - begin))) refuse_outside();
+    begin = end + 1;
+  }
+  const std::string path = (fs::path(path_) / relative).string();
+  try {
+    FileAccess{.root = path_}.require_within(path);
+  } catch (const InputError&) {
+    refuse_outside();
+  }
+  return path;
+}
+
+std::optional<std::string> RootFolder::relative(const std::string& absolute) const {
+  std::error_code error;
+  const fs::path real = fs::weakly_canonical(fs::absolute(absolute, error), error);
+  if (error) return std::nullopt;
+  const std::string path = real.lexically_relative(path_).string();
+  if (path.empty() || path == "." || path.starts_with("..")) return std::nullopt;
+  return path;
+}
+
+std::vector<FolderEntry> RootFolder::list(const std::string& folder) const {
+  const std::string path = absolute(folder);
+  std::vector<FolderEntry> entries;
+  std::error_code error;
+  for (fs::directory_iterator entry(path, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!is_name(name) || entries.size() == kMostEntries) continue;
+    try {
+      FileAccess{.root = path_}.require_within(entry->path().string());  // links out of it are not there
+    } catch (const InputError&) {
+      continue;
+    }
+    std::error_code ignored;
+    if (entry->is_directory(ignored)) {
+      entries.push_back({.name = name, .is_folder = true});
+    } else if (entry->is_regular_file(ignored)) {
+      entries.push_back({.name = name, .bytes = entry->file_size(ignored)});
+    }
+  }
+  if (error) throw Refusal("there is no such folder");
+  std::sort(entries.begin(), entries.end(), [](const FolderEntry& a, const FolderEntry& b) { return a.name < b.name; });
+  return entries;
+}
+
+std::string RootFolder::read(const std::string& file) const {
+  return read_file(absolute(file), Limits().document_bytes);
+}
+
+void RootFolder::write(const std::string& file, const std::string& text, const std::optional<std::string>& known,
+                       bool over) const {
+  if (file.empty() || !file.ends_with(".json")) throw Refusal("a document's file ends in .json");
+  const std::string path = absolute(file);
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) throw Refusal("this is no file");
+  if (!over) {
+    std::optional<std::string> there;
+    if (fs::exists(status)) {
+      try {
+        there = text_hash(read_file(path, Limits().document_bytes));
+      } catch (const InputError&) {
+        there = "";  // empty or too large: not what was opened
+      }
+    }
+    if (there != known) {
+      throw Refusal(there ? "the file has been changed by somebody else" : "the file is not there any more",
+                    {{"changed", true}});
+    }
+  }
+  AtomicFile target(path);
+  target.write(text);
+  target.commit();
+}
+
+}  // namespace meristem::studio

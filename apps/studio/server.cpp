@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: Apache-2.0
+// One thread for all sockets, which never waits; one for messages, so that reading a document stops no other page.
+// Nothing that a page says is taken before its Host, its token and, for sockets, its Origin are found to be right.
+#include "server.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <deque>
+#include <memory>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+#include <fmt/format.h>
+
+#include "addresses.h"
+#include "meristem/base/diagnostic.h"
+#include "meristem/document/json.h"
+#include "meristem/document/parameter_tables.h"
+#include "page_files.h"
+#include "studio_session.h"
+
+namespace meristem::studio {
+
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+namespace websocket = beast::websocket;
+using tcp = asio::ip::tcp;
+using Socket = websocket::stream<beast::tcp_stream>;
+using HttpRequest = http::request<http::empty_body>;
+
+constexpr std::uint16_t kPortsTried = 8;
+constexpr std::uint32_t kMostHeadBytes = 16'384;  // of a request
+constexpr int kMostHttpConnections = 64;
+constexpr std::chrono::seconds kHttpPatience{30};
+constexpr std::chrono::milliseconds kFarewell{300};    // for closing sockets
+constexpr std::size_t kMostQueuedBytes = 512'000'000;  // for a page that does not read
+constexpr std::uint64_t kMostBeyond = 1'000'000;
+constexpr std::size_t kMostQueuedNews = 64;  // beyond which progress is not told
+
+class SocketConnection;
+
+/// What all connections share.
+struct Serving {
+  Host& host;
+  std::string token;
+  std::uint16_t port = 0;
+  std::string tables{};
+  std::set<SocketConnection*> sockets{};  // that are open, or will be
+  int http_connections = 0;
+  Worker messages{};
+  asio::io_context io{1};  // the last, as what it has to do speaks of the others
+};
+
+bool is_progress(std::string_view message) { return message.substr(0, 17) == R"({"is": "working",)"; }
+
+/// A page's socket. Its session lives on the thread for messages alone.
+class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
+ public:
+  SocketConnection(Serving& serving, beast::tcp_stream stream) : serving_(serving), socket_(std::move(stream)) {
+    serving_.sockets.insert(this);
+  }
+  SocketConnection(const SocketConnection&) = delete;
+  SocketConnection& operator=(const SocketConnection&) = delete;
+
+  void accept(const HttpRequest& request) {
+    beast::get_lowest_layer(socket_).expires_never();
+    socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
+    // A little more, so that the session may say which limit a message has passed; larger ones close the socket.
+    socket_.read_message_max(serving_.host.limits.message_bytes + kMostBeyond);
+    socket_.auto_fragment(false);
+    socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
+      if (error) return self->end();
+      self->is_open_ = true;
+      self->begin();
+    });
+  }
+
+  void enqueue(bool is_text, std::string message) {
+    if (!is_open_) return;
+    if (is_text && queue_.size() >= kMostQueuedNews && is_progress(message)) return;
+    queued_bytes_ += message.size();
+    queue_.emplace_back(is_text, std::move(message));
+    if (queued_bytes_ > kMostQueuedBytes) return close(websocket::close_code::policy_error, "the page does not read");
+    if (queue_.size() == 1) write();
+  }
+
+  void close(websocket::close_code code, const char* reason) {
+    if (!std::exchange(is_open_, false)) return;
+    socket_.async_close({code, reason}, [self = shared_from_this()](beast::error_code) {});
+    end_session();
+  }
+
+ private:
+  void begin();
+
+  void read() {
+    socket_.async_read(buffer_, [self = shared_from_this()](beast::error_code error, std::size_t) {
+      if (error) return self->end();
+      auto message = std::make_shared<std::string>(beast::buffers_to_string(self->buffer_.data()));
+      self->buffer_.consume(self->buffer_.size());
+      self->buffer_.shrink_to_fit();
+      // The next message is read once this one is done with, so that none are heaped up.
+      self->do_with_session([message, is_text = self->socket_.got_text()](SocketConnection& here) {
+        if (here.session_ == nullptr) return;
+        // Bytes are no message; the session says so, as of any other text that is no JSON.
+        here.session_->receive(is_text ? std::string_view(*message) : std::string_view());
+      });
+    });
+  }
+
+  void write() {
+    socket_.text(queue_.front().first);
+    socket_.async_write(asio::buffer(queue_.front().second),
+                        [self = shared_from_this()](beast::error_code error, std::size_t) {
+                          if (error) return self->end();
+                          self->queued_bytes_ -= self->queue_.front().second.size();
+                          self->queue_.pop_front();
+                          if (self->is_open_ && !self->queue_.empty()) self->write();
+                        });
+  }
+
+  void end() {
+    is_open_ = false;
+    end_session();
+  }
+
+  void end_session() {
+    serving_.sockets.erase(this);
+    do_with_session([](SocketConnection& here) { here.session_ = nullptr; });
+  }
+
+  /// Has the thread for messages do something, and then reads on. The connection goes on this thread, not on that one.
+  template <class Act>
+  void do_with_session(Act act) {
+    serving_.messages.post([self = shared_from_this(), act = std::move(act)]() mutable {
+      act(*self);
+      asio::io_context& io = self->serving_.io;
+      asio::post(io, [self = std::move(self)] {
+        if (self->is_open_) self->read();
+      });
+    });
+  }
+
+  Serving& serving_;
+  Socket socket_;
+  beast::flat_buffer buffer_;
+  std::deque<std::pair<bool, std::string>> queue_;  // whether it is text; the first is on its way
+  std::size_t queued_bytes_ = 0;
+  bool is_open_ = false;
+  std::unique_ptr<StudioSession> session_;  // of the thread for messages
+};
+
+/// Brings messages of any thread to a socket that may have gone.
+class SocketOutbox : public Outbox {
+ public:
+  SocketOutbox(asio::io_context& io, std::weak_ptr<SocketConnection> connection)
+      : io_(io), connection_(std::move(connection)) {}
+
+  void send_text(std::string message) override { send(true, std::move(message)); }
+  void send_packet(std::string packet) override { send(false, std::move(packet)); }
+
+ private:
+  void send(bool is_text, std::string message) {
+    asio::post(io_, [connection = connection_, is_text, message = std::move(message)]() mutable {
+      if (const auto still = connection.lock()) still->enqueue(is_text, std::move(message));
+    });
+  }
+
+  asio::io_context& io_;
+  std::weak_ptr<SocketConnection> connection_;
+};
+
+void SocketConnection::begin() {
+  do_with_session([](SocketConnection& here) {
+    auto outbox = std::make_shared<SocketOutbox>(here.serving_.io, here.weak_from_this());
+    here.session_ = std::make_unique<StudioSession>(here.serving_.host, std::move(outbox));
+  });
+}
+
+/// One connection that asks for pages, until it becomes a socket.
+class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
+ public:
+  HttpConnection(Serving& serving, tcp::socket socket) : serving_(serving), stream_(std::move(socket)) {
+    ++serving_.http_connections;
+  }
+  ~HttpConnection() { --serving_.http_connections; }
+  HttpConnection(const HttpConnection&) = delete;
+  HttpConnection& operator=(const HttpConnection&) = delete;
+
+  void read() {
+    parser_.emplace();
+    parser_->header_limit(kMostHeadBytes);
+    parser_->body_limit(0);
+    stream_.expires_after(kHttpPatience);
+    http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code error, std::size_t) {
+      if (error == http::error::header_limit)
+        return self->refuse(http::status::request_header_fields_too_large,
+                            "the request's head is too long (16384 bytes)");
+      if (error == http::error::body_limit)
+        return self->refuse(http::status::payload_too_large, "requests have no body here (0 bytes)");
+      if (error) return;
+      self->answer();
+    });
+  }
+
+ private:
+  std::string_view header(http::field field) const {
+    const auto text = parser_->get()[field];
+    return {text.data(), text.size()};
+  }
+
+  void answer() {
+    const HttpRequest& request = parser_->get();
+    const auto hosts = request.equal_range(http::field::host);
+    const std::string_view host = header(http::field::host);
+    if (std::distance(hosts.first, hosts.second) != 1 || !is_own_host(host, serving_.port))
+      return refuse(http::status::forbidden, "this is not the host that serves");
+    const auto name = name_below_token({request.target().data(), request.target().size()}, serving_.token);
+    if (!name) return refuse(http::status::not_found, "there is nothing here");
+    if (*name == "socket") return upgrade();
+    if (request.method() != http::verb::get && request.method() != http::verb::head)
+      return refuse(http::status::method_not_allowed, "only GET and HEAD are served");
+    send_file(*name);
+  }
+
+  void upgrade() {
+    const HttpRequest& request = parser_->get();
+    if (!websocket::is_upgrade(request)) return refuse(http::status::upgrade_required, "this is a WebSocket");
+    if (!is_own_origin(header(http::field::origin), serving_.port))
+      return refuse(http::status::forbidden, "this is not the page that is served");
+    if (serving_.sockets.size() >= static_cast<std::size_t>(serving_.host.limits.connections)) {
+      return refuse(http::status::service_unavailable,
+                    fmt::format("there are {} pages already (connections)", serving_.host.limits.connections));
+    }
+    auto socket = std::make_shared<SocketConnection>(serving_, std::move(stream_));
+    socket->accept(request);
+  }
+
+  void send_file(const std::string& name) {
+    constexpr std::string_view kDownloads = "downloads/";
+    if (name.starts_with(kDownloads)) return send_download(std::string_view(name).substr(kDownloads.size()));
+    if (name == "tables.json") return send_text(http::status::ok, "application/json", serving_.tables);
+    const std::string file = name.empty() ? "index.html" : name;
+    if (const std::optional<PageFile> page = page_file(file)) {
+      auto response = begin_response<http::string_body>(http::status::ok, media_type(file));
+      if (page->is_compressed) response.set(http::field::content_encoding, "gzip");
+      response.body() = std::string(page->bytes);
+      return send(std::move(response));
+    }
+    if (name.empty() && !has_page()) {
+      return send_text(http::status::ok, "text/plain; charset=utf-8",
+                       "This program was built without the studio's page: it needs node where it is built.\n");
+    }
+    refuse(http::status::not_found, "there is nothing here");
+  }
+
+  void send_download(std::string_view name) {
+    const std::size_t slash = name.find('/');
+    std::uint64_t number = 0;
+    const std::string_view digits = name.substr(0, slash);
+    const bool is_number = !digits.empty() && digits.size() < 18 &&
+                           std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+    if (slash == std::string_view::npos || !is_number) return refuse(http::status::not_found, "there is nothing here");
+    for (const char digit : digits) number = 10 * number + static_cast<std::uint64_t>(digit - '0');
+    const std::string file(name.substr(slash + 1));
+    const std::optional<std::string> path = serving_.host.downloads.find(number, file);
+    beast::error_code error;
+    http::file_body::value_type body;
+    if (path) body.open(path->c_str(), beast::file_mode::scan, error);
+    if (!path || error) return refuse(http::status::not_found, "there is nothing here any more");
+    auto response = begin_response<http::file_body>(http::status::ok, media_type(file));
+    response.set(http::field::content_disposition, "attachment; filename=\"" + file + "\"");
+    response.body() = std::move(body);
+    send(std::move(response));
+  }
+
+  template <class Body>
+  http::response<Body> begin_response(http::status status, std::string_view type) {
+    http::response<Body> response(status, 11);
+    response.set(http::field::content_type, beast::string_view(type.data(), type.size()));
+    response.set(http::field::cache_control, "no-store");
+    response.set("X-Content-Type-Options", "nosniff");
+    response.set("Referrer-Policy", "no-referrer");
+    response.set("Cross-Origin-Resource-Policy", "same-origin");
+    response.set("Cross-Origin-Opener-Policy", "same-origin");
+    response.set("X-Frame-Options", "DENY");
+    response.set("Content-Security-Policy",
+                 security_policy(fmt::format("127.0.0.1:{0} ws://localhost:{0}", serving_.port)));
+    return response;
+  }
+
+  void send_text(http::status status, std::string_view type, std::string text) {
+    auto response = begin_response<http::string_body>(status, type);
+    response.body() = std::move(text);
+    send(std::move(response));
+  }
+
+  void refuse(http::status status, std::string text) {
+    is_last_ = true;
+    send_text(status, "text/plain; charset=utf-8", text + "\n");
+  }
+
+  template <class Body>
+  void send(http::response<Body> response) {
+    const bool wants_head = parser_->get().method() == http::verb::head;
+    response.keep_alive(!is_last_ && parser_->get().keep_alive());
+    response.prepare_payload();
+    auto kept = std::make_shared<http::response<Body>>(std::move(response));
+    const auto then = [self = shared_from_this(), kept](beast::error_code error, std::size_t) {
+      if (error || !kept->keep_alive()) {
+        beast::error_code ignored;
+        self->stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+        return;
+      }
+      self->read();
+    };
+    stream_.expires_after(kHttpPatience);
+    if (wants_head) {
+      auto serializer = std::make_shared<http::response_serializer<Body>>(*kept);
+      http::async_write_header(stream_, *serializer,
+                               [then, serializer](beast::error_code error, std::size_t bytes) { then(error, bytes); });
+    } else {
+      http::async_write(stream_, *kept, then);
+    }
+  }
+
+  Serving& serving_;
+  beast::tcp_stream stream_;
+  beast::flat_buffer buffer_;
+  std::optional<http::request_parser<http::empty_body>> parser_;
+  bool is_last_ = false;
+};
+
+void accept_next(Serving& serving, tcp::acceptor& acceptor) {
+  acceptor.async_accept([&serving, &acceptor](beast::error_code error, tcp::socket socket) {
+    if (!acceptor.is_open()) return;
+    // Beyond that many, connections are closed without a word.
+    if (!error && serving.http_connections < kMostHttpConnections)
+      std::make_shared<HttpConnection>(serving, std::move(socket))->read();
+    accept_next(serving, acceptor);
+  });
+}
+
+/// Whether it listens on this machine's own address at the port.
+bool listen(tcp::acceptor& acceptor, std::uint16_t port) {
+  const tcp::endpoint here(asio::ip::address_v4::loopback(), port);
+  beast::error_code error;
+  acceptor.open(here.protocol(), error);
+  if (!error) acceptor.set_option(asio::socket_base::reuse_address(true), error);
+  if (!error) acceptor.bind(here, error);
+  if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+  if (!error) return true;
+  beast::error_code ignored;
+  acceptor.close(ignored);
+  return false;
+}
+
+void listen(tcp::acceptor& acceptor, const ServeOptions& options) {
+  if (options.port) {
+    if (listen(acceptor, *options.port)) return;
+    throw MachineError(
+        fmt::format("cannot listen on port {} of 127.0.0.1: another program may have it", *options.port));
+  }
+  for (std::uint16_t k = 0; k < kPortsTried; ++k) {
+    if (listen(acceptor, static_cast<std::uint16_t>(kUsualPort + k))) return;
+  }
+  throw MachineError(fmt::format("cannot listen on 127.0.0.1: the ports {} to {} are taken; --port N names another",
+                                 kUsualPort, kUsualPort + kPortsTried - 1));
+}
+
+}  // namespace
+
+void serve(Host& host, const ServeOptions& options, const std::function<void(const std::string& address)>& ready) {
+  Serving serving{.host = host, .token = options.token.empty() ? secret_token() : options.token};
+  serving.tables = write_json_line(parameter_tables(host.registry));
+  tcp::acceptor acceptor(serving.io);
+  listen(acceptor, options);
+  serving.port = acceptor.local_endpoint().port();
+
+  asio::signal_set signals(serving.io, SIGINT, SIGTERM);
+  asio::steady_timer farewell(serving.io);
+  signals.async_wait([&](beast::error_code error, int) {
+    if (error) return;
+    beast::error_code ignored;
+    acceptor.close(ignored);
+    const std::set<SocketConnection*> open = serving.sockets;
+    for (SocketConnection* socket : open) socket->close(websocket::close_code::going_away, "the studio ends");
+    farewell.expires_after(kFarewell);
+    farewell.async_wait([&serving](beast::error_code) { serving.io.stop(); });
+  });
+  accept_next(serving, acceptor);
+  ready(fmt::format("http://127.0.0.1:{}/{}/", serving.port, serving.token));
+  serving.io.run();
+  // Nothing may speak to the sockets any more when they go.
+  serving.messages.stop();
+  for (SocketConnection* socket : serving.sockets) socket->drop_session();
+  host.growth.stop();
+  host.exports.stop();
+}
+
+}  // namespace meristem::studio

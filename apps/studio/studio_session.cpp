@@ -1,0 +1,435 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio_session.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <new>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "export_job.h"
+#include "job_news.h"
+#include "job_watch.h"
+#include "meristem/base/version.h"
+#include "meristem/document/json.h"
+#include "meristem/document/models.h"
+#include "meristem/measure/measures.h"
+#include "meristem/output/measure_report.h"
+#include "refusal.h"
+#include "text_units.h"
+#include "written_values.h"
+
+namespace meristem::studio {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kProtocol = 1;
+constexpr const char* kUntitled = "untitled.json";
+
+Value text_or_null(const std::optional<std::string>& text) { return text ? Value(*text) : Value(); }
+
+Value limits_value(const StudioLimits& limits) {
+  return Value::Object{{"message_bytes", static_cast<double>(limits.message_bytes)},
+                       {"messages_per_second", limits.messages_per_second},
+                       {"job_seconds", limits.job_seconds},
+                       {"memory_bytes", static_cast<double>(limits.memory_bytes)},
+                       {"connections", limits.connections}};
+}
+
+std::string text_member(const Value& document, const char* name) {
+  const Value* member = document.find(name);
+  return member != nullptr && member->text() != nullptr ? *member->text() : std::string();
+}
+
+bool is_model(const Host& host, const std::string& name) {
+  const std::vector<std::string> names = model_names(host.models_folder);
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The tree of a text; null where it is no JSON.
+Value tree_of(const std::string& text) {
+  try {
+    return parse_json(text);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+std::string refused_text(double id, const std::string& message, const Value::Object& members) {
+  Value::Object refusal{{"is", "refused"}, {"re", id}, {"message", message}};
+  for (const auto& member : members) refusal.push_back(member);
+  return write_json_line(refusal);
+}
+
+}  // namespace
+
+void RunningJobs::add(Progress& progress) {
+  const std::lock_guard lock(mutex_);
+  running_.insert(&progress);
+  if (is_closed_) progress.cancel();
+}
+
+void RunningJobs::remove(Progress& progress) {
+  const std::lock_guard lock(mutex_);
+  running_.erase(&progress);
+}
+
+void RunningJobs::cancel() {
+  const std::lock_guard lock(mutex_);
+  for (Progress* progress : running_) progress->cancel();
+}
+
+void RunningJobs::close() {
+  is_closed_ = true;
+  cancel();
+}
+
+StudioSession::StudioSession(Host& host, std::shared_ptr<Outbox> outbox)
+    : host_(host), outbox_(std::move(outbox)), grower_(std::make_shared<Grower>(host, outbox_)) {
+  outbox_->send_text(write_json_line(Value::Object{{"is", "hello"},
+                                                   {"protocol", kProtocol},
+                                                   {"version", std::string(version())},
+                                                   {"root", host_.root.name()},
+                                                   {"document", text_or_null(host_.document)},
+                                                   {"model", text_or_null(host_.model)},
+                                                   {"formats", formats_value()},
+                                                   {"limits", limits_value(host_.limits)}}));
+}
+
+StudioSession::~StudioSession() {
+  jobs_->close();
+  grower_->close();
+}
+
+void StudioSession::receive(std::string_view message) {
+  std::optional<double> id;
+  try {
+    if (message.size() > host_.limits.message_bytes) {
+      throw limit_refusal(fmt::format("the message has {} bytes, where {} are allowed (message_bytes)", message.size(),
+                                      host_.limits.message_bytes),
+                          "message_bytes");
+    }
+    require_rate();
+    const NumberedRequest request = read_request(message);
+    id = request.id;
+    std::optional<Answer> done = std::visit([&](const auto& asked) { return act(request.id, asked); }, request.request);
+    if (done) answer(request.id, std::move(*done));
+    return;
+  } catch (const Refusal& refusal) {
+    refuse(id ? id : request_id(message.substr(0, host_.limits.message_bytes)), refusal.what(), refusal.members());
+  } catch (const InputError& error) {
+    refuse(id, error.what(), {{"faults", faults_value(error.diagnostics(), {}, "")}});
+  } catch (const std::bad_alloc&) {
+    refuse(id, "there is not enough memory (memory_bytes)", {{"limit", "memory_bytes"}});
+  } catch (const std::exception& error) {
+    refuse(id, error.what(), {});
+  }
+}
+
+void StudioSession::require_rate() {
+  const auto now = std::chrono::steady_clock::now();
+  while (!received_.empty() && now - received_.front() >= std::chrono::seconds(1)) received_.pop_front();
+  if (received_.size() >= static_cast<std::size_t>(host_.limits.messages_per_second)) {
+    throw limit_refusal(fmt::format("more than {} messages came within a second (messages_per_second)",
+                                    host_.limits.messages_per_second),
+                        "messages_per_second");
+  }
+  received_.push_back(now);
+}
+
+void StudioSession::refuse(std::optional<double> id, const std::string& message, const Value::Object& members) {
+  Value::Object refusal{{"is", "refused"}, {"re", id ? Value(*id) : Value()}, {"message", message}};
+  for (const auto& member : members) refusal.push_back(member);
+  outbox_->send_text(write_json_line(refusal));
+}
+
+void StudioSession::answer(double id, Answer answer) {
+  Value::Object done{{"is", "done"}, {"re", id}};
+  for (auto& member : answer) done.push_back(std::move(member));
+  outbox_->send_text(write_json_line(done));
+}
+
+Session& StudioSession::session() {
+  if (!session_) throw Refusal("no document is open");
+  return *session_;
+}
+
+void StudioSession::require_base(const std::string& base) {
+  session();
+  if (base != hash_) throw Refusal("the edit is of another text than the server's", {{"stale", true}});
+}
+
+/// A session of the text where the one before stood.
+void StudioSession::restart(std::string text) {
+  const std::string file = session().file();
+  session_.emplace(std::move(text), file, host_.registry, SessionOptions{.root = root_, .most_undone = 0});
+  hash_ = text_hash(session_->text());
+}
+
+/// Has what the text says shown, where it is good.
+void StudioSession::show(bool at_once) {
+  if (!session().is_good()) return;
+  document_ = std::make_shared<const Document>(*session().document());
+  grower_->want({.document = document_, .hash = hash_, .is_dragged = !session().overrides().empty()}, at_once);
+}
+
+/// What answers say of a text that was read.
+void StudioSession::add_reading(Answer& answer) {
+  const Session& read = session();
+  answer.emplace_back("good", read.is_good());
+  answer.emplace_back("faults", faults_value(read.faults(), read.text(), path_.value_or(title_)));
+  answer.emplace_back("tree", tree_of(read.text()));
+  answer.emplace_back("variables", read.is_good() ? variables_value(read.document()->variables) : Value::List{});
+}
+
+StudioSession::Opened StudioSession::opened(const OpenRequest& request) const {
+  if (request.model) {
+    if (!is_model(host_, *request.model)) throw Refusal("there is no such model");
+    const std::string file = model_path(host_.models_folder, *request.model);
+    return {
+        .text = read_text_file(file), .file = file, .root = host_.models_folder, .path = {}, .name = *request.model};
+  }
+  Opened opened{.root = host_.root.path(), .path = request.path};
+  if (request.path) {
+    opened.file = host_.root.absolute(*request.path);
+    opened.name = fs::path(*request.path).filename().string();
+    std::error_code error;
+    if (!request.text || fs::exists(opened.file, error)) {
+      opened.text = host_.root.read(*request.path);
+      opened.saved = text_hash(opened.text);
+    }
+  } else {
+    opened.file = (fs::path(opened.root) / kUntitled).string();
+    opened.name = "untitled";
+  }
+  if (request.text) opened.text = *request.text;
+  return opened;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double, const OpenRequest& request) {
+  Opened found = opened(request);
+  jobs_->cancel();
+  root_ = found.root;
+  path_ = found.path;
+  model_ = request.model;
+  title_ = found.name;
+  session_.emplace(std::move(found.text), found.file, host_.registry, SessionOptions{.root = root_, .most_undone = 0});
+  hash_ = text_hash(session_->text());
+  document_ = session_->is_good() ? std::make_shared<const Document>(*session_->document()) : nullptr;
+  grower_->open({.document = document_, .hash = hash_});
+  Answer answer{{"path", text_or_null(path_)},
+                {"model", text_or_null(model_)},
+                {"name", title_},
+                {"text", session_->text()},
+                {"hash", hash_},
+                {"saved", text_or_null(found.saved)}};
+  add_reading(answer);
+  return answer;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double, const SpliceRequest& request) {
+  require_base(request.base);
+  try {
+    session().edit_text(in_bytes(session().text(), request.patch));
+  } catch (const std::invalid_argument& error) {
+    throw Refusal(error.what(), {{"stale", true}});
+  }
+  hash_ = text_hash(session().text());
+  Answer answer{{"hash", hash_}};
+  add_reading(answer);
+  show(false);
+  return answer;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double, const TextRequest& request) {
+  session();
+  restart(request.text);
+  Answer answer{{"hash", hash_}};
+  add_reading(answer);
+  show(false);
+  return answer;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double, const EditRequest& request) {
+  require_base(request.base);
+  const std::string before = session().text();
+  const bool was_dragged = !session().overrides().empty();
+  const Change change = session().edit(request.edits);
+  if (was_dragged) session().set_overrides({});
+  hash_ = text_hash(session().text());
+  Answer answer{{"patch", patch_value(in_units(before, change.patch))},
+                {"inverse", patch_value(in_units(session().text(), change.inverse))},
+                {"hash", hash_}};
+  add_reading(answer);
+  show(was_dragged);
+  return answer;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double, const DragRequest& request) {
+  const bool was_dragged = !session().overrides().empty();
+  session().set_overrides(request.values);
+  Answer answer{{"faults", session().is_good() ? Value::List{} : faults_value(session().faults(), {}, "")}};
+  if (was_dragged || !request.values.empty()) show(request.values.empty());
+  return answer;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double, const ViewRequest& request) {
+  ShownParts parts = grower_->parts();
+  if (request.drag_triangles) parts.drag_triangles = *request.drag_triangles;
+  if (request.rest_triangles) parts.rest_triangles = *request.rest_triangles;
+  if (request.surface) parts.surface = *request.surface;
+  if (request.skeleton) parts.skeleton = *request.skeleton;
+  if (request.time) parts.time = *request.time;
+  grower_->set_parts(parts);
+  return Answer{};
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double, const ShownRequest& request) {
+  grower_->acknowledge(request.packet);
+  return Answer{};
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double, const AllRequest&) {
+  grower_->send_all();
+  return Answer{};
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double, const CancelRequest&) {
+  grower_->cancel();
+  jobs_->cancel();
+  return Answer{};
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double, const PauseRequest& request) {
+  grower_->pause(request.paused);
+  return Answer{};
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double, const FilesRequest& request) {
+  Value::List files;
+  for (const FolderEntry& entry : host_.root.list(request.folder)) {
+    files.push_back(
+        Value::Object{{"name", entry.name}, {"folder", entry.is_folder}, {"bytes", static_cast<double>(entry.bytes)}});
+  }
+  return Answer{{"folder", request.folder}, {"files", std::move(files)}};
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double, const SaveRequest& request) {
+  host_.root.write(request.path, session().text(), request.saved, request.over);
+  const bool is_elsewhere = path_ != request.path;
+  path_ = request.path;
+  model_ = {};
+  title_ = fs::path(request.path).filename().string();
+  Answer answer{{"path", request.path}, {"name", title_}, {"saved", hash_}};
+  if (!is_elsewhere) return answer;
+  // The files that it names are sought beside its new place.
+  root_ = host_.root.path();
+  session_.emplace(session().text(), host_.root.absolute(request.path), host_.registry,
+                   SessionOptions{.root = root_, .most_undone = 0});
+  add_reading(answer);
+  show(false);
+  return answer;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double, const ModelsRequest&) {
+  Value::List models;
+  for (const std::string& name : model_names(host_.models_folder)) {
+    const Value document = tree_of(read_text_file(model_path(host_.models_folder, name)));
+    models.push_back(Value::Object{{"name", name},
+                                   {"title", text_member(document, "name")},
+                                   {"description", text_member(document, "description")},
+                                   {"picture", host_.has_picture != nullptr && host_.has_picture(name)}});
+  }
+  return Answer{{"models", std::move(models)}};
+}
+
+/// Has a job answer the request: what `work` gives, or why it gives nothing.
+template <class Work>
+void StudioSession::run_later(double id, const char* job, Work work) {
+  host_.exports.post([&host = host_, outbox = outbox_, jobs = jobs_, id, job, work = std::move(work)]() mutable {
+    if (jobs->is_closed()) return;
+    JobNews news(outbox, job, id);
+    JobWatch watch(news.progress(), host.limits);
+    jobs->add(news.progress());
+    try {
+      Value::Object done{{"is", "done"}, {"re", id}};
+      done.push_back(work(host, news.progress()));
+      outbox->send_text(write_json_line(done));
+    } catch (const Cancelled&) {
+      const std::optional<Refusal> limit = watch.reached();
+      outbox->send_text(limit ? refused_text(id, limit->what(), limit->members())
+                              : refused_text(id, "it was cancelled", {{"cancelled", true}}));
+    } catch (const InputError& error) {
+      outbox->send_text(refused_text(id, error.what(), {{"faults", faults_value(error.diagnostics(), {}, "")}}));
+    } catch (const std::bad_alloc&) {
+      outbox->send_text(refused_text(id, "there is not enough memory (memory_bytes)", {{"limit", "memory_bytes"}}));
+    } catch (const std::exception& error) {
+      outbox->send_text(refused_text(id, error.what(), {}));
+    }
+    jobs->remove(news.progress());
+  });
+}
+
+/// The document of the present text, with the seed that the options ask for. Throws the text's faults.
+std::shared_ptr<const Document> StudioSession::document_for(const ExportOptions& options) {
+  ReadOptions reading{.seed = options.seed, .root = root_};
+  return std::make_shared<const Document>(read_document(session().text(), session().file(), host_.registry, reading));
+}
+
+/// What has grown, if it is what the options ask for.
+std::shared_ptr<const GrownWish> StudioSession::grown_for(const ExportOptions& options) const {
+  std::shared_ptr<const GrownWish> grown = grower_->grown();
+  const bool fits = grown != nullptr && grown->wish.hash == hash_ && !grown->wish.is_dragged && !options.seed &&
+                    grown->time == options.time;
+  return fits ? grown : nullptr;
+}
+
+std::string StudioSession::name_for(const ExportOptions& options) {
+  if (options.name) return file_name_of(*options.name);
+  return file_name_of(fs::path(title_).stem().string());
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const MeasuresRequest&) {
+  const ExportOptions options{.time = grower_->parts().time};
+  run_later(
+      id, "measure",
+      [document = document_for(options), grown = grown_for(options), time = options.time](
+          Host&, Progress& progress) -> Value::Member {
+        if (grown != nullptr) {
+          const MeshScene meshes = mesh_detail(*document, grown->plant, {}, progress);
+          return {"measures",
+                  measures_value(measure_plant(grown->plant, meshes, document->scene, {}, progress), false)};
+        }
+        const GrownDocument all = grow_document(*document, progress, {.time = time, .up_to = GrownPart::meshes});
+        return {"measures", measures_value(measure_plant(all.plant, all.meshes, document->scene, {}, progress), false)};
+      });
+  return std::nullopt;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const ExportRequest& request) {
+  check_export(request.options);
+  ExportSource source{.document = nullptr, .text = session().text(), .name = name_for(request.options), .grown = {}};
+  if (request.options.format != ".json") {  // a faulty one may be taken home, too
+    source.document = document_for(request.options);
+    source.grown = grown_for(request.options);
+  }
+  run_later(id, "export",
+            [source = std::move(source), options = request.options](Host& host, Progress& progress) -> Value::Member {
+              return {"files", export_files(source, options, host.downloads, progress)};
+            });
+  return std::nullopt;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double, const CommandRequest& request) {
+  check_export(request.options);
+  const std::string file = model_ ? *model_ : path_ ? host_.root.absolute(*path_) : std::string(kUntitled);
+  session();
+  return Answer{{"command", export_command(host_.command, file, request.options, name_for(request.options))}};
+}
+
+}  // namespace meristem::studio

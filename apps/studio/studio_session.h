@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// One page's document: messages in, messages out, as protocol.md defines them; it knows no sockets.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "grower.h"
+#include "host.h"
+#include "meristem/document/edit/session.h"
+#include "request.h"
+
+namespace meristem::studio {
+
+/// Jobs for one request each, that can be dropped together.
+class RunningJobs {
+ public:
+  void add(Progress& progress);
+  void remove(Progress& progress);
+  void cancel();
+  /// Whether none may begin any more.
+  bool is_closed() const { return is_closed_; }
+  void close();
+
+ private:
+  std::mutex mutex_;
+  std::set<Progress*> running_;
+  std::atomic<bool> is_closed_{false};
+};
+
+/// One call at a time.
+class StudioSession {
+ public:
+  /// Says hello. `host` outlives it and what it has begun.
+  StudioSession(Host& host, std::shared_ptr<Outbox> outbox);
+  ~StudioSession();
+  StudioSession(const StudioSession&) = delete;
+  StudioSession& operator=(const StudioSession&) = delete;
+
+  /// Takes a message and answers it. Never throws for what it says.
+  void receive(std::string_view message);
+
+ private:
+  using Answer = Value::Object;
+  struct Opened {
+    std::string text;
+    std::string file;  // absolute
+    std::string root;
+    std::optional<std::string> path;  // below the root
+    std::string name;
+    std::optional<std::string> saved;
+  };
+
+  void require_rate();
+  void refuse(std::optional<double> id, const std::string& message, const Value::Object& members);
+  void answer(double id, Answer answer);
+
+  std::optional<Answer> act(double id, const OpenRequest& request);
+  std::optional<Answer> act(double id, const SpliceRequest& request);
+  std::optional<Answer> act(double id, const TextRequest& request);
+  std::optional<Answer> act(double id, const EditRequest& request);
+  std::optional<Answer> act(double id, const DragRequest& request);
+  std::optional<Answer> act(double id, const ViewRequest& request);
+  std::optional<Answer> act(double id, const ShownRequest& request);
+  std::optional<Answer> act(double id, const AllRequest& request);
+  std::optional<Answer> act(double id, const CancelRequest& request);
+  std::optional<Answer> act(double id, const PauseRequest& request);
+  std::optional<Answer> act(double id, const FilesRequest& request);
+  std::optional<Answer> act(double id, const SaveRequest& request);
+  std::optional<Answer> act(double id, const ModelsRequest& request);
+  std::optional<Answer> act(double id, const MeasuresRequest& request);
+  std::optional<Answer> act(double id, const ExportRequest& request);
+  std::optional<Answer> act(double id, const CommandRequest& request);
+
+  Opened opened(const OpenRequest& request) const;
+  Session& session();
+  void require_base(const std::string& base);
+  void restart(std::string text);
+  void show(bool at_once);
+  void add_reading(Answer& answer);
+  template <class Work>
+  void run_later(double id, const char* job, Work work);
+  std::shared_ptr<const Document> document_for(const ExportOptions& options);
+  std::shared_ptr<const GrownWish> grown_for(const ExportOptions& options) const;
+  std::string name_for(const ExportOptions& options);
+
+  Host& host_;
+  const std::shared_ptr<Outbox> outbox_;
+  const std::shared_ptr<Grower> grower_;
+  const std::shared_ptr<RunningJobs> jobs_ = std::make_shared<RunningJobs>();
+  std::optional<Session> session_;
+  std::string root_;                                            // of the session's files
+  std::optional<std::string> path_;                             // below the host's root; none for models and new texts
+  std::optional<std::string> model_;                            // the shipped model that was opened
+  std::string title_;                                           // of the file or the model
+  std::string hash_;                                            // of the session's text
+  std::shared_ptr<const Document> document_;                    // what was shown last
+  std::deque<std::chrono::steady_clock::time_point> received_;  // within the last second
+};
+
+}  // namespace meristem::studio

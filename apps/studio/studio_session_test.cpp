@@ -1,0 +1,434 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio_session.h"
+
+#include <condition_variable>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "meristem/components/registry.h"
+#include "meristem/document/json.h"
+#include "tests/support/shown_scene.h"
+#include "tests/support/temporary_folder.h"
+
+namespace meristem::studio {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kBush = R"json({
+  "meristem": 1,
+  "variables": {"size": {"value": 0.1, "min": 0, "max": 1}},  // "\u00e9\ud83c\udf33"
+  "components": {
+    "stem": {"type": "tree", "length": 1.5, "radius": 0.01},
+    "leaf": {"type": "leaf", "length": "size", "width": 0.03, "colour": "#337722"}
+  },
+  "links": [{"from": "stem", "to": "leaf", "kind": "branch", "count": 40}]
+}
+)json";
+
+/// What the page would have received, in order.
+class Mailbox : public Outbox {
+ public:
+  void send_text(std::string message) override {
+    const std::lock_guard lock(mutex_);
+    texts_.push_back(parse_json(message));
+    news_.notify_all();
+  }
+  void send_packet(std::string packet) override {
+    const std::lock_guard lock(mutex_);
+    packets_.push_back(std::move(packet));
+    news_.notify_all();
+  }
+
+  /// The first message for which that holds, which comes if it is not there yet.
+  template <class Holds>
+  Value wait_for(Holds holds) {
+    std::unique_lock lock(mutex_);
+    for (std::size_t k = 0;; ++k) {
+      while (k >= texts_.size()) {
+        if (news_.wait_for(lock, std::chrono::seconds(60)) == std::cv_status::timeout)
+          throw std::runtime_error("silence");
+      }
+      if (holds(texts_[k])) return texts_[k];
+    }
+  }
+  Value answer(double id) {
+    return wait_for([id](const Value& message) {
+      const Value* re = message.find("re");
+      return re != nullptr && re->number() != nullptr && *re->number() == id &&
+             *message.find("is")->text() != "working";
+    });
+  }
+  std::string packet(std::size_t k) {
+    std::unique_lock lock(mutex_);
+    while (k >= packets_.size()) {
+      if (news_.wait_for(lock, std::chrono::seconds(60)) == std::cv_status::timeout)
+        throw std::runtime_error("no packet");
+    }
+    return packets_[k];
+  }
+  std::size_t packet_count() {
+    const std::lock_guard lock(mutex_);
+    return packets_.size();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable news_;
+  std::vector<Value> texts_;
+  std::vector<std::string> packets_;
+};
+
+/// A studio with one page, which takes over packets as the page does.
+class Studio {
+ public:
+  explicit Studio(std::chrono::milliseconds still = std::chrono::milliseconds(0)) {
+    std::ofstream(folder_ / "bush.json") << kBush;
+    host_.still_after = still;
+    host_.limits.messages_per_second = 100'000;
+  }
+
+  Host& host() { return host_; }
+  const fs::path& folder() const { return folder_.path(); }
+  Mailbox& mailbox() { return *mailbox_; }
+  StudioSession& page() {
+    if (!page_) page_.emplace(host_, mailbox_);
+    return *page_;
+  }
+
+  /// Asks and gives the answer; members are the request's in JSON.
+  Value ask(const std::string& what, const std::string& members = "") {
+    page().receive(request(what, members));
+    return mailbox_->answer(id_);
+  }
+  std::string request(const std::string& what, const std::string& members) {
+    return "{\"do\": \"" + what + "\", \"id\": " + std::to_string(++id_) + (members.empty() ? "" : ", ") + members +
+           "}";
+  }
+  Value open_bush() {
+    const Value answer = ask("open", R"("path": "bush.json")");
+    hash_ = text_of(answer, "hash");
+    return answer;
+  }
+  Value edit(const std::string& edits) {
+    const Value answer = ask("edit", "\"base\": \"" + hash_ + "\", \"edits\": " + edits);
+    if (answer.find("hash") != nullptr) hash_ = text_of(answer, "hash");
+    return answer;
+  }
+  /// Takes packets over until one at rest shows the text of this hash.
+  ReadPacket show(const std::string& hash) {
+    for (;;) {
+      last_ = mailbox_->packet(taken_++);
+      scene_.apply(last_);
+      const ReadPacket packet(last_);
+      ask("shown", "\"packet\": " + std::to_string(static_cast<int>(packet.number("packet"))));
+      if (!packet.flag("draft") && *packet.head.find("hash")->text() == hash) return packet;
+    }
+  }
+  ReadPacket show() { return show(hash_); }
+  const ShownScene& scene() const { return scene_; }
+  std::size_t taken() const { return taken_; }
+  const std::string& last_packet() const { return last_; }
+  const std::string& hash() const { return hash_; }
+
+  static std::string text_of(const Value& message, const char* name) {
+    const Value* member = message.find(name);
+    return member != nullptr && member->text() != nullptr ? *member->text() : "";
+  }
+
+ private:
+  TemporaryFolder folder_;
+  Host host_{.registry = builtin_components(),
+             .root = RootFolder(folder_.path().string()),
+             .models_folder = MERISTEM_SOURCE_DIR "/models"};
+  std::shared_ptr<Mailbox> mailbox_ = std::make_shared<Mailbox>();
+  std::optional<StudioSession> page_;
+  ShownScene scene_;
+  std::string hash_;
+  std::string last_;
+  std::size_t taken_ = 0;
+  int id_ = 0;
+};
+
+bool is_refused(const Value& answer) { return Studio::text_of(answer, "is") == "refused"; }
+
+TEST(StudioSession, SaysHelloWithItsLimits) {
+  Studio studio;
+  studio.page();
+  const Value hello =
+      studio.mailbox().wait_for([](const Value& message) { return Studio::text_of(message, "is") == "hello"; });
+  EXPECT_EQ(*hello.find("protocol")->number(), 1);
+  EXPECT_EQ(*hello.find("limits")->find("message_bytes")->number(), 17e6);
+}
+
+TEST(StudioSession, OpensADocumentAndShowsIt) {
+  Studio studio;
+  const Value answer = studio.open_bush();
+  EXPECT_EQ(Studio::text_of(answer, "text"), kBush);
+  EXPECT_EQ(Studio::text_of(answer, "saved"), Studio::text_of(answer, "hash"));
+  EXPECT_TRUE(*answer.find("good")->boolean());
+  EXPECT_EQ(answer.find("variables")->list()->size(), 1U);
+  EXPECT_NE(answer.find("tree")->find("components")->find("leaf"), nullptr);
+  const ReadPacket packet = studio.show();
+  EXPECT_TRUE(packet.flag("whole"));
+  EXPECT_TRUE(packet.flag("fit"));
+  EXPECT_GT(packet.number("triangles"), 40);
+  studio.edit(R"([{"set": "leaf.colour", "value": "#ff0000"}])");
+  EXPECT_FALSE(studio.show().flag("fit"));
+  EXPECT_LT(studio.last_packet().size(), 2000U);
+}
+
+TEST(StudioSession, OpensModelsAndTexts) {
+  Studio studio;
+  const Value model = studio.ask("open", R"("model": "sunflower")");
+  EXPECT_TRUE(model.find("path")->is_null());
+  EXPECT_TRUE(*model.find("good")->boolean());
+  EXPECT_TRUE(is_refused(studio.ask("open", R"("model": "../models/oak")")));
+  EXPECT_TRUE(is_refused(studio.ask("open", R"("path": "../bush.json")")));
+  const Value text = studio.ask("open", R"("text": "{\"meristem\": 1, \"components\": {}}")");
+  EXPECT_TRUE(text.find("saved")->is_null());
+  EXPECT_GE(studio.ask("models").find("models")->list()->size(), 30U);
+}
+
+TEST(StudioSession, EditsGiveThePageWhatUndoesThem) {
+  Studio studio;
+  studio.open_bush();
+  const Value answer = studio.edit(R"([{"set": "leaf.width", "value": 0.05}])");
+  ASSERT_FALSE(is_refused(answer));
+  const auto apply = [&](const char* patch) {
+    return studio.ask("splice", "\"base\": \"" + Studio::text_of(answer, "hash") +
+                                    "\", \"patch\": " + write_json_line(*answer.find(patch)));
+  };
+  const Value undone = apply("inverse");
+  EXPECT_EQ(Studio::text_of(undone, "hash"), text_hash(kBush));
+}
+
+TEST(StudioSession, RefusesEditsOfAnotherText) {
+  Studio studio;
+  studio.open_bush();
+  const Value answer = studio.ask("splice", R"("base": "0", "patch": [[0, 0, " "]])");
+  EXPECT_TRUE(is_refused(answer));
+  EXPECT_TRUE(*answer.find("stale")->boolean());
+  const Value whole = studio.ask("text", R"("text": "{\"meristem\": 2}")");
+  EXPECT_FALSE(*whole.find("good")->boolean());
+  const Value& fault = (*whole.find("faults")->list())[0];
+  EXPECT_EQ(Studio::text_of(fault, "path"), "meristem");
+  EXPECT_EQ(*fault.find("line")->number(), 1);
+  EXPECT_EQ(*fault.find("offset")->number(), 13);
+}
+
+TEST(StudioSession, TakesTypingThatIsNoJson) {
+  Studio studio;
+  studio.open_bush();
+  const Value answer = studio.ask("splice", "\"base\": \"" + studio.hash() + "\", \"patch\": [[0, 1, \"\"]]");
+  EXPECT_FALSE(*answer.find("good")->boolean());
+  EXPECT_TRUE(answer.find("tree")->is_null());
+  EXPECT_EQ(Studio::text_of(answer, "hash"), text_hash(kBush.substr(1)));
+}
+
+TEST(StudioSession, ShowsOfARapidDragTheLastValue) {
+  Studio studio(std::chrono::milliseconds(1));
+  studio.open_bush();
+  studio.show();
+  for (int k = 1; k <= 1000; ++k)
+    studio.page().receive(
+        studio.request("drag", "\"values\": {\"leaf.width\": " + std::to_string(0.02 + k * 1e-5) + "}"));
+  studio.edit(R"([{"set": "leaf.width", "value": 0.03001}])");
+  studio.show();
+  EXPECT_LT(studio.taken(), 1000U);
+
+  Studio other;
+  other.open_bush();
+  other.edit(R"([{"set": "leaf.width", "value": 0.03001}])");
+  other.show();
+  EXPECT_EQ(studio.scene(), other.scene());
+}
+
+TEST(StudioSession, DragLeavesTheTextAndEndsWithoutATrace) {
+  Studio studio;
+  studio.open_bush();
+  studio.show();
+  const ShownScene before = studio.scene();
+  studio.ask("drag", R"("values": {"leaf.width": 0.08})");
+  studio.show();
+  EXPECT_NE(studio.scene(), before);
+  const Value wrong = studio.ask("drag", R"("values": {"leaf.width": "wide"})");
+  EXPECT_EQ(wrong.find("faults")->list()->size(), 1U);
+  studio.ask("drag", R"("values": {})");
+  studio.show();
+  EXPECT_EQ(studio.scene(), before);
+}
+
+TEST(StudioSession, SendsNoPacketBeforeTheLastIsShown) {
+  Studio studio;
+  studio.open_bush();
+  studio.mailbox().packet(0);
+  for (const char* width : {"0.04", "0.05", "0.06"})
+    studio.edit(std::string(R"([{"set": "leaf.width", "value": )") + width + "}]");
+  studio.ask("measures");  // long after what has been asked before is grown
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_EQ(studio.mailbox().packet_count(), 1U);
+  studio.show();
+  EXPECT_EQ(studio.mailbox().packet_count(), 2U);
+}
+
+TEST(StudioSession, KeepsWithinTheBudgetOfTriangles) {
+  Studio studio;
+  studio.ask("view", R"("rest_triangles": 300, "drag_triangles": 100)");
+  studio.open_bush();
+  const ReadPacket packet = studio.show();
+  EXPECT_LE(packet.number("triangles"), 400);
+  EXPECT_LT(packet.number("share"), 1);
+  EXPECT_GT(*packet.head.find("of")->find("triangles")->number(), 400);
+}
+
+TEST(StudioSession, SendsDraftsFirstAndThenAllOfIt) {
+  Studio studio(std::chrono::milliseconds(2000));
+  studio.ask("view", R"("drag_triangles": 100)");
+  studio.open_bush();
+  studio.show();
+  const double all = ReadPacket(studio.last_packet()).number("triangles");
+  studio.edit(R"([{"set": "leaf.width", "value": 0.05}])");
+  const std::size_t drafts = studio.taken();
+  EXPECT_EQ(studio.show().number("triangles"), all);
+  EXPECT_EQ(studio.taken(), drafts + 2);
+}
+
+TEST(StudioSession, SendsAWholeSceneAgainWhenAsked) {
+  Studio studio;
+  studio.open_bush();
+  studio.show();
+  const ShownScene before = studio.scene();
+  studio.ask("all");
+  EXPECT_TRUE(studio.show().flag("whole"));
+  EXPECT_EQ(studio.scene(), before);
+}
+
+TEST(StudioSession, ShowsSkeletonsWhereAsked) {
+  Studio studio;
+  studio.open_bush();
+  EXPECT_EQ(studio.show().count("skeletons"), 0U);
+  studio.ask("view", R"("skeleton": true, "surface": false)");
+  const ReadPacket packet = studio.show();
+  EXPECT_EQ(packet.count("skeletons"), 1U);
+  EXPECT_EQ(packet.number("triangles"), 0);
+}
+
+TEST(StudioSession, GrowsNothingWhilePaused) {
+  Studio studio;
+  studio.open_bush();
+  studio.show();
+  studio.ask("pause", R"("paused": true)");
+  studio.edit(R"([{"set": "leaf.width", "value": 0.05}])");
+  studio.ask("measures");
+  EXPECT_EQ(studio.mailbox().packet_count(), 1U);
+  studio.ask("pause", R"("paused": false)");
+  studio.show();
+}
+
+TEST(StudioSession, TellsWhyADocumentDoesNotGrow) {
+  Studio studio;
+  studio.open_bush();
+  studio.show();
+  studio.edit(R"([{"set": "limits.triangles", "value": 10}])");
+  const Value failed =
+      studio.mailbox().wait_for([](const Value& message) { return Studio::text_of(message, "is") == "failed"; });
+  EXPECT_EQ(failed.find("faults")->list()->size(), 1U);
+  EXPECT_EQ(studio.mailbox().packet_count(), 1U);
+}
+
+TEST(StudioSession, StopsAJobThatTakesTooLong) {
+  Studio studio;
+  studio.host().limits.job_seconds = 0;
+  studio.open_bush();
+  studio.edit(R"([{"set": "links[0].count", "value": 2000000}])");
+  const Value failed =
+      studio.mailbox().wait_for([](const Value& message) { return Studio::text_of(message, "is") == "failed"; });
+  EXPECT_EQ(Studio::text_of(failed, "limit"), "job_seconds");
+}
+
+TEST(StudioSession, RefusesMoreMessagesThanItBears) {
+  Studio studio;
+  studio.host().limits.messages_per_second = 5;
+  Value last;
+  for (int k = 0; k < 6; ++k) last = studio.ask("all");
+  EXPECT_TRUE(is_refused(last));
+  EXPECT_EQ(Studio::text_of(last, "limit"), "messages_per_second");
+}
+
+TEST(StudioSession, RefusesMessagesThatAreTooLong) {
+  Studio studio;
+  studio.host().limits.message_bytes = 100;
+  studio.page().receive("{\"do\": \"text\", \"id\": 1, \"text\": \"" + std::string(200, ' ') + "\"}");
+  const Value refused = studio.mailbox().wait_for(is_refused);
+  EXPECT_EQ(Studio::text_of(refused, "limit"), "message_bytes");
+}
+
+TEST(StudioSession, SavesOverWhatWasOpened) {
+  Studio studio;
+  const std::string opened = Studio::text_of(studio.open_bush(), "saved");
+  studio.edit(R"([{"set": "leaf.width", "value": 0.05}])");
+  const Value saved = studio.ask("save", "\"path\": \"bush.json\", \"saved\": \"" + opened + "\"");
+  EXPECT_EQ(Studio::text_of(saved, "saved"), studio.hash());
+  std::ifstream file(studio.folder() / "bush.json");
+  EXPECT_EQ(text_hash(std::string(std::istreambuf_iterator<char>(file), {})), studio.hash());
+  const Value refused = studio.ask("save", "\"path\": \"bush.json\", \"saved\": \"" + opened + "\"");
+  EXPECT_TRUE(*refused.find("changed")->boolean());
+}
+
+TEST(StudioSession, ExportsEachFormat) {
+  Studio studio;
+  studio.open_bush();
+  studio.show();
+  for (const char* format : {".glb", ".obj", ".ply", ".mtg", ".csv", ".json", ".png"}) {
+    const Value answer =
+        studio.ask("export", std::string("\"format\": \"") + format +
+                                 R"(", "name": "My bush", "options": {"width": 32, "height": 32, "samples": 1})");
+    ASSERT_FALSE(is_refused(answer)) << format << write_json_line(answer);
+    const Value& file = (*answer.find("files")->list())[0];
+    EXPECT_EQ(Studio::text_of(file, "name"), std::string("my-bush") + format);
+    EXPECT_GT(*file.find("bytes")->number(), 10);
+  }
+  EXPECT_FALSE(studio.host().downloads.find(1, "my-bush.glb")->empty());
+  EXPECT_FALSE(studio.host().downloads.find(1, "../1/my-bush.glb"));
+  EXPECT_TRUE(is_refused(studio.ask("export", R"("format": ".exe")")));
+}
+
+TEST(StudioSession, TellsTheCommandThatDoesTheSame) {
+  Studio studio;
+  studio.ask("open", R"("model": "oak")");
+  EXPECT_EQ(Studio::text_of(studio.ask("command", R"("format": ".glb", "options": {"seed": 3, "lod": 2})"), "command"),
+            "meristem grow oak -o oak.glb --seed 3 --lod 2");
+  EXPECT_EQ(Studio::text_of(studio.ask("command", R"("format": ".png", "name": "it's", "options": {"samples": 4})"),
+                            "command"),
+            "meristem render oak -o it-s.png --samples 4");
+}
+
+TEST(StudioSession, MeasuresAsTheCommandLineDoes) {
+  Studio studio;
+  studio.open_bush();
+  EXPECT_EQ(*studio.ask("measures").find("measures")->find("leaf_count")->number(), 40);
+}
+
+TEST(StudioSession, ReadsNothingOutsideOfItsFolder) {
+  Studio studio;
+  const Value answer = studio.ask(
+      "open",
+      R"("text": "{\"meristem\": 1, \"components\": {\"a\": {\"type\": \"lsystem\", \"file\": \"/etc/passwd\"}}}")");
+  EXPECT_FALSE(*answer.find("good")->boolean());
+  EXPECT_NE(write_json_line(*answer.find("faults")).find("outside of the folder"), std::string::npos);
+}
+
+TEST(StudioSession, EndsInTheMiddleOfWork) {
+  Studio studio;
+  studio.open_bush();
+  studio.edit(R"([{"set": "links[0].count", "value": 2000000}])");
+  studio.page().receive(studio.request("export", R"("format": ".glb")"));
+}
+
+}  // namespace
+}  // namespace meristem::studio

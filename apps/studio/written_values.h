@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the library says, as protocol.md writes it in JSON.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/document/document.h"
+#include "meristem/graph/table/value.h"
+#include "text_units.h"
+
+namespace meristem::studio {
+
+/// Faults of a text; `file` is its name as the user knows it, in place of its path; empty: as they say.
+Value faults_value(const std::vector<Diagnostic>& faults, std::string_view text, const std::string& file);
+
+Value patch_value(const std::vector<UnitSplice>& splices);
+
+/// Those of a document.
+Value variables_value(const std::vector<Variable>& variables);
+
+}  // namespace meristem::studio

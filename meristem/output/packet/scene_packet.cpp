@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/packet/scene_packet.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "meristem/base/fingerprint.h"
+#include "meristem/base/hash.h"
+#include "meristem/document/json.h"
+#include "meristem/output/packet/packet_arrays.h"
+#include "meristem/output/packet/skeleton_lines.h"
+#include "meristem/output/write/png.h"
+#include "meristem/shape/mesh/shading.h"
+
+namespace meristem {
+
+namespace {
+
+Value key_value(std::uint64_t key) { return fmt::format("{:016x}", key); }
+
+Value number_value(std::uint64_t number) { return static_cast<double>(number); }
+
+/// A 32-bit number with the digits that it needs.
+double short_number(float number) { return std::stod(fmt::format("{}", number)); }
+
+Value vector_value(Vec3 vector) {
+  return Value::List{short_number(vector.x), short_number(vector.y), short_number(vector.z)};
+}
+
+Value key_list(const std::vector<std::uint64_t>& keys) {
+  Value::List list;
+  for (const std::uint64_t key : keys) list.push_back(key_value(key));
+  return list;
+}
+
+std::uint64_t picture_key(std::uint64_t texture, std::uint64_t kind) {
+  return Fingerprint().add(texture).add(kind).hash();
+}
+
+std::uint64_t lines_key(const Skeleton& skeleton, float least_radius) {
+  return Fingerprint()
+      .add_array(skeleton.parent)
+      .add_array(skeleton.position)
+      .add_array(skeleton.radius)
+      .add_array(skeleton.order)
+      .add(least_radius)
+      .hash();
+}
+
+/// Those of `before` that `after` has not.
+std::vector<std::uint64_t> missing_keys(const std::set<std::uint64_t>& before, const std::set<std::uint64_t>& after) {
+  std::vector<std::uint64_t> missing;
+  std::set_difference(before.begin(), before.end(), after.begin(), after.end(), std::back_inserter(missing));
+  return missing;
+}
+
+/// Adds a list to the head where it is not empty.
+void add_list(Value::Object& object, const char* name, Value::List list) {
+  if (!list.empty()) object.emplace_back(name, std::move(list));
+}
+
+Value counts_value(const PacketCounts& counts) {
+  return Value::Object{{"triangles", number_value(counts.triangles)},
+                       {"instances", number_value(counts.instances)},
+                       {"nodes", number_value(counts.nodes)}};
+}
+
+}  // namespace
+
+/// One packet in the making: what the viewer has before, what it will have, and the lists of the head.
+class PacketMaker::Builder {
+ public:
+  Builder(const Shown& before, const Progress& progress) : before_(before), progress_(progress) {
+    now_.is_empty = false;
+  }
+
+  void add_meshes(const MeshScene& scene, const SceneKeys& keys) {
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) add_material(scene.materials[m], m, keys);
+    for (std::size_t k = 0; k < scene.meshes.size(); ++k) add_batch(scene.meshes[k], keys.batches[k]);
+    if (const Box bounds = scene.bounds(); !bounds.is_empty())
+      bounds_ = Value::List{vector_value(bounds.low), vector_value(bounds.high)};
+    triangles_ = scene.triangle_count();
+    instances_ = scene.instance_count();
+  }
+
+  void add_skeletons(const Plant& plant, std::size_t most_segments) {
+    std::vector<const Skeleton*> skeletons;
+    for (const Stem& stem : plant.stems) skeletons.push_back(&stem.skeleton);
+    const float least = most_segments == 0 ? 0 : least_drawn_radius(skeletons, most_segments);
+    for (const Skeleton* skeleton : skeletons) {
+      const std::uint64_t key = lines_key(*skeleton, least);
+      now_.lines.push_back(key);
+      if (!now_.skeletons.insert(key).second || before_.skeletons.contains(key)) continue;
+      progress_.check();
+      const SkeletonLines lines = skeleton_lines(*skeleton, least);
+      lists_.skeletons.push_back(Value::Object{{"key", key_value(key)},
+                                               {"positions", arrays_.add(packed_vectors(lines.positions))},
+                                               {"segments", arrays_.add(lines.segments)},
+                                               {"orders", arrays_.add(lines.orders)},
+                                               {"radii", arrays_.add(lines.radii)}});
+    }
+    if (!bounds_.is_null()) return;
+    Box box;
+    for (const Skeleton* skeleton : skeletons) box.add(bounds(*skeleton));
+    if (!box.is_empty()) bounds_ = Value::List{vector_value(box.low), vector_value(box.high)};
+  }
+
+  std::string packet(std::uint64_t number, const PacketFacts& facts) {
+    const std::string head = write_json_line(this->head(number, facts));
+    const std::size_t padding = (4 - head.size() % 4) % 4;
+    const auto size = static_cast<std::uint32_t>(head.size() + padding);
+    std::string packet = "MSP1";
+    packet.reserve(8 + size + arrays_.bytes().size());
+    for (int shift = 0; shift < 32; shift += 8) packet.push_back(static_cast<char>(size >> shift & 0xffU));
+    packet += head;
+    packet.append(padding, ' ');
+    packet += arrays_.bytes();
+    return packet;
+  }
+
+  Shown take_shown() { return std::move(now_); }
+
+ private:
+  struct Lists {
+    Value::List pictures, materials, meshes, instances, batches, skeletons;
+  };
+
+  /// The key of a texture's picture, which is sent where the viewer has it not.
+  Value add_picture(const Image& image, std::uint64_t key, PixelKind kind) {
+    if (now_.pictures.insert(key).second && !before_.pictures.contains(key)) {
+      progress_.check();
+      lists_.pictures.push_back(
+          Value::Object{{"key", key_value(key)},
+                        {"type", "image/png"},
+                        {"width", image.width},
+                        {"height", image.height},
+                        {"bytes", arrays_.add_bytes(encode_png(image, kind, PngPacking::quick))}});
+    }
+    return key_value(key);
+  }
+
+  void add_material(const Material& material, std::size_t index, const SceneKeys& keys) {
+    now_.materials.push_back(keys.materials[index]);
+    Value::Object object{{"index", number_value(index)},
+                         {"name", material.name},
+                         {"colour", vector_value(material.tint())},
+                         {"roughness", short_number(material.roughness)},
+                         {"translucency", short_number(material.translucency)},
+                         {"two_sided", material.two_sided},
+                         {"masked", material.texture != nullptr && material.texture->masked}};
+    if (const Texture* texture = material.texture.get(); texture != nullptr && texture->is_painted()) {
+      const std::uint64_t key = keys.textures[index];
+      if (!texture->colour.is_empty())
+        object.emplace_back("picture", add_picture(texture->colour, picture_key(key, 0), PixelKind::srgb));
+      if (texture->has_normals())
+        object.emplace_back("normals", add_picture(texture->normals, picture_key(key, 1), PixelKind::numbers));
+    }
+    if (index < before_.materials.size() && before_.materials[index] == keys.materials[index]) return;
+    lists_.materials.push_back(std::move(object));
+  }
+
+  void add_mesh(const Mesh& given, std::uint64_t key) {
+    if (!now_.meshes.insert(key).second || before_.meshes.contains(key)) return;
+    progress_.check();
+    const bool has_normals = !given.normals.empty();
+    const Mesh shaded = has_normals ? Mesh{} : smooth_shaded(given);
+    const Mesh& mesh = has_normals ? given : shaded;
+    Value::Object object{{"key", key_value(key)},
+                         {"vertices", number_value(mesh.vertex_count())},
+                         {"triangles", number_value(mesh.triangle_count())},
+                         {"positions", arrays_.add(packed_vectors(mesh.positions))},
+                         {"normals", arrays_.add(packed_normals(mesh.normals))}};
+    if (!mesh.tangents.empty()) object.emplace_back("tangents", arrays_.add(packed_tangents(mesh.tangents)));
+    if (!mesh.uvs.empty()) {
+      const bool is_small = fit_sixteen_bits(mesh.uvs);
+      object.emplace_back("uvs", is_small ? arrays_.add(packed_uvs(mesh.uvs)) : arrays_.add(wide_uvs(mesh.uvs)));
+      object.emplace_back("uv_type", is_small ? "u16" : "f32");
+    }
+    const bool is_small = mesh.vertex_count() <= std::numeric_limits<std::uint16_t>::max();
+    object.emplace_back("indices", is_small ? arrays_.add(packed_indices<std::uint16_t>(mesh.triangles))
+                                            : arrays_.add(packed_indices<std::uint32_t>(mesh.triangles)));
+    object.emplace_back("index_type", is_small ? "u16" : "u32");
+    lists_.meshes.push_back(std::move(object));
+  }
+
+  void add_instances(const MeshInstances& instances, std::uint64_t key) {
+    if (!now_.instances.insert(key).second || before_.instances.contains(key)) return;
+    progress_.check();
+    Value::Object object{{"key", key_value(key)},
+                         {"count", number_value(instances.frames.size())},
+                         {"frames", arrays_.add(packed_frames(instances.frames))}};
+    if (!instances.tints.empty()) {
+      const Vec3 scale = tint_scale(instances.tints);
+      object.emplace_back("tints", arrays_.add(packed_tints(instances.tints, scale)));
+      object.emplace_back("tint_scale", vector_value(scale));
+    }
+    lists_.instances.push_back(std::move(object));
+  }
+
+  void add_batch(const MeshInstances& instances, const SceneKeys::Batch& keys) {
+    add_mesh(*instances.mesh, keys.mesh);
+    add_instances(instances, keys.instances);
+    const BatchName name(keys.component, keys.number);
+    const Batch batch{.mesh = keys.mesh, .instances = keys.instances, .material = instances.material};
+    now_.batches.emplace(name, batch);
+    if (const auto was = before_.batches.find(name); was != before_.batches.end() && was->second == batch) return;
+    lists_.batches.push_back(Value::Object{{"component", keys.component},
+                                           {"number", number_value(keys.number)},
+                                           {"mesh", key_value(keys.mesh)},
+                                           {"material", number_value(instances.material)},
+                                           {"instances_of", key_value(keys.instances)}});
+  }
+
+  Value gone() const {
+    Value::Object gone;
+    Value::List batches;
+    for (const auto& [name, batch] : before_.batches) {
+      if (!now_.batches.contains(name)) batches.push_back(Value::List{name.first, number_value(name.second)});
+    }
+    add_list(gone, "batches", std::move(batches));
+    const auto add_keys = [&gone](const char* name, const Keys& before, const Keys& now) {
+      const std::vector<std::uint64_t> missing = missing_keys(before, now);
+      if (!missing.empty()) gone.emplace_back(name, key_list(missing));
+    };
+    add_keys("meshes", before_.meshes, now_.meshes);
+    add_keys("instances_of", before_.instances, now_.instances);
+    add_keys("pictures", before_.pictures, now_.pictures);
+    add_keys("skeletons", before_.skeletons, now_.skeletons);
+    if (now_.materials.size() < before_.materials.size())
+      gone.emplace_back("materials", number_value(now_.materials.size()));
+    return gone;
+  }
+
+  Value head(std::uint64_t number, const PacketFacts& facts) {
+    Value::Object head{{"packet", number_value(number)},
+                       {"whole", before_.is_empty},
+                       {"fit", facts.fits},
+                       {"hash", facts.hash},
+                       {"draft", facts.is_draft},
+                       {"share", facts.share},
+                       {"triangles", number_value(triangles_)},
+                       {"instances", number_value(instances_)},
+                       {"of", counts_value(facts.all)}};
+    if (!bounds_.is_null()) head.emplace_back("bounds", bounds_);
+    add_list(head, "pictures", std::move(lists_.pictures));
+    add_list(head, "materials", std::move(lists_.materials));
+    add_list(head, "meshes", std::move(lists_.meshes));
+    add_list(head, "instances_of", std::move(lists_.instances));
+    add_list(head, "batches", std::move(lists_.batches));
+    add_list(head, "skeletons", std::move(lists_.skeletons));
+    if (now_.lines != before_.lines) head.emplace_back("lines", key_list(now_.lines));
+    if (Value gone = this->gone(); !gone.object()->empty()) head.emplace_back("gone", std::move(gone));
+    return head;
+  }
+
+  const Shown& before_;
+  const Progress& progress_;
+  Shown now_;
+  PacketArrays arrays_;
+  Lists lists_;
+  Value bounds_;
+  std::uint64_t triangles_ = 0;
+  std::uint64_t instances_ = 0;
+};
+
+std::string PacketMaker::next(const PacketScene& scene, const PacketFacts& facts, const Progress& progress) {
+  Builder builder(shown_, progress);
+  if (scene.meshes != nullptr) builder.add_meshes(*scene.meshes, key_maker_.keys_of(*scene.meshes));
+  if (scene.skeletons != nullptr) builder.add_skeletons(*scene.skeletons, scene.most_segments);
+  std::string packet = builder.packet(number_ + 1, facts);
+  shown_ = builder.take_shown();
+  ++number_;
+  return packet;
+}
+
+}  // namespace meristem

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/packet/skeleton_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace meristem {
+
+SkeletonLines skeleton_lines(const Skeleton& skeleton, float least_radius) {
+  SkeletonLines lines;
+  std::vector<std::uint32_t> number(skeleton.node_count(), kNoNode);  // among those that are drawn
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    const NodeIndex parent = skeleton.parent[node];
+    if (skeleton.radius[node] < least_radius || (parent != kNoNode && number[parent] == kNoNode)) continue;
+    number[node] = static_cast<std::uint32_t>(lines.positions.size());
+    lines.positions.push_back(skeleton.position[node]);
+    lines.orders.push_back(static_cast<std::uint8_t>(std::min<std::uint16_t>(skeleton.order[node], 255)));
+    lines.radii.push_back(skeleton.radius[node]);
+    if (parent != kNoNode) lines.segments.insert(lines.segments.end(), {number[parent], number[node]});
+  }
+  return lines;
+}
+
+float least_drawn_radius(const std::vector<const Skeleton*>& skeletons, std::size_t most_nodes) {
+  std::vector<float> radii;
+  for (const Skeleton* skeleton : skeletons)
+    radii.insert(radii.end(), skeleton->radius.begin(), skeleton->radius.end());
+  if (radii.size() <= most_nodes) return 0;
+  if (most_nodes == 0) return std::numeric_limits<float>::infinity();
+  const auto last = radii.begin() + static_cast<std::ptrdiff_t>(most_nodes - 1);
+  std::nth_element(radii.begin(), last, radii.end(), std::greater<>());
+  // Twigs of one radius may be many more than fit: only what is thicker is drawn then.
+  const float radius = *last;
+  const auto as_thick =
+      static_cast<std::size_t>(std::count_if(radii.begin(), radii.end(), [&](float other) { return other >= radius; }));
+  return as_thick <= most_nodes + most_nodes / 4 ? radius
+                                                 : std::nextafter(radius, std::numeric_limits<float>::infinity());
+}
+
+}  // namespace meristem

@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A running studio and what a page, or somebody who is none, says to it: HTTP and WebSocket over plain sockets."""
+
+from __future__ import annotations
+
+import base64
+import json
+import os
+import re
+import signal
+import socket
+import struct
+import subprocess
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+
+@dataclass
+class Response:
+    status: int
+    headers: dict[str, str]
+    body: bytes
+
+
+class Studio:
+    """The program, serving a folder on a port of its own."""
+
+    def __init__(self, program: str, root: Path, *arguments: str) -> None:
+        self.process = subprocess.Popen(
+            [program, "studio", "--no-browser", "--port", "0", "--root", str(root), *arguments],
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        )  # fmt: skip
+        assert self.process.stdout is not None
+        self.address = self.process.stdout.readline().strip()
+        found = re.fullmatch(r"http://127\.0\.0\.1:(\d+)/([0-9a-f]{32})/", self.address)
+        assert found, f"no address but {self.address!r}"
+        self.port, self.token = int(found[1]), found[2]
+
+    def __enter__(self) -> Studio:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self.process.poll() is None:
+            self.stop()
+        for stream in (self.process.stdout, self.process.stderr):
+            if stream is not None:
+                stream.close()
+
+    def stop(self, by: signal.Signals = signal.SIGINT) -> int:
+        self.process.send_signal(by)
+        return self.process.wait(timeout=60)
+
+    def connect(self) -> socket.socket:
+        return socket.create_connection(("127.0.0.1", self.port), timeout=60)
+
+    def raw(self, request: bytes) -> Response:
+        """What is answered to any bytes."""
+        with self.connect() as connection:
+            connection.sendall(request)
+            return read_response(connection.makefile("rb"))
+
+    def get(self, path: str = "", *, method: str = "GET", host: str | None = None, **headers: str) -> Response:
+        """Of a path below the token; `path` from "/" on is one of its own."""
+        target = path if path.startswith("/") else f"/{self.token}/{path}"
+        lines = [f"{method} {target} HTTP/1.1", f"Host: {host or f'127.0.0.1:{self.port}'}", "Connection: close"]
+        lines += [f"{name.replace('_', '-')}: {value}" for name, value in headers.items()]
+        return self.raw("\r\n".join([*lines, "", ""]).encode())
+
+    def page(self) -> Page:
+        return Page(self)
+
+
+def read_response(stream: Any) -> Response:
+    first = stream.readline().decode()
+    status = int(first.split()[1]) if first else 0
+    headers = {}
+    while (line := stream.readline().decode().strip()) != "":
+        name, _, value = line.partition(":")
+        headers[name.lower()] = value.strip()
+    length = headers.get("content-length")
+    body = stream.read(int(length)) if length is not None else b""
+    return Response(status, headers, body)
+
+
+class Closed(Exception):
+    def __init__(self, code: int, reason: str) -> None:
+        super().__init__(f"{code} {reason}")
+        self.code, self.reason = code, reason
+
+
+def upgrade(studio: Studio, origin: str | None, host: str | None = None) -> tuple[socket.socket, Any, Response]:
+    connection = studio.connect()
+    key = base64.b64encode(os.urandom(16)).decode()
+    lines = [
+        f"GET /{studio.token}/socket HTTP/1.1", f"Host: {host or f'127.0.0.1:{studio.port}'}", "Upgrade: websocket",
+        "Connection: Upgrade", f"Sec-WebSocket-Key: {key}", "Sec-WebSocket-Version: 13",
+    ]  # fmt: skip
+    if origin is not None:
+        lines.append(f"Origin: {origin}")
+    connection.sendall("\r\n".join([*lines, "", ""]).encode())
+    stream = connection.makefile("rb")
+    return connection, stream, read_response(stream)
+
+
+@dataclass
+class Page:
+    """A page that takes packets over: it counts them, and says that it shows them."""
+
+    studio: Studio
+    news: list[dict[str, Any]] = field(default_factory=list)
+    packets: list[tuple[dict[str, Any], int]] = field(default_factory=list)  # heads and sizes
+    hash: str = ""
+
+    def __post_init__(self) -> None:
+        self.id = 0
+        self.connection, self.stream, response = upgrade(self.studio, f"http://127.0.0.1:{self.studio.port}")
+        assert response.status == 101, response
+        self.hello = self.wait(lambda message: message["is"] == "hello")
+
+    def __enter__(self) -> Page:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.stream.close()
+        self.connection.close()
+
+    def send_frame(self, opcode: int, payload: bytes) -> None:
+        mask = os.urandom(4)
+        size = len(payload)
+        if size < 126:
+            head = struct.pack(">BB", 0x80 | opcode, 0x80 | size)
+        elif size < 65536:
+            head = struct.pack(">BBH", 0x80 | opcode, 0x80 | 126, size)
+        else:
+            head = struct.pack(">BBQ", 0x80 | opcode, 0x80 | 127, size)
+        repeated = mask * (size // 4 + 1)
+        masked = (int.from_bytes(payload, "big") ^ int.from_bytes(repeated[:size], "big")).to_bytes(size, "big")
+        self.connection.sendall(head + mask + masked)
+
+    def read_frame(self) -> tuple[int, bytes]:
+        head = self.stream.read(2)
+        if len(head) < 2:
+            raise Closed(1006, "")
+        size = head[1] & 0x7F
+        if size == 126:
+            size = struct.unpack(">H", self.stream.read(2))[0]
+        elif size == 127:
+            size = struct.unpack(">Q", self.stream.read(8))[0]
+        return head[0] & 0x0F, self.stream.read(size)
+
+    def receive(self) -> dict[str, Any] | None:
+        """Takes one message over; None where it was a packet."""
+        while True:
+            opcode, payload = self.read_frame()
+            if opcode == 1:
+                message = json.loads(payload)
+                self.news.append(message)
+                return message
+            if opcode == 2:
+                assert payload[:4] == b"MSP1"
+                size = struct.unpack("<I", payload[4:8])[0]
+                head = json.loads(payload[8 : 8 + size])
+                self.packets.append((head, len(payload)))
+                self.send("shown", packet=head["packet"])
+                return None
+            if opcode == 8:
+                code = struct.unpack(">H", payload[:2])[0] if payload else 1005
+                raise Closed(code, payload[2:].decode())
+
+    def wait(self, holds: Any) -> dict[str, Any]:
+        while True:
+            message = self.receive()
+            if message is not None and holds(message):
+                return message
+
+    def send(self, what: str, **members: Any) -> int:
+        self.id += 1
+        self.send_frame(1, json.dumps({"do": what, "id": self.id, **members}).encode())
+        return self.id
+
+    def ask(self, what: str, **members: Any) -> dict[str, Any]:
+        number = self.send(what, **members)
+        answer = self.wait(lambda message: message.get("re") == number and message["is"] != "working")
+        self.hash = answer.get("hash", self.hash)
+        return answer
+
+    def edit(self, *edits: dict[str, Any]) -> dict[str, Any]:
+        return self.ask("edit", base=self.hash, edits=list(edits))
+
+    def show(self) -> tuple[dict[str, Any], int]:
+        """The packet that shows the present text in full."""
+        while True:
+            if self.packets and self.packets[-1][0]["hash"] == self.hash and not self.packets[-1][0]["draft"]:
+                return self.packets[-1]
+            self.receive()

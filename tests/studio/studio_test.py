@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The studio over its sockets: what is refused, and what a page gets. Things are counted, and nothing is timed.
+
+In:  the program; the folder of the source tree.
+"""
+
+from __future__ import annotations
+
+import json
+import socket
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from studio_client import Closed, Page, Studio, upgrade
+
+PROGRAM, SOURCE = sys.argv[1], Path(sys.argv[2])
+BUSH = """{
+  "meristem": 1,
+  "components": {
+    "stem": {"type": "tree", "length": 1.5, "radius": 0.01},
+    "leaf": {"type": "leaf", "length": 0.1, "width": 0.03, "colour": "#337722"}
+  },
+  "links": [{"from": "stem", "to": "leaf", "kind": "branch", "count": 40}]
+}
+"""
+
+
+class StudioTest(unittest.TestCase):
+    studio: Studio
+    folder: tempfile.TemporaryDirectory[str]
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.folder = tempfile.TemporaryDirectory()
+        (Path(cls.folder.name) / "bush.json").write_text(BUSH)
+        cls.studio = Studio(PROGRAM, Path(cls.folder.name))
+
+    @classmethod
+    def tearDownClass(cls) -> None:
+        cls.studio.__exit__()
+        cls.folder.cleanup()
+
+    def test_serves_tables_with_headers_that_keep_a_page_safe(self) -> None:
+        response = self.studio.get("tables.json")
+        self.assertEqual(response.status, 200)
+        self.assertIn("leaf", json.loads(response.body)["components"])
+        policy = response.headers["content-security-policy"]
+        self.assertIn("default-src 'none'", policy)
+        self.assertIn("frame-ancestors 'none'", policy)
+        self.assertNotIn("unsafe-inline", policy.split("style-src")[0])
+        self.assertNotIn("unsafe-eval", policy)
+        self.assertEqual(response.headers["x-content-type-options"], "nosniff")
+        self.assertEqual(response.headers["referrer-policy"], "no-referrer")
+        self.assertEqual(response.headers["cache-control"], "no-store")
+        self.assertNotIn("set-cookie", response.headers)
+
+    def test_gives_nothing_without_the_token(self) -> None:
+        wrong = ("0" if self.studio.token[0] != "0" else "1") + self.studio.token[1:]
+        for path in ("/", "/index.html", f"/{self.studio.token}", f"/{wrong}/", f"/{wrong}/tables.json", "/favicon.ico",
+                     f"/{self.studio.token}/../", f"/{self.studio.token}/..%2f", f"/{self.studio.token}/.git/config",
+                     f"/{self.studio.token}//etc/passwd", f"/{self.studio.token}/downloads/1/x",
+                     f"/{self.studio.token}/downloads/1/..%2fx", f"/{self.studio.token}/nothing"):  # fmt: skip
+            response = self.studio.get(path)
+            self.assertEqual(response.status, 404, path)
+            self.assertIn("content-security-policy", response.headers)
+
+    def test_answers_to_its_own_name_alone(self) -> None:
+        port = self.studio.port
+        for host in (f"127.0.0.1:{port}", f"localhost:{port}", f"[::1]:{port}"):
+            self.assertEqual(self.studio.get("tables.json", host=host).status, 200, host)
+        for host in ("127.0.0.1", "localhost", f"evil.example:{port}", f"127.0.0.1:{port + 1}", f"127.0.0.1.nip.io:{port}"):
+            self.assertEqual(self.studio.get("tables.json", host=host).status, 403, host)
+        target = f"GET /{self.studio.token}/tables.json HTTP/1.1\r\n"
+        twice = f"Host: 127.0.0.1:{port}\r\nHost: evil.example\r\n\r\n"
+        self.assertEqual(self.studio.raw((target + "\r\n").encode()).status, 403)
+        self.assertIn(self.studio.raw((target + twice).encode()).status, (400, 403, 0))
+
+    def test_takes_no_other_methods_and_no_bodies(self) -> None:
+        for method in ("POST", "PUT", "DELETE", "OPTIONS"):
+            self.assertEqual(self.studio.get("tables.json", method=method).status, 405, method)
+        self.assertIn(self.studio.get("tables.json", method="POST", Content_Length="10").status, (413, 0))
+        self.assertIn(self.studio.get("tables.json", X="y" * 20000).status, (431, 0))
+
+    def test_opens_sockets_for_its_own_page_alone(self) -> None:
+        port = self.studio.port
+        for origin in (None, "null", "http://evil.example", f"https://127.0.0.1:{port}", f"http://127.0.0.1:{port + 1}",
+                       "http://127.0.0.1"):  # fmt: skip
+            connection, _, response = upgrade(self.studio, origin)
+            connection.close()
+            self.assertEqual(response.status, 403, origin)
+        connection, _, response = upgrade(self.studio, f"http://127.0.0.1:{port}", host="evil.example")
+        connection.close()
+        self.assertEqual(response.status, 403)
+        self.assertEqual(self.studio.get("socket").status, 426)
+
+    def test_listens_on_this_machine_alone(self) -> None:
+        other = next((address for *_, (address, *_) in socket.getaddrinfo(socket.gethostname(), None, socket.AF_INET)
+                      if not address.startswith("127.")), None)  # fmt: skip
+        if other is None:
+            self.skipTest("this machine has no other address")
+        with self.assertRaises(OSError):
+            socket.create_connection((other, self.studio.port), timeout=5).close()
+
+    def test_shows_a_document_and_then_only_what_changes(self) -> None:
+        with self.studio.page() as page:
+            answer = page.ask("open", path="bush.json")
+            self.assertEqual(answer["text"], BUSH)
+            head, _ = page.show()
+            self.assertTrue(head["whole"])
+            self.assertGreater(head["triangles"], 40)
+            page.edit({"set": "leaf.colour", "value": "#ff0000"})
+            head, size = page.show()
+            self.assertFalse(head["whole"])
+            self.assertLess(size, 2000)
+
+    def test_shows_the_last_of_many_values(self) -> None:
+        with self.studio.page() as page:
+            page.ask("open", path="bush.json")
+            page.show()
+            before = len(page.packets)
+            for k in range(100):
+                page.send("drag", values={"leaf.width": 0.02 + k * 1e-4})
+            page.ask("view")
+            page.edit({"set": "leaf.width", "value": 0.05})
+            page.show()
+            self.assertLess(len(page.packets) - before, 100)
+
+    def test_a_colour_of_the_oak_is_small_and_its_leaves_not_large(self) -> None:
+        with self.studio.page() as page:
+            page.ask("view", rest_triangles=1_000_000_000)
+            page.ask("open", model="oak")
+            page.show()
+            page.edit({"set": "leaf.colour", "value": "#ff0000"})
+            self.assertLess(page.show()[1], 2_000)
+            page.edit({"set": "tree.colour", "value": "#ff0000"})
+            self.assertLess(page.show()[1], 2_000)
+            page.edit({"set": "leaf.curl", "value": 40})
+            self.assertLess(page.show()[1], 1_300_000)
+
+    def test_names_the_limit_of_each_refusal(self) -> None:
+        with self.studio.page() as page:
+            self.assertEqual(page.hello["limits"]["message_bytes"], 17_000_000)
+            for _ in range(250):
+                page.send("view")
+            refused = page.wait(lambda message: message["is"] == "refused")
+            self.assertEqual(refused["limit"], "messages_per_second")
+            self.assertIn("200", refused["message"])
+        with self.studio.page() as page:
+            page.send_frame(1, b" " * 17_000_001)
+            refused = page.wait(lambda message: message["is"] == "refused")
+            self.assertEqual(refused["limit"], "message_bytes")
+            self.assertIn("17000000", refused["message"])
+            with self.assertRaises((Closed, OSError)):
+                page.send_frame(1, b" " * 20_000_000)
+                page.wait(lambda message: False)
+
+    def test_takes_as_many_pages_as_it_says(self) -> None:
+        with Studio(PROGRAM, Path(self.folder.name)) as studio:
+            pages: list[Page] = [studio.page() for _ in range(8)]
+            connection, _, response = upgrade(studio, f"http://127.0.0.1:{studio.port}")
+            connection.close()
+            self.assertEqual(response.status, 503)
+            for page in pages:
+                page.__exit__()
+
+    def test_says_no_to_what_is_no_request(self) -> None:
+        with self.studio.page() as page:
+            for payload in (b"", b"{", b"[]", b'{"do": "open"}', b'{"do": "dance", "id": 1}'):
+                page.send_frame(1, payload)
+                self.assertEqual(page.wait(lambda _: True)["is"], "refused")
+            page.send_frame(2, b"bytes")
+            self.assertEqual(page.wait(lambda _: True)["is"], "refused")
+            self.assertEqual(page.ask("models")["is"], "done")
+
+    def test_reads_and_writes_below_its_folder_alone(self) -> None:
+        with self.studio.page() as page:
+            for path in ("/etc/passwd", "../x.json", str(SOURCE / "models" / "oak.json")):
+                self.assertEqual(page.ask("open", path=path)["is"], "refused", path)
+                self.assertEqual(page.ask("files", folder=path)["is"], "refused", path)
+            page.ask("open", path="bush.json")
+            self.assertEqual(page.ask("save", path="../x.json", saved=None)["is"], "refused")
+            named = page.ask("open", text='{"meristem": 1, "components": {"a": {"type": "lsystem", "file": "/etc/hostname"}}}')
+            self.assertFalse(named["good"])
+            self.assertIn("outside of the folder", json.dumps(named["faults"]))
+
+    def test_exports_downloads(self) -> None:
+        with self.studio.page() as page:
+            page.ask("open", path="bush.json")
+            answer = page.ask("export", format=".glb", name="bush")
+            file = answer["files"][0]
+            response = self.studio.get(file["address"])
+            self.assertEqual(response.status, 200)
+            self.assertEqual(len(response.body), file["bytes"])
+            self.assertEqual(response.body[:4], b"glTF")
+            self.assertIn("attachment", response.headers["content-disposition"])
+
+    def test_ends_on_ctrl_c_in_the_middle_of_work(self) -> None:
+        with Studio(PROGRAM, Path(self.folder.name)) as studio:
+            page = studio.page()
+            page.ask("open", model="chestnut")
+            page.send("export", format=".glb")
+            self.assertEqual(studio.stop(), 0)
+            with self.assertRaises(Closed):
+                page.wait(lambda message: False)
+            page.__exit__()
+
+    def test_names_the_port_that_is_taken(self) -> None:
+        run = subprocess.run([PROGRAM, "studio", "--no-browser", "--port", str(self.studio.port)], capture_output=True, text=True)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn(str(self.studio.port), run.stderr)
+
+    def test_has_pictures_of_models(self) -> None:
+        with self.studio.page() as page:
+            models = {model["name"]: model for model in page.ask("models")["models"]}
+            self.assertTrue(models["oak"]["picture"])
+            response = self.studio.get("pictures/oak.jpg")
+            self.assertEqual(response.status, 200)
+            self.assertEqual(response.headers["content-type"], "image/jpeg")
+            self.assertLess(len(response.body), 20_000)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -5,7 +5,7 @@ import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 
-import { choose, kAxe, meristem, open_page, ready, save_and_check, settled, start_browser, start_server, temporary_folder, text_of, undo_count, validator, write_document } from './support.mjs';
+import { choose, kAxe, meristem, open_page, ready, save_and_check, settled, start_browser, start_server, temporary_folder, text_of, undo_count, validator, visit, write_document } from './support.mjs';
 
 const kSmall = `\ufeff// A sapling.\r\n{\r\n\t"meristem": 1, /* the form */\r\n\t"name": "Sapling",\r\n\t"seed": 4,\r\n\t"variables": {\r\n\t\t"size": {"value": 0.12, "min": 0.05, "max": 0.25, "unit": "m", "doc": "Length of the leaves."},\r\n\t\t"bend": {"value": 30, "min": 0, "max": 90, "doc": "How they bend."}\r\n\t},\r\n\t"components": {\r\n\t\t"tree": {"type": "tree", "length": 1.5, "radius": 0.02}, // the stem\r\n\t\t"leaf": {"type": "leaf", "length": "size", "width": "size/2", "curl": "bend + 5*rand(-1,1)", "colour": "#587a30"}\r\n\t},\r\n\t"links": [{"from": "tree", "to": "leaf", "kind": "branch", "count": 12, "angle": 60}]\r\n}\r\n`;
 
@@ -194,8 +194,7 @@ test('a killed server loses nothing', async () => {
   await lone.waitForTimeout(600);
   const text = await text_of(lone);
   const again = await start_server(place.folder, path.join(place.folder, 'small.json'), '--port', port);
-  await lone.goto(again.address);
-  await ready(lone);
+  await visit(lone, again.address);
   await lone.locator('[data-banner="kept"]').getByRole('button', { name: 'Restore' }).click();
   await settled(lone);
   assert.equal(await text_of(lone), text);

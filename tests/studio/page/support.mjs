@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A running studio and a browser that shows it. MERISTEM says which program; MERISTEM_CHROMIUM which browser.
+// A running studio and a browser that shows it. MERISTEM says which program; MERISTEM_CHROMIUM which browser;
+// MERISTEM_PAGE a folder with another page than the program's own.
 import { execFile, spawn } from 'node:child_process';
-import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import os from 'node:os';
 import path from 'node:path';
@@ -19,6 +20,8 @@ export const validator = require('gltf-validator');
 export const kProgram = process.env.MERISTEM ?? path.join(kSource, 'build/dev/bin/meristem');
 const kBrowser = process.env.MERISTEM_CHROMIUM ?? '/usr/bin/chromium';
 const kArguments = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
+// A page that is put in place of the program's own comes from no address, which browsers do not let speak to this machine.
+if (process.env.MERISTEM_PAGE) kArguments.push('--disable-features=LocalNetworkAccessChecks');
 
 export async function temporary_folder() {
   const folder = await mkdtemp(path.join(os.tmpdir(), 'meristem-studio-'));
@@ -68,14 +71,26 @@ export async function open_page(context, address) {
   page.on('console', (message) => {
     if (message.type() === 'error') page.faults.push(message.text());
   });
+  await visit(page, address);
+  return page;
+}
+
+export async function visit(page, address) {
+  if (process.env.MERISTEM_PAGE) await serve_folder(page, address, process.env.MERISTEM_PAGE);
   await page.goto(address);
   await ready(page);
-  return page;
+}
+
+/// Puts a built page in the place of the one that is in the program, as while it is being worked on.
+async function serve_folder(page, address, folder) {
+  for (const file of await readdir(folder)) {
+    await page.route(file === 'index.html' ? address : address + file, (route) => route.fulfill({ path: path.join(folder, file) }));
+  }
 }
 
 /// When the document is open and its plant is shown.
 export async function ready(page) {
-  await page.waitForFunction(() => window.studio?.document.state.get().text && window.studio.growth.get().shown, null, { timeout: 60000 });
+  await page.waitForFunction(() => window.studio?.document.state.get().text && window.studio.growth.get().shown, null, { timeout: 20000 });
   await settled(page);
 }
 
@@ -89,7 +104,7 @@ export async function settled(page) {
       return Object.keys(studio.dragged.get()).length === 0 && (!good || (shown?.hash === hash && !shown.draft && !working));
     },
     null,
-    { timeout: 60000 },
+    { timeout: 20000 },
   );
 }
 

@@ -171,7 +171,7 @@ export class Studio {
     this.dragged.set({});
     this.locks.set(new Set());
     this.document.take_opened(opened);
-    this.first_values.set(Object.fromEntries(opened.variables.map((one) => [one.name, one.expression ?? one.value])));
+    this.first_values.set(Object.fromEntries(opened.variables.map((one) => [one.name, one.expression || one.value])));
     this.view_state.merge({ hidden: new Set() });
     this.choose('');
   }

@@ -37,7 +37,9 @@ export const kNoDocument: DocumentState = {
 };
 
 export function reading_of(reading: Reading): Pick<DocumentState, 'good' | 'faults' | 'variables'> | object {
-  const { good, faults, variables } = reading;
+  const { good, faults } = reading;
+  // An empty expression is none.
+  const variables = reading.variables.map((one) => ({ ...one, expression: one.expression || null }));
   // The values of a faulty text are not known: the last good ones stay.
   return variables.length > 0 || good ? { good, faults, variables } : { good, faults };
 }

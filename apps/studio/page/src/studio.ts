@@ -8,7 +8,7 @@ import type { Json } from './document/json.ts';
 import { Keeper } from './keeper.ts';
 import { Connection } from './server/connection.ts';
 import { read_packet } from './server/packet.ts';
-import type { Edit, Grown, Hello, News, Opened, Saved } from './server/protocol.ts';
+import type { Edit, Grown, Hello, News, Opened, Saved, Working } from './server/protocol.ts';
 import { Refusal } from './server/protocol.ts';
 import type { GrowthState, ServerState, ShellState, Theme, ViewState } from './studio_state.ts';
 import { kNoGrowth } from './studio_state.ts';
@@ -131,7 +131,7 @@ export class Studio {
     this.take_back(await this.document.redo(), 'Redone');
   }
 
-  /// Resolves to whether it could be opened.
+  /// Whether it could be opened.
   async open(wish: OpenWish): Promise<boolean> {
     try {
       const opened = await this.connection.request<Opened>('open', wish);
@@ -197,9 +197,14 @@ export class Studio {
 
   private hear(news: News): void {
     if (news.is === 'hello') void this.greet(news);
-    if (news.is === 'working') this.growth.merge({ working: news.stage === null ? null : news });
+    if (news.is === 'working') this.take_working(news);
     if (news.is === 'grown') this.take_grown(news);
     if (news.is === 'failed' && news.job === 'grow') this.growth.merge({ failed: { message: news.message, faults: news.faults } });
+  }
+
+  private take_working(working: Working): void {
+    const is_over = working.stage === null;
+    if (!is_over || this.growth.get().working?.job === working.job) this.growth.merge({ working: is_over ? null : working });
   }
 
   /// What is not known until full detail is made stays what it was.

@@ -20,6 +20,7 @@ export function Dialog({ title, width = 'narrow', close, children, footer }: Dia
     const dialog = element.current;
     const before = document.activeElement;
     if (dialog && !dialog.open) dialog.showModal();
+    dialog?.querySelector<HTMLElement>('.dialog-body input:not([type=checkbox])')?.focus();
     // Taken out of the page, a dialog does not give the keyboard back by itself.
     return () => {
       if (before instanceof HTMLElement) before.focus();

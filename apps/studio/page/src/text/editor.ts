@@ -60,7 +60,7 @@ export class TextEditor {
       kDocumentLanguage,
       autocompletion({ override: [completion_source(this.studio_.tables, () => this.studio_.document.state.get().tree)] }),
       keymap.of([...closeBracketsKeymap, ...completionKeymap, ...lintKeymap, ...searchKeymap, ...defaultKeymap, indentWithTab]),
-      EditorView.contentAttributes.of({ 'aria-label': 'Text of the document' }),
+      EditorView.contentAttributes.of({ 'aria-label': 'Text of the document', tabindex: '0' }),
       EditorView.updateListener.of((update) => {
         const is_own = update.transactions.some((one) => one.annotation(kFromDocument));
         if (update.docChanged && !is_own) this.take();

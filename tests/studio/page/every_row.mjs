@@ -51,36 +51,55 @@ async function set_row(page, path, row) {
   return true;
 }
 
-export async function set_every_row(page, tables, folder, { settled }) {
-  const told = { rows: 0, kinds: new Set(), faults: [] };
+const errors = (page) =>
+  page.evaluate(() => window.studio.document.state.get().faults.filter((one) => one.severity === 'error').map((one) => `${one.path}: ${one.message}`));
+
+const step_count = (page) => page.evaluate(() => window.studio.document.state.get().undo.done.length);
+
+/// Sets a row and says what became of it: "set", "refused" by a rule between rows, or what is wrong.
+async function try_row(page, id, row) {
+  const path = `components.${id}.${row.name}`;
+  const before = await step_count(page);
+  if (!(await set_row(page, path, row))) return 'elsewhere';
+  const is_done = await page
+    .waitForFunction((known) => window.studio.document.state.get().undo.done.length > known, before, { timeout: 5000 })
+    .then(() => true, () => false);
+  if (!is_done) return 'nothing was set';
+  const value = await page.evaluate(([one, name]) => window.studio.document.state.get().tree.value.components[one][name], [id, row.name]);
+  if (value === undefined) return 'not in the text';
+  if ((await errors(page)).length === 0) return 'set';
+  await page.evaluate(() => window.studio.undo());
+  return 'refused';
+}
+
+export async function set_every_row(page, tables, folder, { save_and_check }) {
+  const told = { rows: 0, kinds: new Set(), faults: [], faulty_bases: [] };
   const components = document_of_all(tables);
+  const all = tables.tables[tables.all_components].rows;
   for (const [type, facts] of Object.entries(tables.components)) {
     const id = `the_${type}`;
     const document = { meristem: 1, components: { [id]: components[id] } };
     await page.evaluate((text) => window.studio.open({ text, path: null }), JSON.stringify(document, null, 2));
     await page.evaluate((path) => window.studio.choose(path), `components.${id}`);
+    if ((await errors(page)).length > 0) {
+      told.faulty_bases.push(`${type}: ${(await errors(page))[0]}`);
+      continue;
+    }
     const seen = new Set();
-    for (const row of tables.tables[facts.table].rows) {
+    for (const row of [...tables.tables[facts.table].rows, ...all]) {
       const path = `components.${id}.${row.name}`;
       if (seen.has(row.kind) || row.required || (await page.locator(`[data-path="${path}"]`).count()) === 0) continue;
-      const before = await page.evaluate(() => window.studio.document.state.get().undo.done.length);
-      if (!(await set_row(page, path, row))) continue;
-      seen.add(row.kind);
-      await page.waitForFunction((known) => window.studio.document.state.get().undo.done.length > known, before, { timeout: 5000 }).catch(() => told.faults.push(`${path}: nothing was set`));
-      const value = await page.evaluate(([one, name]) => window.studio.document.state.get().tree.value.components[one][name], [id, row.name]);
-      const { faults } = await page.evaluate(() => ({ faults: window.studio.document.state.get().faults.filter((one) => one.severity === 'error').map((one) => `${one.path}: ${one.message}`) }));
-      if (value === undefined) told.faults.push(`${path}: not in the text`);
-      if (faults.length > 0) {
-        // A rule between rows: the page shows it, and undo takes it back.
-        await page.evaluate(() => window.studio.undo());
-        told.refused = [...(told.refused ?? []), ...faults];
-      } else {
-        told.rows += 1;
+      const outcome = await try_row(page, id, row);
+      if (outcome === 'set') {
+        seen.add(row.kind);
         told.kinds.add(row.kind);
+        told.rows += 1;
+      } else if (outcome !== 'elsewhere' && outcome !== 'refused') {
+        told.faults.push(`${path}: ${outcome}`);
       }
     }
-    void settled;
+    const { check, text } = await save_and_check(page, folder, `${id}.json`);
+    if (check.code !== 0) told.faults.push(`${type}: ${check.stderr}${check.stdout}\n${text}`);
   }
-  void folder;
   return told;
 }

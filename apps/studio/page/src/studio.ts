@@ -8,10 +8,10 @@ import type { Json } from './document/json.ts';
 import { Keeper } from './keeper.ts';
 import { Connection } from './server/connection.ts';
 import { read_packet } from './server/packet.ts';
-import type { Edit, Grown, Hello, News, Opened, Saved, Working } from './server/protocol.ts';
+import type { Edit, Grown, Hello, News, Opened, Saved } from './server/protocol.ts';
 import { Refusal } from './server/protocol.ts';
 import type { GrowthState, ServerState, ShellState, Theme, ViewState } from './studio_state.ts';
-import { kNoGrowth } from './studio_state.ts';
+import { kNoGrowth, with_work } from './studio_state.ts';
 import type { Tables } from './tables/tables.ts';
 import type { View, ViewFacts } from './view/view.ts';
 
@@ -21,7 +21,8 @@ export interface OpenWish {
   text?: string;
 }
 
-const kBudgets = { software: { drag_triangles: 60_000, rest_triangles: 250_000 }, card: { drag_triangles: 1_000_000, rest_triangles: 4_000_000 } };
+const kBySoftware = { drag_triangles: 60_000, rest_triangles: 250_000 };
+const kByCard = { drag_triangles: 1_000_000, rest_triangles: 4_000_000 };
 
 export class Studio {
   readonly chosen = new Store('');
@@ -144,7 +145,7 @@ export class Studio {
     }
   }
 
-  /// Resolves to whether it was saved.
+  /// Whether it was saved.
   async save(path: string, over = false): Promise<boolean> {
     await this.document.idle();
     const { path: known, saved } = this.document.state.get();
@@ -178,9 +179,8 @@ export class Studio {
 
   private take_back(step: { label: string; chosen: string } | null, what: string): void {
     this.dragged.set({});
-    if (!step) return;
-    if (step.chosen !== this.chosen.get()) this.choose(step.chosen);
-    this.tell(`${what}: ${step.label}`);
+    if (step && step.chosen !== this.chosen.get()) this.choose(step.chosen);
+    if (step) this.tell(`${what}: ${step.label}`);
   }
 
   private async tell_drag(): Promise<void> {
@@ -197,24 +197,19 @@ export class Studio {
 
   private hear(news: News): void {
     if (news.is === 'hello') void this.greet(news);
-    if (news.is === 'working') this.take_working(news);
+    if (news.is === 'working') this.growth.set(with_work(this.growth.get(), news));
     if (news.is === 'grown') this.take_grown(news);
     if (news.is === 'failed' && news.job === 'grow') this.growth.merge({ failed: { message: news.message, faults: news.faults } });
-  }
-
-  private take_working(working: Working): void {
-    const is_over = working.stage === null;
-    if (!is_over || this.growth.get().working?.job === working.job) this.growth.merge({ working: is_over ? null : working });
   }
 
   /// What is not known until full detail is made stays what it was.
   private take_grown(grown: Grown): void {
     const before = this.growth.get().grown;
-    const { triangles, components } = grown;
-    this.growth.merge({ grown: { ...grown, triangles: triangles ?? before?.triangles ?? null, components: components ?? before?.components ?? null }, failed: null });
+    const counts = { triangles: grown.triangles ?? before?.triangles ?? null, components: grown.components ?? before?.components ?? null };
+    this.growth.merge({ grown: { ...grown, ...counts }, failed: null });
   }
 
-  /// The server is there, or there again: then it is told what the page has.
+  /// There, or there again: then the server is told what the page has.
   private async greet(hello: Hello): Promise<void> {
     const is_first = this.server.get().hello === null;
     this.server.set({ link: 'open', hello });
@@ -235,7 +230,7 @@ export class Studio {
   private tell_budgets(): void {
     if (!this.view || !this.connection.is_open) return;
     const skeleton = this.view_state.get().drawing === 'skeleton';
-    this.connection.tell('view', { ...kBudgets[this.view.is_software ? 'software' : 'card'], skeleton });
+    this.connection.tell('view', { ...(this.view.is_software ? kBySoftware : kByCard), skeleton });
   }
 
   private show_packet(bytes: ArrayBuffer): void {

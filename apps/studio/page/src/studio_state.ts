@@ -15,6 +15,12 @@ export interface GrowthState {
 
 export const kNoGrowth: GrowthState = { grown: null, shown: null, working: null, failed: null, is_paused: false };
 
+/// Work of another kind may go on while this one is over.
+export function with_work(growth: GrowthState, news: Working): GrowthState {
+  if (news.stage !== null) return { ...growth, working: news };
+  return growth.working?.job === news.job ? { ...growth, working: null } : growth;
+}
+
 export interface ServerState {
   link: 'connecting' | 'open' | 'lost';
   hello: Hello | null;

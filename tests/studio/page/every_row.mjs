@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sets one row of each kind of each component type through the inspector's own fields, and asks `meristem check`.
 
-/// A document with one component of each type, the required rows of which are given.
+const kCrown = { profile: [[0.1, 0.6], [0.7, 1.2], [0, 2]] };
+/// What types need besides rows that can be made up.
+const kNeeded = {
+  colonize: { crown: kCrown, points: 50, step: 0.1, influence: 0.6, kill: 0.2 },
+  cloud: { crown: kCrown },
+  lsystem: { grammar: ['#axiom', '!(0.03) F(0.3)'] },
+};
+
+/// One component of each type, the required rows of which are given.
 function document_of_all(tables) {
   const first = (row) => row.default ?? { number: row.usual?.[1] ?? 1, integer: Math.round(row.usual?.[1] ?? 1), text: 'x', choice: row.choices?.[0] }[row.kind];
   const components = {};
   for (const [type, facts] of Object.entries(tables.components)) {
     const made = { type };
     for (const row of tables.tables[facts.table].rows) if (row.required) made[row.name] = first(row);
-    components[`the_${type}`] = made;
+    components[`the_${type}`] = { ...made, ...kNeeded[type] };
   }
   return components;
 }

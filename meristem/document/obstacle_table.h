@@ -12,10 +12,14 @@
 
 namespace meristem {
 
-/// A mesh from a file, with what keeps it from being closed (closedness_faults), which takes long to find out.
+/// A mesh from a file, with what keeps it from being closed (closedness_faults) or else a body (body_fault), which
+/// takes long to find out.
 struct ObstacleMesh {
   TriangleMesh mesh;
   std::vector<std::string> faults;
+  std::string body_fault;
+
+  bool is_sound() const { return faults.empty() && body_fault.empty(); }
 };
 
 /// Exactly one of box and mesh is given.

@@ -32,7 +32,7 @@ struct BatchResult {
   std::uint64_t bytes() const;
 };
 
-/// What a component's instances have grown, one skeleton an instance.
+/// What a component's instances have grown, one skeleton per instance.
 struct GrownBatch {
   std::vector<Skeleton> skeletons;
 

@@ -55,6 +55,12 @@ const Limits& Emitter::limits() const { return context_->limits; }
 const std::string& Emitter::component() const { return context_->prototype.id; }
 Progress& Emitter::progress() const { return *context_->progress; }
 double Emitter::time() const { return context_->time; }
+bool Emitter::varies(std::size_t offset) const {
+  return std::ranges::any_of(context_->prototype.varyings, [&](const Varying& varying) {
+    return (varying.way.empty() ? varying.offset : varying.way[0].offset) == offset;
+  });
+}
+
 RandomKey Emitter::component_key() const { return context_->key; }
 
 void Emitter::instance(const ComponentBase& base, const Site& site, std::size_t index,

@@ -99,9 +99,9 @@ class Emitter : private Emitted {
   void organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint = Vec3(1));
   /// The same for flat shapes that look otherwise than the rest: in the component type's material of blades.
   void blade(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint = Vec3(1));
-  /// A section of a surface at `local` in the instance's frame (moved by its `place`), once an instance. Where children
-  /// by child and leaf links give sections too, their surface is one with it. Instances of one component with equal
-  /// `key` share what one of them makes.
+  /// A section of a surface at `local` in the instance's frame (moved by its `place`), once per instance. Where
+  /// children by child and leaf links give sections too, their surface is one with it. Instances of one component with
+  /// equal `key` share what one of them makes.
   void section(const Frame& local, std::uint64_t key, bool is_capped, FunctionRef<LoftSection()> make);
   /// A skeleton in world space. The instance's `place` moves it, but not what hangs on it.
   /// `branching`, if given, says where the children of branch links stand, as far as the links do not.
@@ -139,11 +139,14 @@ class Emitter : private Emitted {
   const Directions& directions() const;
   const Limits& limits() const;
   const std::string& component() const;  ///< id, for errors
+  /// Whether what stands so many bytes from the beginning of the component's struct, a number or a list, differs from
+  /// instance to instance.
+  bool varies(std::size_t offset) const;
   Progress& progress() const;
   double time() const;
   /// Of the component, for what its instances have in common. Meshes that depend on it need it in their key.
   RandomKey component_key() const;
-  /// The skeleton that this instance has grown; only for components that grow, and once an instance.
+  /// The skeleton that this instance has grown; only for components that grow, and once per instance.
   Skeleton take_grown();
 
   // For the graph.

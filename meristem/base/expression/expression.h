@@ -74,7 +74,7 @@ class Expression {
   static Expression compile(std::string_view text, const ExpressionNames& names, std::size_t max_bytes = 16'384);
 
   /// Values for `count` lanes into `out`. `variables[k]` points to `count` values of the k-th name (only those that
-  /// `uses(k)` are read; others may be null). `keys` has a key a lane, or is empty if the expression draws nothing.
+  /// `uses(k)` are read; others may be null). `keys` has a key per lane, or is empty if the expression draws nothing.
   /// Numbers follow IEEE 754: a division by zero gives an infinity, log(-1) a NaN; callers decide what that means.
   /// A lane's value depends neither on the other lanes nor on how they are split into calls. `out` may be one of the
   /// variables. Missing variables or keys are a std::invalid_argument.

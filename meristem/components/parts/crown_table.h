@@ -78,6 +78,26 @@ void check_cloud(const std::optional<CrownParameters>& crown, const PointsParame
 /// The crown that a checked form means; null where its list is empty.
 CrownPointer build_crown(const CrownParameters& form);
 
+/// Where trees stand, and what they grow into.
+struct RootsInCrowns {
+  const std::optional<CrownParameters>& crown;
+  const PointsParameters& points;
+  const std::vector<Vec3>& roots;  ///< in the component's frame
+  bool one_crown;                  ///< over the component's origin, instead of one per root
+
+  /// Whether all roots grow into the same points.
+  bool share_points() const { return one_crown || points.file; }
+};
+
+/// The attraction points of each root in the component's frame: those around it stand over `base` there, and the first
+/// root has those that all share.
+struct PointsOfRoot {
+  Vec3 base{0};
+  std::vector<Vec3> points;  ///< relative to it
+};
+/// Throws as make_points does.
+std::vector<PointsOfRoot> points_of_roots(const RootsInCrowns& trees, RandomKey key, const GrowContext& context);
+
 /// The attraction points of one tree, relative to its root: those of the file that lie in the crown, if there is one,
 /// else so many in the crown. Throws InputError at the component's crown or points.
 std::vector<Vec3> make_points(const std::optional<CrownParameters>& crown, const PointsParameters& points,

@@ -33,7 +33,7 @@ std::vector<Vec3> ball(std::uint64_t count, RandomKey key = RandomKey(3)) {
   return points;
 }
 
-// 0.8 nodes a point, as a crown of many twigs has.
+// 0.8 nodes per point, as a crown of many twigs has.
 ColonizeParameters ball_parameters(std::uint64_t count) {
   const double step = 0.03 * std::cbrt(1000.0 / static_cast<double>(count));
   return {.step = step, .influence = 17 * step, .kill = 2 * step, .finish = kUnfinished};

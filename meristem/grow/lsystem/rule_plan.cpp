@@ -106,7 +106,7 @@ class RulePlanner {
 
   const Rule& rule_;
   std::uint64_t& streams_;
-  std::vector<VariableSource> sources_;  // one a variable
+  std::vector<VariableSource> sources_;  // one per variable
   std::unordered_map<std::string, std::size_t> formula_of_text_;
   RulePlan plan_;
 };
@@ -145,6 +145,7 @@ RewritePlan::RewritePlan(const Grammar& grammar, const RuleSet& rule_set)
   for (LetterIndex letter = 0; letter < grammar.alphabet.size(); ++letter) {
     const bool has_rules = letter < rule_set.of_letter.size();
     by_letter.push_back(has_rules ? choice_of_letter(rules, rule_set.of_letter[letter]) : kCopied);
+    is_decided = is_decided && by_letter.back() != kUndecided;
   }
 }
 

@@ -114,7 +114,7 @@ struct Metamers {
   /// The names of the shoots on an axis, from its base on.
   std::vector<std::string> shoots_on(AxisIndex on) const;
 
-  /// Takes metamers away with all that they bear: those whose entry in `gone`, one a metamer, is not 0. The buds that
+  /// Takes metamers away with all that they bear: those whose entry in `gone`, one per metamer, is not 0. The buds that
   /// had grown them become `after`. Tells the metamer that bore them how many tips it has lost. `gone` then marks all
   /// that are no more. Indices change; order stays.
   void remove(std::vector<std::uint8_t>& gone, Bud after);

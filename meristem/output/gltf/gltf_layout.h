@@ -23,7 +23,7 @@ namespace meristem {
 struct GltfPiece {
   const Mesh* mesh = nullptr;
   std::span<const Frame> frames;
-  std::span<const Vec3> tints;  ///< one a frame; empty where all are 1
+  std::span<const Vec3> tints;  ///< one per frame; empty where all are 1
 
   std::uint64_t vertex_count() const { return mesh->vertex_count() * frames.size(); }
   std::uint64_t triangle_count() const { return mesh->triangle_count() * frames.size(); }

@@ -24,7 +24,7 @@
 namespace meristem {
 
 struct ShadowParameters {
-  double voxel = 0.1;       ///< metres a side; raised, shade is coarser and reaches farther
+  double voxel = 0.1;       ///< metres per side; raised, shade is coarser and reaches farther
   double amount = 0.2;      ///< a: shade in the shader's own voxel; 0 casts none
   double base = 2;          ///< b, at least 1; raised, shade fades sooner with the distance
   int depth = 3;            ///< layers below the shader's own, 0 to 64; time and memory grow with its cube

@@ -23,7 +23,7 @@
 namespace meristem {
 
 struct MarkerParameters {
-  double spacing = 0.07;   ///< metres a voxel's side; raised, room is coarser and costs less
+  double spacing = 0.07;   ///< metres per voxel's side; raised, room is coarser and costs less
   double occupancy = 0.2;  ///< metres around a shoot within which markers are taken, up to 32 spacings
 
   bool operator==(const MarkerParameters&) const = default;
@@ -74,7 +74,7 @@ class MarkerField {
   std::vector<DVec3> free_markers(const Box& box, std::uint32_t volume) const;
 
   const MarkerParameters& form() const { return form_; }
-  /// Kept between rounds: some 120 a brick of 64 markers that a shoot or a cone has touched. A round takes, for its
+  /// Kept between rounds: some 120 per brick of 64 markers that a shoot or a cone has touched. A round takes, for its
   /// time, about 50 a seeker, and for each that finds a free marker about 100 and 12 for each brick in the box around
   /// its cone.
   std::size_t bytes() const;

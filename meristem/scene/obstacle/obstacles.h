@@ -38,7 +38,7 @@ class Obstacles {
 
   Obstacles();
   /// Throws std::invalid_argument for indices out of range or positions that are not finite in 32 bits, and
-  /// MachineError. Takes about 300 bytes and a microsecond a triangle.
+  /// MachineError. Takes about 300 bytes and a microsecond per triangle.
   explicit Obstacles(std::vector<Obstacle> bodies);
 
   bool empty() const { return bodies().empty(); }

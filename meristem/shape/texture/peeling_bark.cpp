@@ -69,7 +69,7 @@ Canvas paint_peeling_bark(const BarkPaints& paints) {
       paints.noise("rough", {.across = paints.count(36), .along = paints.count(18), .octaves = 4, .gain = 0.7F});
   const Vec3 open = paints.marks.value_or(Vec3(0.95F, 0.74F, 0.56F) * paints.bark);
 
-  Canvas canvas(paints.pixels);
+  Canvas canvas(paints.pixels, paints.progress);
   paint(canvas, [&](float u, float v, std::size_t i) {
     const float wandering = paints.scale * 0.022F * wander[i];
     Vec3 light = paints.tone(0.07F * bands[i] + 0.06F * streaks[i]) * paints.bark;

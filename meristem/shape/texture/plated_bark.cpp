@@ -20,7 +20,7 @@ Canvas paint_plated_bark(const BarkPaints& paints) {
   const auto crusts = paints.noise("crusts", {.across = 4, .along = 3, .octaves = 5, .gain = 0.65F});
   const Vec3 fresh = Vec3(1.25F, 0.93F, 0.68F) * paints.bark;  // scales that lay covered until lately
 
-  Canvas canvas(paints.pixels);
+  Canvas canvas(paints.pixels, paints.progress);
   paint(canvas, [&](float u, float v, std::size_t i) {
     const float du = plate * bend[i];
     const float dv = plate * slip[i];

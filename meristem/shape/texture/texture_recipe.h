@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "meristem/base/progress.h"
 #include "meristem/base/vec.h"
 #include "meristem/plant/texture.h"
 
@@ -65,8 +66,11 @@ struct TextureShape {
 
 /// The textures themselves: `pixels` a side, the same bytes on every machine and any number of threads. `colour` (sRGB)
 /// is the mean that comes out. Bark's opposite edges join. What lies outside a masked shape has the margin's colours.
-Texture make_bark_texture(const BarkRecipe& recipe, Vec3 colour, int pixels);
-Texture make_leaf_texture(const LeafRecipe& recipe, const TextureShape& shape, Vec3 colour, int pixels);
-Texture make_petal_texture(const PetalRecipe& recipe, const TextureShape& shape, Vec3 colour, int pixels);
+/// Throw Cancelled.
+Texture make_bark_texture(const BarkRecipe& recipe, Vec3 colour, int pixels, const Progress& progress = Progress());
+Texture make_leaf_texture(const LeafRecipe& recipe, const TextureShape& shape, Vec3 colour, int pixels,
+                          const Progress& progress = Progress());
+Texture make_petal_texture(const PetalRecipe& recipe, const TextureShape& shape, Vec3 colour, int pixels,
+                           const Progress& progress = Progress());
 
 }  // namespace meristem

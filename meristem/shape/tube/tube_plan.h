@@ -29,8 +29,8 @@ struct AxisPlan {
   std::uint64_t first_vertex = 0;  ///< of that mesh
   std::uint64_t first_triangle = 0;
 
-  // A lateral's start is one hidden point; a root's is a flat disc with vertices of its own. A tip has a point a side,
-  // a flat one a disc.
+  // A lateral's start is one hidden point; a root's is a flat disc with vertices of its own. A tip has a point per
+  // side, a flat one a disc.
   std::uint64_t start_vertices(bool is_lateral) const { return is_lateral ? 1 : sides + 1; }
   std::uint64_t vertices(bool is_lateral, Surface::Cap cap) const {
     const std::uint64_t end = cap == Surface::Cap::flat ? sides + 1 : sides;
@@ -75,8 +75,9 @@ class TubePlan {
   std::size_t wear(std::size_t axis) const { return wear_of_axis_.empty() ? 0 : wear_of_axis_[axis]; }
   /// How far the flats of an axis's tube may lie below its bark, at most.
   float roundness(std::size_t axis) const;
-  float base_radius(AxisIndex axis) const;
-  bool goes_on(AxisIndex axis) const;
+  void find_start(AxisIndex axis);
+  float base_radius(AxisIndex axis, bool goes_on) const;
+  bool find_whether_it_goes_on(AxisIndex axis) const;
   void smooth_radii(AxisIndex axis);
   void choose_rings(AxisIndex axis);
   bool is_straight(std::span<const NodeIndex> nodes, std::size_t from, std::size_t to, float error) const;
@@ -91,6 +92,10 @@ class TubePlan {
   Axes axes_;
   std::vector<NodeIndex> kept_;            // nodes of the axes that get rings, each axis's where axes_ has all of its
   std::vector<std::uint32_t> kept_count_;  // of each axis
+  std::vector<std::uint8_t> is_tip_;       // by node: the last of its axis
+  // Of each axis, found once: both look at the parent, which may lie anywhere in memory.
+  std::vector<std::uint8_t> goes_on_;
+  std::vector<float> base_radius_;
   int most_sides_ = 3;
   std::vector<float> thickest_;  // of each wear
   std::vector<float> radii_;     // by node

@@ -114,7 +114,7 @@ void add_studio(CLI::App& app, Run& run) {
       ->add_option("--root", options->root,
                    "The one folder in which documents and the files that they name are read and written; the "
                    "document's own, or the present one, if not given")
-      ->type_name("FOLDER");
+      ->type_name("DIR");
   command->footer("Example: meristem studio oak\nCtrl-C ends it.");
   command->callback([options, &run] { run = [options] { run_studio(*options); }; });
 }

@@ -25,15 +25,44 @@ double share_of_step(int step) { return std::pow(kStep, step); }
 
 Value number_value(std::uint64_t number) { return static_cast<double>(number); }
 
-Value::Object reuse_value(const char* what, Reuse reuse) {
-  return {{"what", what}, {"made", number_value(reuse.made)}, {"reused", number_value(reuse.reused)}};
-}
-
 double organ_triangles(const Plant& plant) {
   double triangles = 0;
   for (const Organ& organ : plant.organs)
     triangles += static_cast<double>(plant.prototypes[organ.prototype].mesh->triangle_count());
   return triangles;
+}
+
+bool have_same_shape(const Stem& a, const Stem& b) {
+  const auto is_alike = [](const StemPart& one, const StemPart& other) {
+    return one.component == other.component && one.material == other.material && one.surface == other.surface;
+  };
+  const Skeleton& one = a.skeleton;
+  const Skeleton& other = b.skeleton;
+  return std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(), is_alike) &&
+         a.part_of_axis == b.part_of_axis && one.parent == other.parent && one.position == other.position &&
+         one.radius == other.radius && one.axis == other.axis;
+}
+
+bool have_same_shape(const Mesh& one, const Mesh& other) {
+  return &one == &other ||
+         (one.positions == other.positions && one.triangles == other.triangles && one.uvs == other.uvs);
+}
+
+/// Whether they differ in looks alone.
+bool have_same_shape(const Plant& a, const Plant& b) {
+  const auto stems_are_alike = [](const Stem& one, const Stem& other) { return have_same_shape(one, other); };
+  const auto prototypes_are_alike = [](const OrganPrototype& one, const OrganPrototype& other) {
+    return one.component == other.component && one.material == other.material &&
+           have_same_shape(*one.mesh, *other.mesh);
+  };
+  const auto organs_are_alike = [](const Organ& one, const Organ& other) {
+    return one.prototype == other.prototype && one.frame.axes == other.frame.axes &&
+           one.frame.origin == other.frame.origin;
+  };
+  return std::equal(a.stems.begin(), a.stems.end(), b.stems.begin(), b.stems.end(), stems_are_alike) &&
+         std::equal(a.prototypes.begin(), a.prototypes.end(), b.prototypes.begin(), b.prototypes.end(),
+                    prototypes_are_alike) &&
+         std::equal(a.organs.begin(), a.organs.end(), b.organs.begin(), b.organs.end(), organs_are_alike);
 }
 
 Value component_counts(const MeshScene& scene) {
@@ -223,7 +252,10 @@ void Grower::show() {
     const std::lock_guard lock(mutex_);
     if (awaited_ != 0 || grown_ == nullptr || is_closed_) return;
     const Clock::time_point still = last_input_ + host_.still_after;
-    sight = {.grown = grown_, .parts = parts_, .is_draft = Clock::now() < still};
+    // An edit that is made at once is shown in full at once, and so is a drag that moves nothing, as of a colour.
+    const bool moves = grown_->wish.is_dragged && !(shown_.grown != nullptr && !shown_.is_draft &&
+                                                    have_same_shape(shown_.grown->plant, grown_->plant));
+    sight = {.grown = grown_, .parts = parts_, .is_draft = moves && Clock::now() < still};
     if (sight.is_draft) {
       host_.growth.post_at(still, [self = shared_from_this()] {
         const std::lock_guard later(self->mutex_);
@@ -263,9 +295,7 @@ void Grower::show() {
     for (const auto& [name, milliseconds] : stages)
       times.push_back(Value::Object{{"name", name}, {"ms", std::round(milliseconds * 10) / 10}});
     told.emplace_back("stages", std::move(times));
-    told.emplace_back(
-        "reuse", Value::List{reuse_value("growth", cache_.reuse_in_all()),
-                             reuse_value("meshes", (sight.is_draft ? coarse_caches_[0] : full_cache_).reuse_in_all())});
+    told.emplace_back("reuse", Value::List{});  // the stages say it: what was reused does not begin
     for (auto& member : counts_value(*sight.grown)) told.push_back(std::move(member));
     const std::lock_guard lock(mutex_);
     if (is_closed_) return;

@@ -104,6 +104,9 @@ class SocketConnection : public std::enable_shared_from_this<SocketConnection> {
     end_session();
   }
 
+  /// Once the thread for messages has ended.
+  void drop_session() { session_ = nullptr; }
+
  private:
   void begin();
 

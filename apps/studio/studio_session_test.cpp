@@ -286,16 +286,29 @@ TEST(StudioSession, KeepsWithinTheBudgetOfTriangles) {
   EXPECT_GT(*packet.head.find("of")->find("triangles")->number(), 400);
 }
 
-TEST(StudioSession, SendsDraftsFirstAndThenAllOfIt) {
+TEST(StudioSession, SendsDraftsOfADragFirstAndThenAllOfIt) {
   Studio studio(std::chrono::milliseconds(2000));
   studio.ask("view", R"("drag_triangles": 100)");
   studio.open_bush();
   studio.show();
   const double all = ReadPacket(studio.last_packet()).number("triangles");
-  studio.edit(R"([{"set": "leaf.width", "value": 0.05}])");
-  const std::size_t drafts = studio.taken();
+  const std::size_t before = studio.taken();
+  studio.ask("drag", R"("values": {"stem.length": 1.6})");
   EXPECT_EQ(studio.show().number("triangles"), all);
-  EXPECT_EQ(studio.taken(), drafts + 2);
+  EXPECT_EQ(studio.taken(), before + 2);
+}
+
+TEST(StudioSession, SendsNoDraftOfAnEditNorOfAColour) {
+  Studio studio(std::chrono::milliseconds(2000));
+  studio.ask("view", R"("drag_triangles": 100)");
+  studio.open_bush();
+  studio.show();
+  studio.ask("drag", R"("values": {"leaf.colour": "#ff0000"})");
+  EXPECT_FALSE(ReadPacket(studio.mailbox().packet(1)).flag("draft"));
+  EXPECT_LT(studio.mailbox().packet(1).size(), 2000U);
+  studio.show();
+  studio.edit(R"([{"set": "leaf.width", "value": 0.05}])");
+  EXPECT_FALSE(ReadPacket(studio.mailbox().packet(2)).flag("draft"));
 }
 
 TEST(StudioSession, SendsAWholeSceneAgainWhenAsked) {

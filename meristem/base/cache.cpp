@@ -11,15 +11,6 @@ std::uint64_t Cache::bytes() const {
   return sum;
 }
 
-Reuse Cache::reuse_in_all() const {
-  Reuse sum;
-  for (const auto& [type, shelf] : shelves_) {
-    sum.made += shelf.reuse.made;
-    sum.reused += shelf.reuse.reused;
-  }
-  return sum;
-}
-
 CacheRun::CacheRun(Cache* cache, std::initializer_list<std::type_index> types) : cache_(cache), types_(types) {
   if (cache_ == nullptr) return;
   for (const std::type_index type : types_) {

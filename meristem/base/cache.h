@@ -36,8 +36,6 @@ class Cache {
     const auto shelf = shelves_.find(typeid(Result));
     return shelf == shelves_.end() ? Reuse() : shelf->second.reuse;
   }
-  /// Of the last runs of all types together.
-  Reuse reuse_in_all() const;
   /// Heap memory of all results.
   std::uint64_t bytes() const;
   /// Lets go of all of it.

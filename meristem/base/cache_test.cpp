@@ -40,17 +40,6 @@ TEST(Cache, FindsAResultByItsTypeAndKey) {
   EXPECT_EQ(run.find<const Words>(std::nullopt), nullptr);
 }
 
-TEST(Cache, AddsUpWhatWasReusedOfAllTypes) {
-  Cache cache;
-  use(cache, 7);
-  CacheRun run = run_on(cache);
-  run.count<Words>(true, 3);
-  run.count<Numbers>(false, 4);
-  run.end();
-  EXPECT_EQ(cache.reuse_in_all().made, 4U);
-  EXPECT_EQ(cache.reuse_in_all().reused, 3U);
-}
-
 TEST(Cache, HoldsWhatTheLastRunUsed) {
   Cache cache;
   const auto first = use(cache, 7);

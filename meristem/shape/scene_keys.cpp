@@ -79,8 +79,7 @@ SceneKeys SceneKeyMaker::keys_of(const MeshScene& scene) {
     Fingerprint fingerprint;
     fingerprint.add_text(material.name).add(material.roughness).add(material.translucency).add(material.two_sided);
     add(material.colour, fingerprint);
-    keys.textures.push_back(key_of(material.texture));
-    keys.materials.push_back(fingerprint.add(keys.textures.back()).hash());
+    keys.materials.push_back(fingerprint.add(key_of(material.texture)).hash());
   }
   std::map<std::string_view, std::uint32_t> counts;
   for (const MeshInstances& instances : scene.meshes) {

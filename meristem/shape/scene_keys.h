@@ -26,7 +26,6 @@ struct SceneKeys {
   };
   std::vector<Batch> batches;            ///< in the order of MeshScene::meshes
   std::vector<std::uint64_t> materials;  ///< in that of MeshScene::materials
-  std::vector<std::uint64_t> textures;   ///< of each material; 0: it has none
 };
 
 /// Makes keys. What scenes share, because a growth has kept it, is hashed once.

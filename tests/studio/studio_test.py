@@ -128,17 +128,22 @@ class StudioTest(unittest.TestCase):
             page.show()
             self.assertLess(len(page.packets) - before, 100)
 
-    def test_a_colour_of_the_oak_is_small_and_its_leaves_not_large(self) -> None:
+    def test_of_the_oak_only_what_an_edit_changes_crosses(self) -> None:
         with self.studio.page() as page:
             page.ask("view", rest_triangles=1_000_000_000)
             page.ask("open", model="oak")
             page.show()
-            page.edit({"set": "leaf.colour", "value": "#ff0000"})
-            self.assertLess(page.show()[1], 2_000)
-            page.edit({"set": "tree.colour", "value": "#ff0000"})
-            self.assertLess(page.show()[1], 2_000)
-            page.edit({"set": "leaf.curl", "value": 40})
-            self.assertLess(page.show()[1], 1_300_000)
+            for component in ("leaf", "tree"):  # bark and leaves are painted in their colours, so their pictures differ
+                page.edit({"set": f"{component}.colour", "value": "#8a5a30"})
+                head, size = page.show()
+                self.assertEqual(len(head.get("pictures", [])), 1)
+                self.assertEqual(len(head["materials"]), 1)
+                self.assertLess(size - head["pictures"][0]["bytes"][1], 2_000)
+                for member in ("meshes", "instances_of", "batches"):
+                    self.assertNotIn(member, head)
+            for path, value in (("leaf.curl", 40), ("leaf.length", 0.2), ("links[1].density", 50)):
+                page.edit({"set": path, "value": value})
+                self.assertLess(page.show()[1], 1_300_000, path)
 
     def test_names_the_limit_of_each_refusal(self) -> None:
         with self.studio.page() as page:

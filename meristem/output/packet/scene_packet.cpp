@@ -12,6 +12,7 @@
 #include "meristem/document/json.h"
 #include "meristem/output/packet/packet_arrays.h"
 #include "meristem/output/packet/skeleton_lines.h"
+#include "meristem/output/write/jpeg.h"
 #include "meristem/output/write/png.h"
 #include "meristem/shape/mesh/shading.h"
 
@@ -36,8 +37,8 @@ Value key_list(const std::vector<std::uint64_t>& keys) {
   return list;
 }
 
-std::uint64_t picture_key(std::uint64_t texture, std::uint64_t kind) {
-  return Fingerprint().add(texture).add(kind).hash();
+std::uint64_t picture_key(const Image& image, PixelKind kind) {
+  return Fingerprint().add(image.width).add(image.height).add(kind).add_array(image.rgba).hash();
 }
 
 std::uint64_t lines_key(const Skeleton& skeleton, float least_radius) {
@@ -93,7 +94,7 @@ class PacketMaker::Builder {
     for (const Skeleton* skeleton : skeletons) {
       const std::uint64_t key = lines_key(*skeleton, least);
       now_.lines.push_back(key);
-      if (!now_.skeletons.insert(key).second || before_.skeletons.contains(key)) continue;
+      if (!now_.held.skeletons.insert(key).second || before_.held.skeletons.contains(key)) continue;
       progress_.check();
       const SkeletonLines lines = skeleton_lines(*skeleton, least);
       lists_.skeletons.push_back(Value::Object{{"key", key_value(key)},
@@ -121,6 +122,17 @@ class PacketMaker::Builder {
     return packet;
   }
 
+  /// Has the viewer keep what it will need again.
+  void keep(const Held& rest) {
+    const auto keep_keys = [](const Keys& keys, const Keys& before, Keys& now) {
+      std::set_intersection(keys.begin(), keys.end(), before.begin(), before.end(), std::inserter(now, now.end()));
+    };
+    keep_keys(rest.meshes, before_.held.meshes, now_.held.meshes);
+    keep_keys(rest.instances, before_.held.instances, now_.held.instances);
+    keep_keys(rest.pictures, before_.held.pictures, now_.held.pictures);
+    keep_keys(rest.skeletons, before_.held.skeletons, now_.held.skeletons);
+  }
+
   Shown take_shown() { return std::move(now_); }
 
  private:
@@ -129,15 +141,18 @@ class PacketMaker::Builder {
   };
 
   /// The key of a texture's picture, which is sent where the viewer has it not.
-  Value add_picture(const Image& image, std::uint64_t key, PixelKind kind) {
-    if (now_.pictures.insert(key).second && !before_.pictures.contains(key)) {
+  /// The key of a texture's picture, which is sent where the viewer has it not. On a screen a JPEG of a third of the
+  /// bytes does, but for holes.
+  Value add_picture(const Image& image, PixelKind kind, bool has_holes) {
+    const std::uint64_t key = picture_key(image, kind);
+    if (now_.held.pictures.insert(key).second && !before_.held.pictures.contains(key)) {
       progress_.check();
-      lists_.pictures.push_back(
-          Value::Object{{"key", key_value(key)},
-                        {"type", "image/png"},
-                        {"width", image.width},
-                        {"height", image.height},
-                        {"bytes", arrays_.add_bytes(encode_png(image, kind, PngPacking::quick))}});
+      const std::string bytes = has_holes ? encode_png(image, kind, PngPacking::quick) : encode_jpeg(image);
+      lists_.pictures.push_back(Value::Object{{"key", key_value(key)},
+                                              {"type", has_holes ? "image/png" : "image/jpeg"},
+                                              {"width", image.width},
+                                              {"height", image.height},
+                                              {"bytes", arrays_.add_bytes(bytes)}});
     }
     return key_value(key);
   }
@@ -152,18 +167,17 @@ class PacketMaker::Builder {
                          {"two_sided", material.two_sided},
                          {"masked", material.texture != nullptr && material.texture->masked}};
     if (const Texture* texture = material.texture.get(); texture != nullptr && texture->is_painted()) {
-      const std::uint64_t key = keys.textures[index];
       if (!texture->colour.is_empty())
-        object.emplace_back("picture", add_picture(texture->colour, picture_key(key, 0), PixelKind::srgb));
+        object.emplace_back("picture", add_picture(texture->colour, PixelKind::srgb, texture->masked));
       if (texture->has_normals())
-        object.emplace_back("normals", add_picture(texture->normals, picture_key(key, 1), PixelKind::numbers));
+        object.emplace_back("normals", add_picture(texture->normals, PixelKind::numbers, false));
     }
     if (index < before_.materials.size() && before_.materials[index] == keys.materials[index]) return;
     lists_.materials.push_back(std::move(object));
   }
 
   void add_mesh(const Mesh& given, std::uint64_t key) {
-    if (!now_.meshes.insert(key).second || before_.meshes.contains(key)) return;
+    if (!now_.held.meshes.insert(key).second || before_.held.meshes.contains(key)) return;
     progress_.check();
     const bool has_normals = !given.normals.empty();
     const Mesh shaded = has_normals ? Mesh{} : smooth_shaded(given);
@@ -187,7 +201,7 @@ class PacketMaker::Builder {
   }
 
   void add_instances(const MeshInstances& instances, std::uint64_t key) {
-    if (!now_.instances.insert(key).second || before_.instances.contains(key)) return;
+    if (!now_.held.instances.insert(key).second || before_.held.instances.contains(key)) return;
     progress_.check();
     Value::Object object{{"key", key_value(key)},
                          {"count", number_value(instances.frames.size())},
@@ -225,10 +239,10 @@ class PacketMaker::Builder {
       const std::vector<std::uint64_t> missing = missing_keys(before, now);
       if (!missing.empty()) gone.emplace_back(name, key_list(missing));
     };
-    add_keys("meshes", before_.meshes, now_.meshes);
-    add_keys("instances_of", before_.instances, now_.instances);
-    add_keys("pictures", before_.pictures, now_.pictures);
-    add_keys("skeletons", before_.skeletons, now_.skeletons);
+    add_keys("meshes", before_.held.meshes, now_.held.meshes);
+    add_keys("instances_of", before_.held.instances, now_.held.instances);
+    add_keys("pictures", before_.held.pictures, now_.held.pictures);
+    add_keys("skeletons", before_.held.skeletons, now_.held.skeletons);
     if (now_.materials.size() < before_.materials.size())
       gone.emplace_back("materials", number_value(now_.materials.size()));
     return gone;
@@ -270,8 +284,10 @@ std::string PacketMaker::next(const PacketScene& scene, const PacketFacts& facts
   Builder builder(shown_, progress);
   if (scene.meshes != nullptr) builder.add_meshes(*scene.meshes, key_maker_.keys_of(*scene.meshes));
   if (scene.skeletons != nullptr) builder.add_skeletons(*scene.skeletons, scene.most_segments);
+  if (facts.is_draft) builder.keep(rest_);
   std::string packet = builder.packet(number_ + 1, facts);
   shown_ = builder.take_shown();
+  if (!facts.is_draft) rest_ = shown_.held;
   ++number_;
   return packet;
 }

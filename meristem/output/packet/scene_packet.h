@@ -28,7 +28,7 @@ struct PacketCounts {
 /// What a packet says besides the scene.
 struct PacketFacts {
   std::string hash;       ///< of the text that it shows
-  bool is_draft = false;  ///< it shows less than it will once nothing moves
+  bool is_draft = false;  ///< less than there will be once nothing moves; the viewer keeps what it had before drafts
   bool fits = false;      ///< the camera is to be fitted to it
   double share = 1;       ///< of all triangles, that were asked of the meshes
   PacketCounts all{};     ///< what there is in all
@@ -57,7 +57,10 @@ class PacketMaker {
   /// throws (Cancelled, MachineError), the viewer's scene stays that of the packet before.
   std::string next(const PacketScene& scene, const PacketFacts& facts, const Progress& progress);
   /// Has the next packet be a whole scene.
-  void forget() { shown_ = {}; }
+  void forget() {
+    shown_ = {};
+    rest_ = {};
+  }
   /// Number of the last packet, from 1; 0 before there was one.
   std::uint64_t number() const { return number_; }
 
@@ -71,21 +74,25 @@ class PacketMaker {
   };
   using BatchName = std::pair<std::string, std::uint32_t>;
   using Keys = std::set<std::uint64_t>;
-  /// What the viewer has.
-  struct Shown {
-    bool is_empty = true;  // there was no packet
-    std::map<BatchName, Batch> batches;
-    std::vector<std::uint64_t> materials;
-    std::vector<std::uint64_t> lines;
+  /// Content that the viewer has.
+  struct Held {
     Keys meshes;
     Keys instances;
     Keys pictures;
     Keys skeletons;
   };
+  struct Shown {
+    bool is_empty = true;  // there was no packet
+    std::map<BatchName, Batch> batches;
+    std::vector<std::uint64_t> materials;
+    std::vector<std::uint64_t> lines;
+    Held held;
+  };
   class Builder;
 
   SceneKeyMaker key_maker_;
   Shown shown_;
+  Held rest_;  // of the last packet that was no draft
   std::uint64_t number_ = 0;
 };
 

@@ -155,6 +155,21 @@ TEST(ScenePacket, DrawsTheThickestOfTooManySegments) {
   EXPECT_LE(segments(3), 3U);
 }
 
+TEST(ScenePacket, LeavesTheViewerWhatDraftsDoNotShow) {
+  const MeshScene scene = leafy_scene(100);
+  const MeshScene draft = scene_of(strip(3), {Frame()});
+  PacketMaker maker;
+  ShownScene viewer;
+  viewer.apply(next(maker, scene));
+  viewer.apply(maker.next({.meshes = &draft}, {.is_draft = true}, Progress()));
+  EXPECT_EQ(viewer.batch_count(), 1U);
+  const std::string bytes = next(maker, scene);
+  EXPECT_EQ(ReadPacket(bytes).count("meshes"), 0U);
+  EXPECT_EQ(ReadPacket(bytes).count("instances_of"), 0U);
+  viewer.apply(bytes);
+  EXPECT_EQ(viewer, shown(scene));
+}
+
 /// Any change that an edit can bring.
 void change(MeshScene& scene, const RandomKey& key) {
   const auto chosen = [&](std::uint64_t index, std::size_t count) {

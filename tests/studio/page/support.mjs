@@ -90,7 +90,7 @@ async function serve_folder(page, address, folder) {
 
 /// When the document is open and its plant is shown.
 export async function ready(page) {
-  await page.waitForFunction(() => window.studio?.document.state.get().text && window.studio.growth.get().shown, null, { timeout: 20000 });
+  await page.waitForFunction(() => window.studio?.document.state.get().text && window.studio.growth.get().shown, null, { timeout: 60000 });
   await settled(page);
 }
 
@@ -104,7 +104,7 @@ export async function settled(page) {
       return Object.keys(studio.dragged.get()).length === 0 && (!good || (shown?.hash === hash && !shown.draft && !working));
     },
     null,
-    { timeout: 20000 },
+    { timeout: 60000 },
   );
 }
 

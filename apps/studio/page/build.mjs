@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Builds the page into a folder that the program embeds: node build.mjs OUT [--check]. Says how large it is compressed,
+// and fails where that is past what the page may weigh. node build.mjs --tests OUT builds the tests of its units.
+import { build } from 'esbuild';
+import { mkdir, readdir, readFile, rm, writeFile } from 'node:fs/promises';
+import path from 'node:path';
+import process from 'node:process';
+import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
+
+const kMostBytes = 500_000;
+const here = path.dirname(fileURLToPath(import.meta.url));
+const common = { bundle: true, target: 'es2022', logLevel: 'warning', absWorkingDir: here, jsx: 'automatic' };
+
+/// The packages that stand in a bundle, by the paths of what went into it.
+function packages_in(inputs) {
+  const found = Object.keys(inputs).map((file) => /.*node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(file)?.[1]);
+  return [...new Set(found.filter(Boolean))].sort();
+}
+
+async function notice_of(name) {
+  const folder = path.join(here, 'node_modules', name);
+  const { version, license } = JSON.parse(await readFile(path.join(folder, 'package.json'), 'utf8'));
+  const file = (await readdir(folder)).find((one) => /^licen[cs]e/i.test(one));
+  const text = file ? await readFile(path.join(folder, file), 'utf8') : '';
+  if (!/^(MIT|BSD-[23]-Clause|Apache-2\.0|ISC|0BSD)$/.test(license ?? '')) throw new Error(`${name} has the licence ${license}`);
+  return `${name} ${version} (${license})\n\n${text.trim()}\n`;
+}
+
+async function build_page(out) {
+  await rm(out, { recursive: true, force: true });
+  await mkdir(out, { recursive: true });
+  const made = await build({
+    ...common,
+    entryPoints: { page: 'src/main.tsx' },
+    outdir: out,
+    format: 'esm',
+    minify: true,
+    metafile: true,
+    legalComments: 'none',
+    define: { 'process.env.NODE_ENV': '"production"' },
+  });
+  await build({ ...common, entryPoints: { page: 'src/style/page.css' }, outdir: out, minify: true });
+  for (const file of ['index.html', 'icon.svg']) await writeFile(path.join(out, file), await readFile(path.join(here, 'src', file)));
+  const notices = await Promise.all(packages_in(made.metafile.inputs).map(notice_of));
+  await writeFile(path.join(out, 'notices.txt'), `The studio's page contains these packages.\n\n${notices.join(`\n${'-'.repeat(80)}\n\n`)}`);
+  let sum = 0;
+  for (const file of (await readdir(out)).sort()) sum += gzipSync(await readFile(path.join(out, file)), { level: 9 }).length;
+  console.log(`the page weighs ${(sum / 1000).toFixed(0)} kB compressed, of ${kMostBytes / 1000}`);
+  if (sum > kMostBytes) throw new Error('the page is too heavy');
+}
+
+async function build_tests(out) {
+  const files = (await readdir(path.join(here, 'test'))).filter((one) => one.endsWith('.test.ts'));
+  await rm(out, { recursive: true, force: true });
+  await build({ ...common, entryPoints: files.map((one) => `test/${one}`), outdir: out, outExtension: { '.js': '.mjs' }, format: 'esm', platform: 'node', sourcemap: 'inline' });
+}
+
+const [first, second] = process.argv.slice(2);
+if (first === undefined) throw new Error('usage: node build.mjs OUT | --tests OUT');
+if (first === '--tests') await build_tests(path.resolve(second ?? 'tests'));
+else await build_page(path.resolve(first));

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { ReactElement } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { Dialog } from '../controls/dialog.tsx';
+import { kShortcuts } from '../shortcuts.ts';
+import { use_studio } from '../studio_context.ts';
+import { ExportDialog } from './export_dialog.tsx';
+import { OpenDialog, SaveDialog } from './file_dialogs.tsx';
+import { ModelsDialog } from './models_dialog.tsx';
+
+/// The window that is open, if there is one.
+export function Dialogs(): ReactElement | null {
+  const studio = use_studio();
+  const { dialog } = use_store(studio.shell);
+  const close = (): void => studio.shell.merge({ dialog: null });
+  if (dialog === 'open') return <OpenDialog close={close} />;
+  if (dialog === 'save') return <SaveDialog close={close} />;
+  if (dialog === 'models') return <ModelsDialog close={close} />;
+  if (dialog === 'export') return <ExportDialog close={close} />;
+  return dialog === 'shortcuts' ? <ShortcutsDialog close={close} /> : null;
+}
+
+function ShortcutsDialog({ close }: { close: () => void }): ReactElement {
+  return (
+    <Dialog title="Shortcuts" width="wide" close={close}>
+      <div className="shortcuts">
+        {kShortcuts.map((group) => (
+          <section key={group.title}>
+            <h3>{group.title}</h3>
+            <dl>
+              {group.keys.map(({ keys, text }) => (
+                <div key={keys}>
+                  <dt>
+                    <kbd>{keys}</kbd>
+                  </dt>
+                  <dd>{text}</dd>
+                </div>
+              ))}
+            </dl>
+          </section>
+        ))}
+      </div>
+    </Dialog>
+  );
+}

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files from the plant, by the server; and the line that makes the same in a terminal.
+import type { ReactElement } from 'react';
+import { useState } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { Button } from '../controls/button.tsx';
+import { Dialog } from '../controls/dialog.tsx';
+import { Icon } from '../controls/icon.tsx';
+import { copy_command } from '../copy_command.ts';
+import { NumberField } from '../controls/number_field.tsx';
+import type { ExportOptions, Format, MadeFile } from '../server/protocol.ts';
+import { use_document, use_studio } from '../studio_context.ts';
+import { size_text } from './file_dialogs.tsx';
+
+const kInstances = [
+  ['automatic', 'As the size asks'],
+  ['rows', 'Rows of places (EXT_mesh_gpu_instancing)'],
+  ['nodes', 'A node each, which every program reads'],
+] as const;
+
+interface NumberOption {
+  name: 'lod' | 'time' | 'width' | 'height' | 'samples';
+  label: string;
+  unit?: string;
+  step: number;
+  low: number;
+  high: number;
+  fallback: number;
+}
+
+const kLevel: NumberOption = { name: 'lod', label: 'Coarser levels', step: 1, low: 0, high: 8, fallback: 0 };
+const kTime: NumberOption = { name: 'time', label: 'Time', unit: 's', step: 0.1, low: 0, high: 1e6, fallback: 0 };
+const kPicture: NumberOption[] = [
+  { name: 'width', label: 'Width', unit: 'px', step: 10, low: 16, high: 8192, fallback: 1200 },
+  { name: 'height', label: 'Height', unit: 'px', step: 10, low: 16, high: 8192, fallback: 1200 },
+  { name: 'samples', label: 'Samples', step: 4, low: 1, high: 1024, fallback: 64 },
+];
+
+function is_picture(ending: string): boolean {
+  return /\.?(png|jpg)$/.test(ending);
+}
+
+function options_of(format: Format | undefined): NumberOption[] {
+  if (!format) return [];
+  const options = format.levels ? [kLevel] : [];
+  return is_picture(format.ending) ? [...options, kTime, ...kPicture] : [...options, kTime];
+}
+
+export function ExportDialog({ close }: { close: () => void }): ReactElement {
+  const studio = use_studio();
+  const { hello } = use_store(studio.server);
+  const { working } = use_store(studio.growth);
+  const { good } = use_document();
+  const formats = hello?.formats ?? [];
+  const [ending, set_ending] = useState(formats[0]?.ending ?? '.glb');
+  const [options, set_options] = useState<ExportOptions>({});
+  const [files, set_files] = useState<MadeFile[] | null>(null);
+  const [is_busy, set_busy] = useState(false);
+  const format = formats.find((one) => one.ending === ending);
+  const [as_seen, set_as_seen] = useState(true);
+  const camera = is_picture(ending) && as_seen ? studio.view?.orbit.as_document : undefined;
+  const wish = { format: ending, name: null, options: camera ? { ...options, camera } : options };
+  const make = (): void => {
+    set_busy(true);
+    set_files(null);
+    studio.connection
+      .request<{ files: MadeFile[] }>('export', wish)
+      .then((answer) => {
+        set_files(answer.files);
+        if (answer.files[0]) download(answer.files[0]);
+      })
+      .catch((fault: Error) => studio.tell(fault.message, true))
+      .finally(() => set_busy(false));
+  };
+  const footer = (
+    <>
+      <Button icon="command" tip="The line that does the same in a terminal" press={() => void copy_command(studio, wish)}>
+        Copy as command
+      </Button>
+      <span className="stretch" />
+      <Button kind="main" icon="export" is_off={is_busy || !good} press={make}>
+        {is_busy ? 'Exporting…' : 'Export'}
+      </Button>
+    </>
+  );
+  return (
+    <Dialog title="Export" close={close} footer={footer}>
+      <div className="formats" role="radiogroup" aria-label="Format">
+        {formats.map((one) => (
+          <label key={one.ending} className="format">
+            <input type="radio" name="format" checked={one.ending === ending} onChange={() => set_ending(one.ending)} />
+            <b>{one.ending}</b>
+            <span className="quiet">{one.doc}</span>
+          </label>
+        ))}
+      </div>
+      {options_of(format).map((option) => (
+        <OptionLine key={option.name} option={option} options={options} set={set_options} />
+      ))}
+      {format?.instances && (
+        <div className="field-line">
+          <label htmlFor="instances">Leaves and organs</label>
+          <select id="instances" className="select" value={options.instances ?? 'automatic'} onChange={(event) => set_options({ ...options, instances: event.target.value })}>
+            {kInstances.map(([name, text]) => (
+              <option key={name} value={name}>
+                {text}
+              </option>
+            ))}
+          </select>
+        </div>
+      )}
+      {is_picture(ending) && (
+        <label className="check-line">
+          <input type="checkbox" checked={as_seen} onChange={(event) => set_as_seen(event.target.checked)} />
+          From where the view looks
+        </label>
+      )}
+      {ending.endsWith('png') && (
+        <label className="check-line">
+          <input type="checkbox" checked={options.transparent ?? false} onChange={(event) => set_options({ ...options, transparent: event.target.checked })} />
+          Transparent background
+        </label>
+      )}
+      {is_busy && <progress max={1} value={working?.job === 'export' ? working.share : undefined} aria-label="Progress of the export" />}
+      {files && <MadeFiles files={files} />}
+    </Dialog>
+  );
+}
+
+function OptionLine({ option, options, set }: { option: NumberOption; options: ExportOptions; set: (options: ExportOptions) => void }): ReactElement {
+  const { name, label, unit, step, low, high, fallback } = option;
+  const put = (value: number): void => set({ ...options, [name]: value });
+  return (
+    <div className="field-line">
+      <span>{label}</span>
+      <NumberField label={label} value={options[name] ?? fallback} step={step} unit={unit} limit={(one) => Math.min(high, Math.max(low, one))} drag={put} commit={put} cancel={() => undefined} />
+    </div>
+  );
+}
+
+function download(file: MadeFile): void {
+  const link = document.createElement('a');
+  link.href = file.address;
+  link.download = file.name;
+  link.click();
+}
+
+function MadeFiles({ files }: { files: MadeFile[] }): ReactElement {
+  return (
+    <ul className="made-files" aria-label="Files">
+      {files.map((file) => (
+        <li key={file.address}>
+          <a href={file.address} download={file.name}>
+            <Icon name="check" />
+            {file.name}
+          </a>
+          <span className="quiet">{size_text(file.bytes)}</span>
+        </li>
+      ))}
+    </ul>
+  );
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files below the server's folder.
+import type { FormEvent, ReactElement } from 'react';
+import { useEffect, useState } from 'react';
+
+import { Button } from '../controls/button.tsx';
+import { Dialog } from '../controls/dialog.tsx';
+import { Icon } from '../controls/icon.tsx';
+import type { ListedFile } from '../server/protocol.ts';
+import type { Studio } from '../studio.ts';
+import { use_document, use_studio } from '../studio_context.ts';
+
+interface FilesProps {
+  folder: string;
+  enter: (folder: string) => void;
+  take: (path: string) => void;
+  ending: string; // others are not shown
+}
+
+function use_files(studio: Studio, folder: string): ListedFile[] | null {
+  const [files, set_files] = useState<ListedFile[] | null>(null);
+  useEffect(() => {
+    set_files(null);
+    studio.connection
+      .request<{ files: ListedFile[] }>('files', { folder })
+      .then((answer) => set_files(answer.files))
+      .catch((fault: Error) => {
+        studio.tell(fault.message, true);
+        set_files([]);
+      });
+  }, [studio, folder]);
+  return files;
+}
+
+function Files({ folder, enter, take, ending }: FilesProps): ReactElement {
+  const studio = use_studio();
+  const files = use_files(studio, folder);
+  const below = (name: string): string => (folder === '' ? name : `${folder}/${name}`);
+  const shown = files?.filter((one) => one.folder || one.name.endsWith(ending)) ?? [];
+  return (
+    <div className="files">
+      <p className="crumbs">
+        <button type="button" onClick={() => enter('')}>
+          {studio.server.get().hello?.root ?? 'folder'}
+        </button>
+        {folder.split('/').filter(Boolean).map((name, index, all) => (
+          <span key={index}>
+            {' / '}
+            <button type="button" onClick={() => enter(all.slice(0, index + 1).join('/'))}>
+              {name}
+            </button>
+          </span>
+        ))}
+      </p>
+      <ul>
+        {shown.map((one) => (
+          <li key={one.name}>
+            <button type="button" className="file" onClick={() => (one.folder ? enter(below(one.name)) : take(below(one.name)))}>
+              <Icon name={one.folder ? 'folder' : 'document'} />
+              <span>{one.name}</span>
+              {!one.folder && <span className="quiet">{size_text(one.bytes)}</span>}
+            </button>
+          </li>
+        ))}
+      </ul>
+      {files !== null && shown.length === 0 && <p className="empty">No plant documents in this folder.</p>}
+    </div>
+  );
+}
+
+export function size_text(bytes: number): string {
+  if (bytes < 1000) return `${bytes} B`;
+  return bytes < 1e6 ? `${(bytes / 1000).toFixed(1)} kB` : `${(bytes / 1e6).toFixed(1)} MB`;
+}
+
+export function OpenDialog({ close }: { close: () => void }): ReactElement {
+  const studio = use_studio();
+  const [folder, set_folder] = useState('');
+  const open = (path: string): void => {
+    close();
+    void studio.open({ path });
+  };
+  return (
+    <Dialog title="Open a plant" close={close} footer={<Button press={() => studio.shell.merge({ dialog: 'models' })}>Shipped plants…</Button>}>
+      <Files folder={folder} enter={set_folder} take={open} ending=".json" />
+    </Dialog>
+  );
+}
+
+export function SaveDialog({ close }: { close: () => void }): ReactElement {
+  const studio = use_studio();
+  const { path, name } = use_document();
+  const cut = path?.lastIndexOf('/') ?? -1;
+  const [folder, set_folder] = useState(cut > 0 && path ? path.slice(0, cut) : '');
+  const [file, set_file] = useState(path?.slice(cut + 1) ?? `${name || 'plant'}.json`);
+  const save = (event?: FormEvent): void => {
+    event?.preventDefault();
+    const wanted = /\.json$/i.test(file) ? file : `${file}.json`;
+    void studio.save(folder === '' ? wanted : `${folder}/${wanted}`).then((saved) => {
+      if (saved || studio.shell.get().conflict) close();
+    });
+  };
+  return (
+    <Dialog title="Save as" close={close} footer={<Button kind="main" is_off={file.trim() === ''} press={() => save()}>Save</Button>}>
+      <form className="field-line" onSubmit={save}>
+        <label htmlFor="file-name">Name</label>
+        <input id="file-name" className="text-field" autoFocus value={file} onChange={(event) => set_file(event.target.value)} />
+      </form>
+      <Files folder={folder} enter={set_folder} take={(chosen) => set_file(chosen.slice(chosen.lastIndexOf('/') + 1))} ending=".json" />
+    </Dialog>
+  );
+}

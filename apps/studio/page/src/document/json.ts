@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// JSON with comments, with the place of everything: what the outline, the inspector and completion read. The server
+// alone decides what a document means; this says only where its values stand.
+
+export type Json = null | boolean | number | string | Json[] | { [name: string]: Json };
+
+export interface JsonMember {
+  name: string;
+  name_start: number;
+  name_end: number;
+  node: JsonNode;
+}
+
+export interface JsonNode {
+  start: number; // in UTF-16 units, as editors count
+  end: number;
+  value: Json;
+  members?: JsonMember[]; // of an object
+  elements?: JsonNode[]; // of a list
+}
+
+export class JsonFault extends Error {
+  constructor(
+    message: string,
+    readonly offset: number,
+  ) {
+    super(message);
+  }
+}
+
+const kMostNested = 256;
+const kNumber = /-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?/y;
+const kText = /"(?:[^"\\\u0000-\u001f]|\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4}))*"/y;
+const kGap = /(?:[ \t\r\n\ufeff]|\/\/[^\n]*|\/\*[^]*?\*\/)*/y;
+
+class Parser {
+  private at_ = 0;
+  private nested_ = 0;
+
+  constructor(private readonly text_: string) {}
+
+  document(): JsonNode {
+    const node = this.value();
+    if (this.at_ < this.text_.length) throw new JsonFault('expected the end of the document', this.at_);
+    return node;
+  }
+
+  private match(pattern: RegExp): string | null {
+    pattern.lastIndex = this.at_;
+    const found = pattern.exec(this.text_);
+    if (!found) return null;
+    this.at_ = pattern.lastIndex;
+    return found[0];
+  }
+
+  private skip(): void {
+    this.match(kGap);
+  }
+
+  private take(sign: string): boolean {
+    if (this.text_[this.at_] !== sign) return false;
+    this.at_ += 1;
+    this.skip();
+    return true;
+  }
+
+  private expect(sign: string): void {
+    if (this.text_[this.at_] !== sign) throw new JsonFault(`expected '${sign}'`, this.at_);
+    this.at_ += 1;
+  }
+
+  private value(): JsonNode {
+    this.skip();
+    const start = this.at_;
+    this.nested_ += 1;
+    if (this.nested_ > kMostNested) throw new JsonFault('too deeply nested', start);
+    const node = this.value_at(start);
+    this.nested_ -= 1;
+    this.skip();
+    return node;
+  }
+
+  private value_at(start: number): JsonNode {
+    const sign = this.text_[start];
+    if (sign === '{') return this.object(start);
+    if (sign === '[') return this.list(start);
+    if (sign === '"') return { start, value: this.text(), end: this.at_ };
+    for (const [word, value] of [['true', true], ['false', false], ['null', null]] as const) {
+      if (!this.text_.startsWith(word, start)) continue;
+      this.at_ += word.length;
+      return { start, value, end: this.at_ };
+    }
+    const number = this.match(kNumber);
+    if (number === null) throw new JsonFault('expected a value', start);
+    return { start, value: Number(number), end: this.at_ };
+  }
+
+  private text(): string {
+    const found = this.match(kText);
+    if (found === null) throw new JsonFault('this text is not closed, or has a sign that must be escaped', this.at_);
+    return JSON.parse(found) as string;
+  }
+
+  private object(start: number): JsonNode {
+    const members: JsonMember[] = [];
+    // Without a prototype: a document may call a member "__proto__".
+    const value = Object.create(null) as { [name: string]: Json };
+    this.expect('{');
+    this.skip();
+    while (this.text_[this.at_] !== '}') {
+      if (members.length > 0 && !this.take(',')) throw new JsonFault("expected ',' or '}'", this.at_);
+      const name_start = this.at_;
+      if (this.text_[name_start] !== '"') throw new JsonFault('expected a name in quotes', name_start);
+      const name = this.text();
+      const name_end = this.at_;
+      this.skip();
+      this.expect(':');
+      const node = this.value();
+      members.push({ name, name_start, name_end, node });
+      value[name] = node.value;
+    }
+    this.expect('}');
+    return { start, end: this.at_, value, members };
+  }
+
+  private list(start: number): JsonNode {
+    const elements: JsonNode[] = [];
+    this.expect('[');
+    this.skip();
+    while (this.text_[this.at_] !== ']') {
+      if (elements.length > 0 && !this.take(',')) throw new JsonFault("expected ',' or ']'", this.at_);
+      elements.push(this.value());
+    }
+    this.expect(']');
+    return { start, end: this.at_, value: elements.map((node) => node.value), elements };
+  }
+}
+
+/// Throws a JsonFault.
+export function parse_json(text: string): JsonNode {
+  return new Parser(text).document();
+}
+
+export function is_object(value: Json | undefined): value is { [name: string]: Json } {
+  return typeof value === 'object' && value !== null && !Array.isArray(value);
+}
+
+/// As documents write values that stand in one line.
+export function write_json(value: Json): string {
+  if (Array.isArray(value)) return `[${value.map(write_json).join(', ')}]`;
+  if (!is_object(value)) return JSON.stringify(value);
+  return `{${Object.keys(value)
+    .map((name) => `${JSON.stringify(name)}: ${write_json(value[name] ?? null)}`)
+    .join(', ')}}`;
+}

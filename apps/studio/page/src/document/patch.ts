@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Changes of a text as pieces that are replaced. Offsets count UTF-16 units, as strings and the server's messages do.
+
+export interface Splice {
+  offset: number; // in the text before the whole patch
+  length: number;
+  replacement: string;
+}
+
+/// Splices in rising order that do not overlap.
+export type Patch = Splice[];
+
+export function apply_patch(text: string, patch: Patch): string {
+  let made = '';
+  let at = 0;
+  for (const { offset, length, replacement } of patch) {
+    if (offset < at || offset + length > text.length) throw new RangeError('a patch does not fit its text');
+    made += text.slice(at, offset) + replacement;
+    at = offset + length;
+  }
+  return made + text.slice(at);
+}
+
+/// What gives `text` back where it is applied to the patched text.
+export function inverse_patch(text: string, patch: Patch): Patch {
+  let shift = 0;
+  return patch.map(({ offset, length, replacement }) => {
+    const inverse = { offset: offset + shift, length: replacement.length, replacement: text.slice(offset, offset + length) };
+    shift += replacement.length - length;
+    return inverse;
+  });
+}
+
+/// One splice that makes `after` of `before`, none where they are equal.
+export function patch_between(before: string, after: string): Patch {
+  if (before === after) return [];
+  const shorter = Math.min(before.length, after.length);
+  let head = 0;
+  while (head < shorter && before[head] === after[head]) head += 1;
+  let tail = 0;
+  while (tail < shorter - head && before[before.length - 1 - tail] === after[after.length - 1 - tail]) tail += 1;
+  // A pair of surrogates is one character: no splice begins or ends within.
+  if (head > 0 && is_high(before.charCodeAt(head - 1))) head -= 1;
+  if (tail > 0 && is_high(before.charCodeAt(before.length - tail - 1)) && is_low(before.charCodeAt(before.length - tail))) tail -= 1;
+  return [{ offset: head, length: before.length - head - tail, replacement: after.slice(head, after.length - tail) }];
+}
+
+function is_high(unit: number): boolean {
+  return unit >= 0xd800 && unit < 0xdc00;
+}
+
+function is_low(unit: number): boolean {
+  return unit >= 0xdc00 && unit < 0xe000;
+}
+
+/// `later` as it reads after `first`, which was made of the same text at the same time; null where both touch one place.
+export function rebased(first: Patch, later: Patch): Patch | null {
+  const made: Patch = [];
+  for (const splice of later) {
+    let shift = 0;
+    for (const { offset, length, replacement } of first) {
+      if (offset + length <= splice.offset) shift += replacement.length - length;
+      else if (offset < splice.offset + splice.length || offset === splice.offset) return null;
+    }
+    made.push({ ...splice, offset: splice.offset + shift });
+  }
+  return made;
+}
+
+/// As the server writes splices.
+export type PlainPatch = [number, number, string][];
+
+export function plain_patch(patch: Patch): PlainPatch {
+  return patch.map(({ offset, length, replacement }) => [offset, length, replacement]);
+}
+
+export function patch_of_plain(plain: PlainPatch): Patch {
+  return plain.map(([offset, length, replacement]) => ({ offset, length, replacement }));
+}

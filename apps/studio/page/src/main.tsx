@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+import { StrictMode } from 'react';
+import { createRoot } from 'react-dom/client';
+
+import { start_tooltips } from './controls/tooltip.ts';
+import { App } from './panels/app.tsx';
+import { listen_to_keys } from './shortcuts.ts';
+import { Studio } from './studio.ts';
+import { StudioContext } from './studio_context.ts';
+import type { Tables } from './tables/tables.ts';
+
+declare global {
+  interface Window {
+    studio?: Studio; // for tests and the curious
+  }
+}
+
+function follow_theme(studio: Studio): void {
+  const system = matchMedia('(prefers-color-scheme: dark)');
+  const paint = (): void => {
+    const { theme, is_dark } = studio.shell.get();
+    const wanted = theme === 'dark' || (theme === 'system' && system.matches);
+    document.documentElement.dataset['theme'] = wanted ? 'dark' : 'light';
+    if (wanted !== is_dark) studio.shell.merge({ is_dark: wanted });
+    studio.refresh_view();
+  };
+  system.addEventListener('change', paint);
+  studio.shell.subscribe(paint);
+  paint();
+}
+
+async function start(): Promise<void> {
+  const tables = (await (await fetch('tables.json')).json()) as Tables;
+  const socket = new URL('socket', document.baseURI);
+  socket.protocol = socket.protocol === 'https:' ? 'wss:' : 'ws:';
+  const studio = new Studio(tables, socket.href);
+  window.studio = studio;
+  follow_theme(studio);
+  listen_to_keys(studio);
+  const root = document.getElementById('root');
+  if (!root) return;
+  start_tooltips(document.body);
+  createRoot(root).render(
+    <StrictMode>
+      <StudioContext.Provider value={studio}>
+        <App />
+      </StudioContext.Provider>
+    </StrictMode>,
+  );
+  studio.connection.connect();
+}
+
+void start();

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// What must be decided, above the work: a lost server, unsaved work of before, a file that someone else has changed.
+import type { ReactElement } from 'react';
+import { useState } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { Button } from '../controls/button.tsx';
+import { Icon } from '../controls/icon.tsx';
+import { line_difference } from '../document/line_difference.ts';
+import { use_studio } from '../studio_context.ts';
+
+export function LostBanner(): ReactElement | null {
+  const { link } = use_store(use_studio().server);
+  if (link !== 'lost') return null;
+  return (
+    <div className="banner warning" role="alert">
+      <Icon name="warning" />
+      <p>
+        The server is gone. Your work is kept in this browser: start <code>meristem studio</code> again and open the address that it prints.
+      </p>
+    </div>
+  );
+}
+
+export function KeptBanner(): ReactElement | null {
+  const studio = use_studio();
+  const { kept } = use_store(studio.shell);
+  const [shows, set_shows] = useState(false);
+  if (!kept) return null;
+  const { work, before } = kept;
+  const when = new Date(work.at).toLocaleString([], { dateStyle: 'medium', timeStyle: 'short' });
+  if (before === null) return <OtherWork name={work.name} when={when} open={() => studio.keeper.open_other(work)} />;
+  const lines = line_difference(before, work.text);
+  const differing = lines.filter((one) => one.sign !== ' ').length;
+  return (
+    <div className="banner" role="alert" data-banner="kept">
+      <Icon name="reset" />
+      <p>
+        Unsaved changes of <strong>{work.name}</strong> from {when}: {differing} {differing === 1 ? 'line differs' : 'lines differ'}.
+      </p>
+      <Button kind="quiet" press={() => set_shows(!shows)}>
+        {shows ? 'Hide' : 'Show'} what differs
+      </Button>
+      <Button press={() => void studio.keeper.discard(work)}>Discard</Button>
+      <Button kind="main" press={() => studio.keeper.restore(work)}>
+        Restore
+      </Button>
+      {shows && (
+        <pre className="difference" tabIndex={0} aria-label="What differs">
+          {lines.slice(0, 200).map((line, index) => (
+            <span key={index} className={line.sign === '+' ? 'added' : line.sign === '-' ? 'removed' : ''}>
+              {`${line.sign} ${line.text}\n`}
+            </span>
+          ))}
+        </pre>
+      )}
+    </div>
+  );
+}
+
+function OtherWork({ name, when, open }: { name: string; when: string; open: () => void }): ReactElement {
+  const studio = use_studio();
+  return (
+    <div className="banner" role="alert" data-banner="other">
+      <Icon name="reset" />
+      <p>
+        There are unsaved changes of <strong>{name}</strong> from {when}.
+      </p>
+      <Button press={() => studio.shell.merge({ kept: null })}>Not now</Button>
+      <Button kind="main" press={open}>
+        Open it
+      </Button>
+    </div>
+  );
+}
+
+export function ConflictBanner(): ReactElement | null {
+  const studio = use_studio();
+  const { conflict } = use_store(studio.shell);
+  if (!conflict) return null;
+  const close = (): void => studio.shell.merge({ conflict: null });
+  return (
+    <div className="banner warning" role="alert" data-banner="conflict">
+      <Icon name="warning" />
+      <p>
+        <strong>{conflict.path}</strong> on the disk is another one than this page knows. Saving puts this page’s text in its place.
+      </p>
+      <Button press={close}>Do not save</Button>
+      <Button
+        kind="main"
+        press={() => {
+          close();
+          void studio.save(conflict.path, true);
+        }}
+      >
+        Save anyway
+      </Button>
+    </div>
+  );
+}

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// The document's variables: the few numbers that its author meant to be turned.
+import type { ReactElement } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { Button, IconButton } from '../controls/button.tsx';
+import { NumberField } from '../controls/number_field.tsx';
+import { Slider } from '../controls/slider.tsx';
+import { fitting_step, rounded } from '../document/arithmetic.ts';
+import { TextField } from '../rows/text_field.tsx';
+import { Faults } from '../rows/row_editor.tsx';
+import { use_faults } from '../rows/row_actions.ts';
+import type { Variable } from '../server/protocol.ts';
+import type { Studio } from '../studio.ts';
+import { use_document, use_studio } from '../studio_context.ts';
+
+export function Handles(): ReactElement {
+  const studio = use_studio();
+  const { variables } = use_document();
+  const handles = variables.filter((one) => !one.private);
+  return (
+    <section className="panel handles" aria-labelledby="handles-title">
+      <div className="panel-head">
+        <h2 id="handles-title">Handles</h2>
+        {handles.length > 0 && (
+          <Button kind="quiet" icon="sparkle" tip="Random values within the ranges of all handles that are not locked" press={() => surprise(studio, handles)}>
+            Surprise me
+          </Button>
+        )}
+      </div>
+      {handles.length === 0 && (
+        <p className="empty">This document has no handles. Give it <code>variables</code> in its text, and they appear here as sliders.</p>
+      )}
+      {handles.map((one) => (
+        <Handle key={one.name} variable={one} />
+      ))}
+    </section>
+  );
+}
+
+/// Whole numbers where the range and the value are whole and the range is long enough to be meant so.
+export function step_of(variable: Variable): number {
+  const { min, max, value } = variable;
+  const is_whole = [min, max, value].every(Number.isInteger) && max - min >= 5;
+  return is_whole ? 1 : fitting_step(min, max, 200);
+}
+
+function surprise(studio: Studio, handles: Variable[]): void {
+  const locks = studio.locks.get();
+  const free = handles.filter((one) => !locks.has(one.name) && one.expression === null);
+  if (free.length === 0) return studio.tell('All handles are locked');
+  const edits = free.map((one) => ({
+    set: one.name,
+    value: rounded(one.min + Math.random() * (one.max - one.min), step_of(one)),
+  }));
+  void studio.edit(edits, 'Surprise me');
+}
+
+function Handle({ variable }: { variable: Variable }): ReactElement {
+  const studio = use_studio();
+  const { name, unit, doc, expression } = variable;
+  const dragged = use_store(studio.dragged)[name];
+  const locks = use_store(studio.locks);
+  const first = use_store(studio.first_values)[name];
+  const faults = use_faults(`variables.${name}`, true);
+  const label = name.replaceAll('_', ' ');
+  const is_locked = locks.has(name);
+  const now = expression ?? variable.value;
+  const toggle_lock = (): void => {
+    const next = new Set(locks);
+    if (!next.delete(name)) next.add(name);
+    studio.locks.set(next);
+  };
+  return (
+    <div className="handle" data-handle={name}>
+      <div className="handle-head">
+        <span className="handle-name">{label}</span>
+        <IconButton is_small icon="reset" label={`Reset ${label}`} is_off={first === undefined || first === now} press={() => studio.set_value(name, first ?? 0, `Reset ${label}`)} />
+        <IconButton is_small icon={is_locked ? 'lock' : 'unlock'} label={`Lock ${label}`} is_on={is_locked} press={toggle_lock} />
+      </div>
+      {expression !== null && typeof dragged !== 'number' ? (
+        <TextField label={label} value={expression} is_code commit={(text) => studio.set_value(name, text, `Set ${label}`)} />
+      ) : (
+        <HandleNumber variable={variable} label={label} shown={typeof dragged === 'number' ? dragged : variable.value} unit={unit} />
+      )}
+      {doc && <p className="handle-doc">{doc}</p>}
+      <Faults faults={faults} />
+    </div>
+  );
+}
+
+function HandleNumber({ variable, label, shown, unit }: { variable: Variable; label: string; shown: number; unit: string }): ReactElement {
+  const studio = use_studio();
+  const { name, min, max, doc } = variable;
+  const step = step_of(variable);
+  const acts = {
+    drag: (value: number) => studio.drag({ [name]: value }),
+    commit: (value: number) => studio.set_value(name, value, `Set ${label}`),
+    cancel: () => studio.stop_drag(),
+  };
+  return (
+    <div className="number-pair">
+      <Slider {...acts} label={`${label}, slider`} value={shown} low={Math.min(min, shown)} high={Math.max(max, shown)} step={step} />
+      <NumberField {...acts} label={label} value={shown} step={step} unit={unit} description={doc} limit={(one) => one} express={(text) => studio.set_value(name, text, `Set ${label}`)} />
+    </div>
+  );
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// What to try first; gone for good once somebody has read it.
+import type { ReactElement } from 'react';
+
+import { prefer } from '../base/preferences.ts';
+import { use_store } from '../base/store.ts';
+import { Button } from '../controls/button.tsx';
+import { Icon } from '../controls/icon.tsx';
+import { use_studio } from '../studio_context.ts';
+
+export function Hints(): ReactElement | null {
+  const studio = use_studio();
+  const { shows_hints, kept } = use_store(studio.shell);
+  const chosen = use_store(studio.chosen);
+  if (!shows_hints || kept || chosen !== '') return null;
+  const close = (): void => {
+    prefer('hints', 'seen');
+    studio.shell.merge({ shows_hints: false });
+  };
+  return (
+    <section className="hints" aria-label="Three things to try">
+      <h2>Three things to try</h2>
+      <ol>
+        <li>
+          <Icon name="sparkle" />
+          <span>
+            <b>Pull a handle.</b> The oak’s age makes it a sapling or a veteran.
+          </span>
+        </li>
+        <li>
+          <Icon name="leaf" />
+          <span>
+            <b>Choose “leaf” in the outline.</b> All its parameters are on the right.
+          </span>
+        </li>
+        <li>
+          <Icon name="models" />
+          <span>
+            <b>Open another plant.</b> All shipped ones are behind the four squares.
+          </span>
+        </li>
+      </ol>
+      <Button kind="main" press={close}>
+        Start
+      </Button>
+    </section>
+  );
+}

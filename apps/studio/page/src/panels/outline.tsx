@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Components with what stands on them, links, and the parts of the document.
+import type { KeyboardEvent, ReactElement } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { IconButton } from '../controls/button.tsx';
+import type { IconName } from '../controls/icon.tsx';
+import { Icon } from '../controls/icon.tsx';
+import type { Json } from '../document/json.ts';
+import { is_object } from '../document/json.ts';
+import { member_of, path_below } from '../document/path.ts';
+import { link_kind } from '../tables/resolve.ts';
+import { use_document, use_studio } from '../studio_context.ts';
+
+interface Item {
+  path: string;
+  title: string;
+  detail: string;
+  icon: IconName;
+  component?: string; // whose drawing can be switched
+}
+
+const kParts: Item[] = [
+  { path: '', title: 'Document', detail: 'name, seed', icon: 'document' },
+  { path: 'scene', title: 'Scene', detail: 'sun, sky, ground', icon: 'scene' },
+  { path: 'output', title: 'Output', detail: 'pictures, levels', icon: 'camera' },
+  { path: 'limits', title: 'Limits', detail: 'what may be asked for', icon: 'warning' },
+];
+
+export function Outline(): ReactElement {
+  const studio = use_studio();
+  const { tree } = use_document();
+  const components = components_of(tree?.value, studio.tables.components);
+  const links = links_of(tree?.value);
+  return (
+    <nav className="panel outline" aria-label="Outline" onKeyDown={step_through}>
+      <div className="panel-head">
+        <h2>Outline</h2>
+      </div>
+      <Group title="Components" items={components} empty="No components yet." />
+      <Group title="Links" items={links} empty="No links: each component grows by itself." />
+      <Group title="Document" items={kParts} empty="" />
+    </nav>
+  );
+}
+
+function components_of(document: Json | undefined, types: Record<string, { is_camera?: boolean }>): Item[] {
+  const components = member_of(document, 'components');
+  if (!is_object(components)) return [];
+  return Object.keys(components).map((id) => {
+    const type = String(member_of(components[id], 'type') ?? '?');
+    const is_camera = types[type]?.is_camera === true;
+    const item: Item = { path: path_below('components', id), title: id, detail: type, icon: is_camera ? 'camera' : 'leaf' };
+    return is_camera ? item : { ...item, component: id };
+  });
+}
+
+function links_of(document: Json | undefined): Item[] {
+  const links = member_of(document, 'links');
+  if (!Array.isArray(links)) return [];
+  return links.map((link, index) => {
+    const [from, to] = Array.isArray(link) ? [link[0], link[1]] : [member_of(link, 'from'), member_of(link, 'to')];
+    return { path: path_below('links', index), title: `${String(from)} → ${String(to)}`, detail: link_kind(link) || 'child', icon: 'link' };
+  });
+}
+
+function Group({ title, items, empty }: { title: string; items: Item[]; empty: string }): ReactElement {
+  return (
+    <div className="outline-group">
+      <h3>{title}</h3>
+      {items.length === 0 && empty !== '' && <p className="empty">{empty}</p>}
+      <ul>
+        {items.map((item) => (
+          <OutlineItem key={item.path} item={item} />
+        ))}
+      </ul>
+    </div>
+  );
+}
+
+function OutlineItem({ item }: { item: Item }): ReactElement {
+  const studio = use_studio();
+  const chosen = use_store(studio.chosen);
+  const view = use_store(studio.view_state);
+  const { grown } = use_store(studio.growth);
+  const { faults } = use_document();
+  const below = faults.filter((one) => item.path !== '' && (one.path === item.path || one.path.startsWith(`${item.path}.`) || one.path.startsWith(`${item.path}[`)));
+  const { component } = item;
+  const count = component === undefined ? undefined : grown?.components?.[component]?.instances;
+  const is_hidden = component !== undefined && view.hidden.has(component);
+  const toggle = (): void => {
+    const hidden = new Set(view.hidden);
+    if (component !== undefined && !hidden.delete(component)) hidden.add(component);
+    studio.change_view({ hidden });
+  };
+  return (
+    <li className={`outline-item${is_hidden ? ' hidden' : ''}`}>
+      <button type="button" className="outline-choice" aria-current={chosen === item.path ? 'true' : undefined} onClick={() => studio.choose(item.path)}>
+        <Icon name={item.icon} />
+        <span className="outline-title">{item.title}</span>
+        <span className="outline-detail">{item.detail}</span>
+        {below.length > 0 && <Icon name={below.some((one) => one.severity === 'error') ? 'fault' : 'warning'} />}
+        {count !== undefined && count > 0 && <span className="outline-count">{count.toLocaleString('en')}</span>}
+      </button>
+      {component !== undefined && <IconButton is_small icon={is_hidden ? 'eye_off' : 'eye'} label={`Draw ${component}`} is_on={!is_hidden} press={toggle} />}
+    </li>
+  );
+}
+
+/// The arrow keys go from item to item.
+function step_through(event: KeyboardEvent<HTMLElement>): void {
+  const move = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+  if (move === undefined) return;
+  const all = [...event.currentTarget.querySelectorAll<HTMLElement>('.outline-choice')];
+  const at = all.indexOf(document.activeElement as HTMLElement);
+  if (at < 0) return;
+  event.preventDefault();
+  all[Math.min(all.length - 1, Math.max(0, at + move))]?.focus();
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { ReactElement } from 'react';
+import { useEffect, useRef } from 'react';
+
+import { Icon } from '../controls/icon.tsx';
+import { node_at } from '../document/path.ts';
+import { fault_text } from '../rows/row_editor.tsx';
+import type { Fault } from '../server/protocol.ts';
+import { use_document, use_studio } from '../studio_context.ts';
+import { TextEditor } from '../text/editor.ts';
+
+/// The whole document as text, and its faults below.
+export function TextPanel(): ReactElement {
+  const studio = use_studio();
+  const parent = useRef<HTMLDivElement>(null);
+  const editor = useRef<TextEditor | null>(null);
+  const { faults } = use_document();
+  useEffect(() => {
+    if (!parent.current) return undefined;
+    const made = new TextEditor(parent.current, studio);
+    editor.current = made;
+    const node = node_at(studio.document.state.get().tree, studio.chosen.get());
+    if (node && studio.chosen.get() !== '') made.reveal(node.start);
+    return () => made.destroy();
+  }, [studio]);
+  const go = (fault: Fault) => () => editor.current?.reveal(fault.offset ?? 0);
+  return (
+    <section className="panel text-panel" aria-label="Text">
+      <div className="editor" ref={parent} />
+      {faults.length > 0 && (
+        <ul className="fault-list" aria-label="Faults">
+          {faults.map((fault, index) => (
+            <li key={index}>
+              <button type="button" className={fault.severity} onClick={go(fault)}>
+                <Icon name={fault.severity === 'error' ? 'fault' : 'warning'} />
+                <span>
+                  {fault.line !== null && <b>Line {fault.line}: </b>}
+                  {fault_text(fault)}
+                </span>
+              </button>
+            </li>
+          ))}
+        </ul>
+      )}
+    </section>
+  );
+}

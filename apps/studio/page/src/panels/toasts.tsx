@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { ReactElement } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { IconButton } from '../controls/button.tsx';
+import { use_studio } from '../studio_context.ts';
+
+/// Short news that go by themselves.
+export function Toasts(): ReactElement {
+  const studio = use_studio();
+  const toasts = use_store(studio.toasts.shown);
+  return (
+    <div className="toasts" role="status" aria-live="polite">
+      {toasts.map((toast) => (
+        <div key={toast.id} className={`toast${toast.is_fault ? ' fault' : ''}`}>
+          <span>{toast.text}</span>
+          <IconButton is_small icon="close" label="Dismiss" press={() => studio.toasts.dismiss(toast.id)} />
+        </div>
+      ))}
+    </div>
+  );
+}

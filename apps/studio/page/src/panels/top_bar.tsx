@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Document, undo, seed, export, theme.
+import type { ReactElement } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { Button, IconButton } from '../controls/button.tsx';
+import { Icon } from '../controls/icon.tsx';
+import { NumberField } from '../controls/number_field.tsx';
+import { copy_command } from '../copy_command.ts';
+import { member_of } from '../document/path.ts';
+import { use_document, use_studio } from '../studio_context.ts';
+import { save_here } from '../shortcuts.ts';
+import type { Studio } from '../studio.ts';
+import type { Theme } from '../studio_state.ts';
+
+export function TopBar(): ReactElement {
+  const studio = use_studio();
+  const { undo } = use_document();
+  const ask = (dialog: 'open' | 'save' | 'models' | 'export' | 'shortcuts') => () => studio.shell.merge({ dialog });
+  return (
+    <header className="top-bar">
+      <DocumentTitle />
+      <div className="tools" role="toolbar" aria-label="Document">
+        <IconButton icon="models" label="Shipped plants" keys="Ctrl+M" press={ask('models')} />
+        <IconButton icon="open" label="Open a file" keys="Ctrl+O" press={ask('open')} />
+        <IconButton icon="save" label="Save" keys="Ctrl+S" press={() => save_here(studio)} />
+        <IconButton icon="save_as" label="Save as" keys="Ctrl+Shift+S" press={ask('save')} />
+        <span className="gap" />
+        <IconButton icon="undo" label={undo.done.length > 0 ? `Undo: ${undo.done.at(-1)?.label}` : 'Undo'} keys="Ctrl+Z" is_off={undo.done.length === 0} press={() => void studio.undo()} />
+        <IconButton icon="redo" label={undo.undone.length > 0 ? `Redo: ${undo.undone.at(-1)?.label}` : 'Redo'} keys="Ctrl+Shift+Z" is_off={undo.undone.length === 0} press={() => void studio.redo()} />
+      </div>
+      <span className="stretch" />
+      <Seed />
+      <span className="gap" />
+      <IconButton icon="command" label="Copy as command" press={() => void copy_command(studio, { format: first_format(studio), name: null, options: {} })} />
+      <ThemeButton />
+      <IconButton icon="help" label="Shortcuts" keys="?" press={ask('shortcuts')} />
+      <Button kind="main" icon="export" press={ask('export')}>
+        Export
+      </Button>
+    </header>
+  );
+}
+
+function first_format(studio: Studio): string {
+  return studio.server.get().hello?.formats[0]?.ending ?? '.glb';
+}
+
+function DocumentTitle(): ReactElement {
+  const { name, path, model, hash, base, tree } = use_document();
+  const title = member_of(tree?.value, 'name');
+  const is_changed = hash !== base;
+  const from = path ?? (model !== null ? 'shipped plant' : 'not saved yet');
+  return (
+    <div className="document-title">
+      <span className="mark">
+        <Icon name="leaf" />
+      </span>
+      <div>
+        <h1>
+          {typeof title === 'string' && title !== '' ? title : name || 'Meristem'}
+          {is_changed && <span className="changed" role="img" aria-label="not saved" data-tip="Not saved yet; kept in this browser" />}
+        </h1>
+        <p data-tip={path ?? undefined}>{from}</p>
+      </div>
+    </div>
+  );
+}
+
+function Seed(): ReactElement {
+  const studio = use_studio();
+  const { tree } = use_document();
+  const dragged = use_store(studio.dragged);
+  const said = dragged['seed'] ?? member_of(tree?.value, 'seed');
+  const seed = typeof said === 'number' ? said : 1;
+  const sow = (): void => studio.set_value('seed', 1 + Math.floor(Math.random() * 9999), 'Roll the seed');
+  return (
+    <div className="seed" data-tip="Everything random comes from this number">
+      <span className="quiet">Seed</span>
+      <NumberField
+        label="Seed"
+        value={seed}
+        step={1}
+        limit={(one) => Math.max(0, Math.round(one))}
+        drag={(one) => studio.drag({ seed: one })}
+        commit={(one) => studio.set_value('seed', one, 'Set seed')}
+        cancel={() => studio.stop_drag()}
+      />
+      <IconButton icon="dice" label="Roll the seed" keys="R" press={sow} />
+    </div>
+  );
+}
+
+const kThemes: Record<Theme, { next: Theme; icon: 'auto' | 'sun' | 'moon'; text: string }> = {
+  system: { next: 'light', icon: 'auto', text: 'Theme: as the system' },
+  light: { next: 'dark', icon: 'sun', text: 'Theme: light' },
+  dark: { next: 'system', icon: 'moon', text: 'Theme: dark' },
+};
+
+function ThemeButton(): ReactElement {
+  const studio = use_studio();
+  const { theme } = use_store(studio.shell);
+  const { next, icon, text } = kThemes[theme];
+  return <IconButton icon={icon} label={text} press={() => studio.set_theme(next)} />;
+}

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// The 3D view with what lies over it: drawing, views along the axes, scale, compass.
+import type { ReactElement } from 'react';
+import { useEffect, useRef } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { Button, IconButton, Segments } from '../controls/button.tsx';
+import { use_document, use_studio } from '../studio_context.ts';
+import type { Studio } from '../studio.ts';
+import { View } from '../view/view.ts';
+import { scale_bar } from '../view/scale_bar.ts';
+
+const kDrawings = [
+  ['shaded', 'Shaded'],
+  ['wireframe', 'Wireframe'],
+  ['skeleton', 'Skeleton'],
+] as const;
+
+export function ViewPanel(): ReactElement {
+  const studio = use_studio();
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useEffect(() => {
+    if (canvas.current && !studio.view) attach(studio, canvas.current);
+  }, [studio]);
+  const view = use_store(studio.view_state);
+  const look = (azimuth: number, altitude: number) => () => studio.view?.look_from(azimuth, altitude);
+  return (
+    <div className="view">
+      <canvas ref={canvas} tabIndex={0} role="application" aria-label="The plant in three dimensions. Arrow keys turn, Shift with them moves, plus and minus zoom, F fits." />
+      <Nothing />
+      <div className="view-tools" role="toolbar" aria-label="View">
+        <Segments label="Drawing" value={view.drawing} choices={kDrawings} choose={(drawing) => studio.change_view({ drawing })} />
+        <IconButton icon="ground" label="Ground" is_on={view.shows_ground} press={() => studio.change_view({ shows_ground: !view.shows_ground })} />
+      </div>
+      <div className="view-axes" role="toolbar" aria-label="Look from">
+        <Compass />
+        <div className="axis-buttons">
+          <Button kind="quiet" tip="From the south  1" press={look(180, 0)}>
+            Front
+          </Button>
+          <Button kind="quiet" tip="From the east  3" press={look(90, 0)}>
+            Side
+          </Button>
+          <Button kind="quiet" tip="From above  7" press={look(180, 89.5)}>
+            Top
+          </Button>
+          <IconButton icon="fit" label="Fit the plant" keys="F" press={() => studio.view?.fit()} />
+        </div>
+      </div>
+      <Scale />
+    </div>
+  );
+}
+
+function attach(studio: Studio, canvas: HTMLCanvasElement): void {
+  try {
+    const view = new View(canvas, {
+      drawn: (facts) => studio.view_facts.set(facts),
+      restored: () => studio.connection.tell('all'),
+    });
+    studio.attach_view(view);
+  } catch {
+    studio.tell('This browser gives no WebGL, so the plant cannot be drawn; all else works', true);
+  }
+}
+
+function Compass(): ReactElement {
+  const facts = use_store(use_studio().view_facts);
+  const azimuth = facts?.camera.azimuth ?? 180;
+  // Up on the screen is where the camera looks.
+  const north = ((180 - azimuth) * Math.PI) / 180;
+  return (
+    <svg className="compass" viewBox="-20 -20 40 40" role="img" aria-label={`Compass: the camera stands at ${Math.round(azimuth)} degrees`}>
+      <circle r="17" />
+      <g transform={`rotate(${(180 - azimuth).toFixed(1)})`}>
+        <path className="north" d="M0 -7L3 1h-6z" />
+        <path className="south" d="M0 9L3 1h-6z" />
+      </g>
+      <text className="compass-letter" x={(11.5 * Math.sin(north)).toFixed(1)} y={(-11.5 * Math.cos(north)).toFixed(1)}>
+        N
+      </text>
+    </svg>
+  );
+}
+
+function Scale(): ReactElement | null {
+  const facts = use_store(use_studio().view_facts);
+  if (!facts) return null;
+  const { pixels, text } = scale_bar(facts.metres_per_pixel);
+  return (
+    <div className="scale" role="img" aria-label={`This bar is ${text} long where the camera looks`}>
+      <span style={{ width: `${pixels}px` }} />
+      {text}
+    </div>
+  );
+}
+
+/// What the view says while there is nothing to see.
+function Nothing(): ReactElement | null {
+  const studio = use_studio();
+  const { shown, failed, working } = use_store(studio.growth);
+  const { good, text } = use_document();
+  if (failed) return <p className="view-note fault">{failed.message || failed.faults[0]?.message}. What is shown is the last plant that could grow.</p>;
+  if (!good && text !== '') return <p className="view-note">The text has faults. What is shown is the last plant without.</p>;
+  if (shown && shown.of.triangles === 0) return <p className="view-note">Nothing of this document can be seen.</p>;
+  if (!shown) return <p className="view-note">{working ? 'Growing…' : 'Waiting for the plant…'}</p>;
+  return null;
+}

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+// Editors of values that are no numbers and hold no tables.
+import type { ReactElement } from 'react';
+import { useState } from 'react';
+
+import { IconButton } from '../controls/button.tsx';
+import type { Json } from '../document/json.ts';
+import { is_object, write_json } from '../document/json.ts';
+import { NumberOrText } from './number_row.tsx';
+import type { RowEditorProps } from './row_editor.tsx';
+import { TextField } from './text_field.tsx';
+
+export function BooleanRow({ label, value, row, actions }: RowEditorProps): ReactElement {
+  const is_on = (value ?? row.default) === true;
+  return (
+    <button type="button" role="switch" className={`switch${value === undefined ? ' dim' : ''}`} aria-checked={is_on} aria-label={label} aria-description={row.doc} onClick={() => actions.commit(!is_on)}>
+      <span />
+    </button>
+  );
+}
+
+export function ChoiceRow({ label, value, row, actions }: RowEditorProps): ReactElement {
+  const shown = value ?? row.default;
+  return (
+    <select className={`select${value === undefined ? ' dim' : ''}`} aria-label={label} aria-description={row.doc} value={typeof shown === 'string' ? shown : ''} onChange={(event) => actions.commit(event.target.value)}>
+      {typeof shown !== 'string' && <option value="">not set</option>}
+      {row.choices?.map((choice) => (
+        <option key={choice} value={choice}>
+          {choice.replaceAll('_', ' ')}
+        </option>
+      ))}
+    </select>
+  );
+}
+
+export function TextRow({ label, value, row, actions, is_faulty }: RowEditorProps): ReactElement {
+  const shown = value ?? row.default;
+  const text = typeof shown === 'string' ? shown : shown === undefined || shown === null ? '' : write_json(shown);
+  const is_code = row.kind !== 'text';
+  const take = (typed: string): void => {
+    const number = Number(typed);
+    // A condition or formula may be a plain number.
+    actions.commit(row.kind === 'formula' && typed.trim() !== '' && Number.isFinite(number) ? number : typed);
+  };
+  return <TextField label={label} value={text} commit={take} is_code={is_code} is_faulty={is_faulty} is_dim={value === undefined} description={row.doc} placeholder={row.kind === 'file' ? 'path of a file' : 'not set'} />;
+}
+
+export function LinesRow({ label, value, row, actions, is_faulty }: RowEditorProps): ReactElement {
+  const text = Array.isArray(value) ? value.join('\n') : typeof value === 'string' ? value : '';
+  const lines = Math.min(18, Math.max(3, text.split('\n').length + 1));
+  return <TextField label={label} value={text} commit={(typed) => actions.commit(Array.isArray(value) || value === undefined ? typed.split('\n') : typed)} is_code is_faulty={is_faulty} lines={lines} description={row.doc} />;
+}
+
+const kAxes = ['x', 'y', 'z'];
+
+export function VectorRow(props: RowEditorProps): ReactElement {
+  const { label, value, row } = props;
+  const count = row.kind === 'integers' ? (row.count ?? 1) : 3;
+  const shown = value ?? row.default;
+  const numbers = Array.isArray(shown) ? shown : Array.from({ length: count }, () => 0);
+  return (
+    <div className="vector">
+      {numbers.slice(0, count).map((one, index) => (
+        <NumberOrText key={index} {...props} label={`${label} ${row.kind === 'integers' ? index + 1 : (kAxes[index] ?? index)}`} element={one} put={(number) => numbers.map((old, k) => (k === index ? number : old))} />
+      ))}
+    </div>
+  );
+}
+
+export function BoxRow(props: RowEditorProps): ReactElement {
+  const shown = props.value ?? props.row.default;
+  const corners = Array.isArray(shown) ? shown : [[0, 0, 0], [1, 1, 1]];
+  return (
+    <div className="stacked">
+      {corners.slice(0, 2).map((corner, index) => (
+        <div className="vector" key={index}>
+          {(Array.isArray(corner) ? corner : [0, 0, 0]).map((one, axis) => (
+            <NumberOrText
+              key={axis}
+              {...props}
+              label={`${props.label}, ${index === 0 ? 'lower' : 'upper'} ${kAxes[axis] ?? ''}`}
+              element={one}
+              put={(number) => corners.map((old, k) => (k === index && Array.isArray(old) ? old.map((o, a) => (a === axis ? number : o)) : old))}
+            />
+          ))}
+        </div>
+      ))}
+    </div>
+  );
+}
+
+function full_colour(text: string): string {
+  const short = /^#([0-9a-f])([0-9a-f])([0-9a-f])$/i.exec(text);
+  return short ? `#${short[1]}${short[1]}${short[2]}${short[2]}${short[3]}${short[3]}` : /^#[0-9a-f]{6}$/i.test(text) ? text : '#808080';
+}
+
+interface ColourFieldProps {
+  label: string;
+  value: string;
+  is_faulty: boolean;
+  is_dim: boolean;
+  drag: (colour: string) => void;
+  commit: (colour: string) => void;
+}
+
+export function ColourField({ label, value, drag, commit, is_faulty, is_dim }: ColourFieldProps): ReactElement {
+  return (
+    <div className="colour">
+      <input
+        type="color"
+        aria-label={`${label}, chooser`}
+        value={full_colour(value)}
+        onChange={(event) => drag(event.target.value)}
+        ref={(element) => {
+          // The browser's change event: the chooser was closed.
+          const take = (): void => commit(element?.value ?? value);
+          element?.addEventListener('change', take);
+          return () => element?.removeEventListener('change', take);
+        }}
+      />
+      <TextField label={label} value={value} commit={commit} is_code is_faulty={is_faulty} is_dim={is_dim} />
+    </div>
+  );
+}
+
+export function ColourRow({ label, value, row, actions, is_faulty }: RowEditorProps): ReactElement {
+  const shown = value ?? row.default;
+  return <ColourField label={label} value={typeof shown === 'string' ? shown : ''} is_faulty={is_faulty} is_dim={value === undefined} drag={actions.drag} commit={actions.commit} />;
+}
+
+export function ColoursRow({ label, value, actions, is_faulty }: RowEditorProps): ReactElement {
+  const colours = Array.isArray(value) ? value.map(String) : [];
+  const with_one = (index: number, colour: string): Json => colours.map((old, k) => (k === index ? colour : old));
+  return (
+    <div className="stacked">
+      {colours.map((colour, index) => (
+        <div className="listed" key={index}>
+          <ColourField label={`${label} ${index + 1}`} value={colour} is_faulty={is_faulty} is_dim={false} drag={(one) => actions.drag(with_one(index, one))} commit={(one) => actions.commit(with_one(index, one))} />
+          <IconButton is_small icon="close" label={`Remove colour ${index + 1}`} is_off={colours.length < 2} press={() => actions.commit(colours.filter((_, k) => k !== index))} />
+        </div>
+      ))}
+      <IconButton is_small icon="plus" label={`Add a colour to ${label}`} press={() => actions.commit([...colours, colours.at(-1) ?? '#6b8e23'])} />
+    </div>
+  );
+}
+
+/// Curves, points, places and selections as they are written; with a drawing where they are points of a plane.
+export function WrittenRow({ label, value, row, actions, is_faulty }: RowEditorProps): ReactElement {
+  const [fault, set_fault] = useState('');
+  const shown = value ?? row.default;
+  const text = shown === undefined || shown === null ? '' : write_json(shown);
+  const take = (typed: string): void => {
+    try {
+      actions.commit(JSON.parse(typed) as Json);
+      set_fault('');
+    } catch {
+      set_fault('This is no list as documents write them, such as [[0, 1], [1, 0]]');
+    }
+  };
+  return (
+    <div className="stacked">
+      <CurveDrawing value={shown} />
+      <TextField label={label} value={text} commit={take} is_code is_faulty={is_faulty || fault !== ''} is_dim={value === undefined} lines={Math.min(6, 1 + Math.ceil(text.length / 34))} description={row.doc} placeholder="not set" />
+      {fault && <p className="fault-line">{fault}</p>}
+    </div>
+  );
+}
+
+function CurveDrawing({ value }: { value: Json | undefined }): ReactElement | null {
+  const list = is_object(value) ? value['curve'] : value;
+  if (!Array.isArray(list) || list.length < 2) return null;
+  const points = list.filter((one): one is number[] => Array.isArray(one) && one.length === 2 && one.every((n) => typeof n === 'number'));
+  if (points.length !== list.length) return null;
+  const [xs, ys] = [points.map((one) => one[0] ?? 0), points.map((one) => one[1] ?? 0)];
+  const [left, low] = [Math.min(...xs), Math.min(0, ...ys)];
+  const [wide, high] = [Math.max(...xs) - left || 1, Math.max(...ys) - low || 1];
+  // A curve over 0 to 1 fills the box; points of a plane keep their shape, in the middle.
+  const is_curve = is_object(value);
+  const scale = Math.min(112 / wide, 40 / high);
+  const [across, up] = is_curve ? [112 / wide, 40 / high] : [scale, scale];
+  const place = (x: number, y: number): string => `${(60 + (x - left - wide / 2) * across).toFixed(1)},${(24 - (y - low - high / 2) * up).toFixed(1)}`;
+  return (
+    <svg className="curve-drawing" viewBox="0 0 120 48" preserveAspectRatio={is_curve ? 'none' : 'xMidYMid'} aria-hidden="true">
+      <polyline points={points.map(([x = 0, y = 0]) => place(x, y)).join(' ')} />
+    </svg>
+  );
+}

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// One row of a table: its name with its sentence, the editor of its kind, its menu, and its faults.
+import type { ReactElement } from 'react';
+
+import { Icon } from '../controls/icon.tsx';
+import type { MenuItem } from '../controls/menu.tsx';
+import { Menu } from '../controls/menu.tsx';
+import type { Json } from '../document/json.ts';
+import { write_json } from '../document/json.ts';
+import { path_below } from '../document/path.ts';
+import type { Fault } from '../server/protocol.ts';
+import { use_studio } from '../studio_context.ts';
+import type { Row } from '../tables/tables.ts';
+import { first_value } from '../tables/tables.ts';
+import { NestedRow } from './nested_rows.tsx';
+import type { NumberForm } from './number_form.ts';
+import { form_of, in_form } from './number_form.ts';
+import { NumberRow } from './number_row.tsx';
+import { BooleanRow, BoxRow, ChoiceRow, ColourRow, ColoursRow, LinesRow, TextRow, VectorRow, WrittenRow } from './plain_rows.tsx';
+import type { RowActions } from './row_actions.ts';
+import { use_faults, use_row_actions, use_shown_value } from './row_actions.ts';
+
+export interface RowEditorProps {
+  row: Row;
+  label: string;
+  path: string;
+  value: Json | undefined;
+  actions: RowActions;
+  is_faulty: boolean;
+}
+
+const kEditors: Record<string, (props: RowEditorProps) => ReactElement> = {
+  number: NumberRow,
+  integer: NumberRow,
+  boolean: BooleanRow,
+  choice: ChoiceRow,
+  text: TextRow,
+  file: TextRow,
+  condition: TextRow,
+  formula: TextRow,
+  lines: LinesRow,
+  integers: VectorRow,
+  vector: VectorRow,
+  box: BoxRow,
+  colour: ColourRow,
+  colours: ColoursRow,
+  curve: WrittenRow,
+  points: WrittenRow,
+  places: WrittenRow,
+  selection: WrittenRow,
+};
+
+/// Those that need the whole width of the panel.
+const kTall = new Set(['lines', 'curve', 'points', 'places', 'selection', 'box', 'vector', 'condition', 'formula', 'colours']);
+
+interface RowViewProps {
+  row: Row;
+  parent: string; // path of the object that the row belongs to
+  parent_value: Json | undefined;
+  value: Json | undefined;
+}
+
+export function RowView({ row, parent, value }: RowViewProps): ReactElement {
+  const path = path_below(parent, row.name);
+  const actions = use_row_actions(path, row.name);
+  const shown = use_shown_value(path, value);
+  const is_nested = row.kind === 'object' || row.kind === 'list' || row.kind === 'map';
+  const faults = use_faults(path, !is_nested);
+  const studio = use_studio();
+  const is_faulty = faults.some((fault) => fault.severity === 'error');
+  if (is_nested) return <NestedRow row={row} path={path} value={value} />;
+  const Editor = kEditors[row.kind] ?? WrittenRow;
+  const is_tall = kTall.has(row.kind) || (row.kind === 'number' && form_of(shown) !== 'number');
+  const label = row.name.replaceAll('_', ' ');
+  return (
+    <div className={`row${is_tall ? ' tall' : ''}${value === undefined ? ' unset' : ''}`} data-path={path} data-kind={row.kind}>
+      <span className="row-name" data-tip={tip_of(row)} tabIndex={-1}>
+        {label}
+        {row.required && <span aria-hidden="true"> *</span>}
+      </span>
+      <div className="row-control">
+        <Editor row={row} label={label} path={path} value={shown} actions={actions} is_faulty={is_faulty} />
+      </div>
+      <Menu label={`More for ${label}`} items={menu_of(row, value, actions, () => first_value(studio.tables, row))} />
+      <Faults faults={faults} />
+    </div>
+  );
+}
+
+/// The row's sentence, with what it holds.
+export function tip_of(row: Row): string {
+  const facts: string[] = [];
+  if (row.min !== undefined) facts.push(`at least ${row.min}`);
+  if (row.above !== undefined) facts.push(`above ${row.above}`);
+  if (row.max !== undefined) facts.push(`at most ${row.max}`);
+  if (row.default !== undefined) facts.push(`default ${write_json(row.default)}`);
+  if (row.required) facts.push('must be given');
+  return `${row.doc}${facts.length > 0 ? `\n${facts.join(', ')}${row.unit ? ` (${row.unit})` : ''}` : ''}`;
+}
+
+const kForms: [NumberForm, string][] = [
+  ['number', 'Number'],
+  ['range', 'Range'],
+  ['expression', 'Expression'],
+  ['both', 'Range and expression'],
+];
+
+function menu_of(row: Row, value: Json | undefined, actions: RowActions, first: () => Json): MenuItem[] {
+  const items: MenuItem[] = [];
+  if (row.kind === 'number' || row.kind === 'integer') {
+    const number = typeof value === 'number' ? value : typeof row.default === 'number' ? row.default : Number(first());
+    for (const [form, text] of kForms) {
+      // What is one number for all takes an expression, but no range.
+      if (row.varies === undefined && (form === 'range' || form === 'both')) continue;
+      items.push({ text, is_on: value !== undefined && form_of(value) === form, act: () => actions.commit(in_form(form, value, number)) });
+    }
+  }
+  if (value === undefined) items.push({ text: 'Set', act: () => actions.commit(first()) });
+  else {
+    if (row.default !== undefined) items.push({ text: 'Set to default', act: () => actions.commit(row.default ?? null) });
+    if (!row.required) items.push({ text: 'Unset', act: actions.unset });
+  }
+  return items;
+}
+
+export function Faults({ faults }: { faults: Fault[] }): ReactElement | null {
+  if (faults.length === 0) return null;
+  return (
+    <div className="faults" role="status">
+      {faults.map((fault, index) => (
+        <p key={index} className={`fault-line ${fault.severity}`}>
+          <Icon name={fault.severity === 'error' ? 'fault' : 'warning'} />
+          <span>{fault_text(fault)}</span>
+        </p>
+      ))}
+    </div>
+  );
+}
+
+export function fault_text(fault: Fault): string {
+  const expected = fault.expected ? `; expected ${fault.expected}` : '';
+  const nearest = fault.nearest ? `; did you mean '${fault.nearest}'?` : '';
+  return `${fault.message}${expected}${nearest}`;
+}

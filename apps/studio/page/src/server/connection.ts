@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one WebSocket: requests with their answers, news, scene packets; connects again where it was lost.
+import type { News } from './protocol.ts';
+import { Refusal } from './protocol.ts';
+
+type Answer = { is: string; re?: number; message?: string; limit?: string };
+type Waiting = { resolve: (answer: never) => void; reject: (fault: Error) => void };
+
+export interface Listener {
+  /// The server said hello.
+  on_news(news: News): void;
+  on_packet(bytes: ArrayBuffer): void;
+  on_lost(): void;
+}
+
+const kPauses = [100, 250, 500, 1000, 2000];
+const kLimitPause = 150;
+
+/// The connection was lost before the answer came.
+export class Lost extends Error {}
+
+export class Connection {
+  /// What has crossed, for the bottom line and tests.
+  readonly counts = { sent: 0, packets: 0, packet_bytes: 0, last_packet_bytes: 0 };
+  private socket_: WebSocket | null = null;
+  private next_id_ = 1;
+  private tries_ = 0;
+  private readonly waiting_ = new Map<number, Waiting>();
+
+  constructor(
+    private readonly address_: string,
+    private readonly listener_: Listener,
+  ) {}
+
+  connect(): void {
+    const socket = new WebSocket(this.address_);
+    socket.binaryType = 'arraybuffer';
+    this.socket_ = socket;
+    socket.onmessage = (event: MessageEvent<string | ArrayBuffer>) => this.receive(event.data);
+    socket.onclose = () => this.lose(socket);
+  }
+
+  get is_open(): boolean {
+    return this.socket_?.readyState === WebSocket.OPEN;
+  }
+
+  /// Rejects with a Refusal, or with Lost.
+  async request<T = object>(what: string, members: object = {}): Promise<T> {
+    for (;;) {
+      try {
+        return await this.request_once<T>(what, members);
+      } catch (fault) {
+        // Too many a second: the message was not acted upon, so it is said again.
+        if (!(fault instanceof Refusal) || fault.facts.limit !== 'messages_per_second') throw fault;
+        await new Promise((done) => setTimeout(done, kLimitPause));
+      }
+    }
+  }
+
+  /// A request whose answer nobody waits for.
+  tell(what: string, members: object = {}): void {
+    this.request(what, members).catch(() => undefined);
+  }
+
+  private request_once<T>(what: string, members: object): Promise<T> {
+    return new Promise<T>((resolve, reject) => {
+      const socket = this.socket_;
+      if (!socket || socket.readyState !== WebSocket.OPEN) return reject(new Lost('the server is not there'));
+      const id = this.next_id_;
+      this.next_id_ += 1;
+      this.waiting_.set(id, { resolve: resolve as (answer: never) => void, reject });
+      socket.send(JSON.stringify({ do: what, id, ...members }));
+      this.counts.sent += 1;
+    });
+  }
+
+  private receive(data: string | ArrayBuffer): void {
+    if (typeof data !== 'string') {
+      this.counts.packets += 1;
+      this.counts.packet_bytes += data.byteLength;
+      this.counts.last_packet_bytes = data.byteLength;
+      this.listener_.on_packet(data);
+      return;
+    }
+    const message = JSON.parse(data) as Answer;
+    if (message.re === undefined || (message.is !== 'done' && message.is !== 'refused')) {
+      if (message.is === 'hello') this.tries_ = 0;
+      this.listener_.on_news(message as unknown as News);
+      return;
+    }
+    const waiting = this.waiting_.get(message.re);
+    this.waiting_.delete(message.re);
+    if (message.is === 'done') waiting?.resolve(message as never);
+    else waiting?.reject(new Refusal(message.message ?? 'refused', message as Refusal['facts']));
+  }
+
+  private lose(socket: WebSocket): void {
+    if (socket !== this.socket_) return;
+    this.socket_ = null;
+    for (const waiting of this.waiting_.values()) waiting.reject(new Lost('the server was lost'));
+    this.waiting_.clear();
+    this.listener_.on_lost();
+    const pause = kPauses[Math.min(this.tries_, kPauses.length - 1)];
+    this.tries_ += 1;
+    setTimeout(() => this.connect(), pause);
+  }
+}

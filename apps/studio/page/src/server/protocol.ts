@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the page and the server tell each other, as apps/studio/protocol.md defines it.
+import type { Json } from '../document/json.ts';
+import type { PlainPatch } from '../document/patch.ts';
+
+export interface Fault {
+  severity: 'error' | 'warning';
+  message: string;
+  expected?: string | null;
+  nearest?: string | null;
+  path: string;
+  line: number | null;
+  column: number | null;
+  offset: number | null;
+  text: string;
+}
+
+export interface Variable {
+  name: string;
+  value: number;
+  min: number;
+  max: number;
+  unit: string;
+  doc: string;
+  expression: string | null;
+  private: boolean;
+}
+
+/// What reading a text says of it.
+export interface Reading {
+  good: boolean;
+  faults: Fault[];
+  tree: Json;
+  variables: Variable[];
+}
+
+export type Edit =
+  | { set: string; value: Json }
+  | { unset: string }
+  | { insert: string; value: Json; index?: number }
+  | { remove: string }
+  | { rename: string; name: string }
+  | { move: string; index: number };
+
+export interface Opened extends Reading {
+  path: string | null;
+  model: string | null; // the shipped one's name
+  name: string;
+  text: string;
+  hash: string;
+  saved: string | null;
+}
+
+/// What saving tells; the reading where the path is another one than before.
+export interface Saved extends Partial<Reading> {
+  path: string;
+  name: string;
+  saved: string;
+}
+
+export interface Edited extends Reading {
+  patch: PlainPatch;
+  inverse: PlainPatch;
+  hash: string;
+}
+
+export interface ListedFile {
+  name: string;
+  folder: boolean;
+  bytes: number;
+}
+
+export interface ShippedModel {
+  name: string;
+  title: string;
+  description: string;
+  picture: boolean;
+}
+
+export interface Format {
+  ending: string;
+  doc: string;
+  levels: boolean;
+  instances: boolean;
+}
+
+export interface ExportOptions {
+  lod?: number;
+  instances?: string;
+  seed?: number;
+  time?: number;
+  width?: number;
+  height?: number;
+  samples?: number;
+  transparent?: boolean;
+  camera?: { position: number[]; target: number[]; field_of_view: number };
+}
+
+export interface MadeFile {
+  name: string;
+  bytes: number;
+  address: string;
+}
+
+export interface Hello {
+  is: 'hello';
+  protocol: number;
+  version: string;
+  root: string;
+  document: string | null;
+  model: string | null;
+  formats: Format[];
+  limits: Record<string, number>;
+}
+
+export interface Working {
+  is: 'working';
+  job: 'grow' | 'export' | 'measure';
+  re?: number;
+  stage: string | null;
+  share: number;
+}
+
+export interface Grown {
+  is: 'grown';
+  hash: string;
+  dragged: boolean;
+  stages: { name: string; ms: number }[];
+  reuse: { what: string; made: number; reused: number }[];
+  nodes: number;
+  instances: number;
+  /// Null until full detail was made.
+  triangles: number | null;
+  components: Record<string, { instances: number; triangles: number }> | null;
+}
+
+export interface Failed {
+  is: 'failed';
+  job: string;
+  hash: string;
+  faults: Fault[];
+  message: string;
+  limit?: string;
+}
+
+export type News = Hello | Working | Grown | Failed;
+
+/// Why the server would not do it.
+export class Refusal extends Error {
+  constructor(
+    message: string,
+    readonly facts: { stale?: boolean; changed?: boolean; cancelled?: boolean; limit?: string; faults?: Fault[] },
+  ) {
+    super(message);
+  }
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keys that act wherever the keyboard is, and the list of all keys.
+import type { Studio } from './studio.ts';
+
+export interface Shortcut {
+  keys: string;
+  text: string;
+}
+
+export const kShortcuts: { title: string; keys: Shortcut[] }[] = [
+  {
+    title: 'Document',
+    keys: [
+      { keys: 'Ctrl+O', text: 'Open a file' },
+      { keys: 'Ctrl+M', text: 'Shipped plants' },
+      { keys: 'Ctrl+S', text: 'Save' },
+      { keys: 'Ctrl+Shift+S', text: 'Save as' },
+      { keys: 'Ctrl+E', text: 'Export' },
+      { keys: 'Ctrl+Z', text: 'Undo' },
+      { keys: 'Ctrl+Shift+Z', text: 'Redo' },
+      { keys: 'R', text: 'Roll the seed' },
+      { keys: 'T', text: 'Text or inspector' },
+    ],
+  },
+  {
+    title: 'View',
+    keys: [
+      { keys: 'Drag', text: 'Turn' },
+      { keys: 'Shift+Drag, right button', text: 'Move' },
+      { keys: 'Wheel', text: 'Zoom' },
+      { keys: 'F', text: 'Fit the plant' },
+      { keys: '1, 3, 7', text: 'From the front, the side, above' },
+      { keys: 'W', text: 'Shaded, wireframe, skeleton' },
+      { keys: 'Arrow keys, +, −', text: 'Turn and zoom, when the view has the keyboard' },
+    ],
+  },
+  {
+    title: 'Numbers',
+    keys: [
+      { keys: 'Drag across', text: 'Change; Shift finely, Ctrl coarsely' },
+      { keys: 'Up, Down', text: 'A step; Shift finely, Ctrl coarsely' },
+      { keys: 'Enter', text: 'Take over: 1/3, 2*(4+0.5), or an expression' },
+      { keys: 'Esc', text: 'Back to what it was' },
+    ],
+  },
+];
+
+export function save_here(studio: Studio): void {
+  const { path } = studio.document.state.get();
+  if (path === null) studio.shell.merge({ dialog: 'save' });
+  else void studio.save(path);
+}
+
+function next_drawing(studio: Studio): void {
+  const order = ['shaded', 'wireframe', 'skeleton'] as const;
+  const at = order.indexOf(studio.view_state.get().drawing);
+  studio.change_view({ drawing: order[(at + 1) % 3] ?? 'shaded' });
+}
+
+const kWithControl: Record<string, (studio: Studio) => void> = {
+  o: (studio) => studio.shell.merge({ dialog: 'open' }),
+  m: (studio) => studio.shell.merge({ dialog: 'models' }),
+  s: save_here,
+  S: (studio) => studio.shell.merge({ dialog: 'save' }),
+  e: (studio) => studio.shell.merge({ dialog: 'export' }),
+  z: (studio) => void studio.undo(),
+  Z: (studio) => void studio.redo(),
+  y: (studio) => void studio.redo(),
+};
+
+const kPlain: Record<string, (studio: Studio) => void> = {
+  f: (studio) => studio.view?.fit(),
+  '1': (studio) => studio.view?.look_from(180, 0),
+  '3': (studio) => studio.view?.look_from(90, 0),
+  '7': (studio) => studio.view?.look_from(180, 89.5),
+  w: next_drawing,
+  r: (studio) => studio.set_value('seed', 1 + Math.floor(Math.random() * 9999), 'Roll the seed'),
+  t: (studio) => studio.shell.merge({ side: studio.shell.get().side === 'text' ? 'inspector' : 'text' }),
+  '?': (studio) => studio.shell.merge({ dialog: 'shortcuts' }),
+};
+
+function is_typed_into(target: EventTarget | null): boolean {
+  return target instanceof HTMLElement && (target.isContentEditable || target.matches('input:not([type=range]):not([type=color]), textarea, select'));
+}
+
+export function listen_to_keys(studio: Studio): void {
+  document.addEventListener('keydown', (event) => {
+    if (studio.shell.get().dialog !== null) return;
+    const has_control = event.ctrlKey || event.metaKey;
+    if (event.key === 'Escape') studio.stop_drag();
+    const act = has_control ? kWithControl[event.shiftKey ? event.key.toUpperCase() : event.key] : event.altKey || is_typed_into(event.target) ? undefined : kPlain[event.key];
+    if (!act) return;
+    event.preventDefault();
+    act(studio);
+  });
+}

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page's one model: the connection, the open document, growth and view, and what panels do with them.
+import { prefer, preference } from './base/preferences.ts';
+import { Store } from './base/store.ts';
+import { ToastList } from './base/toast_list.ts';
+import { DocumentModel } from './document/document_model.ts';
+import type { Json } from './document/json.ts';
+import { Keeper } from './keeper.ts';
+import { Connection } from './server/connection.ts';
+import { read_packet } from './server/packet.ts';
+import type { Edit, Grown, Hello, News, Opened, Saved } from './server/protocol.ts';
+import { Refusal } from './server/protocol.ts';
+import type { GrowthState, ServerState, ShellState, Theme, ViewState } from './studio_state.ts';
+import { kNoGrowth, with_work } from './studio_state.ts';
+import type { Tables } from './tables/tables.ts';
+import type { View, ViewFacts } from './view/view.ts';
+
+export interface OpenWish {
+  path?: string | null;
+  model?: string;
+  text?: string;
+}
+
+const kBySoftware = { drag_triangles: 60_000, rest_triangles: 250_000 };
+const kByCard = { drag_triangles: 1_000_000, rest_triangles: 4_000_000 };
+
+export class Studio {
+  readonly chosen = new Store('');
+  readonly growth = new Store<GrowthState>(kNoGrowth);
+  readonly server = new Store<ServerState>({ link: 'connecting', hello: null });
+  readonly view_state = new Store<ViewState>({ drawing: 'shaded', hidden: new Set(), shows_ground: true });
+  readonly view_facts = new Store<ViewFacts | null>(null); // of the last picture
+  readonly shell: Store<ShellState>;
+  readonly toasts = new ToastList();
+  readonly dragged = new Store<Record<string, Json>>({});
+  readonly locks = new Store<ReadonlySet<string>>(new Set());
+  /// Values of the variables as the document was opened, to which handles are reset.
+  readonly first_values = new Store<Record<string, Json>>({});
+  readonly document: DocumentModel;
+  readonly connection: Connection;
+  readonly keeper: Keeper;
+  view: View | null = null;
+  private is_dragging_told_ = false;
+  private drag_waits_ = false;
+  private keeps_camera_ = false; // the next packet is the first of a connection, and not of a document
+
+  constructor(
+    readonly tables: Tables,
+    address: string,
+  ) {
+    this.shell = new Store<ShellState>({
+      dialog: null,
+      side: 'inspector',
+      theme: (preference('theme') as Theme | null) ?? 'system',
+      is_dark: false,
+      shows_hints: preference('hints') !== 'seen',
+      kept: null,
+      conflict: null,
+    });
+    this.connection = new Connection(address, {
+      on_news: (news) => this.hear(news),
+      on_packet: (bytes) => this.show_packet(bytes),
+      on_lost: () => this.server.merge({ link: 'lost' }),
+    });
+    this.document = new DocumentModel(() => this.connection, this.chosen.get, (message) => this.tell(message, true));
+    this.keeper = new Keeper(this);
+  }
+
+  tell(text: string, is_fault = false): void {
+    this.toasts.add(text, is_fault);
+  }
+
+  choose(path: string): void {
+    this.chosen.set(path);
+    this.refresh_view();
+  }
+
+  attach_view(view: View): void {
+    this.view = view;
+    this.refresh_view();
+    this.tell_budgets();
+  }
+
+  change_view(part: Partial<ViewState>): void {
+    const before = this.view_state.get().drawing;
+    this.view_state.merge(part);
+    this.refresh_view();
+    const drawing = this.view_state.get().drawing;
+    if ((drawing === 'skeleton') !== (before === 'skeleton')) {
+      this.connection.tell('view', { skeleton: drawing === 'skeleton' });
+    }
+  }
+
+  refresh_view(): void {
+    const { drawing, hidden, shows_ground } = this.view_state.get();
+    const chosen = /^components\.([^.[]+)/.exec(this.chosen.get())?.[1] ?? '';
+    this.view?.show(drawing, hidden, chosen);
+    this.view?.paint(this.shell.get().is_dark, shows_ground);
+  }
+
+  /// Changes the document as one step of the undo list.
+  async edit(edits: Edit[], label: string): Promise<void> {
+    // Until the text says them, fields show the values that are meant.
+    const meant = Object.fromEntries(edits.flatMap((edit) => ('set' in edit ? [[edit.set, edit.value]] : [])));
+    this.drag_waits_ = false; // the edit ends the drag at the server, too
+    this.dragged.set(meant);
+    await this.document.edit(edits, label);
+    if (this.dragged.get() === meant) this.dragged.set({});
+  }
+
+  set_value(path: string, value: Json, label: string): void {
+    void this.edit([{ set: path, value }], label);
+  }
+
+  /// Grows with other values for a while; the text stays. Of many, the newest is told when the last was answered.
+  drag(values: Record<string, Json>): void {
+    this.dragged.set(values);
+    this.drag_waits_ = true;
+    void this.tell_drag();
+  }
+
+  /// The document's values again.
+  stop_drag(): void {
+    if (Object.keys(this.dragged.get()).length > 0) this.drag({});
+  }
+
+  async undo(): Promise<void> {
+    this.take_back(await this.document.undo(), 'Undone');
+  }
+
+  async redo(): Promise<void> {
+    this.take_back(await this.document.redo(), 'Redone');
+  }
+
+  /// Whether it could be opened.
+  async open(wish: OpenWish): Promise<boolean> {
+    try {
+      const opened = await this.connection.request<Opened>('open', wish);
+      this.take_opened(opened);
+      await this.keeper.offer(opened);
+      return true;
+    } catch (fault) {
+      if (fault instanceof Refusal) this.tell(fault.message, true);
+      return false;
+    }
+  }
+
+  /// Whether it was saved.
+  async save(path: string, over = false): Promise<boolean> {
+    await this.document.idle();
+    const { path: known, saved } = this.document.state.get();
+    try {
+      const answer = await this.connection.request<Saved>('save', { path, saved: path === known ? saved : null, over });
+      await this.keeper.forget_open();
+      this.document.take_saved(answer);
+      this.tell(`Saved ${answer.path}`);
+      return true;
+    } catch (fault) {
+      if (fault instanceof Refusal && fault.facts.changed) this.shell.merge({ conflict: { path } });
+      else if (fault instanceof Error) this.tell(fault.message, true);
+      return false;
+    }
+  }
+
+  set_theme(theme: Theme): void {
+    prefer('theme', theme);
+    this.shell.merge({ theme });
+  }
+
+  private take_opened(opened: Opened): void {
+    this.growth.set({ ...kNoGrowth, is_paused: this.growth.get().is_paused });
+    this.dragged.set({});
+    this.locks.set(new Set());
+    this.document.take_opened(opened);
+    this.first_values.set(Object.fromEntries(opened.variables.map((one) => [one.name, one.expression || one.value])));
+    this.view_state.merge({ hidden: new Set() });
+    this.choose('');
+  }
+
+  private take_back(step: { label: string; chosen: string } | null, what: string): void {
+    this.dragged.set({});
+    if (step && step.chosen !== this.chosen.get()) this.choose(step.chosen);
+    if (step) this.tell(`${what}: ${step.label}`);
+  }
+
+  private async tell_drag(): Promise<void> {
+    if (this.is_dragging_told_) return;
+    this.is_dragging_told_ = true;
+    while (this.drag_waits_) {
+      this.drag_waits_ = false;
+      await this.connection.request('drag', { values: this.dragged.get() }).catch(() => undefined);
+      // No more than one a picture, however fast the hand.
+      await new Promise((done) => setTimeout(done, 16));
+    }
+    this.is_dragging_told_ = false;
+  }
+
+  private hear(news: News): void {
+    if (news.is === 'hello') void this.greet(news);
+    if (news.is === 'working') this.growth.set(with_work(this.growth.get(), news));
+    if (news.is === 'grown') this.take_grown(news);
+    if (news.is === 'failed' && news.job === 'grow') this.growth.merge({ failed: { message: news.message, faults: news.faults } });
+  }
+
+  /// What is not known until full detail is made stays what it was.
+  private take_grown(grown: Grown): void {
+    const before = this.growth.get().grown;
+    const counts = { triangles: grown.triangles ?? before?.triangles ?? null, components: grown.components ?? before?.components ?? null };
+    this.growth.merge({ grown: { ...grown, ...counts }, failed: null });
+  }
+
+  /// There, or there again: then the server is told what the page has.
+  private async greet(hello: Hello): Promise<void> {
+    const is_first = this.server.get().hello === null;
+    this.server.set({ link: 'open', hello });
+    this.tell_budgets();
+    if (this.growth.get().is_paused) this.connection.tell('pause', { paused: true });
+    if (!is_first) {
+      const { text, path } = this.document.state.get();
+      this.keeps_camera_ = true;
+      const opened = await this.connection.request<Opened>('open', { text, path }).catch(() => null);
+      if (opened) this.document.take_reading(opened.hash, opened);
+      this.document.resume();
+      return;
+    }
+    const wish = this.keeper.first_document(hello);
+    if (!(await this.open(wish))) await this.open({ model: 'oak' });
+  }
+
+  private tell_budgets(): void {
+    if (!this.view || !this.connection.is_open) return;
+    const skeleton = this.view_state.get().drawing === 'skeleton';
+    this.connection.tell('view', { ...(this.view.is_software ? kBySoftware : kByCard), skeleton });
+  }
+
+  private show_packet(bytes: ArrayBuffer): void {
+    const packet = read_packet(bytes);
+    if (this.keeps_camera_) packet.head.fit = false;
+    this.keeps_camera_ = false;
+    const { draft, share, triangles, instances, of, hash } = packet.head;
+    this.view?.apply(packet);
+    this.growth.merge({ shown: { draft: draft ?? false, share: share ?? 1, triangles, instances, of, hash } });
+    this.refresh_view();
+    // The next packet comes when this one has been drawn.
+    requestAnimationFrame(() => this.connection.tell('shown', { packet: packet.head.packet }));
+  }
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the page shows besides the document.
+import type { Fault, Grown, Hello, Working } from './server/protocol.ts';
+import type { PacketHead } from './server/packet.ts';
+import type { Drawing } from './view/plant_scene.ts';
+import type { KeptWork } from './recovery.ts';
+
+export interface GrowthState {
+  grown: Grown | null;
+  shown: Pick<PacketHead, 'draft' | 'share' | 'triangles' | 'instances' | 'of' | 'hash'> | null;
+  working: Working | null;
+  failed: { message: string; faults: Fault[] } | null;
+  is_paused: boolean;
+}
+
+export const kNoGrowth: GrowthState = { grown: null, shown: null, working: null, failed: null, is_paused: false };
+
+/// Work of another kind may go on while this one is over.
+export function with_work(growth: GrowthState, news: Working): GrowthState {
+  if (news.stage !== null) return { ...growth, working: news };
+  return growth.working?.job === news.job ? { ...growth, working: null } : growth;
+}
+
+export interface ServerState {
+  link: 'connecting' | 'open' | 'lost';
+  hello: Hello | null;
+}
+
+export interface ViewState {
+  drawing: Drawing;
+  hidden: ReadonlySet<string>; // components that are not drawn
+  shows_ground: boolean;
+}
+
+export type Theme = 'system' | 'light' | 'dark';
+
+export type Dialog = 'open' | 'save' | 'models' | 'export' | 'shortcuts' | null;
+
+export interface ShellState {
+  dialog: Dialog;
+  side: 'inspector' | 'text';
+  theme: Theme;
+  is_dark: boolean;
+  shows_hints: boolean;
+  /// Unsaved work that is offered again, and the text that was opened; null where it is of another document.
+  kept: { work: KeptWork; before: string | null } | null;
+  conflict: { path: string } | null; // a file that someone else has changed
+}

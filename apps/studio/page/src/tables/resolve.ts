@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which rows hold at a path of a document.
+import type { Json, JsonNode } from '../document/json.ts';
+import { member_of, path_below, path_of, steps_of, value_at } from '../document/path.ts';
+import type { Row, RowGroup, Tables } from './tables.ts';
+import { component_groups, document_groups, link_groups, table_of } from './tables.ts';
+
+const kParts = ['scene', 'output', 'limits'];
+
+/// The groups of rows of what can be chosen: a component, a link, a part of the document, "" for its top level.
+export function groups_at(tables: Tables, tree: JsonNode | null, path: string): RowGroup[] {
+  const [head, second] = steps_of(path);
+  if (head === 'components' && second !== undefined) return component_groups(tables, text_at(tree, path, 'type'));
+  if (head === 'links' && second !== undefined) return link_groups(tables, link_kind(value_at(tree, path)));
+  return document_groups(tables, typeof head === 'string' && kParts.includes(head) ? head : '');
+}
+
+function text_at(tree: JsonNode | null, path: string, name: string): string {
+  const value = member_of(value_at(tree, path), name);
+  return typeof value === 'string' ? value : '';
+}
+
+/// Short links and those without a kind place their child where the parent ends.
+export function link_kind(link: Json | undefined): string {
+  const kind = member_of(link, 'kind');
+  return typeof kind === 'string' ? kind : '';
+}
+
+/// All rows that an object at this path may have, for completion; also below what can be chosen.
+export function rows_at(tables: Tables, tree: JsonNode | null, path: string): Row[] {
+  const steps = steps_of(path);
+  const head = steps[0];
+  if (head === undefined) return table_of(tables, tables.document).rows;
+  if (head === 'variables') return steps.length === 2 ? table_of(tables, tables.variable).rows : [];
+  const is_listed = head === 'components' || head === 'links';
+  if (is_listed && steps.length < 2) return [];
+  const first = is_listed ? 2 : 1;
+  let at = path_of(steps.slice(0, first));
+  let rows = groups_at(tables, tree, at).flatMap((one) => one.rows);
+  let map: Row[] | null = null; // rows of a map's elements, whose names are free
+  for (const step of steps.slice(first)) {
+    at = path_below(at, step);
+    if (typeof step === 'number') continue;
+    if (map) {
+      rows = map;
+      map = null;
+      continue;
+    }
+    const row = rows.find((one) => one.name === step);
+    const nested = row ? nested_rows(tables, row, value_at(tree, at)) : [];
+    map = row?.kind === 'map' ? nested : null;
+    rows = map ? [] : nested;
+  }
+  return rows;
+}
+
+/// The rows of what a row holds; of lists of several kinds, those of the kind that the value says.
+export function nested_rows(tables: Tables, row: Row, value: Json | undefined): Row[] {
+  if (row.table !== undefined) return table_of(tables, row.table).rows;
+  if (!row.kinds) return [];
+  const kind = member_of(value, row.kinds.key);
+  const name = typeof kind === 'string' ? row.kinds.tables[kind] : undefined;
+  const names = name === undefined ? Object.values(row.kinds.tables) : [name];
+  return names.flatMap((one) => table_of(tables, one).rows);
+}

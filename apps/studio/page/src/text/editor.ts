@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// The editor of the whole text. Its undo list is the document's, so it has none of its own.
+import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from '@codemirror/autocomplete';
+import { defaultKeymap, indentWithTab } from '@codemirror/commands';
+import { bracketMatching, indentUnit } from '@codemirror/language';
+import type { Diagnostic } from '@codemirror/lint';
+import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
+import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
+import { Annotation, EditorState } from '@codemirror/state';
+import { drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
+
+import { patch_between } from '../document/patch.ts';
+import { path_at } from '../document/path.ts';
+import { fault_text } from '../rows/row_editor.tsx';
+import type { Studio } from '../studio.ts';
+import { completion_source } from './completion.ts';
+import { kDocumentLanguage } from './json_language.ts';
+import { with_line_ends } from './line_ends.ts';
+
+const kFromDocument = Annotation.define<boolean>();
+
+export class TextEditor {
+  private readonly view_: EditorView;
+  private readonly stop_: (() => void)[];
+
+  constructor(
+    parent: HTMLElement,
+    private readonly studio_: Studio,
+  ) {
+    const { state } = studio_.document;
+    this.view_ = new EditorView({ parent, state: EditorState.create({ doc: state.get().text, extensions: this.extensions() }) });
+    this.stop_ = [state.subscribe(() => this.follow())];
+    this.show_faults();
+  }
+
+  destroy(): void {
+    for (const stop of this.stop_) stop();
+    this.view_.destroy();
+  }
+
+  /// Shows an offset and puts the cursor there.
+  reveal(offset: number): void {
+    const at = Math.min(offset, this.view_.state.doc.length);
+    this.view_.dispatch({ selection: { anchor: at }, effects: EditorView.scrollIntoView(at, { y: 'center' }) });
+  }
+
+  private extensions() {
+    return [
+      // Only \n ends a line here, so that \r\n comes back as it was; see with_line_ends.
+      EditorState.lineSeparator.of('\n'),
+      indentUnit.of('  '),
+      lineNumbers(),
+      lintGutter(),
+      drawSelection(),
+      highlightActiveLine(),
+      highlightSelectionMatches(),
+      bracketMatching(),
+      closeBrackets(),
+      search({ top: true }),
+      kDocumentLanguage,
+      autocompletion({ override: [completion_source(this.studio_.tables, () => this.studio_.document.state.get().tree)] }),
+      keymap.of([...closeBracketsKeymap, ...completionKeymap, ...lintKeymap, ...searchKeymap, ...defaultKeymap, indentWithTab]),
+      EditorView.contentAttributes.of({ 'aria-label': 'Text of the document', tabindex: '0' }),
+      EditorView.updateListener.of((update) => {
+        const is_own = update.transactions.some((one) => one.annotation(kFromDocument));
+        if (update.docChanged && !is_own) this.take();
+        if (update.selectionSet && !is_own) this.choose_at_cursor();
+      }),
+    ];
+  }
+
+  private take(): void {
+    const typed = this.view_.state.doc.toString();
+    this.studio_.document.type(with_line_ends(typed, this.studio_.document.state.get().text));
+  }
+
+  private choose_at_cursor(): void {
+    const { tree, text } = this.studio_.document.state.get();
+    if (!tree || text !== this.view_.state.doc.toString()) return;
+    const found = /^(?:components\.[^.[]+|links\[\d+\]|scene|output|limits)/.exec(path_at(tree, this.view_.state.selection.main.head));
+    if (found && found[0] !== this.studio_.chosen.get()) this.studio_.choose(found[0]);
+  }
+
+  /// The document has changed, here or elsewhere.
+  private follow(): void {
+    const patch = patch_between(this.view_.state.doc.toString(), this.studio_.document.state.get().text);
+    const changes = patch.map(({ offset, length, replacement }) => ({ from: offset, to: offset + length, insert: replacement }));
+    if (changes.length > 0) this.view_.dispatch({ changes, annotations: kFromDocument.of(true) });
+    this.show_faults();
+  }
+
+  private show_faults(): void {
+    const { faults } = this.studio_.document.state.get();
+    const size = this.view_.state.doc.length;
+    const marks: Diagnostic[] = faults.map((fault) => {
+      const from = Math.min(fault.offset ?? 0, size);
+      const word = /^(?:"(?:[^"\\\n]|\\.)*"?|[^\s,{}[\]]+)/.exec(this.view_.state.sliceDoc(from, from + 200));
+      return { from, to: Math.min(size, from + (word?.[0].length ?? 1)), severity: fault.severity, message: fault_text(fault) };
+    });
+    this.view_.dispatch(setDiagnostics(this.view_.state, marks), { annotations: kFromDocument.of(true) });
+  }
+}

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// A camera that circles a point. Angles in degrees: azimuth from north over east where the eye stands, altitude over
+// the horizon.
+import * as three from 'three';
+
+export interface CameraState {
+  azimuth: number;
+  altitude: number;
+  distance: number;
+  target: [number, number, number];
+}
+
+export const kFieldOfView = 32;
+const kRadians = Math.PI / 180;
+
+export class Orbit {
+  readonly camera = new three.PerspectiveCamera(kFieldOfView, 1, 0.01, 1000);
+  private azimuth_ = 155;
+  private altitude_ = 12;
+  private distance_ = 10;
+  private readonly target_ = new three.Vector3(0, 1, 0);
+
+  get state(): CameraState {
+    return { azimuth: this.azimuth_, altitude: this.altitude_, distance: this.distance_, target: this.target_.toArray() };
+  }
+  /// As documents and exports write a camera.
+  get as_document(): { position: number[]; target: number[]; field_of_view: number } {
+    return { position: this.camera.position.toArray(), target: this.target_.toArray(), field_of_view: kFieldOfView };
+  }
+  get distance(): number {
+    return this.distance_;
+  }
+  get azimuth(): number {
+    return this.azimuth_;
+  }
+  get target(): three.Vector3 {
+    return this.target_;
+  }
+
+  resize(width: number, height: number): void {
+    this.camera.aspect = width / Math.max(1, height);
+    this.place();
+  }
+
+  turn(degrees_east: number, degrees_up: number): void {
+    this.azimuth_ = (this.azimuth_ + degrees_east + 360) % 360;
+    this.altitude_ = Math.min(89.5, Math.max(-89.5, this.altitude_ + degrees_up));
+    this.place();
+  }
+
+  look_from(azimuth: number, altitude: number): void {
+    this.azimuth_ = azimuth;
+    this.altitude_ = Math.min(89.5, Math.max(-89.5, altitude));
+    this.place();
+  }
+
+  zoom(factor: number): void {
+    this.distance_ = Math.min(5000, Math.max(0.005, this.distance_ * factor));
+    this.place();
+  }
+
+  /// By shares of the picture's height.
+  pan(right: number, up: number): void {
+    const height = 2 * this.distance_ * Math.tan((kFieldOfView / 2) * kRadians);
+    const [x, y] = [new three.Vector3(), new three.Vector3()];
+    this.camera.matrixWorld.extractBasis(x, y, new three.Vector3());
+    this.target_.addScaledVector(x, right * height).addScaledVector(y, up * height);
+    this.place();
+  }
+
+  /// So that the box fills the picture; the way the eye looks stays.
+  fit(box: three.Box3): void {
+    if (box.isEmpty()) return;
+    box.getCenter(this.target_);
+    this.place();
+    const inverse = new three.Matrix4().copy(this.camera.matrixWorld).invert();
+    const tan_y = Math.tan((kFieldOfView / 2) * kRadians) * 0.94;
+    const tan_x = tan_y * this.camera.aspect;
+    let distance = 0.01;
+    for (let corner = 0; corner < 8; corner += 1) {
+      const point = new three.Vector3(
+        corner & 1 ? box.max.x : box.min.x,
+        corner & 2 ? box.max.y : box.min.y,
+        corner & 4 ? box.max.z : box.min.z,
+      ).applyMatrix4(inverse);
+      const toward_eye = point.z + this.distance_;
+      distance = Math.max(distance, toward_eye + Math.abs(point.x) / tan_x, toward_eye + Math.abs(point.y) / tan_y);
+    }
+    this.distance_ = distance;
+    this.place();
+  }
+
+  private place(): void {
+    const [azimuth, altitude] = [this.azimuth_ * kRadians, this.altitude_ * kRadians];
+    const flat = Math.cos(altitude) * this.distance_;
+    // North is -z and east +x.
+    this.camera.position.set(
+      this.target_.x + flat * Math.sin(azimuth),
+      this.target_.y + this.distance_ * Math.sin(altitude),
+      this.target_.z - flat * Math.cos(azimuth),
+    );
+    this.camera.near = this.distance_ / 200;
+    this.camera.far = this.distance_ * 60;
+    this.camera.lookAt(this.target_);
+    this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
+  }
+}

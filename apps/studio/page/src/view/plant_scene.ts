@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is drawn of the plant, kept up to date by scene packets.
+import * as three from 'three';
+
+import type { Packet, PacketBatch, PacketSkeleton } from '../server/packet.ts';
+import { bytes, floats, words } from '../server/packet.ts';
+import type { Batch } from './buffers.ts';
+import { Buffers } from './buffers.ts';
+import type { Light } from './materials.ts';
+import { Materials } from './materials.ts';
+import { kLineFragment, kLineVertex } from './plant_shader.ts';
+
+export type Drawing = 'shaded' | 'wireframe' | 'skeleton';
+
+interface DrawnBatch {
+  said: PacketBatch;
+  batch: Batch;
+  mesh: three.Mesh;
+}
+
+export class PlantScene {
+  readonly root = new three.Group();
+  readonly buffers = new Buffers();
+  readonly materials: Materials;
+  private readonly drawn_ = new Map<string, DrawnBatch>();
+  private readonly lines_ = new Map<string, three.LineSegments>();
+  private readonly line_material_ = new three.ShaderMaterial({ vertexShader: kLineVertex, fragmentShader: kLineFragment });
+  private drawing_: Drawing = 'shaded';
+  private hidden_: ReadonlySet<string> = new Set();
+  private emphasised_ = '';
+
+  constructor(light: Light, changed: () => void) {
+    this.materials = new Materials(light, changed);
+  }
+
+  /// Component by component, what is in the scene.
+  get components(): string[] {
+    return [...new Set([...this.drawn_.values()].map((one) => one.said.component))];
+  }
+
+  apply(packet: Packet): void {
+    const { head } = packet;
+    if (head.whole) this.clear();
+    for (const picture of head.pictures ?? []) this.materials.add_picture(packet, picture);
+    for (const material of head.materials ?? []) this.materials.say(material);
+    for (const mesh of head.meshes ?? []) this.buffers.add_mesh(packet, mesh);
+    for (const set of head.instances_of ?? []) this.buffers.add_instances(packet, set);
+    for (const batch of head.batches ?? []) this.put_batch(batch);
+    for (const skeleton of head.skeletons ?? []) this.add_skeleton(packet, skeleton);
+    if (head.lines) for (const [key, lines] of this.lines_) lines.visible = head.lines.includes(key);
+    this.drop(head.gone ?? {});
+    this.dress();
+  }
+
+  show(drawing: Drawing, hidden: ReadonlySet<string>, emphasised: string): void {
+    this.drawing_ = drawing;
+    this.hidden_ = hidden;
+    this.emphasised_ = emphasised;
+    this.dress();
+  }
+
+  clear(): void {
+    for (const { mesh } of this.drawn_.values()) this.root.remove(mesh);
+    this.drawn_.clear();
+    this.buffers.clear();
+    this.materials.clear();
+    this.drop_lines([...this.lines_.keys()]);
+  }
+
+  private put_batch(said: PacketBatch): void {
+    const key = batch_key(said.component, said.number);
+    const batch = this.buffers.add_batch(key, said.mesh, said.instances_of);
+    const before = this.drawn_.get(key);
+    if (before) this.root.remove(before.mesh);
+    const mesh = new three.Mesh(batch.geometry);
+    mesh.frustumCulled = false; // instances stand elsewhere than their mesh
+    mesh.matrixAutoUpdate = false;
+    this.root.add(mesh);
+    this.drawn_.set(key, { said, batch, mesh });
+  }
+
+  private add_skeleton(packet: Packet, skeleton: PacketSkeleton): void {
+    const geometry = new three.BufferGeometry();
+    geometry.setAttribute('position', new three.BufferAttribute(floats(packet, skeleton.positions), 3));
+    geometry.setAttribute('order', new three.BufferAttribute(bytes(packet, skeleton.orders), 1));
+    geometry.setIndex(new three.BufferAttribute(words(packet, skeleton.segments), 1));
+    const lines = new three.LineSegments(geometry, this.line_material_);
+    lines.frustumCulled = false;
+    this.lines_.set(skeleton.key, lines);
+    this.root.add(lines);
+  }
+
+  private drop(gone: NonNullable<Packet['head']['gone']>): void {
+    for (const [component, number] of gone.batches ?? []) {
+      const key = batch_key(component, number);
+      const drawn = this.drawn_.get(key);
+      if (!drawn) continue;
+      this.root.remove(drawn.mesh);
+      this.drawn_.delete(key);
+      this.buffers.remove_batch(key);
+    }
+    this.buffers.remove(gone.meshes ?? [], gone.instances_of ?? []);
+    this.materials.remove_pictures(gone.pictures ?? []);
+    if (gone.materials !== undefined) this.materials.keep(gone.materials);
+    this.drop_lines(gone.skeletons ?? []);
+  }
+
+  private drop_lines(keys: string[]): void {
+    for (const key of keys) {
+      const lines = this.lines_.get(key);
+      if (!lines) continue;
+      this.root.remove(lines);
+      lines.geometry.dispose();
+      this.lines_.delete(key);
+    }
+  }
+
+  /// Gives each batch the material that it is shown in.
+  private dress(): void {
+    for (const { said, batch, mesh } of this.drawn_.values()) {
+      mesh.visible = this.drawing_ !== 'skeleton' && !this.hidden_.has(said.component);
+      mesh.material =
+        this.drawing_ === 'wireframe'
+          ? this.materials.wire
+          : this.materials.material_for(said.material, batch.tint_scale, said.component === this.emphasised_);
+    }
+  }
+}
+
+function batch_key(component: string, number: number): string {
+  return `${component}#${number}`;
+}

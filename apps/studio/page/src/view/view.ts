@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// The 3D view: one canvas, drawn when something has changed and not otherwise.
+import * as three from 'three';
+
+import type { Packet } from '../server/packet.ts';
+import { Ground } from './ground.ts';
+import type { Light } from './materials.ts';
+import type { CameraState } from './orbit.ts';
+import { kFieldOfView, Orbit } from './orbit.ts';
+import type { Drawing } from './plant_scene.ts';
+import { PlantScene } from './plant_scene.ts';
+import { listen } from './pointer.ts';
+
+export interface ViewFacts {
+  camera: CameraState;
+  metres_per_pixel: number; // at the point that the camera looks at
+}
+
+export interface ViewEvents {
+  /// After each picture.
+  drawn(facts: ViewFacts): void;
+  /// The graphics card has lost all, and has come back.
+  restored(): void;
+}
+
+/// Whether a processor draws in place of a graphics card.
+export function draws_by_software(context: WebGLRenderingContext | WebGL2RenderingContext): boolean {
+  const facts = context.getExtension('WEBGL_debug_renderer_info');
+  const name = String(context.getParameter(facts ? facts.UNMASKED_RENDERER_WEBGL : context.RENDERER));
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}
+
+export class View {
+  readonly orbit = new Orbit();
+  readonly plant: PlantScene;
+  readonly is_software: boolean;
+  frames_drawn = 0;
+  private readonly light_: Light = {
+    sun: { value: new three.Vector3(0.5, 0.75, 0.42).normalize() },
+    sun_colour: { value: new three.Color(1.35, 1.27, 1.1) },
+    sky_colour: { value: new three.Color(0.62, 0.7, 0.8) },
+    ground_colour: { value: new three.Color(0.3, 0.29, 0.24) },
+    crown_centre: { value: new three.Vector3() },
+    crown_size: { value: new three.Vector3(1, 1, 1) },
+  };
+  private readonly renderer_: three.WebGLRenderer;
+  private readonly scene_ = new three.Scene();
+  private readonly ground_ = new Ground();
+  private readonly box_ = new three.Box3();
+  private waiting_ = 0;
+
+  constructor(
+    private readonly canvas_: HTMLCanvasElement,
+    private readonly events_: ViewEvents,
+  ) {
+    this.renderer_ = new three.WebGLRenderer({ canvas: canvas_, antialias: true, alpha: true, powerPreference: 'high-performance' });
+    this.is_software = draws_by_software(this.renderer_.getContext());
+    this.renderer_.setPixelRatio(this.is_software ? 1 : Math.min(2, window.devicePixelRatio));
+    this.renderer_.setClearColor(0, 0);
+    this.plant = new PlantScene(this.light_, () => this.ask());
+    this.scene_.add(this.ground_.mesh, this.plant.root);
+    this.scene_.matrixWorldAutoUpdate = false;
+    listen(canvas_, this.orbit, { moved: () => this.ask(), fit: () => this.fit() });
+    canvas_.addEventListener('webglcontextrestored', () => {
+      events_.restored();
+      this.ask();
+    });
+    new ResizeObserver(() => this.resize()).observe(canvas_.parentElement ?? canvas_);
+    this.resize();
+  }
+
+  /// What three holds on the card, for tests.
+  get counts(): object {
+    const { geometries, textures } = this.renderer_.info.memory;
+    return { geometries, textures, frames: this.frames_drawn, ...this.plant.buffers.counts, ...this.plant.materials.counts };
+  }
+
+  apply(packet: Packet): void {
+    this.plant.apply(packet);
+    const bounds = packet.head.bounds;
+    this.box_.makeEmpty();
+    if (bounds) this.box_.set(new three.Vector3(...bounds[0]), new three.Vector3(...bounds[1]));
+    if (packet.head.fit) this.fit();
+    if (bounds) {
+      this.ground_.suit(this.box_);
+      this.box_.getCenter(this.light_.crown_centre.value);
+      this.box_.getSize(this.light_.crown_size.value).multiplyScalar(0.5).addScalar(1e-6);
+    }
+    this.ask();
+  }
+
+  show(drawing: Drawing, hidden: ReadonlySet<string>, emphasised: string): void {
+    this.plant.show(drawing, hidden, emphasised);
+    this.ask();
+  }
+
+  paint(is_dark: boolean, shows_ground: boolean): void {
+    this.ground_.paint(is_dark);
+    this.ground_.mesh.visible = shows_ground;
+    this.plant.materials.wire.uniforms['line']?.value.set(is_dark ? 0x9fc7ae : 0x2d4a38).convertLinearToSRGB();
+    this.ask();
+  }
+
+  fit(): void {
+    this.orbit.fit(this.box_);
+    this.ask();
+  }
+
+  look_from(azimuth: number, altitude: number): void {
+    this.orbit.look_from(azimuth, altitude);
+    this.ask();
+  }
+
+  /// A picture at the next chance; asked often, drawn once.
+  ask(): void {
+    if (this.waiting_ !== 0) return;
+    this.waiting_ = requestAnimationFrame(() => {
+      this.waiting_ = 0;
+      this.draw();
+    });
+  }
+
+  private draw(): void {
+    // The sun stands behind the left shoulder, so that no side of a plant is dark.
+    const azimuth = (this.orbit.azimuth - 50) * (Math.PI / 180);
+    this.light_.sun.value.set(0.66 * Math.sin(azimuth), 0.75, -0.66 * Math.cos(azimuth)).normalize();
+    this.renderer_.render(this.scene_, this.orbit.camera);
+    this.frames_drawn += 1;
+    const height = 2 * this.orbit.distance * Math.tan((kFieldOfView / 360) * Math.PI);
+    this.events_.drawn({ camera: this.orbit.state, metres_per_pixel: height / Math.max(1, this.canvas_.clientHeight) });
+  }
+
+  private resize(): void {
+    const frame = this.canvas_.parentElement ?? this.canvas_;
+    const [width, height] = [frame.clientWidth, frame.clientHeight];
+    if (width === 0 || height === 0) return;
+    this.renderer_.setSize(width, height, false);
+    this.orbit.resize(width, height);
+    this.ask();
+  }
+}

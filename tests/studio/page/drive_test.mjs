@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page of the studio as a person drives it, in a real browser against the real server. Counts, and no times.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+
+import { choose, kAxe, meristem, open_page, ready, save_and_check, settled, start_browser, start_server, temporary_folder, text_of, undo_count, validator, visit, write_document } from './support.mjs';
+
+const kSmall = `\ufeff// A sapling.\r\n{\r\n\t"meristem": 1, /* the form */\r\n\t"name": "Sapling",\r\n\t"seed": 4,\r\n\t"variables": {\r\n\t\t"size": {"value": 0.12, "min": 0.05, "max": 0.25, "unit": "m", "doc": "Length of the leaves."},\r\n\t\t"bend": {"value": 30, "min": 0, "max": 90, "doc": "How they bend."}\r\n\t},\r\n\t"components": {\r\n\t\t"tree": {"type": "tree", "length": 1.5, "radius": 0.02}, // the stem\r\n\t\t"leaf": {"type": "leaf", "length": "size", "width": "size/2", "curl": "bend + 5*rand(-1,1)", "colour": "#587a30"}\r\n\t},\r\n\t"links": [{"from": "tree", "to": "leaf", "kind": "branch", "count": 12, "angle": 60}]\r\n}\r\n`;
+
+let place, server, browser, context, page;
+
+before(async () => {
+  place = await temporary_folder();
+  await write_document(place.folder, 'small.json', kSmall);
+  server = await start_server(place.folder, path.join(place.folder, 'small.json'));
+  browser = await start_browser();
+  context = await browser.newContext({ viewport: { width: 1280, height: 720 }, acceptDownloads: true });
+  page = await open_page(context, server.address);
+});
+
+after(async () => {
+  await browser?.close();
+  await server?.stop();
+  await place?.remove();
+});
+
+const slider = (name) => page.getByRole('slider', { name: `${name}, slider`, exact: true });
+const reopen = async () => {
+  await page.evaluate(() => window.studio.open({ path: 'small.json' }));
+  await settled(page);
+};
+
+test('the document is shown as it is: name, handles, outline, plant', async () => {
+  assert.equal(await page.getByRole('heading', { level: 1 }).innerText(), 'Sapling');
+  assert.equal(await page.locator('.handle').count(), 2);
+  assert.deepEqual(await page.locator('.outline-group').first().locator('.outline-title').allInnerTexts(), ['tree', 'leaf']);
+  assert.equal(await text_of(page), kSmall);
+  const { batches } = await page.evaluate(() => window.studio.view.counts);
+  assert.ok(batches >= 2);
+});
+
+test('a drag of 40 moves is one step, and the camera stays where it was', async () => {
+  const camera = await page.evaluate(() => JSON.stringify(window.studio.view.orbit.state));
+  const steps = await undo_count(page);
+  const box = await slider('size').boundingBox();
+  await page.mouse.move(box.x + 30, box.y + box.height / 2);
+  await page.mouse.down();
+  for (let k = 0; k < 40; k += 1) await page.mouse.move(box.x + 30 + 2 * k, box.y + box.height / 2);
+  await page.mouse.up();
+  await settled(page);
+  assert.equal((await undo_count(page)) - steps, 1);
+  assert.notEqual(await text_of(page), kSmall);
+  assert.equal(await page.evaluate(() => JSON.stringify(window.studio.view.orbit.state)), camera);
+});
+
+test('dragging a field: Shift is fine, Escape puts back, and that is no step', async () => {
+  await reopen();
+  const field = page.getByRole('textbox', { name: 'bend', exact: true });
+  const box = await field.boundingBox();
+  const drag = async (pixels) => {
+    await page.evaluate(() => document.activeElement?.blur());
+    await page.mouse.move(box.x + 10, box.y + 10);
+    await page.mouse.down();
+    for (let k = 1; k <= 10; k += 1) await page.mouse.move(box.x + 10 + (pixels * k) / 10, box.y + 10);
+  };
+  await drag(40);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await settled(page);
+  assert.equal(await text_of(page), kSmall);
+  assert.equal(await undo_count(page), 0);
+  await drag(40);
+  await page.mouse.up();
+  await settled(page);
+  const value = () => page.evaluate(() => window.studio.document.state.get().variables.find((one) => one.name === 'bend').value);
+  const coarse = (await value()) - 30;
+  assert.ok(coarse > 1);
+  await page.keyboard.down('Shift');
+  await drag(40);
+  await page.mouse.up();
+  await page.keyboard.up('Shift');
+  await settled(page);
+  const fine = (await value()) - 30 - coarse;
+  assert.ok(fine > 0 && fine < coarse / 5, `${fine} against ${coarse}`);
+  assert.equal(await undo_count(page), 2);
+});
+
+test('undo of everything gives the first bytes, with mark, CRLF, comments and tabs', async () => {
+  await reopen();
+  const edits = [
+    ['components.leaf.length', [0.1, 0.2]],
+    ['components.leaf.roll', 12],
+    ['links[0].count', 20],
+    ['components.tree.colour', '#334455'],
+    ['scene.latitude', 51.5],
+    ['seed', 9],
+  ];
+  for (const [where, value] of edits) await page.evaluate(([one, two]) => window.studio.edit([{ set: one, value: two }], 'Set'), [where, value]);
+  await settled(page);
+  assert.equal(await undo_count(page), edits.length);
+  const changed = await text_of(page);
+  assert.ok(changed.includes('// the stem\r\n') && changed.includes('/* the form */'));
+  for (let k = 0; k < edits.length; k += 1) await page.keyboard.press('Control+z');
+  await page.waitForFunction(() => window.studio.document.state.get().undo.done.length === 0);
+  assert.equal(await text_of(page), kSmall);
+  for (let k = 0; k < edits.length; k += 1) await page.keyboard.press('Control+Shift+z');
+  await page.waitForFunction(() => window.studio.document.state.get().undo.undone.length === 0);
+  assert.equal(await text_of(page), changed);
+  await settled(page);
+});
+
+test('1,000 rapid edits: the last value wins', async () => {
+  await reopen();
+  await page.evaluate(async () => {
+    const all = [];
+    for (let k = 0; k < 1000; k += 1) all.push(window.studio.edit([{ set: 'size', value: (51 + (k % 150)) / 1000 }], 'Set size'));
+    await window.studio.edit([{ set: 'size', value: 0.2 }], 'Set size');
+  });
+  await settled(page);
+  assert.match(await text_of(page), /"size": \{"value": 0\.2,/);
+  const { sent } = await page.evaluate(() => window.studio.connection.counts);
+  assert.ok(sent < 1500);
+});
+
+test('expressions, ranges and arithmetic are typed into fields, a fault stands under its row', async () => {
+  await reopen();
+  await choose(page, 'components.tree');
+  const field = page.locator('[data-path="components.tree.length"]').getByRole('textbox', { name: 'length', exact: true });
+  await field.fill('3/2+0.25');
+  await field.press('Enter');
+  await settled(page);
+  assert.match(await text_of(page), /"length": 1\.75,/);
+  await field.fill('size*nothing');
+  await field.press('Enter');
+  const fault = page.locator('[data-path="components.tree.length"] .fault-line');
+  await fault.waitFor();
+  assert.match(await fault.innerText(), /nothing/);
+  await page.keyboard.press('Control+z');
+  await page.evaluate(() => window.studio.undo());
+  await settled(page);
+});
+
+test('typing faulty text keeps the plant, marks the fault, and completion knows the tables', async () => {
+  await reopen();
+  await page.keyboard.press('t');
+  const editor = page.getByRole('textbox', { name: 'Text of the document' });
+  await editor.waitFor();
+  const before_it = await page.evaluate(() => window.studio.view.counts.batches);
+  await page.evaluate(() => window.studio.document.type(window.studio.document.state.get().text.replace('"width"', '"widht"')));
+  await page.locator('.fault-list button').first().waitFor();
+  assert.match(await page.locator('.fault-list').innerText(), /width/);
+  assert.equal(await page.evaluate(() => window.studio.view.counts.batches), before_it);
+  await page.evaluate(() => window.studio.undo());
+  await settled(page);
+  assert.equal(await text_of(page), kSmall);
+  await page.getByRole('button', { name: 'Inspector' }).click();
+});
+
+test('a reload offers unsaved work with what differs, and gives it back with its undo list', async () => {
+  await reopen();
+  await page.evaluate(() => window.studio.edit([{ set: 'bend', value: 77 }], 'Set bend'));
+  await settled(page);
+  const text = await text_of(page);
+  await page.waitForTimeout(600);
+  await page.reload();
+  await ready(page);
+  const banner = page.locator('[data-banner="kept"]');
+  await banner.waitFor();
+  await banner.getByRole('button', { name: 'Show what differs' }).click();
+  assert.match(await banner.locator('.added').innerText(), /77/);
+  await banner.getByRole('button', { name: 'Restore' }).click();
+  await settled(page);
+  assert.equal(await text_of(page), text);
+  assert.equal(await undo_count(page), 1);
+  await page.evaluate(() => window.studio.undo());
+  assert.equal(await text_of(page), kSmall);
+  await settled(page);
+});
+
+test('a killed server loses nothing', async () => {
+  const other = await start_server(place.folder, path.join(place.folder, 'small.json'), '--port', '0');
+  const { port } = new URL(other.address);
+  const lone = await open_page(context, other.address);
+  await lone.evaluate(() => window.studio.edit([{ set: 'bend', value: 66 }], 'Set bend'));
+  await settled(lone);
+  await lone.waitForTimeout(600);
+  await other.stop('SIGKILL');
+  await lone.getByText('The server is gone.').waitFor();
+  assert.match(await text_of(lone), /"bend": \{"value": 66,/);
+  // Typing goes on without it.
+  await lone.evaluate(() => window.studio.document.type(window.studio.document.state.get().text.replace('Sapling', 'Whip')));
+  await lone.waitForTimeout(600);
+  const text = await text_of(lone);
+  const again = await start_server(place.folder, path.join(place.folder, 'small.json'), '--port', port);
+  await visit(lone, again.address);
+  await lone.locator('[data-banner="kept"]').getByRole('button', { name: 'Restore' }).click();
+  await settled(lone);
+  assert.equal(await text_of(lone), text);
+  await lone.close();
+  await again.stop();
+});
+
+test('saving asks where someone else has changed the file', async () => {
+  await reopen();
+  await page.evaluate(() => window.studio.edit([{ set: 'bend', value: 50 }], 'Set bend'));
+  await write_document(place.folder, 'small.json', kSmall.replace('30', '31'));
+  await page.keyboard.press('Control+s');
+  await page.locator('[data-banner="conflict"]').waitFor();
+  assert.match(await readFile(path.join(place.folder, 'small.json'), 'utf8'), /31/);
+  await page.getByRole('button', { name: 'Save anyway' }).click();
+  await page.waitForFunction(() => !window.studio.document.is_changed);
+  assert.equal(await readFile(path.join(place.folder, 'small.json'), 'utf8'), await text_of(page));
+  await write_document(place.folder, 'small.json', kSmall);
+});
+
+test('every kind of row of every component is set through the page and read back by check', async () => {
+  const tables = JSON.parse((await meristem('components', '--json')).stdout);
+  await page.evaluate(() => window.studio.open({ path: 'small.json' }));
+  await page.evaluate(() => window.studio.shell.merge({ side: 'inspector', dialog: null }));
+  const { set_every_row } = await import('./every_row.mjs');
+  const told = await set_every_row(page, tables, place.folder, { save_and_check });
+  assert.deepEqual(told.faults, []);
+  assert.ok(told.rows >= 70 && told.kinds.size >= 11, `${told.rows} rows, ${[...told.kinds].join(' ')}; ${told.faulty_bases.join('; ')}`);
+});
+
+test('exported GLB is accepted by the validator and has the triangles that there are', async () => {
+  await reopen();
+  await page.keyboard.press('Control+e');
+  await page.getByRole('radio', { name: /glb/ }).first().check();
+  const arrives = page.waitForEvent('download');
+  await page.getByRole('dialog').getByRole('button', { name: 'Export', exact: true }).click();
+  const file = path.join(place.folder, 'got.glb');
+  await (await arrives).saveAs(file);
+  const report = await validator.validateBytes(new Uint8Array(await readFile(file)));
+  assert.equal(report.issues.numErrors, 0, JSON.stringify(report.issues.messages));
+  const { triangles } = await page.evaluate(() => window.studio.growth.get().grown);
+  assert.equal(report.info.totalTriangleCount, triangles);
+  await page.getByRole('button', { name: 'Close' }).click();
+});
+
+test('the keyboard alone opens a plant, turns a handle, chooses a component and undoes', async () => {
+  await reopen();
+  const press = (...keys) => keys.reduce((all, key) => all.then(() => page.keyboard.press(key)), Promise.resolve());
+  await page.evaluate(() => document.activeElement?.blur());
+  const focused = () => page.evaluate(() => document.activeElement?.getAttribute('aria-label') ?? document.activeElement?.textContent ?? '');
+  for (let k = 0; k < 60 && (await focused()) !== 'size, slider'; k += 1) await press('Tab');
+  assert.equal(await focused(), 'size, slider');
+  await press('ArrowRight', 'ArrowRight');
+  await settled(page);
+  assert.notEqual(await text_of(page), kSmall);
+  for (let k = 0; k < 60 && !(await focused()).startsWith('tree'); k += 1) await press('Tab');
+  await press('ArrowDown', 'Enter');
+  assert.equal(await page.evaluate(() => window.studio.chosen.get()), 'components.leaf');
+  for (let k = 0; k < 4 && (await undo_count(page)) > 0; k += 1) {
+    await press('Control+z');
+    await settled(page);
+  }
+  assert.equal(await text_of(page), kSmall);
+  await press('?');
+  await page.getByRole('dialog').waitFor();
+  await press('Escape');
+  await page.getByRole('dialog').waitFor({ state: 'detached' });
+  await press('Control+m');
+  await page.locator('.model').first().waitFor();
+  await page.keyboard.type('mint');
+  await press('Tab', 'Enter');
+  await page.waitForFunction(() => window.studio.document.state.get().model === 'mint', null, { timeout: 20000 });
+  await settled(page);
+});
+
+test('axe finds nothing serious, light and dark', async () => {
+  await reopen();
+  await page.addScriptTag({ path: kAxe }).catch(async () => page.evaluate(await readFile(kAxe, 'utf8')));
+  for (const theme of ['light', 'dark']) {
+    await page.evaluate((one) => window.studio.set_theme(one), theme);
+    for (const what of ['', 'components.leaf', 'links[0]', 'text', 'export', 'shortcuts', 'models']) {
+      await page.evaluate((one) => {
+        const { studio } = window;
+        const is_dialog = ['export', 'shortcuts', 'models'].includes(one);
+        studio.shell.merge({ side: one === 'text' ? 'text' : 'inspector', dialog: is_dialog ? one : null });
+        if (one !== 'text' && !is_dialog) studio.choose(one);
+      }, what);
+      await page.waitForTimeout(250);
+      const found = await page.evaluate(async () => (await window.axe.run(document, { resultTypes: ['violations'] })).violations.map((one) => ({ id: one.id, impact: one.impact, nodes: one.nodes.slice(0, 3).map((node) => node.html.slice(0, 160) + ' ' + (node.any[0]?.message ?? '')) })));
+      const serious = found.filter((one) => one.impact === 'serious' || one.impact === 'critical');
+      assert.deepEqual(serious, [], `${theme}, ${what}`);
+    }
+    await page.evaluate(() => window.studio.shell.merge({ dialog: null, side: 'inspector' }));
+  }
+  await page.evaluate(() => window.studio.set_theme('system'));
+});
+
+test('what is drawn goes when it is gone, and comes back after a lost context', async () => {
+  await reopen();
+  const counts = () => page.evaluate(() => window.studio.view.counts);
+  const first = await counts();
+  for (let k = 0; k < 5; k += 1) {
+    await page.evaluate((value) => window.studio.edit([{ set: 'size', value }], 'Set size'), 0.1 + k / 100);
+    await settled(page);
+  }
+  const later = await counts();
+  for (const name of ['meshes', 'instance_sets', 'batches', 'geometries', 'materials', 'pictures']) assert.ok(later[name] <= first[name] + 1, `${name}: ${first[name]} ${later[name]}`);
+  const packets = await page.evaluate(() => {
+    const lost = document.querySelector('.view canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+    lost.loseContext();
+    setTimeout(() => lost.restoreContext(), 100);
+    return window.studio.connection.counts.packets;
+  });
+  await page.waitForFunction((known) => window.studio.connection.counts.packets > known, packets);
+  await settled(page);
+  assert.equal((await counts()).batches, later.batches);
+});
+
+test('a colour edit crosses in under 2 KB', async () => {
+  await reopen();
+  await page.evaluate(() => window.studio.edit([{ set: 'components.leaf.colour', value: '#885522' }], 'Set colour'));
+  await settled(page);
+  const { last_packet_bytes } = await page.evaluate(() => window.studio.connection.counts);
+  assert.ok(last_packet_bytes < 2048, `${last_packet_bytes} bytes`);
+});
+
+test('texts of a document are shown as texts', async () => {
+  const evil = kSmall.replace('"Sapling"', '"<img src=x onerror=window.harm=1>"').replace('Length of the leaves.', '<script>window.harm=1</script>');
+  await page.evaluate((text) => window.studio.open({ text, path: null }), evil);
+  await settled(page);
+  assert.equal(await page.getByRole('heading', { level: 1 }).innerText(), '<img src=x onerror=window.harm=1>');
+  assert.equal(await page.evaluate(() => window.harm), undefined);
+});
+
+test('nothing was complained about on the way', () => {
+  assert.deepEqual(page.faults.filter((fault) => !/WebGL|GL Driver|CONTEXT_LOST|Failed to load resource|Refused to/i.test(fault)), []);
+});
+
+test('first visit: the oak is there with three hints', async () => {
+  const fresh = await browser.newContext({ viewport: { width: 1280, height: 720 } });
+  const lone = await start_server(place.folder);
+  const first = await open_page(fresh, lone.address);
+  assert.equal(await first.getByRole('heading', { level: 1 }).innerText(), 'Oak');
+  assert.equal(await first.locator('.hints li').count(), 3);
+  await fresh.close();
+  await lone.stop();
+});
+

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// A running studio and a browser that shows it. MERISTEM says which program; MERISTEM_CHROMIUM which browser;
+// MERISTEM_PAGE a folder with another page than the program's own.
+import { execFile, spawn } from 'node:child_process';
+import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import os from 'node:os';
+import path from 'node:path';
+import process from 'node:process';
+import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
+
+const here = path.dirname(fileURLToPath(import.meta.url));
+export const kSource = path.resolve(here, '../../..');
+const require = createRequire(path.join(kSource, 'apps/studio/page/package.json'));
+const { chromium } = require('playwright-core');
+export const kAxe = require.resolve('axe-core/axe.min.js');
+export const validator = require('gltf-validator');
+
+export const kProgram = process.env.MERISTEM ?? path.join(kSource, 'build/dev/bin/meristem');
+const kBrowser = process.env.MERISTEM_CHROMIUM ?? '/usr/bin/chromium';
+const kArguments = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
+// A page that is put in place of the program's own comes from no address, which browsers do not let speak to this machine.
+if (process.env.MERISTEM_PAGE) kArguments.push('--disable-features=LocalNetworkAccessChecks');
+
+export async function temporary_folder() {
+  const folder = await mkdtemp(path.join(os.tmpdir(), 'meristem-studio-'));
+  return { folder, remove: () => rm(folder, { recursive: true, force: true }) };
+}
+
+/// Runs the program and gives its output; `code` where it fails.
+export async function meristem(...words) {
+  try {
+    return { code: 0, ...(await promisify(execFile)(kProgram, words, { maxBuffer: 1e8 })) };
+  } catch (fault) {
+    return { code: fault.code, stdout: fault.stdout, stderr: fault.stderr };
+  }
+}
+
+/// A server on a free port, with the address that it prints.
+export async function start_server(folder, ...words) {
+  const child = spawn(kProgram, ['studio', ...words, '--root', folder, '--no-browser'], { cwd: folder });
+  let said = '';
+  child.stderr.on('data', (data) => (said += data));
+  const address = await new Promise((resolve, reject) => {
+    child.stdout.on('data', (data) => {
+      const found = /http:\/\/\S+/.exec(String(data));
+      if (found) resolve(found[0]);
+    });
+    child.on('exit', (code) => reject(new Error(`the studio ended with ${code}: ${said}`)));
+  });
+  const stop = (signal = 'SIGTERM') =>
+    new Promise((done) => {
+      child.removeAllListeners('exit');
+      if (child.exitCode !== null || child.signalCode !== null) return done();
+      child.on('exit', done);
+      child.kill(signal);
+    });
+  return { address, stop };
+}
+
+export async function start_browser() {
+  return chromium.launch({ executablePath: kBrowser, args: kArguments });
+}
+
+/// A page of the studio, with what it complained about.
+export async function open_page(context, address) {
+  const page = await context.newPage();
+  page.faults = [];
+  page.on('pageerror', (fault) => page.faults.push(String(fault)));
+  page.on('console', (message) => {
+    if (message.type() === 'error') page.faults.push(message.text());
+  });
+  await visit(page, address);
+  return page;
+}
+
+export async function visit(page, address) {
+  if (process.env.MERISTEM_PAGE) await serve_folder(page, address, process.env.MERISTEM_PAGE);
+  await page.goto(address);
+  await ready(page);
+}
+
+/// Puts a built page in the place of the one that is in the program, as while it is being worked on.
+async function serve_folder(page, address, folder) {
+  for (const file of await readdir(folder)) {
+    await page.route(file === 'index.html' ? address : address + file, (route) => route.fulfill({ path: path.join(folder, file) }));
+  }
+}
+
+/// When the document is open and its plant is shown.
+export async function ready(page) {
+  await page.waitForFunction(() => window.studio?.document.state.get().text && window.studio.growth.get().shown, null, { timeout: 60000 });
+  await settled(page);
+}
+
+/// When the server knows the text, and what is shown is what the text says, at rest.
+export async function settled(page) {
+  await page.waitForFunction(
+    () => {
+      const { studio } = window;
+      const { hash, good } = studio.document.state.get();
+      const { shown, working } = studio.growth.get();
+      return Object.keys(studio.dragged.get()).length === 0 && (!good || (shown?.hash === hash && !shown.draft && !working));
+    },
+    null,
+    { timeout: 60000 },
+  );
+}
+
+export const text_of = (page) => page.evaluate(() => window.studio.document.state.get().text);
+export const undo_count = (page) => page.evaluate(() => window.studio.document.state.get().undo.done.length);
+export const choose = (page, what) => page.evaluate((wanted) => window.studio.choose(wanted), what);
+
+/// Saves the open document through the page and gives what `meristem check` says of the file, and the file.
+export async function save_and_check(page, folder, name) {
+  await page.evaluate((wanted) => window.studio.save(wanted, true), name);
+  const file = path.join(folder, name);
+  return { check: await meristem('check', file), text: await readFile(file, 'utf8') };
+}
+
+export async function write_document(folder, name, text) {
+  await writeFile(path.join(folder, name), text);
+}

@@ -123,7 +123,7 @@ Word derive_tree(const Grammar& grammar, int threads) {
 
 /// What a drawing knows where it branches.
 struct HardCodedTurtle {
-  DVec3 place{0};
+  DVec3 position{0};
   DVec3 heading{0, 1, 0}, left{-1, 0, 0}, up{0, 0, 1};
   double width = 0.01;
   NodeIndex node = kNoNode;
@@ -151,7 +151,7 @@ Skeleton draw_hard_coded(const HardCodedWord& word) {
   const double cos_roll = math::cos_deg(137.5);
   const double sin_roll = math::sin_deg(137.5);
   const auto add_node = [&](NodeIndex parent) {
-    const NodeIndex node = skeleton.add_node(parent, Vec3(turtle.place), 0);
+    const NodeIndex node = skeleton.add_node(parent, Vec3(turtle.position), 0);
     skeleton.radius[node] = static_cast<float>(turtle.width);
     skeleton.axis[node] = turtle.axis;
     skeleton.order[node] = turtle.order;
@@ -168,7 +168,7 @@ Skeleton draw_hard_coded(const HardCodedWord& word) {
           ++turtle.order;
           turtle.begins_branch = false;
         }
-        turtle.place += in[0] * turtle.heading;
+        turtle.position += in[0] * turtle.heading;
         turtle.node = add_node(turtle.node);
         break;
       case '!':

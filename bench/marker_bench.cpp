@@ -23,7 +23,7 @@ namespace {
 
 using meristem::CrownPointer;
 using meristem::MarkerField;
-using meristem::MarkerForm;
+using meristem::MarkerParameters;
 using meristem::RandomKey;
 using meristem::Room;
 using meristem::Seeker;
@@ -31,7 +31,7 @@ using meristem::Vec3;
 
 constexpr float kLength = 0.1F;       // of a metamer
 constexpr std::uint32_t kWanted = 6;  // markers for which a bud grows
-const MarkerForm kForm{.spacing = 0.7 * kLength, .occupancy = 2 * kLength};
+const MarkerParameters kForm{.spacing = 0.7 * kLength, .occupancy = 2 * kLength};
 
 /// An egg of so many metres.
 CrownPointer crown_of(std::int64_t height) {
@@ -50,8 +50,8 @@ class Field : public MarkerField {
 class PlainField {
  public:
   explicit PlainField(CrownPointer crown) : crown_(std::move(crown)) {}
-  void occupy(Vec3 place) {
-    for_each_near(place, static_cast<float>(kForm.occupancy), [&](std::uint64_t voxel, Vec3) { ++shoots_[voxel]; });
+  void occupy(Vec3 position) {
+    for_each_near(position, static_cast<float>(kForm.occupancy), [&](std::uint64_t voxel, Vec3) { ++shoots_[voxel]; });
   }
   void share_out(const std::vector<Seeker>& seekers, std::vector<Room>& rooms, const meristem::Progress&) {
     struct Claim {
@@ -61,11 +61,11 @@ class PlainField {
     };
     std::unordered_map<std::uint64_t, Claim> claims;
     for (std::size_t k = 0; k < seekers.size(); ++k) {
-      for_each_near(seekers[k].place, seekers[k].radius, [&](std::uint64_t voxel, Vec3 way) {
+      for_each_near(seekers[k].position, seekers[k].radius, [&](std::uint64_t voxel, Vec3 way) {
         const float square = glm::dot(way, way);
         if (glm::dot(way, seekers[k].direction) < seekers[k].cosine * std::sqrt(square)) return;
         if (shoots_.contains(voxel)) return;
-        if (crown_ && !crown_->contains(seekers[k].place + way + Vec3(0, 0.5F, 0))) return;
+        if (crown_ && !crown_->contains(seekers[k].position + way + Vec3(0, 0.5F, 0))) return;
         Claim& claim = claims[voxel];
         if (square < claim.square) claim = {square, k, way / std::sqrt(square)};
       });
@@ -79,13 +79,13 @@ class PlainField {
 
  private:
   template <class Visit>
-  void for_each_near(Vec3 place, float radius, Visit visit) {
+  void for_each_near(Vec3 position, float radius, Visit visit) {
     const auto side = static_cast<float>(kForm.spacing);
     std::array<std::int64_t, 3> low;
     std::array<std::int64_t, 3> high;
     for (int k = 0; k < 3; ++k) {
-      low[k] = static_cast<std::int64_t>(std::floor((place[k] - radius) / side));
-      high[k] = static_cast<std::int64_t>(std::floor((place[k] + radius) / side));
+      low[k] = static_cast<std::int64_t>(std::floor((position[k] - radius) / side));
+      high[k] = static_cast<std::int64_t>(std::floor((position[k] + radius) / side));
     }
     for (std::int64_t z = low[2]; z <= high[2]; ++z) {
       for (std::int64_t y = low[1]; y <= high[1]; ++y) {
@@ -97,7 +97,7 @@ class PlainField {
           const auto jitter = [&](int shift) { return (static_cast<float>(dice >> shift & 255) + 0.5F) / 256; };
           const Vec3 marker(static_cast<float>(x) + jitter(32), static_cast<float>(y) + jitter(40),
                             static_cast<float>(z) + jitter(48));
-          const Vec3 way = side * marker - place;
+          const Vec3 way = side * marker - position;
           if (glm::dot(way, way) <= radius * radius) visit(voxel, way);
         }
       }
@@ -126,12 +126,12 @@ struct Tree {
       if (rooms[k].count < kWanted) continue;
       Seeker& bud = buds[k];
       bud.direction = glm::normalize(0.6F * bud.direction + 0.4F * glm::normalize(rooms[k].way) + 1e-3F);
-      bud.place += kLength * bud.direction;
+      bud.position += kLength * bud.direction;
       Seeker lateral = bud;
       const Vec3 aside = glm::cross(bud.direction, key.direction(shoots.size()));
       lateral.direction = glm::normalize(0.57F * bud.direction + 0.82F * glm::normalize(aside));
       buds.push_back(lateral);
-      shoots.push_back(buds[k].place);
+      shoots.push_back(buds[k].position);
     }
     for (std::size_t k = before; k < shoots.size(); ++k) field.occupy(shoots[k]);
     ++rounds;

@@ -18,7 +18,7 @@
 #include "meristem/measure/convex_hull.h"
 #include "meristem/measure/crown_light.h"
 #include "meristem/measure/organ_light.h"
-#include "meristem/measure/surface_places.h"
+#include "meristem/measure/surface_points.h"
 #include "meristem/shape/leaf/leaf_blade.h"
 #include "meristem/shape/solid/primitives.h"
 
@@ -90,7 +90,7 @@ void add_triangles(const AnyMesh& mesh, std::vector<Corners>& triangles) {
 /// Seconds a ray of plain counting, from a mesh toward one side.
 double plain_seconds(const Mesh& from, Vec3 toward, const std::vector<Corners>& triangles) {
   const std::uint64_t rays = meristem::bench::sized(500, 10);
-  const meristem::SurfacePlaces places(from);
+  const meristem::SurfacePoints places(from);
   const RandomKey key(1);
   double least = 1e9;
   for (int trial = 0; trial < 3; ++trial) {

@@ -136,26 +136,26 @@ void markers(benchmark::State& state) { measure(state, BudLightModel::Kind::mark
 class PlainShade {
  public:
   explicit PlainShade(const OrganizeParameters& parameters) : parameters_(parameters) {}
-  void add(Vec3 place) {
+  void add(Vec3 position) {
     double shade = parameters_.light.a;
     for (int q = 0; q <= parameters_.light.depth; ++q, shade /= parameters_.light.b) {
       for (int x = -q; x <= q; ++x) {
-        for (int z = -q; z <= q; ++z) voxels_[key(place, x, -q, z)] += shade;
+        for (int z = -q; z <= q; ++z) voxels_[key(position, x, -q, z)] += shade;
       }
     }
   }
-  double at(Vec3 place) const {
-    const auto found = voxels_.find(key(place, 0, 0, 0));
+  double at(Vec3 position) const {
+    const auto found = voxels_.find(key(position, 0, 0, 0));
     return found == voxels_.end() ? 0 : found->second;
   }
 
  private:
-  std::uint64_t key(Vec3 place, int x, int y, int z) const {
+  std::uint64_t key(Vec3 position, int x, int y, int z) const {
     const auto part = [&](float at, int aside) {
       return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(at / parameters_.length)) + aside) &
              0x1FFFFF;
     };
-    return part(place.x, x) | part(place.y, y) << 21 | part(place.z, z) << 42;
+    return part(position.x, x) | part(position.y, y) << 21 | part(position.z, z) << 42;
   }
   const OrganizeParameters& parameters_;
   std::unordered_map<std::uint64_t, double> voxels_;

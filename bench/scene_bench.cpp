@@ -54,7 +54,7 @@ TriangleMesh sphere(DVec3 centre, double radius) {
   return mesh;
 }
 
-Vec3 random_place(std::uint64_t index) {
+Vec3 random_position(std::uint64_t index) {
   const RandomKey key(1);
   const Vec3 share(key.uniform(index, 0), key.uniform(index, 1), key.child("z").uniform(index));
   return (2.0F * share - 1.0F) * kReach;
@@ -63,7 +63,7 @@ Vec3 random_place(std::uint64_t index) {
 std::vector<Obstacle> ten_spheres() {
   std::vector<Obstacle> bodies;
   for (std::uint64_t k = 0; k < 10; ++k) {
-    bodies.push_back({.mesh = sphere(DVec3(random_place(k)), RandomKey(2).uniform(k, 1.5, 4))});
+    bodies.push_back({.mesh = sphere(DVec3(random_position(k)), RandomKey(2).uniform(k, 1.5, 4))});
   }
   return bodies;
 }
@@ -98,8 +98,8 @@ struct Queries {
 
   Queries() {
     for (std::uint64_t k = 0; k < kQueries; ++k) {
-      places.push_back(random_place(1000 + k));
-      directions.push_back(glm::normalize(random_place(9000 + k) - places.back()));
+      places.push_back(random_position(1000 + k));
+      directions.push_back(glm::normalize(random_position(9000 + k) - places.back()));
     }
   }
 };

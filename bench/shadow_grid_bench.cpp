@@ -15,8 +15,8 @@
 
 namespace {
 
-using meristem::ShadowForm;
 using meristem::ShadowGrid;
+using meristem::ShadowParameters;
 using meristem::Vec3;
 
 const std::uint64_t kBuds = meristem::bench::sized(20'000, 500);
@@ -25,17 +25,17 @@ const std::uint64_t kBuds = meristem::bench::sized(20'000, 500);
 std::vector<Vec3> buds() {
   const meristem::RandomKey key(3);
   std::vector<Vec3> places;
-  Vec3 place(0);
+  Vec3 position(0);
   for (std::uint64_t k = 0; k < kBuds; ++k) {
-    if (k % 10 == 0) place = static_cast<float>(3 * std::cbrt(key.uniform(k))) * key.direction(k);
-    place += 0.1F * key.direction(k + kBuds);
-    places.push_back(place);
+    if (k % 10 == 0) position = static_cast<float>(3 * std::cbrt(key.uniform(k))) * key.direction(k);
+    position += 0.1F * key.direction(k + kBuds);
+    places.push_back(position);
   }
   return places;
 }
 
-ShadowForm form_of(const benchmark::State& state) {
-  ShadowForm form;
+ShadowParameters form_of(const benchmark::State& state) {
+  ShadowParameters form;
   form.depth = static_cast<int>(state.range(0));
   if (state.range(1) != 0) form.toward_light = glm::normalize(Vec3(0.4F, 0.7F, 0.5F));
   return form;
@@ -44,9 +44,9 @@ ShadowForm form_of(const benchmark::State& state) {
 /// Light from the zenith, an entry a voxel.
 class PlainGrid {
  public:
-  explicit PlainGrid(const ShadowForm& form) : form_(form) {}
-  void add(Vec3 place) {
-    const auto voxel = [&](int k) { return static_cast<std::int64_t>(std::floor(place[k] / form_.voxel)); };
+  explicit PlainGrid(const ShadowParameters& form) : form_(form) {}
+  void add(Vec3 position) {
+    const auto voxel = [&](int k) { return static_cast<std::int64_t>(std::floor(position[k] / form_.voxel)); };
     double shade = form_.amount;
     for (int q = 0; q <= form_.depth; ++q, shade /= form_.base) {
       for (int x = -q; x <= q; ++x) {
@@ -60,17 +60,17 @@ class PlainGrid {
     const auto part = [](std::int64_t at) { return static_cast<std::uint64_t>(at) & 0x1FFFFF; };
     return part(x) | part(y) << 21 | part(z) << 42;
   }
-  ShadowForm form_;
+  ShadowParameters form_;
   std::unordered_map<std::uint64_t, double> voxels_;
 };
 
 template <class Grid>
-double seconds_of_adding(const ShadowForm& form, const std::vector<Vec3>& places) {
+double seconds_of_adding(const ShadowParameters& form, const std::vector<Vec3>& places) {
   double best = 1e9;
   for (int k = 0; k < 3; ++k) {
     const auto begin = std::chrono::steady_clock::now();
     Grid grid(form);
-    for (const Vec3 place : places) grid.add(place);
+    for (const Vec3 position : places) grid.add(position);
     benchmark::DoNotOptimize(&grid);
     best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
   }
@@ -84,11 +84,11 @@ void count(benchmark::State& state, const char* what) {
 /// All buds into an empty grid.
 void add(benchmark::State& state) {
   const std::vector<Vec3> places = buds();
-  const ShadowForm form = form_of(state);
+  const ShadowParameters form = form_of(state);
   std::size_t bytes = 0;
   for (auto _ : state) {
     ShadowGrid grid(form);
-    for (const Vec3 place : places) grid.add(place);
+    for (const Vec3 position : places) grid.add(position);
     bytes = grid.bytes();
   }
   count(state, "shaders/s");
@@ -103,11 +103,11 @@ BENCHMARK(add)->ArgNames({"depth", "tilted"})->ArgsProduct({{3, 8}, {0, 1}})->Un
 void move(benchmark::State& state) {
   const std::vector<Vec3> places = buds();
   ShadowGrid grid(form_of(state));
-  for (const Vec3 place : places) grid.add(place);
+  for (const Vec3 position : places) grid.add(position);
   for (auto _ : state) {
-    for (const Vec3 place : places) {
-      grid.remove(place);
-      grid.add(place);
+    for (const Vec3 position : places) {
+      grid.remove(position);
+      grid.add(position);
     }
   }
   count(state, "shaders/s");
@@ -117,10 +117,10 @@ BENCHMARK(move)->ArgNames({"depth", "tilted"})->Args({3, 0})->Unit(benchmark::kM
 void ask(benchmark::State& state) {
   const std::vector<Vec3> places = buds();
   ShadowGrid grid(form_of(state));
-  for (const Vec3 place : places) grid.add(place);
+  for (const Vec3 position : places) grid.add(position);
   double sum = 0;
   for (auto _ : state) {
-    for (const Vec3 place : places) sum += grid.shade(place);
+    for (const Vec3 position : places) sum += grid.shade(position);
   }
   benchmark::DoNotOptimize(sum);
   count(state, "queries/s");
@@ -130,10 +130,10 @@ BENCHMARK(ask)->ArgNames({"depth", "tilted"})->Args({3, 0})->Unit(benchmark::kMi
 void turn(benchmark::State& state) {
   const std::vector<Vec3> places = buds();
   ShadowGrid grid(form_of(state));
-  for (const Vec3 place : places) grid.add(place);
+  for (const Vec3 position : places) grid.add(position);
   Vec3 sum(0);
   for (auto _ : state) {
-    for (const Vec3 place : places) sum += grid.brighter_way(place);
+    for (const Vec3 position : places) sum += grid.brighter_way(position);
   }
   benchmark::DoNotOptimize(sum);
   count(state, "queries/s");

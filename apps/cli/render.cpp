@@ -94,7 +94,7 @@ PictureFileOptions chosen_file(const RenderOptions& options) {
   return file;
 }
 
-StillOptions chosen_still(const RenderOptions& options, const OutputSettings& output) {
+StillOptions chosen_still(const RenderOptions& options, const OutputParameters& output) {
   StillOptions still{.width = output.size[0], .height = output.size[1]};
   still.samples = options.samples.value_or(output.samples);
   still.transparent = options.transparent;

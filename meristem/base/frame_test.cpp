@@ -151,9 +151,9 @@ TEST(Frame, DefaultIsTheWorldsOwn) {
 TEST(Frame, ProductsMapPointsOneAfterTheOther) {
   const Frame outer{rotation(Vec3(1, 0, 0), 0.7), Vec3(1, 2, 3)};
   const Frame inner{2.0F * rotation(kUp, -1.1), Vec3(-4, 0, 1)};
-  const Vec3 place(0.3F, -0.2F, 0.5F);
-  EXPECT_TRUE(are_near((outer * inner).point(place), outer.point(inner.point(place))));
-  EXPECT_TRUE(are_near((outer * inner).vector(place), outer.vector(inner.vector(place))));
+  const Vec3 position(0.3F, -0.2F, 0.5F);
+  EXPECT_TRUE(are_near((outer * inner).point(position), outer.point(inner.point(position))));
+  EXPECT_TRUE(are_near((outer * inner).vector(position), outer.vector(inner.vector(position))));
 }
 
 TEST(Frame, NormalsStayAtRightAnglesAndOutsideUnderUnevenScalesAndMirrors) {

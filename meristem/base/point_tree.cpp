@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kPointsPerBlock = 1 << 14;  // fewer are not worth another thread
 
 Vec3 position_of(Vec3 point) { return point; }
-Vec3 position_of(const NumberedPlace& place) { return place.position; }
+Vec3 position_of(const NumberedPoint& place) { return place.position; }
 
 template <class Point>
 Box box_of(const Point* begin, const Point* end) {
@@ -73,6 +73,6 @@ void PointTree::build(std::vector<Point>& points, std::size_t leaf_points, const
 }
 
 template void PointTree::build(std::vector<Vec3>&, std::size_t, const Progress&);
-template void PointTree::build(std::vector<NumberedPlace>&, std::size_t, const Progress&);
+template void PointTree::build(std::vector<NumberedPoint>&, std::size_t, const Progress&);
 
 }  // namespace meristem

@@ -11,7 +11,7 @@
 namespace meristem {
 
 /// A place that keeps its number where places are ordered.
-struct NumberedPlace {
+struct NumberedPoint {
   Vec3 position{0};
   std::uint32_t number = 0;
 };
@@ -32,7 +32,7 @@ class PointTree {
       : point_count_(points.size()) {
     build(points, leaf_points, progress);
   }
-  PointTree(std::vector<NumberedPlace>& points, const Progress& progress, std::size_t leaf_points = kLeafPoints)
+  PointTree(std::vector<NumberedPoint>& points, const Progress& progress, std::size_t leaf_points = kLeafPoints)
       : point_count_(points.size()) {
     build(points, leaf_points, progress);
   }

@@ -80,7 +80,7 @@ int column_at(std::string_view line, std::size_t offset) {
 
 class ColumnReader {
  public:
-  ColumnReader(std::string_view text, const std::vector<ColumnForm>& forms, const Limits& limits)
+  ColumnReader(std::string_view text, const std::vector<ColumnRequest>& forms, const Limits& limits)
       : rest_(text), forms_(forms), limits_(limits) {
     if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
   }
@@ -129,7 +129,7 @@ class ColumnReader {
     width_ = cells_.size();
     std::vector<std::string> names;
     for (const Cell& cell : cells_) names.emplace_back(cell.text);
-    for (const ColumnForm& form : forms_) {
+    for (const ColumnRequest& form : forms_) {
       const auto at = std::ranges::find(names, form.name);
       places_.push_back(at == names.end() ? kNone : static_cast<std::size_t>(at - names.begin()));
       if (at == names.end()) {
@@ -166,7 +166,7 @@ class ColumnReader {
   }
 
   std::string_view rest_;
-  const std::vector<ColumnForm>& forms_;
+  const std::vector<ColumnRequest>& forms_;
   const Limits& limits_;
   std::string_view line_;
   int number_ = 0;
@@ -180,7 +180,7 @@ class ColumnReader {
 
 }  // namespace
 
-Columns read_columns(std::string_view text, const std::vector<ColumnForm>& forms, const Limits& limits) {
+Columns read_columns(std::string_view text, const std::vector<ColumnRequest>& forms, const Limits& limits) {
   return ColumnReader(text, forms, limits).run();
 }
 

@@ -11,7 +11,7 @@
 namespace meristem {
 
 /// A column that a reader asks for by its name in the head line.
-struct ColumnForm {
+struct ColumnRequest {
   std::string name;
   bool is_needed = true;
 };
@@ -30,6 +30,6 @@ struct Columns {
 /// nobody asks for nothing is read. Throws an InputError with all faults by line and column: a column that is missing
 /// (with the nearest name) or there twice, a row with more or fewer cells than the head, a cell that is no finite
 /// number, no rows.
-Columns read_columns(std::string_view text, const std::vector<ColumnForm>& forms, const Limits& limits);
+Columns read_columns(std::string_view text, const std::vector<ColumnRequest>& forms, const Limits& limits);
 
 }  // namespace meristem

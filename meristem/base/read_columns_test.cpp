@@ -14,7 +14,7 @@ namespace {
 
 using List = std::vector<double>;
 
-const std::vector<ColumnForm> kForms{{"rank", false}, {"x"}, {"y"}};
+const std::vector<ColumnRequest> kForms{{"rank", false}, {"x"}, {"y"}};
 
 Columns read(std::string_view text) { return read_columns(text, kForms, {}); }
 
@@ -84,7 +84,7 @@ TEST(ReadColumns, RejectsAHeadLineAlone) {
 }
 
 TEST(ReadColumns, RejectsAMissingColumnWithTheNearestName) {
-  const std::vector<ColumnForm> forms{{"lindex"}, {"x"}};
+  const std::vector<ColumnRequest> forms{{"lindex"}, {"x"}};
   try {
     read_columns("lindx,x\n1,2\n", forms, {});
     FAIL();

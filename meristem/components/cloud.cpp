@@ -97,8 +97,8 @@ ComponentType cloud_component() {
                       "Diameter of each dot.")
               .colour("removed_colour", &Cloud::removed_colour,
                       "Colour of the points that obstacles or the light limit remove; by default, they are not shown.")
-              .check([](const Cloud& cloud, const Place& place, ParameterReader& reader) {
-                check_cloud(cloud.crown, cloud.points, 1, "a cloud", place, reader);
+              .check([](const Cloud& cloud, const DocumentPath& path, ParameterReader& reader) {
+                check_cloud(cloud.crown, cloud.points, 1, "a cloud", path, reader);
               }),
       .expand = expand,
       .grow = grow,

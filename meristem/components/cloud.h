@@ -12,8 +12,8 @@ namespace meristem {
 /// The attraction points of a crown as dots, to see what a crown or a distribution is before a tree grows into it, and
 /// what the scene leaves of it.
 struct Cloud : ComponentBase {
-  std::optional<CrownForm> crown;
-  PointsForm points;
+  std::optional<CrownParameters> crown;
+  PointsParameters points;
   LightLimit limit;                    ///< on light, as trees have it
   double size = 0.03;                  ///< metres across a dot
   std::optional<Vec3> removed_colour;  ///< of the dots that obstacles or the limit remove; unset: they are not shown

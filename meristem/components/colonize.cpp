@@ -67,17 +67,17 @@ void expand(const Colonize& tree, const Site& site, Emitter& out) {
   out.stem(std::move(skeleton), tree.surface);
 }
 
-void check_colonize(const Colonize& tree, const Place& place, ParameterReader& reader) {
-  check_cloud(tree.crown, tree.points, shares_points(tree) ? 1 : tree.roots.size(), "a colonize", place, reader);
+void check_colonize(const Colonize& tree, const DocumentPath& path, ParameterReader& reader) {
+  check_cloud(tree.crown, tree.points, shares_points(tree) ? 1 : tree.roots.size(), "a colonize", path, reader);
   const ColonizeParameters& growth = tree.growth;
   if (growth.kill >= growth.influence) {
-    reader.fault(Place(place, "kill"),
+    reader.fault(DocumentPath(path, "kill"),
                  fmt::format("'kill' {:.7g} m is not below 'influence' {:.7g} m, so points would go before they pull",
                              growth.kill, growth.influence),
                  fmt::format("a number (m) below {:.7g}", growth.influence));
   }
   if (growth.step > growth.kill) {
-    reader.fault(Place(place, "step"),
+    reader.fault(DocumentPath(path, "step"),
                  fmt::format("'step' {:.7g} m is above 'kill' {:.7g} m, so nodes would jump over the points",
                              growth.step, growth.kill),
                  fmt::format("a number (m) of at most {:.7g}", growth.kill));
@@ -86,14 +86,14 @@ void check_colonize(const Colonize& tree, const Place& place, ParameterReader& r
 
 const ParameterTable& shade_form_table() {
   static const ParameterTable table =
-      Table<ShadowForm>("a shadow form", "How shade falls.")
-          .number("voxel", &ShadowForm::voxel, {.unit = Unit::metre, .min = 0.02, .max = 1000},
+      Table<ShadowParameters>("a shadow form", "How shade falls.")
+          .number("voxel", &ShadowParameters::voxel, {.unit = Unit::metre, .min = 0.02, .max = 1000},
                   "Edge length of a voxel of the shadow grid; raised, shade is coarser and reaches farther.")
-          .number("a", &ShadowForm::amount, {.min = 0, .max = 5},
+          .number("a", &ShadowParameters::amount, {.min = 0, .max = 5},
                   "Shade that a shoot as long as a voxel casts in its own voxel; 1 is darkness.")
-          .number("b", &ShadowForm::base, {.min = 1, .max = 1000, .usual = {1, 3}},
+          .number("b", &ShadowParameters::base, {.min = 1, .max = 1000, .usual = {1, 3}},
                   "Factor by which shade weakens from one layer of voxels to the next; raised, it fades sooner.")
-          .integer("depth", &ShadowForm::depth, {.min = 0, .max = 64, .usual = {0, 24}},
+          .integer("depth", &ShadowParameters::depth, {.min = 0, .max = 64, .usual = {0, 24}},
                    "Number of layers of voxels that a shoot shades below its own; raised, shade reaches farther and "
                    "costs more.");
   return table;
@@ -127,17 +127,18 @@ const ParameterTable& response_table() {
 
 const ParameterTable& light_table() {
   static const ParameterTable table =
-      Table<LightForm>("a light response", "How the tree answers to the light of the scene.")
-          .number("shift", &LightForm::shift, {.unit = Unit::step, .min = 0, .max = 1, .usual = {0, 0.2}},
+      Table<LightResponseParameters>("a light response", "How the tree answers to the light of the scene.")
+          .number("shift", &LightResponseParameters::shift, {.unit = Unit::step, .min = 0, .max = 1, .usual = {0, 0.2}},
                   "Distance that all attraction points together move toward brighter places per step; raised, the tree "
                   "leans more.")
-          .number("shift_m", &LightForm::shift_m, {.unit = Unit::metre, .min = 0, .max = 1000, .usual = {0, 0.02}},
+          .number("shift_m", &LightResponseParameters::shift_m,
+                  {.unit = Unit::metre, .min = 0, .max = 1000, .usual = {0, 0.02}},
                   "Distance in metres that all attraction points together move toward brighter places per step; "
                   "replaces 'shift'.")
-          .number("drift", &LightForm::drift, {.unit = Unit::step, .min = 0, .max = 1, .usual = {0, 0.2}},
+          .number("drift", &LightResponseParameters::drift, {.unit = Unit::step, .min = 0, .max = 1, .usual = {0, 0.2}},
                   "Distance that each attraction point moves per step to where its nearest node finds more light; "
                   "raised, branches turn to it more.")
-          .members(&LightForm::response, response_table())
+          .members(&LightResponseParameters::response, response_table())
           .never_with("shift", {"shift_m"})
           .only_where({{"shift"}, {"shift_m"}, {"drift"}}, {"sunlit_weight", "hold_height"});
   return table;

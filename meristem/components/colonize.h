@@ -12,7 +12,7 @@
 namespace meristem {
 
 /// How it answers to light, its moves in steps.
-struct LightForm {
+struct LightResponseParameters {
   double shift = 0;
   std::optional<double> shift_m;  ///< metres, instead of `shift`
   double drift = 0;
@@ -21,12 +21,12 @@ struct LightForm {
 
 /// A tree that grows into the attraction points of its crown, or several of them.
 struct Colonize : GrowingComponent {
-  std::optional<CrownForm> crown;
-  PointsForm points;
+  std::optional<CrownParameters> crown;
+  PointsParameters points;
   std::vector<Vec3> roots{Vec3(0)};  ///< where the trees stand, in the component's frame
   bool one_crown = false;            ///< one crown over the component's origin instead of one per root
   ColonizeParameters growth;         ///< without its light
-  LightForm light;
+  LightResponseParameters light;
   std::optional<Condition> shed;  ///< branches that are gone when growth is done
   Surface surface;
 };

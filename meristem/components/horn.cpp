@@ -45,7 +45,7 @@ Frame twisted(Frame frame, double angle) {
   return frame;
 }
 
-double radius_at(const StemForm& stem, double u) { return std::max(0.0, stem.taper(u)) * stem.radius; }
+double radius_at(const StemParameters& stem, double u) { return std::max(0.0, stem.taper(u)) * stem.radius; }
 
 Rib rib_at(const Horn& horn, const StemPath& path, double u) {
   const double place = u * static_cast<double>(path.frames.size() - 1);
@@ -72,7 +72,7 @@ std::vector<Rib> ribs_of(const Horn& horn, const StemPath& path) {
   return ribs;
 }
 
-Mesh make_outline_mesh(const Horn& horn, const StemForm& stem, const StemPath& path) {
+Mesh make_outline_mesh(const Horn& horn, const StemParameters& stem, const StemPath& path) {
   std::vector<LoftSection> sections;
   for (std::size_t k = 0; k < path.frames.size(); ++k) {
     const double u = static_cast<double>(k) / static_cast<double>(path.frames.size() - 1);
@@ -92,7 +92,7 @@ Mesh make_outline_mesh(const Horn& horn, const StemForm& stem, const StemPath& p
 
 /// The curve of a horn that is 1 long, in the horn's own frame. What the world does to it, where it is `length` long,
 /// differs from place to place.
-StemPath unit_path(const StemForm& unit, float length, const Site& site, StemTropisms tropisms) {
+StemPath unit_path(const StemParameters& unit, float length, const Site& site, StemTropisms tropisms) {
   Site own;
   own.key = site.key;
   if (!tropisms.act()) return grow_stem(unit, own, {});
@@ -117,7 +117,7 @@ std::uint64_t world_key(const Site& site, const StemTropisms& tropisms) {
 }
 
 void emit_outline(const Horn& horn, const Site& site, const StemTropisms& tropisms, Emitter& out) {
-  StemForm unit = horn.stem;
+  StemParameters unit = horn.stem;
   unit.radius = to_octaves(horn.stem.radius / horn.stem.length, kRadiiAnOctave);
   unit.length = 1;
   const std::uint64_t form = shape_key({unit.radius, unit.curl, unit.spiral, unit.gnarl, unit.gnarl_waves, horn.twist});
@@ -168,15 +168,15 @@ void expand(const Horn& horn, const Site& site, Emitter& out) {
                           scale * static_cast<float>(radius_at(horn.stem, 1)));
 }
 
-void check_horn(const Horn& horn, const Place& place, ParameterReader& reader) {
+void check_horn(const Horn& horn, const DocumentPath& place, ParameterReader& reader) {
   check_stem_form(horn.stem, place, reader);
-  const Place outline(place, "outline");
+  const DocumentPath outline(place, "outline");
   if (horn.section != Horn::Section::outline) return;
   LoftSection section;
   for (const Vec2 point : horn.outline) section.points.emplace_back(point.x, 0, point.y);
   const auto fault = find_fault(section);
   if (fault && fault->point) {
-    reader.fault(Place(outline, *fault->point), fault->message, fault->expected);
+    reader.fault(DocumentPath(outline, *fault->point), fault->message, fault->expected);
   } else if (fault) {
     reader.fault(outline, fault->message, fault->expected);
   } else if (section.is_point()) {

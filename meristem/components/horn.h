@@ -10,7 +10,7 @@ namespace meristem {
 /// the links say where.
 struct Horn : ComponentBase {
   enum class Section { ring, outline, box, sphere, cylinder, cone, torus };
-  StemForm stem;
+  StemParameters stem;
   double twist = 0;  ///< radians by which the section turns about the curve from base to tip
   Section section = Section::ring;
   std::vector<Vec2> outline;  ///< x and z, shares of the radius

@@ -79,7 +79,7 @@ TEST(Horn, ASpiralIsAHelix) {
   // The turn from rib to rib is the same everywhere; its axis is the helix's direction.
   const Mat3 turn = frames[31].axes * glm::transpose(frames[30].axes);
   const Vec3 axis = glm::normalize(Vec3(turn[1][2] - turn[2][1], turn[2][0] - turn[0][2], turn[0][1] - turn[1][0]));
-  const auto flat = [&](Vec3 place) { return place - glm::dot(place, axis) * axis; };
+  const auto flat = [&](Vec3 position) { return position - glm::dot(position, axis) * axis; };
   // The centre is where the perpendicular bisectors of three places meet.
   const Vec3 a = flat(frames[10].origin), b = flat(frames[13].origin), c = flat(frames[17].origin);
   const Vec3 ab = b - a, ac = c - a, normal = glm::cross(ab, ac);
@@ -167,7 +167,8 @@ TEST(Horn, TheOutlineEndsAtTheTip) {
     const Vec3 tip = organs_of(plant, "tip").at(0).frame.origin;
     const Mesh& mesh = *plant.prototypes[organ.prototype].mesh;
     float nearest = 1e9F;
-    for (const Vec3 place : mesh.positions) nearest = std::min(nearest, glm::distance(organ.frame.point(place), tip));
+    for (const Vec3 position : mesh.positions)
+      nearest = std::min(nearest, glm::distance(organ.frame.point(position), tip));
     EXPECT_LT(nearest, 1e-5F);
   }
 }
@@ -181,7 +182,7 @@ TEST(Horn, PrimitivesStandOnTheRibsAsThickAsTheCurve) {
     for (int k = 0; k < 3; ++k) {
       Box box;
       const Organ& organ = plant.organs[static_cast<std::size_t>(k)];
-      for (const Vec3 place : plant.prototypes[0].mesh->positions) box.add(organ.frame.point(place));
+      for (const Vec3 position : plant.prototypes[0].mesh->positions) box.add(organ.frame.point(position));
       EXPECT_NEAR(box.size().x, 2 * 0.2 * (1 - 0.25 * k), 0.01) << shape;
       EXPECT_LT(glm::distance(box.centre(), Vec3(0, k, 0)), 0.01F) << shape;
     }

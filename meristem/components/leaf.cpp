@@ -61,20 +61,21 @@ void expand(const Leaf& leaf, const Site&, Emitter& out) {
   out.organ(frame, key, [&] { return make_leaf_blade(shared_blade(leaf.blade, shared)); });
 }
 
-void check_curve(const LeafBlade& blade, const Place& place, ParameterReader& reader) {
+void check_curve(const LeafBlade& blade, const DocumentPath& path, ParameterReader& reader) {
   bool has_width = false;
   for (const Vec2& point : blade.outline.points()) {
     if (point.y < 0 || point.y > 1) {
-      reader.fault(Place(place, "outline"), "the outline leaves the range from 0 to 1", "half widths from 0 to 1");
+      reader.fault(DocumentPath(path, "outline"), "the outline leaves the range from 0 to 1",
+                   "half widths from 0 to 1");
       return;
     }
     has_width = has_width || point.y > 0;
   }
-  if (!has_width) reader.fault(Place(place, "outline"), "the outline is empty", "a half width above 0 somewhere");
+  if (!has_width) reader.fault(DocumentPath(path, "outline"), "the outline is empty", "a half width above 0 somewhere");
 }
 
-void check_polygon(const LeafBlade& blade, const Place& place, ParameterReader& reader) {
-  const Place polygon(place, "polygon");
+void check_polygon(const LeafBlade& blade, const DocumentPath& path, ParameterReader& reader) {
+  const DocumentPath polygon(path, "polygon");
   if (blade.polygon.size() > kMostCorners) {
     reader.fault(polygon, fmt::format("the polygon has {} points", blade.polygon.size()),
                  fmt::format("at most {}", kMostCorners));
@@ -85,7 +86,7 @@ void check_polygon(const LeafBlade& blade, const Place& place, ParameterReader& 
     const Vec2 point = blade.polygon[k];
     has_width = has_width || point.x > 0;
     if (point.x >= 0 && point.x <= 1) continue;
-    reader.fault(Place(polygon, k), fmt::format("the half width {} leaves the range from 0 to 1", point.x),
+    reader.fault(DocumentPath(polygon, k), fmt::format("the half width {} leaves the range from 0 to 1", point.x),
                  "a pair [half width, along]");
     return;
   }
@@ -97,19 +98,20 @@ void check_polygon(const LeafBlade& blade, const Place& place, ParameterReader& 
   }
 }
 
-void check_leaf(const Leaf& leaf, const Place& place, ParameterReader& reader) {
+void check_leaf(const Leaf& leaf, const DocumentPath& path, ParameterReader& reader) {
   if (leaf.blade.polygon.empty()) {
-    check_curve(leaf.blade, place, reader);
+    check_curve(leaf.blade, path, reader);
   } else {
-    check_polygon(leaf.blade, place, reader);
+    check_polygon(leaf.blade, path, reader);
   }
   if (leaf.blade.across % 2 != 0) {
-    reader.fault(Place(place, "across"), "'across' is odd", "an even number, so that a row of points is the midrib");
+    reader.fault(DocumentPath(path, "across"), "'across' is odd",
+                 "an even number, so that a row of points is the midrib");
   }
-  const TextureForm& texture = leaf.texture;
+  const TextureParameters& texture = leaf.texture;
   const bool cuts = texture.leaf || texture.petal || (texture.picture && texture.picture->masked);
   if (leaf.blade.edge == LeafBlade::Edge::picture && !cuts) {
-    reader.fault(Place(place, "edge"), "no texture cuts out the edge",
+    reader.fault(DocumentPath(path, "edge"), "no texture cuts out the edge",
                  "a 'texture' that is a leaf, a petal or a masked picture, or the edge 'shape'");
   }
 }

@@ -124,11 +124,11 @@ void expand(const Lsystem& plant, const Site& site, Emitter& out) {
   }
   emit_polygons(plant, site, drawing, out);
   const float length = glm::length(site.frame.heading()) * static_cast<float>(plant.turtle.length);
-  const std::vector<TurtlePlace> places = std::move(drawing.places);
+  const std::vector<TurtleSite> places = std::move(drawing.places);
   out.stem(std::move(drawing.skeleton), plant.surface);
-  for (const TurtlePlace& place : places) {
+  for (const TurtleSite& mark : places) {
     out.progress().check();
-    out.named_site(plant.source().placed_of_letter[place.letter], place.frame, length, place.radius, place.node);
+    out.named_site(plant.source().placed_of_letter[mark.letter], mark.frame, length, mark.radius, mark.node);
   }
 }
 
@@ -136,10 +136,10 @@ std::vector<PlacedComponent> placed(const Lsystem& plant) {
   return plant.grammar || plant.file ? plant.source().placed : std::vector<PlacedComponent>();
 }
 
-void check_lsystem(const Lsystem& plant, const Place& place, ParameterReader& reader) {
+void check_lsystem(const Lsystem& plant, const DocumentPath& path, ParameterReader& reader) {
   if (!plant.grammar && !plant.file) return;  // told by the table
   if (!plant.steps && !plant.source().grammar.steps) {
-    reader.fault(place, "nothing says how many steps the grammar takes", "'steps', or #steps in the grammar");
+    reader.fault(path, "nothing says how many steps the grammar takes", "'steps', or #steps in the grammar");
   }
 }
 

@@ -79,12 +79,12 @@ void expand(const Organize& tree, const Site& site, Emitter& out) {
 }
 
 /// Warns where a little more or less of a number makes another tree, or none.
-void check_balance(const Organize& tree, const Place& place, ParameterReader& reader) {
+void check_balance(const Organize& tree, const DocumentPath& path, ParameterReader& reader) {
   const OrganizeParameters& growth = tree.growth;
   const BudLightModel& light = tree.light.model;
   if (light.kind == BudLightModel::Kind::markers && light.counts) return;
-  const Place resource(place, "resource");
-  const Place alpha(resource, "alpha");
+  const DocumentPath resource(path, "resource");
+  const DocumentPath alpha(resource, "alpha");
   const double of_bud = growth.resource.alpha * light.full;
   if (of_bud + growth.resource.alpha0 < growth.terminal_threshold) {
     reader.warn(alpha,
@@ -101,32 +101,33 @@ void check_balance(const Organize& tree, const Place& place, ParameterReader& re
 }
 
 /// Warns of operations that never act. Where the age of the tree follows a variable, such as the time, they may.
-void check_schedules(const Organize& tree, const Place& place, ParameterReader& reader) {
-  if (reader.is_worked_out(Place(place, "iterations"))) return;
-  const Place operations(place, "operations");
+void check_schedules(const Organize& tree, const DocumentPath& path, ParameterReader& reader) {
+  if (reader.is_worked_out(DocumentPath(path, "iterations"))) return;
+  const DocumentPath operations(path, "operations");
   for (std::size_t k = 0; k < tree.operations.size(); ++k) {
     const int first = schedule_of(tree.operations[k]).first();
     if (first <= tree.growth.iterations) continue;
-    reader.warn(Place(Place(operations, k), "at"),
+    reader.warn(DocumentPath(DocumentPath(operations, k), "at"),
                 fmt::format("it never acts: growth ends after iteration {}, and it is for iteration {}",
                             tree.growth.iterations, first));
   }
 }
 
-void check_organize(const Organize& tree, const Place& place, ParameterReader& reader) {
+void check_organize(const Organize& tree, const DocumentPath& path, ParameterReader& reader) {
   const BudLightModel& light = tree.light.model;
-  const Place light_place(place, "light");
+  const DocumentPath light_place(path, "light");
   if (light.voxel > 0 && light.voxel * kMostVoxelsAMetamer < tree.growth.length) {
-    reader.fault(Place(light_place, "voxel"), "the voxels are too small for metamers this long",
+    reader.fault(DocumentPath(light_place, "voxel"), "the voxels are too small for metamers this long",
                  fmt::format("0, or a number (m) of at least {:.4g}", tree.growth.length / kMostVoxelsAMetamer));
   }
   const double voxels = (std::max(light.perception, light.occupancy)) / light.spacing;
   if (light.kind == BudLightModel::Kind::markers && voxels > kMostVoxels) {
-    reader.fault(Place(light_place, "spacing"), fmt::format("buds would look over {:.3g} markers each way", voxels),
+    reader.fault(DocumentPath(light_place, "spacing"),
+                 fmt::format("buds would look over {:.3g} markers each way", voxels),
                  fmt::format("a number of at least {:.4g}", std::max(light.perception, light.occupancy) / kMostVoxels));
   }
-  check_schedules(tree, place, reader);
-  check_balance(tree, place, reader);
+  check_schedules(tree, path, reader);
+  check_balance(tree, path, reader);
 }
 
 }  // namespace

@@ -42,8 +42,8 @@ std::string warnings(const Value::Object& parameters) {
   const ComponentType type = organize_component();
   const auto read = type.make_parameters();
   ParameterReader reader({}, Limits());
-  const Place top;
-  reader.read_varying(type.parameters, read.get(), parameters, Place(top, "tree"));
+  const DocumentPath top;
+  reader.read_varying(type.parameters, read.get(), parameters, DocumentPath(top, "tree"));
   EXPECT_EQ(reader.fault_count(), 0U);
   std::string texts;
   for (const Diagnostic& found : reader.diagnostics()) texts += found.text() + "\n";

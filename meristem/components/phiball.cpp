@@ -49,9 +49,9 @@ void expand(const Phiball& ball, const Site&, Emitter& out) {
   }
 }
 
-void check_zone(const Phiball& ball, const Place& place, ParameterReader& reader) {
+void check_zone(const Phiball& ball, const DocumentPath& path, ParameterReader& reader) {
   if (ball.theta1 < ball.theta2) return;
-  reader.fault(Place(place, "theta1"), kNoZone, kZone);
+  reader.fault(DocumentPath(path, "theta1"), kNoZone, kZone);
 }
 
 }  // namespace

@@ -18,12 +18,12 @@ void expand(const Revolution& component, const Site&, Emitter& out) {
   out.child_site(Frame{.origin = {0, tip, 0}}, tip - silhouette.front().y, widest);
 }
 
-void check_silhouette(const Revolution& component, const Place& place, ParameterReader& reader) {
+void check_silhouette(const Revolution& component, const DocumentPath& path, ParameterReader& reader) {
   const auto fault = find_fault(component.body);
   if (!fault) return;
-  const Place silhouette(place, "silhouette");
+  const DocumentPath silhouette(path, "silhouette");
   if (fault->point) {
-    reader.fault(Place(silhouette, *fault->point), fault->message, fault->expected);
+    reader.fault(DocumentPath(silhouette, *fault->point), fault->message, fault->expected);
   } else {
     reader.fault(silhouette, fault->message, fault->expected);
   }

@@ -70,12 +70,12 @@ void expand(const Simple& simple, const Site&, Emitter& out) {
   out.child_site(top, simple.size.y, 0.5F * simple.size.x);
 }
 
-void check_outline(const Simple& simple, const Place& place, ParameterReader& reader) {
+void check_outline(const Simple& simple, const DocumentPath& path, ParameterReader& reader) {
   if (simple.outline.empty()) return;
-  const Place outline(place, "outline");
+  const DocumentPath outline(path, "outline");
   if (const auto fault = find_fault(make_section(simple))) {
     if (fault->point) {
-      reader.fault(Place(outline, *fault->point), fault->message, fault->expected);
+      reader.fault(DocumentPath(outline, *fault->point), fault->message, fault->expected);
     } else {
       reader.fault(outline, fault->message, fault->expected);
     }

@@ -8,7 +8,7 @@ namespace meristem {
 namespace {
 
 /// The stem as it would be if nothing bent it.
-Skeleton straight_stem(const StemForm& form, const Site& site) {
+Skeleton straight_stem(const StemParameters& form, const Site& site) {
   Skeleton skeleton;
   NodeIndex last = kNoNode;
   for (int k = 0; k <= form.segments; ++k) {
@@ -33,10 +33,10 @@ std::vector<StemBend> deflections(const Tree& tree, const Site& site, const Emit
                            .path = "components." + out.component()};
   const Mat3 to_stem = glm::transpose(site.frame.axes);
   std::vector<StemBend> bends;
-  for (const Site& place : place_along(straight_stem(tree.stem, site), outward, context)) {
-    if (tree.branching.size(place.u) <= 0) continue;
-    const Vec3 away = normalized_or(to_stem * place.frame.heading(), Vec3(0));
-    bends.push_back({place.u, static_cast<float>(tree.deflection) * Vec3(-away.z, 0, away.x)});
+  for (const Site& child : place_along(straight_stem(tree.stem, site), outward, context)) {
+    if (tree.branching.size(child.u) <= 0) continue;
+    const Vec3 away = normalized_or(to_stem * child.frame.heading(), Vec3(0));
+    bends.push_back({child.u, static_cast<float>(tree.deflection) * Vec3(-away.z, 0, away.x)});
   }
   return bends;
 }
@@ -72,9 +72,9 @@ ComponentType tree_component() {
                         .object("surface", &Tree::surface, surface_table, "How the stem becomes a surface.")
                         .only_where({{"surface.style", {"tubes"}}}, {"texture"})
                         .without(names_off_stems(), kWhyOffStems)
-                        .check([](const Tree& tree, const Place& place, ParameterReader& reader) {
-                          check_stem_form(tree.stem, place, reader);
-                          check_placement(tree.branching, place, reader);
+                        .check([](const Tree& tree, const DocumentPath& path, ParameterReader& reader) {
+                          check_stem_form(tree.stem, path, reader);
+                          check_placement(tree.branching, path, reader);
                         }),
       .expand = expand,
   });

@@ -9,7 +9,7 @@ namespace meristem {
 /// A stem along a curve that bends and wanders. What hangs on it by branch links stands along it, stems among that join
 /// it as its branches.
 struct Tree : ComponentBase {
-  StemForm stem;
+  StemParameters stem;
   double deflection = 0;  ///< radians by which it bends away from each of its branches
   Placement branching;    ///< where they stand, as far as links do not say
   Surface surface;

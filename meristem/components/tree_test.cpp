@@ -255,7 +255,8 @@ TEST(Tree, AStemThatGoesOnAtATipBeginsAsThickAsItsTaperSays) {
   float widest = 0;
   for (const MeshInstances& instances : scene.meshes) {
     if (instances.component != "top") continue;
-    for (const Vec3 place : instances.mesh->positions) widest = std::max(widest, glm::length(Vec2(place.x, place.z)));
+    for (const Vec3 position : instances.mesh->positions)
+      widest = std::max(widest, glm::length(Vec2(position.x, position.z)));
   }
   EXPECT_NEAR(widest, 0.03, 0.0005);
 }

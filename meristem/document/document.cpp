@@ -57,8 +57,8 @@ class DocumentReader {
     read_head(reader, document);
     read_components(reader, document.graph);
     LinkReader links(document.graph, reader);
-    if (const Value* given = root_.find("links")) links.read(*given, Place(top_, "links"));
-    links.link_placed(Place(top_, "components"));
+    if (const Value* given = root_.find("links")) links.read(*given, DocumentPath(top_, "links"));
+    links.link_placed(DocumentPath(top_, "components"));
     warn_of_variables(root_, document.variables, reader);
     for (const NamedFile& file : reader.files()) document.source.named_files.push_back(file.path);
     take_from(reader);
@@ -108,7 +108,7 @@ class DocumentReader {
     const Value* given = root_.find("limits");
     if (given == nullptr) return;
     ParameterReader reader({}, Limits{});
-    reader.read(limits_table(), &limits, *given, Place(top_, "limits"));
+    reader.read(limits_table(), &limits, *given, DocumentPath(top_, "limits"));
     take_from(reader);
   }
 
@@ -126,7 +126,7 @@ class DocumentReader {
     const Value* scene = root_.find("scene");
     document.scene.fingerprint = fingerprint_of(scene != nullptr ? *scene : Value(), reader.constants(), reader.files(),
                                                 reader.limits().file_bytes);
-    light_scene(head.scene.light, Place(top_, "scene"), reader, document.scene);
+    light_scene(head.scene.light, DocumentPath(top_, "scene"), reader, document.scene);
     if (head.scene.obstacles.empty()) return;
     const Value* obstacles = scene->find("obstacles");
     const auto said = fingerprint_of(*obstacles, reader.constants(), reader.files(), reader.limits().file_bytes);
@@ -135,32 +135,32 @@ class DocumentReader {
   }
 
   void read_components(ParameterReader& reader, Graph& graph) {
-    const Place place(top_, "components");
+    const DocumentPath path(top_, "components");
     const Value* given = root_.find("components");
     if (given == nullptr || given->object() == nullptr || given->object()->empty()) {
       const bool is_missing = given == nullptr || given->object() != nullptr;
       return reader.fault(
-          given == nullptr ? top_ : place,
+          given == nullptr ? top_ : path,
           is_missing ? "the document has no components" : fmt::format("the components are {}", given->description()),
           R"(an object such as "components": {"tree": {"type": "colonize", ...}})");
     }
-    for (const auto& [id, value] : *given->object()) read_component(reader, graph, id, value, Place(place, id));
+    for (const auto& [id, value] : *given->object()) read_component(reader, graph, id, value, DocumentPath(path, id));
   }
 
   void read_component(ParameterReader& reader, Graph& graph, const std::string& id, const Value& value,
-                      const Place& place) {
+                      const DocumentPath& path) {
     const auto fits = [](char c) {
       return c == '_' || ('0' <= c && c <= '9') || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
     };
     if (id.empty() || !std::all_of(id.begin(), id.end(), fits)) {
-      reader.fault_name(place, fmt::format("'{}' cannot name a component", id), "letters, digits and _", "");
+      reader.fault_name(path, fmt::format("'{}' cannot name a component", id), "letters, digits and _", "");
     }
     // Faulty components stay in the graph without a type, so that links to them are no further fault.
     Prototype& prototype = graph.components.emplace_back();
     prototype.id = id;
     const Value* type = value.find("type");
     if (type == nullptr || type->text() == nullptr) {
-      return reader.fault(place,
+      return reader.fault(path,
                           value.object() == nullptr ? fmt::format("a component cannot be {}", value.description())
                                                     : fmt::format("'{}' has no type", id),
                           fmt::format("a \"type\": one of {}", fmt::join(registry_.names(), ", ")));
@@ -169,13 +169,13 @@ class DocumentReader {
     if (prototype.type == nullptr) {
       const std::vector<std::string> names = registry_.names();
       const std::string nearest = reader.nearest(*type->text(), names);
-      return reader.fault(Place(place, "type"), fmt::format("'{}' is not a type of component", *type->text()),
+      return reader.fault(DocumentPath(path, "type"), fmt::format("'{}' is not a type of component", *type->text()),
                           nearest.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", nearest);
     }
     prototype.parameters = prototype.type->make_parameters();
     const std::size_t faults_before = reader.fault_count();
     const std::size_t files_before = reader.files().size();
-    prototype.varyings = reader.read_varying(prototype.type->parameters, prototype.parameters.get(), value, place);
+    prototype.varyings = reader.read_varying(prototype.type->parameters, prototype.parameters.get(), value, path);
     if (reader.fault_count() != faults_before) return;
     set_fingerprints(prototype, value, reader.constants(), std::span(reader.files()).subspan(files_before),
                      reader.limits());
@@ -185,7 +185,7 @@ class DocumentReader {
   const Registry& registry_;
   const ReadOptions& options_;
   const FileAccess access_;
-  const Place top_;
+  const DocumentPath top_;
   std::vector<Diagnostic> diagnostics_;
   std::vector<ParameterReader::Meaningless> meaningless_;
   std::size_t hidden_ = 0;  // faults that are only counted

@@ -38,7 +38,7 @@ struct VariableNote {
 };
 
 /// Defaults for doors that make pictures and files.
-struct OutputSettings {
+struct OutputParameters {
   std::vector<int> size{1200, 1200};  ///< width and height, pixels
   int samples = 64;                   ///< paths a pixel
   int lod = 0;                        ///< coarser levels of detail that files with meshes are written in as well
@@ -76,7 +76,7 @@ struct Document {
   std::vector<Variable> variables;
   Graph graph;
   Scene scene;
-  OutputSettings output;
+  OutputParameters output;
   Source source;
   std::vector<Diagnostic> warnings;  ///< what is odd but not wrong
 };

@@ -18,7 +18,7 @@ constexpr std::size_t kMostLamps = 1000;
 constexpr int kDaysOfYear = 365;
 
 /// The days of a season; one that ends before it begins goes on into the next year.
-std::vector<double> season_days(const SunSettings& sun) {
+std::vector<double> season_days(const SunParameters& sun) {
   const int first = sun.days[0];
   const bool goes_on = sun.days[1] < first;
   const int last = sun.days[1] + (goes_on ? kDaysOfYear : 0);
@@ -31,51 +31,52 @@ std::vector<double> season_days(const SunSettings& sun) {
   return days;
 }
 
-void check_positions(const SunSettings& sun, const Place& place, ParameterReader& reader) {
+void check_positions(const SunParameters& sun, const DocumentPath& path, ParameterReader& reader) {
   const double a_day = 2 * std::floor(12 / sun.every_hours.value_or(kSeasonHours)) + 1;
   const double days = sun.days.empty() ? 1 : static_cast<double>(season_days(sun).size());
   if (days * a_day <= kMostPositions) return;
   const char* const name = sun.every_hours && a_day > days ? "every_hours" : "every_days";
-  reader.fault(Place(place, name), fmt::format("{:.12g} positions of the sun are too many", days * a_day),
+  reader.fault(DocumentPath(path, name), fmt::format("{:.12g} positions of the sun are too many", days * a_day),
                fmt::format("at most {}: a longer '{}'", kMostPositions, name));
 }
 
-void check_sun(const SunSettings& sun, const Place& place, ParameterReader& reader) {
+void check_sun(const SunParameters& sun, const DocumentPath& path, ParameterReader& reader) {
   const bool by_place = sun.azimuth || sun.altitude;
   const bool by_day = sun.day || !sun.days.empty();
   if (by_place == by_day) {
-    return reader.fault(place,
+    return reader.fault(path,
                         by_place ? "the sun is given both by its position and by a day" : "the sun has no position",
                         R"({"azimuth": 180, "altitude": 61} or {"day": 126, "hour": 9.5})");
   }
   if (by_place && !(sun.azimuth && sun.altitude)) {
-    return reader.fault(place, "the sun has only one of azimuth and altitude",
+    return reader.fault(path, "the sun has only one of azimuth and altitude",
                         R"(both, as in {"azimuth": 180, "altitude": 61})");
   }
-  if (sun.every_hours || !sun.days.empty()) check_positions(sun, place, reader);
+  if (sun.every_hours || !sun.days.empty()) check_positions(sun, path, reader);
 }
 
 const ParameterTable& sun_table() {
   static const ParameterTable table =
-      Table<SunSettings>(
+      Table<SunParameters>(
           "a sun",
           "Position of the sun: a direction, an hour of a day at the scene's latitude, a whole day, or a season.")
-          .number("azimuth", &SunSettings::azimuth, {.unit = Unit::degree, .min = -360, .max = 360, .usual = {0, 360}},
+          .number("azimuth", &SunParameters::azimuth,
+                  {.unit = Unit::degree, .min = -360, .max = 360, .usual = {0, 360}},
                   "Azimuth of the sun, from north (0) over east (90).")
-          .number("altitude", &SunSettings::altitude, {.unit = Unit::degree, .min = -90, .max = 90, .usual = {0, 90}},
+          .number("altitude", &SunParameters::altitude, {.unit = Unit::degree, .min = -90, .max = 90, .usual = {0, 90}},
                   "Altitude of the sun above the horizon; raised, shorter shadows.")
-          .number("day", &SunSettings::day, {.unit = Unit::day, .min = 1, .max = 366},
+          .number("day", &SunParameters::day, {.unit = Unit::day, .min = 1, .max = 366},
                   "Day of the year, from 1 for 1 January.")
-          .integers("days", &SunSettings::days, 2, {.unit = Unit::day, .min = 1, .max = 366},
+          .integers("days", &SunParameters::days, 2, {.unit = Unit::day, .min = 1, .max = 366},
                     "First and last day of a season, which may go on into the next year.")
-          .number("every_days", &SunSettings::every_days, {.unit = Unit::day, .min = 1, .max = 366, .usual = {1, 60}},
+          .number("every_days", &SunParameters::every_days, {.unit = Unit::day, .min = 1, .max = 366, .usual = {1, 60}},
                   "Days from one sampled day of the season to the next; lowered, more positions of the sun and slower "
                   "growth.")
-          .number("every_hours", &SunSettings::every_hours,
+          .number("every_hours", &SunParameters::every_hours,
                   {.unit = Unit::hour, .min = 0, .max = 24, .usual = {0.25, 6}, .above_min = true},
                   "Hours between positions of the sun, before and after noon, for light of a whole day; by default 1 "
                   "in a season.")
-          .number("hour", &SunSettings::hour, {.unit = Unit::hour, .min = 0, .max = 24},
+          .number("hour", &SunParameters::hour, {.unit = Unit::hour, .min = 0, .max = 24},
                   "Hour of the day in true solar time, with the sun highest at 12; for a whole day or season, the hour "
                   "of pictures.")
           .never_with("day", {"days"})
@@ -98,8 +99,8 @@ const ParameterTable& lamp_table() {
 }
 
 /// What the sun does wrong if it gives no light, in words.
-std::string reason_without_sun(const LightSettings& settings) {
-  const SunSettings& sun = *settings.sun;
+std::string reason_without_sun(const LightParameters& settings) {
+  const SunParameters& sun = *settings.sun;
   if (!sun.day && sun.days.empty()) return "the sun is below the horizon";
   const double latitude = degrees(*settings.latitude);
   if (!sun.days.empty()) {
@@ -111,27 +112,28 @@ std::string reason_without_sun(const LightSettings& settings) {
                      latitude);
 }
 
-std::string_view consequence_without_sun(const LightSettings& settings) {
+std::string_view consequence_without_sun(const LightParameters& settings) {
   const bool has_sky = settings.sky > 0;
   if (settings.lamps.empty()) return has_sky ? "the sky gives all light" : "there is no light to grow by";
   return has_sky ? "sky and lamps give all light" : "the lamps give all light";
 }
 
 /// An hour of the night with lamps is meant, and so are pictures of it.
-void warn_of_night(const LightSettings& settings, const Place& place, ParameterReader& reader, const Scene& scene) {
-  const SunSettings& sun = *settings.sun;
+void warn_of_night(const LightParameters& settings, const DocumentPath& path, ParameterReader& reader,
+                   const Scene& scene) {
+  const SunParameters& sun = *settings.sun;
   const bool has_hours = sun.every_hours || !sun.days.empty();
   const bool has_lamps = !settings.lamps.empty();
   if (scene.light.sun.empty() && (has_hours || !has_lamps)) {
-    reader.warn(place, fmt::format("{}, so {}", reason_without_sun(settings), consequence_without_sun(settings)));
+    reader.warn(path, fmt::format("{}, so {}", reason_without_sun(settings), consequence_without_sun(settings)));
   } else if (!scene.light.sun.empty() && scene.sun.altitude <= 0 && !has_lamps) {
-    reader.warn(place, fmt::format("in pictures, at {:.6g} h, the sun is below the horizon", sun.hour));
+    reader.warn(path, fmt::format("in pictures, at {:.6g} h, the sun is below the horizon", sun.hour));
   }
 }
 
 /// Where the sun stands in pictures.
-SkyDirection shown_sun(const LightSettings& settings) {
-  const SunSettings& sun = *settings.sun;
+SkyDirection shown_sun(const LightParameters& settings) {
+  const SunParameters& sun = *settings.sun;
   if (sun.azimuth) return {*sun.azimuth, *sun.altitude};
   if (sun.day) return sun_position(*settings.latitude, *sun.day, sun.hour);
   const std::vector<double> days = season_days(sun);
@@ -139,8 +141,8 @@ SkyDirection shown_sun(const LightSettings& settings) {
 }
 
 /// All positions of the sun, 1 in all.
-std::vector<FarLight> sun_positions(const LightSettings& settings, SkyDirection shown) {
-  const SunSettings& sun = *settings.sun;
+std::vector<FarLight> sun_positions(const LightParameters& settings, SkyDirection shown) {
+  const SunParameters& sun = *settings.sun;
   if (!sun.days.empty()) {
     return sun_of_days(*settings.latitude, season_days(sun), sun.every_hours.value_or(kSeasonHours));
   }
@@ -153,36 +155,36 @@ std::vector<FarLight> sun_positions(const LightSettings& settings, SkyDirection 
 
 const ParameterTable& light_table() {
   static const ParameterTable table =
-      Table<LightSettings>("a light", "The light of a scene.")
-          .number("latitude", &LightSettings::latitude, {.unit = Unit::degree, .min = -90, .max = 90},
+      Table<LightParameters>("a light", "The light of a scene.")
+          .number("latitude", &LightParameters::latitude, {.unit = Unit::degree, .min = -90, .max = 90},
                   "Latitude of the scene, north positive; required for a sun with a day.")
-          .object("sun", &LightSettings::sun, sun_table,
+          .object("sun", &LightParameters::sun, sun_table,
                   "Position of the sun; by default, light comes from the zenith.")
-          .number("sky", &LightSettings::sky, {.min = 0, .max = 1},
+          .number("sky", &LightParameters::sky, {.min = 0, .max = 1},
                   "Share of the far light that comes from the whole sky, the rest being the sun's; raised, sides and "
                   "shade get more light.")
-          .list("lamps", &LightSettings::lamps, lamp_table, "Lamps within the scene.")
+          .list("lamps", &LightParameters::lamps, lamp_table, "Lamps within the scene.")
           .only_where({{"sun.day"}, {"sun.days"}}, {"latitude"});
   return table;
 }
 
-void check_light(const LightSettings& settings, const Place& place, ParameterReader& reader) {
-  const std::optional<SunSettings>& sun = settings.sun;
+void check_light(const LightParameters& settings, const DocumentPath& path, ParameterReader& reader) {
+  const std::optional<SunParameters>& sun = settings.sun;
   if (sun && (sun->day || !sun->days.empty()) && !settings.latitude) {
-    reader.fault(Place(place, "sun"), "a sun with a day needs a latitude", R"("latitude" in the scene)");
+    reader.fault(DocumentPath(path, "sun"), "a sun with a day needs a latitude", R"("latitude" in the scene)");
   }
   if (settings.lamps.size() > kMostLamps) {
-    reader.fault(Place(place, "lamps"), fmt::format("{} lamps are too many", settings.lamps.size()),
+    reader.fault(DocumentPath(path, "lamps"), fmt::format("{} lamps are too many", settings.lamps.size()),
                  fmt::format("at most {}", kMostLamps));
   }
 }
 
-void light_scene(const LightSettings& settings, const Place& place, ParameterReader& reader, Scene& scene) {
+void light_scene(const LightParameters& settings, const DocumentPath& path, ParameterReader& reader, Scene& scene) {
   Light& light = scene.light;
   if (settings.sun) {
     scene.sun = shown_sun(settings);
     light.sun = sun_positions(settings, scene.sun);
-    warn_of_night(settings, Place(place, "sun"), reader, scene);
+    warn_of_night(settings, DocumentPath(path, "sun"), reader, scene);
   }
   for (FarLight& position : light.sun) position.strength *= 1 - settings.sky;
   if (settings.sky == 1) light.sun.clear();

@@ -11,7 +11,7 @@
 namespace meristem {
 
 /// Where the sun stands: at a place on the sky, at an hour of a day, over a day, or over a season.
-struct SunSettings {
+struct SunParameters {
   std::optional<double> azimuth;      // radians
   std::optional<double> altitude;     // radians
   std::optional<double> day;          // of the year
@@ -21,19 +21,19 @@ struct SunSettings {
   double hour = 12;                   // of a day without every_hours, and of pictures
 };
 
-struct LightSettings {
+struct LightParameters {
   std::optional<double> latitude;  // radians
-  std::optional<SunSettings> sun;
+  std::optional<SunParameters> sun;
   double sky = 0;  // share of the far light
   std::vector<Lamp> lamps;
 };
 
-/// Of LightSettings; check_light has its rules.
+/// Of LightParameters; check_light has its rules.
 const ParameterTable& light_table();
-void check_light(const LightSettings& settings, const Place& place, ParameterReader& reader);
+void check_light(const LightParameters& settings, const DocumentPath& path, ParameterReader& reader);
 
 /// Sets the scene's light and its sun in pictures; `place` is the scene's. Warns where the sun gives no light. The
 /// settings are those that check_light finds no fault with.
-void light_scene(const LightSettings& settings, const Place& place, ParameterReader& reader, Scene& scene);
+void light_scene(const LightParameters& settings, const DocumentPath& path, ParameterReader& reader, Scene& scene);
 
 }  // namespace meristem

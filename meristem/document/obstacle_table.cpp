@@ -14,18 +14,18 @@ namespace meristem {
 
 namespace {
 
-constexpr NumberForm kCoordinate{.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-10, 10}};
+constexpr NumberRange kCoordinate{.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-10, 10}};
 constexpr double kFarthest = 1e6;        // metres along an axis, where a float still tells centimetres apart
 constexpr double kBytesATriangle = 300;  // of the mesh, of what is inside it, and of the tree
 
 DVec3 placed(const Frame& frame, DVec3 position) { return DVec3(frame.origin) + glm::dmat3(frame.axes) * position; }
 
 /// The form's mesh where it stands in the scene.
-TriangleMesh placed_mesh(const ObstacleForm& form) {
+TriangleMesh placed_mesh(const ObstacleParameters& form) {
   TriangleMesh mesh = form.mesh ? form.mesh->mesh
                                 : box_mesh(glm::min(DVec3(form.box->low), DVec3(form.box->high)),
                                            glm::max(DVec3(form.box->low), DVec3(form.box->high)));
-  const Frame frame = form.place.frame();
+  const Frame frame = form.pose.frame();
   for (DVec3& position : mesh.positions) position = placed(frame, position);
   return mesh;
 }
@@ -36,37 +36,37 @@ ObstacleMesh read_obstacle_mesh(const std::string& path, const Limits& limits) {
   return read;
 }
 
-void check_box(const Box& box, const Place& place, ParameterReader& reader) {
+void check_box(const Box& box, const DocumentPath& path, ParameterReader& reader) {
   constexpr const char* kAxes = "xyz";
   for (int k = 0; k < 3; ++k) {
     if (box.low[k] != box.high[k]) continue;
-    return reader.fault(place,
+    return reader.fault(path,
                         fmt::format("the box is flat: both of its corners have {} at {:.7g}", kAxes[k], box.low[k]),
                         "two corners that differ in x, y and z");
   }
 }
 
-void check_closed(const ObstacleForm& form, const Place& place, ParameterReader& reader) {
+void check_closed(const ObstacleParameters& form, const DocumentPath& path, ParameterReader& reader) {
   const std::vector<std::string>& faults = form.mesh->faults;
   if (faults.empty()) return;
   const std::string found = fmt::format("{}", fmt::join(faults, "; "));
   if (form.broken) {
-    return reader.warn(place, fmt::format("'{}' is not closed and is used as it is: {}", form.mesh.path, found));
+    return reader.warn(path, fmt::format("'{}' is not closed and is used as it is: {}", form.mesh.path, found));
   }
-  reader.fault(place, fmt::format("'{}' is not closed: {}", form.mesh.path, found),
+  reader.fault(path, fmt::format("'{}' is not closed: {}", form.mesh.path, found),
                "a closed mesh, or \"broken\": true to use it anyway");
 }
 
-void check_obstacle(const ObstacleForm& form, const Place& place, ParameterReader& reader) {
-  if (form.box) check_box(*form.box, Place(place, "box"), reader);
-  if (form.mesh) check_closed(form, Place(place, "mesh"), reader);
+void check_obstacle(const ObstacleParameters& form, const DocumentPath& path, ParameterReader& reader) {
+  if (form.box) check_box(*form.box, DocumentPath(path, "box"), reader);
+  if (form.mesh) check_closed(form, DocumentPath(path, "mesh"), reader);
   double farthest = 0;
   for (const DVec3 position : placed_mesh(form).positions) {
     const DVec3 away = glm::abs(position);
     farthest = std::max({farthest, away.x, away.y, away.z});
   }
   if (!(farthest <= kFarthest)) {
-    reader.fault(place, fmt::format("the obstacle reaches {:.4g} m from the origin", farthest),
+    reader.fault(path, fmt::format("the obstacle reaches {:.4g} m from the origin", farthest),
                  fmt::format("coordinates within {:.0f} m; scale and translate it", kFarthest));
   }
 }
@@ -75,15 +75,15 @@ void check_obstacle(const ObstacleForm& form, const Place& place, ParameterReade
 
 const ParameterTable& obstacle_table() {
   static const ParameterTable table =
-      Table<ObstacleForm>("an obstacle", "A body that plants do not enter and that shades them.")
-          .box("box", &ObstacleForm::box, kCoordinate, "Two opposite corners of a box, in any order.")
-          .file("mesh", &ObstacleForm::mesh, read_obstacle_mesh, "File with a closed mesh (OBJ, PLY or GLB).")
-          .members(&ObstacleForm::place, import_table())
-          .boolean("broken", &ObstacleForm::broken,
+      Table<ObstacleParameters>("an obstacle", "A body that plants do not enter and that shades them.")
+          .box("box", &ObstacleParameters::box, kCoordinate, "Two opposite corners of a box, in any order.")
+          .file("mesh", &ObstacleParameters::mesh, read_obstacle_mesh, "File with a closed mesh (OBJ, PLY or GLB).")
+          .members(&ObstacleParameters::pose, import_table())
+          .boolean("broken", &ObstacleParameters::broken,
                    "Whether a mesh that is not closed is used anyway; two of three views, along x, y and z, decide "
                    "what is inside it.")
-          .colour("colour", &ObstacleForm::colour, "Colour of the obstacle in pictures; its surface is matt.")
-          .boolean("hidden", &ObstacleForm::hidden,
+          .colour("colour", &ObstacleParameters::colour, "Colour of the obstacle in pictures; its surface is matt.")
+          .boolean("hidden", &ObstacleParameters::hidden,
                    "Whether pictures leave the obstacle out; it still blocks growth and light.")
           .one_of({"box", "mesh"})
           .only_with("mesh", {"up", "broken"})
@@ -91,23 +91,23 @@ const ParameterTable& obstacle_table() {
   return table;
 }
 
-void check_obstacles(const std::vector<ObstacleForm>& forms, const Place& place, ParameterReader& reader) {
+void check_obstacles(const std::vector<ObstacleParameters>& forms, const DocumentPath& path, ParameterReader& reader) {
   double triangles = 0;
-  for (const ObstacleForm& form : forms)
+  for (const ObstacleParameters& form : forms)
     triangles += form.mesh ? static_cast<double>(form.mesh->mesh.triangles.size()) : 12;
   const Limits& limits = reader.limits();
   if (triangles > static_cast<double>(limits.triangles)) {
-    return reader.fault_limit(place, "triangles of obstacles", triangles, limits.triangles, "triangles");
+    return reader.fault_limit(path, "triangles of obstacles", triangles, limits.triangles, "triangles");
   }
   if (kBytesATriangle * triangles > static_cast<double>(limits.mesh_bytes)) {
-    reader.fault_limit(place, "bytes of obstacles", kBytesATriangle * triangles, limits.mesh_bytes, "mesh_bytes");
+    reader.fault_limit(path, "bytes of obstacles", kBytesATriangle * triangles, limits.mesh_bytes, "mesh_bytes");
   }
 }
 
-Obstacles build_obstacles(const std::vector<ObstacleForm>& forms) {
+Obstacles build_obstacles(const std::vector<ObstacleParameters>& forms) {
   std::vector<Obstacle> bodies;
   bodies.reserve(forms.size());
-  for (const ObstacleForm& form : forms) {
+  for (const ObstacleParameters& form : forms) {
     bodies.push_back({.mesh = placed_mesh(form),
                       .colour = form.colour,
                       .is_broken = form.broken && !form.mesh->faults.empty(),

@@ -19,21 +19,21 @@ struct ObstacleMesh {
 };
 
 /// Exactly one of box and mesh is given.
-struct ObstacleForm {
+struct ObstacleParameters {
   std::optional<Box> box;  ///< corners as written, in any order
   Asset<ObstacleMesh> mesh;
-  ImportPlace place;
+  ImportPose pose;
   bool broken = false;
   bool hidden = false;
   Vec3 colour = Obstacle{}.colour;
 };
 
-const ParameterTable& obstacle_table();  ///< of ObstacleForm
+const ParameterTable& obstacle_table();  ///< of ObstacleParameters
 
 /// Reports more triangles than the limits allow; `place` is the list's.
-void check_obstacles(const std::vector<ObstacleForm>& forms, const Place& place, ParameterReader& reader);
+void check_obstacles(const std::vector<ObstacleParameters>& forms, const DocumentPath& path, ParameterReader& reader);
 
 /// The obstacles that checked forms mean.
-Obstacles build_obstacles(const std::vector<ObstacleForm>& forms);
+Obstacles build_obstacles(const std::vector<ObstacleParameters>& forms);
 
 }  // namespace meristem

@@ -143,7 +143,7 @@ class TableList {
   }
 
   static void add_numbers(const Parameter& row, const Value& fallback, Object& made) {
-    const NumberForm& form = row.form;
+    const NumberRange& form = row.form;
     if (std::isfinite(form.min)) made.emplace_back(form.above_min ? "above" : "min", form.min);
     if (std::isfinite(form.max)) made.emplace_back("max", form.max);
     const UsualSpan usual = usual_range(row, fallback);

@@ -126,7 +126,7 @@ TEST(ComponentTables, UsualRangesHoldTheDefaultWithinTheHardRange) {
       const Parameter& row = table->parameters[k];
       if (!has_numbers(row)) continue;
       const std::string where = table->name + "." + row.name;
-      const NumberForm& form = row.form;
+      const NumberRange& form = row.form;
       const UsualSpan span = usual_range(row, defaults[k]);
       EXPECT_LT(span.low, span.high) << where;
       EXPECT_TRUE(std::isfinite(span.low) && std::isfinite(span.high)) << where;

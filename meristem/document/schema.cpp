@@ -18,12 +18,12 @@ using List = Value::List;
 
 Object typed(const char* type) { return {{"type", type}}; }
 
-void add_bounds(Object& schema, const NumberForm& form) {
+void add_bounds(Object& schema, const NumberRange& form) {
   if (std::isfinite(form.min)) schema.emplace_back(form.above_min ? "exclusiveMinimum" : "minimum", form.min);
   if (std::isfinite(form.max)) schema.emplace_back("maximum", form.max);
 }
 
-Value number_schema(const char* type, const NumberForm& form) {
+Value number_schema(const char* type, const NumberRange& form) {
   Object schema = typed(type);
   add_bounds(schema, form);
   return schema;
@@ -147,7 +147,7 @@ class SchemaWriter {
     return row.doc + " Unit: " + std::string(unit_name(row.form.unit)) + ".";
   }
 
-  Value number(const char* type, const NumberForm& form) const {
+  Value number(const char* type, const NumberRange& form) const {
     List forms{number_schema(type, form), Object{{"type", "string"}, {"description", "An expression."}}};
     if (varies_ && !form.fixed) {
       const Value range = list_of(any_of({number_schema(type, form), typed("string")}), 2, 2);
@@ -157,7 +157,7 @@ class SchemaWriter {
     return any_of(std::move(forms));
   }
 
-  static Value points(const NumberForm& form) {
+  static Value points(const NumberRange& form) {
     return list_of(list_of(any_of({number_schema("number", form), typed("string")}), 2, 2), 1, 0);
   }
 

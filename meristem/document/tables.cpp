@@ -12,33 +12,33 @@ constexpr double kLargestWhole = 9007199254740992;  // 2^53: up to here a JSON n
 
 const ParameterTable& ground_table() {
   static const ParameterTable table =
-      Table<GroundSettings>("a ground", "The ground in pictures.")
-          .colour("colour", &GroundSettings::colour, "Colour of the bare ground in pictures.");
+      Table<GroundParameters>("a ground", "The ground in pictures.")
+          .colour("colour", &GroundParameters::colour, "Colour of the bare ground in pictures.");
   return table;
 }
 
 const ParameterTable& scene_table() {
   static const ParameterTable table =
-      Table<SceneSettings>("a scene", "What surrounds the plants.")
-          .members(&SceneSettings::light, light_table())
-          .list("obstacles", &SceneSettings::obstacles, obstacle_table,
+      Table<SceneParameters>("a scene", "What surrounds the plants.")
+          .members(&SceneParameters::light, light_table())
+          .list("obstacles", &SceneParameters::obstacles, obstacle_table,
                 "Bodies that plants do not enter and that shade them.")
-          .object("ground", &SceneSettings::ground, ground_table, "Ground in pictures.")
-          .check([](const SceneSettings& scene, const Place& place, ParameterReader& reader) {
-            check_light(scene.light, place, reader);
-            check_obstacles(scene.obstacles, Place(place, "obstacles"), reader);
+          .object("ground", &SceneParameters::ground, ground_table, "Ground in pictures.")
+          .check([](const SceneParameters& scene, const DocumentPath& path, ParameterReader& reader) {
+            check_light(scene.light, path, reader);
+            check_obstacles(scene.obstacles, DocumentPath(path, "obstacles"), reader);
           });
   return table;
 }
 
 const ParameterTable& output_table() {
   static const ParameterTable table =
-      Table<OutputSettings>("an output", "Defaults for pictures and files.")
-          .integers("size", &OutputSettings::size, 2, {.min = 1, .max = 16384, .usual = {256, 4096}},
+      Table<OutputParameters>("an output", "Defaults for pictures and files.")
+          .integers("size", &OutputParameters::size, 2, {.min = 1, .max = 16384, .usual = {256, 4096}},
                     "Width and height of pictures in pixels.")
-          .integer("samples", &OutputSettings::samples, {.min = 1, .max = 65536, .usual = {1, 512}},
+          .integer("samples", &OutputParameters::samples, {.min = 1, .max = 65536, .usual = {1, 512}},
                    "Number of light paths per pixel; raised, less noise and slower pictures.")
-          .integer("lod", &OutputSettings::lod, {.min = 0, .max = kCoarsestDetail},
+          .integer("lod", &OutputParameters::lod, {.min = 0, .max = kCoarsestDetail},
                    "Number of coarser levels of detail that `grow` writes beside each file with meshes.");
   return table;
 }

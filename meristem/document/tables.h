@@ -13,15 +13,15 @@
 namespace meristem {
 
 /// The ground in pictures.
-struct GroundSettings {
+struct GroundParameters {
   Vec3 colour = Scene{}.ground_colour;
 };
 
 /// The key `scene`.
-struct SceneSettings {
-  LightSettings light;
-  std::vector<ObstacleForm> obstacles;
-  GroundSettings ground;
+struct SceneParameters {
+  LightParameters light;
+  std::vector<ObstacleParameters> obstacles;
+  GroundParameters ground;
 };
 
 /// The plain keys of the top level.
@@ -32,8 +32,8 @@ struct DocumentHead {
   std::string author;
   std::string licence;
   std::uint64_t seed = 1;
-  SceneSettings scene;
-  OutputSettings output;
+  SceneParameters scene;
+  OutputParameters output;
 };
 
 const ParameterTable& head_table();      ///< of DocumentHead

@@ -151,22 +151,23 @@ class Solver {
   VariableValues solved_;
 };
 
-Variable read_variable(ParameterReader& reader, const std::string& name, const Value& value, const Place& place) {
+Variable read_variable(ParameterReader& reader, const std::string& name, const Value& value, const DocumentPath& path) {
   if (!is_identifier(name)) {
-    reader.fault_name(place, fmt::format("'{}' is not a name", name),
+    reader.fault_name(path, fmt::format("'{}' is not a name", name),
                       "letters, digits and _, not beginning with a digit", "");
   } else if (has_meaning(name)) {
-    reader.fault_name(place, fmt::format("'{}' has a meaning in expressions already", name), "another name", "");
+    reader.fault_name(path, fmt::format("'{}' has a meaning in expressions already", name), "another name", "");
   }
   Variable variable;
-  reader.read(variable_table(), &variable, value, place);
+  reader.read(variable_table(), &variable, value, path);
   variable.name = name;
   variable.expression = text_of(value);
   // Bounds that are not given leave room for the value.
   if (value.find("min") == nullptr) variable.min = std::min({0.0, variable.value, variable.max});
   if (value.find("max") == nullptr) variable.max = std::max({1.0, variable.value, variable.min});
   if (variable.min > variable.max) {
-    reader.fault(Place(place, "min"), fmt::format("'min' {:.12g} lies above 'max' {:.12g}", variable.min, variable.max),
+    reader.fault(DocumentPath(path, "min"),
+                 fmt::format("'min' {:.12g} lies above 'max' {:.12g}", variable.min, variable.max),
                  "min of at most max");
   }
   return variable;
@@ -175,8 +176,8 @@ Variable read_variable(ParameterReader& reader, const std::string& name, const V
 bool is_beyond(const Variable& variable) { return variable.value < variable.min || variable.value > variable.max; }
 
 /// Where a variable's value stands.
-Place value_place(const Place& variable, const Value& said) {
-  return said.object() == nullptr ? variable : Place(variable, "value");
+DocumentPath value_place(const DocumentPath& variable, const Value& said) {
+  return said.object() == nullptr ? variable : DocumentPath(variable, "value");
 }
 
 /// Of a file that is no longer than grammars are.
@@ -196,23 +197,23 @@ VariableValues solve_variables(const Value* given, const Limits& limits) {
 std::vector<Variable> read_variables(const Value* given, const VariableValues& solved, ParameterReader& reader) {
   std::vector<Variable> variables;
   if (given == nullptr) return variables;
-  const Place top;
-  const Place place(top, "variables");
+  const DocumentPath top;
+  const DocumentPath path(top, "variables");
   if (given->object() == nullptr) {
-    reader.fault(place, fmt::format("the variables are {}", given->description()), "an object of names");
+    reader.fault(path, fmt::format("the variables are {}", given->description()), "an object of names");
     return variables;
   }
   if (given->object()->size() > kMostVariables) {
-    reader.fault(place, fmt::format("the document has {} variables", given->object()->size()),
+    reader.fault(path, fmt::format("the document has {} variables", given->object()->size()),
                  fmt::format("at most {}", kMostVariables));
     return variables;
   }
   for (const auto& [name, value] : *given->object()) {
-    variables.push_back(read_variable(reader, name, value, Place(place, name)));
+    variables.push_back(read_variable(reader, name, value, DocumentPath(path, name)));
   }
   for (const std::vector<std::size_t>& circle : solved.circles) {
     const std::string& first = solved.constants[circle.front()].name;
-    const Place variable(place, first);
+    const DocumentPath variable(path, first);
     reader.fault(value_place(variable, *given->find(first)),
                  circle.size() == 1
                      ? fmt::format("'{}' is worked out from itself", first)
@@ -241,10 +242,10 @@ void warn_of_variables(const Value& root, const std::vector<Variable>& variables
     const auto kept = [&] { return reader.kept<std::string>(Fingerprint().add_text(file.path).add(*file.hash), text); };
     for_each_name(file.hash ? *kept() : text(), take_out);
   }
-  const Place top;
-  const Place place(top, "variables");
+  const DocumentPath top;
+  const DocumentPath path(top, "variables");
   for (const Variable& variable : variables) {
-    const Place own(place, variable.name);
+    const DocumentPath own(path, variable.name);
     if (unused.contains(variable.name)) reader.warn(own, fmt::format("nothing uses '{}'", variable.name));
     if (is_beyond(variable) && variable.min <= variable.max) {
       reader.warn(value_place(own, *root.find("variables")->find(variable.name)),

@@ -13,7 +13,7 @@
 
 namespace meristem {
 
-struct Places {
+struct Sites {
   std::vector<Site> sites;
   std::uint64_t hash = 0;  ///< of all bytes of the sites; 0 where nobody will ask for it
 

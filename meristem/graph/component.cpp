@@ -140,9 +140,9 @@ void set_fingerprints(Prototype& prototype, const Value& value, std::span<const 
 
 void check_rules(const ComponentType& type, const std::string& id, const void* instance, const Limits& limits) {
   ParameterReader reader({}, limits);
-  const Place top;
-  const Place components(top, "components");
-  type.parameters.check_all(instance, Place(components, id), reader);
+  const DocumentPath top;
+  const DocumentPath components(top, "components");
+  type.parameters.check_all(instance, DocumentPath(components, id), reader);
   if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
 }
 

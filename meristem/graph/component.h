@@ -32,7 +32,7 @@
 #include "meristem/graph/table/selection.h"
 #include "meristem/graph/table/table.h"
 #include "meristem/graph/table/varying.h"
-#include "meristem/graph/texture_form.h"
+#include "meristem/graph/texture_parameters.h"
 #include "meristem/grow/stand.h"
 #include "meristem/scene/scene.h"
 
@@ -54,7 +54,7 @@ struct ComponentBase {
   std::vector<Vec3> colours;        ///< in its stead: each instance has one of them, or one between two
   std::optional<double> colour_at;  ///< where in `colours`, 0 the first and 1 the last; unset: anywhere
   std::optional<double> variety;    ///< by how much instances differ in lightness and tone
-  TextureForm texture;
+  TextureParameters texture;
   std::optional<double> roughness;
   std::optional<double> translucency;
   Transform place;                ///< moves this component's geometry only

@@ -7,7 +7,7 @@
 
 #include "meristem/base/math.h"
 #include "meristem/graph/table/table.h"
-#include "meristem/shape/implicit/body_places.h"
+#include "meristem/shape/implicit/body_points.h"
 #include "meristem/shape/implicit/plant_body.h"
 
 namespace meristem {
@@ -32,7 +32,7 @@ Mat3 any_rotation(RandomKey key) {
 }
 
 /// A child's directions at a place.
-Mat3 axes_at(const BodyPlace& place, const CrownPlacement& placement, RandomKey key) {
+Mat3 axes_at(const BodyPoint& place, const CrownPlacement& placement, RandomKey key) {
   if (placement.orient == CrownPlacement::Orient::random) return any_rotation(key.child("turn"));
   Mat3 axes = frame_along({}, place.outward, kUp).axes;
   if (placement.turn > 0) {
@@ -83,7 +83,7 @@ std::vector<Site> place_in_crown(const Skeleton& skeleton, const Surface& surfac
     throw_limit(in_ball > cells ? "children" : "cells along the crown", std::max(in_ball, cells),
                 context.limits->instances, "instances", context.path + ".density");
   }
-  const std::vector<BodyPlace> places = places_in(body, grid, context.parent.key, progress);
+  const std::vector<BodyPoint> places = places_in(body, grid, context.parent.key, progress);
   if (places.size() > context.limits->instances) {
     throw_limit("children or more", static_cast<double>(places.size()), context.limits->instances, "instances",
                 context.path + ".density");

@@ -19,7 +19,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/graph/batch.h"
 #include "meristem/graph/emitter_context.h"
-#include "meristem/graph/link_places.h"
+#include "meristem/graph/link_sites.h"
 #include "meristem/graph/plant_assembly.h"
 #include "meristem/grow/stand.h"
 
@@ -32,7 +32,7 @@ constexpr std::size_t kBlock = 256;  // instances an emitter takes
 /// Instances of one component that expand together.
 struct Batch {
   ComponentIndex component = 0;
-  std::shared_ptr<const Places> places;
+  std::shared_ptr<const Sites> places;
 
   const std::vector<Site>& sites() const { return places->sites; }
 };
@@ -53,7 +53,7 @@ class Expansion {
         progress_(progress),
         links_(graph, directions_, progress),
         assembly_(graph),
-        results_(cache, {typeid(BatchResult), typeid(Places), typeid(GrownBatch), typeid(SharedMeshes)}),
+        results_(cache, {typeid(BatchResult), typeid(Sites), typeid(GrownBatch), typeid(SharedMeshes)}),
         meshes_(graph.components.size()) {}
 
   Plant run() {
@@ -92,8 +92,8 @@ class Expansion {
     return Fingerprint().add(*surroundings_).add_text(prototype.id).add(time).add(*of_document).hash();
   }
 
-  std::shared_ptr<const Places> places_of(std::vector<Site> sites) const {
-    auto places = std::make_shared<Places>();
+  std::shared_ptr<const Sites> places_of(std::vector<Site> sites) const {
+    auto places = std::make_shared<Sites>();
     places->sites = std::move(sites);
     if (surroundings_) places->hash = hash_of(places->sites);
     return places;
@@ -329,7 +329,7 @@ class Expansion {
   void follow(LinkIndex link, const Batch& batch, CacheKey parent, const BatchResult& result) {
     const CacheKey own = links_.fingerprint(link);
     const CacheKey key = parent && own ? CacheKey(Fingerprint().add(*parent).add(*own).hash()) : std::nullopt;
-    std::shared_ptr<const Places> places = results_.find<const Places>(key);
+    std::shared_ptr<const Sites> places = results_.find<const Sites>(key);
     if (places == nullptr || instances_ + places->sites.size() > graph_.limits.instances) {
       places = places_of(links_.places(link, result, {instances_, batch.sites().size()}));
       results_.store(key, places);
@@ -342,7 +342,7 @@ class Expansion {
   const Directions directions_;
   double time_;
   Progress& progress_;
-  LinkPlaces links_;
+  LinkSites links_;
   PlantAssembly assembly_;
   CacheRun results_;
   CacheKey surroundings_;

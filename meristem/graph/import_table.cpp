@@ -6,7 +6,7 @@
 
 namespace meristem {
 
-Frame ImportPlace::frame() const {
+Frame ImportPose::frame() const {
   Frame frame = Transform{.translate = translate, .rotate = rotate, .scale = Vec3(scale)}.frame();
   // With z up, y goes north: to -z.
   if (up == Up::z) frame.axes = {frame.axes[0], -frame.axes[2], frame.axes[1]};
@@ -15,14 +15,14 @@ Frame ImportPlace::frame() const {
 
 const ParameterTable& import_table() {
   static const ParameterTable table =
-      Table<ImportPlace>("a place", "How the content of a file comes to stand in the scene.")
-          .choice("up", &ImportPlace::up, {"y", "z"},
+      Table<ImportPose>("a place", "How the content of a file comes to stand in the scene.")
+          .choice("up", &ImportPose::up, {"y", "z"},
                   "Axis of the file that points up; with z, the file's y points north.")
-          .number("scale", &ImportPlace::scale, {.min = 1e-6, .max = 1e6, .usual = {0.001, 10}},
+          .number("scale", &ImportPose::scale, {.min = 1e-6, .max = 1e6, .usual = {0.001, 10}},
                   "Scale factor on the file's lengths, applied first.")
-          .vector("rotate", &ImportPlace::rotate, {.unit = Unit::degree, .min = -1e6, .max = 1e6},
+          .vector("rotate", &ImportPose::rotate, {.unit = Unit::degree, .min = -1e6, .max = 1e6},
                   "Angles of pitch about x, roll about y and yaw about z, applied after the scale.")
-          .vector("translate", &ImportPlace::translate,
+          .vector("translate", &ImportPose::translate,
                   {.unit = Unit::metre, .min = -1e8, .max = 1e8, .usual = {-10, 10}},
                   "Shift along x, y and z, applied last.");
   return table;

@@ -8,7 +8,7 @@ namespace meristem {
 
 /// How what is read from a file comes to stand in a document: its up axis is turned up, then it is scaled, turned and
 /// moved.
-struct ImportPlace {
+struct ImportPose {
   enum class Up { y, z };
   Up up = Up::y;
   double scale = 1;
@@ -18,7 +18,7 @@ struct ImportPlace {
   Frame frame() const;
 };
 
-const ParameterTable& import_table();  ///< of ImportPlace
+const ParameterTable& import_table();  ///< of ImportPose
 /// The names of its rows, which stand beside the file's own in a table.
 const std::vector<std::string>& import_names();
 

@@ -28,78 +28,78 @@ LinkReader::LinkReader(Graph& graph, ParameterReader& reader) : graph_(graph), r
   }
 }
 
-void LinkReader::read(const Value& links, const Place& place) {
+void LinkReader::read(const Value& links, const DocumentPath& path) {
   const Value::List* list = links.list();
   if (list == nullptr) {
-    return reader_.fault(place, fmt::format("the links are {}", links.description()),
+    return reader_.fault(path, fmt::format("the links are {}", links.description()),
                          R"(a list such as [["view", "tree"]])");
   }
-  for (std::size_t k = 0; k < list->size(); ++k) read_link((*list)[k], Place(place, k));
+  for (std::size_t k = 0; k < list->size(); ++k) read_link((*list)[k], DocumentPath(path, k));
 }
 
-void LinkReader::read_link(const Value& value, const Place& place) {
+void LinkReader::read_link(const Value& value, const DocumentPath& path) {
   Link link;
   if (const Value::List* pair = value.list()) {
     if (pair->size() != 2) {
-      return reader_.fault(place, fmt::format("a link is {}", value.description()), R"(a pair ["from", "to"])");
+      return reader_.fault(path, fmt::format("a link is {}", value.description()), R"(a pair ["from", "to"])");
     }
-    link.from = read_end((*pair)[0], Place(place, std::size_t{0}));
-    link.to = read_end((*pair)[1], Place(place, std::size_t{1}));
+    link.from = read_end((*pair)[0], DocumentPath(path, std::size_t{0}));
+    link.to = read_end((*pair)[1], DocumentPath(path, std::size_t{1}));
   } else if (value.object() == nullptr) {
-    return reader_.fault(place, fmt::format("a link cannot be {}", value.description()),
+    return reader_.fault(path, fmt::format("a link cannot be {}", value.description()),
                          R"(["from", "to"] or {"from": ..., "to": ..., "kind": ...})");
   } else {
-    link.from = read_named_end(value, "from", place);
-    link.to = read_named_end(value, "to", place);
-    read_kind(value, place, link);
+    link.from = read_named_end(value, "from", path);
+    link.to = read_named_end(value, "to", path);
+    read_kind(value, path, link);
   }
   link.fingerprint = fingerprint_of(value, reader_.constants(), {}, 0);
   if (link.from != kNoIndex && link.to != kNoIndex) graph_.links.push_back(std::move(link));
 }
 
 /// What kind of link it is, with that kind's own keys.
-void LinkReader::read_kind(const Value& value, const Place& place, Link& link) {
+void LinkReader::read_kind(const Value& value, const DocumentPath& path, Link& link) {
   LinkHead head;
   const std::size_t faults_before = reader_.fault_count();
   if (const Value* given = value.find("kind")) {
     const Parameter& row = *link_table().find("kind");
-    row.read(&head, *given, Place(place, row.name), reader_);
+    row.read(&head, *given, DocumentPath(path, row.name), reader_);
   }
   const bool is_known = reader_.fault_count() == faults_before;
   if (head.kind == LinkKind::crown) {
     CrownLink crown;
-    reader_.read(crown_placement_table(), &crown.placement, value, place);
-    check_crown(place, link);
+    reader_.read(crown_placement_table(), &crown.placement, value, path);
+    check_crown(path, link);
     link.kind = crown;
     return;
   }
   BranchLink branch;
-  branch.given = reader_.read(placement_table(), &branch.placement, value, place);
-  if (is_known) check_placement(value, place, link, head.kind);
+  branch.given = reader_.read(placement_table(), &branch.placement, value, path);
+  if (is_known) check_placement(value, path, link, head.kind);
   if (head.kind == LinkKind::branch) link.kind = std::move(branch);
   if (head.kind == LinkKind::leaf) link.kind = LeafLink();
 }
 
-ComponentIndex LinkReader::read_named_end(const Value& link, const char* name, const Place& place) {
-  if (const Value* end = link.find(name)) return read_end(*end, Place(place, name));
-  reader_.fault(place, fmt::format("the link has no '{}'", name), "the id of a component");
+ComponentIndex LinkReader::read_named_end(const Value& link, const char* name, const DocumentPath& path) {
+  if (const Value* end = link.find(name)) return read_end(*end, DocumentPath(path, name));
+  reader_.fault(path, fmt::format("the link has no '{}'", name), "the id of a component");
   return kNoIndex;
 }
 
-ComponentIndex LinkReader::read_end(const Value& value, const Place& place) {
+ComponentIndex LinkReader::read_end(const Value& value, const DocumentPath& path) {
   if (value.text() == nullptr) {
-    reader_.fault(place, fmt::format("the end of a link cannot be {}", value.description()), "the id of a component");
+    reader_.fault(path, fmt::format("the end of a link cannot be {}", value.description()), "the id of a component");
     return kNoIndex;
   }
   const auto found = component_by_id_.find(*value.text());
   if (found != component_by_id_.end()) return found->second;
   const std::string nearest = reader_.nearest(*value.text(), ids_);
-  reader_.fault(place, fmt::format("there is no component '{}'", *value.text()),
+  reader_.fault(path, fmt::format("there is no component '{}'", *value.text()),
                 nearest.empty() ? "the id of a component" : "", nearest);
   return kNoIndex;
 }
 
-void LinkReader::link_placed(const Place& components) {
+void LinkReader::link_placed(const DocumentPath& components) {
   for (ComponentIndex from = 0; from < graph_.components.size(); ++from) {
     const Prototype& prototype = graph_.components[from];
     if (prototype.type == nullptr || !prototype.type->placed) continue;
@@ -118,7 +118,7 @@ void LinkReader::link_placed(const Place& components) {
       }
       if (!placed[k].is_needed) continue;
       const std::string nearest = reader_.nearest(id, ids_);
-      reader_.fault(Place(components, prototype.id),
+      reader_.fault(DocumentPath(components, prototype.id),
                     fmt::format("'{}' places '{}', and there is no such component", prototype.id, id),
                     nearest.empty() ? fmt::format("a component '{}'{}", id, placed[k].hint) : "", nearest);
     }
@@ -131,25 +131,25 @@ const Prototype* LinkReader::parent_of(const Link& link) const {
 }
 
 /// Crown links need a crown body.
-void LinkReader::check_crown(const Place& place, const Link& link) {
+void LinkReader::check_crown(const DocumentPath& path, const Link& link) {
   const Prototype* from = parent_of(link);
   if (from == nullptr) return;
   const auto& surface = from->type->surface;
   if (surface && surface(from->parameters.get()).crown) return;
-  reader_.fault(Place(place, "kind"),
+  reader_.fault(DocumentPath(path, "kind"),
                 surface ? fmt::format("the surface of '{}' has no crown", from->id)
                         : fmt::format("'{}' makes no stems that could have a crown", from->id),
                 R"("crown": {...} in the surface of a component with stems)");
 }
 
 /// Placement keys need a branch link from something that has stems.
-void LinkReader::check_placement(const Value& value, const Place& place, const Link& link, LinkKind kind) {
+void LinkReader::check_placement(const Value& value, const DocumentPath& path, const Link& link, LinkKind kind) {
   const Prototype* from = parent_of(link);
   const bool is_branch = kind == LinkKind::branch;
   if (from == nullptr || (is_branch && from->type->makes_stems)) return;
   for (const auto& [name, member] : *value.object()) {
     if (placement_table().find(name) == nullptr) continue;
-    reader_.fault_name(Place(place, name),
+    reader_.fault_name(DocumentPath(path, name),
                        is_branch ? fmt::format("'{}' has no meaning here, since '{}' makes no stems", name, from->id)
                                  : fmt::format("'{}' belongs to branch links", name),
                        is_branch ? "a link from a component with stems" : "\"kind\": \"branch\", or no such key", "");

@@ -18,18 +18,18 @@ class LinkReader {
   LinkReader(Graph& graph, ParameterReader& reader);
 
   /// A list of links, each ["from", "to"] or an object.
-  void read(const Value& links, const Place& place);
+  void read(const Value& links, const DocumentPath& path);
 
   /// Links to what components place themselves by its id; `components` is where they stand in the document.
-  void link_placed(const Place& components);
+  void link_placed(const DocumentPath& components);
 
  private:
-  void read_link(const Value& value, const Place& place);
-  void read_kind(const Value& value, const Place& place, Link& link);
-  ComponentIndex read_named_end(const Value& link, const char* name, const Place& place);
-  ComponentIndex read_end(const Value& value, const Place& place);
-  void check_crown(const Place& place, const Link& link);
-  void check_placement(const Value& value, const Place& place, const Link& link, LinkKind kind);
+  void read_link(const Value& value, const DocumentPath& path);
+  void read_kind(const Value& value, const DocumentPath& path, Link& link);
+  ComponentIndex read_named_end(const Value& link, const char* name, const DocumentPath& path);
+  ComponentIndex read_end(const Value& value, const DocumentPath& path);
+  void check_crown(const DocumentPath& path, const Link& link);
+  void check_placement(const Value& value, const DocumentPath& path, const Link& link, LinkKind kind);
   /// Null where that is not known.
   const Prototype* parent_of(const Link& link) const;
 

@@ -24,8 +24,8 @@ Value link(const char* kind, const Value::Object& keys = {}) {
 Graph read(const Value::List& links, std::vector<Diagnostic>& faults) {
   Graph graph = GraphBuilder(test_components()).component("pole", "pole").component("stick", "stick").graph();
   ParameterReader reader({}, graph.limits);
-  const Place top;
-  LinkReader(graph, reader).read(Value(links), Place(top, "links"));
+  const DocumentPath top;
+  LinkReader(graph, reader).read(Value(links), DocumentPath(top, "links"));
   faults = reader.take_diagnostics();
   return graph;
 }

@@ -56,7 +56,8 @@ TEST(Lofts, TheFirstChildContinuesAndOthersBeginFromTheSameSection) {
   EXPECT_TRUE(check_mesh(*pieces[1].mesh, {.closed = false}));
   const auto top = [](const SurfacePiece& piece) {
     float highest = 0;
-    for (const Vec3 place : piece.mesh->positions) highest = std::max(highest, piece.organs[0].frame.point(place).y);
+    for (const Vec3 position : piece.mesh->positions)
+      highest = std::max(highest, piece.organs[0].frame.point(position).y);
     return highest;
   };
   EXPECT_NEAR(top(pieces[0]), 2, 1e-6);

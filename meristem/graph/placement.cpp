@@ -56,12 +56,12 @@ const ParameterTable& placement_table() {
   return table;
 }
 
-void check_placement(const Placement& placement, const Place& place, ParameterReader& reader) {
+void check_placement(const Placement& placement, const DocumentPath& path, ParameterReader& reader) {
   if (placement.density && placement.count) {
-    reader.fault(Place(place, "count"), "there is both a density and a count", "one of them");
+    reader.fault(DocumentPath(path, "count"), "there is both a density and a count", "one of them");
   }
   if (placement.start > placement.end) {
-    reader.fault(Place(place, "start"), "'start' lies behind 'end'", "start of at most end");
+    reader.fault(DocumentPath(path, "start"), "'start' lies behind 'end'", "start of at most end");
   }
 }
 
@@ -94,7 +94,7 @@ struct Piece {
   double eligible() const { return weight * length * (end - begin); }
 };
 
-struct AxisPlaces {
+struct AxisSites {
   std::vector<Piece> pieces;
   double eligible = 0;  // metres that may carry children
   float length = 0;     // of the whole axis
@@ -114,9 +114,9 @@ std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const Axes& a
 
 /// The pieces of one axis between `start` and `end` that are eligible; those of a lateral begin at its parent's bark,
 /// of which `root_bark` metres lie over the skeleton's root.
-AxisPlaces measure_axis(const Skeleton& skeleton, std::span<const NodeIndex> nodes, const Placement& placement,
-                        const std::vector<std::uint8_t>& eligible, float root_bark) {
-  AxisPlaces places;
+AxisSites measure_axis(const Skeleton& skeleton, std::span<const NodeIndex> nodes, const Placement& placement,
+                       const std::vector<std::uint8_t>& eligible, float root_bark) {
+  AxisSites places;
   places.length = axis_length(skeleton, nodes);
   const NodeIndex parent = nodes.empty() ? kNoNode : skeleton.parent[nodes.front()];
   const double bark = parent == kNoNode ? root_bark : skeleton.radius[parent];
@@ -145,14 +145,14 @@ AxisPlaces measure_axis(const Skeleton& skeleton, std::span<const NodeIndex> nod
 
 /// Shares places out over the axes: by density with the fraction drawn, so that short twigs get their due on average,
 /// or an exact count by cumulated length. Returns their number, as a double so that nothing overflows.
-double count_places(std::vector<AxisPlaces>& axes, const Placement& placement, RandomKey key) {
+double count_places(std::vector<AxisSites>& axes, const Placement& placement, RandomKey key) {
   double total = 0;
   if (placement.count) {
     double whole = 0;
-    for (const AxisPlaces& axis : axes) whole += axis.eligible;
+    for (const AxisSites& axis : axes) whole += axis.eligible;
     double before = 0;
     double given = 0;
-    for (AxisPlaces& axis : axes) {
+    for (AxisSites& axis : axes) {
       before += axis.eligible;
       const double due = whole > 0 ? std::floor(*placement.count * (before / whole) + 0.5) : 0;
       axis.places = static_cast<std::uint64_t>(due - given);
@@ -182,7 +182,7 @@ class AxisWriter {
         key_(context.parent.key.child(axis)),
         places_(context.key_of_places().child(axis)) {}
 
-  void write(const AxisPlaces& axis, Site* out) {
+  void write(const AxisSites& axis, Site* out) {
     if (axis.places == 0) return;
     const auto whorl = static_cast<std::uint64_t>(placement_.whorl);
     const double roll = placement_.roll.value_or(2 * kPi * places_.uniform(1));
@@ -225,7 +225,7 @@ class AxisWriter {
     return normalized_or(skeleton_.position[piece.to] - skeleton_.position[piece.from], kUp);
   }
 
-  void fill(Site& site, const AxisPlaces& axis, const Piece& piece, float along, Vec3 outward, Vec3 tangent) const {
+  void fill(Site& site, const AxisSites& axis, const Piece& piece, float along, Vec3 outward, Vec3 tangent) const {
     const bool lateral_base = skeleton_.axis[piece.from] != skeleton_.axis[piece.to];
     const float from_radius = lateral_base ? skeleton_.radius[piece.to] : skeleton_.radius[piece.from];
     site.radius = glm::mix(from_radius, skeleton_.radius[piece.to], along);
@@ -276,7 +276,7 @@ std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placeme
   const Axes axes(skeleton);
   const std::vector<std::uint8_t> eligible = eligible_nodes(skeleton, axes, placement, context);
   const float root_bark = context.parent.stem == kOnNoStem ? 0 : context.parent.radius;
-  std::vector<AxisPlaces> places(axes.count());
+  std::vector<AxisSites> places(axes.count());
   parallel_for(axes.count(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t a = begin; a < end; ++a) {
       places[a] = measure_axis(skeleton, axes.of(static_cast<AxisIndex>(a)), placement, eligible, root_bark);
@@ -289,7 +289,7 @@ std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placeme
                 context.path + (placement.count ? ".count" : ".density"));
   }
   std::uint64_t sites = 0;
-  for (AxisPlaces& axis : places) {
+  for (AxisSites& axis : places) {
     axis.first_site = sites;
     sites += axis.places * static_cast<std::uint64_t>(placement.whorl);
   }

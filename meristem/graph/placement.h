@@ -41,7 +41,7 @@ struct Placement {
 
 const ParameterTable& placement_table();
 /// The rule between its rows, for components that have them as their own.
-void check_placement(const Placement& placement, const Place& place, ParameterReader& reader);
+void check_placement(const Placement& placement, const DocumentPath& path, ParameterReader& reader);
 
 /// `own` with those members that `link` was given. A link that says how many there are
 /// replaces both ways of saying so, one with an angle also the angle at the tip.

@@ -53,8 +53,8 @@ Skeleton twigs(float length) {
 
 GivenRows read(const Value::Object& keys, Placement& placement) {
   ParameterReader reader({}, Limits{});
-  const Place top;
-  const GivenRows given = reader.read(placement_table(), &placement, Value(keys), Place(top, "link"));
+  const DocumentPath top;
+  const GivenRows given = reader.read(placement_table(), &placement, Value(keys), DocumentPath(top, "link"));
   EXPECT_EQ(reader.fault_count(), 0U) << reader.diagnostics()[0].text();
   return given;
 }
@@ -420,7 +420,7 @@ TEST(Placement, KeysThatContradictAreRejected) {
   const auto fault = [](const Value::Object& keys) {
     Placement result;
     ParameterReader reader({}, Limits{});
-    reader.read(placement_table(), &result, keys, Place());
+    reader.read(placement_table(), &result, keys, DocumentPath());
     return reader.fault_count() == 1 ? reader.diagnostics()[0].path : "not one fault";
   };
   EXPECT_EQ(fault({{"density", 1}, {"count", 1}}), "count");

@@ -21,14 +21,14 @@ constexpr double kLongestShoot = 1e5;  // voxels; longer ones cast no more shade
 
 }  // namespace
 
-const ShadowGrid& StandSpace::shade(const ShadowForm& form, std::uint64_t most_bytes, std::string path) {
+const ShadowGrid& StandSpace::shade(const ShadowParameters& form, std::uint64_t most_bytes, std::string path) {
   const auto found = std::ranges::find_if(grids_, [&](const Grid& felt) { return felt.grid.form() == form; });
   if (found != grids_.end()) return found->grid;
   return grids_.emplace_back(Grid{ShadowGrid(form), most_bytes, std::move(path)}).grid;
 }
 
-MarkerField& StandSpace::markers(const MarkerForm& form, RandomKey key, const Obstacles& obstacles, RoomSeeker& seeker,
-                                 std::uint64_t most_bytes, std::string path) {
+MarkerField& StandSpace::markers(const MarkerParameters& form, RandomKey key, const Obstacles& obstacles,
+                                 RoomSeeker& seeker, std::uint64_t most_bytes, std::string path) {
   auto found = std::ranges::find_if(fields_, [&](const Field& felt) { return felt.field.form() == form; });
   if (found == fields_.end()) {
     fields_.emplace_back(Field{MarkerField(form, key, obstacles), {}, most_bytes, std::move(path)});
@@ -63,9 +63,9 @@ void StandSpace::cast_shade(Grid& felt, const Progress& progress) const {
   shaders.reserve(changes_.shoots_.size());
   for (const ShootChanges::Shoot& shoot : changes_.shoots_) {
     // What is too far away for a fine grid is too far away to matter.
-    if (!felt.grid.reaches(shoot.place)) continue;
+    if (!felt.grid.reaches(shoot.position)) continue;
     const double weight = std::min(shoot.length / felt.grid.form().voxel, kLongestShoot);
-    shaders.push_back({shoot.place, shoot.is_lost ? -weight : weight});
+    shaders.push_back({shoot.position, shoot.is_lost ? -weight : weight});
   }
   progress.check();
   try {
@@ -82,11 +82,11 @@ void StandSpace::take_markers(Field& felt, const Progress& progress) const {
       if (felt.field.bytes() > felt.most_bytes)
         refuse_bytes("bytes of markers", felt.field.bytes(), felt.most_bytes, felt.path);
     }
-    if (!felt.field.reaches(changes_.shoots_[k].place)) continue;
+    if (!felt.field.reaches(changes_.shoots_[k].position)) continue;
     if (changes_.shoots_[k].is_lost) {
-      felt.field.vacate(changes_.shoots_[k].place);
+      felt.field.vacate(changes_.shoots_[k].position);
     } else {
-      felt.field.occupy(changes_.shoots_[k].place);
+      felt.field.occupy(changes_.shoots_[k].position);
     }
   }
 }

@@ -32,14 +32,14 @@ class RoomSeeker {
 class ShootChanges {
  public:
   /// A leafy shoot of `length` metres ends at a place (world space). One as long as a voxel casts one shade.
-  void grow(Vec3 place, double length) { shoots_.push_back({place, length, false}); }
+  void grow(Vec3 position, double length) { shoots_.push_back({position, length, false}); }
   /// One that was grown before is gone: light and room are as if it had never been.
-  void lose(Vec3 place, double length) { shoots_.push_back({place, length, true}); }
+  void lose(Vec3 position, double length) { shoots_.push_back({position, length, true}); }
 
  private:
   friend class StandSpace;
   struct Shoot {
-    Vec3 place{0};
+    Vec3 position{0};
     double length = 0;
     bool is_lost = false;
   };
@@ -52,16 +52,16 @@ class StandSpace : public Commons {
  public:
   /// The grid of a form, the same one for equal forms; it stays where it is. Growth throws InputError at `path`, a
   /// document path, where the grid would take more than `most_bytes`. To be called before the first round, as markers.
-  const ShadowGrid& shade(const ShadowForm& form, std::uint64_t most_bytes, std::string path);
+  const ShadowGrid& shade(const ShadowParameters& form, std::uint64_t most_bytes, std::string path);
   /// The field of a form, the same one for equal forms, in which `seeker`, which outlives the growth, looks for room.
   /// `key` is that of its markers where it is the first one; `obstacles` are the scene's.
-  MarkerField& markers(const MarkerForm& form, RandomKey key, const Obstacles& obstacles, RoomSeeker& seeker,
+  MarkerField& markers(const MarkerParameters& form, RandomKey key, const Obstacles& obstacles, RoomSeeker& seeker,
                        std::uint64_t most_bytes, std::string path);
   /// Whether anything is felt; if not, telling of shoots is lost work.
   bool is_felt() const { return !grids_.empty() || !fields_.empty(); }
 
-  void grow_shoot(Vec3 place, double length) { changes_.grow(place, length); }
-  void lose_shoot(Vec3 place, double length) { changes_.lose(place, length); }
+  void grow_shoot(Vec3 position, double length) { changes_.grow(position, length); }
+  void lose_shoot(Vec3 position, double length) { changes_.lose(position, length); }
   /// Takes note of all `changes`, and empties them.
   void take(ShootChanges& changes);
 

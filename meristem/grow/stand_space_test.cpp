@@ -62,7 +62,7 @@ RC_GTEST_PROP(StandSpace, WhatIsLostIsAsIfItHadNeverBeen, ()) {
   // Of shoots that grow in several rounds some are lost, in any order; the others stay.
   const RandomKey key(*rc::gen::arbitrary<std::uint64_t>());
   StandSpace space;
-  const ShadowForm form{.voxel = 1, .amount = 0.3, .base = 1.7, .depth = 5};
+  const ShadowParameters form{.voxel = 1, .amount = 0.3, .base = 1.7, .depth = 5};
   const ShadowGrid& grid = space.shade(form, kMuch, "a");
   ShadowGrid wanted(form);
   const auto length = [&](std::uint64_t k) { return key.child("length").uniform(k, 0.01, 3); };
@@ -76,8 +76,8 @@ RC_GTEST_PROP(StandSpace, WhatIsLostIsAsIfItHadNeverBeen, ()) {
   }
   next_round(space);
   for (std::uint64_t k = 0; k < 3000; ++k) {
-    const Vec3 place = 1.7F * place_of(key.child("asked"), k);
-    RC_ASSERT(grid.shade(place) == wanted.shade(place));
+    const Vec3 position = 1.7F * place_of(key.child("asked"), k);
+    RC_ASSERT(grid.shade(position) == wanted.shade(position));
   }
   for (std::uint64_t k = 0; k < 60; k += 3) space.lose_shoot(place_of(key, k), length(k));
   next_round(space);

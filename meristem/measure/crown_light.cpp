@@ -15,7 +15,7 @@
 
 #include "meristem/base/parallel.h"
 #include "meristem/measure/convex_hull.h"
-#include "meristem/measure/surface_places.h"
+#include "meristem/measure/surface_points.h"
 
 namespace meristem {
 namespace {
@@ -24,7 +24,7 @@ constexpr std::size_t kRaysPerBlock = 2048;
 
 /// The share of some places' area from which a far light is seen. Each of the sun's positions has its own `turn`, so
 /// that those with few rays do not use the same places.
-double unshaded_share(const SurfacePlaces& places, Vec3 toward, const Obstacles& obstacles, std::uint64_t rays,
+double unshaded_share(const SurfacePoints& places, Vec3 toward, const Obstacles& obstacles, std::uint64_t rays,
                       std::size_t turn, const Progress* progress) {
   const double first = fraction(0.5 + static_cast<double>(turn) * kSquareSteps[0]);
   const double start = fraction(static_cast<double>(turn) * kSquareSteps[1]);
@@ -34,8 +34,8 @@ double unshaded_share(const SurfacePlaces& places, Vec3 toward, const Obstacles&
     for (std::size_t k = begin; k < end; ++k) {
       const double along = (static_cast<double>(k) + first) / static_cast<double>(rays);
       const double across = fraction(start + static_cast<double>(k) * kGoldenStep);
-      const Vec3 place = places.position(places.at(along, across));
-      const bool is_shaded = obstacles.block(place, toward, std::numeric_limits<double>::infinity());
+      const Vec3 position = places.position(places.at(along, across));
+      const bool is_shaded = obstacles.block(position, toward, std::numeric_limits<double>::infinity());
       if (!is_shaded) ++unshaded[begin / kRaysPerBlock];
     }
   });
@@ -55,7 +55,7 @@ CrownLight measure_crown_light(const Mesh& hull, const Scene& scene, std::uint64
   parallel_for(sun.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       if (progress != nullptr) progress->check();
-      const SurfacePlaces facing(hull, DVec3(sun[k].toward));
+      const SurfacePoints facing(hull, DVec3(sun[k].toward));
       double share = facing.area() / area;
       if (share > 0 && !scene.obstacles.empty()) {
         share *= unshaded_share(facing, sun[k].toward, scene.obstacles, rays_each, k, progress);

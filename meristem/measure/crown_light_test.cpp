@@ -9,7 +9,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
 #include "meristem/measure/convex_hull.h"
-#include "meristem/measure/surface_places.h"
+#include "meristem/measure/surface_points.h"
 #include "meristem/measure/tree_form.h"
 #include "tests/support/evaluation_trees.h"
 
@@ -60,12 +60,12 @@ double lit_share_by_counting(const Mesh& hull, Vec3 toward, const Scene& scene, 
   std::vector<Obstacle> bodies = scene.obstacles.bodies();
   bodies.push_back(self);
   const Obstacles obstacles(bodies);
-  const SurfacePlaces places(hull);
+  const SurfacePoints places(hull);
   const RandomKey key(11);
   std::uint64_t lit = 0;
   for (std::uint64_t k = 0; k < rays; ++k) {
-    const Vec3 place = places.position(places.at(key.uniform(k), key.uniform(k, 1)));
-    lit += obstacles.first_hit(place + 1e-4F * toward, toward, std::numeric_limits<double>::infinity()) ? 0 : 1;
+    const Vec3 point = places.position(places.at(key.uniform(k), key.uniform(k, 1)));
+    lit += obstacles.first_hit(point + 1e-4F * toward, toward, std::numeric_limits<double>::infinity()) ? 0 : 1;
   }
   return static_cast<double>(lit) / static_cast<double>(rays);
 }

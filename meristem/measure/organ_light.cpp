@@ -13,7 +13,7 @@
 
 #include "meristem/base/parallel.h"
 #include "meristem/measure/foliage.h"
-#include "meristem/measure/surface_places.h"
+#include "meristem/measure/surface_points.h"
 #include "meristem/shape/ray_scene.h"
 #include "meristem/shape/texture/alpha_mask.h"
 
@@ -26,7 +26,7 @@ constexpr int kMostPlaces = 64;
 constexpr int kTrials = 16;  // for a place that is not in a hole
 constexpr std::size_t kRaysPerBlock = 4096;
 
-using Place = SurfacePlaces::Place;
+using Point = SurfacePoints::Point;
 
 /// The surface that the organs of a prototype share.
 class OrganSurface {
@@ -36,18 +36,18 @@ class OrganSurface {
   bool is_empty() const { return !(places_.area() > 0); }
 
   /// The place at `along` and `across`, or one after it that is not in a hole.
-  Place solid_place(double along, double across) const {
-    Place place = places_.at(along, across);
+  Point solid_place(double along, double across) const {
+    Point place = places_.at(along, across);
     for (int trial = 1; trial < kTrials && is_hole(place); ++trial) {
       place = places_.at(fraction(along + trial * kSquareSteps[0]), fraction(across + trial * kSquareSteps[1]));
     }
     return place;
   }
 
-  Vec3 position(const Place& place) const { return places_.position(place); }
+  Vec3 position(const Point& place) const { return places_.position(place); }
 
   /// The normal of a place's triangle under a frame; (0, 0, 0) where it is flattened to a line.
-  Vec3 face_normal(const Place& place, const Frame& frame) const {
+  Vec3 face_normal(const Point& place, const Frame& frame) const {
     const auto [a, b, c] = mesh_.triangles[place.triangle];
     const Vec3 to_b = frame.vector(mesh_.positions[b] - mesh_.positions[a]);
     const Vec3 to_c = frame.vector(mesh_.positions[c] - mesh_.positions[a]);
@@ -55,7 +55,7 @@ class OrganSurface {
   }
 
  private:
-  bool is_hole(const Place& place) const {
+  bool is_hole(const Point& place) const {
     if (mask_ == nullptr) return false;
     const auto [a, b, c] = mesh_.triangles[place.triangle];
     return mask_->is_hole(place.weights.x * mesh_.uvs[a] + place.weights.y * mesh_.uvs[b] +
@@ -63,7 +63,7 @@ class OrganSurface {
   }
 
   const Mesh& mesh_;
-  SurfacePlaces places_;
+  SurfacePoints places_;
   const AlphaMask* mask_;  // null: no holes
 };
 
@@ -133,7 +133,7 @@ LightSum light_on(const Organ& organ, const OrganSurface& surface, int places, s
   const double start = fraction(static_cast<double>(index) * kSquareSteps[1]);
   for (int k = 0; k < places; ++k) {
     progress.check();
-    const Place place = surface.solid_place((k + first) / places, fraction(start + k * kGoldenStep));
+    const Point place = surface.solid_place((k + first) / places, fraction(start + k * kGoldenStep));
     const Vec3 normal = surface.face_normal(place, organ.frame);
     if (normal != Vec3(0)) shade.add_place(organ.frame.point(surface.position(place)), normal, sum);
   }

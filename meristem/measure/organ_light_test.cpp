@@ -9,7 +9,7 @@
 
 #include "meristem/base/parallel.h"
 #include "meristem/base/random.h"
-#include "meristem/measure/surface_places.h"
+#include "meristem/measure/surface_points.h"
 #include "meristem/shape/ray_scene.h"
 #include "meristem/shape/solid/primitives.h"
 #include "tests/support/sample_scenes.h"
@@ -200,18 +200,18 @@ TEST(OrganLight, AgreesWithRaysThatAreTestedOtherwise) {
   for (const Vec3 position : all.positions) leaves.mesh.positions.emplace_back(position);
   leaves.mesh.triangles = all.triangles;
   const Obstacles obstacles({leaves});
-  const SurfacePlaces places(all);
+  const SurfacePoints places(all);
   const RandomKey key(8);
   double sent = 0;
   double arrived = 0;
   constexpr std::uint64_t kPlaces = 20'000;
   for (std::uint64_t k = 0; k < kPlaces; ++k) {
-    const Vec3 place = places.position(places.at(key.uniform(k), key.uniform(k, 1)));
+    const Vec3 point = places.position(places.at(key.uniform(k), key.uniform(k, 1)));
     double sent_here = 0;
     double arrived_here = 0;
-    scene.light.for_each_ray(place, [&](const LightRay& ray) {
+    scene.light.for_each_ray(point, [&](const LightRay& ray) {
       sent_here += ray.strength;
-      const Vec3 start = place + 1e-3F * ray.toward;
+      const Vec3 start = point + 1e-3F * ray.toward;
       if (!obstacles.first_hit(start, ray.toward, ray.distance - 1e-3)) arrived_here += ray.strength;
     });
     arrived += arrived_here / sent_here;
@@ -239,8 +239,8 @@ TEST(OrganLight, WhatLeavesTakeUpIsMissingOnTheGround) {
   constexpr float kStep = 5.0F / kSide;
   int shaded = 0;
   for (int k = 0; k < kSide * kSide; ++k) {
-    const Vec3 place(kStep * (k % kSide + 0.5F) - 2.5F, 0, kStep * (k / kSide + 0.5F) - 2.5F);
-    shaded += rays.is_blocked({plane.point(place), light}) ? 1 : 0;
+    const Vec3 point(kStep * (k % kSide + 0.5F) - 2.5F, 0, kStep * (k / kSide + 0.5F) - 2.5F);
+    shaded += rays.is_blocked({plane.point(point), light}) ? 1 : 0;
   }
   EXPECT_NEAR(leaves.area * leaves.irradiance, double{kStep} * kStep * shaded, 0.02 * kStep * kStep * shaded);
 }

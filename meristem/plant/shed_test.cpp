@@ -41,7 +41,7 @@ TEST(ShedBranches, TakesABranchWithAllThatGrowsOnIt) {
   const Skeleton kept = shed_branches(tree, marks(tree, 4));
   ASSERT_TRUE(check_skeleton(kept));
   EXPECT_EQ(kept.node_count(), tree.node_count() - 3);
-  for (const Vec3 place : kept.position) EXPECT_LT(place.x, 0.9F);
+  for (const Vec3 position : kept.position) EXPECT_LT(position.x, 0.9F);
   EXPECT_EQ(kept.extra.at("shed")[1], 2);
 }
 

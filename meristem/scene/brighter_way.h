@@ -12,6 +12,6 @@ namespace meristem {
 ///
 /// Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund
 /// 2020, equations 4.19 to 4.22, as the published figures bear them out.
-DVec3 brighter_way(const Scene& scene, Vec3 place, double sunlit_weight);
+DVec3 brighter_way(const Scene& scene, Vec3 position, double sunlit_weight);
 
 }  // namespace meristem

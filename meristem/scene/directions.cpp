@@ -5,9 +5,9 @@
 
 namespace meristem {
 
-std::uint64_t Directions::key_at(Vec3 place) const {
+std::uint64_t Directions::key_at(Vec3 position) const {
   Fingerprint key;
-  for (const Vec3 direction : {toward_light(place), down(place)})
+  for (const Vec3 direction : {toward_light(position), down(position)})
     key.add(direction.x).add(direction.y).add(direction.z);
   return key.hash();
 }

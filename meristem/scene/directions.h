@@ -19,7 +19,7 @@ class Directions {
   Vec3 toward_light(Vec3) const { return toward_light_; }  ///< unit vector
   Vec3 down(Vec3) const { return down_; }                  ///< unit vector, the way gravity pulls
   /// Equal for places about which both are the same.
-  std::uint64_t key_at(Vec3 place) const;
+  std::uint64_t key_at(Vec3 position) const;
 
  private:
   Vec3 toward_light_ = kUp;

@@ -200,9 +200,9 @@ RayScene::RayScene(const MeshScene& scene, Progress& progress, std::uint64_t cop
 
 RayScene::~RayScene() = default;
 
-float RayScene::clearance(Vec3 place) {
+float RayScene::clearance(Vec3 position) {
   // Floats know a place 10 m away to a micrometre.
-  return 2e-5F * (0.1F + std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)}));
+  return 2e-5F * (0.1F + std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)}));
 }
 
 std::optional<RayHit> RayScene::first_hit(const Ray& ray) const {
@@ -286,15 +286,15 @@ SurfacePoint RayScene::surface_point(const RayHit& hit) const {
   return point;
 }
 
-TexturePlace RayScene::texture_place(const RayHit& hit) const {
-  TexturePlace place;
+TextureMapping RayScene::texture_mapping(const RayHit& hit) const {
+  TextureMapping position;
   const MeshInstances& part = scene_.meshes[hit.part];
   const Mesh& mesh = *part.mesh;
-  if (mesh.uvs.empty()) return place;
+  if (mesh.uvs.empty()) return position;
   const Frame& frame = part.frames[hit.instance];
   const auto& triangle = mesh.triangles[hit.triangle];
   const Vec3 weights = vertex_weights(hit.barycentric);
-  place.uv = uv_at(mesh, triangle, weights);
+  position.uv = uv_at(mesh, triangle, weights);
 
   // How wide the texture is drawn: the triangle's area on it, over that in the world.
   const Vec3 to_b = frame.vector(mesh.positions[triangle[1]] - mesh.positions[triangle[0]]);
@@ -303,7 +303,7 @@ TexturePlace RayScene::texture_place(const RayHit& hit) const {
   const Vec2 uv_to_c = mesh.uvs[triangle[2]] - mesh.uvs[triangle[0]];
   const float area = glm::length(glm::cross(to_b, to_c));
   const float uv_area = uv_to_b.x * uv_to_c.y - uv_to_b.y * uv_to_c.x;
-  if (area > 0) place.uvs_per_metre = std::sqrt(std::abs(uv_area) / area);
+  if (area > 0) position.uvs_per_metre = std::sqrt(std::abs(uv_area) / area);
 
   // Where u and v rise: by the mesh's tangents, else by the triangle's own uvs.
   if (!mesh.tangents.empty() && !mesh.normals.empty()) {
@@ -314,14 +314,14 @@ TexturePlace RayScene::texture_place(const RayHit& hit) const {
       normal += weights[k] * mesh.normals[triangle[k]];
     }
     const float handedness = tangent.w < 0 ? -1.0F : 1.0F;
-    place.along_u = normalized_or(frame.vector(Vec3(tangent)), Vec3(0));
-    place.along_v = normalized_or(frame.vector(handedness * glm::cross(normal, Vec3(tangent))), Vec3(0));
+    position.along_u = normalized_or(frame.vector(Vec3(tangent)), Vec3(0));
+    position.along_v = normalized_or(frame.vector(handedness * glm::cross(normal, Vec3(tangent))), Vec3(0));
   } else if (uv_area != 0) {
     const float sign = uv_area < 0 ? -1.0F : 1.0F;
-    place.along_u = normalized_or(sign * (uv_to_c.y * to_b - uv_to_b.y * to_c), Vec3(0));
-    place.along_v = normalized_or(sign * (uv_to_b.x * to_c - uv_to_c.x * to_b), Vec3(0));
+    position.along_u = normalized_or(sign * (uv_to_c.y * to_b - uv_to_b.y * to_c), Vec3(0));
+    position.along_v = normalized_or(sign * (uv_to_b.x * to_c - uv_to_c.x * to_b), Vec3(0));
   }
-  return place;
+  return position;
 }
 
 }  // namespace meristem

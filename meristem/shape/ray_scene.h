@@ -40,7 +40,7 @@ struct SurfacePoint {
 };
 
 /// How a texture lies on the surface there, in world space.
-struct TexturePlace {
+struct TextureMapping {
   Vec2 uv{0};
   Vec3 along_u{0};          ///< unit where the mesh has tangents or its uvs spread, else 0
   Vec3 along_v{0};          ///< the same
@@ -62,9 +62,9 @@ class RayScene {
   /// Whether any surface lies on the ray, `within` metres.
   bool is_blocked(const Ray& ray, float within = std::numeric_limits<float>::infinity()) const;
   /// How far off a surface at a position a ray has to start not to meet it again, metres.
-  static float clearance(Vec3 place);
+  static float clearance(Vec3 point);
   SurfacePoint surface_point(const RayHit& hit) const;
-  TexturePlace texture_place(const RayHit& hit) const;
+  TextureMapping texture_mapping(const RayHit& hit) const;
   /// Linear factors on the colour of the instance that was hit.
   Vec3 tint(const RayHit& hit) const { return scene_.meshes[hit.part].tint(hit.instance); }
 

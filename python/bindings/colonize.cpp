@@ -23,7 +23,8 @@ const std::string kComponent = "components.tree";
 
 Value places_value(const std::vector<Vec3>& places) {
   Value::List list;
-  for (const Vec3 place : places) list.emplace_back(Value::List{double{place.x}, double{place.y}, double{place.z}});
+  for (const Vec3 position : places)
+    list.emplace_back(Value::List{double{position.x}, double{position.y}, double{position.z}});
   return list;
 }
 

@@ -52,7 +52,7 @@ MeshPointer make_mesh(const py::object& positions, const py::object& triangles) 
 Surface surface_of(const py::dict& values) {
   Surface surface;
   ParameterReader reader({}, Limits());
-  reader.read(surface_table(), &surface, to_value(values), Place());
+  reader.read(surface_table(), &surface, to_value(values), DocumentPath());
   if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
   return surface;
 }

@@ -179,10 +179,10 @@ py::tuple first_hit(const ScenePointer& scene, const py::object& origins, const 
   return py::make_tuple(array_of(std::move(distances)), array_of(std::move(obstacles)));
 }
 
-double arriving_light(const Scene& scene, Vec3 place) {
+double arriving_light(const Scene& scene, Vec3 point) {
   double sum = 0;
-  scene.light.for_each_ray(place, [&](const LightRay& ray) {
-    if (!scene.obstacles.block(place, ray.toward, ray.distance)) sum += ray.strength;
+  scene.light.for_each_ray(point, [&](const LightRay& ray) {
+    if (!scene.obstacles.block(point, ray.toward, ray.distance)) sum += ray.strength;
   });
   return sum;
 }

@@ -25,73 +25,73 @@ std::optional<std::string> text_of(const py::handle& text) {
 
 std::string type_name(const py::handle& object) { return py::str(py::type::handle_of(object).attr("__name__")); }
 
-[[noreturn]] void refuse(const Place& place, std::string message, std::string expected) {
-  throw InputError(Diagnostic{.message = std::move(message), .expected = std::move(expected), .path = place.text()});
+[[noreturn]] void refuse(const DocumentPath& path, std::string message, std::string expected) {
+  throw InputError(Diagnostic{.message = std::move(message), .expected = std::move(expected), .path = path.text()});
 }
 
-std::string text_at(const py::handle& object, const Place& place) {
+std::string text_at(const py::handle& object, const DocumentPath& path) {
   std::optional<std::string> text = text_of(object);
-  if (!text) refuse(place, "a text has half a character (a lone surrogate)", "text that is UTF-8");
+  if (!text) refuse(path, "a text has half a character (a lone surrogate)", "text that is UTF-8");
   return *std::move(text);
 }
 
 class ValueReader {
  public:
   // Nesting is bounded, so recursion over it is safe, also for a list that holds itself.
-  Value read(const py::handle& object, const Place& place, std::uint64_t depth) {
+  Value read(const py::handle& object, const DocumentPath& path, std::uint64_t depth) {
     if (depth > Limits().nesting) {
-      refuse(place, "lists and objects are nested too deeply", fmt::format("at most {} levels", Limits().nesting));
+      refuse(path, "lists and objects are nested too deeply", fmt::format("at most {} levels", Limits().nesting));
     }
     if (object.is_none()) return {};
     if (py::isinstance<py::bool_>(object)) return object.cast<bool>();
-    if (py::isinstance<py::str>(object)) return text_at(object, place);
-    if (PyMapping_Check(object.ptr()) != 0 && py::hasattr(object, "items")) return read_members(object, place, depth);
-    if (py::isinstance<py::list>(object) || py::isinstance<py::tuple>(object)) return read_items(object, place, depth);
+    if (py::isinstance<py::str>(object)) return text_at(object, path);
+    if (PyMapping_Check(object.ptr()) != 0 && py::hasattr(object, "items")) return read_members(object, path, depth);
+    if (py::isinstance<py::list>(object) || py::isinstance<py::tuple>(object)) return read_items(object, path, depth);
     // numpy's arrays become lists of Python's own numbers, its scalars one of them.
     if (py::hasattr(object, "tolist")) {
       const py::object list = object.attr("tolist")();
-      if (!py::type::handle_of(list).is(py::type::handle_of(object))) return read(list, place, depth + 1);
+      if (!py::type::handle_of(list).is(py::type::handle_of(object))) return read(list, path, depth + 1);
     }
-    return read_number(object, place);
+    return read_number(object, path);
   }
 
  private:
-  Value read_members(const py::handle& object, const Place& place, std::uint64_t depth) {
+  Value read_members(const py::handle& object, const DocumentPath& path, std::uint64_t depth) {
     Value::Object members;
     for (const py::handle item : py::list(object.attr("items")())) {
       const auto pair = item.cast<py::tuple>();
-      if (pair.size() != 2) refuse(place, "an item of a mapping is not a pair", "a key and a value");
+      if (pair.size() != 2) refuse(path, "an item of a mapping is not a pair", "a key and a value");
       if (!py::isinstance<py::str>(pair[0])) {
-        refuse(place, fmt::format("a key is of type {}", type_name(pair[0])), "texts as keys");
+        refuse(path, fmt::format("a key is of type {}", type_name(pair[0])), "texts as keys");
       }
-      const std::string name = text_at(pair[0], place);
-      members.emplace_back(name, read(pair[1], Place(place, name), depth + 1));
+      const std::string name = text_at(pair[0], path);
+      members.emplace_back(name, read(pair[1], DocumentPath(path, name), depth + 1));
     }
     return members;
   }
 
-  Value read_items(const py::handle& object, const Place& place, std::uint64_t depth) {
+  Value read_items(const py::handle& object, const DocumentPath& path, std::uint64_t depth) {
     Value::List list;
     std::size_t index = 0;
-    for (const py::handle item : object) list.push_back(read(item, Place(place, index++), depth + 1));
+    for (const py::handle item : object) list.push_back(read(item, DocumentPath(path, index++), depth + 1));
     return list;
   }
 
-  static Value read_number(const py::handle& object, const Place& place) {
+  static Value read_number(const py::handle& object, const DocumentPath& path) {
     const bool is_whole = PyIndex_Check(object.ptr()) != 0;
     if (!is_whole && !py::isinstance<py::float_>(object) && !py::hasattr(object, "__float__")) {
-      refuse(place, fmt::format("a value is of type {}", type_name(object)),
+      refuse(path, fmt::format("a value is of type {}", type_name(object)),
              "a dict, list, tuple, array, text, number, bool or None");
     }
     const double number = PyFloat_AsDouble(object.ptr());
     if (PyErr_Occurred() != nullptr) {
       if (PyErr_ExceptionMatches(PyExc_OverflowError) == 0) throw py::error_already_set();
       PyErr_Clear();
-      refuse(place, "a number is too large", "one that a double holds");
+      refuse(path, "a number is too large", "one that a double holds");
     }
-    if (!std::isfinite(number)) refuse(place, fmt::format("a number is {}", number), "a finite number");
+    if (!std::isfinite(number)) refuse(path, fmt::format("a number is {}", number), "a finite number");
     if (is_whole && (std::abs(number) > kLargestWhole || !py::float_(number).equal(object))) {
-      refuse(place, fmt::format("the whole number {} is too large", std::string(py::str(object))),
+      refuse(path, fmt::format("the whole number {} is too large", std::string(py::str(object))),
              "one from -2^53 to 2^53");
     }
     return number;
@@ -121,7 +121,7 @@ py::object to_python(const Value& value) {
   return py::none();
 }
 
-Value to_value(const py::handle& object) { return ValueReader().read(object, Place(), 0); }
+Value to_value(const py::handle& object) { return ValueReader().read(object, DocumentPath(), 0); }
 
 std::string path_of(const py::object& path) {
   const auto bytes = py::module_::import("os").attr("fsencode")(path).cast<std::string>();

@@ -16,8 +16,8 @@ namespace {
 
 using namespace meristem;
 
-void require_letters_of(const Grammar& grammar, const std::vector<ModuleForm>& modules) {
-  for (const ModuleForm& module : modules) {
+void require_letters_of(const Grammar& grammar, const std::vector<ModuleTemplate>& modules) {
+  for (const ModuleTemplate& module : modules) {
     require(module.letter < grammar.alphabet.size());
     require(module.parameters.size() == grammar.alphabet[module.letter].arity);
   }
@@ -40,7 +40,7 @@ void require_sound_rules(const Grammar& grammar, const RuleSet& set) {
 
 Word axiom_of(const Grammar& grammar) {
   Word word;
-  for (const ModuleForm& module : grammar.axiom) {
+  for (const ModuleTemplate& module : grammar.axiom) {
     word.letters.push_back(module.letter);
     for (const Expression& parameter : module.parameters) word.parameters.push_back(parameter.evaluate());
   }
@@ -66,7 +66,7 @@ void derive_and_draw(const Grammar& grammar) {
     for (const TurtlePolygon& polygon : drawing.polygons) {
       require(polygon.first + polygon.count <= drawing.corners.size());
     }
-    for (const TurtlePlace& place : drawing.places) require(place.letter < grammar.alphabet.size());
+    for (const TurtleSite& place : drawing.places) require(place.letter < grammar.alphabet.size());
   }
 }
 

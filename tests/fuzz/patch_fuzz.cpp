@@ -34,7 +34,7 @@ std::string chosen_path(const Value& root, std::uint8_t way) {
   return path;
 }
 
-Patch edit(const PlacedTree& tree, std::uint8_t kind, const std::string& path, const Value& value) {
+Patch edit(const LocatedTree& tree, std::uint8_t kind, const std::string& path, const Value& value) {
   switch (kind % 8) {
     case 0:
       return set_value(tree, path, value);
@@ -66,7 +66,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Patch patch;
   try {
     const Value value = parse_json(all.substr(0, line));
-    const PlacedTree tree(text);
+    const LocatedTree tree(text);
     patch = edit(tree, data[0], chosen_path(*tree.root().value, data[1]), value);
   } catch (const InputError& error) {
     require(!error.diagnostics().empty() && !error.diagnostics()[0].message.empty());

@@ -40,7 +40,7 @@ std::vector<std::string> files_of(const std::string& row) {
 double number_of(const Value& value) { return value.number() != nullptr ? *value.number() : 0; }
 
 std::vector<double> other_numbers(const Parameter& row, double present) {
-  const NumberForm& form = row.form;
+  const NumberRange& form = row.form;
   const double low = std::max(form.min, -1e3);
   const double high = std::min(form.max, 1e3);
   std::vector<double> numbers = {

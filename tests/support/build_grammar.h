@@ -93,8 +93,8 @@ class GrammarBuilder {
     return grammar_.alphabet.add(module.symbol, static_cast<std::uint16_t>(module.parameters.size()));
   }
 
-  std::vector<ModuleForm> forms(std::string_view text, const std::vector<std::string>& variables) {
-    std::vector<ModuleForm> result;
+  std::vector<ModuleTemplate> forms(std::string_view text, const std::vector<std::string>& variables) {
+    std::vector<ModuleTemplate> result;
     for (const ModuleText& module : split_modules(text)) {
       result.push_back({letter(module), {}});
       for (const std::string& parameter : module.parameters) {

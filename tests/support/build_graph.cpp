@@ -75,10 +75,10 @@ GraphBuilder& GraphBuilder::component(const std::string& id, const std::string& 
   if (prototype.type == nullptr) throw std::invalid_argument("no component type " + type);
   prototype.parameters = prototype.type->make_parameters();
   ParameterReader reader(variables_, graph_.limits);
-  const Place top;
-  const Place components(top, "components");
-  prototype.varyings =
-      reader.read_varying(prototype.type->parameters, prototype.parameters.get(), parameters, Place(components, id));
+  const DocumentPath top;
+  const DocumentPath components(top, "components");
+  prototype.varyings = reader.read_varying(prototype.type->parameters, prototype.parameters.get(), parameters,
+                                           DocumentPath(components, id));
   if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());
   Value::Object described = parameters;
   described.emplace_back("type", type);
@@ -96,10 +96,10 @@ GraphBuilder& GraphBuilder::link(std::string_view from, std::string_view to, Lin
                                  const Value::Object& placement) {
   Link link{.from = index_of(from), .to = index_of(to), .kind = ChildLink()};
   ParameterReader reader(variables_, graph_.limits);
-  const Place top;
-  const Place links(top, "links");
+  const DocumentPath top;
+  const DocumentPath links(top, "links");
   BranchLink branch;
-  branch.given = reader.read(placement_table(), &branch.placement, placement, Place(links, graph_.links.size()));
+  branch.given = reader.read(placement_table(), &branch.placement, placement, DocumentPath(links, graph_.links.size()));
   if (kind == LinkKind::branch) link.kind = std::move(branch);
   if (kind == LinkKind::leaf) link.kind = LeafLink();
   if (reader.fault_count() > 0) throw InputError(reader.take_diagnostics());

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "meristem/base/random.h"
-#include "meristem/grow/colonize/child_places.h"
+#include "meristem/grow/colonize/child_positions.h"
 #include "meristem/grow/colonize/colonize.h"
 #include "meristem/grow/colonize/growth_direction.h"
 
@@ -36,7 +36,7 @@ Skeleton grow_plainly(const std::vector<Vec3>& cloud, const ColonizeParameters& 
   const auto influence = static_cast<float>(parameters.influence);
   const auto kill = static_cast<float>(parameters.kill);
   Skeleton tree;
-  ChildPlaces places(parameters.step);
+  ChildPositions places(parameters.step);
   std::vector<int> turns;
   const auto add_node = [&](NodeIndex parent, Vec3 position, int birth) {
     tree.add_node(parent, position, static_cast<float>(birth));
@@ -84,20 +84,20 @@ Skeleton grow_plainly(const std::vector<Vec3>& cloud, const ColonizeParameters& 
                       static_cast<double>(sums[node].z) / kUnit);
       const DVec3 from(tree.position[node]);
       const std::optional<DVec3> direction = growth_direction(sum, parameters.bias);
-      Vec3 place(0);
+      Vec3 point(0);
       bool is_placed = false;
       if (direction) {
-        place = Vec3(from + parameters.step * *direction);
-        is_placed = places.is_free(tree, node, place);
+        point = Vec3(from + parameters.step * *direction);
+        is_placed = places.is_free(tree, node, point);
       }
       if (!is_placed && turns[node] < kMostTurns) {
         const int turn = ++turns[node];
         const DVec3 random(key.child(node).direction(static_cast<std::uint64_t>(turn)));
         const DVec3 turned = direction.value_or(DVec3(0)) + 1.0 * turn * random;
-        place = Vec3(from + parameters.step / std::sqrt(glm::dot(turned, turned)) * turned);
-        is_placed = places.is_free(tree, node, place);
+        point = Vec3(from + parameters.step / std::sqrt(glm::dot(turned, turned)) * turned);
+        is_placed = places.is_free(tree, node, point);
       }
-      if (is_placed) add_node(node, place, step);
+      if (is_placed) add_node(node, point, step);
     }
     if (!any || tree.node_count() == first_new) break;
   }

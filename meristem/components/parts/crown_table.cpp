@@ -20,9 +20,9 @@ namespace meristem {
 
 namespace {
 
-constexpr NumberForm kCoordinate{.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-10, 10}};
-constexpr NumberForm kProfile{.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {0, 20}};
-constexpr NumberForm kLength{.unit = Unit::metre, .min = 0, .max = 1e5, .usual = {0.1, 20}, .above_min = true};
+constexpr NumberRange kCoordinate{.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-10, 10}};
+constexpr NumberRange kProfile{.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {0, 20}};
+constexpr NumberRange kLength{.unit = Unit::metre, .min = 0, .max = 1e5, .usual = {0.1, 20}, .above_min = true};
 constexpr std::size_t kMostShares = 100;
 constexpr double kFarthestPoint = 1e7;  // metres along an axis, as far as the coordinates of countries go
 
@@ -34,19 +34,19 @@ std::optional<double> azimuth_of(const std::string& key) {
   return is_whole && std::isfinite(azimuth) ? std::optional(azimuth) : std::nullopt;
 }
 
-bool check_profile(const std::vector<Vec2>& profile, const Place& place, ParameterReader& reader) {
+bool check_profile(const std::vector<Vec2>& profile, const DocumentPath& path, ParameterReader& reader) {
   if (profile.size() < 2) {
-    reader.fault(place, "the profile has fewer than two points", "pairs [radius, height] with rising heights");
+    reader.fault(path, "the profile has fewer than two points", "pairs [radius, height] with rising heights");
     return false;
   }
   for (std::size_t k = 0; k < profile.size(); ++k) {
     if (profile[k].x < 0) {
-      reader.fault(Place(place, k), fmt::format("the radius {:.7g} is negative", profile[k].x),
+      reader.fault(DocumentPath(path, k), fmt::format("the radius {:.7g} is negative", profile[k].x),
                    "a radius of at least 0");
       return false;
     }
     if (k > 0 && !(profile[k - 1].y < profile[k].y)) {
-      reader.fault(Place(place, k), fmt::format("the height {:.7g} does not rise", profile[k].y),
+      reader.fault(DocumentPath(path, k), fmt::format("the height {:.7g} does not rise", profile[k].y),
                    fmt::format("a height above {:.7g}", profile[k - 1].y));
       return false;
     }
@@ -54,10 +54,10 @@ bool check_profile(const std::vector<Vec2>& profile, const Place& place, Paramet
   return true;
 }
 
-bool check_profiles(const CrownForm& crown, const Place& place, ParameterReader& reader) {
+bool check_profiles(const CrownParameters& crown, const DocumentPath& path, ParameterReader& reader) {
   std::vector<std::pair<double, std::string>> seen;
   for (const auto& [key, side] : crown.profiles) {
-    const Place at(place, key);
+    const DocumentPath at(path, key);
     const std::optional<double> azimuth = azimuth_of(key);
     if (!azimuth) {
       reader.fault_name(at, fmt::format("'{}' is not an azimuth", key), "degrees from north over east, such as \"90\"",
@@ -70,7 +70,7 @@ bool check_profiles(const CrownForm& crown, const Place& place, ParameterReader&
   std::sort(seen.begin(), seen.end());
   for (std::size_t k = 1; k < seen.size(); ++k) {
     if (seen[k].first > seen[k - 1].first) continue;
-    reader.fault_name(Place(place, seen[k].second),
+    reader.fault_name(DocumentPath(path, seen[k].second),
                       fmt::format("'{}' is the same azimuth as '{}'", seen[k].second, seen[k - 1].second),
                       "a profile for each azimuth once", "");
     return false;
@@ -78,47 +78,45 @@ bool check_profiles(const CrownForm& crown, const Place& place, ParameterReader&
   return true;
 }
 
-bool check_box(const Box& box, const Place& place, ParameterReader& reader) {
+bool check_box(const Box& box, const DocumentPath& path, ParameterReader& reader) {
   constexpr const char* kAxes = "xyz";
   for (int k = 0; k < 3; ++k) {
     if (box.low[k] < box.high[k]) continue;
     reader.fault(
-        place,
-        fmt::format("the box ends in {} at {:.7g}, where it begins at {:.7g}", kAxes[k], box.high[k], box.low[k]),
+        path, fmt::format("the box ends in {} at {:.7g}, where it begins at {:.7g}", kAxes[k], box.high[k], box.low[k]),
         "the lower corner first, and some size along each axis");
     return false;
   }
   return true;
 }
 
-void check_crown(const CrownForm& crown, const Place& place, ParameterReader& reader) {
-  if (!crown.profile.empty() && !check_profile(crown.profile, Place(place, "profile"), reader)) return;
-  if (!check_profiles(crown, Place(place, "profiles"), reader)) return;
-  if (crown.box && !check_box(*crown.box, Place(place, "box"), reader)) return;
+void check_crown(const CrownParameters& crown, const DocumentPath& path, ParameterReader& reader) {
+  if (!crown.profile.empty() && !check_profile(crown.profile, DocumentPath(path, "profile"), reader)) return;
+  if (!check_profiles(crown, DocumentPath(path, "profiles"), reader)) return;
+  if (crown.box && !check_box(*crown.box, DocumentPath(path, "box"), reader)) return;
   const CrownPointer built = build_crown(crown);
   if (built == nullptr) {
-    return reader.fault(place, "the crown is empty: its list has no parts",
-                        "at least one profile or crown in its list");
+    return reader.fault(path, "the crown is empty: its list has no parts", "at least one profile or crown in its list");
   }
   const auto is_zero = [](Vec2 point) { return point.x == 0; };
   if (!crown.profile.empty() && std::all_of(crown.profile.begin(), crown.profile.end(), is_zero)) {
-    return reader.fault(Place(place, "profile"), "the crown is empty: all its radii are 0",
+    return reader.fault(DocumentPath(path, "profile"), "the crown is empty: all its radii are 0",
                         "a radius above 0 somewhere");
   }
   if (!is_fillable(*built)) {
-    reader.fault(place, "the crown is empty, or nearly",
+    reader.fault(path, "the crown is empty, or nearly",
                  "a crown that fills at least a thousandth of the box around it");
   }
 }
 
-void check_points(const PointsForm& points, const Place& place, ParameterReader& reader) {
-  const Place shares(place, "shares");
+void check_points(const PointsParameters& points, const DocumentPath& path, ParameterReader& reader) {
+  const DocumentPath shares(path, "shares");
   if (points.shares.size() > kMostShares) {
     return reader.fault(shares, fmt::format("{} shares are too many", points.shares.size()),
                         fmt::format("at most {}", kMostShares));
   }
   double sum = 0;
-  for (const ShareForm& share : points.shares) sum += share.share;
+  for (const ShareParameters& share : points.shares) sum += share.share;
   if (sum > 1 + 1e-9) {
     reader.fault(shares, fmt::format("the shares sum to {:.7g}", sum), "shares that sum to at most 1");
   }
@@ -126,8 +124,8 @@ void check_points(const PointsForm& points, const Place& place, ParameterReader&
 
 const ParameterTable& profile_table() {
   static const ParameterTable table =
-      Table<ProfileForm>("a profile", "Half of a crown's outline on one side.")
-          .points("profile", &ProfileForm::profile, kProfile,
+      Table<ProfileParameters>("a profile", "Half of a crown's outline on one side.")
+          .points("profile", &ProfileParameters::profile, kProfile,
                   "Points [radius, height] of the crown's outline above the root, with rising heights.")
           .required()
           .shorthand("profile");
@@ -136,53 +134,53 @@ const ParameterTable& profile_table() {
 
 const ParameterTable& ellipsoid_table() {
   static const ParameterTable table =
-      Table<EllipsoidForm>("an ellipsoid", "A ball stretched along the axes.")
-          .vector("centre", &EllipsoidForm::centre, kCoordinate, "Centre of the ellipsoid, relative to the root.")
+      Table<EllipsoidParameters>("an ellipsoid", "A ball stretched along the axes.")
+          .vector("centre", &EllipsoidParameters::centre, kCoordinate, "Centre of the ellipsoid, relative to the root.")
           .required()
-          .vector("radii", &EllipsoidForm::radii, kLength, "Radii of the ellipsoid along x, y and z.")
+          .vector("radii", &EllipsoidParameters::radii, kLength, "Radii of the ellipsoid along x, y and z.")
           .required();
   return table;
 }
 
 const ParameterTable& sphere_table() {
   static const ParameterTable table =
-      Table<SphereForm>("a sphere", "A ball.")
-          .vector("centre", &SphereForm::centre, kCoordinate, "Centre of the sphere, relative to the root.")
+      Table<SphereParameters>("a sphere", "A ball.")
+          .vector("centre", &SphereParameters::centre, kCoordinate, "Centre of the sphere, relative to the root.")
           .required()
-          .number("radius", &SphereForm::radius, kLength, "Radius of the sphere.")
+          .number("radius", &SphereParameters::radius, kLength, "Radius of the sphere.")
           .required();
   return table;
 }
 
 const ParameterTable& cone_table() {
   static const ParameterTable table =
-      Table<ConeForm>("a cone", "A cone with its apex up.")
-          .vector("base", &ConeForm::base, kCoordinate, "Centre of the cone's base, relative to the root.")
+      Table<ConeParameters>("a cone", "A cone with its apex up.")
+          .vector("base", &ConeParameters::base, kCoordinate, "Centre of the cone's base, relative to the root.")
           .required()
-          .number("radius", &ConeForm::radius, kLength, "Radius of the cone's base.")
+          .number("radius", &ConeParameters::radius, kLength, "Radius of the cone's base.")
           .required()
-          .number("height", &ConeForm::height, kLength, "Height of the cone from its base to its apex.")
+          .number("height", &ConeParameters::height, kLength, "Height of the cone from its base to its apex.")
           .required();
   return table;
 }
 
 const ParameterTable& share_table() {
   static const ParameterTable table =
-      Table<ShareForm>("a share", "A share of the attraction points for a part of the crown.")
-          .number("share", &ShareForm::share, {.min = 0, .max = 1, .above_min = true},
+      Table<ShareParameters>("a share", "A share of the attraction points for a part of the crown.")
+          .number("share", &ShareParameters::share, {.min = 0, .max = 1, .above_min = true},
                   "Share of all attraction points that goes to this part of the crown.")
           .required()
-          .number("above", &ShareForm::above, {.min = 0, .max = 0.999},
+          .number("above", &ShareParameters::above, {.min = 0, .max = 0.999},
                   "Height at which this part of the crown begins, as a share of the crown's height; 0.4 takes the "
                   "upper 60 %.")
-          .number("outer", &ShareForm::outer, {.min = 0.001, .max = 1},
+          .number("outer", &ShareParameters::outer, {.min = 0.001, .max = 1},
                   "Outer share of the crown's radius that belongs to this part; lowered, a thinner shell; 1 takes all "
                   "of it.");
   return table;
 }
 
 /// Scans may have the coordinates of a country, so they are moved in double.
-std::vector<Vec3> points_of_file(const CrownPointer& crown, const PointsForm& form, const GrowContext& context) {
+std::vector<Vec3> points_of_file(const CrownPointer& crown, const PointsParameters& form, const GrowContext& context) {
   const Frame frame = form.file_place.frame();
   const glm::dmat3 axes(frame.axes);
   const DVec3 origin(frame.origin);
@@ -212,15 +210,16 @@ std::vector<Vec3> points_of_file(const CrownPointer& crown, const PointsForm& fo
 }
 
 /// Reports shares whose part of the crown is empty.
-void check_shares(const CrownForm& crown, const PointsForm& points, const Place& place, ParameterReader& reader) {
+void check_shares(const CrownParameters& crown, const PointsParameters& points, const DocumentPath& path,
+                  ParameterReader& reader) {
   if (points.shares.empty()) return;
   const CrownPointer built = build_crown(crown);
-  const Place points_place(place, "points");
-  const Place shares(points_place, "shares");
+  const DocumentPath points_place(path, "points");
+  const DocumentPath shares(points_place, "shares");
   for (std::size_t k = 0; k < points.shares.size(); ++k) {
-    const ShareForm& share = points.shares[k];
+    const ShareParameters& share = points.shares[k];
     if (is_fillable(ZonedCrown(*built, {.above = share.above, .outer = share.outer}))) continue;
-    return reader.fault(Place(shares, k), "the share's part of the crown is empty, or nearly",
+    return reader.fault(DocumentPath(shares, k), "the share's part of the crown is empty, or nearly",
                         "a smaller 'above' or a larger 'outer'");
   }
 }
@@ -229,25 +228,28 @@ void check_shares(const CrownForm& crown, const PointsForm& points, const Place&
 
 const ParameterTable& crown_table() {
   static const ParameterTable table =
-      Table<CrownForm>("a crown", "The envelope that attraction points fill.")
-          .points("profile", &CrownForm::profile, kProfile,
+      Table<CrownParameters>("a crown", "The envelope that attraction points fill.")
+          .points("profile", &CrownParameters::profile, kProfile,
                   "Points [radius, height] of the crown's outline above the root, with rising heights; a spline "
                   "through them is turned about the vertical.")
-          .map("profiles", &CrownForm::profiles, profile_table,
+          .map("profiles", &CrownParameters::profiles, profile_table,
                "Outlines by azimuth in degrees from north over east, such as \"90\"; the radius changes evenly between "
                "them.")
-          .list("union", &CrownForm::united, crown_table, "Crowns that are joined: the space that lies in any of them.")
-          .list("intersection", &CrownForm::intersected, crown_table,
+          .list("union", &CrownParameters::united, crown_table,
+                "Crowns that are joined: the space that lies in any of them.")
+          .list("intersection", &CrownParameters::intersected, crown_table,
                 "Crowns that are intersected: the space that lies in all of them.")
-          .list("difference", &CrownForm::subtracted, crown_table,
+          .list("difference", &CrownParameters::subtracted, crown_table,
                 "Crowns of which all but the first are cut away from the first.")
-          .object("ellipsoid", &CrownForm::ellipsoid, ellipsoid_table, "An ellipsoid along the axes, as the crown.")
-          .object("sphere", &CrownForm::sphere, sphere_table, "A sphere as the crown.")
-          .object("cone", &CrownForm::cone, cone_table, "A cone with its apex up, as the crown.")
-          .box("box", &CrownForm::box, kCoordinate,
+          .object("ellipsoid", &CrownParameters::ellipsoid, ellipsoid_table,
+                  "An ellipsoid along the axes, as the crown.")
+          .object("sphere", &CrownParameters::sphere, sphere_table, "A sphere as the crown.")
+          .object("cone", &CrownParameters::cone, cone_table, "A cone with its apex up, as the crown.")
+          .box("box", &CrownParameters::box, kCoordinate,
                "Lower and upper corner of a box, relative to the root, as the crown.")
-          .file("mesh", &CrownForm::mesh, read_closed_mesh, "File with a closed mesh (OBJ, PLY or GLB) as the crown.")
-          .members(&CrownForm::mesh_place, import_table())
+          .file("mesh", &CrownParameters::mesh, read_closed_mesh,
+                "File with a closed mesh (OBJ, PLY or GLB) as the crown.")
+          .members(&CrownParameters::mesh_place, import_table())
           .one_of({"profile", "profiles", "union", "intersection", "difference", "ellipsoid", "sphere", "cone", "box",
                    "mesh"})
           .only_with("mesh", import_names())
@@ -257,18 +259,18 @@ const ParameterTable& crown_table() {
 
 const ParameterTable& points_table() {
   static const ParameterTable table =
-      Table<PointsForm>("points", "The attraction points in the crown.")
-          .integer("count", &PointsForm::count, {.min = 1, .max = 1e15, .usual = {100, 50000}},
+      Table<PointsParameters>("points", "The attraction points in the crown.")
+          .integer("count", &PointsParameters::count, {.min = 1, .max = 1e15, .usual = {100, 50000}},
                    "Number of attraction points; raised, more and finer branches and slower growth.")
           .list(
-              "shares", &PointsForm::shares, share_table,
+              "shares", &PointsParameters::shares, share_table,
               "Shares of the attraction points for parts of the crown; the remaining points are uniform in all of it.")
-          .boolean("blue_noise", &PointsForm::blue_noise,
+          .boolean("blue_noise", &PointsParameters::blue_noise,
                    "Whether neighbouring points keep a distance from each other; branches are then spread more evenly.")
-          .file("file", &PointsForm::file, read_points,
+          .file("file", &PointsParameters::file, read_points,
                 "File with the points of a scan, relative to the root (PLY, or text with one point per line); a crown "
                 "removes those outside it.")
-          .members(&PointsForm::file_place, import_table())
+          .members(&PointsParameters::file_place, import_table())
           .never_with("file", {"count", "shares", "blue_noise"})
           .only_with("file", import_names())
           .shorthand("count")
@@ -276,19 +278,19 @@ const ParameterTable& points_table() {
   return table;
 }
 
-void check_cloud(const std::optional<CrownForm>& crown, const PointsForm& points, std::size_t times,
-                 std::string_view component, const Place& place, ParameterReader& reader) {
+void check_cloud(const std::optional<CrownParameters>& crown, const PointsParameters& points, std::size_t times,
+                 std::string_view component, const DocumentPath& path, ParameterReader& reader) {
   if (!crown && !points.file) {
-    reader.fault(place, fmt::format("{} has no 'crown'", component), "a 'crown', or 'points' with a 'file'");
+    reader.fault(path, fmt::format("{} has no 'crown'", component), "a 'crown', or 'points' with a 'file'");
   }
-  if (crown) check_shares(*crown, points, place, reader);
+  if (crown) check_shares(*crown, points, path, reader);
   const double count = static_cast<double>(points.count) * static_cast<double>(times);
   if (count > static_cast<double>(reader.limits().points)) {
-    reader.fault_limit(Place(place, "points"), "attraction points", count, reader.limits().points, "points");
+    reader.fault_limit(DocumentPath(path, "points"), "attraction points", count, reader.limits().points, "points");
   }
 }
 
-CrownPointer build_crown(const CrownForm& form) {
+CrownPointer build_crown(const CrownParameters& form) {
   if (!form.profile.empty()) return std::make_shared<ProfileCrown>(form.profile);
   if (!form.profiles.empty()) {
     ProfileCrown::Sides sides;
@@ -301,10 +303,10 @@ CrownPointer build_crown(const CrownForm& form) {
   if (form.box) return std::make_shared<BoxCrown>(*form.box);
   if (form.mesh) return std::make_shared<MeshCrown>(form.mesh.content, form.mesh_place.frame());
 
-  const auto combined = [](CombineKind kind, const std::vector<CrownForm>& forms) {
+  const auto combined = [](CombineKind kind, const std::vector<CrownParameters>& forms) {
     std::vector<CrownPointer> crowns;
     crowns.reserve(forms.size());
-    for (const CrownForm& each : forms) crowns.push_back(build_crown(each));
+    for (const CrownParameters& each : forms) crowns.push_back(build_crown(each));
     return std::make_shared<CombinedCrown>(kind, std::move(crowns));
   };
   if (!form.united.empty()) return combined(CombineKind::unite, form.united);
@@ -313,11 +315,11 @@ CrownPointer build_crown(const CrownForm& form) {
   return nullptr;
 }
 
-std::vector<Vec3> make_points(const std::optional<CrownForm>& crown, const PointsForm& points, RandomKey key,
-                              const GrowContext& context) {
+std::vector<Vec3> make_points(const std::optional<CrownParameters>& crown, const PointsParameters& points,
+                              RandomKey key, const GrowContext& context) {
   if (points.file) return points_of_file(crown ? build_crown(*crown) : nullptr, points, context);
   PointDistribution distribution{.count = points.count, .blue_noise = points.blue_noise};
-  for (const ShareForm& share : points.shares) {
+  for (const ShareParameters& share : points.shares) {
     distribution.shares.push_back({share.share, {.above = share.above, .outer = share.outer}});
   }
   const std::string path = "components." + context.component;

@@ -46,9 +46,9 @@ const ParameterTable& turn_table() {
                   "Position along the midrib where the turn ends; equal to 'from', it makes a kink.")
           .number("angle", &LocalTurn::angle, {.unit = Unit::degree, .min = -720, .max = 720, .usual = {-90, 90}},
                   "Angle by which the leaf beyond the turn is bent; raised, it bends down, away from the stem.")
-          .check([](const LocalTurn& turn, const Place& place, ParameterReader& reader) {
+          .check([](const LocalTurn& turn, const DocumentPath& path, ParameterReader& reader) {
             if (turn.to < turn.from)
-              reader.fault(Place(place, "to"), "the turn ends before it begins", "'from' or more");
+              reader.fault(DocumentPath(path, "to"), "the turn ends before it begins", "'from' or more");
           });
   return table;
 }
@@ -153,58 +153,62 @@ const ParameterTable& blade_table() {
   return table;
 }
 
-void check_grassleaf(const Grassleaf& grass, const Place& place, ParameterReader& reader) {
+void check_grassleaf(const Grassleaf& grass, const DocumentPath& path, ParameterReader& reader) {
   if (grass.blade.across % 2 != 0) {
-    reader.fault(Place(place, "across"), "'across' is odd", "an even number, so that a row of points is the midrib");
+    reader.fault(DocumentPath(path, "across"), "'across' is odd",
+                 "an even number, so that a row of points is the midrib");
   }
   for (const Vec2 point : grass.source.profile.points()) {
     if (point.y >= 0) continue;
-    reader.fault(Place(place, "profile"), fmt::format("the profile falls to {}", point.y),
+    reader.fault(DocumentPath(path, "profile"), fmt::format("the profile falls to {}", point.y),
                  "shares of the width from 0");
     return;
   }
   const auto& profile = grass.source.profile.points();
   if (std::ranges::none_of(profile, [](Vec2 point) { return point.y > 0; })) {
-    reader.fault(Place(place, "profile"), "the profile is empty", "a share of the width above 0 somewhere");
+    reader.fault(DocumentPath(path, "profile"), "the profile is empty", "a share of the width above 0 somewhere");
     return;
   }
-  const auto check_points = [&](const std::vector<Vec2>& points, const Place& at) {
+  const auto check_points = [&](const std::vector<Vec2>& points, const DocumentPath& at) {
     try {
       check_midrib(curve_of(points));
     } catch (const InputError& error) {
       for (const Diagnostic& found : error.diagnostics()) reader.fault(at, found.message, found.expected);
     }
   };
-  if (!grass.source.midrib_points.empty()) check_points(grass.source.midrib_points, Place(place, "midrib_points"));
-  const Place midribs(place, "midribs");
+  if (!grass.source.midrib_points.empty())
+    check_points(grass.source.midrib_points, DocumentPath(path, "midrib_points"));
+  const DocumentPath midribs(path, "midribs");
   for (std::size_t k = 0; k < grass.source.midribs.size(); ++k) {
-    const Place midrib(midribs, k);
-    check_points(grass.source.midribs[k].points, Place(midrib, "points"));
+    const DocumentPath midrib(midribs, k);
+    check_points(grass.source.midribs[k].points, DocumentPath(midrib, "points"));
   }
   for (std::size_t k = 1; k < grass.source.midribs.size(); ++k) {
     if (grass.source.midribs[k].age > grass.source.midribs[k - 1].age) continue;
-    reader.fault(Place(Place(place, "midribs"), k), "the ages of the midribs do not rise", "a later age than before");
+    reader.fault(DocumentPath(DocumentPath(path, "midribs"), k), "the ages of the midribs do not rise",
+                 "a later age than before");
     return;
   }
 }
 
 /// Fits what the document gives; what is wrong with it is a fault at its place.
-void prepare_grassleaf(Grassleaf& grass, const Place& place, ParameterReader& reader) {
+void prepare_grassleaf(Grassleaf& grass, const DocumentPath& path, ParameterReader& reader) {
   const char* row = grass.source.midribs.empty() ? "midrib" : "midribs";
   try {
     const StockOptions how{.is_loaded = grass.stages.load, .is_fitted = grass.stages.fit, .full_age = grass.full_age};
     grass.stock =
         reader.kept<GrassStock>(fingerprint_of(grass.source, how), [&] { return make_stock(grass.source, how); });
   } catch (const InputError& error) {
-    for (const Diagnostic& found : error.diagnostics()) reader.fault(Place(place, row), found.message, found.expected);
+    for (const Diagnostic& found : error.diagnostics())
+      reader.fault(DocumentPath(path, row), found.message, found.expected);
     return;
   } catch (const std::invalid_argument& error) {
-    reader.fault(Place(place, row), error.what());
+    reader.fault(DocumentPath(path, row), error.what());
     return;
   }
   for (const StockedMidrib& midrib : grass.stock->midribs) {
     if (grass.full_age <= midrib.family.last_age()) continue;
-    reader.fault(Place(place, "full_age"), fmt::format("the midribs end at the age {}", midrib.family.last_age()),
+    reader.fault(DocumentPath(path, "full_age"), fmt::format("the midribs end at the age {}", midrib.family.last_age()),
                  "at most that, or the blade never comes out whole");
     return;
   }

@@ -161,19 +161,19 @@ const ParameterTable& schedule_table() {
   return table;
 }
 
-void check_cut(const Cut& cut, const Place& place, ParameterReader& reader) {
+void check_cut(const Cut& cut, const DocumentPath& path, ParameterReader& reader) {
   if (!is_shoot_name(cut.shoot)) {
-    reader.fault(Place(place, "shoot"), fmt::format("'{}' names no shoot", cut.shoot),
+    reader.fault(DocumentPath(path, "shoot"), fmt::format("'{}' names no shoot", cut.shoot),
                  "main, or the numbers of metamers at which shoots branch off: main.4.2");
   } else if (cut.shoot == "main" && cut.above == 0) {
-    reader.fault(Place(place, "above"), "nothing would be left of the tree", "a whole number of at least 1");
+    reader.fault(DocumentPath(path, "above"), "nothing would be left of the tree", "a whole number of at least 1");
   }
 }
 
 /// Growth names the place of what it cannot do.
 template <class Kind>
-void note_place(Kind& operation, const Place& place, ParameterReader&) {
-  operation.path = place.text();
+void note_place(Kind& operation, const DocumentPath& path, ParameterReader&) {
+  operation.path = path.text();
 }
 
 const ParameterTable& cut_table() {

@@ -16,7 +16,7 @@ namespace meristem {
 /// Where the buds of a tree get their light, as documents write it.
 struct OrganizeLight {
   BudLightModel model;
-  std::optional<CrownForm> room;  ///< of markers, over each root
+  std::optional<CrownParameters> room;  ///< of markers, over each root
 };
 
 const ParameterTable& organize_growth_table();  ///< of OrganizeParameters, without light, radii and operations

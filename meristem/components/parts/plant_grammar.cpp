@@ -22,7 +22,7 @@ class PlacedLetters {
     for (std::size_t k = 0; k < found_.size(); ++k) {
       for (const RuleSet* rules : rule_sets()) {
         for (const std::uint32_t rule : rules->of_letter[found_[k]]) {
-          const std::vector<ModuleForm>& successor = rules->rules[rule].successor;
+          const std::vector<ModuleTemplate>& successor = rules->rules[rule].successor;
           if (!successor.empty()) find(successor.front().letter);
         }
       }
@@ -39,7 +39,7 @@ class PlacedLetters {
     return {&grammar_.production, &grammar_.decomposition, &grammar_.interpretation};
   }
 
-  void note(const std::vector<ModuleForm>& word) {
+  void note(const std::vector<ModuleTemplate>& word) {
     for (std::size_t k = 0; k + 1 < word.size(); ++k) {
       if (grammar_.alphabet[word[k].letter].symbol == "~") find(word[k + 1].letter);
     }

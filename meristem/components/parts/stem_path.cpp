@@ -43,14 +43,14 @@ std::vector<Vec3> way_directions(const std::vector<Vec3>& axis, int sections) {
     return Curve(std::move(pairs));
   };
   const Curve x = coordinate(0), y = coordinate(1), z = coordinate(2);
-  const auto place = [&](double s) { return glm::dvec3(x(s), y(s), z(s)); };
+  const auto position = [&](double s) { return glm::dvec3(x(s), y(s), z(s)); };
 
   // Sections of equal length of it.
   const auto fine = static_cast<int>(points.size() - 1) * kWaySteps;
   std::vector<double> length(static_cast<std::size_t>(fine) + 1);
-  glm::dvec3 last = place(0);
+  glm::dvec3 last = position(0);
   for (int k = 1; k <= fine; ++k) {
-    const glm::dvec3 next = place(at.back() * k / fine);
+    const glm::dvec3 next = position(at.back() * k / fine);
     length[static_cast<std::size_t>(k)] = length[static_cast<std::size_t>(k - 1)] + glm::distance(last, next);
     last = next;
   }
@@ -59,10 +59,10 @@ std::vector<Vec3> way_directions(const std::vector<Vec3>& axis, int sections) {
     const auto k = std::clamp<std::ptrdiff_t>(after - length.begin(), 1, fine) - 1;
     const double piece = length[static_cast<std::size_t>(k + 1)] - length[static_cast<std::size_t>(k)];
     const double share = piece > 0 ? (wanted - length[static_cast<std::size_t>(k)]) / piece : 0;
-    return place(at.back() * (static_cast<double>(k) + share) / fine);
+    return position(at.back() * (static_cast<double>(k) + share) / fine);
   };
   std::vector<Vec3> directions;
-  last = place(0);
+  last = position(0);
   for (int k = 1; k <= sections; ++k) {
     const glm::dvec3 next = place_at_length(length.back() * k / sections);
     directions.push_back(normalized_or(Vec3(next - last), directions.empty() ? kUp : directions.back()));
@@ -74,7 +74,7 @@ std::vector<Vec3> way_directions(const std::vector<Vec3>& axis, int sections) {
 /// Grows the axis of one stem in world space.
 class Builder {
  public:
-  Builder(const StemForm& form, const Site& site, const StemTropisms& tropisms, std::span<const StemBend> bends)
+  Builder(const StemParameters& form, const Site& site, const StemTropisms& tropisms, std::span<const StemBend> bends)
       : form_(form), tropisms_(tropisms), bends_(bends), key_(site.key.child("gnarl")) {
     const Frame& frame = site.frame;
     scale_ = glm::length(frame.heading());
@@ -89,36 +89,36 @@ class Builder {
     path.length = scale_ * static_cast<float>(form_.length);
     path.skeleton.reserve(static_cast<std::size_t>(form_.segments) + 1);
     const float section = path.length / static_cast<float>(form_.segments);
-    Vec3 place = origin_;
-    NodeIndex last = add_node(path.skeleton, kNoNode, place, 0);
+    Vec3 position = origin_;
+    NodeIndex last = add_node(path.skeleton, kNoNode, position, 0);
     for (int k = 0; k < form_.segments; ++k) {
       const Vec3 heading = heading_, right = right_;
-      turn(k, place);
-      path.frames.push_back(k == 0 ? frame(place, heading_, right_) : frame_midway(place, heading, right));
-      place += section * heading_;
-      last = add_node(path.skeleton, last, place, k + 1);
+      turn(k, position);
+      path.frames.push_back(k == 0 ? frame(position, heading_, right_) : frame_midway(position, heading, right));
+      position += section * heading_;
+      last = add_node(path.skeleton, last, position, k + 1);
     }
-    path.frames.push_back(frame(place, heading_, right_));
+    path.frames.push_back(frame(position, heading_, right_));
     return path;
   }
 
  private:
-  NodeIndex add_node(Skeleton& skeleton, NodeIndex parent, Vec3 place, int section) const {
-    const NodeIndex node = skeleton.add_node(parent, place, 0);
+  NodeIndex add_node(Skeleton& skeleton, NodeIndex parent, Vec3 position, int section) const {
+    const NodeIndex node = skeleton.add_node(parent, position, 0);
     const double u = static_cast<double>(section) / form_.segments;
     skeleton.radius[node] = scale_ * static_cast<float>(std::max(0.0, form_.taper(u)) * form_.radius);
     return node;
   }
 
   /// A node's frame looks midway between the sections that meet there.
-  Frame frame_midway(Vec3 place, Vec3 heading, Vec3 right) const {
+  Frame frame_midway(Vec3 position, Vec3 heading, Vec3 right) const {
     heading = normalized_or(heading + heading_, heading_);
     right += right_;
-    return frame(place, heading, normalized_or(right - glm::dot(right, heading) * heading, right_));
+    return frame(position, heading, normalized_or(right - glm::dot(right, heading) * heading, right_));
   }
 
-  Frame frame(Vec3 place, Vec3 heading, Vec3 right) const {
-    Frame frame{Mat3(right, heading, glm::cross(right, heading)), place};
+  Frame frame(Vec3 position, Vec3 heading, Vec3 right) const {
+    Frame frame{Mat3(right, heading, glm::cross(right, heading)), position};
     frame.axes *= scale_;
     return frame;
   }
@@ -128,14 +128,14 @@ class Builder {
   Vec3 from_stem(Vec3 local) const { return local.x * right_ + local.y * heading_ + local.z * upper(); }
 
   /// The section that begins at `place`.
-  void turn(int section, Vec3 place) {
+  void turn(int section, Vec3 position) {
     if (!way_.empty()) follow_way(static_cast<std::size_t>(section));
     if (form_.spiral != 0) rotate(rotation(heading_, form_.spiral / form_.segments));
     const double curl = form_.curl / form_.segments;
     rotate(rotation(right_, wandered(section, 0) - curl) * rotation(upper(), wandered(section, 1)));
     avoid(section);
     if (!tropisms_.act()) return;
-    const Vec3 in_scene = tropisms_.origin + tropisms_.stretch * place;
+    const Vec3 in_scene = tropisms_.origin + tropisms_.stretch * position;
     follow(tropisms_.directions.down(in_scene), tropisms_.gravitropism);
     follow(tropisms_.directions.toward_light(in_scene), tropisms_.phototropism);
   }
@@ -184,7 +184,7 @@ class Builder {
     right_ = glm::normalize(right_ - glm::dot(right_, heading_) * heading_);
   }
 
-  const StemForm& form_;
+  const StemParameters& form_;
   const StemTropisms& tropisms_;
   std::span<const StemBend> bends_;
   std::size_t next_bend_ = 0;
@@ -199,38 +199,42 @@ class Builder {
 
 const ParameterTable& stem_form_table() {
   static const ParameterTable table =
-      Table<StemForm>("a stem", "A stem along a curve.")
-          .number("length", &StemForm::length, {.unit = Unit::metre, .min = 1e-4, .max = 1000, .usual = {0.01, 10}},
+      Table<StemParameters>("a stem", "A stem along a curve.")
+          .number("length", &StemParameters::length,
+                  {.unit = Unit::metre, .min = 1e-4, .max = 1000, .usual = {0.01, 10}},
                   "Length of the stem from base to tip.")
-          .number("radius", &StemForm::radius, {.unit = Unit::metre, .min = 1e-6, .max = 100, .usual = {0.0005, 0.3}},
+          .number("radius", &StemParameters::radius,
+                  {.unit = Unit::metre, .min = 1e-6, .max = 100, .usual = {0.0005, 0.3}},
                   "Radius of the stem at its base.")
-          .curve("taper", &StemForm::taper, "Radius from base (0) to tip (1), as a share of the radius at the base.")
-          .integer("segments", &StemForm::segments, {.min = 1, .max = 1000, .usual = {1, 64}, .fixed = true},
+          .curve("taper", &StemParameters::taper,
+                 "Radius from base (0) to tip (1), as a share of the radius at the base.")
+          .integer("segments", &StemParameters::segments, {.min = 1, .max = 1000, .usual = {1, 64}, .fixed = true},
                    "Number of straight segments; raised, smoother bends and more nodes.")
-          .places("axis", &StemForm::axis, {.unit = Unit::metre, .min = -1e4, .max = 1e4},
+          .places("axis", &StemParameters::axis, {.unit = Unit::metre, .min = -1e4, .max = 1e4},
                   "Points of a spline from the origin, in the stem's own frame, whose form the stem takes; its length "
                   "stays 'length'.")
           .number(
-              "curl", &StemForm::curl, {.unit = Unit::degree, .min = -3600, .max = 3600},
+              "curl", &StemParameters::curl, {.unit = Unit::degree, .min = -3600, .max = 3600},
               "Bend from base to tip, away from the upper side of the stem, which on a branch faces its parent's tip.")
           .number(
-              "spiral", &StemForm::spiral, {.unit = Unit::degree, .min = -36000, .max = 36000, .usual = {-1080, 1080}},
+              "spiral", &StemParameters::spiral,
+              {.unit = Unit::degree, .min = -36000, .max = 36000, .usual = {-1080, 1080}},
               "Angle by which the direction of the curl turns about the stem from base to tip; raised, a corkscrew.")
-          .number("gnarl", &StemForm::gnarl, {.unit = Unit::degree, .min = 0, .max = 180, .usual = {0, 60}},
+          .number("gnarl", &StemParameters::gnarl, {.unit = Unit::degree, .min = 0, .max = 180, .usual = {0, 60}},
                   "Angle by which the stem's direction wanders at random; raised, a more crooked stem.")
-          .number("gnarl_waves", &StemForm::gnarl_waves, {.min = 0, .max = 1000},
+          .number("gnarl_waves", &StemParameters::gnarl_waves, {.min = 0, .max = 1000},
                   "Number of random bends from base to tip; raised, shorter bends.")
           .only_with("gnarl", {"gnarl_waves"});
   return table;
 }
 
-StemPath grow_stem(const StemForm& form, const Site& site, const StemTropisms& tropisms,
+StemPath grow_stem(const StemParameters& form, const Site& site, const StemTropisms& tropisms,
                    std::span<const StemBend> bends) {
   return Builder(form, site, tropisms, bends).run();
 }
 
-void check_stem_form(const StemForm& form, const Place& place, ParameterReader& reader) {
-  const Place axis(place, "axis");
+void check_stem_form(const StemParameters& form, const DocumentPath& path, ParameterReader& reader) {
+  const DocumentPath axis(path, "axis");
   if (form.axis.size() > kMostPoints) {
     reader.fault(axis, fmt::format("the axis has {} points", form.axis.size()), fmt::format("at most {}", kMostPoints));
     return;
@@ -238,7 +242,8 @@ void check_stem_form(const StemForm& form, const Place& place, ParameterReader& 
   Vec3 last(0);
   for (std::size_t k = 0; k < form.axis.size(); ++k) {
     if (glm::distance(form.axis[k], last) < 1e-6F) {
-      reader.fault(Place(axis, k), k == 0 ? "the axis begins at the origin by itself" : "a point of the axis repeats",
+      reader.fault(DocumentPath(axis, k),
+                   k == 0 ? "the axis begins at the origin by itself" : "a point of the axis repeats",
                    "points that lie apart");
       return;
     }

@@ -12,7 +12,7 @@
 namespace meristem {
 
 /// Angles in radians, lengths in metres. A stem ends the same however many sections it has.
-struct StemForm {
+struct StemParameters {
   double length = 1;
   double radius = 0.02;                                           ///< at the base
   Curve taper{{{0.0F, 1.0F}, {1.0F, 0.15F}}, CurveKind::linear};  ///< share of the radius over u; below 0 counts as 0
@@ -53,10 +53,10 @@ struct StemPath {
 };
 
 /// The stem that begins at `site`, whose key its wandering follows.
-StemPath grow_stem(const StemForm& form, const Site& site, const StemTropisms& tropisms,
+StemPath grow_stem(const StemParameters& form, const Site& site, const StemTropisms& tropisms,
                    std::span<const StemBend> bends = {});
 
 /// Reports an axis whose points coincide, or are too many.
-void check_stem_form(const StemForm& form, const Place& place, ParameterReader& reader);
+void check_stem_form(const StemParameters& form, const DocumentPath& path, ParameterReader& reader);
 
 }  // namespace meristem

@@ -15,7 +15,7 @@ namespace meristem {
 namespace {
 
 /// The path from the root: those that begin with no key of the document are variables, or begin with a component.
-std::string whole_path(const PlacedTree& tree, const std::string& path) {
+std::string whole_path(const LocatedTree& tree, const std::string& path) {
   const std::string_view first = std::string_view(path).substr(0, path.find_first_of(".["));
   const std::vector<std::string> keys = head_table().names();
   const bool is_key = std::find(keys.begin(), keys.end(), first) != keys.end() || first.empty();
@@ -28,7 +28,7 @@ std::string whole_path(const PlacedTree& tree, const std::string& path) {
 }
 
 /// The member's name where the path is one of `group`: "components", "variables"; else empty.
-std::string named_in(const PlacedTree& tree, const std::string& path, std::string_view group) {
+std::string named_in(const LocatedTree& tree, const std::string& path, std::string_view group) {
   const PathTarget target = find_path(tree, path);
   const Value::Object* top = tree.root().value->object();
   if (top == nullptr || target.places.size() != 2 || (*top)[target.places[0]].first != group) return {};
@@ -37,7 +37,7 @@ std::string named_in(const PlacedTree& tree, const std::string& path, std::strin
 }
 
 /// Components and variables themselves must be there; what they say may be added.
-void require_named(const PlacedTree& tree, const std::string& path) {
+void require_named(const LocatedTree& tree, const std::string& path) {
   const PathTarget target = follow_path(tree, path);
   const Value::Object* top = tree.root().value->object();
   if (top == nullptr || target.places.size() != 1 || target.missing.empty()) return;
@@ -54,20 +54,20 @@ bool names_component(const Value& link, const std::string& id) {
 }
 
 /// A component goes with its links: from the last on, so that the others keep their numbers.
-Patch remove_component(const PlacedTree& tree, const std::string& path, const std::string& id) {
+Patch remove_component(const LocatedTree& tree, const std::string& path, const std::string& id) {
   Patch patch = remove_value(tree, path);
   const Value* links = tree.root().value->find("links");
   if (links == nullptr || links->list() == nullptr) return patch;
   for (std::size_t k = links->list()->size(); k-- > 0;) {
     if (!names_component((*links->list())[k], id)) continue;
-    const PlacedTree present(apply_patch(tree.text(), patch));
+    const LocatedTree present(apply_patch(tree.text(), patch));
     patch = joined_patches(patch, remove_value(present, fmt::format("links[{}]", k)));
   }
   return patch;
 }
 
 /// All places of expressions, as far as the text can be read.
-std::vector<std::string> expression_paths(const PlacedTree& tree, const EditContext& context) {
+std::vector<std::string> expression_paths(const LocatedTree& tree, const EditContext& context) {
   std::vector<std::string> paths;
   try {
     ReadOptions reading = context.reading;
@@ -92,7 +92,7 @@ bool places(const Document* document, const std::string& placer, const std::stri
 }
 
 struct Patcher {
-  const PlacedTree& tree;
+  const LocatedTree& tree;
   const EditContext& context;
 
   Patch operator()(const SetValue& edit) const {
@@ -140,7 +140,7 @@ struct Patcher {
 
 }  // namespace
 
-Patch patch_of(const Edit& edit, const PlacedTree& tree, const EditContext& context) {
+Patch patch_of(const Edit& edit, const LocatedTree& tree, const EditContext& context) {
   return std::visit(Patcher{tree, context}, edit);
 }
 

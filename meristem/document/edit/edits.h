@@ -8,7 +8,7 @@
 
 namespace meristem {
 
-class PlacedTree;
+class LocatedTree;
 
 /// What edits of names need to know besides the text.
 struct EditContext {
@@ -19,6 +19,6 @@ struct EditContext {
 };
 
 /// Throws an InputError where the edit cannot be made.
-Patch patch_of(const Edit& edit, const PlacedTree& tree, const EditContext& context);
+Patch patch_of(const Edit& edit, const LocatedTree& tree, const EditContext& context);
 
 }  // namespace meristem

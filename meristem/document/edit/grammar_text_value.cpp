@@ -48,8 +48,8 @@ bool is_of_name(char c) {
 
 }  // namespace
 
-GrammarInDocument::GrammarInDocument(const PlacedTree& tree, PlacedValue value) : tree_(tree), value_(value) {
-  const auto add = [&](PlacedValue line) {
+GrammarInDocument::GrammarInDocument(const LocatedTree& tree, LocatedValue value) : tree_(tree), value_(value) {
+  const auto add = [&](LocatedValue line) {
     if (line.value->text() == nullptr) return;
     lines_.push_back({text_.size(), places_of_bytes(tree.text(), tree.at(line).begin)});
     text_ += *line.value->text();

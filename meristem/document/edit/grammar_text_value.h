@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "meristem/document/edit/located_tree.h"
 #include "meristem/document/edit/patch.h"
-#include "meristem/document/edit/placed_tree.h"
 #include "meristem/grow/lsystem/grammar_reader.h"
 
 namespace meristem {
@@ -14,7 +14,7 @@ namespace meristem {
 class GrammarInDocument {
  public:
   /// `value` is a text or a list of texts.
-  GrammarInDocument(const PlacedTree& tree, PlacedValue value);
+  GrammarInDocument(const LocatedTree& tree, LocatedValue value);
 
   /// Whether the symbol stands in it.
   bool has_symbol(const std::string& symbol) const;
@@ -36,8 +36,8 @@ class GrammarInDocument {
   Patch in_document(const Patch& patch) const;
   void declare(const std::string& symbol, const std::string& name, Patch& patch) const;
 
-  const PlacedTree& tree_;
-  PlacedValue value_;
+  const LocatedTree& tree_;
+  LocatedValue value_;
   std::string text_;
   std::vector<Line> lines_;
   GrammarWords words_;

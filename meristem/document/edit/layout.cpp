@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "meristem/document/edit/placed_tree.h"
+#include "meristem/document/edit/located_tree.h"
 #include "meristem/document/json.h"
 
 namespace meristem {

@@ -14,7 +14,7 @@ namespace {
 /// A list or object in its text.
 class Container {
  public:
-  Container(const PlacedTree& tree, PlacedValue container)
+  Container(const LocatedTree& tree, LocatedValue container)
       : text_(tree.text()), tree_(tree), container_(container), node_(tree.at(container)), count_(node_.parts.size()) {}
 
   RemovedPart remove(std::size_t index) const {
@@ -201,19 +201,19 @@ class Container {
   }
 
   std::string_view text_;
-  const PlacedTree& tree_;
-  PlacedValue container_;
+  const LocatedTree& tree_;
+  LocatedValue container_;
   const TextNode& node_;
   std::size_t count_;
 };
 
 }  // namespace
 
-RemovedPart remove_part(const PlacedTree& tree, PlacedValue container, std::size_t index) {
+RemovedPart remove_part(const LocatedTree& tree, LocatedValue container, std::size_t index) {
   return Container(tree, container).remove(index);
 }
 
-Patch insert_part(const PlacedTree& tree, PlacedValue container, std::size_t index, const NewPart& part) {
+Patch insert_part(const LocatedTree& tree, LocatedValue container, std::size_t index, const NewPart& part) {
   return Container(tree, container).insert(index, part);
 }
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <string>
 
+#include "meristem/document/edit/located_tree.h"
 #include "meristem/document/edit/patch.h"
-#include "meristem/document/edit/placed_tree.h"
 
 namespace meristem {
 
@@ -22,7 +22,7 @@ struct RemovedPart {
   WrittenPart written;
 };
 
-RemovedPart remove_part(const PlacedTree& tree, PlacedValue container, std::size_t index);
+RemovedPart remove_part(const LocatedTree& tree, LocatedValue container, std::size_t index);
 
 /// What is put in: a value, with a name into an object; or something written.
 struct NewPart {
@@ -32,6 +32,6 @@ struct NewPart {
 };
 
 /// So that it is number `index`, at most the count of parts.
-Patch insert_part(const PlacedTree& tree, PlacedValue container, std::size_t index, const NewPart& part);
+Patch insert_part(const LocatedTree& tree, LocatedValue container, std::size_t index, const NewPart& part);
 
 }  // namespace meristem

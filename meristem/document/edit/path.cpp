@@ -111,7 +111,7 @@ std::size_t find_part(const Value& at, const PathStep& step) {
 
 }  // namespace
 
-PathTarget follow_path(const PlacedTree& tree, std::string_view path) {
+PathTarget follow_path(const LocatedTree& tree, std::string_view path) {
   PathTarget target;
   target.way.push_back(tree.root());
   PathReader reader(path);
@@ -129,14 +129,14 @@ PathTarget follow_path(const PlacedTree& tree, std::string_view path) {
   return target;
 }
 
-PathTarget find_path(const PlacedTree& tree, std::string_view path) {
+PathTarget find_path(const LocatedTree& tree, std::string_view path) {
   PathTarget target = follow_path(tree, path);
   if (!target.missing.empty()) throw_missing(target, path);
   return target;
 }
 
-PlacedValue value_at(const PlacedTree& tree, const std::vector<std::size_t>& places) {
-  PlacedValue at = tree.root();
+LocatedValue value_at(const LocatedTree& tree, const std::vector<std::size_t>& places) {
+  LocatedValue at = tree.root();
   for (const std::size_t place : places) at = tree.part(at, place);
   return at;
 }

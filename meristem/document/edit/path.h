@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "meristem/document/edit/placed_tree.h"
+#include "meristem/document/edit/located_tree.h"
 
 namespace meristem {
 
@@ -22,22 +22,22 @@ struct PathStep {
 
 /// How far a path leads.
 struct PathTarget {
-  std::vector<PlacedValue> way;     ///< from the root to the last value that is there
+  std::vector<LocatedValue> way;    ///< from the root to the last value that is there
   std::vector<std::size_t> places;  ///< of each but the root in the one before
   std::vector<PathStep> missing;    ///< steps that lead to nothing that is there
 
-  PlacedValue last() const { return way.back(); }
-  PlacedValue container() const { return way[way.size() - 2]; }  ///< of the last, which is not the root
+  LocatedValue last() const { return way.back(); }
+  LocatedValue container() const { return way[way.size() - 2]; }  ///< of the last, which is not the root
 };
 
 /// Follows a path from the root; throws an InputError with the path where it is not well formed.
-PathTarget follow_path(const PlacedTree& tree, std::string_view path);
+PathTarget follow_path(const LocatedTree& tree, std::string_view path);
 
 /// The same for paths of something that is there, other than the root: throws an InputError that names the nearest.
-PathTarget find_path(const PlacedTree& tree, std::string_view path);
+PathTarget find_path(const LocatedTree& tree, std::string_view path);
 
 /// What the places lead to, each in the one before.
-PlacedValue value_at(const PlacedTree& tree, const std::vector<std::size_t>& places);
+LocatedValue value_at(const LocatedTree& tree, const std::vector<std::size_t>& places);
 
 /// Throws the InputError for a path that ends in `target.missing`.
 [[noreturn]] void throw_missing(const PathTarget& target, std::string_view path);

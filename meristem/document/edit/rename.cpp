@@ -28,7 +28,7 @@ bool is_of_name(char c) {
 }
 
 /// The member of an object with where it stands; null where there is none.
-PlacedValue member_of(const PlacedTree& tree, PlacedValue object, std::string_view name) {
+LocatedValue member_of(const LocatedTree& tree, LocatedValue object, std::string_view name) {
   const Value::Object* members = object.value == nullptr ? nullptr : object.value->object();
   for (std::size_t k = 0; members != nullptr && k < members->size(); ++k) {
     if ((*members)[k].first == name) return tree.part(object, k);
@@ -38,39 +38,39 @@ PlacedValue member_of(const PlacedTree& tree, PlacedValue object, std::string_vi
 
 /// Calls `take(id, grammar, path)` for each grammar that stands in the document.
 template <class Take>
-void for_each_grammar(const PlacedTree& tree, const Registry& registry, Take take) {
-  const PlacedValue components = member_of(tree, tree.root(), "components");
+void for_each_grammar(const LocatedTree& tree, const Registry& registry, Take take) {
+  const LocatedValue components = member_of(tree, tree.root(), "components");
   for (std::size_t k = 0; components.value != nullptr && k < part_count(*components.value); ++k) {
-    const PlacedValue component = tree.part(components, k);
+    const LocatedValue component = tree.part(components, k);
     const std::string& id = (*components.value->object())[k].first;
     const Value* named = component.value->find("type");
     const ComponentType* type = named != nullptr && named->text() != nullptr ? registry.find(*named->text()) : nullptr;
     if (type == nullptr) continue;
     for (const Parameter& row : type->parameters.parameters) {
       if (row.kind != ParameterKind::lines) continue;
-      const PlacedValue grammar = member_of(tree, component, row.name);
+      const LocatedValue grammar = member_of(tree, component, row.name);
       if (grammar.value == nullptr) continue;
       take(id, GrammarInDocument(tree, grammar), fmt::format("components.{}.{}", id, row.name));
     }
   }
 }
 
-Splice text_over(const PlacedTree& tree, PlacedValue value, const std::string& text) {
+Splice text_over(const LocatedTree& tree, LocatedValue value, const std::string& text) {
   const TextNode& node = tree.at(value);
   return {node.begin, node.end - node.begin, write_json_line(Value(text))};
 }
 
 /// Where links name the component.
-void rename_in_links(const PlacedTree& tree, const std::string& id, const std::string& name, Patch& patch) {
-  const PlacedValue links = member_of(tree, tree.root(), "links");
+void rename_in_links(const LocatedTree& tree, const std::string& id, const std::string& name, Patch& patch) {
+  const LocatedValue links = member_of(tree, tree.root(), "links");
   if (links.value == nullptr || links.value->list() == nullptr) return;
   for (std::size_t k = 0; k < part_count(*links.value); ++k) {
-    const PlacedValue link = tree.part(links, k);
-    std::vector<PlacedValue> ends{member_of(tree, link, "from"), member_of(tree, link, "to")};
+    const LocatedValue link = tree.part(links, k);
+    std::vector<LocatedValue> ends{member_of(tree, link, "from"), member_of(tree, link, "to")};
     if (link.value->list() != nullptr) {
       for (std::size_t end = 0; end < part_count(*link.value); ++end) ends.push_back(tree.part(link, end));
     }
-    for (const PlacedValue end : ends) {
+    for (const LocatedValue end : ends) {
       if (end.value != nullptr && end.value->text() != nullptr && *end.value->text() == id) {
         patch.push_back(text_over(tree, end, name));
       }
@@ -79,7 +79,7 @@ void rename_in_links(const PlacedTree& tree, const std::string& id, const std::s
 }
 
 /// The name wherever it stands in an expression.
-void rename_in_expression(const PlacedTree& tree, PlacedValue value, const std::string& variable,
+void rename_in_expression(const LocatedTree& tree, LocatedValue value, const std::string& variable,
                           const std::string& name, const std::string& path, Patch& patch) {
   const std::string& text = *value.value->text();
   std::vector<std::size_t> places;
@@ -112,8 +112,8 @@ void append(Patch& patch, const Patch& more) { patch.insert(patch.end(), more.be
 
 }  // namespace
 
-Patch rename_component(const PlacedTree& tree, const std::string& id, const std::string& name, const Registry& registry,
-                       const std::function<bool(const std::string& placer)>& placed_by) {
+Patch rename_component(const LocatedTree& tree, const std::string& id, const std::string& name,
+                       const Registry& registry, const std::function<bool(const std::string& placer)>& placed_by) {
   const std::string path = path_below("components", id);
   if (name.empty() || !std::all_of(name.begin(), name.end(), is_of_name)) {
     refuse(path, fmt::format("'{}' cannot name a component", name), "letters, digits and _");
@@ -130,7 +130,7 @@ Patch rename_component(const PlacedTree& tree, const std::string& id, const std:
   return in_order(std::move(patch));
 }
 
-Patch rename_variable(const PlacedTree& tree, const std::string& variable, const std::string& name,
+Patch rename_variable(const LocatedTree& tree, const std::string& variable, const std::string& name,
                       const Registry& registry, const std::vector<std::string>& expression_paths) {
   const std::string path = path_below("variables", variable);
   if (!is_identifier(name)) {

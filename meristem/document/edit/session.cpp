@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "meristem/document/edit/edits.h"
-#include "meristem/document/edit/placed_tree.h"
+#include "meristem/document/edit/located_tree.h"
 
 namespace meristem {
 
@@ -42,7 +42,7 @@ Change Session::edit(const std::vector<Edit>& edits) {
   std::string text = text_;
   try {
     for (const Edit& edit : edits) {
-      const Patch next = patch_of(edit, PlacedTree(text), {file_, *registry_, document(), reading()});
+      const Patch next = patch_of(edit, LocatedTree(text), {file_, *registry_, document(), reading()});
       text = apply_patch(text, next);
       patch = joined_patches(patch, next);
     }

@@ -38,7 +38,7 @@ void check_value(const Value& value, std::string_view path) {
   refuse(path, "the value has a number that is not finite", "finite numbers");
 }
 
-Splice written_over(const PlacedTree& tree, PlacedValue old, const Value& value) {
+Splice written_over(const LocatedTree& tree, LocatedValue old, const Value& value) {
   const TextNode& node = tree.at(old);
   const std::string& text = tree.text();
   return {.offset = node.begin,
@@ -48,7 +48,7 @@ Splice written_over(const PlacedTree& tree, PlacedValue old, const Value& value)
 }
 
 /// Writes over all values that differ, where old and new have the same parts.
-void write_over_differences(const PlacedTree& tree, PlacedValue old, const Value& value, Patch& patch) {
+void write_over_differences(const LocatedTree& tree, LocatedValue old, const Value& value, Patch& patch) {
   if (*old.value == value) return;
   if (!have_same_parts(*old.value, value)) {
     patch.push_back(written_over(tree, old, value));
@@ -61,12 +61,12 @@ void write_over_differences(const PlacedTree& tree, PlacedValue old, const Value
 }
 
 /// Has the value at `path`, which is there, say `value`: parts come and go one by one, then numbers and texts change.
-Patch rewritten(const PlacedTree& tree, std::string_view path, const Value& value) {
+Patch rewritten(const LocatedTree& tree, std::string_view path, const Value& value) {
   Patch patch;
-  std::optional<PlacedTree> changed;  // by the steps so far
-  const auto present = [&]() -> const PlacedTree& { return changed ? *changed : tree; };
+  std::optional<LocatedTree> changed;  // by the steps so far
+  const auto present = [&]() -> const LocatedTree& { return changed ? *changed : tree; };
   for (int step = 0; step < kMostSteps; ++step) {
-    const PlacedValue old = find_path(present(), path).last();
+    const LocatedValue old = find_path(present(), path).last();
     const std::optional<PartDifference> found = first_part_difference(present(), old, value);
     if (!found) {
       Patch rest;
@@ -96,14 +96,14 @@ Value with_steps(const PathTarget& target, const Value& value, std::string_view 
 
 }  // namespace
 
-Patch set_value(const PlacedTree& tree, std::string_view path, const Value& value) {
+Patch set_value(const LocatedTree& tree, std::string_view path, const Value& value) {
   check_value(value, path);
   const PathTarget target = follow_path(tree, path);
   if (target.missing.empty()) return rewritten(tree, path, value);
   const PathStep& step = target.missing.front();
   if (step.is_index) throw_missing(target, path);
   const Value made = with_steps(target, value, path);
-  const PlacedValue last = target.last();
+  const LocatedValue last = target.last();
   if (last.value->is_null()) {
     Value::Object around;
     around.emplace_back(step.name, made);
@@ -113,12 +113,12 @@ Patch set_value(const PlacedTree& tree, std::string_view path, const Value& valu
   return insert_part(tree, last, part_count(*last.value), {&step.name, &made});
 }
 
-Patch insert_value(const PlacedTree& tree, std::string_view path, const Value& value,
+Patch insert_value(const LocatedTree& tree, std::string_view path, const Value& value,
                    std::optional<std::size_t> index) {
   check_value(value, path);
   const PathTarget target = follow_path(tree, path);
   const bool is_there = target.missing.empty();
-  const PlacedValue container = is_there ? target.container() : target.last();
+  const LocatedValue container = is_there ? target.container() : target.last();
   const std::size_t count = part_count(*container.value);
   if (container.value->list() != nullptr) {
     std::size_t at = is_there ? target.places.back() : target.missing[0].index;
@@ -134,14 +134,14 @@ Patch insert_value(const PlacedTree& tree, std::string_view path, const Value& v
   return insert_part(tree, container, index.value_or(count), {&target.missing[0].name, &value});
 }
 
-Patch remove_value(const PlacedTree& tree, std::string_view path) {
+Patch remove_value(const LocatedTree& tree, std::string_view path) {
   const PathTarget target = find_path(tree, path);
   return remove_part(tree, target.container(), target.places.back()).patch;
 }
 
-Patch rename_member(const PlacedTree& tree, std::string_view path, std::string_view name) {
+Patch rename_member(const LocatedTree& tree, std::string_view path, std::string_view name) {
   const PathTarget target = find_path(tree, path);
-  const PlacedValue container = target.container();
+  const LocatedValue container = target.container();
   if (container.value->object() == nullptr) refuse(path, "elements of lists have no names", "the path of a member");
   const std::string& old = (*container.value->object())[target.places.back()].first;
   if (old == name) return {};
@@ -157,18 +157,18 @@ Patch rename_member(const PlacedTree& tree, std::string_view path, std::string_v
            .replacement = write_json_line(Value(std::string(name)))}};
 }
 
-Patch move_value(const PlacedTree& tree, std::string_view path, std::size_t index) {
+Patch move_value(const LocatedTree& tree, std::string_view path, std::size_t index) {
   const PathTarget target = find_path(tree, path);
-  const PlacedValue container = target.container();
+  const LocatedValue container = target.container();
   const std::size_t count = part_count(*container.value);
   if (index >= count) {
     refuse(path, fmt::format("there is no place {} among {}", index, count), fmt::format("0 to {}", count - 1));
   }
   if (index == target.places.back()) return {};
   const RemovedPart removed = remove_part(tree, container, target.places.back());
-  const PlacedTree without(apply_patch(tree.text(), removed.patch));
+  const LocatedTree without(apply_patch(tree.text(), removed.patch));
   const std::vector<std::size_t> above(target.places.begin(), target.places.end() - 1);
-  const PlacedValue left = value_at(without, above);
+  const LocatedValue left = value_at(without, above);
   return joined_patches(removed.patch, insert_part(without, left, index, {.written = &removed.written}));
 }
 

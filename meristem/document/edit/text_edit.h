@@ -14,28 +14,28 @@
 #include <optional>
 #include <string_view>
 
+#include "meristem/document/edit/located_tree.h"
 #include "meristem/document/edit/patch.h"
-#include "meristem/document/edit/placed_tree.h"
 #include "meristem/graph/table/value.h"
 
 namespace meristem {
 
 /// Has the path say `value`; members on the way that are not there are added behind the others, elements of lists must
 /// be there. Within lists and objects only what differs is written anew.
-Patch set_value(const PlacedTree& tree, std::string_view path, const Value& value);
+Patch set_value(const LocatedTree& tree, std::string_view path, const Value& value);
 
 /// Puts an element before that of the path's index (or behind the last), or adds a member that is not there yet, behind
 /// all others or so that it is number `index` among them.
-Patch insert_value(const PlacedTree& tree, std::string_view path, const Value& value,
+Patch insert_value(const LocatedTree& tree, std::string_view path, const Value& value,
                    std::optional<std::size_t> index = {});
 
 /// Takes out a member or element.
-Patch remove_value(const PlacedTree& tree, std::string_view path);
+Patch remove_value(const LocatedTree& tree, std::string_view path);
 
 /// Gives a member another name, which must be free.
-Patch rename_member(const PlacedTree& tree, std::string_view path, std::string_view name);
+Patch rename_member(const LocatedTree& tree, std::string_view path, std::string_view name);
 
 /// Moves a member or element within its object or list, so that it is number `index`.
-Patch move_value(const PlacedTree& tree, std::string_view path, std::size_t index);
+Patch move_value(const LocatedTree& tree, std::string_view path, std::size_t index);
 
 }  // namespace meristem

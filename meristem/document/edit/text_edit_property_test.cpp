@@ -174,7 +174,7 @@ void move_part(Parts& parts, std::size_t from, std::size_t to) {
 }
 
 /// A random edit of the text; `expected` is edited in the same way in memory.
-Patch random_edit(const PlacedTree& tree, Value& expected, Draws& draw) {
+Patch random_edit(const LocatedTree& tree, Value& expected, Draws& draw) {
   const std::vector<Spot> spots = all_spots(expected);
   const Spot spot = spots[draw.below(spots.size())];
   std::vector<std::size_t> above(spot.places.begin(), spot.places.end() - 1);
@@ -262,7 +262,7 @@ void check_edits(const std::string& first, std::uint64_t seed, int edits) {
   std::string text = first;
   Patch all;
   for (int k = 0; k < edits && part_count(expected) > 0; ++k) {
-    const PlacedTree tree(text);
+    const LocatedTree tree(text);
     const Patch patch = random_edit(tree, expected, draw);
     ASSERT_TRUE(is_sound(patch, text.size()));
     const std::string edited = apply_patch(text, patch);
@@ -294,7 +294,7 @@ TEST(TextEditProperty, NumbersAndMembersThatAreSetLeaveAllComments) {
     const Value value(Value::Object{{"first", random_value(draw, 4)}, {"second", 1}});
     const std::string text = WildWriter(draw).text_of(value);
     for (const char* path : {"second", "third", "first"}) {
-      const PlacedTree tree(text);
+      const LocatedTree tree(text);
       const PathTarget target = follow_path(tree, path);
       if (target.missing.empty() && part_count(*target.last().value) > 0) continue;
       if (target.missing.empty() &&
@@ -323,7 +323,7 @@ TEST(TextEditProperty, ShippedModelsTakeRandomEdits) {
 
 TEST(TextEditProperty, EveryNumberOfTheShippedModelsIsWrittenOverAlone) {
   for (const std::string& text : model_texts()) {
-    const PlacedTree tree(text);
+    const LocatedTree tree(text);
     Value root = *tree.root().value;
     for (const Spot& spot : all_spots(root)) {
       if (value_in(root, spot.places).number() == nullptr) continue;

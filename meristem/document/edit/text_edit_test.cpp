@@ -12,20 +12,20 @@ namespace meristem {
 namespace {
 
 std::string set(const std::string& text, const std::string& path, const Value& value) {
-  return apply_patch(text, set_value(PlacedTree(text), path, value));
+  return apply_patch(text, set_value(LocatedTree(text), path, value));
 }
 std::string insert(const std::string& text, const std::string& path, const Value& value,
                    std::optional<std::size_t> index = {}) {
-  return apply_patch(text, insert_value(PlacedTree(text), path, value, index));
+  return apply_patch(text, insert_value(LocatedTree(text), path, value, index));
 }
 std::string remove(const std::string& text, const std::string& path) {
-  return apply_patch(text, remove_value(PlacedTree(text), path));
+  return apply_patch(text, remove_value(LocatedTree(text), path));
 }
 std::string move(const std::string& text, const std::string& path, std::size_t index) {
-  return apply_patch(text, move_value(PlacedTree(text), path, index));
+  return apply_patch(text, move_value(LocatedTree(text), path, index));
 }
 std::string rename(const std::string& text, const std::string& path, const std::string& name) {
-  return apply_patch(text, rename_member(PlacedTree(text), path, name));
+  return apply_patch(text, rename_member(LocatedTree(text), path, name));
 }
 
 template <class Edit>
@@ -68,7 +68,7 @@ TEST(TextEdit, WritesANumberOverAnotherAndNothingElse) {
 }
 
 TEST(TextEdit, LeavesAValueAsItIsSpelledWhereItSaysTheSame) {
-  EXPECT_TRUE(set_value(PlacedTree(kLeaf), "components.leaf.length", 0.1).empty());
+  EXPECT_TRUE(set_value(LocatedTree(kLeaf), "components.leaf.length", 0.1).empty());
 }
 
 TEST(TextEdit, AddsAMemberInTheLineOfItsNeighbours) {

@@ -8,7 +8,7 @@ namespace meristem {
 
 namespace {
 
-std::optional<PartDifference> difference_of_lists(PlacedValue old, const Value::List& was, const Value::List& is) {
+std::optional<PartDifference> difference_of_lists(LocatedValue old, const Value::List& was, const Value::List& is) {
   const std::size_t shorter = std::min(was.size(), is.size());
   std::size_t first = 0;  // that differs
   while (first < shorter && was[first] == is[first]) ++first;
@@ -29,7 +29,7 @@ std::vector<std::string_view> shared_names(const Value& one, const Value& other)
   return names;
 }
 
-std::optional<PartDifference> difference_of_objects(PlacedValue old, const Value& was, const Value& is) {
+std::optional<PartDifference> difference_of_objects(LocatedValue old, const Value& was, const Value& is) {
   const Value::Object& old_members = *was.object();
   const Value::Object& new_members = *is.object();
   for (std::size_t k = 0; k < old_members.size(); ++k) {
@@ -52,7 +52,7 @@ bool have_same_parts(const Value& one, const Value& other) {
                     [](const Value::Member& a, const Value::Member& b) { return a.first == b.first; });
 }
 
-std::optional<PartDifference> first_part_difference(const PlacedTree& tree, PlacedValue old, const Value& value) {
+std::optional<PartDifference> first_part_difference(const LocatedTree& tree, LocatedValue old, const Value& value) {
   const Value& was = *old.value;
   if (was == value) return std::nullopt;
   const bool are_lists = was.list() != nullptr && value.list() != nullptr;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "meristem/document/edit/placed_tree.h"
+#include "meristem/document/edit/located_tree.h"
 
 namespace meristem {
 
@@ -15,7 +15,7 @@ bool have_same_parts(const Value& one, const Value& other);
 
 /// A part that one has and the other has not.
 struct PartDifference {
-  PlacedValue container;              ///< in the old tree
+  LocatedValue container;             ///< in the old tree
   std::size_t index = 0;              ///< in it: of the part that goes, or that the added one will have
   const std::string* name = nullptr;  ///< of the added member
   const Value* added = nullptr;       ///< null where the part goes
@@ -23,6 +23,6 @@ struct PartDifference {
 
 /// The first step, a part more or less, on the way from an old value to a new one. Nothing where all lists and objects
 /// have the same parts already, or are others altogether: other kinds of value, or members in another order.
-std::optional<PartDifference> first_part_difference(const PlacedTree& tree, PlacedValue old, const Value& value);
+std::optional<PartDifference> first_part_difference(const LocatedTree& tree, LocatedValue old, const Value& value);
 
 }  // namespace meristem

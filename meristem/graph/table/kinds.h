@@ -32,6 +32,6 @@ ParameterTable table_of_kinds(const Kinds& kinds);
 
 /// Which kind an element is; nothing after a fault. `all` is the table of all kinds.
 std::optional<std::size_t> read_kind(const Kinds& kinds, const ParameterTable& all, const Value& value,
-                                     const Place& place, ParameterReader& reader);
+                                     const DocumentPath& path, ParameterReader& reader);
 
 }  // namespace meristem

@@ -26,12 +26,12 @@ struct Garden {
 
 const Kinds& work_kinds();
 
-void check_snip(const Snip& snip, const Place& place, ParameterReader& reader) {
-  if (snip.length > snip.at) reader.fault(Place(place, "length"), "longer than it has grown");
+void check_snip(const Snip& snip, const DocumentPath& path, ParameterReader& reader) {
+  if (snip.length > snip.at) reader.fault(DocumentPath(path, "length"), "longer than it has grown");
 }
 template <class Kind>
-void note_place(Kind& kind, const Place& place, ParameterReader&) {
-  kind.path = place.text();
+void note_place(Kind& kind, const DocumentPath& path, ParameterReader&) {
+  kind.path = path.text();
 }
 
 const ParameterTable& snip_table() {
@@ -84,8 +84,9 @@ struct Result {
 Result read(Value::List work) {
   Result result;
   ParameterReader reader({}, Limits{});
-  const Place top;
-  reader.read(garden_table(), &result.garden, Value::Object{{"work", Value(std::move(work))}}, Place(top, "garden"));
+  const DocumentPath top;
+  reader.read(garden_table(), &result.garden, Value::Object{{"work", Value(std::move(work))}},
+              DocumentPath(top, "garden"));
   result.faults = reader.take_diagnostics();
   return result;
 }

@@ -14,21 +14,21 @@ namespace {
 using Meaning = ParameterTable::Meaning;
 
 /// The first name of a path, and what is left of it.
-std::pair<std::string_view, std::string_view> first_of(std::string_view path) {
-  const std::size_t dot = path.find('.');
-  return {path.substr(0, dot), dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1)};
+std::pair<std::string_view, std::string_view> first_of(std::string_view row_path) {
+  const std::size_t dot = row_path.find('.');
+  return {row_path.substr(0, dot), dot == std::string_view::npos ? std::string_view() : row_path.substr(dot + 1)};
 }
 
 /// The member at a path; null where there is none.
-const Value* find_at(const Value& value, std::string_view path) {
-  const auto [name, rest] = first_of(path);
+const Value* find_at(const Value& value, std::string_view row_path) {
+  const auto [name, rest] = first_of(row_path);
   const Value* member = value.find(name);
   return member == nullptr || rest.empty() ? member : find_at(*member, rest);
 }
 
 /// What a parameter of the struct has come to be, as a document would write it.
-Value present(const ParameterTable& table, const void* object, std::string_view path) {
-  const auto [name, rest] = first_of(path);
+Value present(const ParameterTable& table, const void* object, std::string_view row_path) {
+  const auto [name, rest] = first_of(row_path);
   const Parameter* row = table.find(name);
   if (row == nullptr) return {};
   const Value shown = row->show(object);
@@ -38,9 +38,9 @@ Value present(const ParameterTable& table, const void* object, std::string_view 
 }
 
 /// Calls `report` with the place of a path below `place`.
-void at_path(const Place& place, std::string_view path, FunctionRef<void(const Place&)> report) {
-  const auto [name, rest] = first_of(path);
-  const Place here(place, name);
+void at_path(const DocumentPath& path, std::string_view row_path, FunctionRef<void(const DocumentPath&)> report) {
+  const auto [name, rest] = first_of(row_path);
+  const DocumentPath here(path, name);
   if (rest.empty()) return report(here);
   at_path(here, rest, report);
 }
@@ -76,20 +76,20 @@ std::string wishes(const Meaning& meaning) {
 
 }  // namespace
 
-void check_meanings(const ParameterTable& table, const void* object, const Value& value, const Place& place,
+void check_meanings(const ParameterTable& table, const void* object, const Value& value, const DocumentPath& path,
                     ParameterReader& reader) {
   const auto gives = [&](const Meaning::Giver& giver) {
     if (giver.values.empty()) return find_at(value, giver.parameter) != nullptr;
     return std::ranges::find(giver.values, present(table, object, giver.parameter)) != giver.values.end();
   };
   for (const Meaning& meaning : table.meanings) {
-    const auto is_given = [&](const std::string& path) { return find_at(value, path) != nullptr; };
+    const auto is_given = [&](const std::string& row_path) { return find_at(value, row_path) != nullptr; };
     if (std::ranges::none_of(meaning.parameters, is_given)) continue;
     if (std::ranges::any_of(meaning.givers, gives)) continue;
-    for (const std::string& path : meaning.parameters) {
-      if (!is_given(path)) continue;
-      at_path(place, path, [&](const Place& at) {
-        reader.fault_meaning(at, fmt::format("'{}' has no meaning {}", path, lack(meaning, table, object)),
+    for (const std::string& row_path : meaning.parameters) {
+      if (!is_given(row_path)) continue;
+      at_path(path, row_path, [&](const DocumentPath& at) {
+        reader.fault_meaning(at, fmt::format("'{}' has no meaning {}", row_path, lack(meaning, table, object)),
                              wishes(meaning));
       });
     }

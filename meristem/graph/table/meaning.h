@@ -8,7 +8,7 @@ namespace meristem {
 
 /// Reports those parameters in `value` that nothing gives a meaning, at their names: what stands beside them there and
 /// what the struct at `object`, which was read from it, has come to be.
-void check_meanings(const ParameterTable& table, const void* object, const Value& value, const Place& place,
+void check_meanings(const ParameterTable& table, const void* object, const Value& value, const DocumentPath& path,
                     ParameterReader& reader);
 
 }  // namespace meristem

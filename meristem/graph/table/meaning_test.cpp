@@ -52,7 +52,7 @@ const ParameterTable& pen_table() {
 std::vector<Diagnostic> faults_of(const Value& value) {
   ParameterReader reader({}, Limits{});
   Pen pen;
-  reader.read(pen_table(), &pen, value, Place());
+  reader.read(pen_table(), &pen, value, DocumentPath());
   return reader.take_diagnostics();
 }
 

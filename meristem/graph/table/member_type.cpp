@@ -36,32 +36,33 @@ Parameter element_of(const Parameter& self) {
 }
 
 /// Reads a pair [x, y] of plain numbers.
-bool read_pair(const Parameter& element, const Value& value, const Place& place, ParameterReader& reader, Vec2& out) {
+bool read_pair(const Parameter& element, const Value& value, const DocumentPath& path, ParameterReader& reader,
+               Vec2& out) {
   const Value::List* pair = value.list();
   if (pair == nullptr || pair->size() != 2) {
-    reader.fault(place, fmt::format("a point of '{}' cannot be {}", element.name, value.description()),
+    reader.fault(path, fmt::format("a point of '{}' cannot be {}", element.name, value.description()),
                  "a pair of numbers such as [0.5, 2]");
     return false;
   }
-  const auto x = reader.number(element, (*pair)[0], Place(place, std::size_t{0}));
-  const auto y = reader.number(element, (*pair)[1], Place(place, std::size_t{1}));
+  const auto x = reader.number(element, (*pair)[0], DocumentPath(path, std::size_t{0}));
+  const auto y = reader.number(element, (*pair)[1], DocumentPath(path, std::size_t{1}));
   if (!x || !y) return false;
   out = Vec2(*x, *y);
   return true;
 }
 
-bool read_pairs(const Parameter& element, const Value& value, const Place& place, ParameterReader& reader,
+bool read_pairs(const Parameter& element, const Value& value, const DocumentPath& path, ParameterReader& reader,
                 std::vector<Vec2>& out) {
   const Value::List* list = value.list();
   if (list == nullptr || list->empty()) {
-    reader.fault(place, fmt::format("'{}' cannot be {}", element.name, value.description()),
+    reader.fault(path, fmt::format("'{}' cannot be {}", element.name, value.description()),
                  "a list of pairs such as [[0, 1], [0.5, 2]]");
     return false;
   }
   bool good = true;
   std::vector<Vec2> points(list->size());
   for (std::size_t k = 0; k < list->size(); ++k) {
-    good = read_pair(element, (*list)[k], Place(place, k), reader, points[k]) && good;
+    good = read_pair(element, (*list)[k], DocumentPath(path, k), reader, points[k]) && good;
   }
   if (good) out = std::move(points);
   return good;
@@ -83,12 +84,13 @@ Parameter each_of(const Parameter& self) {
   return each;
 }
 
-void read_colour(const Parameter& self, const Value& value, const Place& place, ParameterReader& reader, Vec3& out) {
-  const std::string* text = reader.text(self, value, place);
+void read_colour(const Parameter& self, const Value& value, const DocumentPath& path, ParameterReader& reader,
+                 Vec3& out) {
+  const std::string* text = reader.text(self, value, path);
   if (text == nullptr) return;
   bool good = text->size() == 7 && (*text)[0] == '#';
   for (std::size_t k = 1; good && k < 7; ++k) good = hexadecimal((*text)[k]) >= 0;
-  if (!good) return reader.fault(place, fmt::format("'{}' is not a colour", *text), self.expectation());
+  if (!good) return reader.fault(path, fmt::format("'{}' is not a colour", *text), self.expectation());
   for (int k = 0; k < 3; ++k) {
     const auto at = static_cast<std::size_t>(1 + 2 * k);
     out[k] = static_cast<float>(16 * hexadecimal((*text)[at]) + hexadecimal((*text)[at + 1])) / 255.0F;
@@ -103,11 +105,12 @@ Value show_colour(Vec3 colour) {
 
 }  // namespace
 
-void read_value(const Parameter& self, bool& member, const Value& value, const Place& place, ParameterReader& reader) {
+void read_value(const Parameter& self, bool& member, const Value& value, const DocumentPath& path,
+                ParameterReader& reader) {
   if (const bool* given = value.boolean()) {
     member = *given;
   } else {
-    reader.wrong_kind(self, value, place);
+    reader.wrong_kind(self, value, path);
   }
 }
 
@@ -115,22 +118,23 @@ Value show_value(const Parameter&, bool member) { return member; }
 
 Value show_number(const Parameter& self, double member) { return to_document(self.form.unit, member); }
 
-void read_value(const Parameter& self, std::string& member, const Value& value, const Place& place,
+void read_value(const Parameter& self, std::string& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
-  if (const std::string* given = reader.text(self, value, place)) member = *given;
+  if (const std::string* given = reader.text(self, value, path)) member = *given;
 }
 
 Value show_value(const Parameter&, const std::string& member) { return member; }
 
-void read_value(const Parameter& self, PerChild& member, const Value& value, const Place& place,
+void read_value(const Parameter& self, PerChild& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
-  reader.store_per_child(self, value, place, member);
+  reader.store_per_child(self, value, path, member);
 }
 
 Value show_value(const Parameter& self, const PerChild& member) { return to_document(self.form.unit, member.plain); }
 
-void read_value(const Parameter& self, Curve& curve, const Value& value, const Place& place, ParameterReader& reader) {
-  if (value.object() == nullptr) return reader.wrong_kind(self, value, place);
+void read_value(const Parameter& self, Curve& curve, const Value& value, const DocumentPath& path,
+                ParameterReader& reader) {
+  if (value.object() == nullptr) return reader.wrong_kind(self, value, path);
   CurveKind kind = CurveKind::spline;
   std::vector<Vec2> points;
   bool good = true;
@@ -140,7 +144,7 @@ void read_value(const Parameter& self, Curve& curve, const Value& value, const P
   kind_row.choices = {"spline", "linear"};
   const std::vector<std::string> names = {"curve", "kind"};
   for (const auto& [name, member] : *value.object()) {
-    const Place member_place(place, name);
+    const DocumentPath member_place(path, name);
     if (name == "curve") {
       good = read_pairs(element_of(self), member, member_place, reader, points) && good;
     } else if (name == "kind") {
@@ -154,12 +158,12 @@ void read_value(const Parameter& self, Curve& curve, const Value& value, const P
     }
   }
   if (!good) return;
-  if (points.empty()) return reader.fault(place, "the curve has no points", self.expectation());
+  if (points.empty()) return reader.fault(path, "the curve has no points", self.expectation());
   for (std::size_t k = 0; k < points.size(); ++k) {
     const bool outside = points[k].x < 0 || points[k].x > 1;
     if (outside || (k > 0 && !(points[k - 1].x < points[k].x))) {
-      const Place curve_place(place, "curve");
-      reader.fault(Place(curve_place, k),
+      const DocumentPath curve_place(path, "curve");
+      reader.fault(DocumentPath(curve_place, k),
                    outside ? fmt::format("x = {:.7g} of the curve's point {} is out of range", points[k].x, k)
                            : fmt::format("x = {:.7g} of the curve's point {} does not rise", points[k].x, k),
                    "x from 0 to 1, strictly rising");
@@ -175,9 +179,9 @@ Value show_value(const Parameter& self, const Curve& curve) {
   return object;
 }
 
-void read_value(const Parameter& self, std::vector<Vec2>& member, const Value& value, const Place& place,
+void read_value(const Parameter& self, std::vector<Vec2>& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
-  read_pairs(element_of(self), value, place, reader, member);
+  read_pairs(element_of(self), value, path, reader, member);
 }
 
 Value show_value(const Parameter&, const std::vector<Vec2>& points) {
@@ -187,15 +191,15 @@ Value show_value(const Parameter&, const std::vector<Vec2>& points) {
   return list;
 }
 
-void read_value(const Parameter& self, std::vector<int>& member, const Value& value, const Place& place,
+void read_value(const Parameter& self, std::vector<int>& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
   const Value::List* list = value.list();
-  if (list == nullptr || list->size() != self.count) return reader.wrong_kind(self, value, place);
+  if (list == nullptr || list->size() != self.count) return reader.wrong_kind(self, value, path);
   Parameter element = element_of(self);
   element.kind = ParameterKind::integer;
   std::vector<int> numbers;
   for (std::size_t k = 0; k < list->size(); ++k) {
-    if (const auto number = reader.number(element, (*list)[k], Place(place, k)))
+    if (const auto number = reader.number(element, (*list)[k], DocumentPath(path, k)))
       numbers.push_back(static_cast<int>(*number));
   }
   if (numbers.size() == self.count) member = std::move(numbers);
@@ -205,14 +209,15 @@ Value show_value(const Parameter&, const std::vector<int>& numbers) {
   return numbers.empty() ? Value() : Value::List(numbers.begin(), numbers.end());
 }
 
-void read_value(const Parameter& self, Vec3& member, const Value& value, const Place& place, ParameterReader& reader) {
-  if (self.kind == ParameterKind::colour) return read_colour(self, value, place, reader, member);
+void read_value(const Parameter& self, Vec3& member, const Value& value, const DocumentPath& path,
+                ParameterReader& reader) {
+  if (self.kind == ParameterKind::colour) return read_colour(self, value, path, reader, member);
   const Value::List* list = value.list();
-  if (list == nullptr || list->size() != 3) return reader.wrong_kind(self, value, place);
+  if (list == nullptr || list->size() != 3) return reader.wrong_kind(self, value, path);
   const Parameter element = element_of(self);
   for (int k = 0; k < 3; ++k) {
     const auto index = static_cast<std::size_t>(k);
-    read_value(element, member[k], (*list)[index], Place(place, index), reader);
+    read_value(element, member[k], (*list)[index], DocumentPath(path, index), reader);
   }
 }
 
@@ -222,13 +227,13 @@ Value show_value(const Parameter& self, const Vec3& member) {
   return Value::List{to_document(unit, member.x), to_document(unit, member.y), to_document(unit, member.z)};
 }
 
-void read_value(const Parameter& self, std::vector<Vec3>& member, const Value& value, const Place& place,
+void read_value(const Parameter& self, std::vector<Vec3>& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
   const Value::List* list = value.list();
-  if (list == nullptr || list->empty()) return reader.wrong_kind(self, value, place);
+  if (list == nullptr || list->empty()) return reader.wrong_kind(self, value, path);
   member.assign(list->size(), Vec3(0));
   const Parameter each = each_of(self);
-  for (std::size_t k = 0; k < list->size(); ++k) read_value(each, member[k], (*list)[k], Place(place, k), reader);
+  for (std::size_t k = 0; k < list->size(); ++k) read_value(each, member[k], (*list)[k], DocumentPath(path, k), reader);
 }
 
 Value show_value(const Parameter& self, const std::vector<Vec3>& member) {
@@ -239,28 +244,29 @@ Value show_value(const Parameter& self, const std::vector<Vec3>& member) {
   return list;
 }
 
-void read_value(const Parameter& self, Box& member, const Value& value, const Place& place, ParameterReader& reader) {
+void read_value(const Parameter& self, Box& member, const Value& value, const DocumentPath& path,
+                ParameterReader& reader) {
   const Value::List* corners = value.list();
-  if (corners == nullptr || corners->size() != 2) return reader.wrong_kind(self, value, place);
-  read_value(self, member.low, (*corners)[0], Place(place, std::size_t{0}), reader);
-  read_value(self, member.high, (*corners)[1], Place(place, std::size_t{1}), reader);
+  if (corners == nullptr || corners->size() != 2) return reader.wrong_kind(self, value, path);
+  read_value(self, member.low, (*corners)[0], DocumentPath(path, std::size_t{0}), reader);
+  read_value(self, member.high, (*corners)[1], DocumentPath(path, std::size_t{1}), reader);
 }
 
 Value show_value(const Parameter& self, const Box& member) {
   return Value::List{show_value(self, member.low), show_value(self, member.high)};
 }
 
-void read_value(const Parameter& self, Selection& member, const Value& value, const Place& place,
+void read_value(const Parameter& self, Selection& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
   const Value::List* list = value.list();
-  if (list == nullptr) return reader.wrong_kind(self, value, place);
+  if (list == nullptr) return reader.wrong_kind(self, value, path);
   Parameter number_row = element_of(self);
   number_row.kind = ParameterKind::integer;
   number_row.form = {.min = 0, .max = 4294967295.0, .fixed = true};
   Selection selection;
   for (std::size_t k = 0; k < list->size(); ++k) {
     const Value& entry = (*list)[k];
-    const Place entry_place(place, k);
+    const DocumentPath entry_place(path, k);
     if (entry.text() != nullptr) {
       if (auto compiled = reader.expression(entry, entry_place, site_variables())) {
         selection.conditions.push_back({*entry.text(), std::move(*compiled)});
@@ -274,8 +280,9 @@ void read_value(const Parameter& self, Selection& member, const Value& value, co
       continue;
     }
     const auto low = ends == nullptr ? reader.number(number_row, entry, entry_place)
-                                     : reader.number(number_row, (*ends)[0], Place(entry_place, std::size_t{0}));
-    const auto high = ends == nullptr ? low : reader.number(number_row, (*ends)[1], Place(entry_place, std::size_t{1}));
+                                     : reader.number(number_row, (*ends)[0], DocumentPath(entry_place, std::size_t{0}));
+    const auto high =
+        ends == nullptr ? low : reader.number(number_row, (*ends)[1], DocumentPath(entry_place, std::size_t{1}));
     if (!low || !high) continue;
     if (*low > *high) {
       reader.fault(entry_place, fmt::format("the range from {:.12g} to {:.12g} falls", *low, *high),
@@ -297,26 +304,27 @@ Value show_value(const Parameter&, const Selection& selection) {
   return list;
 }
 
-void read_value(const Parameter& self, Formula& member, const Value& value, const Place& place,
+void read_value(const Parameter& self, Formula& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
   const bool is_number = self.kind == ParameterKind::formula && value.number() != nullptr;
   const Value text = is_number ? Value(fmt::format("{}", *value.number())) : value;
-  if (text.text() == nullptr) return reader.wrong_kind(self, text, place);
-  if (auto compiled = reader.expression(text, place, self.names)) member = {*text.text(), std::move(*compiled)};
+  if (text.text() == nullptr) return reader.wrong_kind(self, text, path);
+  if (auto compiled = reader.expression(text, path, self.names)) member = {*text.text(), std::move(*compiled)};
 }
 
 Value show_value(const Parameter&, const Formula& member) { return member.text; }
 
-void read_held(const Parameter& self, void* member, const Value& value, const Place& place, ParameterReader& reader) {
+void read_held(const Parameter& self, void* member, const Value& value, const DocumentPath& path,
+               ParameterReader& reader) {
   const bool is_list = self.kind == ParameterKind::list, is_map = self.kind == ParameterKind::map;
   if ((is_list && value.list() == nullptr) || (is_map && value.object() == nullptr)) {
-    return reader.wrong_kind(self, value, place);
+    return reader.wrong_kind(self, value, path);
   }
   self.type->make(member, value);
   if (is_list) {
     const Value::List& values = *value.list();
     for (std::size_t k = 0; k < values.size(); ++k) {
-      const Place at(place, k);
+      const DocumentPath at(path, k);
       if (self.kinds != nullptr) {
         const std::optional<std::size_t> kind = read_kind(self.kinds(), self.nested(), values[k], at, reader);
         if (!kind) continue;
@@ -327,10 +335,10 @@ void read_held(const Parameter& self, void* member, const Value& value, const Pl
   } else if (is_map) {
     const Value::Object& values = *value.object();
     for (std::size_t k = 0; k < values.size(); ++k) {
-      reader.element(self, member, k, values[k].second, Place(place, values[k].first));
+      reader.element(self, member, k, values[k].second, DocumentPath(path, values[k].first));
     }
   } else {
-    reader.object(self.nested(), self.type->element(member, 0), value, place);
+    reader.object(self.nested(), self.type->element(member, 0), value, path);
   }
 }
 

@@ -25,10 +25,10 @@ namespace meristem {
 
 /// Makes something of a file, or throws InputError.
 template <class T>
-using LoadAsset = T (*)(const std::string& path, const Limits& limits);
+using LoadAsset = T (*)(const std::string& file_path, const Limits& limits);
 /// Makes something of a text; `path` is the file's, or where the text stands in the document one in its folder.
 template <class T>
-using TextAsset = T (*)(const std::string& text, const std::string& path, ParameterReader& reader,
+using TextAsset = T (*)(const std::string& text, const std::string& file_path, ParameterReader& reader,
                         std::vector<Diagnostic>& warnings);
 
 /// What an optional holds, or the type itself.
@@ -43,17 +43,17 @@ struct ValueOfMember<std::optional<M>> {
 template <class M>
 using ValueOf = typename ValueOfMember<M>::Type;
 
-void read_value(const Parameter&, bool& member, const Value&, const Place&, ParameterReader&);
-void read_value(const Parameter&, std::string& member, const Value&, const Place&, ParameterReader&);
-void read_value(const Parameter&, PerChild& member, const Value&, const Place&, ParameterReader&);
-void read_value(const Parameter&, Vec3& member, const Value&, const Place&, ParameterReader&);
-void read_value(const Parameter&, Box& member, const Value&, const Place&, ParameterReader&);
-void read_value(const Parameter&, Curve& member, const Value&, const Place&, ParameterReader&);
-void read_value(const Parameter&, std::vector<Vec2>& member, const Value&, const Place&, ParameterReader&);
-void read_value(const Parameter&, std::vector<Vec3>& member, const Value&, const Place&, ParameterReader&);
-void read_value(const Parameter&, std::vector<int>& member, const Value&, const Place&, ParameterReader&);
-void read_value(const Parameter&, Selection& member, const Value&, const Place&, ParameterReader&);
-void read_value(const Parameter&, Formula& member, const Value&, const Place&, ParameterReader&);
+void read_value(const Parameter&, bool& member, const Value&, const DocumentPath&, ParameterReader&);
+void read_value(const Parameter&, std::string& member, const Value&, const DocumentPath&, ParameterReader&);
+void read_value(const Parameter&, PerChild& member, const Value&, const DocumentPath&, ParameterReader&);
+void read_value(const Parameter&, Vec3& member, const Value&, const DocumentPath&, ParameterReader&);
+void read_value(const Parameter&, Box& member, const Value&, const DocumentPath&, ParameterReader&);
+void read_value(const Parameter&, Curve& member, const Value&, const DocumentPath&, ParameterReader&);
+void read_value(const Parameter&, std::vector<Vec2>& member, const Value&, const DocumentPath&, ParameterReader&);
+void read_value(const Parameter&, std::vector<Vec3>& member, const Value&, const DocumentPath&, ParameterReader&);
+void read_value(const Parameter&, std::vector<int>& member, const Value&, const DocumentPath&, ParameterReader&);
+void read_value(const Parameter&, Selection& member, const Value&, const DocumentPath&, ParameterReader&);
+void read_value(const Parameter&, Formula& member, const Value&, const DocumentPath&, ParameterReader&);
 
 Value show_value(const Parameter&, bool member);
 Value show_value(const Parameter&, const std::string& member);
@@ -79,9 +79,10 @@ void store_in(void* member, double number) {
 
 template <class M>
 requires std::is_arithmetic_v<ValueOf<M>>
-void read_value(const Parameter& row, M& member, const Value& value, const Place& place, ParameterReader& reader) {
+void read_value(const Parameter& row, M& member, const Value& value, const DocumentPath& path,
+                ParameterReader& reader) {
   const Value present = show_value(row, member);
-  reader.store_number(row, value, place, {&member, store_in<M>, present.is_null() ? 0 : *present.number()});
+  reader.store_number(row, value, path, {&member, store_in<M>, present.is_null() ? 0 : *present.number()});
 }
 
 template <class N>
@@ -91,8 +92,9 @@ requires std::is_arithmetic_v<N> Value show_value(const Parameter& row, N member
 
 template <class E>
 requires std::is_enum_v<E>
-void read_value(const Parameter& row, E& member, const Value& value, const Place& place, ParameterReader& reader) {
-  if (const auto given = reader.choice(row, value, place)) member = static_cast<E>(*given);
+void read_value(const Parameter& row, E& member, const Value& value, const DocumentPath& path,
+                ParameterReader& reader) {
+  if (const auto given = reader.choice(row, value, path)) member = static_cast<E>(*given);
 }
 template <class E>
 requires std::is_enum_v<E> Value show_value(const Parameter& row, E member) {
@@ -101,9 +103,9 @@ requires std::is_enum_v<E> Value show_value(const Parameter& row, E member) {
 
 template <class T>
 requires std::is_class_v<T>
-void read_value(const Parameter& row, std::optional<T>& member, const Value& value, const Place& place,
+void read_value(const Parameter& row, std::optional<T>& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
-  read_value(row, member.emplace(T{}), value, place, reader);
+  read_value(row, member.emplace(T{}), value, path, reader);
 }
 template <class T>
 Value show_value(const Parameter& row, const std::optional<T>& member) {
@@ -111,21 +113,21 @@ Value show_value(const Parameter& row, const std::optional<T>& member) {
 }
 
 template <class T>
-void read_value(const Parameter& row, Asset<T>& member, const Value& value, const Place& place,
+void read_value(const Parameter& row, Asset<T>& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
   if (row.load_file != nullptr) {
-    return reader.file(row, value, place, [&](const std::string& path) {
+    return reader.file(row, value, path, [&](const std::string& file_path) {
       const auto load = reinterpret_cast<LoadAsset<T>>(row.load_file);
-      member = {*value.text(), reader.kept_file<T>(path, load)};
+      member = {*value.text(), reader.kept_file<T>(file_path, load)};
     });
   }
-  const auto make = [&](const std::string& text, const std::string& path, std::vector<Diagnostic>& warnings) {
+  const auto make = [&](const std::string& text, const std::string& file_path, std::vector<Diagnostic>& warnings) {
     const auto read = reinterpret_cast<TextAsset<T>>(row.make_asset);
     const std::string& written = row.kind == ParameterKind::lines ? text : *value.text();
-    member = {written, reader.kept_text<T>(text, path, warnings, read)};
+    member = {written, reader.kept_text<T>(text, file_path, warnings, read)};
   };
-  if (row.kind == ParameterKind::lines) return reader.lines(row, value, place, make);
-  reader.text_file(row, value, place, make);
+  if (row.kind == ParameterKind::lines) return reader.lines(row, value, path, make);
+  reader.text_file(row, value, path, make);
 }
 template <class T>
 Value show_value(const Parameter&, const Asset<T>& member) {
@@ -133,8 +135,9 @@ Value show_value(const Parameter&, const Asset<T>& member) {
 }
 
 template <class M>
-void read_member(const Parameter& row, void* member, const Value& value, const Place& place, ParameterReader& reader) {
-  read_value(row, *static_cast<M*>(member), value, place, reader);
+void read_member(const Parameter& row, void* member, const Value& value, const DocumentPath& path,
+                 ParameterReader& reader) {
+  read_value(row, *static_cast<M*>(member), value, path, reader);
 }
 template <class M>
 Value show_member(const Parameter& row, const void* member) {
@@ -195,7 +198,7 @@ struct Held<std::vector<std::pair<std::string, T>>> {
 };
 
 /// Of members that hold structs, whatever these are.
-void read_held(const Parameter&, void* member, const Value&, const Place&, ParameterReader&);
+void read_held(const Parameter&, void* member, const Value&, const DocumentPath&, ParameterReader&);
 Value show_held(const Parameter&, const void* member);
 
 template <class M>

@@ -84,7 +84,7 @@ std::string_view kind_name(ParameterKind kind) {
 
 namespace {
 
-std::string range_text(const NumberForm& form) {
+std::string range_text(const NumberRange& form) {
   const bool low = std::isfinite(form.min);
   const bool high = std::isfinite(form.max);
   const std::string_view from = form.above_min ? "above" : "from";
@@ -95,7 +95,7 @@ std::string range_text(const NumberForm& form) {
   return "";
 }
 
-std::string number_text(std::string_view noun, const NumberForm& form) {
+std::string number_text(std::string_view noun, const NumberRange& form) {
   std::string text(noun);
   if (form.unit != Unit::none) text += fmt::format(" ({})", unit_name(form.unit));
   return text + range_text(form);
@@ -157,8 +157,8 @@ std::string Parameter::expectation() const {
   return "";
 }
 
-void Parameter::read(void* object, const Value& value, const Place& place, ParameterReader& reader) const {
-  type->read(*this, static_cast<std::byte*>(object) + offset, value, place, reader);
+void Parameter::read(void* object, const Value& value, const DocumentPath& path, ParameterReader& reader) const {
+  type->read(*this, static_cast<std::byte*>(object) + offset, value, path, reader);
 }
 
 Value Parameter::show(const void* object) const {
@@ -255,16 +255,17 @@ std::vector<std::string> ParameterTable::names() const {
   return names;
 }
 
-void ParameterTable::check_all(const void* object, const Place& place, ParameterReader& reader) const {
-  if (check) check(object, place, reader);
+void ParameterTable::check_all(const void* object, const DocumentPath& path, ParameterReader& reader) const {
+  if (check) check(object, path, reader);
   for (const Parameter& row : parameters) {
     if (row.nested == nullptr) continue;
-    const Place row_place(place, row.name);
+    const DocumentPath row_place(path, row.name);
     // Elements are reached through what changes nothing.
     void* member = const_cast<std::byte*>(static_cast<const std::byte*>(object) + row.offset);
     for (std::size_t k = 0; k < row.type->count(member); ++k) {
-      const Place element_place =
-          row.kind == ParameterKind::map ? Place(row_place, row.type->name(member, k)) : Place(row_place, k);
+      const DocumentPath element_place = row.kind == ParameterKind::map
+                                             ? DocumentPath(row_place, row.type->name(member, k))
+                                             : DocumentPath(row_place, k);
       row.table_of(member, k).check_all(row.type->element(member, k),
                                         row.kind == ParameterKind::object ? row_place : element_place, reader);
     }

@@ -57,7 +57,7 @@ struct UsualSpan {
 };
 
 /// What a number may be. In a component every number may differ from instance to instance unless it is `fixed`.
-struct NumberForm {
+struct NumberRange {
   Unit unit = Unit::none;
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
@@ -71,7 +71,8 @@ struct Parameter;
 
 /// What can be done with members of one type, whatever struct they are in. Made by table.h.
 struct MemberType {
-  void (*read)(const Parameter& row, void* member, const Value& value, const Place& place, ParameterReader& reader);
+  void (*read)(const Parameter& row, void* member, const Value& value, const DocumentPath& path,
+               ParameterReader& reader);
   Value (*show)(const Parameter& row, const void* member);
   void (*copy)(void* to, const void* from);
   /// Of members that hold structs with tables of their own, as objects, lists and maps do; null for others. `make` puts
@@ -90,7 +91,7 @@ struct Parameter {
   std::string name;
   std::string doc;  ///< one sentence, with what happens when the value is raised where that is not plain
   ParameterKind kind = ParameterKind::number;
-  NumberForm form;                   ///< of numbers, integers and the elements of vectors
+  NumberRange form;                  ///< of numbers, integers and the elements of vectors
   std::vector<std::string> choices;  ///< of a choice
   std::size_t count = 0;             ///< of integers
   /// Of an object, list or map. A function, so that tables may contain themselves.
@@ -105,7 +106,7 @@ struct Parameter {
   std::shared_ptr<const void> original;  ///< a struct with the defaults
 
   /// Stores what `value` says into the struct at `object`, or reports faults.
-  void read(void* object, const Value& value, const Place& place, ParameterReader& reader) const;
+  void read(void* object, const Value& value, const DocumentPath& path, ParameterReader& reader) const;
   /// What the struct holds as a document would write it; null where unset.
   Value show(const void* object) const;
   /// The default as a document would write it.
@@ -150,9 +151,9 @@ class ParameterTable {
   };
   std::vector<Meaning> meanings;
   /// Rules between parameters; called when all of them could be read.
-  std::function<void(const void* object, const Place& place, ParameterReader& reader)> check;
+  std::function<void(const void* object, const DocumentPath& path, ParameterReader& reader)> check;
   /// Works out what follows from several parameters; called after the rules, once they hold.
-  std::function<void(void* object, const Place& place, ParameterReader& reader)> prepare;
+  std::function<void(void* object, const DocumentPath& path, ParameterReader& reader)> prepare;
   std::shared_ptr<const void> original;  ///< a struct with the defaults
 
   /// The defaults, as documents write them.
@@ -176,7 +177,7 @@ class ParameterTable {
   /// Whether a row below, at any depth, has this table again.
   bool contains_itself() const;
   /// Reports where the struct at `object`, or one that it holds at any depth, breaks the rules of its table.
-  void check_all(const void* object, const Place& place, ParameterReader& reader) const;
+  void check_all(const void* object, const DocumentPath& path, ParameterReader& reader) const;
 };
 
 /// The rows of a table that a value gave, each once, in the value's order. The table outlives it.

@@ -33,15 +33,15 @@ std::size_t byte_offset(std::string_view text, std::size_t line, std::size_t col
 
 /// "fir.txt:3:7", as far as it is known.
 std::string place_in_file(const Diagnostic& found, const std::string& file) {
-  std::string place = file;
-  if (found.line > 0) place += fmt::format(":{}", found.line);
-  if (found.column > 0) place += fmt::format(":{}", found.column);
-  return place;
+  std::string path = file;
+  if (found.line > 0) path += fmt::format(":{}", found.line);
+  if (found.column > 0) path += fmt::format(":{}", found.column);
+  return path;
 }
 
 double document_scale(Unit unit) { return unit == Unit::degree ? kPi / 180 : 1; }
 
-bool is_in_range(const NumberForm& form, double value) {
+bool is_in_range(const NumberRange& form, double value) {
   return std::isfinite(value) && value <= form.max && (form.above_min ? value > form.min : value >= form.min);
 }
 
@@ -56,99 +56,103 @@ std::optional<double> constant_of(const Varying& varying) {
 }
 
 /// What is left of a path after the component's own part: "components.leaf.curl" -> "curl".
-std::string_view path_in_component(std::string_view path) {
+std::string_view path_in_component(std::string_view file_path) {
   for (int level = 0; level < 2; ++level) {
-    const std::size_t dot = path.find('.');
+    const std::size_t dot = file_path.find('.');
     if (dot == std::string_view::npos) break;
-    path.remove_prefix(dot + 1);
+    file_path.remove_prefix(dot + 1);
   }
-  return path;
+  return file_path;
 }
 
 }  // namespace
 
-void ParameterReader::fault(const Place& place, std::string message, std::string expected, std::string nearest,
+void ParameterReader::fault(const DocumentPath& path, std::string message, std::string expected, std::string nearest,
                             int text_offset) {
   if (++faults_ > limits_.diagnostics) return;
   diagnostics_.push_back({.message = std::move(message),
                           .expected = std::move(expected),
                           .nearest = std::move(nearest),
-                          .path = place.text(),
+                          .path = path.text(),
                           .file = {},
                           .text_offset = text_offset});
 }
 
-void ParameterReader::fault_name(const Place& place, std::string message, std::string expected, std::string nearest) {
-  fault(place, std::move(message), std::move(expected), std::move(nearest), kAtName);
+void ParameterReader::fault_name(const DocumentPath& path, std::string message, std::string expected,
+                                 std::string nearest) {
+  fault(path, std::move(message), std::move(expected), std::move(nearest), kAtName);
 }
 
-void ParameterReader::fault_meaning(const Place& place, std::string message, std::string expected, const Place* other) {
-  meaningless_.push_back({place.text(), other == nullptr ? std::string() : other->text()});
-  fault_name(place, std::move(message), std::move(expected), "");
+void ParameterReader::fault_meaning(const DocumentPath& path, std::string message, std::string expected,
+                                    const DocumentPath* other) {
+  meaningless_.push_back({path.text(), other == nullptr ? std::string() : other->text()});
+  fault_name(path, std::move(message), std::move(expected), "");
 }
 
 std::string ParameterReader::nearest(std::string_view name, std::span<const std::string> candidates) const {
   return faults_ < limits_.diagnostics ? nearest_name(name, candidates) : std::string();
 }
 
-void ParameterReader::warn(const Place& place, std::string message) {
+void ParameterReader::warn(const DocumentPath& path, std::string message) {
   if (diagnostics_.size() > 2 * limits_.diagnostics) return;
   diagnostics_.push_back({.severity = Severity::warning,
                           .message = std::move(message),
                           .expected = {},
                           .nearest = {},
-                          .path = place.text(),
+                          .path = path.text(),
                           .file = {}});
 }
 
-void ParameterReader::fault_limit(const Place& place, std::string_view what, double wanted, std::uint64_t limit,
+void ParameterReader::fault_limit(const DocumentPath& path, std::string_view what, double wanted, std::uint64_t limit,
                                   std::string_view limit_name) {
   if (++faults_ > limits_.diagnostics) return;
-  diagnostics_.push_back(limit_diagnostic(what, wanted, limit, limit_name, place.text()));
+  diagnostics_.push_back(limit_diagnostic(what, wanted, limit, limit_name, path.text()));
 }
 
-void ParameterReader::wrong_kind(const Parameter& parameter, const Value& value, const Place& place) {
-  fault(place, fmt::format("'{}' cannot be {}", parameter.name, value.description()), parameter.expectation());
+void ParameterReader::wrong_kind(const Parameter& parameter, const Value& value, const DocumentPath& path) {
+  fault(path, fmt::format("'{}' cannot be {}", parameter.name, value.description()), parameter.expectation());
 }
 
-GivenRows ParameterReader::read(const ParameterTable& table, void* object, const Value& value, const Place& place) {
-  return this->object(table, object, value, place);
+GivenRows ParameterReader::read(const ParameterTable& table, void* object, const Value& value,
+                                const DocumentPath& path) {
+  return this->object(table, object, value, path);
 }
 
 std::vector<Varying> ParameterReader::read_varying(const ParameterTable& table, void* object, const Value& value,
-                                                   const Place& place) {
+                                                   const DocumentPath& path) {
   holder_.object = static_cast<std::byte*>(object);
   varyings_.clear();
-  this->object(table, object, value, place);
+  this->object(table, object, value, path);
   holder_.object = nullptr;
   return std::move(varyings_);
 }
 
 void ParameterReader::element(const Parameter& row, void* member, std::size_t index, const Value& value,
-                              const Place& place) {
+                              const DocumentPath& path) {
   void* const element = row.type->element(member, index);
   const ParameterTable& table = row.table_of(member, index);
   if (holder_.object == nullptr) {
-    object(table, element, value, place);
+    object(table, element, value, path);
     return;
   }
   std::byte* const holder = holder_.object;
   holder_.way.push_back({static_cast<std::size_t>(static_cast<std::byte*>(member) - holder), row.type, index});
   holder_.object = static_cast<std::byte*>(element);
-  object(table, element, value, place);
+  object(table, element, value, path);
   holder_.object = holder;
   holder_.way.pop_back();
 }
 
-GivenRows ParameterReader::object(const ParameterTable& table, void* object, const Value& value, const Place& place) {
+GivenRows ParameterReader::object(const ParameterTable& table, void* object, const Value& value,
+                                  const DocumentPath& path) {
   GivenRows given;
   const Value::Object* members = value.object();
   if (members == nullptr) {
     if (const Parameter* bare = table.shorthand.empty() ? nullptr : table.find(table.shorthand)) {
       given.add(*bare);
-      bare->read(object, value, place, *this);
+      bare->read(object, value, path, *this);
     } else {
-      fault(place, fmt::format("{} cannot be {}", table.name, value.description()),
+      fault(path, fmt::format("{} cannot be {}", table.name, value.description()),
             fmt::format("an object with {}", fmt::join(table.names(), ", ")));
     }
     return given;
@@ -157,7 +161,7 @@ GivenRows ParameterReader::object(const ParameterTable& table, void* object, con
 
   // Each member is read by its row; unknown ones are named with the nearest known.
   for (const auto& [name, member] : *members) {
-    const Place member_place(place, name);
+    const DocumentPath member_place(path, name);
     const Parameter* row = table.find(name);
     if (row == nullptr && is_any_of(name, table.elsewhere)) continue;
     if (const std::string* reason = row == nullptr ? table.reason_without(name) : nullptr) {
@@ -175,61 +179,61 @@ GivenRows ParameterReader::object(const ParameterTable& table, void* object, con
     row->read(object, member, member_place, *this);
   }
 
-  check_given(table, given, place);
-  if (faults_ == faults_before) check_meanings(table, object, value, place, *this);
-  if (table.check && faults_ == faults_before) table.check(object, place, *this);
-  if (table.prepare && faults_ == faults_before) table.prepare(object, place, *this);
+  check_given(table, given, path);
+  if (faults_ == faults_before) check_meanings(table, object, value, path, *this);
+  if (table.check && faults_ == faults_before) table.check(object, path, *this);
+  if (table.prepare && faults_ == faults_before) table.prepare(object, path, *this);
   return given;
 }
 
 /// What must be there is there, and nothing beside what excludes it.
-void ParameterReader::check_given(const ParameterTable& table, const GivenRows& given, const Place& place) {
+void ParameterReader::check_given(const ParameterTable& table, const GivenRows& given, const DocumentPath& path) {
   for (const Parameter& row : table.parameters) {
     if (row.required && !given.contains(row.name)) {
-      fault(place, fmt::format("{} has no '{}'", table.name, row.name), row.expectation());
+      fault(path, fmt::format("{} has no '{}'", table.name, row.name), row.expectation());
     }
   }
   for (const std::vector<std::string>& group : table.one_of) {
     const auto count =
         std::count_if(group.begin(), group.end(), [&](const auto& name) { return given.contains(name); });
     if (count != 1) {
-      fault(place,
+      fault(path,
             fmt::format("{} has {} of {}", table.name, count == 0 ? "none" : "more than one", fmt::join(group, ", ")),
             "exactly one of them");
     }
   }
   for (const ParameterTable::Company& rule : table.company) {
     if (!given.contains(rule.parameter) || given.contains(rule.other) == rule.is_wanted) continue;
-    const Place other(place, rule.other);
+    const DocumentPath other(path, rule.other);
     fault_meaning(
-        Place(place, rule.parameter),
+        DocumentPath(path, rule.parameter),
         fmt::format("'{}' has no meaning {} '{}'", rule.parameter, rule.is_wanted ? "without" : "beside", rule.other),
         rule.is_wanted ? fmt::format("'{}' beside it", rule.other) : "only one of them",
         rule.is_wanted ? nullptr : &other);
   }
 }
 
-bool ParameterReader::check_range(const Parameter& parameter, double value, const Place& place, std::string_view what) {
+bool ParameterReader::check_range(const Parameter& parameter, double value, const DocumentPath& path,
+                                  std::string_view what) {
   if (is_in_range(parameter.form, value)) return true;
-  fault(place, fmt::format("{} {:.12g} is out of range for '{}'", what, value, parameter.name),
-        parameter.expectation());
+  fault(path, fmt::format("{} {:.12g} is out of range for '{}'", what, value, parameter.name), parameter.expectation());
   return false;
 }
 
-std::optional<Expression> ParameterReader::expression(const Value& value, const Place& place,
+std::optional<Expression> ParameterReader::expression(const Value& value, const DocumentPath& path,
                                                       std::span<const std::string> variables) {
   const std::string* text = value.text();
   if (text == nullptr) {
-    fault(place, fmt::format("an expression cannot be {}", value.description()), "a text with an expression");
+    fault(path, fmt::format("an expression cannot be {}", value.description()), "a text with an expression");
     return std::nullopt;
   }
-  if (expression_places_ != nullptr) expression_places_->push_back(place.text());
+  if (expression_places_ != nullptr) expression_places_->push_back(path.text());
   try {
     const ExpressionNames names{.variables = {variables.begin(), variables.end()}, .constants = constants_};
     return Expression::compile(*text, names, limits_.expression_bytes);
   } catch (const ExpressionError& error) {
     const ExpressionFault& found = error.fault();
-    fault(place, found.message, found.expected, found.nearest, static_cast<int>(found.offset));
+    fault(path, found.message, found.expected, found.nearest, static_cast<int>(found.offset));
     return std::nullopt;
   }
 }
@@ -240,52 +244,53 @@ std::string_view ParameterReader::why_one(const Parameter& parameter) const {
                                                            : "is one number (only those of components vary)";
 }
 
-std::optional<double> ParameterReader::number(const Parameter& parameter, const Value& value, const Place& place) {
+std::optional<double> ParameterReader::number(const Parameter& parameter, const Value& value,
+                                              const DocumentPath& path) {
   if (const double* plain = value.number()) {
     if (parameter.kind == ParameterKind::integer && *plain != std::floor(*plain)) {
-      fault(place, fmt::format("'{}' cannot be the fraction {:.12g}", parameter.name, *plain), parameter.expectation());
+      fault(path, fmt::format("'{}' cannot be the fraction {:.12g}", parameter.name, *plain), parameter.expectation());
       return std::nullopt;
     }
-    return check_range(parameter, *plain, place, "the value") ? std::optional(*plain) : std::nullopt;
+    return check_range(parameter, *plain, path, "the value") ? std::optional(*plain) : std::nullopt;
   }
   if (value.text() == nullptr) {
-    wrong_kind(parameter, value, place);
+    wrong_kind(parameter, value, path);
     return std::nullopt;
   }
-  const std::optional<Expression> compiled = expression(value, place, site_variables());
+  const std::optional<Expression> compiled = expression(value, path, site_variables());
   if (!compiled) return std::nullopt;
   if (!compiled->is_constant()) {
-    fault(place,
+    fault(path,
           fmt::format("'{}' {}, and this expression differs between instances", parameter.name, why_one(parameter)),
           "an expression of numbers and the document's variables");
     return std::nullopt;
   }
   const double result = compiled->evaluate(std::vector<double>(site_variables().size()));
-  return check_range(parameter, result, place, "the expression's value") ? std::optional(result) : std::nullopt;
+  return check_range(parameter, result, path, "the expression's value") ? std::optional(result) : std::nullopt;
 }
 
-void ParameterReader::store_number(const Parameter& parameter, const Value& value, const Place& place,
+void ParameterReader::store_number(const Parameter& parameter, const Value& value, const DocumentPath& path,
                                    const NumberSlot& slot) {
-  if (value.number() == nullptr) worked_out_.push_back(place.text());
+  if (value.number() == nullptr) worked_out_.push_back(path.text());
   const double scale = document_scale(parameter.form.unit);
   const auto store = [&](double number) { slot.store(slot.member, number * scale); };
   const bool may_vary = holder_.object != nullptr && parameter.may_vary();
   if (value.number() != nullptr || (value.text() != nullptr && !may_vary)) {
-    if (const std::optional<double> given = number(parameter, value, place)) store(*given);
+    if (const std::optional<double> given = number(parameter, value, path)) store(*given);
     return;
   }
   if (!may_vary) {
     if (value.list() == nullptr && value.find("range") == nullptr && value.find("apply") == nullptr) {
-      return wrong_kind(parameter, value, place);
+      return wrong_kind(parameter, value, path);
     }
-    fault(place, fmt::format("'{}' {} and cannot be {}", parameter.name, why_one(parameter), value.description()),
+    fault(path, fmt::format("'{}' {} and cannot be {}", parameter.name, why_one(parameter), value.description()),
           parameter.expectation());
     return;
   }
-  std::optional<Varying> read = varying(parameter, value, place, slot.present);
+  std::optional<Varying> read = varying(parameter, value, path, slot.present);
   if (!read) return;
   if (const std::optional<double> constant = constant_of(*read)) {
-    if (check_range(parameter, *constant, place, "the expression's value")) store(*constant);
+    if (check_range(parameter, *constant, path, "the expression's value")) store(*constant);
     return;
   }
   read->store = slot.store;
@@ -296,19 +301,19 @@ void ParameterReader::store_number(const Parameter& parameter, const Value& valu
   varyings_.push_back(std::move(*read));
 }
 
-bool ParameterReader::is_worked_out(const Place& place) const { return is_any_of(place.text(), worked_out_); }
+bool ParameterReader::is_worked_out(const DocumentPath& path) const { return is_any_of(path.text(), worked_out_); }
 
-void ParameterReader::store_per_child(const Parameter& parameter, const Value& value, const Place& place,
+void ParameterReader::store_per_child(const Parameter& parameter, const Value& value, const DocumentPath& path,
                                       PerChild& number) {
   const double scale = document_scale(parameter.form.unit);
   std::optional<Varying> read;
   std::optional<double> plain;
   if (value.number() != nullptr) {
-    plain = this->number(parameter, value, place);
+    plain = this->number(parameter, value, path);
   } else {
-    read = varying(parameter, value, place, number.plain / scale);
+    read = varying(parameter, value, path, number.plain / scale);
     if (read) plain = constant_of(*read);
-    if (plain && !check_range(parameter, *plain, place, "the expression's value")) return;
+    if (plain && !check_range(parameter, *plain, path, "the expression's value")) return;
   }
   if (plain) {
     number = PerChild(*plain * scale);
@@ -319,24 +324,24 @@ void ParameterReader::store_per_child(const Parameter& parameter, const Value& v
 
 /// A range, an expression, or an object with both; empty after a fault. `present` is what an expression alone sees as
 /// v.
-std::optional<Varying> ParameterReader::varying(const Parameter& parameter, const Value& value, const Place& place,
-                                                double present) {
+std::optional<Varying> ParameterReader::varying(const Parameter& parameter, const Value& value,
+                                                const DocumentPath& path, double present) {
   const Value* range = value.list() != nullptr ? &value : value.find("range");
   const Value* apply = value.object() != nullptr ? value.find("apply") : value.text() != nullptr ? &value : nullptr;
   if (range == nullptr && apply == nullptr) {
-    wrong_kind(parameter, value, place);
+    wrong_kind(parameter, value, path);
     return std::nullopt;
   }
   const std::size_t faults_before = faults_;
   if (const Value::Object* members = value.object()) {
     for (const auto& [name, member_value] : *members) {
       if (name != "range" && name != "apply") {
-        fault(Place(place, name), fmt::format("'{}' does not belong to a value", name), "range and apply",
+        fault(DocumentPath(path, name), fmt::format("'{}' does not belong to a value", name), "range and apply",
               nearest(name, std::vector<std::string>{"range", "apply"}));
       }
     }
   }
-  Varying varying{.path = place.text(),
+  Varying varying{.path = path.text(),
                   .min = parameter.form.min,
                   .max = parameter.form.max,
                   .scale = document_scale(parameter.form.unit)};
@@ -346,48 +351,48 @@ std::optional<Varying> ParameterReader::varying(const Parameter& parameter, cons
   if (range != nullptr) {
     const Value::List* ends = range->list();
     if (ends == nullptr || ends->size() != 2) {
-      fault(place, fmt::format("the range of '{}' is {}", parameter.name, range->description()),
+      fault(path, fmt::format("the range of '{}' is {}", parameter.name, range->description()),
             "a list of two numbers");
       return std::nullopt;
     }
-    const Place named(place, "range");
-    const Place& range_place = value.list() != nullptr ? place : named;
-    const auto first = number(parameter, (*ends)[0], Place(range_place, std::size_t{0}));
-    const auto last = number(parameter, (*ends)[1], Place(range_place, std::size_t{1}));
+    const DocumentPath named(path, "range");
+    const DocumentPath& range_place = value.list() != nullptr ? path : named;
+    const auto first = number(parameter, (*ends)[0], DocumentPath(range_place, std::size_t{0}));
+    const auto last = number(parameter, (*ends)[1], DocumentPath(range_place, std::size_t{1}));
     varying.first = first.value_or(0);
     varying.last = last.value_or(0);
   }
   if (apply != nullptr) {
-    const Place apply_place(place, "apply");
-    varying.expression = expression(*apply, value.text() != nullptr ? place : apply_place, site_variables());
+    const DocumentPath apply_place(path, "apply");
+    varying.expression = expression(*apply, value.text() != nullptr ? path : apply_place, site_variables());
   }
   return faults_ == faults_before ? std::optional(std::move(varying)) : std::nullopt;
 }
 
-const std::string* ParameterReader::text(const Parameter& parameter, const Value& value, const Place& place) {
-  if (value.text() == nullptr) wrong_kind(parameter, value, place);
+const std::string* ParameterReader::text(const Parameter& parameter, const Value& value, const DocumentPath& path) {
+  if (value.text() == nullptr) wrong_kind(parameter, value, path);
   return value.text();
 }
 
-void ParameterReader::file(const Parameter& parameter, const Value& value, const Place& place,
-                           FunctionRef<void(const std::string& path)> load) {
-  const std::string* given = text(parameter, value, place);
+void ParameterReader::file(const Parameter& parameter, const Value& value, const DocumentPath& path,
+                           FunctionRef<void(const std::string& file_path)> load) {
+  const std::string* given = text(parameter, value, path);
   if (given == nullptr) return;
   const std::filesystem::path folder(access_.folder);
-  const std::string path = given->empty() ? "" : (folder / *given).string();
+  const std::string file_path = given->empty() ? "" : (folder / *given).string();
   try {
-    if (!given->empty()) access_.require_within(path);
-    name_file(path);
-    load(path);
+    if (!given->empty()) access_.require_within(file_path);
+    name_file(file_path);
+    load(file_path);
   } catch (const InputError& error) {
-    for (const Diagnostic& found : error.diagnostics()) report_in_file(found, *given, place);
+    for (const Diagnostic& found : error.diagnostics()) report_in_file(found, *given, path);
   } catch (const MachineError& error) {
-    fault(place, error.what());
+    fault(path, error.what());
   }
 }
 
 /// One fault says both places: this one, and the one in the file.
-void ParameterReader::report_in_file(const Diagnostic& found, const std::string& file, const Place& place) {
+void ParameterReader::report_in_file(const Diagnostic& found, const std::string& file, const DocumentPath& path) {
   const std::filesystem::path folder(access_.folder);
   Diagnostic told = found;
   told.message = fmt::format("'{}': {}", place_in_file(found, file), found.message);
@@ -395,87 +400,88 @@ void ParameterReader::report_in_file(const Diagnostic& found, const std::string&
   if (!access_.folder.empty() && told.nearest.starts_with((folder / "").string())) {
     told.nearest.erase(0, (folder / "").string().size());
   }
-  report(place, told, -1);
+  report(path, told, -1);
 }
 
-void ParameterReader::report(const Place& place, const Diagnostic& found, int text_offset) {
+void ParameterReader::report(const DocumentPath& path, const Diagnostic& found, int text_offset) {
   if (found.severity == Severity::warning) {
-    warn(place, found.message);
+    warn(path, found.message);
   } else {
-    fault(place, found.message, found.expected, found.nearest, text_offset);
+    fault(path, found.message, found.expected, found.nearest, text_offset);
   }
 }
 
-void ParameterReader::report_in_text(const Diagnostic& found, const Value& value, const Place& place) {
+void ParameterReader::report_in_text(const Diagnostic& found, const Value& value, const DocumentPath& path) {
   Diagnostic told = found;
   if (!found.file.empty()) {
     told.message = fmt::format("'{}': {}", place_in_file(found, found.file), found.message);
-    return report(place, told, -1);
+    return report(path, told, -1);
   }
-  if (found.line < 1) return report(place, told, -1);
+  if (found.line < 1) return report(path, told, -1);
   auto line = static_cast<std::size_t>(found.line - 1);
   const auto column = static_cast<std::size_t>(std::max(found.column, 1) - 1);
-  if (value.list() == nullptr) return report(place, told, static_cast<int>(byte_offset(*value.text(), line, column)));
+  if (value.list() == nullptr) return report(path, told, static_cast<int>(byte_offset(*value.text(), line, column)));
   // An element may hold several lines.
   const Value::List& elements = *value.list();
   for (std::size_t k = 0; k < elements.size(); ++k) {
     const std::string& text = *elements[k].text();
     const auto own = static_cast<std::size_t>(std::ranges::count(text, '\n')) + 1;
-    if (line < own) return report(Place(place, k), told, static_cast<int>(byte_offset(text, line, column)));
+    if (line < own) return report(DocumentPath(path, k), told, static_cast<int>(byte_offset(text, line, column)));
     line -= own;
   }
-  report(place, told, -1);
+  report(path, told, -1);
 }
 
-void ParameterReader::lines(const Parameter& parameter, const Value& value, const Place& place, ReadText read) {
+void ParameterReader::lines(const Parameter& parameter, const Value& value, const DocumentPath& path, ReadText read) {
   std::string text;
   if (const Value::List* lines = value.list()) {
     for (std::size_t k = 0; k < lines->size(); ++k) {
       const std::string* line = (*lines)[k].text();
-      if (line == nullptr) return wrong_kind(parameter, (*lines)[k], Place(place, k));
+      if (line == nullptr) return wrong_kind(parameter, (*lines)[k], DocumentPath(path, k));
       text += *line + '\n';
     }
   } else if (value.text() != nullptr) {
     text = *value.text();
   } else {
-    return wrong_kind(parameter, value, place);
+    return wrong_kind(parameter, value, path);
   }
   std::vector<Diagnostic> warnings;
   try {
     read(text, (std::filesystem::path(access_.folder) / "").string(), warnings);
   } catch (const InputError& error) {
-    for (const Diagnostic& found : error.diagnostics()) report_in_text(found, value, place);
+    for (const Diagnostic& found : error.diagnostics()) report_in_text(found, value, path);
   }
-  for (const Diagnostic& found : warnings) report_in_text(found, value, place);
+  for (const Diagnostic& found : warnings) report_in_text(found, value, path);
 }
 
-void ParameterReader::text_file(const Parameter& parameter, const Value& value, const Place& place, ReadText read) {
+void ParameterReader::text_file(const Parameter& parameter, const Value& value, const DocumentPath& path,
+                                ReadText read) {
   std::vector<Diagnostic> warnings;
-  file(parameter, value, place,
-       [&](const std::string& path) { read(read_file(path, limits_.file_bytes), path, warnings); });
-  for (const Diagnostic& found : warnings) report_in_file(found, *value.text(), place);
+  file(parameter, value, path,
+       [&](const std::string& file_path) { read(read_file(file_path, limits_.file_bytes), file_path, warnings); });
+  for (const Diagnostic& found : warnings) report_in_file(found, *value.text(), path);
 }
 
 std::string ParameterReader::included_text(const std::string& file, const std::string& name, std::uint64_t most_bytes) {
-  const std::string path = (std::filesystem::path(file).parent_path() / name).string();
-  access_.require_within(path);
-  name_file(path);
-  return read_file(path, most_bytes);
+  const std::string file_path = (std::filesystem::path(file).parent_path() / name).string();
+  access_.require_within(file_path);
+  name_file(file_path);
+  return read_file(file_path, most_bytes);
 }
 
 /// Faults are left to whoever reads it.
-void ParameterReader::name_file(const std::string& path) {
-  NamedFile file{.path = path};
+void ParameterReader::name_file(const std::string& file_path) {
+  NamedFile file{.path = file_path};
   try {
-    file.hash = file_hash(path);
+    file.hash = file_hash(file_path);
   } catch (const InputError&) {
   } catch (const MachineError&) {
   }
   files_.push_back(std::move(file));
 }
 
-std::optional<std::uint64_t> ParameterReader::file_hash(const std::string& path) {
-  return access_.store == nullptr ? std::nullopt : access_.store->file_hash(path, limits_.file_bytes);
+std::optional<std::uint64_t> ParameterReader::file_hash(const std::string& file_path) {
+  return access_.store == nullptr ? std::nullopt : access_.store->file_hash(file_path, limits_.file_bytes);
 }
 
 Fingerprint ParameterReader::fingerprint_of_loading(void (*load)()) const {
@@ -489,12 +495,13 @@ bool ParameterReader::are_present(const std::vector<NamedFile>& files) {
                      [&](const NamedFile& file) { return file.hash && file_hash(file.path) == file.hash; });
 }
 
-std::optional<std::size_t> ParameterReader::choice(const Parameter& parameter, const Value& value, const Place& place) {
-  const std::string* given = text(parameter, value, place);
+std::optional<std::size_t> ParameterReader::choice(const Parameter& parameter, const Value& value,
+                                                   const DocumentPath& path) {
+  const std::string* given = text(parameter, value, path);
   if (given == nullptr) return std::nullopt;
   const auto found = std::find(parameter.choices.begin(), parameter.choices.end(), *given);
   if (found != parameter.choices.end()) return static_cast<std::size_t>(found - parameter.choices.begin());
-  fault(place, fmt::format("'{}' is not a value of '{}'", *given, parameter.name), parameter.expectation(),
+  fault(path, fmt::format("'{}' is not a value of '{}'", *given, parameter.name), parameter.expectation(),
         nearest(*given, parameter.choices));
   return std::nullopt;
 }

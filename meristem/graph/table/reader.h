@@ -31,34 +31,36 @@ struct NumberSlot {
 class ParameterReader {
  public:
   using ReadText =
-      FunctionRef<void(const std::string& text, const std::string& path, std::vector<Diagnostic>& warnings)>;
+      FunctionRef<void(const std::string& text, const std::string& file_path, std::vector<Diagnostic>& warnings)>;
 
   /// `constants` are the document's variables.
   ParameterReader(std::vector<ExpressionNames::Constant> constants, const Limits& limits, FileAccess access = {})
       : constants_(std::move(constants)), limits_(limits), access_(std::move(access)) {}
 
   /// Reads `value` into the struct at `object`, where every number must be one number. Returns the rows that it gives.
-  GivenRows read(const ParameterTable& table, void* object, const Value& value, const Place& place);
+  GivenRows read(const ParameterTable& table, void* object, const Value& value, const DocumentPath& path);
   /// The same for a component's struct: numbers in it, and in the elements of its lists, may vary from instance to
   /// instance and then end up in the result.
-  std::vector<Varying> read_varying(const ParameterTable& table, void* object, const Value& value, const Place& place);
+  std::vector<Varying> read_varying(const ParameterTable& table, void* object, const Value& value,
+                                    const DocumentPath& path);
 
-  void fault(const Place& place, std::string message, std::string expected = {}, std::string nearest = {},
+  void fault(const DocumentPath& path, std::string message, std::string expected = {}, std::string nearest = {},
              int text_offset = -1);
   /// The same for a member's name instead of its value.
-  void fault_name(const Place& place, std::string message, std::string expected, std::string nearest);
+  void fault_name(const DocumentPath& path, std::string message, std::string expected, std::string nearest);
   /// The same for a parameter that means nothing where it stands, or nothing beside `other`.
-  void fault_meaning(const Place& place, std::string message, std::string expected, const Place* other = nullptr);
+  void fault_meaning(const DocumentPath& path, std::string message, std::string expected,
+                     const DocumentPath* other = nullptr);
   /// Document paths of such parameters so far, and of what they mean nothing beside, if it is that.
   struct Meaningless {
-    std::string path, other;
+    std::string file_path, other;
   };
   const std::vector<Meaningless>& meaningless() const { return meaningless_; }
   /// The candidate nearest to `name`, until so many faults are reported that no more are shown.
   std::string nearest(std::string_view name, std::span<const std::string> candidates) const;
-  void warn(const Place& place, std::string message);
+  void warn(const DocumentPath& path, std::string message);
   /// The fault of `wanted` of `what` where the limit called `limit_name` allows fewer.
-  void fault_limit(const Place& place, std::string_view what, double wanted, std::uint64_t limit,
+  void fault_limit(const DocumentPath& path, std::string_view what, double wanted, std::uint64_t limit,
                    std::string_view limit_name);
   const Limits& limits() const { return limits_; }
   const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
@@ -68,27 +70,28 @@ class ParameterReader {
   // What tables are made of; each reports what it cannot take.
 
   /// One number in its form's range, written plainly or as an expression of the document's variables.
-  std::optional<double> number(const Parameter& parameter, const Value& value, const Place& place);
+  std::optional<double> number(const Parameter& parameter, const Value& value, const DocumentPath& path);
   /// A number into its slot, at once or, where allowed, as a Varying.
-  void store_number(const Parameter& parameter, const Value& value, const Place& place, const NumberSlot& slot);
+  void store_number(const Parameter& parameter, const Value& value, const DocumentPath& path, const NumberSlot& slot);
   /// Whether a number that was read stands there as an expression or a range, and so may be another one for another
   /// instance or at another time.
-  bool is_worked_out(const Place& place) const;
+  bool is_worked_out(const DocumentPath& path) const;
   /// A number that may differ among the children of an instance.
-  void store_per_child(const Parameter& parameter, const Value& value, const Place& place, PerChild& number);
+  void store_per_child(const Parameter& parameter, const Value& value, const DocumentPath& path, PerChild& number);
   /// An expression over `variables` and the document's variables.
-  std::optional<Expression> expression(const Value& value, const Place& place, std::span<const std::string> variables);
-  const std::string* text(const Parameter& parameter, const Value& value, const Place& place);
-  std::optional<std::size_t> choice(const Parameter& parameter, const Value& value, const Place& place);
+  std::optional<Expression> expression(const Value& value, const DocumentPath& path,
+                                       std::span<const std::string> variables);
+  const std::string* text(const Parameter& parameter, const Value& value, const DocumentPath& path);
+  std::optional<std::size_t> choice(const Parameter& parameter, const Value& value, const DocumentPath& path);
   /// Calls `load` with the full path of the file that `value` names; what it throws becomes faults at `place`.
-  void file(const Parameter& parameter, const Value& value, const Place& place,
-            FunctionRef<void(const std::string& path)> load);
+  void file(const Parameter& parameter, const Value& value, const DocumentPath& path,
+            FunctionRef<void(const std::string& file_path)> load);
   /// Calls `read` with a text that may stand as a list of its lines, and with a path in the document's folder. The
   /// faults that it throws and the warnings that it gives, by line and column, come to stand at their places in the
   /// document.
-  void lines(const Parameter& parameter, const Value& value, const Place& place, ReadText read);
+  void lines(const Parameter& parameter, const Value& value, const DocumentPath& path, ReadText read);
   /// The same for the text of a file.
-  void text_file(const Parameter& parameter, const Value& value, const Place& place, ReadText read);
+  void text_file(const Parameter& parameter, const Value& value, const DocumentPath& path, ReadText read);
   /// The document's variables.
   const std::vector<ExpressionNames::Constant>& constants() const { return constants_; }
   /// The text of a file that another one names, sought from the folder of that one. Throws an InputError.
@@ -109,15 +112,15 @@ class ParameterReader {
   }
   /// The same for what `load` makes of the file at `path`, which reader.file() has named.
   template <class T>
-  std::shared_ptr<const T> kept_file(const std::string& path, T (*load)(const std::string&, const Limits&)) {
-    const std::optional<std::uint64_t> hash = file_hash(path);
-    if (!hash) return std::make_shared<const T>(load(path, limits_));
+  std::shared_ptr<const T> kept_file(const std::string& file_path, T (*load)(const std::string&, const Limits&)) {
+    const std::optional<std::uint64_t> hash = file_hash(file_path);
+    if (!hash) return std::make_shared<const T>(load(file_path, limits_));
     Fingerprint key = fingerprint_of_loading(reinterpret_cast<void (*)()>(load));
-    return kept<T>(key.add_text(path).add(*hash), [&] { return load(path, limits_); });
+    return kept<T>(key.add_text(file_path).add(*hash), [&] { return load(file_path, limits_); });
   }
   /// The same for what `make_of` makes of a text; warnings come as if it were read anew.
   template <class T>
-  std::shared_ptr<const T> kept_text(const std::string& text, const std::string& path,
+  std::shared_ptr<const T> kept_text(const std::string& text, const std::string& file_path,
                                      std::vector<Diagnostic>& warnings,
                                      T (*make_of)(const std::string&, const std::string&, ParameterReader&,
                                                   std::vector<Diagnostic>&)) {
@@ -128,13 +131,13 @@ class ParameterReader {
     };
     const auto make = [&] {
       const std::size_t files_before = files_.size();
-      Read made{std::make_shared<const T>(make_of(text, path, *this, warnings)), warnings, {}};
+      Read made{std::make_shared<const T>(make_of(text, file_path, *this, warnings)), warnings, {}};
       made.files.assign(files_.begin() + static_cast<std::ptrdiff_t>(files_before), files_.end());
       return made;
     };
     if (access_.store == nullptr) return make().made;
     Fingerprint key = fingerprint_of_loading(reinterpret_cast<void (*)()>(make_of));
-    key.add_text(path).add_text(text);
+    key.add_text(file_path).add_text(text);
     for (const ExpressionNames::Constant& constant : constants_) key.add_text(constant.name).add(constant.value);
     std::shared_ptr<const Read> found = access_.store->find<Read>(key.hash());
     if (found == nullptr || !are_present(found->files)) {
@@ -149,25 +152,26 @@ class ParameterReader {
   /// Takes the places of all expressions that are read from here on; null: none.
   void note_expressions(std::vector<std::string>* places) { expression_places_ = places; }
   /// The table's members from an object, or its shorthand from a bare value.
-  GivenRows object(const ParameterTable& table, void* object, const Value& value, const Place& place);
+  GivenRows object(const ParameterTable& table, void* object, const Value& value, const DocumentPath& path);
   /// The element with this index of the list or map at `member`.
-  void element(const Parameter& row, void* member, std::size_t index, const Value& value, const Place& place);
-  void wrong_kind(const Parameter& parameter, const Value& value, const Place& place);
+  void element(const Parameter& row, void* member, std::size_t index, const Value& value, const DocumentPath& path);
+  void wrong_kind(const Parameter& parameter, const Value& value, const DocumentPath& path);
 
  private:
-  void report_in_file(const Diagnostic& found, const std::string& file, const Place& place);
-  void report_in_text(const Diagnostic& found, const Value& value, const Place& place);
-  void report(const Place& place, const Diagnostic& found, int text_offset);
-  void check_given(const ParameterTable& table, const GivenRows& given, const Place& place);
-  std::optional<Varying> varying(const Parameter& parameter, const Value& value, const Place& place, double present);
+  void report_in_file(const Diagnostic& found, const std::string& file, const DocumentPath& path);
+  void report_in_text(const Diagnostic& found, const Value& value, const DocumentPath& path);
+  void report(const DocumentPath& path, const Diagnostic& found, int text_offset);
+  void check_given(const ParameterTable& table, const GivenRows& given, const DocumentPath& path);
+  std::optional<Varying> varying(const Parameter& parameter, const Value& value, const DocumentPath& path,
+                                 double present);
   std::string_view why_one(const Parameter& parameter) const;
-  bool check_range(const Parameter& parameter, double value, const Place& place, std::string_view what);
+  bool check_range(const Parameter& parameter, double value, const DocumentPath& path, std::string_view what);
 
   std::vector<ExpressionNames::Constant> constants_;
   Limits limits_;
   /// Of a file as the store has it; nothing where there is no store.
-  std::optional<std::uint64_t> file_hash(const std::string& path);
-  void name_file(const std::string& path);
+  std::optional<std::uint64_t> file_hash(const std::string& file_path);
+  void name_file(const std::string& file_path);
   Fingerprint fingerprint_of_loading(void (*load)()) const;
   bool are_present(const std::vector<NamedFile>& files);
 

@@ -42,20 +42,20 @@ class Table {
 
   /// A double, float or optional of them. An optional without a value means: chosen by the program.
   template <class M>
-  Table&& number(std::string_view name, M P::*member, const NumberForm& form, std::string_view doc) && {
+  Table&& number(std::string_view name, M P::*member, const NumberRange& form, std::string_view doc) && {
     static_assert(std::is_arithmetic_v<ValueOf<M>> && !std::is_same_v<ValueOf<M>, bool>);
     row(ParameterKind::number, name, member, doc).form = form;
     return std::move(*this);
   }
   /// An int, uint64_t or optional<int>; varying values are rounded.
   template <class M>
-  Table&& integer(std::string_view name, M P::*member, const NumberForm& form, std::string_view doc) && {
+  Table&& integer(std::string_view name, M P::*member, const NumberRange& form, std::string_view doc) && {
     static_assert(std::is_arithmetic_v<ValueOf<M>> && !std::is_same_v<ValueOf<M>, bool>);
     row(ParameterKind::integer, name, member, doc).form = form;
     return std::move(*this);
   }
   /// A number that may differ among the children of an instance.
-  Table&& per_child(std::string_view name, PerChild P::*member, NumberForm form, std::string_view doc) && {
+  Table&& per_child(std::string_view name, PerChild P::*member, NumberRange form, std::string_view doc) && {
     form.per_child = true;
     row(ParameterKind::number, name, member, doc).form = form;
     return std::move(*this);
@@ -77,13 +77,13 @@ class Table {
   }
   /// Three numbers [x, y, z]; each may vary. A Vec3 or an optional one.
   template <class M>
-  Table&& vector(std::string_view name, M P::*member, const NumberForm& form, std::string_view doc) && {
+  Table&& vector(std::string_view name, M P::*member, const NumberRange& form, std::string_view doc) && {
     static_assert(std::is_same_v<ValueOf<M>, Vec3>);
     row(ParameterKind::vector, name, member, doc).form = form;
     return std::move(*this);
   }
   /// Two corners [[x, y, z], [x, y, z]]; each number may vary.
-  Table&& box(std::string_view name, std::optional<Box> P::*member, const NumberForm& form, std::string_view doc) && {
+  Table&& box(std::string_view name, std::optional<Box> P::*member, const NumberRange& form, std::string_view doc) && {
     row(ParameterKind::box, name, member, doc).form = form;
     return std::move(*this);
   }
@@ -105,18 +105,19 @@ class Table {
     return std::move(*this);
   }
   /// Pairs [[x, y], ...]; `form` bounds every number.
-  Table&& points(std::string_view name, std::vector<Vec2> P::*member, const NumberForm& form, std::string_view doc) && {
+  Table&& points(std::string_view name, std::vector<Vec2> P::*member, const NumberRange& form,
+                 std::string_view doc) && {
     row(ParameterKind::points, name, member, doc).form = form;
     return std::move(*this);
   }
   /// A list of places [[x, y, z], ...], at least one.
-  Table&& places(std::string_view name, std::vector<Vec3> P::*member, NumberForm form, std::string_view doc) && {
+  Table&& places(std::string_view name, std::vector<Vec3> P::*member, NumberRange form, std::string_view doc) && {
     form.fixed = true;
     row(ParameterKind::places, name, member, doc).form = form;
     return std::move(*this);
   }
   /// A list of exactly `count` whole numbers.
-  Table&& integers(std::string_view name, std::vector<int> P::*member, std::size_t count, const NumberForm& form,
+  Table&& integers(std::string_view name, std::vector<int> P::*member, std::size_t count, const NumberRange& form,
                    std::string_view doc) && {
     Parameter& made = row(ParameterKind::integers, name, member, doc);
     made.form = form;
@@ -241,16 +242,16 @@ class Table {
     return std::move(*this);
   }
   /// A rule between parameters.
-  Table&& check(void (*rule)(const P&, const Place&, ParameterReader&)) && {
-    table_.check = [rule](const void* object, const Place& place, ParameterReader& reader) {
-      rule(*static_cast<const P*>(object), place, reader);
+  Table&& check(void (*rule)(const P&, const DocumentPath&, ParameterReader&)) && {
+    table_.check = [rule](const void* object, const DocumentPath& path, ParameterReader& reader) {
+      rule(*static_cast<const P*>(object), path, reader);
     };
     return std::move(*this);
   }
   /// What follows from several parameters, worked out once they are read and hold.
-  Table&& prepare(void (*step)(P&, const Place&, ParameterReader&)) && {
-    table_.prepare = [step](void* object, const Place& place, ParameterReader& reader) {
-      step(*static_cast<P*>(object), place, reader);
+  Table&& prepare(void (*step)(P&, const DocumentPath&, ParameterReader&)) && {
+    table_.prepare = [step](void* object, const DocumentPath& path, ParameterReader& reader) {
+      step(*static_cast<P*>(object), path, reader);
     };
     return std::move(*this);
   }

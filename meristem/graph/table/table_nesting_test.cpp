@@ -29,16 +29,16 @@ struct Rock {
 };
 
 template <class T>
-void check_weight(const T& thing, const Place& place, ParameterReader& reader) {
-  if (thing.weight == 8.5) reader.fault(place, "too heavy for such a test");
+void check_weight(const T& thing, const DocumentPath& path, ParameterReader& reader) {
+  if (thing.weight == 8.5) reader.fault(path, "too heavy for such a test");
 }
 
-std::string load(const std::string& path, const Limits& limits) {
-  std::ifstream stream(path);
+std::string load(const std::string& file_path, const Limits& limits) {
+  std::ifstream stream(file_path);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (text == "bad") throw InputError(Diagnostic{.message = "bad text", .file = path, .line = 3, .column = 4});
+  if (text == "bad") throw InputError(Diagnostic{.message = "bad text", .file = file_path, .line = 3, .column = 4});
   if (text == "broken") throw MachineError("cannot read it");
-  if (text.size() > limits.file_bytes) throw InputError(Diagnostic{.message = "too long", .file = path});
+  if (text.size() > limits.file_bytes) throw InputError(Diagnostic{.message = "too long", .file = file_path});
   return text;
 }
 
@@ -75,8 +75,8 @@ struct Result {
 Result read(const Value& value, const std::string& folder = {}) {
   Result result;
   ParameterReader reader({}, Limits{}, {.folder = folder});
-  const Place top;
-  result.varyings = reader.read_varying(rock_table(), &result.rock, value, Place(top, "rock"));
+  const DocumentPath top;
+  result.varyings = reader.read_varying(rock_table(), &result.rock, value, DocumentPath(top, "rock"));
   result.faults = reader.take_diagnostics();
   return result;
 }
@@ -164,7 +164,7 @@ TEST(NestedTable, WhatIsFixedIsOneNumberInListsToo) {
 TEST(NestedTable, NothingVariesOutsideOfComponents) {
   Rock rock;
   ParameterReader reader({}, Limits{});
-  const Place top;
+  const DocumentPath top;
   reader.read(rock_table(), &rock, Value::Object{{"pebbles", Value::List{Value(Value::List{1, 2})}}}, top);
   ASSERT_EQ(reader.fault_count(), 1U);
   EXPECT_EQ(reader.diagnostics()[0].message,
@@ -174,8 +174,8 @@ TEST(NestedTable, NothingVariesOutsideOfComponents) {
 TEST(NestedTable, RulesAreCheckedAtAnyDepth) {
   const auto faults = [](const Rock& rock) {
     ParameterReader reader({}, Limits{});
-    const Place top;
-    rock_table().check_all(&rock, Place(top, "rock"), reader);
+    const DocumentPath top;
+    rock_table().check_all(&rock, DocumentPath(top, "rock"), reader);
     std::vector<std::string> paths;
     for (const Diagnostic& found : reader.diagnostics()) paths.push_back(found.path);
     return paths;

@@ -82,8 +82,8 @@ struct Read {
 Read read(const Value& value, std::vector<ExpressionNames::Constant> variables = {}) {
   Read result;
   ParameterReader reader(std::move(variables), Limits{});
-  const Place top;
-  reader.read(flower_table(), &result.flower, value, Place(top, "flower"));
+  const DocumentPath top;
+  reader.read(flower_table(), &result.flower, value, DocumentPath(top, "flower"));
   result.faults = reader.take_diagnostics();
   return result;
 }
@@ -331,19 +331,20 @@ struct Pair {
 };
 
 std::vector<Diagnostic> pair_faults(const Value& value) {
-  static const ParameterTable table = Table<Pair>("a pair", "Two of three.")
-                                          .number("a", &Pair::a, {.min = 0, .max = 9}, "A.")
-                                          .required()
-                                          .number("b", &Pair::b, {}, "B.")
-                                          .number("c", &Pair::c, {}, "C.")
-                                          .one_of({"b", "c"})
-                                          .elsewhere({"type"})
-                                          .check([](const Pair& pair, const Place& place, ParameterReader& reader) {
-                                            if (pair.a > 5) reader.fault(Place(place, "a"), "too large");
-                                          });
+  static const ParameterTable table =
+      Table<Pair>("a pair", "Two of three.")
+          .number("a", &Pair::a, {.min = 0, .max = 9}, "A.")
+          .required()
+          .number("b", &Pair::b, {}, "B.")
+          .number("c", &Pair::c, {}, "C.")
+          .one_of({"b", "c"})
+          .elsewhere({"type"})
+          .check([](const Pair& pair, const DocumentPath& path, ParameterReader& reader) {
+            if (pair.a > 5) reader.fault(DocumentPath(path, "a"), "too large");
+          });
   Pair pair;
   ParameterReader reader({}, Limits{});
-  reader.read(table, &pair, value, Place());
+  reader.read(table, &pair, value, DocumentPath());
   return reader.take_diagnostics();
 }
 
@@ -377,14 +378,14 @@ TEST(Table, WhatFollowsFromSeveralParametersIsPreparedOnceTheyHold) {
       Table<Sum>("a sum", "Of two.")
           .number("a", &Sum::a, {.min = 0}, "A.")
           .number("b", &Sum::b, {}, "B.")
-          .check([](const Sum& sum, const Place& place, ParameterReader& reader) {
-            if (sum.b < 0) reader.fault(Place(place, "b"), "below 0");
+          .check([](const Sum& sum, const DocumentPath& path, ParameterReader& reader) {
+            if (sum.b < 0) reader.fault(DocumentPath(path, "b"), "below 0");
           })
-          .prepare([](Sum& sum, const Place&, ParameterReader&) { sum.sum = sum.a + sum.b; });
+          .prepare([](Sum& sum, const DocumentPath&, ParameterReader&) { sum.sum = sum.a + sum.b; });
   const auto sum_of = [](const Value& value) {
     Sum sum;
     ParameterReader reader({}, Limits{});
-    reader.read(table, &sum, value, Place());
+    reader.read(table, &sum, value, DocumentPath());
     return sum.sum;
   };
   EXPECT_EQ(sum_of(Value::Object{{"a", 5}}), 7);
@@ -395,7 +396,7 @@ TEST(Table, WhatFollowsFromSeveralParametersIsPreparedOnceTheyHold) {
 TEST(Table, TellsWhichRowsAValueGave) {
   Flower flower;
   ParameterReader reader({}, Limits{});
-  const Place top;
+  const DocumentPath top;
   const Value value = Value::Object{{"petals", 9}, {"sepal", 3}, {"colour", "#000000"}};
   const GivenRows given = reader.read(flower_table(), &flower, value, top);
   EXPECT_EQ(given.count(), 3U);
@@ -411,7 +412,7 @@ TEST(Table, CopiesTheRowsThatWereGivenAndNoOthers) {
   other.height = 0.25;
   other.name = "rose";
   ParameterReader reader({}, Limits{});
-  const Place top;
+  const DocumentPath top;
   const Value value = Value::Object{{"petals", 9}, {"sepal", 3}, {"whorls", Value::List{1}}, {"where", "u > 1"}};
   reader.read(flower_table(), &flower, value, top).copy(&flower, &other);
   EXPECT_EQ(other.height, 0.25);
@@ -430,7 +431,7 @@ TEST(Reader, CountsTheFaultsThatItNoLongerKeeps) {
   Flower flower;
   Value::Object members;
   for (int k = 0; k < 10; ++k) members.emplace_back("wrong" + std::to_string(k), k);
-  reader.read(flower_table(), &flower, members, Place());
+  reader.read(flower_table(), &flower, members, DocumentPath());
   EXPECT_EQ(reader.fault_count(), 10U);
   EXPECT_EQ(reader.diagnostics().size(), 3U);
 }

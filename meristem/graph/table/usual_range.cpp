@@ -63,7 +63,7 @@ double common_size(const Parameter& row) {
 
 /// Before rounding to whole numbers; `held` is what the default spans.
 UsualSpan derived(const Parameter& row, const std::optional<UsualSpan>& held) {
-  const NumberForm& form = row.form;
+  const NumberRange& form = row.form;
   const double size = held ? std::max(std::abs(held->low), std::abs(held->high)) : 0;
   if (form.max - form.min <= std::max(2.0, 10 * size)) return {form.min, form.max};
   if (form.unit == Unit::degree) {
@@ -95,7 +95,7 @@ bool has_numbers(const Parameter& row) {
 }
 
 UsualSpan usual_range(const Parameter& row, const Value& fallback) {
-  const NumberForm& form = row.form;
+  const NumberRange& form = row.form;
   std::optional<UsualSpan> held;
   include_numbers(fallback, held);
 

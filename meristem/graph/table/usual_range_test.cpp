@@ -13,7 +13,7 @@ namespace {
 
 using Ends = std::pair<double, double>;
 
-Ends usual(const NumberForm& form, const Value& fallback = {}, ParameterKind kind = ParameterKind::number) {
+Ends usual(const NumberRange& form, const Value& fallback = {}, ParameterKind kind = ParameterKind::number) {
   Parameter row;
   row.kind = kind;
   row.form = form;
@@ -77,7 +77,7 @@ TEST(UsualRange, IsNeverEmptyAndLiesInTheHardRange) {
     for (const double width : {1e-3, 0.5, 40.0, 1e9, kInfinity}) {
       for (const double share : {0.0, 1e-4, 0.5, 1.0}) {
         for (const bool above_min : {false, true}) {
-          const NumberForm form{.min = min, .max = std::max(min, -1e7) + width, .above_min = above_min};
+          const NumberRange form{.min = min, .max = std::max(min, -1e7) + width, .above_min = above_min};
           const double low = std::max(form.min, -1e8), high = std::min(form.max, 1e8);
           const double fallback = std::min(high, low + share * (high - low));
           if (above_min && fallback == form.min) continue;

@@ -27,7 +27,7 @@ std::string Value::description() const {
   return is_null() ? "null" : "an object";
 }
 
-std::string Place::text() const {
+std::string DocumentPath::text() const {
   if (parent_ == nullptr) return {};
   std::string above = parent_->text();
   if (is_index_) return fmt::format("{}[{}]", above, index_);

@@ -51,17 +51,17 @@ class Value {
 };
 
 /// A place in a document, as a chain of stack objects from the top down; it costs nothing until it is written out.
-class Place {
+class DocumentPath {
  public:
-  Place() = default;
-  Place(const Place& parent, std::string_view member) : parent_(&parent), member_(member) {}
-  Place(const Place& parent, std::size_t index) : parent_(&parent), index_(index), is_index_(true) {}
+  DocumentPath() = default;
+  DocumentPath(const DocumentPath& parent, std::string_view member) : parent_(&parent), member_(member) {}
+  DocumentPath(const DocumentPath& parent, std::size_t index) : parent_(&parent), index_(index), is_index_(true) {}
 
   /// "components.stem.angle", "links[1].density"; empty at the top.
   std::string text() const;
 
  private:
-  const Place* parent_ = nullptr;
+  const DocumentPath* parent_ = nullptr;
   std::string_view member_;
   std::size_t index_ = 0;
   bool is_index_ = false;

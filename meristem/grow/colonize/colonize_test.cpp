@@ -173,7 +173,7 @@ TEST(Colonize, MovedInputGivesTheMovedTree) {
 // the scene.
 constexpr int kStepsWithoutTurns = 36;
 
-Vec3 quarter_turn(Vec3 place) { return Vec3(place.z, place.y, -place.x); }
+Vec3 quarter_turn(Vec3 position) { return Vec3(position.z, position.y, -position.x); }
 
 TEST(Colonize, ASceneTurnedByARightAngleGivesTheTurnedTreeToTheBit) {
   ColonizeParameters parameters = ball_parameters(1000);
@@ -194,9 +194,9 @@ TEST(Colonize, ASceneTurnedByARightAngleGivesTheTurnedTreeToTheBit) {
 TEST(Colonize, ASceneTurnedByAnyAngleGivesTheTurnedTree) {
   // Rounding moves a point across a boundary now and then, so a few twigs may differ, but not the tree.
   const double angle = 0.6;
-  const auto turn = [&](Vec3 place) {
+  const auto turn = [&](Vec3 position) {
     const auto [c, s] = std::pair(std::cos(angle), std::sin(angle));
-    return Vec3(c * place.x + s * place.z, place.y, c * place.z - s * place.x);
+    return Vec3(c * position.x + s * position.z, position.y, c * position.z - s * position.x);
   };
   ColonizeParameters parameters = ball_parameters(1000);
   parameters.iterations = kStepsWithoutTurns;
@@ -207,8 +207,8 @@ TEST(Colonize, ASceneTurnedByAnyAngleGivesTheTurnedTree) {
   EXPECT_GT(original.node_count(), 300U);
   EXPECT_NEAR(turned.node_count(), original.node_count(), 0.02 * original.node_count());
   std::size_t found = 0;
-  for (const Vec3 place : original.position) {
-    const Vec3 wanted = turn(place);
+  for (const Vec3 position : original.position) {
+    const Vec3 wanted = turn(position);
     const auto is_there = [&](Vec3 node) { return glm::distance(node, wanted) < 1e-3F; };
     found += std::any_of(turned.position.begin(), turned.position.end(), is_there) ? 1 : 0;
   }
@@ -236,12 +236,12 @@ TEST(Colonize, NeighboursShareTheGroundBetweenThem) {
   // The clouds are mirrored, and so are the trees but for what rounding and random turns make of them.
   EXPECT_NEAR(trees[0].node_count(), trees[1].node_count(), 0.03 * trees[0].node_count());
   // Each keeps to its own side, though half of its points lie on the other.
-  const auto strays =
-      std::count_if(trees[0].position.begin(), trees[0].position.end(), [](Vec3 place) { return place.x > 0.05F; });
+  const auto strays = std::count_if(trees[0].position.begin(), trees[0].position.end(),
+                                    [](Vec3 position) { return position.x > 0.05F; });
   EXPECT_LT(strays, 0.02 * static_cast<double>(trees[0].node_count()));
   const Skeleton alone = grown_ball(1000);
   const auto beyond =
-      std::count_if(alone.position.begin(), alone.position.end(), [](Vec3 place) { return place.x > 0.35F; });
+      std::count_if(alone.position.begin(), alone.position.end(), [](Vec3 position) { return position.x > 0.35F; });
   EXPECT_GT(beyond, 0.1 * static_cast<double>(alone.node_count()));
 }
 

@@ -21,7 +21,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/grow/colonize/approach.h"
 #include "meristem/grow/colonize/attraction_cloud.h"
-#include "meristem/grow/colonize/child_places.h"
+#include "meristem/grow/colonize/child_positions.h"
 #include "meristem/grow/colonize/colonize.h"
 #include "meristem/grow/colonize/growth_direction.h"
 #include "meristem/grow/stand_space.h"
@@ -117,7 +117,7 @@ class Tree {
   Vec3 root_;
   Skeleton skeleton_;
   NodeIndex told_ = 1;  // so many nodes are known to cloud and space; the root is from the start
-  ChildPlaces places_;
+  ChildPositions places_;
   std::vector<std::uint8_t> turns_;  // by node
   Approach approach_;
   std::uint64_t approach_steps_left_ = 0;
@@ -157,15 +157,15 @@ bool Tree::grow_toward_cloud() {
   if (approach_steps_left_ == 0) return false;
   --approach_steps_left_;
   const auto last = static_cast<NodeIndex>(skeleton_.node_count() - 1);
-  const Vec3 place(approach_.direction * (species_->parameters.step * (last + 1.0)));
-  if (!is_open(skeleton_.position[last], place)) {
-    const Vec3 wall = root_ + place;
+  const Vec3 point(approach_.direction * (species_->parameters.step * (last + 1.0)));
+  if (!is_open(skeleton_.position[last], point)) {
+    const Vec3 wall = root_ + point;
     species_->refuse("crown",
                      fmt::format("an obstacle stands between a root and its crown, at ({:.4g}, {:.4g}, {:.4g})", wall.x,
                                  wall.y, wall.z),
                      "a root that reaches its crown in a straight line");
   }
-  add_node(last, place);
+  add_node(last, point);
   return true;
 }
 
@@ -174,8 +174,8 @@ bool Tree::grow_into_cloud(std::span<const Pull> pulls) {
   barren_steps_ = cloud_->has_advanced(member_) ? 0 : barren_steps_ + 1;
   if (barren_steps_ > kBarrenSteps) return false;
   for (const Pull& pull : pulls) {
-    const std::optional<Vec3> place = place_child(pull);
-    if (place && is_open(skeleton_.position[pull.node], *place)) add_node(pull.node, *place);
+    const std::optional<Vec3> point = place_child(pull);
+    if (point && is_open(skeleton_.position[pull.node], *point)) add_node(pull.node, *point);
   }
   return true;
 }
@@ -185,8 +185,8 @@ std::optional<Vec3> Tree::place_child(const Pull& pull) {
   const DVec3 from(skeleton_.position[pull.node]);
   const std::optional<DVec3> direction = growth_direction(pull.sum, species_->parameters.bias);
   if (direction) {
-    const Vec3 place(from + step * *direction);
-    if (places_.is_free(skeleton_, pull.node, place)) return place;
+    const Vec3 point(from + step * *direction);
+    if (places_.is_free(skeleton_, pull.node, point)) return point;
   }
   // Turn a direction that leads nowhere, or pass the node by in this step.
   if (turns_[pull.node] == kMostTurns) return std::nullopt;
@@ -195,8 +195,8 @@ std::optional<Vec3> Tree::place_child(const Pull& pull) {
   const DVec3 turned = direction.value_or(DVec3(0)) + kTurn * turn * random;
   const double length = std::sqrt(glm::dot(turned, turned));
   if (!(length > 0)) return std::nullopt;
-  const Vec3 place(from + step / length * turned);
-  return places_.is_free(skeleton_, pull.node, place) ? std::optional(place) : std::nullopt;
+  const Vec3 point(from + step / length * turned);
+  return places_.is_free(skeleton_, pull.node, point) ? std::optional(point) : std::nullopt;
 }
 
 void Tree::add_node(NodeIndex parent, Vec3 position) {
@@ -248,8 +248,8 @@ class Colonizer : public Grower {
 
  private:
   /// Shade falls the way the scene's light does.
-  ShadowForm form_of(const ShadeResponse& response) const {
-    ShadowForm form = response.form;
+  ShadowParameters form_of(const ShadeResponse& response) const {
+    ShadowParameters form = response.form;
     form.toward_light = species_.scene.light.mean_direction();
     return form;
   }

@@ -24,7 +24,7 @@ struct LightLimit {
 /// darker than it bears.
 struct ShadeResponse {
   double bears = 0.4;  ///< light below which points do not pull, from 1 in the open to 0
-  ShadowForm form{.voxel = 0.25, .amount = 0.04, .base = 1.3, .depth = 10};
+  ShadowParameters form{.voxel = 0.25, .amount = 0.04, .base = 1.3, .depth = 10};
 };
 
 struct LightResponse {

@@ -26,7 +26,7 @@ MovingPoints::MovingPoints(std::vector<MovingPoint> points) : points_(std::move(
 }
 
 void MovingPoints::add_nodes(NodeIndex first, std::span<const NewNode> nodes, const Progress& progress) {
-  std::vector<NumberedPlace> places;
+  std::vector<NumberedPoint> places;
   places.reserve(nodes.size());
   for (const NewNode& node : nodes) {
     places.push_back({node.position, first + static_cast<NodeIndex>(places.size())});
@@ -99,11 +99,11 @@ void MovingPoints::move(std::size_t index, Vec3 to) {
   if (point.node != kNoNode) point.distance2 = squared_distance(to, nodes_[point.node].position);
 }
 
-std::optional<Vec3> MovingPoints::nearest_point(Vec3 place) const {
+std::optional<Vec3> MovingPoints::nearest_point(Vec3 position) const {
   std::optional<Vec3> nearest;
   float least2 = std::numeric_limits<float>::infinity();
   for (const MovingPoint& point : points_) {
-    const float square = squared_distance(point.position, place);
+    const float square = squared_distance(point.position, position);
     if (square >= least2) continue;
     least2 = square;
     nearest = point.position;

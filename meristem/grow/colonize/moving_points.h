@@ -49,7 +49,7 @@ class MovingPoints {
 
   std::size_t living() const { return points_.size(); }
   std::span<const MovingPoint> points() const { return points_; }
-  std::optional<Vec3> nearest_point(Vec3 place) const;
+  std::optional<Vec3> nearest_point(Vec3 position) const;
 
   void set_inert(std::size_t point, bool is_inert) { points_[point].is_inert = is_inert; }
   /// Moves a point; which node is nearest stays as it is until nodes are added.

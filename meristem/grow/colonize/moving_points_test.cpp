@@ -16,21 +16,21 @@ namespace {
 
 using NewNode = MovingPoints::NewNode;
 
-Vec3 random_place(RandomKey key, std::uint64_t k) {
+Vec3 random_position(RandomKey key, std::uint64_t k) {
   return {key.uniform(3 * k), key.uniform(3 * k + 1), key.uniform(3 * k + 2)};
 }
 
 MovingPoints random_points(std::size_t count) {
   std::vector<MovingPoint> points(count);
-  for (std::size_t k = 0; k < count; ++k) points[k].position = random_place(RandomKey(4), k);
+  for (std::size_t k = 0; k < count; ++k) points[k].position = random_position(RandomKey(4), k);
   return MovingPoints(std::move(points));
 }
 
-NodeIndex nearest_by_force(Vec3 place, const std::vector<NewNode>& nodes) {
+NodeIndex nearest_by_force(Vec3 position, const std::vector<NewNode>& nodes) {
   NodeIndex nearest = kNoNode;
   float least = std::numeric_limits<float>::infinity();
   for (NodeIndex k = 0; k < nodes.size(); ++k) {
-    const float square = squared_length(place - nodes[k].position);
+    const float square = squared_length(position - nodes[k].position);
     if (square >= least || square > nodes[k].influence * nodes[k].influence) continue;
     nearest = k;
     least = square;
@@ -96,8 +96,8 @@ TEST(MovingPoints, RestWhileInert) {
   points.add_nodes(0, std::vector<NewNode>{{{0, 0, 0}, kFar}}, progress);
   points.set_inert(0, true);
   int seen = 0;
-  points.sweep([&](Vec3 place, NodeIndex, float) {
-    EXPECT_EQ(place, points.points()[1].position);
+  points.sweep([&](Vec3 position, NodeIndex, float) {
+    EXPECT_EQ(position, points.points()[1].position);
     ++seen;
     return false;
   });
@@ -110,7 +110,7 @@ TEST(MovingPoints, AreTheSameOnAnyNumberOfThreads) {
     const ThreadLimit limit(threads);
     MovingPoints points = random_points(2000);
     std::vector<NewNode> nodes;
-    for (std::uint64_t k = 0; k < 500; ++k) nodes.push_back({random_place(RandomKey(5), k), 0.3F});
+    for (std::uint64_t k = 0; k < 500; ++k) nodes.push_back({random_position(RandomKey(5), k), 0.3F});
     Progress progress;
     points.add_nodes(0, nodes, progress);
     std::vector<NodeIndex> found;

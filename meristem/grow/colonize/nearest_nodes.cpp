@@ -105,12 +105,12 @@ void NearestNodes::descend_in_parts(const Candidates& candidates, const Progress
       std::array<std::uint32_t, (1U << kPartLevel) + 1> open{0};
       std::size_t open_count = is_near(0, candidate, candidates) ? 1 : 0;
       while (open_count > 0) {
-        const std::uint32_t place = open[--open_count];
-        if (place >= parts - 1) {
-          own[place - (parts - 1)].push_back(candidate);
+        const std::uint32_t tree_node = open[--open_count];
+        if (tree_node >= parts - 1) {
+          own[tree_node - (parts - 1)].push_back(candidate);
           continue;
         }
-        for (const std::uint32_t child : {2 * place + 1, 2 * place + 2}) {
+        for (const std::uint32_t child : {2 * tree_node + 1, 2 * tree_node + 2}) {
           open[open_count] = child;
           open_count += is_near(child, candidate, candidates) ? 1 : 0;
         }
@@ -145,17 +145,18 @@ void NearestNodes::start_descent(int level, std::uint32_t index, std::span<const
 }
 
 /// Whether a candidate may take over a point in a node of the tree.
-bool NearestNodes::is_near(std::uint32_t place, std::uint32_t candidate, const Candidates& candidates) const {
+bool NearestNodes::is_near(std::uint32_t tree_node, std::uint32_t candidate, const Candidates& candidates) const {
   const Vec3 position(candidates.x[candidate], candidates.y[candidate], candidates.z[candidate]);
-  const float within2 = std::min(farthest2_[place], candidates.within2[candidate]);
-  return distance2(tree_.boxes()[place], position) < within2;
+  const float within2 = std::min(farthest2_[tree_node], candidates.within2[candidate]);
+  return distance2(tree_.boxes()[tree_node], position) < within2;
 }
 
 /// Puts those of the candidates from `first` to `last` on the stack that may take over a point in a node of the tree,
 /// and returns the stack's new top.
-std::size_t NearestNodes::push_near(std::uint32_t place, std::size_t first, std::size_t last, Descent& descent) const {
-  const Box box = tree_.boxes()[place];
-  const float farthest2 = farthest2_[place];
+std::size_t NearestNodes::push_near(std::uint32_t tree_node, std::size_t first, std::size_t last,
+                                    Descent& descent) const {
+  const Box box = tree_.boxes()[tree_node];
+  const float farthest2 = farthest2_[tree_node];
   const Candidates& candidates = *descent.candidates;
   const std::uint32_t* const from = descent.stack.data();
   std::uint32_t* const to = descent.stack.data();
@@ -242,7 +243,7 @@ void NearestNodes::remove(Leaf leaf, std::uint32_t point) {
   --living_;
 }
 
-std::optional<Vec3> NearestNodes::nearest_point(Vec3 place) const {
+std::optional<Vec3> NearestNodes::nearest_point(Vec3 position) const {
   struct Node {
     int level;
     std::uint32_t index;
@@ -250,7 +251,7 @@ std::optional<Vec3> NearestNodes::nearest_point(Vec3 place) const {
   std::optional<Vec3> nearest;
   float least2 = kInfinity;
   const auto gap2 = [&](Node node) {
-    return distance2(tree_.boxes()[PointTree::place(node.level, node.index)], place);
+    return distance2(tree_.boxes()[PointTree::place(node.level, node.index)], position);
   };
   std::vector<Node> open{{0, 0}};
   while (!open.empty()) {
@@ -268,7 +269,7 @@ std::optional<Vec3> NearestNodes::nearest_point(Vec3 place) const {
     }
     for (std::uint32_t k = begin_[node.index]; k < end_[node.index]; ++k) {
       const Vec3 point(x_[k], y_[k], z_[k]);
-      const float square = squared_length(point - place);
+      const float square = squared_length(point - position);
       if (square < least2) {
         least2 = square;
         nearest = point;

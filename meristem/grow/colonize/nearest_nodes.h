@@ -36,7 +36,7 @@ class NearestNodes {
 
   std::size_t living() const { return living_; }
   /// The living point nearest to a position, if there is one.
-  std::optional<Vec3> nearest_point(Vec3 place) const;
+  std::optional<Vec3> nearest_point(Vec3 position) const;
 
   /// Calls `keeps(position, node, squared distance)` for every living point that a node influences, and removes those
   /// for which it says no. The order means nothing. `expect(node)` is called a little before, so that what is known of
@@ -89,11 +89,11 @@ class NearestNodes {
   void descend_in_parts(const Candidates& candidates, const Progress& progress);
   void start_descent(int level, std::uint32_t index, std::span<const std::uint32_t> near, const Candidates& candidates);
   void descend(int level, std::uint32_t index, std::size_t first, std::size_t last, Descent& descent);
-  std::size_t push_near(std::uint32_t place, std::size_t first, std::size_t last, Descent& descent) const;
-  bool is_near(std::uint32_t place, std::uint32_t candidate, const Candidates& candidates) const;
+  std::size_t push_near(std::uint32_t tree_node, std::size_t first, std::size_t last, Descent& descent) const;
+  bool is_near(std::uint32_t tree_node, std::uint32_t candidate, const Candidates& candidates) const;
   bool compare(Leaf leaf, std::span<const std::uint32_t> near, const Candidates& candidates);
-  void join_halves(std::uint32_t place) {
-    farthest2_[place] = std::max(farthest2_[2 * place + 1], farthest2_[2 * place + 2]);
+  void join_halves(std::uint32_t tree_node) {
+    farthest2_[tree_node] = std::max(farthest2_[2 * tree_node + 1], farthest2_[2 * tree_node + 2]);
   }
   void remove(Leaf leaf, std::uint32_t point);
 

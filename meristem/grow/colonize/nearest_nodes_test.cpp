@@ -146,9 +146,9 @@ TEST(NearestNodes, FindTheNearestLivingPoint) {
   Progress progress;
   const std::vector<Vec3> points = random_points(5000, RandomKey(6), {1, 4, 0.1F});
   NearestNodes nearest(points, progress);
-  for (const Vec3 place : random_points(50, RandomKey(9), {2, 5, 1})) {
-    const auto nearer = [&](Vec3 a, Vec3 b) { return glm::distance(a, place) < glm::distance(b, place); };
-    EXPECT_EQ(nearest.nearest_point(place), *std::min_element(points.begin(), points.end(), nearer));
+  for (const Vec3 point : random_points(50, RandomKey(9), {2, 5, 1})) {
+    const auto nearer = [&](Vec3 a, Vec3 b) { return glm::distance(a, point) < glm::distance(b, point); };
+    EXPECT_EQ(nearest.nearest_point(point), *std::min_element(points.begin(), points.end(), nearer));
   }
   EXPECT_FALSE(NearestNodes({}, progress).nearest_point(Vec3(0)).has_value());
 }

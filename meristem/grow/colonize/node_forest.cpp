@@ -5,19 +5,19 @@
 
 namespace meristem {
 
-void NodeTree::search(Vec3 place, NearestFew& nearest) const {
+void NodeTree::search(Vec3 position, NearestFew& nearest) const {
   float within2 = nearest.within2();
-  visit(place, within2, [&](NodeIndex node, float square) {
+  visit(position, within2, [&](NodeIndex node, float square) {
     nearest.offer(node, square);
     within2 = nearest.within2();
   });
 }
 
-void NodeForest::add(std::span<const NumberedPlace> nodes, const Progress& progress) {
+void NodeForest::add(std::span<const NumberedPoint> nodes, const Progress& progress) {
   if (nodes.empty()) return;
-  std::vector<NumberedPlace> joined(nodes.begin(), nodes.end());
+  std::vector<NumberedPoint> joined(nodes.begin(), nodes.end());
   while (!trees_.empty() && trees_.back().nodes().size() <= 2 * joined.size()) {
-    const std::vector<NumberedPlace>& last = trees_.back().nodes();
+    const std::vector<NumberedPoint>& last = trees_.back().nodes();
     joined.insert(joined.end(), last.begin(), last.end());
     trees_.pop_back();
   }

@@ -34,16 +34,16 @@ class NearestFew {
       return distance2_[k] < distance2 || (distance2_[k] == distance2 && node_[k] <= node);
     };
     if (count_ == kMost && is_before(kMost - 1)) return;
-    std::size_t place = count_;
-    while (place > 0 && !is_before(place - 1)) --place;
-    if (place > 0 && node_[place - 1] == node) return;
+    std::size_t position = count_;
+    while (position > 0 && !is_before(position - 1)) --position;
+    if (position > 0 && node_[position - 1] == node) return;
     count_ += count_ < kMost ? 1 : 0;
-    for (std::size_t k = count_ - 1; k > place; --k) {
+    for (std::size_t k = count_ - 1; k > position; --k) {
       node_[k] = node_[k - 1];
       distance2_[k] = distance2_[k - 1];
     }
-    node_[place] = node;
-    distance2_[place] = distance2;
+    node_[position] = node;
+    distance2_[position] = distance2;
   }
 
  private:
@@ -55,30 +55,30 @@ class NearestFew {
 /// Some nodes, ordered once.
 class NodeTree {
  public:
-  NodeTree(std::vector<NumberedPlace> nodes, const Progress& progress)
+  NodeTree(std::vector<NumberedPoint> nodes, const Progress& progress)
       : nodes_(std::move(nodes)), tree_(nodes_, progress, kLeafNodes) {}
 
-  const std::vector<NumberedPlace>& nodes() const { return nodes_; }
+  const std::vector<NumberedPoint>& nodes() const { return nodes_; }
   /// Offers all nodes that may be among the nearest.
-  void search(Vec3 place, NearestFew& nearest) const;
+  void search(Vec3 position, NearestFew& nearest) const;
   /// Calls `see(node, squared distance)` for all nodes up to the root of `within2` away; it may lower that.
   template <class See>
-  void visit(Vec3 place, float& within2, See see) const;
+  void visit(Vec3 position, float& within2, See see) const;
 
  private:
   static constexpr std::size_t kLeafNodes = 16;
 
-  std::vector<NumberedPlace> nodes_;
+  std::vector<NumberedPoint> nodes_;
   PointTree tree_;
 };
 
 /// Nodes that become more.
 class NodeForest {
  public:
-  void add(std::span<const NumberedPlace> nodes, const Progress& progress);
+  void add(std::span<const NumberedPoint> nodes, const Progress& progress);
   const std::vector<NodeTree>& trees() const { return trees_; }
-  void search(Vec3 place, NearestFew& nearest) const {
-    for (const NodeTree& tree : trees_) tree.search(place, nearest);
+  void search(Vec3 position, NearestFew& nearest) const {
+    for (const NodeTree& tree : trees_) tree.search(position, nearest);
   }
 
  private:
@@ -86,14 +86,14 @@ class NodeForest {
 };
 
 template <class See>
-void NodeTree::visit(Vec3 place, float& within2, See see) const {
+void NodeTree::visit(Vec3 position, float& within2, See see) const {
   struct Part {
     int level;
     std::uint32_t index;
     float gap2;
   };
   const auto part_at = [&](int level, std::uint32_t index) {
-    return Part{level, index, distance2(tree_.boxes()[PointTree::place(level, index)], place)};
+    return Part{level, index, distance2(tree_.boxes()[PointTree::place(level, index)], position)};
   };
   // One part waits on each level; more than 2^32 nodes do not exist.
   Part waiting[34];
@@ -113,7 +113,7 @@ void NodeTree::visit(Vec3 place, float& within2, See see) const {
     }
     const std::uint32_t end = tree_.first_point(part.level, part.index + 1);
     for (std::uint32_t k = tree_.first_point(part.level, part.index); k < end; ++k) {
-      const float square = squared_length(place - nodes_[k].position);
+      const float square = squared_length(position - nodes_[k].position);
       if (square <= within2) see(nodes_[k].number, square);
     }
   }

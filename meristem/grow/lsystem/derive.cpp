@@ -24,7 +24,7 @@ Word axiom_word(const Grammar& grammar, const Limits& limits) {
   if (grammar.axiom.size() > limits.modules) {
     throw_limit("modules of an axiom", static_cast<double>(grammar.axiom.size()), limits.modules, "modules", "");
   }
-  for (const ModuleForm& form : grammar.axiom) {
+  for (const ModuleTemplate& form : grammar.axiom) {
     word.letters.push_back(form.letter);
     for (const Expression& expression : form.parameters) {
       word.parameters.push_back(expression.evaluate());

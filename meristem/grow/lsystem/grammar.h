@@ -21,7 +21,7 @@ inline constexpr std::size_t kMostVariables = 64;
 inline constexpr int kMostSteps = 1'000'000;
 
 /// A module of a successor or an axiom: an expression for each parameter.
-struct ModuleForm {
+struct ModuleTemplate {
   LetterIndex letter = kNoLetter;
   std::vector<Expression> parameters;
 };
@@ -43,7 +43,7 @@ struct Rule {
   std::vector<ContextModule> right;  ///< away from it; may hold brackets, whose modules have the letters of [ and ]
   std::optional<Expression> condition;
   std::optional<Expression> weight;  ///< of stochastic rules: one of those that match is drawn in proportion
-  std::vector<ModuleForm> successor;
+  std::vector<ModuleTemplate> successor;
 };
 
 /// Rules by predecessor, in the order of the text.
@@ -58,7 +58,7 @@ struct Grammar {
   LetterIndex open = kNoLetter;          ///< [
   LetterIndex close = kNoLetter;         ///< ]
   LetterIndex cut = kNoLetter;           ///< %
-  std::vector<ModuleForm> axiom;         ///< its expressions are constants
+  std::vector<ModuleTemplate> axiom;     ///< its expressions are constants
   RuleSet production;                    ///< one step
   RuleSet decomposition;                 ///< after each step, until none applies
   RuleSet interpretation;                ///< before drawing, until none applies; never changes the word that is derived

@@ -18,8 +18,8 @@ class ReachedLetters {
  public:
   explicit ReachedLetters(const Grammar& grammar) : is_reached_(grammar.alphabet.size()) {}
 
-  void reach(const std::vector<ModuleForm>& modules) {
-    for (const ModuleForm& module : modules) {
+  void reach(const std::vector<ModuleTemplate>& modules) {
+    for (const ModuleTemplate& module : modules) {
       if (is_reached_[module.letter]) continue;
       is_reached_[module.letter] = true;
       found_.push_back(module.letter);
@@ -103,7 +103,7 @@ void warn_of_unreached_rules(const Grammar& grammar, const RuleSet& set, const s
 
 }  // namespace
 
-void warn_of_idle_rules(const Grammar& grammar, const RulePlaces& places, GrammarFaults& faults) {
+void warn_of_idle_rules(const Grammar& grammar, const RuleTexts& places, GrammarFaults& faults) {
   ReachedLetters reached(grammar);
   reached.reach(grammar.axiom);
   reached.follow({&grammar.production, &grammar.decomposition});

@@ -11,7 +11,7 @@
 namespace meristem {
 
 /// Where each rule of the three sets stands in the text; rules of inclusions stand at their directive.
-struct RulePlaces {
+struct RuleTexts {
   std::vector<std::string_view> production;
   std::vector<std::string_view> decomposition;
   std::vector<std::string_view> interpretation;
@@ -19,6 +19,6 @@ struct RulePlaces {
 
 /// Warns of rules that can never match: no word has their predecessor or a neighbour that they ask for, or an earlier
 /// rule is always taken.
-void warn_of_idle_rules(const Grammar& grammar, const RulePlaces& places, GrammarFaults& faults);
+void warn_of_idle_rules(const Grammar& grammar, const RuleTexts& places, GrammarFaults& faults);
 
 }  // namespace meristem

@@ -28,7 +28,8 @@ class NumberExpressions {
 
 }  // namespace
 
-std::vector<ModuleForm> included_word(const Grammar& included, int steps, const Limits& limits, Alphabet& alphabet) {
+std::vector<ModuleTemplate> included_word(const Grammar& included, int steps, const Limits& limits,
+                                          Alphabet& alphabet) {
   // The same on every reading: an included word is a part of the grammar and not of the plant.
   const RandomKey key = RandomKey().child("include");
   Progress progress;
@@ -38,14 +39,14 @@ std::vector<ModuleForm> included_word(const Grammar& included, int steps, const 
   const Word word = interpreted(included, derived, key.child("draw"), bounded, progress);
 
   std::vector<LetterIndex> ours(included.alphabet.size(), kNoLetter);
-  std::vector<ModuleForm> forms;
+  std::vector<ModuleTemplate> forms;
   forms.reserve(word.module_count());
   NumberExpressions numbers;
   std::size_t parameter = 0;
   for (const LetterIndex letter : word.letters) {
     const Letter& theirs = included.alphabet[letter];
     if (ours[letter] == kNoLetter) ours[letter] = alphabet.add(theirs.symbol, theirs.arity);
-    ModuleForm& form = forms.emplace_back();
+    ModuleTemplate& form = forms.emplace_back();
     form.letter = ours[letter];
     for (std::size_t k = 0; k < theirs.arity; ++k) form.parameters.push_back(numbers[word.parameters[parameter++]]);
   }

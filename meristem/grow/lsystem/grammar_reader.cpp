@@ -117,7 +117,7 @@ class GrammarReader {
   Grammar grammar_;
   ModuleReader modules_;
   RuleReader rules_;
-  RulePlaces places_;
+  RuleTexts places_;
   Section section_ = Section::preamble;
   std::vector<std::string_view> open_brackets_;  ///< of the axiom
   std::vector<std::string_view> ignored_;
@@ -417,7 +417,7 @@ bool GrammarReader::include(const Directive& directive, std::string_view file, L
     rule.predecessor = letter;
     rule.successor = included_word(included, *count, options_.limits, grammar_.alphabet);
     const bool holds_itself = std::any_of(rule.successor.begin(), rule.successor.end(),
-                                          [&](const ModuleForm& module) { return module.letter == letter; });
+                                          [&](const ModuleTemplate& module) { return module.letter == letter; });
     if (holds_itself) {
       return fail(fmt::format("the word of {} has the letter that stands for it", in_quotes(name)), "another letter");
     }

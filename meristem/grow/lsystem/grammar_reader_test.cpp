@@ -13,16 +13,16 @@ namespace {
 
 Word axiom_of(const Grammar& grammar) {
   Word word;
-  for (const ModuleForm& module : grammar.axiom) {
+  for (const ModuleTemplate& module : grammar.axiom) {
     word.letters.push_back(module.letter);
     for (const Expression& parameter : module.parameters) word.parameters.push_back(parameter.evaluate());
   }
   return word;
 }
 
-std::string text_of(const std::vector<ModuleForm>& modules, const Alphabet& alphabet) {
+std::string text_of(const std::vector<ModuleTemplate>& modules, const Alphabet& alphabet) {
   std::string text;
-  for (const ModuleForm& module : modules) {
+  for (const ModuleTemplate& module : modules) {
     text += alphabet[module.letter].symbol;
     for (std::size_t k = 0; k < module.parameters.size(); ++k) {
       text += (k == 0 ? "(" : ",") + module.parameters[k].text();
@@ -206,7 +206,7 @@ TEST(GrammarReader, TakesAnyPrintableCharacterForASymbol) {
 TEST(GrammarReader, TakesTheLongestDeclaredName) {
   const Grammar grammar = read_grammar("#axiom LeafLeafyLea\n#rules\nLeaf : * -> L\n#symbols Leaf Leafy\n");
   std::vector<std::string> symbols;
-  for (const ModuleForm& module : grammar.axiom) symbols.push_back(grammar.alphabet[module.letter].symbol);
+  for (const ModuleTemplate& module : grammar.axiom) symbols.push_back(grammar.alphabet[module.letter].symbol);
   EXPECT_EQ(symbols, (Texts{"Leaf", "Leafy", "L", "e", "a"}));
   EXPECT_EQ(rule_texts(grammar), Texts{"Leaf -> L"});
 }

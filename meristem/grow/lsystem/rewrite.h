@@ -61,7 +61,7 @@ class Rewriter {
   std::vector<std::uint16_t> arities_;
   WordColumn<RuleChoice> choices_;
   std::vector<Chunk> chunks_;
-  ParameterPlaces places_;
+  ParameterOffsets places_;
   WordContext context_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<Scratch>> scratch_;  // what no thread uses

@@ -7,7 +7,7 @@
 
 namespace meristem {
 
-void ParameterPlaces::find(const Word& word, std::span<const std::uint16_t> arities, const Progress& progress) {
+void ParameterOffsets::find(const Word& word, std::span<const std::uint16_t> arities, const Progress& progress) {
   word_ = &word;
   arities_ = arities;
   const std::size_t count = word.letters.size();
@@ -26,7 +26,7 @@ void ParameterPlaces::find(const Word& word, std::span<const std::uint16_t> arit
   for (std::size_t k = 1; k < chunks_.size(); ++k) chunks_[k] += chunks_[k - 1];
 }
 
-std::size_t ParameterPlaces::of_module(std::size_t position) const {
+std::size_t ParameterOffsets::of_module(std::size_t position) const {
   std::size_t place = chunks_[position / kChunk] + blocks_[position / kBlock];
   for (std::size_t k = position / kBlock * kBlock; k < position; ++k) place += arities_[word_->letters[k]];
   return place;

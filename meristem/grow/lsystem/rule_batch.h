@@ -20,7 +20,7 @@ namespace meristem {
 inline constexpr std::size_t kChunk = 8'192;
 
 /// Where the modules' parameters begin.
-class ParameterPlaces {
+class ParameterOffsets {
  public:
   void find(const Word& word, std::span<const std::uint16_t> arities, const Progress& progress);
   std::size_t of_chunk(std::size_t chunk) const { return chunks_[chunk]; }
@@ -39,7 +39,7 @@ class ParameterPlaces {
 struct OldWord {
   const Word& word;
   const WordContext& context;
-  const ParameterPlaces& places;
+  const ParameterOffsets& places;
   RandomKey key;
 };
 

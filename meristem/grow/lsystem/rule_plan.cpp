@@ -42,7 +42,7 @@ class RulePlanner {
     plan_.has_context = !rule_.left.empty() || !rule_.right.empty();
     if (rule_.condition) plan_.condition = formula(*rule_.condition);
     if (rule_.weight) plan_.weight = formula(*rule_.weight);
-    for (const ModuleForm& form : rule_.successor) {
+    for (const ModuleTemplate& form : rule_.successor) {
       plan_.letters.push_back(form.letter);
       for (const Expression& expression : form.parameters) add_parameter(expression);
     }

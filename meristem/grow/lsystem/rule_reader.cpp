@@ -122,7 +122,7 @@ void RuleReader::begin_rule() {
 // Words.
 
 bool RuleReader::read_modules(std::string_view text, std::vector<std::string_view>& open,
-                              std::vector<ModuleForm>& modules) {
+                              std::vector<ModuleTemplate>& modules) {
   bool is_good = true;
   std::string_view rest = text;
   while (!faults_.is_full()) {
@@ -131,7 +131,7 @@ bool RuleReader::read_modules(std::string_view text, std::vector<std::string_vie
     // A module that has a fault leaves nothing of the rest either.
     if (!module) return is_good && trimmed(before).empty();
     is_good = modules_.match_bracket(*module, open) && is_good;
-    ModuleForm form;
+    ModuleTemplate form;
     form.letter = modules_.letter_of(*module);
     if (form.letter == kNoLetter) is_good = false;
     for (const std::string_view argument : module->arguments) {
@@ -147,7 +147,7 @@ bool RuleReader::read_modules(std::string_view text, std::vector<std::string_vie
 }
 
 void RuleReader::read_axiom(std::string_view text, std::vector<std::string_view>& open,
-                            std::vector<ModuleForm>& axiom) {
+                            std::vector<ModuleTemplate>& axiom) {
   begin_rule();
   // The book's "ω :" may stand before it.
   if (const std::size_t colon = text.find(':'); colon != std::string_view::npos) {

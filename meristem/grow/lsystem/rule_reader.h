@@ -56,7 +56,7 @@ class RuleReader {
   /// A rule with no fault, or nothing after adding its faults. Rules that rewrite a bracket to itself are nothing too.
   std::optional<Rule> read_rule(std::string_view line);
   /// Appends the axiom's modules. `open` has the brackets that are not closed yet.
-  void read_axiom(std::string_view text, std::vector<std::string_view>& open, std::vector<ModuleForm>& axiom);
+  void read_axiom(std::string_view text, std::vector<std::string_view>& open, std::vector<ModuleTemplate>& axiom);
   /// A constant with a finite value.
   std::optional<double> read_constant(std::string_view text);
 
@@ -72,7 +72,7 @@ class RuleReader {
   bool read_context(std::string_view text, bool may_branch, std::vector<ContextModule>& context);
   bool name_parameters(const ModuleText& module);
   bool read_conditions(const Parts& parts, Rule& rule);
-  bool read_modules(std::string_view text, std::vector<std::string_view>& open, std::vector<ModuleForm>& modules);
+  bool read_modules(std::string_view text, std::vector<std::string_view>& open, std::vector<ModuleTemplate>& modules);
   std::optional<Expression> read_expression(std::string_view text, bool is_condition = false);
   void begin_rule();
   void note_names_of(std::string_view expression);

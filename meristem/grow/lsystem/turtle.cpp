@@ -37,7 +37,7 @@ void turn(DVec3& a, DVec3& b, double cosine, double sine) {
 }
 
 struct State {
-  DVec3 place{0};
+  DVec3 position{0};
   DVec3 heading{0}, left{0}, up{0};  // unit, right-handed
   double elevation = 0, azimuth = 0;
   double width = 0;
@@ -60,7 +60,7 @@ class Turtle {
     }
     const DVec3 heading(start.heading());
     scale_ = glm::length(heading);
-    state_.place = DVec3(start.origin);
+    state_.position = DVec3(start.origin);
     state_.heading = heading / scale_;
     const DVec3 right(normalized_or(start.right(), any_perpendicular(Vec3(state_.heading))));
     state_.left = -glm::normalize(right - glm::dot(right, state_.heading) * state_.heading);
@@ -228,7 +228,7 @@ class Turtle {
     state_.up = glm::cross(state_.heading, state_.left);
   }
 
-  DVec3 down() const { return DVec3(parameters_.directions.down(Vec3(state_.place))); }
+  DVec3 down() const { return DVec3(parameters_.directions.down(Vec3(state_.position))); }
 
   /// Rolls until the left is level. A heading straight up or down has no level left more than another: it stays.
   void level() {
@@ -261,8 +261,8 @@ class Turtle {
   // --- Going
 
   void go(double length) {
-    state_.place += scale_ * length * state_.heading;
-    const DVec3 far = glm::abs(state_.place);
+    state_.position += scale_ * length * state_.heading;
+    const DVec3 far = glm::abs(state_.position);
     if (far.x <= kFarthest && far.y <= kFarthest && far.z <= kFarthest) return;
     fail("leads out of the world", fmt::format("positions within {:.0f} m of the origin", kFarthest));
   }
@@ -290,7 +290,7 @@ class Turtle {
     if (!(scale_ * width <= kFarthest)) {
       fail("is wider than the world", fmt::format("a radius of at most {:.0f} m", kFarthest));
     }
-    const NodeIndex node = drawing_.skeleton.add_node(parent, Vec3(state_.place), 0);
+    const NodeIndex node = drawing_.skeleton.add_node(parent, Vec3(state_.position), 0);
     drawing_.skeleton.radius[node] = static_cast<float>(scale_ * width);
     begins_branch_.push_back(0);
     ends_.push_back(0);
@@ -314,7 +314,7 @@ class Turtle {
 
   // --- Polygons and places
 
-  Frame frame() const { return {Mat3(glm::dmat3(-state_.left, state_.heading, state_.up)), Vec3(state_.place)}; }
+  Frame frame() const { return {Mat3(glm::dmat3(-state_.left, state_.heading, state_.up)), Vec3(state_.position)}; }
 
   void begin_polygon() { open_.push_back({.frame = frame(), .colour = state_.colour}); }
 
@@ -323,7 +323,7 @@ class Turtle {
     if (open_.back().corners.size() == kMostCorners) {
       fail("is one corner too many of a polygon", fmt::format("at most {}, and a }} for each {{", kMostCorners));
     }
-    open_.back().corners.emplace_back(state_.place);
+    open_.back().corners.emplace_back(state_.position);
   }
 
   void end_polygon() {
@@ -345,12 +345,12 @@ class Turtle {
     if (next == word_.module_count()) fail("is a ~ without a name", "the name of a component behind it");
     const LetterIndex letter = word_.letters[next];
     const double size = meanings_[letter].arity > 0 ? parameter[meanings_[word_.letters[at_]].arity] : 1;
-    TurtlePlace& place = drawing_.places.emplace_back();
-    place.letter = letter;
-    place.frame = frame();
-    place.frame.axes *= static_cast<float>(scale_ * size);
-    place.radius = static_cast<float>(scale_ * state_.width);
-    place.node = state_.node == kNoNode ? root_after_gap_[state_.gap] : state_.node;
+    TurtleSite& position = drawing_.places.emplace_back();
+    position.letter = letter;
+    position.frame = frame();
+    position.frame.axes *= static_cast<float>(scale_ * size);
+    position.radius = static_cast<float>(scale_ * state_.width);
+    position.node = state_.node == kNoNode ? root_after_gap_[state_.gap] : state_.node;
     at_ = next;
     return meanings_[letter].arity;
   }

@@ -60,7 +60,7 @@ struct TurtlePolygon {
 };
 
 /// Where a `~` places a component.
-struct TurtlePlace {
+struct TurtleSite {
   LetterIndex letter = kNoLetter;  ///< that names it
   Frame frame;                     ///< heading along y, up along z; scaled by the letter's first parameter
   float radius = 0;                ///< of the stem there
@@ -72,7 +72,7 @@ struct Drawing {
                       ///< where a ] has ended a branch, if one of no length
   std::vector<Vec3> corners;
   std::vector<TurtlePolygon> polygons;  ///< by their ends
-  std::vector<TurtlePlace> places;
+  std::vector<TurtleSite> places;
 };
 
 /// Draws a word of `alphabet`'s letters in the world, beginning at `start` along its heading, its z up; lengths and

@@ -242,7 +242,7 @@ TEST(TurtlePolygon, NeedsItsBegin) {
   EXPECT_THAT(fault_of("Ff.}"), HasSubstr("components.plant: module 4 of the word closes a polygon"));
 }
 
-TEST(TurtlePlace, StandsOnTheStem) {
+TEST(TurtleSite, StandsOnTheStem) {
   const Drawing drawing = drawn("!(0.2)F+~K(3)F~K");
   ASSERT_EQ(drawing.places.size(), 2U);
   expect_near(drawing.places[0].frame.origin, {0, 1, 0});
@@ -327,9 +327,9 @@ TEST(TurtleReference, DrawsTheBooksFigures) {
     EXPECT_EQ(skeleton.node_count() - 1, expected["segments"].get<std::size_t>()) << name;
     Vec3 least(0);
     Vec3 most(0);
-    for (const Vec3 place : skeleton.position) {
-      least = glm::min(least, place);
-      most = glm::max(most, place);
+    for (const Vec3 position : skeleton.position) {
+      least = glm::min(least, position);
+      most = glm::max(most, position);
     }
     const auto& box = expected["bbox"];
     EXPECT_NEAR(least.x, box[0].get<double>(), 1e-3) << name;

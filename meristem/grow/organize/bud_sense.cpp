@@ -46,7 +46,7 @@ class ShadeSense : public BudSense {
       for (auto metamer = static_cast<MetamerIndex>(begin); metamer < end; ++metamer) {
         if (!metamers_.competes(metamer, false) && !metamers_.competes(metamer, true)) continue;
         asked.push_back(metamer);
-        places.push_back(place(metamer));
+        places.push_back(position(metamer));
       }
       std::vector<double> shade(places.size());
       ShadowGrid::Recent recent;
@@ -55,19 +55,19 @@ class ShadeSense : public BudSense {
     });
   }
 
-  bool reaches(Vec3 place) const override { return shade_.reaches(place); }
+  bool reaches(Vec3 position) const override { return shade_.reaches(position); }
 
   /// Out of the shade of plants, and as far as obstacles take the light also out of theirs.
   Vec3 way(MetamerIndex metamer, bool, ShadowGrid::Recent& recent) const override {
-    const Vec3 from_plants = normalized_or(shade_.brighter_way(place(metamer), recent), Vec3(0));
+    const Vec3 from_plants = normalized_or(shade_.brighter_way(position(metamer), recent), Vec3(0));
     const float blocked = 1 - std::min(1.0F, light_.at(metamer));
     if (blocked <= 0) return from_plants;
-    const Vec3 from_obstacles = normalized_or(Vec3(brighter_way(species_.scene, place(metamer), 1)), Vec3(0));
+    const Vec3 from_obstacles = normalized_or(Vec3(brighter_way(species_.scene, position(metamer), 1)), Vec3(0));
     return normalized_or(from_plants + 2 * blocked * from_obstacles, Vec3(0));
   }
 
  private:
-  static ShadowForm form_of(const OrganizedSpecies& species, Vec3 root) {
+  static ShadowParameters form_of(const OrganizedSpecies& species, Vec3 root) {
     const BudLightModel& model = species.parameters.light;
     return {.voxel = model.voxel > 0 ? model.voxel : species.parameters.length,
             .amount = model.a,
@@ -76,7 +76,7 @@ class ShadeSense : public BudSense {
             .toward_light = leaning(-species.directions.down(root), species.scene.light.mean_direction(), model.lean),
             .reach = model.reach};
   }
-  Vec3 place(MetamerIndex metamer) const { return root_ + metamers_.tip[metamer]; }
+  Vec3 position(MetamerIndex metamer) const { return root_ + metamers_.tip[metamer]; }
   /// The light of a metamer's buds in so much shade, of which its own does not count.
   void tell(MetamerIndex metamer, double shade, BudLight& found) const {
     const BudLightModel& model = species_.parameters.light;
@@ -102,7 +102,7 @@ class RoomSense : public BudSense, public RoomSeeker {
       : species_(species), root_(seed.frame.origin), metamers_(metamers), light_(light) {
     const BudLightModel& model = species.parameters.light;
     const double length = species.parameters.length;
-    const MarkerForm form{.spacing = model.spacing * length, .occupancy = model.occupancy * length};
+    const MarkerParameters form{.spacing = model.spacing * length, .occupancy = model.occupancy * length};
     field_ = &space.markers(form, key.child("markers"), species.scene.obstacles, *this, species.limits.mesh_bytes,
                             species.path("light.spacing"));
     volume_ = field_->add_volume(seed.room, root_);
@@ -136,7 +136,7 @@ class RoomSense : public BudSense, public RoomSeeker {
     });
   }
 
-  bool reaches(Vec3 place) const override { return field_->reaches(place); }
+  bool reaches(Vec3 position) const override { return field_->reaches(position); }
 
   Vec3 way(MetamerIndex metamer, bool is_lateral, ShadowGrid::Recent&) const override {
     const bool is_second = is_lateral && metamers_.competes(metamer, false);
@@ -170,20 +170,20 @@ SceneLight::SceneLight(const Scene& scene, Vec3 root)
   add(root);
 }
 
-float SceneLight::reaching(Vec3 place) const {
+float SceneLight::reaching(Vec3 position) const {
   double arrives = 0;
-  scene_.light.for_each_ray(place, [&](const LightRay& ray) {
-    if (!scene_.obstacles.block(place, ray.toward, ray.distance)) arrives += ray.strength;
+  scene_.light.for_each_ray(position, [&](const LightRay& ray) {
+    if (!scene_.obstacles.block(position, ray.toward, ray.distance)) arrives += ray.strength;
   });
   return static_cast<float>(arrives);
 }
 
-void SceneLight::add(Vec3 place) {
-  if (!is_even_) light_.push_back(reaching(place));
+void SceneLight::add(Vec3 position) {
+  if (!is_even_) light_.push_back(reaching(position));
 }
 
-void SceneLight::move(MetamerIndex metamer, Vec3 place) {
-  if (!is_even_) light_[metamer] = reaching(place);
+void SceneLight::move(MetamerIndex metamer, Vec3 position) {
+  if (!is_even_) light_[metamer] = reaching(position);
 }
 
 void SceneLight::remove(const std::vector<std::uint8_t>& gone) {

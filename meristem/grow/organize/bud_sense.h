@@ -21,11 +21,11 @@ class SceneLight {
   SceneLight(const Scene& scene, Vec3 root);
   float at(MetamerIndex metamer) const { return is_even_ ? 1 : light_[metamer]; }
   /// At a place in world space.
-  float reaching(Vec3 place) const;
+  float reaching(Vec3 position) const;
 
   /// Follow Metamers::grow(), what moves, and Metamers::remove().
-  void add(Vec3 place);
-  void move(MetamerIndex metamer, Vec3 place);
+  void add(Vec3 position);
+  void move(MetamerIndex metamer, Vec3 position);
   void remove(const std::vector<std::uint8_t>& gone);
 
  private:
@@ -43,7 +43,7 @@ class BudSense {
   /// threads at once, each with a `recent` of its own.
   virtual Vec3 way(MetamerIndex metamer, bool is_lateral, ShadowGrid::Recent& recent) const = 0;
   /// Whether buds at a place in world space can perceive anything; if not, it is too far from the world's origin.
-  virtual bool reaches(Vec3 place) const = 0;
+  virtual bool reaches(Vec3 position) const = 0;
 };
 
 /// That of one tree, whose `metamers` and `light` outlive it. To be called before the first round.

@@ -131,11 +131,11 @@ TEST(OrganizeForm, TheUpwardWeightFadesWithTheIterations) {
   parameters.direction.up_fade = 0.5;
   const Skeleton stem = grow_organized(parameters, 1, {}, seed_toward({1, 0, 0}));
   Vec3 way(1, 0, 0);
-  Vec3 place(0);
+  Vec3 position(0);
   for (NodeIndex node = 1; node <= 3; ++node) {
     way = glm::normalize(way + Vec3(0, 0.8F / static_cast<float>(1U << (node - 1)), 0));
-    place += way;
-    EXPECT_LT(glm::distance(stem.position[node], place), 1e-5F);
+    position += way;
+    EXPECT_LT(glm::distance(stem.position[node], position), 1e-5F);
   }
   parameters.direction.up_fade = 0;  // nothing is left after the first
   const Skeleton once = grow_organized(parameters, 1, {}, seed_toward({1, 0, 0}));
@@ -149,7 +149,7 @@ TEST(OrganizeForm, NothingGrowsBelowTheGround) {
   const Skeleton tree = grow_organized(parameters, 1, {}, seed_toward({0, 1, 0}, {3, 2, 1}));
   ASSERT_GT(metamer_count(tree), 50);
   EXPECT_TRUE(check_skeleton(tree));
-  for (const Vec3 place : tree.position) EXPECT_GE(place.y, 2);
+  for (const Vec3 position : tree.position) EXPECT_GE(position.y, 2);
 }
 
 TEST(OrganizeForm, HangingShootsEndWhereTheyReachTheGround) {
@@ -199,7 +199,7 @@ TEST(OrganizeForm, GrowsOutOfTheShadeOfARoof) {
     double sum = 0;
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       const Skeleton tree = grow_organized(full(14), seed, scene);
-      for (const Vec3 place : tree.position) sum += place.x / metamer_count(tree) / 4;
+      for (const Vec3 position : tree.position) sum += position.x / metamer_count(tree) / 4;
     }
     return sum;
   };
@@ -257,7 +257,7 @@ TEST(OrganizeForm, TreesLeanToALowSunAsFarAsTheirShadeDoes) {
     parameters.light.lean = share;
     const Skeleton tree = grow_organized(parameters, 1, scene);
     double sum = 0;
-    for (const Vec3 place : tree.position) sum += place.x;
+    for (const Vec3 position : tree.position) sum += position.x;
     return sum / static_cast<double>(tree.node_count());
   };
   EXPECT_GT(lean(1), lean(0.5) + 1);

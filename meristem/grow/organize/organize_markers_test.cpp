@@ -35,8 +35,8 @@ Frame at(float x) { return {.axes = Mat3(1), .origin = {x, 0, 0}}; }
 
 double reach_toward(const Skeleton& tree, Vec3 way) {
   double reach = 0;
-  for (const Vec3 place : tree.position) {
-    reach = std::max(reach, static_cast<double>(glm::dot(place - tree.position[0], way)));
+  for (const Vec3 position : tree.position) {
+    reach = std::max(reach, static_cast<double>(glm::dot(position - tree.position[0], way)));
   }
   return reach;
 }
@@ -106,7 +106,7 @@ TEST(OrganizeAmongMarkers, ObstaclesTakeRoom) {
   scene.obstacles = Obstacles({Obstacle{.mesh = box_mesh({2, -1, -30}, {40, 40, 30})}});
   const Skeleton tree = grow_organized(among_markers(12), 1, scene);
   EXPECT_GT(metamer_count(tree), 50);
-  for (const Vec3 place : tree.position) EXPECT_LE(place.x, 2);
+  for (const Vec3 position : tree.position) EXPECT_LE(position.x, 2);
   EXPECT_GT(reach_toward(tree, {-1, 0, 0}), 5);
 }
 
@@ -117,7 +117,8 @@ TEST(OrganizeAmongMarkers, WhatIsCutGivesItsRoomBack) {
   parameters.operations = {Cut{.when = {7}, .shoot = "main", .above = 5}};
   const Skeleton cut = grow_organized(parameters, 3);
   const auto above_the_cut = [](const Skeleton& tree) {
-    return std::ranges::count_if(tree.position, [](Vec3 place) { return place.y > 8 && std::abs(place.x) < 3; });
+    return std::ranges::count_if(tree.position,
+                                 [](Vec3 position) { return position.y > 8 && std::abs(position.x) < 3; });
   };
   EXPECT_GT(above_the_cut(whole), 20);
   EXPECT_GT(above_the_cut(cut), 10);

@@ -36,10 +36,10 @@ class PassingRoof : public Grower {
   bool step(Progress&) override { return round_ < goes_; }
   void tell() override {
     if (round_ == comes_) {
-      for_each_leaf([&](Vec3 place) { space_.grow_shoot(place, 3); });
+      for_each_leaf([&](Vec3 position) { space_.grow_shoot(position, 3); });
     }
     if (round_ == goes_) {
-      for_each_leaf([&](Vec3 place) { space_.lose_shoot(place, 3); });
+      for_each_leaf([&](Vec3 position) { space_.lose_shoot(position, 3); });
     }
     ++round_;
   }
@@ -82,7 +82,7 @@ float length_of(const Skeleton& tree, NodeIndex node) {
 }
 
 /// The shade of the metamers that are there.
-ShadowGrid shade_of(const Skeleton& tree, const ShadowForm& form) {
+ShadowGrid shade_of(const Skeleton& tree, const ShadowParameters& form) {
   ShadowGrid grid(form);
   for (NodeIndex node = 0; node < tree.node_count(); ++node) {
     grid.add(tree.position[node], length_of(tree, node) / form.voxel);
@@ -106,7 +106,7 @@ std::vector<float> light_in(const ShadowGrid& shade, const Skeleton& tree) {
 
 TEST(OrganizeInAStand, ShadeIsThatOfTheMetamersThatAreThere) {
   // To the bit, after whatever was grown, cut, shed and bent, much or hardly.
-  const ShadowForm form{.voxel = 1};
+  const ShadowParameters form{.voxel = 1};
   const Scene scene;
   for (const double stiffness : {0.05, 500.0}) {
     OrganizeParameters parameters = full(18);
@@ -123,9 +123,9 @@ TEST(OrganizeInAStand, ShadeIsThatOfTheMetamersThatAreThere) {
     const Skeleton tree = stand.take_skeletons(progress)[0];
     ASSERT_GT(metamer_count(tree), 100);
     const ShadowGrid wanted = shade_of(tree, form);
-    for (const Vec3 place : tree.position) {
+    for (const Vec3 position : tree.position) {
       for (int below = -1; below <= 4; ++below) {
-        const Vec3 asked = place - static_cast<float>(below) * kUp;
+        const Vec3 asked = position - static_cast<float>(below) * kUp;
         ASSERT_EQ(left.shade(asked), wanted.shade(asked));
       }
     }

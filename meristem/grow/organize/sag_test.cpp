@@ -178,7 +178,7 @@ Skeleton bent_tree(double stiffness) {
 TEST(Sag, NothingComesBelowTheGround) {
   const Skeleton tree = bent_tree(0.01);
   ASSERT_TRUE(check_skeleton(tree));
-  for (const Vec3 place : tree.position) EXPECT_GE(place.y, 0);
+  for (const Vec3 position : tree.position) EXPECT_GE(position.y, 0);
 }
 
 TEST(Sag, InternodesKeepTheirLengths) {

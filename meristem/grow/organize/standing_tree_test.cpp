@@ -87,9 +87,9 @@ void expect_the_same(Grown& one, Grown& other, RandomKey key) {
     RC_ASSERT(one.tree->scene_light().at(metamer) == other.tree->scene_light().at(metamer));
   }
   for (std::uint64_t k = 0; k < 300; ++k) {
-    const Vec3 place = kRoot + 3 * static_cast<float>(key.uniform(k)) * key.child("way").direction(k);
-    RC_ASSERT(one.grid->shade(place) == other.grid->shade(place));
-    RC_ASSERT(one.grid->brighter_way(place) == other.grid->brighter_way(place));
+    const Vec3 position = kRoot + 3 * static_cast<float>(key.uniform(k)) * key.child("way").direction(k);
+    RC_ASSERT(one.grid->shade(position) == other.grid->shade(position));
+    RC_ASSERT(one.grid->brighter_way(position) == other.grid->brighter_way(position));
   }
   Box around;
   around.add(kRoot - 1.5F);

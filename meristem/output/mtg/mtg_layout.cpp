@@ -70,12 +70,12 @@ void MtgLayout::add(const Skeleton& skeleton, bool by_order, const Progress& pro
   const auto stays = [&](NodeIndex node) {
     return by_order ? is_successor[node] : largest[skeleton.parent[node]] == node;
   };
-  std::vector<MtgPlace> waiting;  // the next one last
+  std::vector<MtgEntry> waiting;  // the next one last
   for (NodeIndex root = 0; root < skeleton.node_count(); ++root) {
     if (!skeleton.is_root(root)) continue;
     waiting.push_back({.node = root});
     while (!waiting.empty()) {
-      const MtgPlace place = waiting.back();
+      const MtgEntry place = waiting.back();
       waiting.pop_back();
       if (places_.size() % kBetweenChecks == 0) progress.check();
       places_.push_back(place);

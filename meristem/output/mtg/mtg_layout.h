@@ -15,7 +15,7 @@ namespace meristem {
 std::vector<bool> find_successors(const Skeleton& skeleton);
 
 /// A node's place in an MTG file.
-struct MtgPlace {
+struct MtgEntry {
   NodeIndex node = 0;
   std::uint8_t column = 0;    ///< of its code, from 0
   bool is_successor = false;  ///< it continues its parent's axis
@@ -30,13 +30,13 @@ class MtgLayout {
  public:
   MtgLayout(std::span<const Skeleton* const> skeletons, const Progress& progress);
 
-  const std::vector<MtgPlace>& places() const { return places_; }
+  const std::vector<MtgEntry>& places() const { return places_; }
   std::size_t column_count() const { return columns_; }
 
  private:
   void add(const Skeleton& skeleton, bool by_order, const Progress& progress);
 
-  std::vector<MtgPlace> places_;
+  std::vector<MtgEntry> places_;
   std::size_t columns_ = 1;
 };
 

@@ -14,14 +14,14 @@ const Vec3 kIrradiance = 2.45F * Vec3(1.25F, 0.96F, 0.66F);
 
 }  // namespace
 
-Vec3 Lamplight::irradiance(Vec3 place) const {
+Vec3 Lamplight::irradiance(Vec3 position) const {
   double strength = 0;
-  for (const Lamp& lamp : lamps_) strength += Light::ray_to(lamp, place).strength;
+  for (const Lamp& lamp : lamps_) strength += Light::ray_to(lamp, position).strength;
   return static_cast<float>(strength) * kIrradiance;
 }
 
-Lamplight::Ray Lamplight::ray_to(const Lamp& lamp, Vec3 place, float nearest, Vec2 sample) {
-  const LightRay ray = Light::ray_to(lamp, place);
+Lamplight::Ray Lamplight::ray_to(const Lamp& lamp, Vec3 position, float nearest, Vec2 sample) {
+  const LightRay ray = Light::ray_to(lamp, position);
   const auto distance = static_cast<float>(ray.distance);
   const float nearness = distance < nearest ? distance / nearest : 1;
   const float angle = std::min(kWidest, kRadius / std::max(distance, kRadius));
@@ -30,17 +30,17 @@ Lamplight::Ray Lamplight::ray_to(const Lamp& lamp, Vec3 place, float nearest, Ve
           .irradiance = static_cast<float>(ray.strength) * nearness * nearness * kIrradiance};
 }
 
-Lamplight::Ray Lamplight::drawn_ray(Vec3 place, float nearest, SampleStream& samples) const {
+Lamplight::Ray Lamplight::drawn_ray(Vec3 position, float nearest, SampleStream& samples) const {
   double all = 0;
-  for (const Lamp& lamp : lamps_) all += Light::ray_to(lamp, place).strength;
+  for (const Lamp& lamp : lamps_) all += Light::ray_to(lamp, position).strength;
   double left = all * samples.next().x;
   std::size_t chosen = 0;
   for (; chosen + 1 < lamps_.size(); ++chosen) {
-    left -= Light::ray_to(lamps_[chosen], place).strength;
+    left -= Light::ray_to(lamps_[chosen], position).strength;
     if (left < 0) break;
   }
-  Ray ray = ray_to(lamps_[chosen], place, nearest, samples.next());
-  ray.irradiance *= static_cast<float>(all / Light::ray_to(lamps_[chosen], place).strength);
+  Ray ray = ray_to(lamps_[chosen], position, nearest, samples.next());
+  ray.irradiance *= static_cast<float>(all / Light::ray_to(lamps_[chosen], position).strength);
   return ray;
 }
 

@@ -23,19 +23,19 @@ class Lamplight {
   bool empty() const { return lamps_.empty(); }
 
   /// On a surface that could face all lamps at once.
-  Vec3 irradiance(Vec3 place) const;
+  Vec3 irradiance(Vec3 position) const;
 
   /// Calls `visit(Ray)` for each of one or two lamps. Of more it takes one, drawn in proportion to its light, with the
   /// light of all. No lamp is taken to be nearer than `nearest` metres.
   template <class Visit>
-  void for_each_ray(Vec3 place, float nearest, SampleStream& samples, Visit visit) const {
-    if (lamps_.size() > 2) return visit(drawn_ray(place, nearest, samples));
-    for (const Lamp& lamp : lamps_) visit(ray_to(lamp, place, nearest, samples.next()));
+  void for_each_ray(Vec3 position, float nearest, SampleStream& samples, Visit visit) const {
+    if (lamps_.size() > 2) return visit(drawn_ray(position, nearest, samples));
+    for (const Lamp& lamp : lamps_) visit(ray_to(lamp, position, nearest, samples.next()));
   }
 
  private:
-  static Ray ray_to(const Lamp& lamp, Vec3 place, float nearest, Vec2 sample);
-  Ray drawn_ray(Vec3 place, float nearest, SampleStream& samples) const;
+  static Ray ray_to(const Lamp& lamp, Vec3 position, float nearest, Vec2 sample);
+  Ray drawn_ray(Vec3 position, float nearest, SampleStream& samples) const;
 
   std::vector<Lamp> lamps_;
 };

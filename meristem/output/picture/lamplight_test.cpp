@@ -11,11 +11,11 @@ namespace {
 constexpr int kSamples = 4096;
 
 /// The mean irradiance that the drawn rays give a place, towards `facing` all in all.
-Vec3 mean_irradiance(const Lamplight& lamps, Vec3 place, float nearest = 0) {
+Vec3 mean_irradiance(const Lamplight& lamps, Vec3 position, float nearest = 0) {
   DVec3 sum(0);
   for (std::uint32_t s = 0; s < kSamples; ++s) {
     SampleStream samples(3, s, kSamples);
-    lamps.for_each_ray(place, nearest, samples, [&](const Lamplight::Ray& ray) { sum += DVec3(ray.irradiance); });
+    lamps.for_each_ray(position, nearest, samples, [&](const Lamplight::Ray& ray) { sum += DVec3(ray.irradiance); });
   }
   return Vec3(sum / static_cast<double>(kSamples));
 }
@@ -31,17 +31,17 @@ TEST(Lamplight, DrawsLampsByTheirLight) {
   std::vector<Lamp> lamps;
   for (int k = 0; k < 7; ++k) lamps.push_back({.position = {static_cast<float>(k), 2, 1}, .strength = 0.1 + 0.2 * k});
   const Lamplight light(lamps);
-  const Vec3 place(1.5F, 0, 0);
-  const Vec3 expected = light.irradiance(place);
-  EXPECT_NEAR(mean_irradiance(light, place).g, expected.g, 1e-5 * expected.g) << "every ray has the light of all";
+  const Vec3 position(1.5F, 0, 0);
+  const Vec3 expected = light.irradiance(position);
+  EXPECT_NEAR(mean_irradiance(light, position).g, expected.g, 1e-5 * expected.g) << "every ray has the light of all";
   int first = 0;
   for (std::uint32_t s = 0; s < kSamples; ++s) {
     SampleStream samples(3, s, kSamples);
-    light.for_each_ray(place, 0, samples, [&](const Lamplight::Ray& ray) {
-      if (glm::dot(ray.toward, glm::normalize(lamps[0].position - place)) > 0.999F) ++first;
+    light.for_each_ray(position, 0, samples, [&](const Lamplight::Ray& ray) {
+      if (glm::dot(ray.toward, glm::normalize(lamps[0].position - position)) > 0.999F) ++first;
     });
   }
-  const Vec3 share = Lamplight({lamps[0]}).irradiance(place) / expected;
+  const Vec3 share = Lamplight({lamps[0]}).irradiance(position) / expected;
   EXPECT_NEAR(first, kSamples * share.g, 10);
 }
 

@@ -365,7 +365,7 @@ TEST(RayScene, TexturesLieAlongTheirUvsOnTurnedAndMirroredInstances) {
   const RayScene rays(scene, progress);
   const auto hit = rays.first_hit({{1, 2, 0.5F}, {0, -1, 0}});
   ASSERT_TRUE(hit);
-  const TexturePlace place = rays.texture_place(*hit);
+  const TextureMapping place = rays.texture_mapping(*hit);
   EXPECT_NEAR(place.uv.x, 0.25, 1e-5);
   EXPECT_NEAR(place.uv.y, 0.25, 1e-5);
   EXPECT_NEAR(place.uvs_per_metre, std::sqrt(1.0 / 8), 1e-5);

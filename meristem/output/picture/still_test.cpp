@@ -33,8 +33,8 @@ MeshScene block_with_leaves() {
                   {"leaf", std::make_shared<const Mesh>(leaf), 1, {}}};
   const RandomKey key(1);
   for (int i = 0; i < 300; ++i) {
-    const Vec3 place = Vec3(0, 1.2F, 0) + 0.5F * key.direction(i);
-    scene.meshes[1].frames.push_back(frame_along(place, key.child(1).direction(i), kUp));
+    const Vec3 position = Vec3(0, 1.2F, 0) + 0.5F * key.direction(i);
+    scene.meshes[1].frames.push_back(frame_along(position, key.child(1).direction(i), kUp));
   }
   return scene;
 }

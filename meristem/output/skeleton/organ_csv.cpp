@@ -30,13 +30,13 @@ std::vector<std::uint32_t> instances(const Plant& plant) {
   return numbers;
 }
 
-void append_row(const std::string& component, std::uint32_t instance, Vec3 place, const LitOrgan& lit,
+void append_row(const std::string& component, std::uint32_t instance, Vec3 position, const LitOrgan& lit,
                 std::string& out) {
   out += component;
   out += ',';
   append_csv_number(instance, out);
   for (const double value :
-       {double{place.x}, double{place.y}, double{place.z}, lit.area, lit.exposure, lit.irradiance}) {
+       {double{position.x}, double{position.y}, double{position.z}, lit.area, lit.exposure, lit.irradiance}) {
     out += ',';
     append_csv_number(static_cast<float>(value), out);
   }

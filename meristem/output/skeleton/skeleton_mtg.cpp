@@ -187,7 +187,7 @@ class MtgWriter {
 
   /// The entity of a line, with the plant and the axis that begin with it.
   void append(const SkeletonRow& line, std::string& out) const {
-    const MtgPlace& place = layout_.places()[line.row];
+    const MtgEntry& place = layout_.places()[line.row];
     const SkeletonRow row{line.row - line.node + place.node, line.stem, place.node};
     const bool is_root = plant_.stems[row.stem].skeleton.is_root(row.node);
     if (is_root) {
@@ -212,7 +212,7 @@ class MtgWriter {
     end_line(out);
   }
 
-  void append_axis(const SkeletonRow& row, const MtgPlace& place, bool is_root, std::string& out) const {
+  void append_axis(const SkeletonRow& row, const MtgEntry& place, bool is_root, std::string& out) const {
     out.append(place.column, '\t');
     out += is_root ? "^/A" : place.stays ? "^+A" : "+A";
     append_csv_number(static_cast<std::uint64_t>(table_.value(row, axis_column_)), out);

@@ -123,8 +123,8 @@ TEST(GlbMesh, NodesPlaceTheirMeshes) {
 
 TEST(GlbMesh, StripsFansAndPlainListsAreTriangles) {
   std::string places;
-  for (const Vec3 place : {Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 0), Vec3(0, 2, 0), Vec3(1, 2, 0)}) {
-    append(places, place);
+  for (const Vec3 point : {Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 0), Vec3(0, 2, 0), Vec3(1, 2, 0)}) {
+    append(places, point);
   }
   const auto triangles = [&](int mode) {
     return parse(glb(fmt::format(R"({{"scenes": [{{"nodes": [0]}}], "nodes": [{{"mesh": 0}}],
@@ -143,9 +143,9 @@ TEST(GlbMesh, StripsFansAndPlainListsAreTriangles) {
 
 TEST(GlbMesh, TakesInterleavedAndNormalizedNumbers) {
   std::string bytes;
-  for (const std::array<std::int16_t, 4> place :
+  for (const std::array<std::int16_t, 4> point :
        {std::array<std::int16_t, 4>{0, 0, 0, 7}, {32767, 0, 0, 7}, {0, -32767, 0, 7}}) {
-    append(bytes, place);
+    append(bytes, point);
   }
   const TriangleMesh mesh = parse(glb(
       R"({"extensionsRequired": ["KHR_mesh_quantization"], "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],

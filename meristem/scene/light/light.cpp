@@ -23,8 +23,8 @@ Vec3 Light::mean_direction() const {
   return normalized_or(Vec3(sum), kUp);
 }
 
-LightRay Light::ray_to(const Lamp& lamp, Vec3 place) {
-  const DVec3 way = DVec3(lamp.position) - DVec3(place);
+LightRay Light::ray_to(const Lamp& lamp, Vec3 point) {
+  const DVec3 way = DVec3(lamp.position) - DVec3(point);
   const double distance = std::sqrt(squared_length(way));
   const double near = std::max(distance, kNearest);
   return {.toward = distance > 0 ? Vec3(way / distance) : kUp,

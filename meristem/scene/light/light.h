@@ -39,16 +39,16 @@ struct Light {
   bool is_none() const { return sun.empty() && sky.empty() && lamps.empty(); }
   /// Calls `visit(LightRay)` for each light that shines on a place, in the order of the members.
   template <class Visit>
-  void for_each_ray(Vec3 place, Visit visit) const {
+  void for_each_ray(Vec3 point, Visit visit) const {
     for (const FarLight& far : sun) visit(LightRay{.toward = far.toward, .strength = far.strength});
     for (const FarLight& far : sky) visit(LightRay{.toward = far.toward, .strength = far.strength});
-    for (const Lamp& lamp : lamps) visit(ray_to(lamp, place));
+    for (const Lamp& lamp : lamps) visit(ray_to(lamp, point));
   }
 
   /// The unit vector toward the middle of the far light; up where there is none, or as much from all sides.
   Vec3 mean_direction() const;
   /// The light of a lamp at a place; within a hand's breadth of it not stronger than there.
-  static LightRay ray_to(const Lamp& lamp, Vec3 place);
+  static LightRay ray_to(const Lamp& lamp, Vec3 point);
 };
 
 /// The sun's positions over a day, every `every_hours` hours from noon both ways as long as it is above the horizon, in

@@ -44,14 +44,14 @@ void require(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(what);
 }
 
-void check(const ShadowForm& form) {
-  require(form.voxel > 0 && std::isfinite(form.voxel), "ShadowForm::voxel is not above 0");
-  require(form.amount >= 0 && form.amount <= kMostShade, "ShadowForm::amount is out of range");
-  require(form.base >= 1 && std::isfinite(form.base), "ShadowForm::base is below 1");
-  require(form.depth >= 0 && form.depth <= kDeepest, "ShadowForm::depth is out of range");
-  require(form.reach >= 1 && form.reach <= kLongestReach, "ShadowForm::reach is out of range");
+void check(const ShadowParameters& form) {
+  require(form.voxel > 0 && std::isfinite(form.voxel), "ShadowParameters::voxel is not above 0");
+  require(form.amount >= 0 && form.amount <= kMostShade, "ShadowParameters::amount is out of range");
+  require(form.base >= 1 && std::isfinite(form.base), "ShadowParameters::base is below 1");
+  require(form.depth >= 0 && form.depth <= kDeepest, "ShadowParameters::depth is out of range");
+  require(form.reach >= 1 && form.reach <= kLongestReach, "ShadowParameters::reach is out of range");
   const DVec3 light(form.toward_light);
-  require(std::abs(glm::dot(light, light) - 1) < 1e-3, "ShadowForm::toward_light is no unit vector");
+  require(std::abs(glm::dot(light, light) - 1) < 1e-3, "ShadowParameters::toward_light is no unit vector");
 }
 
 constexpr std::size_t kAskedAtOnce = 16;  // places
@@ -62,9 +62,9 @@ constexpr std::size_t kTogether = 8192;  // shaders, so that little is cast past
 
 }  // namespace
 
-std::size_t ShadowGrid::Bricks::home_of(const BrickPlace& place) const {
+std::size_t ShadowGrid::Bricks::home_of(const BrickCell& position) const {
   std::uint64_t bits = 0;
-  for (const std::int32_t k : place) {
+  for (const std::int32_t k : position) {
     bits = (bits ^ static_cast<std::uint32_t>(k)) * 0x9E3779B97F4A7C15U;
     bits ^= bits >> 32;
   }
@@ -72,23 +72,23 @@ std::size_t ShadowGrid::Bricks::home_of(const BrickPlace& place) const {
 }
 
 /// Where a brick stands in the table, or would.
-std::size_t ShadowGrid::Bricks::entry_of(const BrickPlace& place) const {
-  std::size_t at = home_of(place);
-  while (table_[at].brick != kNone && !is_same(table_[at].place, place)) at = (at + 1) & (table_.size() - 1);
+std::size_t ShadowGrid::Bricks::entry_of(const BrickCell& position) const {
+  std::size_t at = home_of(position);
+  while (table_[at].brick != kNone && !is_same(table_[at].position, position)) at = (at + 1) & (table_.size() - 1);
   return at;
 }
 
-ShadowGrid::Brick& ShadowGrid::Bricks::add(const BrickPlace& place) {
+ShadowGrid::Brick& ShadowGrid::Bricks::add(const BrickCell& position) {
   if (2 * (size() + 1) > table_.size()) {
     const std::vector<Entry> before =
         std::exchange(table_, std::vector<Entry>(std::max<std::size_t>(2 * table_.size(), 16)));
     for (const Entry& entry : before) {
-      if (entry.brick != kNone) table_[entry_of(entry.place)] = entry;
+      if (entry.brick != kNone) table_[entry_of(entry.position)] = entry;
     }
   }
-  Entry& entry = table_[entry_of(place)];
+  Entry& entry = table_[entry_of(position)];
   if (entry.brick != kNone) return bricks_[entry.brick];
-  entry.place = place;
+  entry.position = position;
   if (free_.empty()) {
     entry.brick = static_cast<std::uint32_t>(bricks_.size());
     return bricks_.emplace_back();
@@ -98,13 +98,13 @@ ShadowGrid::Brick& ShadowGrid::Bricks::add(const BrickPlace& place) {
   return bricks_[entry.brick];
 }
 
-void ShadowGrid::Bricks::erase(const BrickPlace& place) {
-  std::size_t hole = entry_of(place);
+void ShadowGrid::Bricks::erase(const BrickCell& position) {
+  std::size_t hole = entry_of(position);
   free_.push_back(table_[hole].brick);
   // Bring back those behind it that could not stand there because of it.
   for (std::size_t at = (hole + 1) & (table_.size() - 1); table_[at].brick != kNone;
        at = (at + 1) & (table_.size() - 1)) {
-    const std::size_t way_from_home = (at - home_of(table_[at].place)) & (table_.size() - 1);
+    const std::size_t way_from_home = (at - home_of(table_[at].position)) & (table_.size() - 1);
     const std::size_t way_from_hole = (at - hole) & (table_.size() - 1);
     if (way_from_home < way_from_hole) continue;
     table_[hole] = table_[at];
@@ -113,7 +113,7 @@ void ShadowGrid::Bricks::erase(const BrickPlace& place) {
   table_[hole] = {};
 }
 
-ShadowGrid::ShadowGrid(const ShadowForm& form) : form_(form) {
+ShadowGrid::ShadowGrid(const ShadowParameters& form) : form_(form) {
   check(form);
 
   // The pyramid's layers: each a step away from the light, and aside as far as the light leans.
@@ -149,19 +149,19 @@ ShadowGrid::ShadowGrid(const ShadowForm& form) : form_(form) {
   }
 }
 
-ShadowGrid::Voxel ShadowGrid::voxel_at(Vec3 place) const {
+ShadowGrid::Voxel ShadowGrid::voxel_at(Vec3 position) const {
   Voxel voxel;
   for (int k = 0; k < 3; ++k) {
-    const double at = std::floor(static_cast<double>(place[k]) / form_.voxel);
+    const double at = std::floor(static_cast<double>(position[k]) / form_.voxel);
     require(std::abs(at) <= kFarthest, "a position is too far away for its shade");
     voxel[k] = static_cast<std::int64_t>(at);
   }
   return voxel;
 }
 
-bool ShadowGrid::reaches(Vec3 place) const {
+bool ShadowGrid::reaches(Vec3 position) const {
   const double farthest = kFarthest * form_.voxel;
-  return std::abs(place.x) <= farthest && std::abs(place.y) <= farthest && std::abs(place.z) <= farthest;
+  return std::abs(position.x) <= farthest && std::abs(position.y) <= farthest && std::abs(position.z) <= farthest;
 }
 
 /// Shaders with what they cast in each layer, by the bricks that they are in.
@@ -208,12 +208,12 @@ class ShadowGrid::SlabCaster {
 
   /// Lets go of the bricks where no shade is left.
   void drop_empty() {
-    for (const BrickPlace& place : unsummed_) {
-      const Brick* const found = bricks_.find(place);
+    for (const BrickCell& position : unsummed_) {
+      const Brick* const found = bricks_.find(position);
       // The sum may wrap to 0 over voxels that are not.
       if (found == nullptr || found->sum != 0) continue;
       const auto& shade = found->shade;
-      if (std::all_of(shade.begin(), shade.end(), [](std::uint64_t s) { return s == 0; })) bricks_.erase(place);
+      if (std::all_of(shade.begin(), shade.end(), [](std::uint64_t s) { return s == 0; })) bricks_.erase(position);
     }
   }
 
@@ -241,7 +241,7 @@ class ShadowGrid::SlabCaster {
     }
   }
 
-  BrickPlace place_of(const Group& group, std::size_t near) const {
+  BrickCell place_of(const Group& group, std::size_t near) const {
     const auto width = static_cast<std::size_t>(count_[0]);
     return {group.brick[0] + first_[0] + static_cast<std::int32_t>(near % width),
             group.brick[1] + first_[1] + static_cast<std::int32_t>(near / width), group.brick[2] + z_};
@@ -267,16 +267,16 @@ class ShadowGrid::SlabCaster {
   std::array<int, 3> count_;
   std::vector<Brick*> near_;  // those at z_, by x and y; null until something falls there
   int z_ = 0;
-  std::vector<BrickPlace> unsummed_;
+  std::vector<BrickCell> unsummed_;
 };
 
-ShadowGrid::BrickPlace ShadowGrid::brick_of(const Voxel& voxel) {
+ShadowGrid::BrickCell ShadowGrid::brick_of(const Voxel& voxel) {
   return {static_cast<std::int32_t>(voxel[0] >> kBits), static_cast<std::int32_t>(voxel[1] >> kBits),
           static_cast<std::int32_t>(voxel[2] >> kBits)};
 }
 
-void ShadowGrid::add(Vec3 place, double weight) {
-  const Shader shader{place, weight};
+void ShadowGrid::add(Vec3 position, double weight) {
+  const Shader shader{position, weight};
   cast_together({&shader, 1}, Progress(), std::numeric_limits<std::uint64_t>::max());
 }
 
@@ -299,7 +299,7 @@ void ShadowGrid::cast_together(std::span<const Shader> shaders, const Progress& 
   std::vector<Voxel> voxels(shaders.size());
   for (std::size_t k = 0; k < shaders.size(); ++k) {
     require(std::abs(shaders[k].weight) * form_.amount <= kMostShade, "the weight of a shader is out of range");
-    const Voxel voxel = voxel_at(shaders[k].place);
+    const Voxel voxel = voxel_at(shaders[k].position);
     const auto part = [&](int axis) { return static_cast<std::uint64_t>(voxel[axis] >> kBits) & kPartOfKey; };
     order[k] = {part(0) | part(1) << kKeyBits | part(2) << 2 * kKeyBits,
                 static_cast<std::uint32_t>(index_in_brick(voxel[0], voxel[1], voxel[2])),
@@ -319,7 +319,7 @@ void ShadowGrid::cast_together(std::span<const Shader> shaders, const Progress& 
   for (const Placed& placed : order) {
     const Voxel& voxel = voxels[placed.shader];
     if (together.voxels.empty() || together.voxels.back() != voxel) {
-      const BrickPlace brick = brick_of(voxel);
+      const BrickCell brick = brick_of(voxel);
       const auto index = static_cast<std::uint32_t>(together.voxels.size());
       if (together.groups.empty() || !is_same(together.groups.back().brick, brick))
         together.groups.push_back({brick, index, 0});
@@ -334,7 +334,7 @@ void ShadowGrid::cast_together(std::span<const Shader> shaders, const Progress& 
   }
   for (std::uint32_t k = 0; k < together.groups.size(); ++k) {
     for (int z = bounds_.low[2] >> kBits; z <= (kSide - 1 + bounds_.high[2]) >> kBits; ++z) {
-      const BrickPlace above{0, 0, together.groups[k].brick[2] + z};
+      const BrickCell above{0, 0, together.groups[k].brick[2] + z};
       together.falls[static_cast<std::size_t>(slab_of(above))].push_back({k, z});
     }
   }
@@ -372,23 +372,23 @@ std::size_t ShadowGrid::brick_count() const {
   return count;
 }
 
-const ShadowGrid::Brick* ShadowGrid::find(const BrickPlace& place) const {
-  return bricks_[static_cast<std::size_t>(slab_of(place))].find(place);
+const ShadowGrid::Brick* ShadowGrid::find(const BrickCell& position) const {
+  return bricks_[static_cast<std::size_t>(slab_of(position))].find(position);
 }
 
-const ShadowGrid::Brick* ShadowGrid::find(const BrickPlace& place, Recent& recent) const {
-  const auto lane = static_cast<std::size_t>((place[0] & 1) | (place[1] & 1) << 1 | (place[2] & 1) << 2);
-  if (!is_same(recent.places_[lane], place)) {
-    recent.places_[lane] = place;
-    recent.bricks_[lane] = find(place);
+const ShadowGrid::Brick* ShadowGrid::find(const BrickCell& position, Recent& recent) const {
+  const auto lane = static_cast<std::size_t>((position[0] & 1) | (position[1] & 1) << 1 | (position[2] & 1) << 2);
+  if (!is_same(recent.places_[lane], position)) {
+    recent.places_[lane] = position;
+    recent.bricks_[lane] = find(position);
   }
   return recent.bricks_[lane];
 }
 
-double ShadowGrid::shade(Vec3 place) const {
+double ShadowGrid::shade(Vec3 position) const {
   Recent recent;
   double found = 0;
-  shade({&place, 1}, {&found, 1}, recent);
+  shade({&position, 1}, {&found, 1}, recent);
   return found;
 }
 
@@ -409,24 +409,24 @@ void ShadowGrid::shade(std::span<const Vec3> places, std::span<double> found, Re
   }
 }
 
-Vec3 ShadowGrid::brighter_way(Vec3 place) const {
+Vec3 ShadowGrid::brighter_way(Vec3 position) const {
   Recent recent;
-  return brighter_way(place, recent);
+  return brighter_way(position, recent);
 }
 
-Vec3 ShadowGrid::brighter_way(Vec3 place, Recent& recent) const {
-  const Voxel voxel = voxel_at(place);
+Vec3 ShadowGrid::brighter_way(Vec3 position, Recent& recent) const {
+  const Voxel voxel = voxel_at(position);
 
   // Look up the bricks around once.
-  BrickPlace first;
-  BrickPlace last;
+  BrickCell first;
+  BrickCell last;
   for (int k = 0; k < 3; ++k) {
     first[k] = static_cast<std::int32_t>((voxel[k] - form_.reach) >> kBits);
     last[k] = static_cast<std::int32_t>((voxel[k] + form_.reach) >> kBits);
   }
   std::array<const Brick*, 8> bricks{};
   for (int k = 0; k < 8; ++k) {
-    const BrickPlace at{first[0] + (k & 1), first[1] + (k >> 1 & 1), first[2] + (k >> 2)};
+    const BrickCell at{first[0] + (k & 1), first[1] + (k >> 1 & 1), first[2] + (k >> 2)};
     if (at[0] > last[0] || at[1] > last[1] || at[2] > last[2]) continue;
     bricks[k] = find(at, recent);
   }

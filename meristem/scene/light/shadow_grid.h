@@ -23,7 +23,7 @@
 
 namespace meristem {
 
-struct ShadowForm {
+struct ShadowParameters {
   double voxel = 0.1;       ///< metres a side; raised, shade is coarser and reaches farther
   double amount = 0.2;      ///< a: shade in the shader's own voxel; 0 casts none
   double base = 2;          ///< b, at least 1; raised, shade fades sooner with the distance
@@ -31,12 +31,12 @@ struct ShadowForm {
   Vec3 toward_light = kUp;  ///< unit vector; the layers lie across its greatest component (of equal ones y, then x)
   int reach = 2;            ///< radius, in voxels, of what brighter_way looks at; 1 to 4
 
-  bool operator==(const ShadowForm&) const = default;
+  bool operator==(const ShadowParameters&) const = default;
 };
 
 /// What casts shade.
 struct Shader {
-  Vec3 place{0};
+  Vec3 position{0};
   double weight = 1;  ///< as often it casts its shade; below 0 it takes back what was cast
 };
 
@@ -44,7 +44,7 @@ class ShadowGrid {
  private:
   static constexpr int kSide = 8;  // voxels of a brick
   using Voxel = std::array<std::int64_t, 3>;
-  using BrickPlace = std::array<std::int32_t, 3>;
+  using BrickCell = std::array<std::int32_t, 3>;
   /// The whole numbers are in 2^-32 of a shade, and wrap.
   struct Brick {
     std::array<std::uint64_t, std::size_t{kSide} * kSide * kSide> shade{};
@@ -59,36 +59,36 @@ class ShadowGrid {
 
    private:
     friend class ShadowGrid;
-    std::array<BrickPlace, 8> places_;
+    std::array<BrickCell, 8> places_;
     std::array<const Brick*, 8> bricks_{};
   };
 
   /// Throws std::invalid_argument for a form out of range.
-  explicit ShadowGrid(const ShadowForm& form);
+  explicit ShadowGrid(const ShadowParameters& form);
 
   /// Adds what a shader at `place` casts, `weight` times over; remove() of the same place and weight takes it back
   /// exactly. Weights are kept to 2^-32 of a shade. Throws std::invalid_argument for places that are not finite or more
   /// than 10^10 voxels away, and for weights that are not finite or cast over 10^6 shades.
-  void add(Vec3 place, double weight = 1);
-  void remove(Vec3 place, double weight = 1) { add(place, -weight); }
+  void add(Vec3 position, double weight = 1);
+  void remove(Vec3 position, double weight = 1) { add(position, -weight); }
   /// The same of many, on all threads. Throws TooMuchMemory before it takes more than `most_bytes`, and Cancelled; then
   /// some of them are cast.
   void cast(std::span<const Shader> shaders, const Progress& progress,
             std::uint64_t most_bytes = std::numeric_limits<std::uint64_t>::max());
   struct TooMuchMemory {};
   /// Whether a place is not too far away to cast and to ask.
-  bool reaches(Vec3 place) const;
+  bool reaches(Vec3 position) const;
 
   /// The sum of what was cast on the place's voxel. From many threads at once, as brighter_way.
-  double shade(Vec3 place) const;
+  double shade(Vec3 position) const;
   /// The same of some places, as many as `found`; many places far apart are asked sooner than one by one.
   void shade(std::span<const Vec3> places, std::span<double> found, Recent& recent) const;
   /// The way out of the shade: minus the mean of the unit vectors to the voxels around, weighted by their shade. The
   /// more one-sided the shade, the longer, up to 1; zero where there is none or as much on every side.
-  Vec3 brighter_way(Vec3 place, Recent& recent) const;
-  Vec3 brighter_way(Vec3 place) const;
+  Vec3 brighter_way(Vec3 position, Recent& recent) const;
+  Vec3 brighter_way(Vec3 position) const;
 
-  const ShadowForm& form() const { return form_; }
+  const ShadowParameters& form() const { return form_; }
   bool empty() const { return brick_count() == 0; }
   std::size_t bytes() const;  ///< of shaded space
 
@@ -98,23 +98,25 @@ class ShadowGrid {
    public:
     std::size_t size() const { return bricks_.size() - free_.size(); }
     /// Null where there is none.
-    const Brick* find(const BrickPlace& place) const { return table_.empty() ? nullptr : entry_at(entry_of(place)); }
-    Brick* find(const BrickPlace& place) {
-      return const_cast<Brick*>(static_cast<const Bricks*>(this)->find(place));  // NOLINT: it is ours to change
+    const Brick* find(const BrickCell& position) const {
+      return table_.empty() ? nullptr : entry_at(entry_of(position));
+    }
+    Brick* find(const BrickCell& position) {
+      return const_cast<Brick*>(static_cast<const Bricks*>(this)->find(position));  // NOLINT: it is ours to change
     }
     /// The one that is there, or a new one without shade; it stays where it is.
-    Brick& add(const BrickPlace& place);
+    Brick& add(const BrickCell& position);
     /// Lets go of a brick without shade that is there.
-    void erase(const BrickPlace& place);
+    void erase(const BrickCell& position);
 
    private:
     static constexpr std::uint32_t kNone = ~0U;
     struct Entry {
-      BrickPlace place{};
+      BrickCell position{};
       std::uint32_t brick = kNone;
     };
-    std::size_t home_of(const BrickPlace& place) const;
-    std::size_t entry_of(const BrickPlace& place) const;
+    std::size_t home_of(const BrickCell& position) const;
+    std::size_t entry_of(const BrickCell& position) const;
     const Brick* entry_at(std::size_t entry) const {
       return table_[entry].brick == kNone ? nullptr : &bricks_[table_[entry].brick];
     }
@@ -143,7 +145,7 @@ class ShadowGrid {
   static constexpr int kSlabs = 16;
   /// Shaders of one brick, one after another in those that are cast together.
   struct Group {
-    BrickPlace brick;
+    BrickCell brick;
     std::uint32_t begin;
     std::uint32_t end;
   };
@@ -155,19 +157,19 @@ class ShadowGrid {
   struct Together;  // shaders that are cast together
   class SlabCaster;
 
-  static bool is_same(const BrickPlace& a, const BrickPlace& b) {
+  static bool is_same(const BrickCell& a, const BrickCell& b) {
     return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2])) == 0;  // the comparison of arrays is a call
   }
-  static int slab_of(const BrickPlace& place) { return place[2] & (kSlabs - 1); }
-  static BrickPlace brick_of(const Voxel& voxel);
+  static int slab_of(const BrickCell& position) { return position[2] & (kSlabs - 1); }
+  static BrickCell brick_of(const Voxel& voxel);
   void cast_together(std::span<const Shader> shaders, const Progress& progress, std::uint64_t most_bricks);
   std::size_t brick_count() const;
-  const Brick* find(const BrickPlace& place) const;
-  const Brick* find(const BrickPlace& place, Recent& recent) const;
+  const Brick* find(const BrickCell& position) const;
+  const Brick* find(const BrickCell& position, Recent& recent) const;
   static void change_block(Brick& brick, const Block& block, std::uint64_t amount);
-  Voxel voxel_at(Vec3 place) const;
+  Voxel voxel_at(Vec3 position) const;
 
-  ShadowForm form_;
+  ShadowParameters form_;
   std::vector<Layer> layers_;
   Block bounds_;  // of the layers
   std::vector<Neighbour> neighbours_;

@@ -21,7 +21,7 @@ Vec3 voxel(int x, int y, int z) {
   return kVoxel * (Vec3(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)) + 0.5F);
 }
 
-ShadowForm form(Vec3 toward_light = kUp) {
+ShadowParameters form(Vec3 toward_light = kUp) {
   return {.voxel = kVoxel, .amount = 0.25, .base = 2, .depth = 3, .toward_light = toward_light, .reach = 2};
 }
 
@@ -76,10 +76,10 @@ TEST(ShadowGrid, WeightsScaleTheShade) {
 TEST(ShadowGrid, DoesNotKnowTheOrderOfShaders) {
   const std::vector<Shader> shaders = crowd(300, Vec3(0));
   ShadowGrid forward(form());
-  for (const Shader& shader : shaders) forward.add(shader.place, shader.weight);
+  for (const Shader& shader : shaders) forward.add(shader.position, shader.weight);
   ShadowGrid backward(form());
   for (auto shader = shaders.rbegin(); shader != shaders.rend(); ++shader) {
-    backward.add(shader->place, shader->weight);
+    backward.add(shader->position, shader->weight);
   }
   EXPECT_EQ(forward.bytes(), backward.bytes());
   for (int x = -12; x <= 12; ++x) {
@@ -96,18 +96,18 @@ TEST(ShadowGrid, RemovingIsTheExactInverse) {
   const std::vector<Shader> stay = crowd(40, Vec3(0));
   const std::vector<Shader> leave = crowd(500, Vec3(3));
   ShadowGrid before(form());
-  for (const Shader& shader : stay) before.add(shader.place, shader.weight);
+  for (const Shader& shader : stay) before.add(shader.position, shader.weight);
   ShadowGrid after = before;
-  for (const Shader& shader : leave) after.add(shader.place, shader.weight);
+  for (const Shader& shader : leave) after.add(shader.position, shader.weight);
   EXPECT_GT(after.bytes(), before.bytes());
-  for (const Shader& shader : leave) after.remove(shader.place, shader.weight);
+  for (const Shader& shader : leave) after.remove(shader.position, shader.weight);
   EXPECT_EQ(after.bytes(), before.bytes());
   for (int x = -16; x <= 16; ++x) {
     for (int y = -16; y <= 16; ++y) {
       for (int z = -16; z <= 16; ++z) ASSERT_EQ(after.shade(voxel(x, y, z)), before.shade(voxel(x, y, z)));
     }
   }
-  for (const Shader& shader : stay) after.remove(shader.place, shader.weight);
+  for (const Shader& shader : stay) after.remove(shader.position, shader.weight);
   EXPECT_TRUE(after.empty());
   EXPECT_EQ(after.bytes(), 0U);
 }
@@ -179,7 +179,7 @@ TEST(ShadowGrid, TheBrighterWayLeadsOutOfTheShade) {
 }
 
 TEST(ShadowGrid, TheBrighterWayIsTheMeanOfNeighboursByTheirShade) {
-  ShadowForm alone = form();
+  ShadowParameters alone = form();
   alone.depth = 0;
   alone.reach = 1;
   ShadowGrid grid(alone);
@@ -225,7 +225,7 @@ TEST(ShadowGrid, TakesMemoryForShadeAlone) {
 }
 
 TEST(ShadowGrid, CastsNothingWithAnAmountOfZero) {
-  ShadowForm clear = form();
+  ShadowParameters clear = form();
   clear.amount = 0;
   ShadowGrid grid(clear);
   grid.add(voxel(0, 0, 0));
@@ -245,8 +245,8 @@ TEST(ShadowGrid, RefusesWhatIsNoPlaceOrWeight) {
 }
 
 TEST(ShadowGrid, RefusesFormsOutOfRange) {
-  const auto is_refused = [](void (*spoil)(ShadowForm&)) {
-    ShadowForm spoilt = form();
+  const auto is_refused = [](void (*spoil)(ShadowParameters&)) {
+    ShadowParameters spoilt = form();
     spoil(spoilt);
     try {
       const ShadowGrid grid(spoilt);
@@ -255,30 +255,30 @@ TEST(ShadowGrid, RefusesFormsOutOfRange) {
       return true;
     }
   };
-  EXPECT_FALSE(is_refused([](ShadowForm&) {}));
-  EXPECT_TRUE(is_refused([](ShadowForm& f) { f.voxel = 0; }));
-  EXPECT_TRUE(is_refused([](ShadowForm& f) { f.amount = -1; }));
-  EXPECT_TRUE(is_refused([](ShadowForm& f) { f.base = 0.5; }));
-  EXPECT_TRUE(is_refused([](ShadowForm& f) { f.depth = 65; }));
-  EXPECT_TRUE(is_refused([](ShadowForm& f) { f.reach = 5; }));
-  EXPECT_TRUE(is_refused([](ShadowForm& f) { f.toward_light = {0, 0, 0}; }));
+  EXPECT_FALSE(is_refused([](ShadowParameters&) {}));
+  EXPECT_TRUE(is_refused([](ShadowParameters& f) { f.voxel = 0; }));
+  EXPECT_TRUE(is_refused([](ShadowParameters& f) { f.amount = -1; }));
+  EXPECT_TRUE(is_refused([](ShadowParameters& f) { f.base = 0.5; }));
+  EXPECT_TRUE(is_refused([](ShadowParameters& f) { f.depth = 65; }));
+  EXPECT_TRUE(is_refused([](ShadowParameters& f) { f.reach = 5; }));
+  EXPECT_TRUE(is_refused([](ShadowParameters& f) { f.toward_light = {0, 0, 0}; }));
 }
 
 TEST(ShadowGrid, ManyAtOnceCastWhatTheyCastOneByOne) {
   // Some of them twice in a voxel, some taken back at once, on any number of threads.
   std::vector<Shader> shaders = crowd(2000, Vec3(0));
-  for (std::size_t k = 0; k < 500; ++k) shaders.push_back({shaders[k].place, -shaders[k].weight});
+  for (std::size_t k = 0; k < 500; ++k) shaders.push_back({shaders[k].position, -shaders[k].weight});
   for (std::size_t k = 500; k < 700; ++k) shaders.push_back(shaders[k]);
   ShadowGrid wanted(form());
-  for (const Shader& shader : shaders) wanted.add(shader.place, shader.weight);
+  for (const Shader& shader : shaders) wanted.add(shader.position, shader.weight);
   for (const int threads : {1, 2, 3, 8}) {
     const ThreadLimit limit(threads);
     ShadowGrid grid(form());
     grid.cast(shaders, Progress());
     EXPECT_EQ(grid.bytes(), wanted.bytes());
     for (const Shader& shader : shaders) {
-      ASSERT_EQ(grid.shade(shader.place), wanted.shade(shader.place));
-      ASSERT_EQ(grid.brighter_way(shader.place), wanted.brighter_way(shader.place));
+      ASSERT_EQ(grid.shade(shader.position), wanted.shade(shader.position));
+      ASSERT_EQ(grid.brighter_way(shader.position), wanted.brighter_way(shader.position));
     }
   }
 }
@@ -287,9 +287,9 @@ TEST(ShadowGrid, ManyPlacesAreAskedAsEachAlone) {
   ShadowGrid grid(form());
   std::vector<Vec3> places;
   for (const Shader& shader : crowd(300, Vec3(0))) {
-    grid.add(shader.place, shader.weight);
-    places.push_back(shader.place);
-    places.push_back(50.0F * shader.place);
+    grid.add(shader.position, shader.weight);
+    places.push_back(shader.position);
+    places.push_back(50.0F * shader.position);
   }
   std::vector<double> found(places.size());
   ShadowGrid::Recent recent;
@@ -316,12 +316,12 @@ TEST(ShadowGrid, BricksComeAndGoInAnyOrder) {
   ShadowGrid grid(form());
   std::vector<Vec3> places;
   for (std::uint64_t k = 0; k < 600; ++k) places.push_back(200.0F * key.direction(k));
-  for (const Vec3 place : places) grid.add(place);
+  for (const Vec3 position : places) grid.add(position);
   for (std::size_t k = 0; k < places.size(); k += 2) grid.remove(places[k]);
   ShadowGrid wanted(form());
   for (std::size_t k = 1; k < places.size(); k += 2) wanted.add(places[k]);
   EXPECT_EQ(grid.bytes(), wanted.bytes());
-  for (const Vec3 place : places) ASSERT_EQ(grid.shade(place), wanted.shade(place));
+  for (const Vec3 position : places) ASSERT_EQ(grid.shade(position), wanted.shade(position));
   for (std::size_t k = 1; k < places.size(); k += 2) grid.remove(places[k]);
   EXPECT_TRUE(grid.empty());
 }

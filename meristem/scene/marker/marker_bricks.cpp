@@ -35,11 +35,11 @@ struct BricksAlong {
   std::array<float, MarkerBricks::kMostAlong> from_corner;  // voxels from the low corner to the place
   std::array<float, MarkerBricks::kMostAlong> gap;          // squared distance
 
-  BricksAlong(const MarkerBricks::Range& bricks, const MarkerBricks::FinePlace& place, int axis) {
+  BricksAlong(const MarkerBricks::Range& bricks, const MarkerBricks::FinePosition& position, int axis) {
     constexpr float kHalf = 0.5F * MarkerBricks::kSide;
     for (std::int32_t k = bricks.low[axis]; k <= bricks.high[axis]; ++k) {
       const auto i = static_cast<std::size_t>(k - bricks.low[axis]);
-      from_corner[i] = MarkerBricks::from_corner({k, k, k}, place)[axis];
+      from_corner[i] = MarkerBricks::from_corner({k, k, k}, position)[axis];
       const float outside = std::max(std::abs(from_corner[i] - kHalf) - kHalf, 0.0F);
       gap[i] = outside * outside;
     }
@@ -55,8 +55,8 @@ MarkerBricks::MarkerBricks(double spacing, double reach, RandomKey key)
       key_(key.child("bricks")),
       patterns_(kPatterns),
       table_(16) {
-  require(spacing > 0 && std::isfinite(spacing), "MarkerForm::spacing is not above 0");
-  require(reach >= 0 && reach <= kMostReach * spacing, "MarkerForm::occupancy is out of range");
+  require(spacing > 0 && std::isfinite(spacing), "MarkerParameters::spacing is not above 0");
+  require(reach >= 0 && reach <= kMostReach * spacing, "MarkerParameters::occupancy is out of range");
   const RandomKey jitter = key.child("patterns");
   for (std::size_t p = 0; p < kPatterns; ++p) {
     for (std::uint32_t k = 0; k < kInBrick; ++k) {
@@ -79,21 +79,21 @@ std::size_t MarkerBricks::entry_of(std::uint64_t key) const {
   return at;
 }
 
-std::uint32_t MarkerBricks::look_up(const Place& place, Recent& recent) const {
-  const std::uint64_t key = packed(place);
+std::uint32_t MarkerBricks::look_up(const Cell& cell, Recent& recent) const {
+  const std::uint64_t key = packed(cell);
   const std::uint32_t block = table_[entry_of(key)].block;
   if (block != kNone) {
-    recent.keys[number(place)] = key;
-    recent.blocks[number(place)] = block;
+    recent.keys[number(cell)] = key;
+    recent.blocks[number(cell)] = block;
   }
   return block;
 }
 
-std::uint32_t MarkerBricks::add_block(const Place& place) {
-  const std::uint32_t found = find_block(place, recent_);
+std::uint32_t MarkerBricks::add_block(const Cell& cell) {
+  const std::uint32_t found = find_block(cell, recent_);
   if (found != kNone) return found;
   Block& block = blocks_.emplace_back();
-  block.place = place;
+  block.position = cell;
   block.markers.fill(kAll);
   block.bricks.fill(kNone);
 
@@ -102,7 +102,7 @@ std::uint32_t MarkerBricks::add_block(const Place& place) {
   const bool is_full = 2 * blocks_.size() > table_.size();
   if (is_full) table_.assign(2 * table_.size(), {});
   for (std::uint32_t k = is_full ? 0 : added; k <= added; ++k) {
-    const std::uint64_t key = packed(blocks_[k].place);
+    const std::uint64_t key = packed(blocks_[k].position);
     table_[entry_of(key)] = {key, k};
   }
   return added;
@@ -114,17 +114,17 @@ std::uint32_t MarkerBricks::add_brick(std::uint32_t slot) {
   if (brick != kNone) return brick;
   Brick& added = bricks_.emplace_back();
   added.slot = slot;
-  added.pattern = pattern_at(held(block.place, slot % kInBrick));
+  added.pattern = pattern_at(held(block.position, slot % kInBrick));
   brick = static_cast<std::uint32_t>(bricks_.size() - 1);
   return brick;
 }
 
-std::uint8_t MarkerBricks::pattern_at(const Place& brick) const {
+std::uint8_t MarkerBricks::pattern_at(const Cell& brick) const {
   return static_cast<std::uint8_t>(kPatterns * key_.uniform(packed(brick)));
 }
 
-MarkerBricks::Place MarkerBricks::place_of(const Brick& brick) const {
-  return held(blocks_[brick.slot / kInBrick].place, brick.slot % kInBrick);
+MarkerBricks::Cell MarkerBricks::place_of(const Brick& brick) const {
+  return held(blocks_[brick.slot / kInBrick].position, brick.slot % kInBrick);
 }
 
 void MarkerBricks::find_near(const Pattern& pattern, Vec3 shoot, Near& near) const {
@@ -140,8 +140,8 @@ void MarkerBricks::find_near(const Pattern& pattern, Vec3 shoot, Near& near) con
 }
 
 template <class Visit>
-void MarkerBricks::for_each_near(Vec3 place, Visit visit) {
-  const FinePlace shoot = fine(place);
+void MarkerBricks::for_each_near(Vec3 position, Visit visit) {
+  const FinePosition shoot = fine(position);
   const Range bricks = holders(voxels(shoot, Vec3(-reach_), Vec3(reach_)));
   const Range blocks = holders(bricks);
   const BricksAlong along_x(bricks, shoot, 0);
@@ -151,11 +151,11 @@ void MarkerBricks::for_each_near(Vec3 place, Visit visit) {
   for (std::int32_t z = blocks.low[2]; z <= blocks.high[2]; ++z) {
     for (std::int32_t y = blocks.low[1]; y <= blocks.high[1]; ++y) {
       for (std::int32_t x = blocks.low[0]; x <= blocks.high[0]; ++x) {
-        const Place at{x, y, z};
+        const Cell at{x, y, z};
         const std::uint32_t block = add_block(at);
         for (std::uint64_t touched = held(at, bricks); touched != 0; touched &= touched - 1) {
           const auto k = static_cast<std::uint32_t>(std::countr_zero(touched));
-          const Place brick_place = held(at, k);
+          const Cell brick_place = held(at, k);
           const auto i = static_cast<std::size_t>(brick_place[0] - bricks.low[0]);
           const auto j = static_cast<std::size_t>(brick_place[1] - bricks.low[1]);
           const auto l = static_cast<std::size_t>(brick_place[2] - bricks.low[2]);
@@ -171,16 +171,16 @@ void MarkerBricks::for_each_near(Vec3 place, Visit visit) {
   }
 }
 
-void MarkerBricks::occupy(Vec3 place) {
-  for_each_near(place, [&](std::uint32_t brick, const Near& near) { add(brick, near); });
+void MarkerBricks::occupy(Vec3 position) {
+  for_each_near(position, [&](std::uint32_t brick, const Near& near) { add(brick, near); });
 }
 
-void MarkerBricks::vacate(Vec3 place) {
+void MarkerBricks::vacate(Vec3 position) {
   std::uint64_t not_occupied = 0;
-  for_each_near(place,
+  for_each_near(position,
                 [&](std::uint32_t brick, const Near& near) { not_occupied |= bricks_[brick].free & bits(near); });
   require(not_occupied == 0, "there is no shoot to take away");
-  for_each_near(place, [&](std::uint32_t brick, const Near& near) { take(brick, near); });
+  for_each_near(position, [&](std::uint32_t brick, const Near& near) { take(brick, near); });
 }
 
 void MarkerBricks::add(std::uint32_t brick, const Near& near) {

@@ -29,12 +29,12 @@ class MarkerBricks {
   static constexpr std::size_t kMostAlong = 2 * kMostReach / kSide + 2;  // bricks that this touches along an axis
 
   /// A position in units of 2^-16 voxels: then its way to a marker is exact in floats.
-  using FinePlace = std::array<std::int64_t, 3>;
+  using FinePosition = std::array<std::int64_t, 3>;
   /// Which voxel, brick or block this is along each axis; four times as many of each as of the next.
-  using Place = std::array<std::int32_t, 3>;
+  using Cell = std::array<std::int32_t, 3>;
   struct Range {
-    Place low;   ///< the first
-    Place high;  ///< the last
+    Cell low;   ///< the first
+    Cell high;  ///< the last
   };
   /// Where the markers of a brick stand: voxels from its low corner.
   struct Pattern {
@@ -51,7 +51,7 @@ class MarkerBricks {
     std::uint8_t pattern = 0;
   };
   struct Block {
-    Place place;
+    Cell position;
     std::uint64_t open = kAll;                    ///< bricks with markers to be had
     std::array<std::uint64_t, kInBrick> markers;  ///< to be had in each brick: free and within a volume
     std::array<std::uint32_t, kInBrick> bricks;
@@ -68,51 +68,51 @@ class MarkerBricks {
 
   /// Counts a shoot at every marker within reach; vacate() is the exact inverse, and throws std::invalid_argument if
   /// no shoot is left to take away.
-  void occupy(Vec3 place);
-  void vacate(Vec3 place);
+  void occupy(Vec3 position);
+  void vacate(Vec3 position);
 
   /// Whether a position is finite and at most 4 million voxels away from the origin, along each axis.
-  bool reaches(Vec3 place) const {
+  bool reaches(Vec3 position) const {
     const double farthest = kFarthest / fine_a_metre_;
-    return std::abs(place.x) < farthest && std::abs(place.y) < farthest && std::abs(place.z) < farthest;
+    return std::abs(position.x) < farthest && std::abs(position.y) < farthest && std::abs(position.z) < farthest;
   }
   /// Throws std::invalid_argument for positions out of reach.
-  FinePlace fine(Vec3 place) const;
+  FinePosition fine(Vec3 position) const;
   /// The voxels that a box touches, given by its corners' distance in voxels from a position.
-  static Range voxels(const FinePlace& place, Vec3 low, Vec3 high);
+  static Range voxels(const FinePosition& position, Vec3 low, Vec3 high);
   /// Bricks that hold these voxels, or blocks that hold these bricks.
-  static Place holder(const Place& place) { return {place[0] >> 2, place[1] >> 2, place[2] >> 2}; }
+  static Cell holder(const Cell& cell) { return {cell[0] >> 2, cell[1] >> 2, cell[2] >> 2}; }
   static Range holders(const Range& range) { return {holder(range.low), holder(range.high)}; }
   /// Which of its holder's 64 this is.
-  static std::uint32_t number(const Place& place) {
-    return static_cast<std::uint32_t>((place[0] & 3) | (place[1] & 3) << 2 | (place[2] & 3) << 4);
+  static std::uint32_t number(const Cell& cell) {
+    return static_cast<std::uint32_t>((cell[0] & 3) | (cell[1] & 3) << 2 | (cell[2] & 3) << 4);
   }
   /// Its holder's 64, by their numbers.
-  static Place held(const Place& holder, std::uint32_t number) {
+  static Cell held(const Cell& holder, std::uint32_t number) {
     const auto part = [&](int k) { return kSide * holder[k] + static_cast<std::int32_t>(number >> 2 * k & 3); };
     return {part(0), part(1), part(2)};
   }
   /// Those of them that are in a range, which is to meet the holder, as bits.
-  static std::uint64_t held(const Place& holder, const Range& range);
+  static std::uint64_t held(const Cell& holder, const Range& range);
   /// Voxels from a brick's low corner to a position, exact up to 256.
-  static Vec3 from_corner(const Place& brick, const FinePlace& place);
+  static Vec3 from_corner(const Cell& brick, const FinePosition& position);
 
   /// kNone where there is none.
-  std::uint32_t find_block(const Place& place, Recent& recent) const {
-    const std::uint32_t lane = number(place);
-    return recent.keys[lane] == packed(place) ? recent.blocks[lane] : look_up(place, recent);
+  std::uint32_t find_block(const Cell& cell, Recent& recent) const {
+    const std::uint32_t lane = number(cell);
+    return recent.keys[lane] == packed(cell) ? recent.blocks[lane] : look_up(cell, recent);
   }
-  std::uint32_t add_block(const Place& place);  ///< the one that is there, or a new one
+  std::uint32_t add_block(const Cell& cell);    ///< the one that is there, or a new one
   std::uint32_t add_brick(std::uint32_t slot);  ///< the one that is there, or a new one
   const Block& block(std::uint32_t k) const { return blocks_[k]; }
   std::size_t block_count() const { return blocks_.size(); }
   Brick& brick(std::uint32_t k) { return bricks_[k]; }
   const Brick& brick(std::uint32_t k) const { return bricks_[k]; }
   std::size_t brick_count() const { return bricks_.size(); }
-  Place place_of(const Brick& brick) const;
+  Cell place_of(const Brick& brick) const;
   const Pattern& pattern(std::uint8_t k) const { return patterns_[k]; }
   /// The pattern of a brick, which need not be there yet.
-  std::uint8_t pattern_at(const Place& brick) const;
+  std::uint8_t pattern_at(const Cell& brick) const;
   /// Says which of a brick's markers a volume may hold.
   void limit(Brick& brick, std::uint64_t within);
 
@@ -133,14 +133,14 @@ class MarkerBricks {
   };
 
   /// Three times 21 bits, which hold every brick that is not too far away.
-  static std::uint64_t packed(const Place& place) {
-    const auto part = [&](int k) { return std::uint64_t{static_cast<std::uint32_t>(place[k] + (1 << 20))}; };
+  static std::uint64_t packed(const Cell& cell) {
+    const auto part = [&](int k) { return std::uint64_t{static_cast<std::uint32_t>(cell[k] + (1 << 20))}; };
     return part(0) | part(1) << 21 | part(2) << 42;
   }
-  std::uint32_t look_up(const Place& place, Recent& recent) const;
+  std::uint32_t look_up(const Cell& cell, Recent& recent) const;
   void find_near(const Pattern& pattern, Vec3 shoot, Near& near) const;  // `shoot`: from the corner
   template <class Visit>
-  void for_each_near(Vec3 place, Visit visit);
+  void for_each_near(Vec3 position, Visit visit);
   std::size_t entry_of(std::uint64_t key) const;
   void add(std::uint32_t brick, const Near& near);
   void take(std::uint32_t brick, const Near& near);
@@ -158,25 +158,25 @@ class MarkerBricks {
   Recent recent_;
 };
 
-inline MarkerBricks::FinePlace MarkerBricks::fine(Vec3 place) const {
+inline MarkerBricks::FinePosition MarkerBricks::fine(Vec3 position) const {
   const auto along = [&](float at) {
     const double units = at * fine_a_metre_ + 0.5;
     if (!(std::abs(units) <= kFarthest)) throw std::invalid_argument("a position is too far away for its markers");
     const auto whole = static_cast<std::int64_t>(units);
     return static_cast<double>(whole) > units ? whole - 1 : whole;
   };
-  return {along(place.x), along(place.y), along(place.z)};
+  return {along(position.x), along(position.y), along(position.z)};
 }
 
-inline MarkerBricks::Range MarkerBricks::voxels(const FinePlace& place, Vec3 low, Vec3 high) {
+inline MarkerBricks::Range MarkerBricks::voxels(const FinePosition& position, Vec3 low, Vec3 high) {
   const auto voxel = [&](int k, float way, int more) {
-    return static_cast<std::int32_t>((place[k] + static_cast<std::int64_t>(way * kFine) + more) >> kVoxelBits);
+    return static_cast<std::int32_t>((position[k] + static_cast<std::int64_t>(way * kFine) + more) >> kVoxelBits);
   };
   return {{voxel(0, low.x, -1), voxel(1, low.y, -1), voxel(2, low.z, -1)},
           {voxel(0, high.x, 1), voxel(1, high.y, 1), voxel(2, high.z, 1)}};
 }
 
-inline std::uint64_t MarkerBricks::held(const Place& holder, const Range& range) {
+inline std::uint64_t MarkerBricks::held(const Cell& holder, const Range& range) {
   const auto first = [&](int k) { return std::max(range.low[k] - kSide * holder[k], 0); };
   const auto after_last = [&](int k) { return std::max(kSide - 1 - (range.high[k] - kSide * holder[k]), 0); };
   // A bit for each x; for each y such a row; for each z such a layer.
@@ -186,9 +186,9 @@ inline std::uint64_t MarkerBricks::held(const Place& holder, const Range& range)
   return row * rows * layers;
 }
 
-inline Vec3 MarkerBricks::from_corner(const Place& brick, const FinePlace& place) {
+inline Vec3 MarkerBricks::from_corner(const Cell& brick, const FinePosition& position) {
   const auto along = [&](int k) {
-    const std::int64_t way = place[k] - (std::int64_t{brick[k]} << kBrickBits);
+    const std::int64_t way = position[k] - (std::int64_t{brick[k]} << kBrickBits);
     return static_cast<float>(static_cast<std::int32_t>(way)) * (1 / kFine);
   };
   return {along(0), along(1), along(2)};

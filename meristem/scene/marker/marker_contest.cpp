@@ -96,7 +96,7 @@ void BrickContest::show(const MarkerBricks::Pattern& pattern, std::uint64_t mark
   }
 }
 
-void BrickContest::compete(const Look& look, Vec3 place, std::int32_t layer, std::uint32_t looker) {
+void BrickContest::compete(const Look& look, Vec3 position, std::int32_t layer, std::uint32_t looker) {
   const std::uint32_t begin = layers_[std::clamp(look.low - layer, 0, MarkerBricks::kSide)] / kLanes * kLanes;
   const std::uint32_t end = layers_[std::clamp(look.high - layer + 1, 0, MarkerBricks::kSide)];
   const std::uint32_t trips = (end - begin + kLanes - 1) / kLanes * kLanes;
@@ -106,9 +106,9 @@ void BrickContest::compete(const Look& look, Vec3 place, std::int32_t layer, std
   const float slope = look.slope;
   const std::uint32_t seeker = look.seeker;
   for (std::uint32_t k = begin; k < begin + trips; ++k) {
-    const float x = x_[k] - place.x;
-    const float y = y_[k] - place.y;
-    const float z = z_[k] - place.z;
+    const float x = x_[k] - position.x;
+    const float y = y_[k] - position.y;
+    const float z = z_[k] - position.z;
     const float square = (x * x + z * z) + y * y;
     const float along = to.x * x + to.y * y + to.z * z;
     const bool is_seen = both(square <= most, along * std::abs(along) >= slope * square);

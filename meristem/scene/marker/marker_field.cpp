@@ -38,7 +38,7 @@ struct MarkerField::Tally {
   }
 };
 
-MarkerField::MarkerField(const MarkerForm& form, RandomKey key, Obstacles obstacles)
+MarkerField::MarkerField(const MarkerParameters& form, RandomKey key, Obstacles obstacles)
     : form_(form), obstacles_(std::move(obstacles)), bricks_(form.spacing, form.occupancy, key) {}
 
 std::uint32_t MarkerField::add_volume(CrownPointer crown, Vec3 root) {
@@ -47,13 +47,13 @@ std::uint32_t MarkerField::add_volume(CrownPointer crown, Vec3 root) {
   return static_cast<std::uint32_t>(volumes_.size() - 1);
 }
 
-DVec3 MarkerField::position(const MarkerBricks::Place& brick, std::uint8_t pattern, std::uint32_t marker) const {
+DVec3 MarkerField::position(const MarkerBricks::Cell& brick, std::uint8_t pattern, std::uint32_t marker) const {
   const MarkerBricks::Pattern& at = bricks_.pattern(pattern);
   const DVec3 corner(brick[0], brick[1], brick[2]);
   return form_.spacing * (double{MarkerBricks::kSide} * corner + DVec3(at.x[marker], at.y[marker], at.z[marker]));
 }
 
-std::uint64_t MarkerField::find_claim(const MarkerBricks::Place& brick, std::uint8_t pattern,
+std::uint64_t MarkerField::find_claim(const MarkerBricks::Cell& brick, std::uint8_t pattern,
                                       const Volume& volume) const {
   const Box crown = volume.crown ? volume.crown->bounds() : Box{};
   const Box bodies = obstacles_.bounds();
@@ -62,8 +62,8 @@ std::uint64_t MarkerField::find_claim(const MarkerBricks::Place& brick, std::uin
     const DVec3 exact = position(brick, pattern, k);
     const Vec3 in_crown(exact - DVec3(volume.root));
     if (volume.crown && !(crown.holds(in_crown) && volume.crown->contains(in_crown))) continue;
-    const Vec3 place(exact);
-    if (bodies.holds(place) && obstacles_.contain(place)) continue;
+    const Vec3 position(exact);
+    if (bodies.holds(position) && obstacles_.contain(position)) continue;
     markers |= 1ULL << k;
   }
   return markers;
@@ -132,7 +132,7 @@ void MarkerField::share_out_brick(const MarkerBricks::Brick& brick, const Looked
                                   std::span<const std::uint32_t> lookers, std::vector<Tally>& got) const {
   got.assign(lookers.size(), {});
   if ((brick.free & brick.within) == 0) return;
-  const MarkerBricks::Place place = bricks_.place_of(brick);
+  const MarkerBricks::Cell cell = bricks_.place_of(brick);
   const MarkerBricks::Pattern& pattern = bricks_.pattern(brick.pattern);
   BrickContest contest;
   contest.begin(pattern, brick.free & brick.within);
@@ -140,12 +140,12 @@ void MarkerField::share_out_brick(const MarkerBricks::Brick& brick, const Looked
   for (std::uint32_t k = 0; k < lookers.size(); ++k) {
     const Look& look = looked.looks[lookers[k]];
     if (look.volume != std::exchange(volume, look.volume)) contest.show(pattern, seen_by(brick, volume));
-    contest.compete(look, MarkerBricks::from_corner(place, look.place), MarkerBricks::kSide * place[2], k);
+    contest.compete(look, MarkerBricks::from_corner(cell, look.position), MarkerBricks::kSide * cell[2], k);
   }
   contest.for_each_owner([&](std::uint32_t owner, std::uint32_t marker, float square) {
     ++got[owner].count;
     if (square == 0) return;
-    const Vec3 from = MarkerBricks::from_corner(place, looked.looks[lookers[owner]].place);
+    const Vec3 from = MarkerBricks::from_corner(cell, looked.looks[lookers[owner]].position);
     const Vec3 way = Vec3(pattern.x[marker], pattern.y[marker], pattern.z[marker]) - from;
     const Vec3 unit = way / std::sqrt(square);
     for (int k = 0; k < 3; ++k) got[owner].way[k] += static_cast<std::int64_t>(kOne * unit[k]);
@@ -194,16 +194,16 @@ std::vector<DVec3> MarkerField::free_markers(const Box& box, std::uint32_t volum
   for (std::int32_t z = range.low[2]; z <= range.high[2]; ++z) {
     for (std::int32_t y = range.low[1]; y <= range.high[1]; ++y) {
       for (std::int32_t x = range.low[0]; x <= range.high[0]; ++x) {
-        const MarkerBricks::Place place{x, y, z};
-        const std::uint8_t pattern = bricks_.pattern_at(place);
-        std::uint64_t free = find_claim(place, pattern, own);
-        const std::uint32_t block = bricks_.find_block(MarkerBricks::holder(place), recent);
+        const MarkerBricks::Cell cell{x, y, z};
+        const std::uint8_t pattern = bricks_.pattern_at(cell);
+        std::uint64_t free = find_claim(cell, pattern, own);
+        const std::uint32_t block = bricks_.find_block(MarkerBricks::holder(cell), recent);
         if (block != kNone) {
-          const std::uint32_t brick = bricks_.block(block).bricks[MarkerBricks::number(place)];
+          const std::uint32_t brick = bricks_.block(block).bricks[MarkerBricks::number(cell)];
           if (brick != kNone) free &= bricks_.brick(brick).free;
         }
         for (; free != 0; free &= free - 1) {
-          const DVec3 marker = position(place, pattern, static_cast<std::uint32_t>(std::countr_zero(free)));
+          const DVec3 marker = position(cell, pattern, static_cast<std::uint32_t>(std::countr_zero(free)));
           if (box.holds(Vec3(marker))) markers.push_back(marker);
         }
       }

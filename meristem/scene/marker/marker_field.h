@@ -22,16 +22,16 @@
 
 namespace meristem {
 
-struct MarkerForm {
+struct MarkerParameters {
   double spacing = 0.07;   ///< metres a voxel's side; raised, room is coarser and costs less
   double occupancy = 0.2;  ///< metres around a shoot within which markers are taken, up to 32 spacings
 
-  bool operator==(const MarkerForm&) const = default;
+  bool operator==(const MarkerParameters&) const = default;
 };
 
 /// A bud that looks for room.
 struct Seeker {
-  Vec3 place{0};
+  Vec3 position{0};
   Vec3 direction{kUp};         ///< unit; of the cone's axis
   std::uint32_t volume = 0;    ///< by add_volume; it sees the markers of this volume alone
   float radius = 0.4F;         ///< metres, up to 32 spacings
@@ -49,18 +49,18 @@ struct LookedAt;  // the lookers at each brick, in a round
 class MarkerField {
  public:
   /// Obstacles take the markers inside them. Throws std::invalid_argument for a form out of range.
-  MarkerField(const MarkerForm& form, RandomKey key, Obstacles obstacles = {});
+  MarkerField(const MarkerParameters& form, RandomKey key, Obstacles obstacles = {});
 
   /// A plant's own space: a crown, placed at its root; without one, all of space. Volumes may overlap: a marker in
   /// several may go to the buds of any.
   std::uint32_t add_volume(CrownPointer crown, Vec3 root);
 
   /// Whether a position is finite and at most 4 million spacings away from the origin, along each axis.
-  bool reaches(Vec3 place) const { return bricks_.reaches(place); }
+  bool reaches(Vec3 position) const { return bricks_.reaches(position); }
   /// A shoot at `place` takes the markers around it; vacate() of the same place gives them back exactly. Throws
   /// std::invalid_argument for positions out of reach, and for vacating where nothing was occupied.
-  void occupy(Vec3 place) { bricks_.occupy(place); }
-  void vacate(Vec3 place) { bricks_.vacate(place); }
+  void occupy(Vec3 position) { bricks_.occupy(position); }
+  void vacate(Vec3 position) { bricks_.vacate(position); }
 
   /// Gives each free marker to the nearest seeker that sees it, of equally near ones the first, and writes to `rooms`,
   /// as many as seekers, what each got. The same on any number of threads. Throws std::invalid_argument for seekers out
@@ -73,7 +73,7 @@ class MarkerField {
   /// The free markers of a volume in a box, in no special order; for pictures and tests. Time goes with the box.
   std::vector<DVec3> free_markers(const Box& box, std::uint32_t volume) const;
 
-  const MarkerForm& form() const { return form_; }
+  const MarkerParameters& form() const { return form_; }
   /// Kept between rounds: some 120 a brick of 64 markers that a shoot or a cone has touched. A round takes, for its
   /// time, about 50 a seeker, and for each that finds a free marker about 100 and 12 for each brick in the box around
   /// its cone.
@@ -92,16 +92,16 @@ class MarkerField {
   };
   struct Tally;
 
-  std::uint64_t find_claim(const MarkerBricks::Place& brick, std::uint8_t pattern, const Volume& volume) const;
+  std::uint64_t find_claim(const MarkerBricks::Cell& brick, std::uint8_t pattern, const Volume& volume) const;
   const Claim* known_claim(const MarkerBricks::Brick& brick, std::uint32_t volume) const;
   std::uint64_t seen_by(const MarkerBricks::Brick& brick, std::uint32_t volume) const;
   void learn_claims(const LookedAt& looked, const Progress& progress);
   void limit(MarkerBricks::Brick& brick);
   void share_out_brick(const MarkerBricks::Brick& brick, const LookedAt& looked, std::span<const std::uint32_t> lookers,
                        std::vector<Tally>& got) const;
-  DVec3 position(const MarkerBricks::Place& brick, std::uint8_t pattern, std::uint32_t marker) const;
+  DVec3 position(const MarkerBricks::Cell& brick, std::uint8_t pattern, std::uint32_t marker) const;
 
-  MarkerForm form_;
+  MarkerParameters form_;
   Obstacles obstacles_;
   MarkerBricks bricks_;
   std::vector<Volume> volumes_;

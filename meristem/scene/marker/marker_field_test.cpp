@@ -19,7 +19,7 @@ namespace meristem {
 namespace {
 
 constexpr float kSpacing = 0.07F;
-const MarkerForm kForm{.spacing = kSpacing, .occupancy = 0.2};
+const MarkerParameters kForm{.spacing = kSpacing, .occupancy = 0.2};
 
 /// A ball, 1 m above the root.
 class Ball : public Crown {
@@ -51,9 +51,9 @@ std::vector<Vec3> crowd(int count, Vec3 middle, float radius, std::uint64_t seed
 std::vector<Seeker> buds_at(const std::vector<Vec3>& places, std::uint32_t volumes, std::uint64_t seed = 1) {
   const RandomKey key = RandomKey(seed).child("buds");
   std::vector<Seeker> seekers;
-  for (const Vec3 place : places) {
+  for (const Vec3 position : places) {
     const auto volume = static_cast<std::uint32_t>(seekers.size() / 2 % volumes);
-    for (int k = 0; k < 2; ++k) seekers.push_back({place, key.direction(seekers.size()), volume, 0.4F, 0.70710678F});
+    for (int k = 0; k < 2; ++k) seekers.push_back({position, key.direction(seekers.size()), volume, 0.4F, 0.70710678F});
   }
   return seekers;
 }
@@ -94,8 +94,8 @@ class PlainField {
     }
   }
 
-  void occupy(Vec3 place) {
-    const DVec3 shoot = fine(place);
+  void occupy(Vec3 position) {
+    const DVec3 shoot = fine(position);
     for (Marker& marker : markers_) {
       if (squared_length(way(shoot, marker)) <= reach_ * reach_) marker.is_free = false;
     }
@@ -108,7 +108,7 @@ class PlainField {
     };
     std::vector<Claim> claims(markers_.size());
     for (std::size_t k = 0; k < seekers.size(); ++k) {
-      const DVec3 bud = fine(seekers[k].place);
+      const DVec3 bud = fine(seekers[k].position);
       const float radius = seekers[k].radius / static_cast<float>(spacing_);
       const float slope = seekers[k].cosine * std::abs(seekers[k].cosine);
       for (std::size_t i = 0; i < markers_.size(); ++i) {
@@ -126,7 +126,7 @@ class PlainField {
       const auto [square, k] = claims[i];
       if (square == std::numeric_limits<float>::infinity()) continue;
       ++rooms[k].count;
-      sums[k] += glm::normalize(DVec3(way(fine(seekers[k].place), markers_[i])));
+      sums[k] += glm::normalize(DVec3(way(fine(seekers[k].position), markers_[i])));
       rooms[k].way = Vec3(sums[k]);
     }
     return rooms;
@@ -134,14 +134,14 @@ class PlainField {
 
  private:
   struct Marker {
-    DVec3 place{0};  // voxels
+    DVec3 position{0};  // voxels
     std::uint32_t volumes = 0;
     bool is_free = true;
   };
 
-  DVec3 fine(Vec3 place) const { return glm::floor(DVec3(place) * (65536 / spacing_) + 0.5) / 65536.0; }
+  DVec3 fine(Vec3 position) const { return glm::floor(DVec3(position) * (65536 / spacing_) + 0.5) / 65536.0; }
   static Vec3 way(DVec3 from, const Marker& marker) {
-    return Vec3(glm::round((marker.place - from) * 65536.0) / 65536.0);
+    return Vec3(glm::round((marker.position - from) * 65536.0) / 65536.0);
   }
 
   double spacing_;
@@ -204,7 +204,7 @@ TEST(MarkerField, AShootTakesTheBallAroundIt) {
   field.add_volume(nullptr, Vec3(0));
   const Seeker all_around{Vec3(0.5F), kUp, 0, 0.4F, -1};
   const std::uint32_t before = share_out(field, {all_around}).front().count;
-  field.occupy(all_around.place);
+  field.occupy(all_around.position);
   const std::uint32_t after = share_out(field, {all_around}).front().count;
   EXPECT_NEAR(after, before * 7 / 8.0, 0.01 * before);
 }
@@ -219,9 +219,9 @@ TEST(MarkerField, IsTheSameAsEveryMarkerAgainstEveryBud) {
     const Vec3 middle(0, 1, 0);
     PlainField plain(field, {middle - 1.2F, middle + 1.2F}, volumes);
     for (int round = 0; round < 2; ++round) {
-      for (const Vec3 place : crowd(15, middle, 0.6F, 10 * seed + round)) {
-        field.occupy(place);
-        plain.occupy(place);
+      for (const Vec3 position : crowd(15, middle, 0.6F, 10 * seed + round)) {
+        field.occupy(position);
+        plain.occupy(position);
       }
       std::vector<Seeker> seekers = buds_at(crowd(60, middle, 0.8F, 10 * seed + round + 5), volumes, seed);
       for (std::size_t k = 0; k < seekers.size(); k += 7) seekers[k].radius = 0.1F * static_cast<float>(k % 5);
@@ -240,9 +240,9 @@ TEST(MarkerField, IsTheSameFarFromTheOrigin) {
   MarkerField field({.spacing = 0.1, .occupancy = 0.3}, RandomKey(2));
   field.add_volume(ball(1), far);
   PlainField plain(field, {far - 1.5F, far + 2.5F}, 1);
-  for (const Vec3 place : crowd(60, far + kUp, 0.7F)) {
-    field.occupy(place);
-    plain.occupy(place);
+  for (const Vec3 position : crowd(60, far + kUp, 0.7F)) {
+    field.occupy(position);
+    plain.occupy(position);
   }
   const std::vector<Seeker> seekers = buds_at(crowd(100, far + kUp, 1), 1);
   const std::vector<Room> rooms = share_out(field, seekers);
@@ -279,7 +279,7 @@ TEST(MarkerField, EachMarkerGoesToOneBud) {
   EXPECT_EQ(twins[1].way, Vec3(0));
   // Buds side by side part their markers by the plane between them.
   Seeker other = bud;
-  other.place.x += 0.1F;
+  other.position.x += 0.1F;
   const std::vector<Room> pair = share_out(field, {bud, other});
   EXPECT_LT(pair[0].way.x, -0.2F * static_cast<float>(pair[0].count));
   EXPECT_GT(pair[1].way.x, 0.2F * static_cast<float>(pair[1].count));
@@ -311,13 +311,13 @@ TEST(MarkerField, NoBudSeesMarkersInObstaclesOrOutsideItsVolume) {
 TEST(MarkerField, VacatingIsTheExactInverse) {
   MarkerField field(kForm, RandomKey(3), wall());
   const std::uint32_t volumes = 1 + field.add_volume(ball(1), Vec3(0));
-  for (const Vec3 place : crowd(60, kUp, 1, 1)) field.occupy(place);
+  for (const Vec3 position : crowd(60, kUp, 1, 1)) field.occupy(position);
   const std::vector<Seeker> seekers = buds_at(crowd(300, kUp, 1, 2), volumes);
   const std::vector<Room> before = share_out(field, seekers);
   const std::vector<Vec3> leave = crowd(800, kUp, 1, 3);
-  for (const Vec3 place : leave) field.occupy(place);
+  for (const Vec3 position : leave) field.occupy(position);
   EXPECT_LT(total(share_out(field, seekers)), total(before) / 2);
-  for (const Vec3 place : leave) field.vacate(place);
+  for (const Vec3 position : leave) field.vacate(position);
   expect_same(share_out(field, seekers), before);
 }
 
@@ -357,10 +357,10 @@ RC_GTEST_PROP(MarkerField, DoesNotKnowTheOrderOfShoots, ()) {
   MarkerField backward(kForm, RandomKey(1));
   forward.add_volume(nullptr, Vec3(0));
   backward.add_volume(nullptr, Vec3(0));
-  for (const Vec3 place : places) forward.occupy(place);
-  for (const Vec3 place : gone) backward.occupy(place);
-  for (auto place = places.rbegin(); place != places.rend(); ++place) backward.occupy(*place);
-  for (const Vec3 place : gone) backward.vacate(place);
+  for (const Vec3 position : places) forward.occupy(position);
+  for (const Vec3 position : gone) backward.occupy(position);
+  for (auto position = places.rbegin(); position != places.rend(); ++position) backward.occupy(*position);
+  for (const Vec3 position : gone) backward.vacate(position);
   expect_same(share_out(forward, seekers), share_out(backward, seekers));
 }
 
@@ -368,7 +368,7 @@ TEST(MarkerField, ARoundDoesNotChangeTheNext) {
   MarkerField field(kForm, RandomKey(3), wall());
   field.add_volume(ball(1), Vec3(0));
   field.add_volume(ball(1), {0.4F, 0, 0});
-  for (const Vec3 place : crowd(60, kUp, 1)) field.occupy(place);
+  for (const Vec3 position : crowd(60, kUp, 1)) field.occupy(position);
   const std::vector<Seeker> seekers = buds_at(crowd(300, kUp, 1), 2);
   const std::vector<Room> first = share_out(field, seekers);
   const std::size_t bytes = field.bytes();
@@ -388,7 +388,7 @@ TEST(MarkerField, IsTheSameOnAnyNumberOfThreads) {
     MarkerField field(kForm, RandomKey(3), wall());
     field.add_volume(ball(2), Vec3(0));
     field.add_volume(ball(2), {0.5F, 0, 0});
-    for (const Vec3 place : crowd(2000, kUp, 2, 8)) field.occupy(place);
+    for (const Vec3 position : crowd(2000, kUp, 2, 8)) field.occupy(position);
     const std::vector<Room> rooms = share_out(field, buds_at(crowd(5000, kUp, 2, 9), 2));
     if (threads == 1) {
       first = rooms;
@@ -404,7 +404,7 @@ TEST(MarkerField, TakesMemoryForShootsAndBudsAlone) {
   const auto bytes_in = [](float size) {
     MarkerField field(kForm, RandomKey(3));
     field.add_volume(std::make_shared<ProfileCrown>(ProfileCrown::Profile{{size, -size}, {size, size}}), Vec3(0));
-    for (const Vec3 place : crowd(100, Vec3(0), 1)) field.occupy(place);
+    for (const Vec3 position : crowd(100, Vec3(0), 1)) field.occupy(position);
     const std::vector<Room> rooms = share_out(field, buds_at(crowd(100, Vec3(0), 1), 1));
     return std::pair(total(rooms), field.bytes());
   };
@@ -426,7 +426,7 @@ TEST(MarkerField, StopsWhenAsked) {
 }
 
 TEST(MarkerField, RefusesWhatIsOutOfRange) {
-  const auto makes = [](const MarkerForm& form) { return MarkerField(form, RandomKey(1)).bytes(); };
+  const auto makes = [](const MarkerParameters& form) { return MarkerField(form, RandomKey(1)).bytes(); };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NO_THROW(makes({.spacing = 0.1, .occupancy = 3.2}));
   EXPECT_THROW(makes({.spacing = 0.1, .occupancy = 3.3}), std::invalid_argument);
@@ -453,7 +453,7 @@ TEST(MarkerField, RefusesWhatIsOutOfRange) {
   EXPECT_FALSE(is_refused({.radius = 2.24F}));
   EXPECT_TRUE(is_refused({.radius = 2.3F}));
   EXPECT_TRUE(is_refused({.radius = no_number}));
-  EXPECT_TRUE(is_refused({.place = {no_number, 0, 0}}));
+  EXPECT_TRUE(is_refused({.position = {no_number, 0, 0}}));
   EXPECT_TRUE(is_refused({.direction = {0, 0, 0}}));
   EXPECT_TRUE(is_refused({.direction = {0, 0, 1.001F}}));
   EXPECT_TRUE(is_refused({.direction = {0, no_number, 0}}));

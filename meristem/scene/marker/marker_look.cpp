@@ -19,7 +19,7 @@ constexpr std::size_t kAtOnce = 16;  // seekers that are fetched
 constexpr int kMostUntested = 48;
 constexpr float kMargin = 0.125F;  // voxels, more than any rounding here
 
-using Place = MarkerBricks::Place;
+using Cell = MarkerBricks::Cell;
 using Range = MarkerBricks::Range;
 
 void require(bool holds, const char* what) {
@@ -36,7 +36,7 @@ void check(const Seeker& seeker, double spacing, std::size_t volume_count) {
 /// A perception cone against bricks.
 class Cone {
  public:
-  Cone(const MarkerBricks::FinePlace& tip, Vec3 direction, float radius, float cosine)
+  Cone(const MarkerBricks::FinePosition& tip, Vec3 direction, float radius, float cosine)
       : direction_(direction),
         square_((radius + kMargin) * (radius + kMargin)),
         cosine_(cosine),
@@ -70,7 +70,7 @@ class Cone {
   const Range& bricks() const { return bricks_; }
 
   /// Whether it may see one of the markers of a brick among bricks().
-  bool may_see(std::uint64_t markers, const Place& brick) const {
+  bool may_see(std::uint64_t markers, const Cell& brick) const {
     const int x = brick[0] - bricks_.low[0];
     const int y = brick[1] - bricks_.low[1];
     const int z = brick[2] - bricks_.low[2];
@@ -117,14 +117,14 @@ template <class Visit>
 void for_each_place(const Range& range, Visit visit) {
   for (std::int32_t z = range.low[2]; z <= range.high[2]; ++z) {
     for (std::int32_t y = range.low[1]; y <= range.high[1]; ++y) {
-      for (std::int32_t x = range.low[0]; x <= range.high[0]; ++x) visit(Place{x, y, z});
+      for (std::int32_t x = range.low[0]; x <= range.high[0]; ++x) visit(Cell{x, y, z});
     }
   }
 }
 
 /// A block that a look touches, and that is not there yet.
 struct Missing {
-  Place block;
+  Cell block;
   std::uint32_t look;
 };
 
@@ -134,12 +134,12 @@ class Looker {
   explicit Looker(const MarkerBricks& bricks) : bricks_(bricks) {}
 
   void look(const Seeker& seeker, std::uint32_t index, LookAround& around, std::vector<Missing>& missing) {
-    const MarkerBricks::FinePlace place = bricks_.fine(seeker.place);
+    const MarkerBricks::FinePosition place = bricks_.fine(seeker.position);
     const float radius = seeker.radius / static_cast<float>(bricks_.spacing());
     const Cone cone(place, seeker.direction, radius, seeker.cosine);
     const auto look = static_cast<std::uint32_t>(around.looks.size());
     const std::size_t before = around.sightings.size() + missing.size();
-    for_each_place(MarkerBricks::holders(cone.bricks()), [&](const Place& at) {
+    for_each_place(MarkerBricks::holders(cone.bricks()), [&](const Cell& at) {
       const std::uint32_t block = bricks_.find_block(at, recent_);
       if (block == MarkerBricks::kNone) {
         missing.push_back({at, look});
@@ -155,10 +155,10 @@ class Looker {
   /// The sightings in a block.
   void look_into(std::uint32_t number, const Cone& cone, std::uint32_t look, std::vector<Sighting>& sightings) const {
     const MarkerBricks::Block& block = bricks_.block(number);
-    std::uint64_t open = block.open & MarkerBricks::held(block.place, cone.bricks());
+    std::uint64_t open = block.open & MarkerBricks::held(block.position, cone.bricks());
     for (; open != 0; open &= open - 1) {
       const auto k = static_cast<std::uint32_t>(std::countr_zero(open));
-      if (!cone.may_see(block.markers[k], MarkerBricks::held(block.place, k))) continue;
+      if (!cone.may_see(block.markers[k], MarkerBricks::held(block.position, k))) continue;
       sightings.push_back({MarkerBricks::kInBrick * number + k, look});
     }
   }
@@ -172,7 +172,7 @@ class Looker {
 std::vector<std::uint32_t> spatial_order(MarkerBricks& bricks, std::span<const Seeker> seekers,
                                          std::size_t volume_count, const Progress& progress) {
   const auto brick_of = [&](const Seeker& seeker) {
-    const MarkerBricks::FinePlace place = bricks.fine(seeker.place);
+    const MarkerBricks::FinePosition place = bricks.fine(seeker.position);
     return MarkerBricks::holder(MarkerBricks::voxels(place, Vec3(0), Vec3(0)).low);
   };
   std::vector<std::uint32_t> slots(seekers.size());
@@ -181,7 +181,7 @@ std::vector<std::uint32_t> spatial_order(MarkerBricks& bricks, std::span<const S
     MarkerBricks::Recent recent;
     for (std::size_t k = begin; k < end; ++k) {
       check(seekers[k], bricks.spacing(), volume_count);
-      const Place brick = brick_of(seekers[k]);
+      const Cell brick = brick_of(seekers[k]);
       const std::uint32_t block = bricks.find_block(MarkerBricks::holder(brick), recent);
       slots[k] = block == MarkerBricks::kNone ? MarkerBricks::kNone
                                               : MarkerBricks::kInBrick * block + MarkerBricks::number(brick);
@@ -189,7 +189,7 @@ std::vector<std::uint32_t> spatial_order(MarkerBricks& bricks, std::span<const S
   });
   for (std::size_t k = 0; k < seekers.size(); ++k) {
     if (slots[k] != MarkerBricks::kNone) continue;
-    const Place brick = brick_of(seekers[k]);
+    const Cell brick = brick_of(seekers[k]);
     slots[k] = MarkerBricks::kInBrick * bricks.add_block(MarkerBricks::holder(brick)) + MarkerBricks::number(brick);
   }
 
@@ -233,7 +233,7 @@ std::optional<std::vector<LookAround>> look_around(MarkerBricks& bricks, std::sp
     for (const Missing& each : missing[part]) {
       const std::uint32_t block = bricks.add_block(each.block);
       const Look& look = around[part].looks[each.look];
-      const Cone cone(look.place, look.direction, std::sqrt(look.square), seekers[look.seeker].cosine);
+      const Cone cone(look.position, look.direction, std::sqrt(look.square), seekers[look.seeker].cosine);
       Looker(bricks).look_into(block, cone, each.look, around[part].sightings);
     }
   }

@@ -18,7 +18,7 @@ namespace meristem {
 
 /// A seeker that may see something.
 struct Look {
-  MarkerBricks::FinePlace place;
+  MarkerBricks::FinePosition position;
   Vec3 direction;    ///< unit
   float square;      ///< of the radius, voxels
   float slope;       ///< the cosine times its absolute value

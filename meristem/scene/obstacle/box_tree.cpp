@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::size_t kLeafBoxes = 4;
 
-std::vector<NumberedPlace> middles_of(const std::vector<Box>& boxes) {
-  std::vector<NumberedPlace> middles;
+std::vector<NumberedPoint> middles_of(const std::vector<Box>& boxes) {
+  std::vector<NumberedPoint> middles;
   for (std::uint32_t k = 0; k < boxes.size(); ++k) {
     if (!boxes[k].is_empty()) middles.push_back({boxes[k].centre(), k});
   }
@@ -21,7 +21,7 @@ std::vector<NumberedPlace> middles_of(const std::vector<Box>& boxes) {
 
 BoxTree::BoxTree(const std::vector<Box>& boxes)
     : middles_(middles_of(boxes)), tree_(middles_, Progress(), kLeafBoxes), around_(tree_.node_count()) {
-  for (const NumberedPlace& middle : middles_) boxes_.push_back(boxes[middle.number]);
+  for (const NumberedPoint& middle : middles_) boxes_.push_back(boxes[middle.number]);
   for (std::uint32_t leaf = 0; leaf < tree_.leaf_count(); ++leaf) {
     Box& around = around_[PointTree::place(tree_.leaf_level(), leaf)];
     const std::uint32_t end = tree_.first_point(tree_.leaf_level(), leaf + 1);

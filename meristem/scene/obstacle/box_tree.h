@@ -19,17 +19,17 @@ class BoxTree {
   /// Whether `accepts(index)` says yes to any of the boxes that hold a position, their faces included; asked in an
   /// order that means nothing.
   template <class Accepts>
-  bool any_around(Vec3 place, Accepts accepts) const;
+  bool any_around(Vec3 position, Accepts accepts) const;
 
  private:
-  std::vector<NumberedPlace> middles_;  // of the boxes, in the tree's order
+  std::vector<NumberedPoint> middles_;  // of the boxes, in the tree's order
   PointTree tree_;
   std::vector<Box> boxes_;   // in that order
   std::vector<Box> around_;  // the boxes below each node of the tree, by position
 };
 
 template <class Accepts>
-bool BoxTree::any_around(Vec3 place, Accepts accepts) const {
+bool BoxTree::any_around(Vec3 position, Accepts accepts) const {
   struct Node {
     int level;
     std::uint32_t index;
@@ -40,7 +40,7 @@ bool BoxTree::any_around(Vec3 place, Accepts accepts) const {
   waiting[count++] = {0, 0};
   while (count > 0) {
     const Node node = waiting[--count];
-    if (!around_[PointTree::place(node.level, node.index)].holds(place)) continue;
+    if (!around_[PointTree::place(node.level, node.index)].holds(position)) continue;
     if (node.level < tree_.leaf_level()) {
       waiting[count++] = {node.level + 1, 2 * node.index};
       waiting[count++] = {node.level + 1, 2 * node.index + 1};
@@ -48,7 +48,7 @@ bool BoxTree::any_around(Vec3 place, Accepts accepts) const {
     }
     const std::uint32_t end = tree_.first_point(node.level, node.index + 1);
     for (std::uint32_t k = tree_.first_point(node.level, node.index); k < end; ++k) {
-      if (boxes_[k].holds(place) && accepts(middles_[k].number)) return true;
+      if (boxes_[k].holds(position) && accepts(middles_[k].number)) return true;
     }
   }
   return false;

@@ -11,9 +11,9 @@
 namespace meristem {
 namespace {
 
-std::set<std::uint32_t> all_around(const BoxTree& tree, Vec3 place) {
+std::set<std::uint32_t> all_around(const BoxTree& tree, Vec3 position) {
   std::set<std::uint32_t> found;
-  tree.any_around(place, [&](std::uint32_t box) {
+  tree.any_around(position, [&](std::uint32_t box) {
     EXPECT_TRUE(found.insert(box).second) << box;
     return false;
   });
@@ -37,12 +37,12 @@ TEST(BoxTree, FindsTheBoxesThatASearchThroughAllFinds) {
     const BoxTree tree(boxes);
     for (std::uint64_t k = 0; k < 300; ++k) {
       // Corners of boxes, too: faces belong to them.
-      const Vec3 place = k % 3 == 0 ? boxes[k % count].low : 9.0F * RandomKey(3).direction(k);
+      const Vec3 position = k % 3 == 0 ? boxes[k % count].low : 9.0F * RandomKey(3).direction(k);
       std::set<std::uint32_t> expected;
       for (std::uint32_t box = 0; box < count; ++box) {
-        if (glm::clamp(place, boxes[box].low, boxes[box].high) == place) expected.insert(box);
+        if (glm::clamp(position, boxes[box].low, boxes[box].high) == position) expected.insert(box);
       }
-      EXPECT_EQ(all_around(tree, place), expected);
+      EXPECT_EQ(all_around(tree, position), expected);
     }
   }
 }

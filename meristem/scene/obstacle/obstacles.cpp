@@ -91,8 +91,8 @@ class Inside {
   const Box& box() const { return box_; }
 
   /// Of a place in its box.
-  bool contains(Vec3 place) const {
-    const DVec3 at(place);
+  bool contains(Vec3 point) const {
+    const DVec3 at(point);
     if (views_.size() == 1) return views_[0].contains(at);
     int votes = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -153,8 +153,8 @@ Obstacles::Obstacles(std::vector<Obstacle> bodies) {
 const std::vector<Obstacle>& Obstacles::bodies() const { return content_->bodies; }
 Box Obstacles::bounds() const { return content_->bounds; }
 
-bool Obstacles::contain(Vec3 place) const {
-  return content_->boxes.any_around(place, [&](std::uint32_t k) { return content_->insides[k].contains(place); });
+bool Obstacles::contain(Vec3 point) const {
+  return content_->boxes.any_around(point, [&](std::uint32_t k) { return content_->insides[k].contains(point); });
 }
 
 bool Obstacles::cross(Vec3 from, Vec3 to) const {

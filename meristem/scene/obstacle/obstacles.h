@@ -46,7 +46,7 @@ class Obstacles {
   Box bounds() const;  ///< of all; empty where there are none
 
   /// Whether a place is inside one. Of a broken one most of three views decide, along x, y and z.
-  bool contain(Vec3 place) const;
+  bool contain(Vec3 position) const;
   /// Whether the way from one place to another meets a surface, be it only at an end or an edge. However short, a way
   /// from outside to inside does; one without length does not.
   bool cross(Vec3 from, Vec3 to) const;

@@ -32,7 +32,7 @@ TriangleMesh l_shape() {
                     {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}, 0, 2);
 }
 
-Vec3 random_place(std::uint64_t index, float reach) {
+Vec3 random_position(std::uint64_t index, float reach) {
   const RandomKey key(3);
   const Vec3 share(key.uniform(index, 0), key.uniform(index, 1), key.child("z").uniform(index));
   return (2.0F * share - 1.0F) * reach;
@@ -101,7 +101,7 @@ TEST(Obstacles, ASphereIsMetWhereItsEquationSays) {
   const Obstacles sphere = obstacles_of({sphere_mesh(6, kRadius)});
   int hits = 0;
   for (std::uint64_t k = 0; k < 20'000; ++k) {
-    const Vec3 origin = random_place(k, 5);
+    const Vec3 origin = random_position(k, 5);
     const Vec3 direction = RandomKey(8).direction(k);
     const double along = -glm::dot(DVec3(origin), DVec3(direction));
     const double squared = along * along - glm::dot(DVec3(origin), DVec3(origin)) + kRadius * kRadius;
@@ -133,13 +133,13 @@ TEST(Obstacles, AConcaveBodyHasNothingInItsNotch) {
 TEST(Obstacles, RaysAgreeWithBruteForce) {
   std::vector<TriangleMesh> meshes;
   for (std::uint64_t k = 0; k < 6; ++k) {
-    meshes.push_back(moved(sphere_mesh(2, 0.5 + 0.2 * static_cast<double>(k)), DVec3(random_place(k, 4))));
+    meshes.push_back(moved(sphere_mesh(2, 0.5 + 0.2 * static_cast<double>(k)), DVec3(random_position(k, 4))));
   }
   meshes.push_back(l_shape());
   const Obstacles obstacles = obstacles_of(std::move(meshes));
   int hits = 0;
   for (std::uint64_t k = 0; k < 1500; ++k) {
-    const Vec3 origin = random_place(100 + k, 6);
+    const Vec3 origin = random_position(100 + k, 6);
     const Vec3 direction = RandomKey(9).direction(k);
     const auto expected = brute_force_hit(obstacles, origin, direction);
     const auto hit = obstacles.first_hit(origin, direction, kFar);
@@ -193,12 +193,12 @@ TEST(Obstacles, WaysThroughVerticesAndEdgesOfARoughSheetCrossIt) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 vertex(sheet.positions[triangle[k]]);
       const Vec3 middle = 0.5F * (vertex + Vec3(sheet.positions[triangle[(k + 1) % 3]]));
-      for (const Vec3 place : {vertex, middle}) {
+      for (const Vec3 position : {vertex, middle}) {
         // At the rim rounding may lead past the sheet.
-        const float inward = std::min({place.x, place.z, kSide - 1 - place.x, kSide - 1 - place.z});
+        const float inward = std::min({position.x, position.z, kSide - 1 - position.x, kSide - 1 - position.z});
         if (inward == 0) continue;
         for (const Vec3 way : {Vec3(0, 4, 0), Vec3(0.25F, 3, 0.375F), Vec3(-0.125F, 5, 0.5F), Vec3(1, 7, -3)}) {
-          ASSERT_TRUE(obstacles.cross(place + way, place - way));
+          ASSERT_TRUE(obstacles.cross(position + way, position - way));
           ++ways;
         }
       }
@@ -278,16 +278,16 @@ TEST(Obstacles, FarFromTheOriginTheyAreAsExact) {
 
 TEST(Obstacles, AnswersAreTheSameOnAnyNumberOfThreads) {
   std::vector<TriangleMesh> meshes;
-  for (std::uint64_t k = 0; k < 10; ++k) meshes.push_back(moved(sphere_mesh(3), DVec3(random_place(k, 6))));
+  for (std::uint64_t k = 0; k < 10; ++k) meshes.push_back(moved(sphere_mesh(3), DVec3(random_position(k, 6))));
   const auto answers = [&](int threads) {
     const ThreadLimit limit(threads);
     const Obstacles obstacles = obstacles_of(meshes);
     std::vector<double> found(20'000);
     parallel_for(found.size(), 500, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
-        const Vec3 place = random_place(k, 8);
-        const auto hit = obstacles.first_hit(place, RandomKey(5).direction(k), kFar);
-        found[k] = hit ? hit->distance + static_cast<double>(hit->obstacle) : obstacles.contain(place) ? -1 : -2;
+        const Vec3 position = random_position(k, 8);
+        const auto hit = obstacles.first_hit(position, RandomKey(5).direction(k), kFar);
+        found[k] = hit ? hit->distance + static_cast<double>(hit->obstacle) : obstacles.contain(position) ? -1 : -2;
       }
     });
     return found;
@@ -327,8 +327,8 @@ TEST(Obstacles, TurnedAndMissingTrianglesHardlyMoveAnInside) {
   int wrong = 0;
   constexpr int kTrials = 20'000;
   for (std::uint64_t k = 0; k < kTrials; ++k) {
-    const Vec3 place = random_place(k, 1);
-    wrong += broken.contain(place) != closed.contains(DVec3(place)) ? 1 : 0;
+    const Vec3 position = random_position(k, 1);
+    wrong += broken.contain(position) != closed.contains(DVec3(position)) ? 1 : 0;
   }
   // Each view errs in 4 % of the places inside; two of three do in about 3 * 0.04^2.
   EXPECT_LT(wrong, 0.01 * kTrials);
@@ -355,14 +355,14 @@ TEST(Obstacles, ARealHouseHasItsInside) {
   std::uint64_t inside = 0;
   constexpr std::uint64_t kTrials = 20'000;
   for (std::uint64_t k = 0; k < kTrials; ++k) {
-    const Vec3 place = box.centre() + random_place(k, 0.5F) * box.size();
-    const bool is_inside = house.contain(place);
-    ASSERT_EQ(is_inside, closed.contains(DVec3(place)));
+    const Vec3 position = box.centre() + random_position(k, 0.5F) * box.size();
+    const bool is_inside = house.contain(position);
+    ASSERT_EQ(is_inside, closed.contains(DVec3(position)));
     inside += is_inside ? 1 : 0;
     // Out of a closed body every way leads through a wall, whether it goes through vertices or not.
     const Vec3 vertex(mesh.positions[k % mesh.positions.size()]);
-    const Vec3 beyond = place + 40.0F * toward(place, k % 2 == 0 ? vertex : place + RandomKey(6).direction(k));
-    ASSERT_TRUE(!is_inside || house.cross(place, beyond));
+    const Vec3 beyond = position + 40.0F * toward(position, k % 2 == 0 ? vertex : position + RandomKey(6).direction(k));
+    ASSERT_TRUE(!is_inside || house.cross(position, beyond));
   }
   const Vec3 size = box.size();
   const double volume = double{size.x} * size.y * size.z * static_cast<double>(inside) / kTrials;

@@ -47,7 +47,7 @@ TEST(MakePolygon, BendsWithItsCorners) {
   const std::vector<Vec3> saddle{{0, 0, 0}, {1, 0, 0.3F}, {1, 1, 0}, {0, 1, 0.3F}};
   const Mesh mesh = make_polygon(saddle);
   ASSERT_EQ(mesh.vertex_count(), 4U);
-  for (const Vec3 place : mesh.positions) EXPECT_NE(std::ranges::find(saddle, place), saddle.end());
+  for (const Vec3 position : mesh.positions) EXPECT_NE(std::ranges::find(saddle, position), saddle.end());
 }
 
 TEST(MakePolygon, FillsALargeStarWithoutGaps) {

@@ -42,10 +42,10 @@ struct BlockPlaces {
   explicit BlockPlaces(double cell) {
     for (int k = 0; k < kBrickSize; ++k) {
       const glm::ivec3 corner = kBlockSide * corner_of(k / kBlockSize, 2) + corner_of(k % kBlockSize, kBlockSide);
-      const DVec3 place = cell * (DVec3(corner) - kMiddle);
-      x[k] = static_cast<float>(place.x);
-      y[k] = static_cast<float>(place.y);
-      z[k] = static_cast<float>(place.z);
+      const DVec3 position = cell * (DVec3(corner) - kMiddle);
+      x[k] = static_cast<float>(position.x);
+      y[k] = static_cast<float>(position.y);
+      z[k] = static_cast<float>(position.z);
     }
   }
 };
@@ -154,9 +154,9 @@ class Descent {
     for (int k = 0; k < 8; ++k) {
       std::array<float, kBlockSize> values;
       if (level.holds_surface(k)) {
-        const int place = kBlockSize * k;
-        sampler_.sample(level.steps[k], near_, &places_.x[place], &places_.y[place], &places_.z[place], kBlockSize,
-                        values.data());
+        const int position = kBlockSize * k;
+        sampler_.sample(level.steps[k], near_, &places_.x[position], &places_.y[position], &places_.z[position],
+                        kBlockSize, values.data());
       } else {
         values.fill(static_cast<float>(level.sign[k] * bricks_.grid.cell));
       }

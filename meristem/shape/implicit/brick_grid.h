@@ -32,7 +32,7 @@ struct BrickGrid {
   double cell = 1;
   std::vector<BrickChunk> chunks;
 
-  DVec3 place(glm::ivec3 corner) const { return origin + cell * DVec3(corner); }
+  DVec3 position(glm::ivec3 corner) const { return origin + cell * DVec3(corner); }
 };
 
 }  // namespace meristem

@@ -117,7 +117,7 @@ class BrickMesher {
     DVec3 farthest = glm::abs(grid.origin);
     for (const BrickChunk& chunk : grid.chunks) {
       topology_.emplace_back(chunk.at.size());
-      for (const glm::ivec3 at : chunk.at) farthest = glm::max(farthest, glm::abs(grid.place(kSide * (at + 1))));
+      for (const glm::ivec3 at : chunk.at) farthest = glm::max(farthest, glm::abs(grid.position(kSide * (at + 1))));
     }
     // Where coordinates are large for the cells, rounding must not bring vertices together.
     const double rounding = kRounding * std::max({farthest.x, farthest.y, farthest.z}) / grid.cell;

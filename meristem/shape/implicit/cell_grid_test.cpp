@@ -46,7 +46,7 @@ class Extraction {
  private:
   std::size_t index(std::size_t x, std::size_t y, std::size_t z) const { return (z * grid_.n + y) * grid_.n + x; }
   std::size_t corner(std::size_t cell, int c) const { return cell + index(c & 1, c >> 1 & 1, c >> 2 & 1); }
-  DVec3 place(std::size_t i) const {
+  DVec3 position(std::size_t i) const {
     return grid_.origin + grid_.spacing * DVec3(i % grid_.n, i / grid_.n % grid_.n, i / grid_.n / grid_.n);
   }
 
@@ -64,7 +64,7 @@ class Extraction {
     const double a = std::clamp<double>(grid_.values[low], -kMost, kMost);
     const double b = std::clamp<double>(grid_.values[high], -kMost, kMost);
     const double t = std::clamp(a / (a - b), margin_, 1 - margin_);
-    return found->second = add_point(glm::mix(place(low), place(high), t));
+    return found->second = add_point(glm::mix(position(low), position(high), t));
   }
 
   void add_cell(std::size_t cell) {

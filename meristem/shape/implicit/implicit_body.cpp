@@ -148,12 +148,12 @@ ImplicitBody& ImplicitBody::append(const ImplicitBody& other, BodyClause::Kind k
   return *this;
 }
 
-double ImplicitBody::value(DVec3 place) const {
+double ImplicitBody::value(DVec3 position) const {
   if (is_empty()) return std::numeric_limits<double>::infinity();
   std::vector<double> stack;
   for (const BodyClause& clause : clauses_) {
     if (clause.kind == BodyClause::Kind::solid) {
-      stack.push_back(std::visit([&](const auto& solid) { return solid.distance(place.x, place.y, place.z); },
+      stack.push_back(std::visit([&](const auto& solid) { return solid.distance(position.x, position.y, position.z); },
                                  solids_[clause.solid]));
       continue;
     }

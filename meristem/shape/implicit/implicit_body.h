@@ -61,7 +61,7 @@ class ImplicitBody {
 
   bool is_empty() const { return clauses_.empty(); }
   /// The value at a position, of everything; +infinity for no body. Cost linear in solids.
-  double value(DVec3 place) const;
+  double value(DVec3 position) const;
   /// A box that holds the solids (of an intersection what both may share).
   DVec3 low() const { return low_; }
   DVec3 high() const { return high_; }

@@ -15,14 +15,14 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-DVec3 random_place(const RandomKey& key, std::uint64_t index, double reach) {
+DVec3 random_position(const RandomKey& key, std::uint64_t index, double reach) {
   const RandomKey at = key.child(index);
   return {at.uniform(0, -reach, reach), at.uniform(1, -reach, reach), at.uniform(2, -reach, reach)};
 }
 
-double nearest_of(const std::vector<DVec3>& surface, DVec3 place) {
+double nearest_of(const std::vector<DVec3>& surface, DVec3 position) {
   double nearest = kInfinity;
-  for (const DVec3 point : surface) nearest = std::min(nearest, squared_length(point - place));
+  for (const DVec3 point : surface) nearest = std::min(nearest, squared_length(point - position));
   return std::sqrt(nearest);
 }
 
@@ -33,12 +33,12 @@ void expect_distances(const ImplicitBody& body, const std::vector<DVec3>& surfac
   for (const DVec3 point : surface) ASSERT_NEAR(body.value(point), 0, 1e-9);
   const RandomKey key(3);
   for (std::uint64_t k = 0; k < 60; ++k) {
-    const DVec3 place = random_place(key, k, reach);
-    const double value = body.value(place);
-    const double nearest = nearest_of(surface, place);
-    EXPECT_LE(std::abs(value), nearest + 1e-9) << place.x << " " << place.y << " " << place.z;
-    EXPECT_GE(value * value, nearest * nearest - step * step) << place.x << " " << place.y << " " << place.z;
-    EXPECT_EQ(value < 0, is_inside(place)) << place.x << " " << place.y << " " << place.z;
+    const DVec3 position = random_position(key, k, reach);
+    const double value = body.value(position);
+    const double nearest = nearest_of(surface, position);
+    EXPECT_LE(std::abs(value), nearest + 1e-9) << position.x << " " << position.y << " " << position.z;
+    EXPECT_GE(value * value, nearest * nearest - step * step) << position.x << " " << position.y << " " << position.z;
+    EXPECT_EQ(value < 0, is_inside(position)) << position.x << " " << position.y << " " << position.z;
   }
 }
 
@@ -116,8 +116,8 @@ TEST(ImplicitBody, AConeOfABallThatHoldsTheOtherIsThatBall) {
        {ImplicitBody::round_cone({1, 0, 0}, 2, {1, 1, 0}, 0.5), ImplicitBody::round_cone({1, 1, 0}, 0.5, {1, 0, 0}, 2),
         ImplicitBody::round_cone({1, 0, 0}, 2, {1, 0, 0}, 0), ImplicitBody::round_cone({1, 0, 0}, 2, {1, 2, 0}, 0)}) {
     for (std::uint64_t k = 0; k < 50; ++k) {
-      const DVec3 place = random_place(key, k, 5);
-      EXPECT_NEAR(cone.value(place), ball.value(place), 1e-12);
+      const DVec3 position = random_position(key, k, 5);
+      EXPECT_NEAR(cone.value(position), ball.value(position), 1e-12);
     }
   }
 }
@@ -127,8 +127,8 @@ TEST(ImplicitBody, AConeWhoseBallsNearlyHoldEachOtherIsContinuous) {
   for (const double share : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
     const ImplicitBody cone = ImplicitBody::round_cone({0, 0, 0}, 1, {0, 0.5 * (1 + share), 0}, 0.5);
     for (std::uint64_t k = 0; k < 50; ++k) {
-      const DVec3 place = random_place(key, k, 2);
-      EXPECT_NEAR(cone.value(place), glm::length(place) - 1, 4 * share + 1e-12);
+      const DVec3 position = random_position(key, k, 2);
+      EXPECT_NEAR(cone.value(position), glm::length(position) - 1, 4 * share + 1e-12);
     }
   }
 }
@@ -174,35 +174,36 @@ TEST(ImplicitBody, AnEllipsoidIsSureOnItsAxesAndPlanes) {
   const ImplicitBody ellipsoid = ImplicitBody::ellipsoid({}, Vec3(radii));
   EXPECT_DOUBLE_EQ(ellipsoid.value({0, 0, 0}), -0.5);
   for (int k = 0; k < 3; ++k) {
-    DVec3 place{0};
-    place[k] = radii[k] + 3;
-    EXPECT_NEAR(ellipsoid.value(place), 3, 1e-12) << k;
-    EXPECT_NEAR(ellipsoid.value(-place), 3, 1e-12) << k;
-    place[k] = radii[k];
-    EXPECT_NEAR(ellipsoid.value(place), 0, 1e-12) << k;
+    DVec3 position{0};
+    position[k] = radii[k] + 3;
+    EXPECT_NEAR(ellipsoid.value(position), 3, 1e-12) << k;
+    EXPECT_NEAR(ellipsoid.value(-position), 3, 1e-12) << k;
+    position[k] = radii[k];
+    EXPECT_NEAR(ellipsoid.value(position), 0, 1e-12) << k;
   }
   // On each plane and beside it by the least of numbers.
   const std::vector<DVec3> surface = ellipsoid_points(radii, 60);
   const RandomKey key(8);
   for (std::uint64_t k = 0; k < 100; ++k) {
-    DVec3 place = random_place(key, k, 2.5);
-    place[static_cast<int>(k % 3)] = 0;
-    const double value = ellipsoid.value(place);
-    const double nearest = nearest_of(surface, place);
+    DVec3 position = random_position(key, k, 2.5);
+    position[static_cast<int>(k % 3)] = 0;
+    const double value = ellipsoid.value(position);
+    const double nearest = nearest_of(surface, position);
     EXPECT_NEAR(value * value, nearest * nearest, 0.02);
     EXPECT_LE(std::abs(value), nearest + 1e-9);
     for (const double beside : {1e-300, 1e-20, 1e-16, 1e-9, -1e-17}) {
-      place[static_cast<int>(k % 3)] = beside;
-      EXPECT_NEAR(ellipsoid.value(place), value, 1e-8) << k << " " << beside;
+      position[static_cast<int>(k % 3)] = beside;
+      EXPECT_NEAR(ellipsoid.value(position), value, 1e-8) << k << " " << beside;
     }
   }
 }
 
 TEST(ImplicitBody, AnEllipsoidOfEqualRadiiIsASphere) {
   const ImplicitBody ball = ImplicitBody::ellipsoid({}, {2, 2, 2});
-  for (const DVec3 place : {DVec3(0, 3, 0), DVec3(0, 0, 3), DVec3(3, 0, 0), DVec3(0, 1, 1), DVec3(0, 0.5, 0),
-                            DVec3(1e-17, 0, 1), DVec3(0, 0, 0), DVec3(1, 2, 3)}) {
-    EXPECT_NEAR(ball.value(place), glm::length(place) - 2, 1e-12) << place.x << " " << place.y << " " << place.z;
+  for (const DVec3 position : {DVec3(0, 3, 0), DVec3(0, 0, 3), DVec3(3, 0, 0), DVec3(0, 1, 1), DVec3(0, 0.5, 0),
+                               DVec3(1e-17, 0, 1), DVec3(0, 0, 0), DVec3(1, 2, 3)}) {
+    EXPECT_NEAR(ball.value(position), glm::length(position) - 2, 1e-12)
+        << position.x << " " << position.y << " " << position.z;
   }
 }
 
@@ -219,14 +220,14 @@ TEST(ImplicitBody, OperationsAreThoseOfSets) {
   const ImplicitBody b = ImplicitBody::box({.origin = {0.8F, 0, 0}}, {0.5F, 0.5F, 0.5F});
   const RandomKey key(9);
   for (std::uint64_t k = 0; k < 200; ++k) {
-    const DVec3 place = random_place(key, k, 1.5);
-    const bool in_a = a.value(place) < 0;
-    const bool in_b = b.value(place) < 0;
-    EXPECT_EQ(ImplicitBody(a).unite(b).value(place) < 0, in_a || in_b);
-    EXPECT_EQ(ImplicitBody(a).intersect(b).value(place) < 0, in_a && in_b);
-    EXPECT_EQ(ImplicitBody(a).subtract(b).value(place) < 0, in_a && !in_b);
+    const DVec3 position = random_position(key, k, 1.5);
+    const bool in_a = a.value(position) < 0;
+    const bool in_b = b.value(position) < 0;
+    EXPECT_EQ(ImplicitBody(a).unite(b).value(position) < 0, in_a || in_b);
+    EXPECT_EQ(ImplicitBody(a).intersect(b).value(position) < 0, in_a && in_b);
+    EXPECT_EQ(ImplicitBody(a).subtract(b).value(position) < 0, in_a && !in_b);
     for (const BlendKind kind : {BlendKind::poly, BlendKind::root, BlendKind::pasko}) {
-      EXPECT_EQ(ImplicitBody(a).blend(b, kind, 0).value(place), ImplicitBody(a).unite(b).value(place));
+      EXPECT_EQ(ImplicitBody(a).blend(b, kind, 0).value(position), ImplicitBody(a).unite(b).value(position));
     }
   }
 }
@@ -237,11 +238,11 @@ TEST(ImplicitBody, BlendsAreTheirFormulas) {
   const ImplicitBody b = ImplicitBody::sphere({0.9, 0, 0}, 0.8);
   const RandomKey key(10);
   for (std::uint64_t k = 0; k < 300; ++k) {
-    const DVec3 place = random_place(key, k, 2);
-    const double f = a.value(place);
-    const double g = b.value(place);
+    const DVec3 position = random_position(key, k, 2);
+    const double f = a.value(position);
+    const double g = b.value(position);
     const double sharp = std::min(f, g);
-    const double poly = ImplicitBody(a).blend(b, BlendKind::poly, w).value(place);
+    const double poly = ImplicitBody(a).blend(b, BlendKind::poly, w).value(position);
     EXPECT_LE(poly, sharp);
     EXPECT_GE(poly, sharp - w / 4 - 1e-12);
     if (std::abs(f - g) >= w) {
@@ -249,9 +250,9 @@ TEST(ImplicitBody, BlendsAreTheirFormulas) {
     } else {
       EXPECT_LT(poly, sharp);
     }
-    EXPECT_NEAR(ImplicitBody(a).blend(b, BlendKind::root, w).value(place),
+    EXPECT_NEAR(ImplicitBody(a).blend(b, BlendKind::root, w).value(position),
                 0.5 * (f + g - std::sqrt((f - g) * (f - g) + w * w)), 1e-12);
-    EXPECT_NEAR(ImplicitBody(a).blend(b, BlendKind::pasko, w).value(place),
+    EXPECT_NEAR(ImplicitBody(a).blend(b, BlendKind::pasko, w).value(position),
                 sharp - w / 4 / (1 + f * f / (w * w) + g * g / (w * w)), 1e-12);
   }
   // By a quarter of the width where both are equal.
@@ -281,8 +282,8 @@ TEST(ImplicitBody, IsWhollyInItsBoundsAndReach) {
   for (const BlendKind kind : {BlendKind::poly, BlendKind::root, BlendKind::pasko}) {
     ImplicitBody body;
     for (std::uint64_t k = 0; k < 6; ++k) {
-      const DVec3 from = random_place(key, 10 * k, 1);
-      const DVec3 to = random_place(key, 10 * k + 1, 1);
+      const DVec3 from = random_position(key, 10 * k, 1);
+      const DVec3 to = random_position(key, 10 * k + 1, 1);
       Frame frame = frame_along(Vec3(from), key.direction(10 * k + 2), key.direction(10 * k + 3));
       body.blend(k % 3 == 0   ? ImplicitBody::flat_cone(from, 0.3, to, 0.1)
                  : k % 3 == 1 ? ImplicitBody::round_cone(from, 0.3, to, 0.1)
@@ -292,10 +293,10 @@ TEST(ImplicitBody, IsWhollyInItsBoundsAndReach) {
     const DVec3 low = body.low() - body.reach();
     const DVec3 high = body.high() + body.reach();
     for (std::uint64_t k = 0; k < 2000; ++k) {
-      const DVec3 place = random_place(key.child("outside"), k, 4);
-      const bool is_in = glm::all(glm::greaterThan(place, low)) && glm::all(glm::lessThan(place, high));
+      const DVec3 position = random_position(key.child("outside"), k, 4);
+      const bool is_in = glm::all(glm::greaterThan(position, low)) && glm::all(glm::lessThan(position, high));
       if (!is_in) {
-        EXPECT_GE(body.value(place), 0) << static_cast<int>(kind);
+        EXPECT_GE(body.value(position), 0) << static_cast<int>(kind);
       }
     }
   }
@@ -314,13 +315,13 @@ TEST(ImplicitBody, HasTheLeastBoxOfEachSolid) {
       double inside = kInfinity;
       const DVec3 size = solid.high() - solid.low();
       for (int k = 0; k < 120 * 120; ++k) {
-        DVec3 place = middle;
-        place[(axis + 1) % 3] += size[(axis + 1) % 3] * ((k % 120) / 119.0 - 0.5);
-        place[(axis + 2) % 3] += size[(axis + 2) % 3] * ((k / 120) / 119.0 - 0.5);
-        place[axis] = solid.high()[axis] + 1e-6;
-        outside = std::min(outside, solid.value(place));
-        place[axis] = solid.high()[axis] - 0.01;
-        inside = std::min(inside, solid.value(place));
+        DVec3 position = middle;
+        position[(axis + 1) % 3] += size[(axis + 1) % 3] * ((k % 120) / 119.0 - 0.5);
+        position[(axis + 2) % 3] += size[(axis + 2) % 3] * ((k / 120) / 119.0 - 0.5);
+        position[axis] = solid.high()[axis] + 1e-6;
+        outside = std::min(outside, solid.value(position));
+        position[axis] = solid.high()[axis] - 0.01;
+        inside = std::min(inside, solid.value(position));
       }
       EXPECT_GT(outside, 0) << axis;
       EXPECT_LT(inside, 0) << axis;

@@ -38,8 +38,8 @@ class NormalSampler {
     z_.resize(count);
     values_.resize(count);
     for (std::size_t k = 0; k < count; ++k) {
-      const Vec3 place(DVec3(places[k / kCorners.size()]) - centre);
-      const Vec3 beside = place + step_ * kCorners[k % kCorners.size()];
+      const Vec3 position(DVec3(places[k / kCorners.size()]) - centre);
+      const Vec3 beside = position + step_ * kCorners[k % kCorners.size()];
       x_[k] = beside.x;
       y_[k] = beside.y;
       z_[k] = beside.z;

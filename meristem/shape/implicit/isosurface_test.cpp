@@ -275,7 +275,7 @@ double worst_error(const ImplicitBody& body, int resolution) {
     for (std::size_t brick = 0; brick < chunk.at.size(); ++brick) {
       for (int k = static_cast<int>(brick % 5); k < kBrickSize; k += 5) {
         const glm::ivec3 corner(k % kBrickSide, k / kBrickSide % kBrickSide, k / (kBrickSide * kBrickSide));
-        const double value = body.value(bricks.grid.place(kBrickSide * chunk.at[brick] + corner));
+        const double value = body.value(bricks.grid.position(kBrickSide * chunk.at[brick] + corner));
         const double found = chunk.values_of(brick)[k];
         // Where no surface is about, the sign alone counts.
         if (std::abs(value) > 2 * cell || std::abs(found) == static_cast<float>(cell)) continue;

@@ -217,12 +217,12 @@ TEST(PlantBody, CrownsAreBallsAboveTheEnds) {
   const ImplicitBody body = make_crown_body(skeleton, all_axes(skeleton), crown);
   const RandomKey key(52);
   for (std::uint64_t k = 0; k < 100; ++k) {
-    const DVec3 place = 2.0 * DVec3(key.direction(k)) + DVec3(0, 1, 0);
+    const DVec3 point = 2.0 * DVec3(key.direction(k)) + DVec3(0, 1, 0);
     double nearest = 1e9;
     for (const NodeIndex end : {2, 4, 5}) {
-      nearest = std::min(nearest, glm::distance(place, DVec3(skeleton.position[end]) + DVec3(0, 0.25, 0)) - 0.3);
+      nearest = std::min(nearest, glm::distance(point, DVec3(skeleton.position[end]) + DVec3(0, 0.25, 0)) - 0.3);
     }
-    EXPECT_NEAR(body.value(place), nearest, 1e-6);
+    EXPECT_NEAR(body.value(point), nearest, 1e-6);
   }
   for (const BlendKind kind : {BlendKind::poly, BlendKind::root, BlendKind::pasko}) {
     CrownBody fused = crown;

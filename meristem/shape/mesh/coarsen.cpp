@@ -88,15 +88,15 @@ class HalfEdgeCollapse {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t from = triangle[k];
         const std::uint32_t to = triangle[(k + 1) % 3];
-        const DVec3 place(mesh_.positions[from]);
-        quadrics_[from].add_plane(normal, place, length);
+        const DVec3 position(mesh_.positions[from]);
+        quadrics_[from].add_plane(normal, position, length);
         if (triangles_at(from, to) != 1) continue;
         // A border is held by the plane through it that stands on the triangle.
-        const DVec3 along = DVec3(mesh_.positions[to]) - place;
+        const DVec3 along = DVec3(mesh_.positions[to]) - position;
         const double square = glm::dot(along, along);
         const DVec3 outward = glm::cross(along, normal) * (1 / std::sqrt(square));
-        quadrics_[from].add_plane(outward, place, square);
-        quadrics_[to].add_plane(outward, place, square);
+        quadrics_[from].add_plane(outward, position, square);
+        quadrics_[to].add_plane(outward, position, square);
       }
     }
   }

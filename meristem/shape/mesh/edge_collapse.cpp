@@ -87,8 +87,8 @@ void EdgeCollapse::add_quadrics(const Progress& progress) {
   for (Corner c = 0; c < corners_.corner_count(); c += 3) {
     if (c % kItemsBetweenChecks < 3) progress.check();
     const std::array<std::uint32_t, 3> triangle{corners_.vertex(c), corners_.vertex(c + 1), corners_.vertex(c + 2)};
-    const DVec3 a = place(triangle[0]);
-    const DVec3 front = glm::cross(place(triangle[1]) - a, place(triangle[2]) - a);
+    const DVec3 a = position(triangle[0]);
+    const DVec3 front = glm::cross(position(triangle[1]) - a, position(triangle[2]) - a);
     const double length = glm::length(front);
     if (!(length > 0)) continue;
     Quadric plane;
@@ -117,8 +117,8 @@ EdgeCollapse::Candidate EdgeCollapse::candidate(std::uint32_t low, std::uint32_t
   Quadric both = a;
   both += b;
   const double share = both.weight() > 0 ? b.weight() / both.weight() : 0.5;
-  const DVec3 from = place(low);
-  const DVec3 along = place(high) - from;
+  const DVec3 from = position(low);
+  const DVec3 along = position(high) - from;
   DVec3 apex = both.least(from + share * along, kSpring);
   const DVec3 tame = both.least(from + share * along, kTameSpring);
   if (both.at(tame) < kTameCost * both.at(apex)) apex = tame;
@@ -238,13 +238,13 @@ bool EdgeCollapse::keeps_manifold(Corner corner) {
 /// The apex moved so that the fan, which is that of the edge, encloses as much as before; not far.
 DVec3 EdgeCollapse::with_volume(const Candidate& edge) const {
   const std::uint32_t low = corners_.vertex(edge.corner);
-  const DVec3 origin = place(low);
-  const DVec3 high = place(corners_.vertex(CornerTable::next(edge.corner))) - origin;
+  const DVec3 origin = position(low);
+  const DVec3 high = position(corners_.vertex(CornerTable::next(edge.corner))) - origin;
   // Six times volumes of tetrahedra with a corner at the low end: triangles around that have none.
   DVec3 growth(0);
   double volume = 0;
   for (const FanTriangle& triangle : fan_) {
-    const DVec3 across = glm::cross(place(triangle.from) - origin, place(triangle.to) - origin);
+    const DVec3 across = glm::cross(position(triangle.from) - origin, position(triangle.to) - origin);
     growth += across;
     if (corners_.vertex(triangle.corner) != low) volume += glm::dot(high, across);
   }
@@ -258,9 +258,9 @@ DVec3 EdgeCollapse::with_volume(const Candidate& edge) const {
 /// Whether no triangle of the fan turns over or becomes thin when its corner moves to `apex`.
 bool EdgeCollapse::keeps_form(DVec3 apex) {
   for (FanTriangle& triangle : fan_) {
-    const DVec3 from = place(triangle.from);
-    const DVec3 to = place(triangle.to);
-    const DVec3 old_apex = place(corners_.vertex(triangle.corner));
+    const DVec3 from = position(triangle.from);
+    const DVec3 to = position(triangle.to);
+    const DVec3 old_apex = position(corners_.vertex(triangle.corner));
     const DVec3 front = glm::cross(from - apex, to - apex);
     const DVec3 old_front = glm::cross(from - old_apex, to - old_apex);
     const double length = glm::length(front);
@@ -281,14 +281,16 @@ bool EdgeCollapse::keeps_form(DVec3 apex) {
 bool EdgeCollapse::keeps_folds(Corner corner, DVec3 apex) {
   const std::uint32_t low = corners_.vertex(corner);
   const std::uint32_t high = corners_.vertex(CornerTable::next(corner));
-  const auto new_place = [&](std::uint32_t vertex) { return vertex == low || vertex == high ? apex : place(vertex); };
+  const auto new_place = [&](std::uint32_t vertex) {
+    return vertex == low || vertex == high ? apex : position(vertex);
+  };
   double sharpest = 1;
   for (std::size_t k = 0; k < fan_.size(); ++k) {
     sharpest = std::min(sharpest, glm::dot(fan_[k].normal, fan_[(k + 1) % fan_.size()].normal));
     const Corner beyond = corners_.opposite(fan_[k].corner);
     if (beyond == CornerTable::kNone) continue;
-    const DVec3 from = place(fan_[k].from);
-    const DVec3 front = glm::cross(new_place(corners_.vertex(beyond)) - from, place(fan_[k].to) - from);
+    const DVec3 from = position(fan_[k].from);
+    const DVec3 front = glm::cross(new_place(corners_.vertex(beyond)) - from, position(fan_[k].to) - from);
     const double length = glm::length(front);
     if (length > 0) sharpest = std::min(sharpest, glm::dot(fan_[k].normal, front) / length);
   }
@@ -298,9 +300,9 @@ bool EdgeCollapse::keeps_folds(Corner corner, DVec3 apex) {
 /// The least cosine between the normals of neighbours, one of which has a corner at an end of the edge.
 double EdgeCollapse::sharpest_fold(Corner corner) const {
   const auto front = [&](Corner c) {
-    const DVec3 at = place(corners_.vertex(c));
-    const DVec3 across = glm::cross(place(corners_.vertex(CornerTable::next(c))) - at,
-                                    place(corners_.vertex(CornerTable::previous(c))) - at);
+    const DVec3 at = position(corners_.vertex(c));
+    const DVec3 across = glm::cross(position(corners_.vertex(CornerTable::next(c))) - at,
+                                    position(corners_.vertex(CornerTable::previous(c))) - at);
     const double length = glm::length(across);
     return length > 0 ? across / length : DVec3(0);
   };

@@ -55,8 +55,8 @@ class EdgeCollapse {
   float median_cost(const Progress& progress) const;
   void put_all(std::uint32_t begin, std::uint32_t end, const Progress& progress);
   void collapse_queued(std::size_t triangles, Progress& progress);
-  DVec3 place(std::uint32_t vertex) const { return DVec3(vertices_[vertex].position) - centre_; }
-  DVec3 rounded(DVec3 place) const { return DVec3(Vec3(place + centre_)) - centre_; }
+  DVec3 position(std::uint32_t vertex) const { return DVec3(vertices_[vertex].position) - centre_; }
+  DVec3 rounded(DVec3 point) const { return DVec3(Vec3(point + centre_)) - centre_; }
 
   template <class Visit>
   void for_each_edge(std::uint32_t vertex, Visit&& visit) const;

@@ -24,7 +24,7 @@ struct BarkPaints {
   /// How many features there are on the tile's area.
   int area_count(double usual) const;
   /// A noise of its own for each name.
-  std::vector<float> noise(std::string_view name, const NoiseForm& form) const {
+  std::vector<float> noise(std::string_view name, const NoiseParameters& form) const {
     return noise_field(key.child(name), form, pixels);
   }
   /// From one linear colour to another as far as the contrast wants it.

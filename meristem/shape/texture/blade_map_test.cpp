@@ -44,8 +44,8 @@ TEST(BladeMap, MarginsOfACircleGrowTowardItsCentre) {
   EXPECT_NEAR(map.widest, 0.4, 0.015);
   for (int y = 0; y < kPixels; ++y) {
     for (int x = 0; x < kPixels; ++x) {
-      const Vec2 place((static_cast<float>(x) + 0.5F) / kPixels, (static_cast<float>(y) + 0.5F) / kPixels);
-      const float expected = std::max(0.0F, 0.4F - glm::distance(place, Vec2(0.5F)));
+      const Vec2 position((static_cast<float>(x) + 0.5F) / kPixels, (static_cast<float>(y) + 0.5F) / kPixels);
+      const float expected = std::max(0.0F, 0.4F - glm::distance(position, Vec2(0.5F)));
       ASSERT_NEAR(map.margin[static_cast<std::size_t>(y * kPixels + x)], expected, 0.012F) << x << " " << y;
     }
   }

@@ -91,11 +91,11 @@ TEST(LeafTexture, OfALobedLeafHasVeinsToTheLobes) {
                            true};
   const Texture texture = make_leaf_texture({.veins = LeafRecipe::Veins::palmate, .pairs = 1, .vein_colour = Vec3(1)},
                                             shape, kGreen, kPixels);
-  const auto brightest_near = [&](Vec2 place) {
+  const auto brightest_near = [&](Vec2 position) {
     float brightest = 0;
     for (int d = -1; d <= 1; ++d) {
-      const auto x = static_cast<int>(place.x * kPixels);
-      const auto y = kPixels - 1 - static_cast<int>(place.y * kPixels);
+      const auto x = static_cast<int>(position.x * kPixels);
+      const auto y = kPixels - 1 - static_cast<int>(position.y * kPixels);
       brightest = std::max({brightest, light_at(texture, x, y + d), light_at(texture, x + d, y)});
     }
     return brightest;

@@ -105,7 +105,7 @@ float LeafVeins::line(float distance, float half_width) const {
 }
 
 /// Side veins on both sides of a main vein, and the cross veins between them.
-void LeafVeins::add_sides(const MainVein& vein, const SideForm& form, float along, float across, float wobble,
+void LeafVeins::add_sides(const MainVein& vein, const SideVeins& form, float along, float across, float wobble,
                           Spot& spot) const {
   const float s = std::abs(across);
   const std::size_t side = across < 0 ? 1 : 0;
@@ -116,14 +116,14 @@ void LeafVeins::add_sides(const MainVein& vein, const SideForm& form, float alon
   // Look at the nearest ones before and after, each shifted a little; toward the tip they stand closer.
   const float closer = start / vein.length;
   const float spacing = form.spacing / (0.75F + 0.8F * std::max(closer, 0.0F));
-  const float place = (start * (0.75F + 0.4F * closer) - form.first) / form.spacing + (side == 1 ? 0.25F : 0.0F);
-  const float below = std::floor(place);
+  const float position = (start * (0.75F + 0.4F * closer) - form.first) / form.spacing + (side == 1 ? 0.25F : 0.0F);
+  const float below = std::floor(position);
   float nearest = spacing;
   for (int step = -1; step <= 2; ++step) {
     const float k = below + static_cast<float>(step);
     if (k < 0 || k >= std::min(form.count, static_cast<float>(kMostSides))) continue;
     const float shifted = k + vein.shifts[2 * static_cast<std::size_t>(k) + side];
-    nearest = std::min(nearest, std::abs(place - shifted) * spacing);
+    nearest = std::min(nearest, std::abs(position - shifted) * spacing);
   }
   const float out = std::clamp(s / std::max(form.reach, 1e-3F), 0.0F, 1.0F);
   const float along_share = std::clamp(along / vein.length, 0.0F, 1.0F);
@@ -137,24 +137,24 @@ void LeafVeins::add_sides(const MainVein& vein, const SideForm& form, float alon
   spot.cross = line(to_cross * 0.8F, kCrossWidth);
 }
 
-LeafVeins::Spot LeafVeins::pinnate_at(Vec2 place, std::size_t row, float wobble) const {
+LeafVeins::Spot LeafVeins::pinnate_at(Vec2 position, std::size_t row, float wobble) const {
   const MainVein& midrib = mains_.front();
-  const float across = place.x + 0.003F * wobble;
-  const float along = place.y - map_.midrib.low;
+  const float across = position.x + 0.003F * wobble;
+  const float along = position.y - map_.midrib.low;
   const float share = std::clamp(along / midrib.length, 0.0F, 1.0F);
   Spot spot;
   if (along >= 0 && along <= midrib.length) spot.main = line(std::abs(across), kMidribWidth * (1 - 0.8F * share));
   const auto count = static_cast<float>(recipe_.pairs);
   const BladeMap::Reach& reach = map_.rows[row];
-  const float half_width = aspect_ * (place.x < 0 ? 0.5F - reach.low : reach.high - 0.5F);
-  const SideForm sides{0.02F * midrib.length, 0.86F * midrib.length / count, count, half_width};
+  const float half_width = aspect_ * (position.x < 0 ? 0.5F - reach.low : reach.high - 0.5F);
+  const SideVeins sides{0.02F * midrib.length, 0.86F * midrib.length / count, count, half_width};
   add_sides(midrib, sides, along, across, wobble, spot);
   return spot;
 }
 
-LeafVeins::Spot LeafVeins::palmate_at(Vec2 place, float wobble) const {
+LeafVeins::Spot LeafVeins::palmate_at(Vec2 position, float wobble) const {
   // Belong to the main vein whose line is nearest.
-  const Vec2 from = place - Vec2(0, map_.midrib.low);
+  const Vec2 from = position - Vec2(0, map_.midrib.low);
   const MainVein* own = &mains_.front();
   float nearest = 1e9F;
   float second = 1e9F;
@@ -191,24 +191,24 @@ LeafVeins::Spot LeafVeins::parallel_at(float u, float v, std::size_t row) const 
   Spot spot;
   spot.main = line(across * width, 0.8F * kMidribWidth * (1 - 0.7F * share));
   const auto count = static_cast<float>(recipe_.pairs);
-  const float place = across * (count + 1);
-  const float nearest = std::abs(place - std::floor(place + 0.5F));
+  const float position = across * (count + 1);
+  const float nearest = std::abs(position - std::floor(position + 0.5F));
   // The outermost line is the margin.
   const float to_side = nearest / (count + 1) * width;
-  if (place > 0.5F && place < count + 0.5F) spot.side = line(to_side, 0.6F * kSideWidth);
+  if (position > 0.5F && position < count + 0.5F) spot.side = line(to_side, 0.6F * kSideWidth);
   spot.swell = 8 * nearest * (1 - nearest) * width / (count + 1);
-  const float fine = std::abs(4 * place - std::floor(4 * place + 0.5F)) / (4 * count + 4) * width;
+  const float fine = std::abs(4 * position - std::floor(4 * position + 0.5F)) / (4 * count + 4) * width;
   spot.cross = 0.6F * line(fine, kCrossWidth);
   return spot;
 }
 
 LeafVeins::Spot LeafVeins::at(float u, float v, std::size_t row, float wobble) const {
-  const Vec2 place((u - 0.5F) * aspect_, v);
+  const Vec2 position((u - 0.5F) * aspect_, v);
   switch (recipe_.veins) {
     case LeafRecipe::Veins::pinnate:
-      return pinnate_at(place, row, wobble);
+      return pinnate_at(position, row, wobble);
     case LeafRecipe::Veins::palmate:
-      return palmate_at(place, wobble);
+      return palmate_at(position, wobble);
     case LeafRecipe::Veins::parallel:
       break;
   }

@@ -31,17 +31,18 @@ class LeafVeins {
     float length = 1;
     std::vector<float> shifts;  // of side veins along it, in their spacing: right and left in turn
   };
-  struct SideForm {
+  struct SideVeins {
     float first;    // where the first one leaves its main vein
     float spacing;  // between one and the next
     float count;
     float reach;  // how far they go from their main vein
   };
 
-  Spot pinnate_at(Vec2 place, std::size_t row, float wobble) const;
-  Spot palmate_at(Vec2 place, float wobble) const;
+  Spot pinnate_at(Vec2 position, std::size_t row, float wobble) const;
+  Spot palmate_at(Vec2 position, float wobble) const;
   Spot parallel_at(float u, float v, std::size_t row) const;
-  void add_sides(const MainVein& vein, const SideForm& form, float along, float across, float wobble, Spot& spot) const;
+  void add_sides(const MainVein& vein, const SideVeins& form, float along, float across, float wobble,
+                 Spot& spot) const;
   void find_palm(const TextureShape& shape);
   float line(float distance, float half_width) const;
 

@@ -14,16 +14,16 @@ int wrapped(int index, int period) { return ((index % period) + period) % period
 
 }  // namespace
 
-void MarkMap::add(Vec2 centre, Vec2 reach, FunctionRef<float(Vec2 place)> mark) {
+void MarkMap::add(Vec2 centre, Vec2 reach, FunctionRef<float(Vec2 position)> mark) {
   const auto size = static_cast<float>(pixels_);
   const Vec2 middle(centre.x * size - 0.5F, (1 - centre.y) * size - 0.5F);
   const Vec2 half = glm::min(glm::max(reach * size, Vec2(kLeastReach)), Vec2(0.5F * size));
   for (int y = static_cast<int>(std::ceil(middle.y - half.y)); static_cast<float>(y) <= middle.y + half.y; ++y) {
     for (int x = static_cast<int>(std::ceil(middle.x - half.x)); static_cast<float>(x) <= middle.x + half.x; ++x) {
-      const Vec2 place((static_cast<float>(x) - middle.x) / half.x, (middle.y - static_cast<float>(y)) / half.y);
+      const Vec2 position((static_cast<float>(x) - middle.x) / half.x, (middle.y - static_cast<float>(y)) / half.y);
       float& value = values_[static_cast<std::size_t>(wrapped(y, pixels_)) * static_cast<std::size_t>(pixels_) +
                              static_cast<std::size_t>(wrapped(x, pixels_))];
-      value = std::max(value, mark(place));
+      value = std::max(value, mark(position));
     }
   }
 }

@@ -18,7 +18,7 @@ class MarkMap {
 
   /// Raises what lies within `reach` (half width and height, in widths of the tile) of `centre` to the value of `mark`
   /// at positions from -1 to 1 in both directions, where that is higher. Marks are at least about a pixel thick.
-  void add(Vec2 centre, Vec2 reach, FunctionRef<float(Vec2 place)> mark);
+  void add(Vec2 centre, Vec2 reach, FunctionRef<float(Vec2 position)> mark);
   float at(std::size_t index) const { return values_[index]; }
   /// Between the pixels around; u and v lie in [-1, 2).
   float at(float u, float v) const;

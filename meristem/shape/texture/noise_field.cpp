@@ -84,7 +84,7 @@ class Octave {
 
 }  // namespace
 
-std::vector<float> noise_field(RandomKey key, const NoiseForm& form, int pixels) {
+std::vector<float> noise_field(RandomKey key, const NoiseParameters& form, int pixels) {
   // The first octave's height, with which the sum has the power of one octave of height 1.
   float power = 0;
   float share = 1;

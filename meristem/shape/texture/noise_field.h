@@ -10,7 +10,7 @@
 namespace meristem {
 
 /// A sum of octaves, each half as coarse as the one before.
-struct NoiseForm {
+struct NoiseParameters {
   int across = 4;    ///< the first octave varies over 1 / `across` of the width; at least 1
   int along = 4;     ///< and over 1 / `along` of the height; at least 1
   int octaves = 3;   ///< those too fine for the pixels are left out
@@ -19,6 +19,6 @@ struct NoiseForm {
 
 /// Values of about [-1, 1] with mean 0 at the middle of each pixel of a square of `pixels` a side, rows from top to
 /// bottom.
-std::vector<float> noise_field(RandomKey key, const NoiseForm& form, int pixels);
+std::vector<float> noise_field(RandomKey key, const NoiseParameters& form, int pixels);
 
 }  // namespace meristem

@@ -58,8 +58,8 @@ TEST(NoiseField, ASingleCellIsOddAboutItsMiddle) {
 }
 
 TEST(NoiseField, LeavesOutOctavesTooFineForThePixels) {
-  const NoiseForm fine{.across = 32, .along = 32, .octaves = 6};
-  NoiseForm coarse = fine;
+  const NoiseParameters fine{.across = 32, .along = 32, .octaves = 6};
+  NoiseParameters coarse = fine;
   coarse.octaves = 2;
   const auto many = noise_field(RandomKey(6), fine, kPixels);
   const auto two = noise_field(RandomKey(6), coarse, kPixels);

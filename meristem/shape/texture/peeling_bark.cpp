@@ -19,7 +19,7 @@ MarkMap dashes_of(const BarkPaints& paints) {
     const Vec2 reach =
         paints.scale * Vec2(0.004 + 0.045 * longer, 0.0012 + 0.0022 * longer + own.uniform(4, 0, 0.0008));
     const auto strength = static_cast<float>(own.uniform(5, 0.3, 1));
-    map.add(centre, reach, [&](Vec2 place) { return strength * rise(1, 0.35F, glm::dot(place, place)); });
+    map.add(centre, reach, [&](Vec2 position) { return strength * rise(1, 0.35F, glm::dot(position, position)); });
   };
   return scattered_marks(paints.pixels, paints.area_count(300), paints.key.child("dashes"), draw);
 }
@@ -28,9 +28,9 @@ MarkMap dashes_of(const BarkPaints& paints) {
 MarkMap tears_of(const BarkPaints& paints) {
   const auto draw = [&](MarkMap& map, Vec2 centre, RandomKey own, int) {
     const Vec2 reach = paints.scale * Vec2(own.uniform(2, 0.06, 0.22), own.uniform(3, 0.006, 0.014));
-    map.add(centre, reach, [&](Vec2 place) {
-      const float depth = 1 - place.x * place.x;
-      const float above = 0.5F * (1 + place.y);
+    map.add(centre, reach, [&](Vec2 position) {
+      const float depth = 1 - position.x * position.x;
+      const float above = 0.5F * (1 + position.y);
       return above < depth ? 1 - above / depth : 0.0F;
     });
   };
@@ -42,14 +42,15 @@ MarkMap scars_of(const BarkPaints& paints) {
   const auto draw = [&](MarkMap& map, Vec2 centre, RandomKey own, int k) {
     const Vec2 reach = paints.scale * Vec2(own.uniform(2, 0.04, 0.15), own.uniform(3, 0.025, 0.07));
     if (k % 3 == 1) {
-      map.add(centre, 1.2F * reach, [](Vec2 place) {
-        const float across = std::min(1.0F, std::abs(place.x));
+      map.add(centre, 1.2F * reach, [](Vec2 position) {
+        const float across = std::min(1.0F, std::abs(position.x));
         const float ridge = 0.6F - 1.4F * across * (1.3F - 0.5F * across);
-        return std::clamp(1 - std::abs(place.y - ridge) / (0.5F - 0.42F * across), 0.0F, 1.0F) * (1 - 0.4F * across);
+        return std::clamp(1 - std::abs(position.y - ridge) / (0.5F - 0.42F * across), 0.0F, 1.0F) * (1 - 0.4F * across);
       });
     } else {
-      map.add(centre, reach,
-              [](Vec2 place) { return 1 - std::min(1.0F, std::abs(place.x) + std::abs(place.y) * std::abs(place.y)); });
+      map.add(centre, reach, [](Vec2 position) {
+        return 1 - std::min(1.0F, std::abs(position.x) + std::abs(position.y) * std::abs(position.y));
+      });
     }
   };
   return scattered_marks(paints.pixels, paints.area_count(5), paints.key.child("scars"), draw);

@@ -12,7 +12,7 @@ Canvas paint_plated_bark(const BarkPaints& paints) {
   const float plate = 1 / static_cast<float>(columns);
   const TileableCells plates(paints.key.child("plates"), columns, rows, 0.4F);
   const TileableCells scales(paints.key.child("scales"), 2 * columns, 4 * rows, 0.4F);
-  const NoiseForm jagged{.across = columns, .along = 2 * rows, .octaves = 5, .gain = 0.6F};
+  const NoiseParameters jagged{.across = columns, .along = 2 * rows, .octaves = 5, .gain = 0.6F};
   const auto bend = paints.noise("bend", jagged);
   const auto slip = paints.noise("slip", jagged);
   const auto gaps = paints.noise("gaps", {.across = columns, .along = 2 * rows, .octaves = 4});

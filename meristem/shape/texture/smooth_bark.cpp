@@ -13,7 +13,7 @@ MarkMap lenticels_of(const BarkPaints& paints) {
   const auto draw = [&](MarkMap& map, Vec2 centre, RandomKey own, int) {
     const Vec2 reach = paints.scale * Vec2(own.uniform(2, 0.003, 0.01), own.uniform(3, 0.0014, 0.003));
     const auto strength = static_cast<float>(own.uniform(4, 0.1, 0.8));
-    map.add(centre, reach, [&](Vec2 place) { return strength * rise(1, 0, glm::dot(place, place)); });
+    map.add(centre, reach, [&](Vec2 position) { return strength * rise(1, 0, glm::dot(position, position)); });
   };
   return scattered_marks(paints.pixels, paints.area_count(500), paints.key.child("lenticels"), draw);
 }

@@ -53,7 +53,7 @@ inline float rise(float low, float high, float x) {
 struct Finish {
   std::string name;
   Vec3 colour{0.5F};  ///< sRGB: the mean to come out where it can
-  ReliefForm form;
+  ReliefParameters form;
 };
 
 /// The texture of a canvas: its colours brought to the mean channel by channel, white where they would be brighter than

@@ -16,7 +16,7 @@ std::uint8_t byte_of(float component) { return static_cast<std::uint8_t>(127.5F 
 
 }  // namespace
 
-Image normals_of_heights(const std::vector<float>& heights, int pixels, const ReliefForm& form) {
+Image normals_of_heights(const std::vector<float>& heights, int pixels, const ReliefParameters& form) {
   Image image{pixels, pixels, {}};
   image.rgba.resize(4 * heights.size());
   const auto beside = [&](int index) {

@@ -8,7 +8,7 @@
 namespace meristem {
 
 /// How heights lie on the surface.
-struct ReliefForm {
+struct ReliefParameters {
   double relief = 1;   ///< factor on the heights
   double aspect = 1;   ///< width over height of the picture
   bool wraps = false;  ///< neighbours across the edges count
@@ -16,6 +16,6 @@ struct ReliefForm {
 
 /// The normals of a square field of heights, which are in heights of the picture, rows from top to bottom: x along u
 /// (right), y along v (up), z outward, each from [-1, 1] as a byte.
-Image normals_of_heights(const std::vector<float>& heights, int pixels, const ReliefForm& form);
+Image normals_of_heights(const std::vector<float>& heights, int pixels, const ReliefParameters& form);
 
 }  // namespace meristem

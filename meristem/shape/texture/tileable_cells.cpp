@@ -44,22 +44,22 @@ TileableCells::TileableCells(RandomKey key, int columns, int rows, float jitter)
 
 TileableCells::Spot TileableCells::at(float u, float v) const {
   const Vec2 counts(columns_, rows_);
-  const Vec2 place = Vec2(wrapped(u), wrapped(v)) * counts;
+  const Vec2 position = Vec2(wrapped(u), wrapped(v)) * counts;
 
   // Measure to the nine points around; plain arrays, which become vector code.
   float across[9];
   float along[9];
   float squares[9];
   const Point* points[3];
-  const int row = static_cast<int>(place.y);
+  const int row = static_cast<int>(position.y);
   for (int r = 0; r < 3; ++r) {
     // Cut off one cell further on, where nothing is negative.
     const bool is_shifted = ((row - 1 + r) & 1) != 0;
-    const int column = static_cast<int>(place.x + (is_shifted ? 0.5F : 1.0F)) - 1;
+    const int column = static_cast<int>(position.x + (is_shifted ? 0.5F : 1.0F)) - 1;
     points[r] = points_.data() + static_cast<std::ptrdiff_t>(row - 1 + r + kMargin) * stride_ + column - 1 + kMargin;
     for (int c = 0; c < 3; ++c) {
-      across[3 * r + c] = place.x - points[r][c].place.x;
-      along[3 * r + c] = place.y - points[r][c].place.y;
+      across[3 * r + c] = position.x - points[r][c].position.x;
+      along[3 * r + c] = position.y - points[r][c].position.y;
     }
   }
   for (int k = 0; k < 9; ++k) squares[k] = across[k] * across[k] + along[k] * along[k];

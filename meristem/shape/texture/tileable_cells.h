@@ -29,7 +29,7 @@ class TileableCells {
 
  private:
   struct Point {
-    Vec2 place{0};  // in cells
+    Vec2 position{0};  // in cells
     std::uint32_t cell = 0;
   };
 

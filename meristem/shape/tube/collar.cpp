@@ -68,11 +68,11 @@ Bark::Bark(const AxisPath& parent, std::size_t point, float reach) : radius_(par
   }
 }
 
-Bark::Nearest Bark::nearest(Vec3 place) const {
+Bark::Nearest Bark::nearest(Vec3 position) const {
   Nearest best{1e30F, kUp};
   for (std::size_t k = 0; k < count_; ++k) {
     const Cone& cone = cones_[k];
-    const Vec3 offset = place - cone.base;
+    const Vec3 offset = position - cone.base;
     const float share = glm::clamp(glm::dot(offset, cone.axis) * cone.inverse_length2, 0.0F, 1.0F);
     const Vec3 outward = offset - share * cone.axis;
     const float distance = std::sqrt(glm::dot(outward, outward)) - (cone.base_radius + share * cone.widening);
@@ -81,9 +81,9 @@ Bark::Nearest Bark::nearest(Vec3 place) const {
   return best;
 }
 
-float Bark::distance(Vec3 place) const { return nearest(place).distance; }
+float Bark::distance(Vec3 position) const { return nearest(position).distance; }
 
-Vec3 Bark::normal(Vec3 place) const { return unit_or(nearest(place).outward, Vec3(0, 1, 0)); }
+Vec3 Bark::normal(Vec3 position) const { return unit_or(nearest(position).outward, Vec3(0, 1, 0)); }
 
 float Bark::trace(Vec3 from, Vec3 direction, float farthest) const {
   float way = 0;

@@ -20,9 +20,9 @@ class Bark {
   Bark(const AxisPath& parent, std::size_t point, float reach);
 
   /// Metres from the bark, negative inside; exact for cylinders, a little too much where it tapers.
-  float distance(Vec3 place) const;
+  float distance(Vec3 position) const;
   /// The bark's outward unit normal nearest to a position.
-  Vec3 normal(Vec3 place) const;
+  Vec3 normal(Vec3 position) const;
   float radius() const { return radius_; }  ///< of the parent at the node
   /// Where a ray that starts outside meets the bark, or comes nearest to it: metres along the unit `direction`, at most
   /// `farthest`.
@@ -40,7 +40,7 @@ class Bark {
     float distance;
     Vec3 outward;
   };
-  Nearest nearest(Vec3 place) const;
+  Nearest nearest(Vec3 position) const;
 
   static constexpr std::size_t kMostCones = 12;
   std::array<Cone, kMostCones> cones_;

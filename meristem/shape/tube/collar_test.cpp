@@ -142,8 +142,8 @@ TEST(Flare, WidensARootTowardTheGroundAndNothingElse) {
   ASSERT_TRUE(check_mesh(mesh));
   const Mesh plain = tubes(skeleton, {.sides = 16, .smooth = 0, .collar = 0, .flare = 0});
   float at_ground = 0;
-  for (const Vec3 place : mesh.positions) {
-    if (place.y < -1.999F) at_ground = std::max(at_ground, std::hypot(place.x, place.z));
+  for (const Vec3 point : mesh.positions) {
+    if (point.y < -1.999F) at_ground = std::max(at_ground, std::hypot(point.x, point.z));
   }
   EXPECT_NEAR(at_ground, 0.3F, 1e-5F);
   EXPECT_GT(signed_volume(mesh), signed_volume(plain) * 1.02);

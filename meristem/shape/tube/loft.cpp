@@ -127,8 +127,8 @@ class LoftMesher {
     return glm::dot(arriving, leaving) < kCreaseCosine * glm::length(arriving) * glm::length(leaving);
   }
 
-  std::uint32_t add_vertex(Vec3 place, glm::dvec2 uv, std::uint32_t row) {
-    mesh_.positions.push_back(place);
+  std::uint32_t add_vertex(Vec3 position, glm::dvec2 uv, std::uint32_t row) {
+    mesh_.positions.push_back(position);
     mesh_.uvs.emplace_back(uv);
     row_of_.push_back(row);
     return static_cast<std::uint32_t>(mesh_.vertex_count() - 1);

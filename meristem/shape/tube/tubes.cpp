@@ -212,11 +212,11 @@ class AxisMesher {
       put_collar_vertex(first + k, hidden, unit_or(away - 0.3F * outward, -outward), k);
       for (std::uint32_t j = 1; j < AxisPlan::kCollarRings; ++j) {
         const float t = static_cast<float>(j - 1) / static_cast<float>(AxisPlan::kCollarRings - 2);
-        const Vec3 place = (1 - t) * (1 - t) * low + 2 * t * (1 - t) * foot + t * t * top;
+        const Vec3 position = (1 - t) * (1 - t) * low + 2 * t * (1 - t) * foot + t * t * top;
         const Vec3 along = unit_or((1 - t) * (foot - low) + t * (top - foot), collar.direction);
         const Vec3 facing = (1 - t) * outward + t * out;
         const Vec3 normal = t == 0 ? outward : unit_or(facing - glm::dot(facing, along) * along, out);
-        put_collar_vertex(first + j * stride + k, place, normal, k);
+        put_collar_vertex(first + j * stride + k, position, normal, k);
       }
     }
     // The hidden point lies deeper than the ring about it.
@@ -227,8 +227,8 @@ class AxisMesher {
     finish_collar(first);
   }
 
-  void put_collar_vertex(std::uint32_t vertex, Vec3 place, Vec3 normal, std::uint32_t corner) {
-    mesh_.positions[vertex] = place;
+  void put_collar_vertex(std::uint32_t vertex, Vec3 position, Vec3 normal, std::uint32_t corner) {
+    mesh_.positions[vertex] = position;
     mesh_.normals[vertex] = normal;
     mesh_.uvs[vertex].x = static_cast<float>(corner) * tiles_ / static_cast<float>(plan_.sides);
   }

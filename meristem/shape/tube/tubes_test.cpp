@@ -343,8 +343,8 @@ Skeleton quarter_circle(int segments) {
   Skeleton stem;
   for (int i = 0; i <= segments; ++i) {
     const double angle = kPi / 2 * i / segments;
-    const Vec3 place(static_cast<float>(1 - math::cos(angle)), static_cast<float>(math::sin(angle)), 0);
-    const NodeIndex node = stem.add_node(i == 0 ? kNoNode : static_cast<NodeIndex>(i - 1), place, 0);
+    const Vec3 position(static_cast<float>(1 - math::cos(angle)), static_cast<float>(math::sin(angle)), 0);
+    const NodeIndex node = stem.add_node(i == 0 ? kNoNode : static_cast<NodeIndex>(i - 1), position, 0);
     stem.radius[node] = 0.1F - 0.05F * static_cast<float>(i) / static_cast<float>(segments);
   }
   return stem;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "meristem/shape/implicit/body_places.h"
+#include "meristem/shape/implicit/body_points.h"
 
 #include <cmath>
 #include <set>
@@ -21,22 +21,22 @@ ImplicitBody pear() {
   return body;
 }
 
-std::vector<BodyPlace> places(const ImplicitBody& body, BodyGrid grid, RandomKey key = kKey) {
+std::vector<BodyPoint> places(const ImplicitBody& body, BodyGrid grid, RandomKey key = kKey) {
   Progress progress;
   return places_in(body, grid, key, progress);
 }
 
-TEST(BodyPlaces, FillABallAsDenselyAsAsked) {
+TEST(BodyPoints, FillABallAsDenselyAsAsked) {
   // 4.19 m³ at 1,000 places a cubic metre; a cell at the surface has one by its share of the ball.
   const auto found = places(ImplicitBody::sphere({0, 0, 0}, 1), {.spacing = 0.1});
   EXPECT_NEAR(static_cast<double>(found.size()), 4188.8, 60);
 }
 
-TEST(BodyPlaces, LieInTheBodyAndHeadOutOfIt) {
+TEST(BodyPoints, LieInTheBodyAndHeadOutOfIt) {
   const ImplicitBody body = pear();
   const auto found = places(body, {.spacing = 0.1});
   ASSERT_GT(found.size(), 1000U);
-  for (const BodyPlace& place : found) {
+  for (const BodyPoint& place : found) {
     const double here = body.value(DVec3(place.position));
     EXPECT_LT(here, 1e-4);
     EXPECT_NEAR(glm::length(place.outward), 1, 1e-4);
@@ -44,11 +44,11 @@ TEST(BodyPlaces, LieInTheBodyAndHeadOutOfIt) {
   }
 }
 
-TEST(BodyPlaces, AreThoseThatAllCellsByThemselvesWouldGive) {
+TEST(BodyPoints, AreThoseThatAllCellsByThemselvesWouldGive) {
   const ImplicitBody body = pear();
   const double spacing = 0.2;
   std::set<std::tuple<int, int, int>> cells;
-  for (const BodyPlace& place : places(body, {.spacing = spacing})) {
+  for (const BodyPoint& place : places(body, {.spacing = spacing})) {
     EXPECT_TRUE(cells.emplace(place.cell.x, place.cell.y, place.cell.z).second) << "one cell has two places";
     const DVec3 in_cell = DVec3(place.position) / spacing - DVec3(place.cell);
     for (int k = 0; k < 3; ++k) EXPECT_TRUE(in_cell[k] > -1e-4 && in_cell[k] < 1 + 1e-4);
@@ -66,31 +66,31 @@ TEST(BodyPlaces, AreThoseThatAllCellsByThemselvesWouldGive) {
   }
 }
 
-TEST(BodyPlaces, KeepToTheDepth) {
+TEST(BodyPoints, KeepToTheDepth) {
   const ImplicitBody body = ImplicitBody::sphere({0, 0, 0}, 1);
   const auto found = places(body, {.spacing = 0.1, .depth = 0.2});
-  for (const BodyPlace& place : found) EXPECT_GT(body.value(DVec3(place.position)), -0.2 - 1e-4);
+  for (const BodyPoint& place : found) EXPECT_GT(body.value(DVec3(place.position)), -0.2 - 1e-4);
   const double shell = 4 * kPi / 3 * (1 - 0.8 * 0.8 * 0.8);
   EXPECT_NEAR(static_cast<double>(found.size()), 1000 * shell, 60);
 }
 
-TEST(BodyPlaces, StayWhereTheBodyGrowsElsewhere) {
+TEST(BodyPoints, StayWhereTheBodyGrowsElsewhere) {
   ImplicitBody body = ImplicitBody::sphere({0, 0, 0}, 1);
   const auto before = places(body, {.spacing = 0.1});
   body.unite(ImplicitBody::sphere({5, 0, 0}, 1));
   const auto after = places(body, {.spacing = 0.1});
   std::set<std::tuple<float, float, float>> all;
-  for (const BodyPlace& place : after) all.emplace(place.position.x, place.position.y, place.position.z);
-  for (const BodyPlace& place : before) {
+  for (const BodyPoint& place : after) all.emplace(place.position.x, place.position.y, place.position.z);
+  for (const BodyPoint& place : before) {
     EXPECT_TRUE(all.contains({place.position.x, place.position.y, place.position.z}));
   }
 }
 
-TEST(BodyPlaces, StopOnePastTheMost) {
+TEST(BodyPoints, StopOnePastTheMost) {
   EXPECT_EQ(places(ImplicitBody::sphere({0, 0, 0}, 1), {.spacing = 0.01, .most = 100}).size(), 101U);
 }
 
-TEST(BodyPlaces, NothingHasNone) { EXPECT_TRUE(places(ImplicitBody(), {.spacing = 0.1}).empty()); }
+TEST(BodyPoints, NothingHasNone) { EXPECT_TRUE(places(ImplicitBody(), {.spacing = 0.1}).empty()); }
 
 }  // namespace
 }  // namespace meristem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "meristem/grow/colonize/child_places.h"
+#include "meristem/grow/colonize/child_positions.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@ namespace meristem {
 namespace {
 
 // A root, its child 1, and two children of that, 2 and 3.
-class ChildPlacesTest : public testing::Test {
+class ChildPositionsTest : public testing::Test {
  protected:
-  ChildPlacesTest() {
+  ChildPositionsTest() {
     add(kNoNode, {0, 0, 0});
     add(0, {0, 1, 0});
     add(1, {0, 2, 0});
@@ -21,22 +21,22 @@ class ChildPlacesTest : public testing::Test {
   }
 
   Skeleton skeleton_;
-  ChildPlaces places_{1};
+  ChildPositions places_{1};
 };
 
-TEST_F(ChildPlacesTest, RefuseTheNodesOwnChildren) {
+TEST_F(ChildPositionsTest, RefuseTheNodesOwnChildren) {
   EXPECT_FALSE(places_.is_free(skeleton_, 1, {0, 2, 0}));
   EXPECT_FALSE(places_.is_free(skeleton_, 1, {1, 1.009F, 0}));
   EXPECT_TRUE(places_.is_free(skeleton_, 1, {1, 1.011F, 0}));
 }
 
-TEST_F(ChildPlacesTest, RefuseTheNodeAndItsParent) {
+TEST_F(ChildPositionsTest, RefuseTheNodeAndItsParent) {
   EXPECT_FALSE(places_.is_free(skeleton_, 1, {0, 1, 0}));
   EXPECT_FALSE(places_.is_free(skeleton_, 1, {0, 0.005F, 0}));
   EXPECT_FALSE(places_.is_free(skeleton_, 0, {0, 1, 0}));
 }
 
-TEST_F(ChildPlacesTest, AllowWhatOthersHold) { EXPECT_TRUE(places_.is_free(skeleton_, 2, {1, 1, 0})); }
+TEST_F(ChildPositionsTest, AllowWhatOthersHold) { EXPECT_TRUE(places_.is_free(skeleton_, 2, {1, 1, 0})); }
 
 }  // namespace
 }  // namespace meristem

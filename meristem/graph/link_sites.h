@@ -14,7 +14,7 @@
 
 namespace meristem {
 
-class LinkPlaces {
+class LinkSites {
  public:
   /// So many instances there are.
   struct Counts {
@@ -23,7 +23,7 @@ class LinkPlaces {
   };
 
   /// All of them outlive it.
-  LinkPlaces(const Graph& graph, const Directions& directions, Progress& progress);
+  LinkSites(const Graph& graph, const Directions& directions, Progress& progress);
 
   /// The links along which a batch has children. All its instances have come by the same links, so they are equally
   /// deep in every recursion, as deep as `site`: a link back leads on until its depth is reached, a leaf link only from

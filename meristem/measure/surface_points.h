@@ -11,24 +11,24 @@ namespace meristem {
 
 /// Positions on triangles in proportion to area. Numbers that are evenly spread over the unit square give positions
 /// that are evenly spread over the surface.
-class SurfacePlaces {
+class SurfacePoints {
  public:
-  struct Place {
+  struct Point {
     std::uint32_t triangle = 0;  ///< index into the mesh's triangles
     Vec3 weights{1, 0, 0};       ///< of the triangle's three vertices
   };
 
   /// `mesh` must outlive this.
-  explicit SurfacePlaces(const Mesh& mesh);
+  explicit SurfacePoints(const Mesh& mesh);
   /// On those triangles alone that face toward a direction.
-  SurfacePlaces(const Mesh& mesh, DVec3 toward);
+  SurfacePoints(const Mesh& mesh, DVec3 toward);
 
   /// Square metres of the triangles.
   double area() const { return area_before_.empty() ? 0 : area_before_.back(); }
   /// Below the share `along` of the area lie the triangles before the position's own and a part of that one; `across`
   /// says where the position is at right angles to this. Both in [0, 1). Only where there is an area.
-  Place at(double along, double across) const;
-  Vec3 position(const Place& place) const;
+  Point at(double along, double across) const;
+  Vec3 position(const Point& place) const;
 
  private:
   void add(std::uint32_t triangle, double area);

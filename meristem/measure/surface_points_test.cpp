@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "meristem/measure/surface_places.h"
+#include "meristem/measure/surface_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 namespace meristem {
 namespace {
 
-TEST(SurfacePlaces, TrianglesGetPlacesInProportionToTheirArea) {
+TEST(SurfacePoints, TrianglesGetPlacesInProportionToTheirArea) {
   const Mesh box = make_box({1, 2, 3});
-  const SurfacePlaces places(box);
+  const SurfacePoints places(box);
   EXPECT_NEAR(places.area(), 22, 1e-5);
   constexpr int kCount = 2200;
   std::vector<int> counts(box.triangle_count(), 0);
@@ -25,12 +25,12 @@ TEST(SurfacePlaces, TrianglesGetPlacesInProportionToTheirArea) {
   }
 }
 
-TEST(SurfacePlaces, AreEvenWithinATriangle) {
+TEST(SurfacePoints, AreEvenWithinATriangle) {
   // The mean of even places is the centroid, and their second moments are the triangle's: 1/6 for a weight's square.
   Mesh triangle;
   triangle.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   triangle.triangles = {{0, 1, 2}};
-  const SurfacePlaces places(triangle);
+  const SurfacePoints places(triangle);
   constexpr int kCount = 10'000;
   DVec3 sum(0);
   DVec3 squares(0);
@@ -47,18 +47,18 @@ TEST(SurfacePlaces, AreEvenWithinATriangle) {
   }
 }
 
-TEST(SurfacePlaces, OfOneSideAreOnTrianglesThatFaceIt) {
+TEST(SurfacePoints, OfOneSideAreOnTrianglesThatFaceIt) {
   const Mesh box = make_box({1, 2, 3});
-  const SurfacePlaces top(box, DVec3(0, 1, 0));
+  const SurfacePoints top(box, DVec3(0, 1, 0));
   EXPECT_NEAR(top.area(), 3, 1e-6);
   for (const double along : {0.0, 0.3, 0.999999999}) EXPECT_EQ(top.position(top.at(along, 0.7)).y, 2);
 }
 
-TEST(SurfacePlaces, FlatTrianglesHaveNone) {
+TEST(SurfacePoints, FlatTrianglesHaveNone) {
   Mesh line;
   line.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   line.triangles = {{0, 1, 2}};
-  EXPECT_EQ(SurfacePlaces(line).area(), 0);
+  EXPECT_EQ(SurfacePoints(line).area(), 0);
 }
 
 TEST(Fraction, IsFromZeroToOne) {

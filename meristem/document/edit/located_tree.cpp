@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "meristem/document/edit/placed_tree.h"
+#include "meristem/document/edit/located_tree.h"
 
 #include <algorithm>
 
@@ -88,10 +88,10 @@ class NodeScanner {
 
 }  // namespace
 
-PlacedTree::PlacedTree(std::string text)
+LocatedTree::LocatedTree(std::string text)
     : text_(std::move(text)), value_(parse_json(text_)), nodes_(NodeScanner(text_).run()) {}
 
-PlacedValue PlacedTree::part(PlacedValue container, std::size_t index) const {
+LocatedValue LocatedTree::part(LocatedValue container, std::size_t index) const {
   const std::uint32_t node = nodes_[container.node].parts[index];
   if (const Value::List* list = container.value->list()) return {&(*list)[index], node};
   return {&(*container.value->object())[index].second, node};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "meristem/shape/implicit/body_places.h"
+#include "meristem/shape/implicit/body_points.h"
 
 #include <array>
 #include <cmath>
@@ -33,7 +33,7 @@ class BodyFiller {
         sampler_(body),
         levels_(kDeepest) {}
 
-  std::vector<BodyPlace> run() {
+  std::vector<BodyPoint> run() {
     const DVec3 first = glm::floor((body_.low() - body_.reach() - grid_.origin) / grid_.spacing);
     const DVec3 last = glm::ceil((body_.high() + body_.reach() - grid_.origin) / grid_.spacing);
     const DVec3 farthest = glm::max(glm::abs(first), glm::abs(last));
@@ -113,12 +113,12 @@ class BodyFiller {
   FieldPruner pruner_;
   FieldSampler sampler_;
   std::vector<std::array<std::vector<FieldStep>, 8>> levels_;
-  std::vector<BodyPlace> places_;
+  std::vector<BodyPoint> places_;
 };
 
 }  // namespace
 
-std::vector<BodyPlace> places_in(const ImplicitBody& body, const BodyGrid& grid, RandomKey key, Progress& progress) {
+std::vector<BodyPoint> places_in(const ImplicitBody& body, const BodyGrid& grid, RandomKey key, Progress& progress) {
   if (body.is_empty()) return {};
   return BodyFiller(body, grid, key, progress).run();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "meristem/graph/texture_form.h"
+#include "meristem/graph/texture_parameters.h"
 
 #include <gtest/gtest.h>
 
@@ -10,15 +10,15 @@ namespace meristem {
 namespace {
 
 struct Result {
-  TextureForm form;
+  TextureParameters form;
   std::vector<Diagnostic> faults;
 };
 
 Result read(const Value& value, const std::string& folder = {}) {
   Result result;
   ParameterReader reader({}, Limits{}, {.folder = folder});
-  const Place top;
-  reader.read(texture_table(), &result.form, value, Place(top, "texture"));
+  const DocumentPath top;
+  reader.read(texture_table(), &result.form, value, DocumentPath(top, "texture"));
   result.faults = reader.take_diagnostics();
   return result;
 }
@@ -28,8 +28,8 @@ std::string fault(const Value& value) {
   return result.faults.empty() ? "no fault" : result.faults[0].text();
 }
 
-TextureForm bark_form(int pixels = 32) {
-  TextureForm form;
+TextureParameters bark_form(int pixels = 32) {
+  TextureParameters form;
   form.bark = BarkRecipe{.style = BarkRecipe::Style::plated};
   form.pixels = pixels;
   return form;
@@ -41,7 +41,7 @@ Asset<Image> picture(std::uint8_t red, std::uint8_t alpha) {
   return {"a.png", std::make_shared<const Image>(std::move(image))};
 }
 
-TEST(TextureForm, ReadsEachKindAndItsShorthand) {
+TEST(TextureParameters, ReadsEachKindAndItsShorthand) {
   const Result bark = read(Value::Object{{"bark", "peeling"}, {"pixels", 64}});
   ASSERT_TRUE(bark.form.bark);
   EXPECT_EQ(bark.form.bark->style, BarkRecipe::Style::peeling);
@@ -58,28 +58,28 @@ TEST(TextureForm, ReadsEachKindAndItsShorthand) {
   EXPECT_EQ(petal.form.petal->throat, Vec3(1, 1, 0));
 }
 
-TEST(TextureForm, RefusesTwoKindsAtOnce) {
+TEST(TextureParameters, RefusesTwoKindsAtOnce) {
   EXPECT_NE(fault(Value::Object{{"bark", "smooth"}, {"leaf", "pinnate"}}), "no fault");
   EXPECT_NE(fault(Value::Object{{"leaf", "pinnate"}, {"petal", Value::Object{}}}), "no fault");
   EXPECT_EQ(fault(Value::Object{{"bark", "smooth"}}), "no fault");
 }
 
-TEST(TextureForm, RefusesUnknownStylesWithTheNearest) {
+TEST(TextureParameters, RefusesUnknownStylesWithTheNearest) {
   EXPECT_EQ(fault(Value::Object{{"bark", "furowed"}}),
             "texture.bark: 'furowed' is not a value of 'style'; expected one of smooth, furrowed, plated, peeling; did "
             "you mean "
             "'furrowed'?");
 }
 
-TEST(TextureForm, RefusesPicturesThatAreNotThere) {
+TEST(TextureParameters, RefusesPicturesThatAreNotThere) {
   EXPECT_NE(fault(Value::Object{{"picture", "no-such-picture.png"}}).find("there is no such file"), std::string::npos);
   EXPECT_NE(fault(Value::Object{{"picture", Value::Object{{"masked", true}}}}), "no fault");
 }
 
-TEST(TextureForm, WithoutAKindMakesNone) { EXPECT_EQ(make_texture({}, {}, Vec3(0.5F)), nullptr); }
+TEST(TextureParameters, WithoutAKindMakesNone) { EXPECT_EQ(make_texture({}, {}, Vec3(0.5F)), nullptr); }
 
-TEST(TextureForm, EqualOnesHaveTheSameFingerprint) {
-  const auto fingerprint = [](const TextureForm& form, const TextureShape& shape = {}, Vec3 colour = Vec3(0.5F)) {
+TEST(TextureParameters, EqualOnesHaveTheSameFingerprint) {
+  const auto fingerprint = [](const TextureParameters& form, const TextureShape& shape = {}, Vec3 colour = Vec3(0.5F)) {
     return sketch_texture(form, shape, colour)->fingerprint;
   };
   const std::uint64_t first = fingerprint(bark_form());
@@ -88,7 +88,7 @@ TEST(TextureForm, EqualOnesHaveTheSameFingerprint) {
   EXPECT_EQ(fingerprint(bark_form(), {.masked = true}), first);
   EXPECT_NE(fingerprint(bark_form(), {}, Vec3(0.4F)), first);
   EXPECT_NE(fingerprint(bark_form(33)), first);
-  TextureForm other = bark_form();
+  TextureParameters other = bark_form();
   other.bark->seed = 2;
   EXPECT_NE(fingerprint(other), first);
   other = bark_form();
@@ -96,29 +96,29 @@ TEST(TextureForm, EqualOnesHaveTheSameFingerprint) {
   EXPECT_NE(fingerprint(other), first);
 }
 
-TextureForm leaf_form(double relief = 1) {
-  TextureForm form;
+TextureParameters leaf_form(double relief = 1) {
+  TextureParameters form;
   form.leaf = LeafRecipe{.relief = relief};
   form.pixels = 32;
   return form;
 }
 
-TextureForm petal_form() {
-  TextureForm form;
+TextureParameters petal_form() {
+  TextureParameters form;
   form.petal = PetalRecipe{};
   form.pixels = 16;
   return form;
 }
 
-TextureForm picture_form(bool masked) {
-  TextureForm form;
-  form.picture = PictureForm{.colour = picture(100, 0), .normals = picture(128, 255), .masked = masked};
+TextureParameters picture_form(bool masked) {
+  TextureParameters form;
+  form.picture = PictureParameters{.colour = picture(100, 0), .normals = picture(128, 255), .masked = masked};
   return form;
 }
 
-TEST(TextureForm, ASketchSaysAllOfATextureButItsPixels) {
+TEST(TextureParameters, ASketchSaysAllOfATextureButItsPixels) {
   const TextureShape cut{{{0, 0}, {1, 0}, {0.5F, 1}}, true};
-  for (const TextureForm& form :
+  for (const TextureParameters& form :
        {bark_form(), leaf_form(), leaf_form(0), petal_form(), picture_form(false), picture_form(true)}) {
     for (const TextureShape& shape : {TextureShape(), cut}) {
       const auto sketch = sketch_texture(form, shape, Vec3(0.5F));
@@ -139,8 +139,8 @@ TEST(TextureForm, ASketchSaysAllOfATextureButItsPixels) {
   }
 }
 
-TEST(TextureForm, LeavesFollowTheShape) {
-  const TextureForm form = leaf_form();
+TEST(TextureParameters, LeavesFollowTheShape) {
+  const TextureParameters form = leaf_form();
   const auto whole = make_texture(form, {}, Vec3(0.5F));
   const auto cut = make_texture(form, {{{0, 0}, {1, 0}, {0.5F, 1}}, true}, Vec3(0.5F));
   EXPECT_FALSE(whole->masked);
@@ -148,9 +148,9 @@ TEST(TextureForm, LeavesFollowTheShape) {
   EXPECT_EQ(cut->colour.pixel(0, 0)[3], 0);
 }
 
-TEST(TextureForm, PicturesHaveTheirOwnMean) {
-  TextureForm form;
-  form.picture = PictureForm{.colour = picture(255, 0)};
+TEST(TextureParameters, PicturesHaveTheirOwnMean) {
+  TextureParameters form;
+  form.picture = PictureParameters{.colour = picture(255, 0)};
   const auto opaque = make_texture(form, {}, Vec3(0.5F));
   EXPECT_EQ(opaque->mean, Vec3(1, 0, 0));
   EXPECT_FALSE(opaque->masked);
@@ -163,14 +163,14 @@ TEST(TextureForm, PicturesHaveTheirOwnMean) {
   EXPECT_EQ(masked->colour.pixel(1, 0)[3], 0);
 }
 
-TEST(TextureForm, PicturesAreLaidAsTheFormSays) {
-  TextureForm form;
+TEST(TextureParameters, PicturesAreLaidAsTheFormSays) {
+  TextureParameters form;
   Mesh mesh;
   mesh.uvs = {{0, 0}, {1, 0.5F}};
   const std::vector<Vec2> before = mesh.uvs;
   lay_picture(form, mesh);
   EXPECT_EQ(mesh.uvs, before);
-  form.picture = PictureForm{.colour = picture(255, 255)};
+  form.picture = PictureParameters{.colour = picture(255, 255)};
   lay_picture(form, mesh);
   EXPECT_EQ(mesh.uvs, before);
   form.picture->repeat_u = 2;
@@ -180,14 +180,14 @@ TEST(TextureForm, PicturesAreLaidAsTheFormSays) {
   EXPECT_EQ(mesh.uvs, (std::vector<Vec2>{{0, 0.25F}, {2, -0.25F}}));
 }
 
-TEST(TextureForm, PicturesOfTheSamePixelsHaveTheSameFingerprint) {
-  const auto fingerprint = [](const TextureForm& form, Vec3 colour) {
+TEST(TextureParameters, PicturesOfTheSamePixelsHaveTheSameFingerprint) {
+  const auto fingerprint = [](const TextureParameters& form, Vec3 colour) {
     return sketch_texture(form, {}, colour)->fingerprint;
   };
-  TextureForm one;
-  one.picture = PictureForm{.colour = picture(100, 255)};
-  TextureForm two;
-  two.picture = PictureForm{.colour = picture(100, 255)};
+  TextureParameters one;
+  one.picture = PictureParameters{.colour = picture(100, 255)};
+  TextureParameters two;
+  two.picture = PictureParameters{.colour = picture(100, 255)};
   const std::uint64_t first = fingerprint(one, Vec3(0.5F));
   EXPECT_EQ(fingerprint(two, Vec3(0.1F)), first);
   two.picture->colour = picture(101, 255);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "meristem/graph/texture_form.h"
+#include "meristem/graph/texture_parameters.h"
 
 #include <utility>
 
@@ -12,10 +12,10 @@ namespace meristem {
 
 namespace {
 
-constexpr NumberForm kFactor{.min = 0, .max = 4, .usual = {0, 2}, .fixed = true};
-constexpr NumberForm kRepeat{.min = -1000, .max = 1000, .usual = {0, 10}, .fixed = true};
-constexpr NumberForm kShift{.min = -1000, .max = 1000, .fixed = true};
-constexpr NumberForm kSeed{.min = 0, .max = 1e15, .usual = {0, 100}, .fixed = true};
+constexpr NumberRange kFactor{.min = 0, .max = 4, .usual = {0, 2}, .fixed = true};
+constexpr NumberRange kRepeat{.min = -1000, .max = 1000, .usual = {0, 10}, .fixed = true};
+constexpr NumberRange kShift{.min = -1000, .max = 1000, .fixed = true};
+constexpr NumberRange kSeed{.min = 0, .max = 1e15, .usual = {0, 100}, .fixed = true};
 
 const ParameterTable& bark_table() {
   static const ParameterTable table =
@@ -77,21 +77,22 @@ const ParameterTable& petal_table() {
 
 const ParameterTable& picture_table() {
   static const ParameterTable table =
-      Table<PictureForm>("a picture", "Pictures of your own (PNG or JPEG) on the surface.")
-          .file("colour", &PictureForm::colour, read_image, "Picture of the surface's colours.")
+      Table<PictureParameters>("a picture", "Pictures of your own (PNG or JPEG) on the surface.")
+          .file("colour", &PictureParameters::colour, read_image, "Picture of the surface's colours.")
           .required()
-          .file("normals", &PictureForm::normals, read_image,
+          .file("normals", &PictureParameters::normals, read_image,
                 "Normal map of the surface's relief: red to the right, green up, blue outward.")
-          .boolean("masked", &PictureForm::masked,
+          .boolean("masked", &PictureParameters::masked,
                    "Whether the surface has holes where the picture's alpha is below one half.")
-          .number("repeat_u", &PictureForm::repeat_u, kRepeat,
+          .number("repeat_u", &PictureParameters::repeat_u, kRepeat,
                   "Number of pictures across a surface other than a stem's tubes; raised, smaller ones; negative, "
                   "mirrored.")
-          .number("repeat_v", &PictureForm::repeat_v, kRepeat,
+          .number("repeat_v", &PictureParameters::repeat_v, kRepeat,
                   "Number of pictures from base to tip of a surface other than a stem's tubes; raised, smaller ones; "
                   "negative, mirrored.")
-          .number("shift_u", &PictureForm::shift_u, kShift, "Shift of the pictures across the surface, in pictures.")
-          .number("shift_v", &PictureForm::shift_v, kShift,
+          .number("shift_u", &PictureParameters::shift_u, kShift,
+                  "Shift of the pictures across the surface, in pictures.")
+          .number("shift_v", &PictureParameters::shift_v, kShift,
                   "Shift of the pictures from base to tip of the surface, in pictures.")
           .shorthand("colour");
   return table;
@@ -126,7 +127,7 @@ void add(const PetalRecipe& recipe, Fingerprint& to) {
 }
 
 /// What a picture shows; how it is laid is a matter of meshes.
-void add(const PictureForm& picture, Fingerprint& to) {
+void add(const PictureParameters& picture, Fingerprint& to) {
   to.add(picture.masked);
   for (const Asset<Image>* image : {&picture.colour, &picture.normals}) {
     to.add(static_cast<bool>(*image));
@@ -140,7 +141,7 @@ void add(const TextureShape& shape, Fingerprint& to) {
 }
 
 /// Of all that tells textures apart.
-std::uint64_t fingerprint_of(const TextureForm& form, const TextureShape& shape, Vec3 colour) {
+std::uint64_t fingerprint_of(const TextureParameters& form, const TextureShape& shape, Vec3 colour) {
   Fingerprint key;
   key.add(form.bark.has_value()).add(form.leaf.has_value()).add(form.petal.has_value());
   if (form.picture) {
@@ -155,7 +156,7 @@ std::uint64_t fingerprint_of(const TextureForm& form, const TextureShape& shape,
   return key.add(form.pixels).hash();
 }
 
-Texture texture_of(const PictureForm& picture) {
+Texture texture_of(const PictureParameters& picture) {
   Texture texture;
   texture.name = "picture";
   texture.masked = picture.masked;
@@ -168,14 +169,14 @@ Texture texture_of(const PictureForm& picture) {
   return texture;
 }
 
-Texture painted(const TextureForm& form, const TextureShape& shape, Vec3 colour) {
+Texture painted(const TextureParameters& form, const TextureShape& shape, Vec3 colour) {
   if (form.bark) return make_bark_texture(*form.bark, colour, form.pixels);
   if (form.leaf) return make_leaf_texture(*form.leaf, shape, colour, form.pixels);
   if (form.petal) return make_petal_texture(*form.petal, shape, colour, form.pixels);
   return texture_of(*form.picture);
 }
 
-Texture sketched(const TextureForm& form, const TextureShape& shape) {
+Texture sketched(const TextureParameters& form, const TextureShape& shape) {
   Texture texture;
   const auto sketch = [&](double relief) {
     texture.colour = {form.pixels, form.pixels, {}};
@@ -186,7 +187,7 @@ Texture sketched(const TextureForm& form, const TextureShape& shape) {
   if (form.petal) sketch(form.petal->relief);
   texture.masked = !form.bark && shape.masked;
   if (!form.picture) return texture;
-  const PictureForm& picture = *form.picture;
+  const PictureParameters& picture = *form.picture;
   texture.masked = picture.masked;
   texture.colour = {picture.colour->width, picture.colour->height, {}};
   if (picture.normals) texture.normals = {picture.normals->width, picture.normals->height, {}};
@@ -203,13 +204,13 @@ std::shared_ptr<const Texture> with_fingerprint(Texture texture, std::uint64_t f
 
 const ParameterTable& texture_table() {
   static const ParameterTable table =
-      Table<TextureForm>("a texture", "Texture of a component's surface, of one of these kinds.")
-          .object("bark", &TextureForm::bark, bark_table, "Bark that the program paints.")
-          .object("leaf", &TextureForm::leaf, leaf_table, "A leaf with its veins that the program paints.")
-          .object("petal", &TextureForm::petal, petal_table, "A petal that the program paints.")
-          .object("picture", &TextureForm::picture, picture_table, "Pictures of your own (PNG or JPEG).")
+      Table<TextureParameters>("a texture", "Texture of a component's surface, of one of these kinds.")
+          .object("bark", &TextureParameters::bark, bark_table, "Bark that the program paints.")
+          .object("leaf", &TextureParameters::leaf, leaf_table, "A leaf with its veins that the program paints.")
+          .object("petal", &TextureParameters::petal, petal_table, "A petal that the program paints.")
+          .object("picture", &TextureParameters::picture, picture_table, "Pictures of your own (PNG or JPEG).")
           .integer(
-              "pixels", &TextureForm::pixels, {.min = 16, .max = 2048, .fixed = true},
+              "pixels", &TextureParameters::pixels, {.min = 16, .max = 2048, .fixed = true},
               "Width and height in pixels of a texture that the program paints; raised, finer detail and larger files.")
           .never_with("bark", {"leaf", "petal", "picture"})
           .never_with("leaf", {"petal", "picture"})
@@ -218,20 +219,20 @@ const ParameterTable& texture_table() {
   return table;
 }
 
-void lay_picture(const TextureForm& form, Mesh& mesh) {
+void lay_picture(const TextureParameters& form, Mesh& mesh) {
   if (!form.picture) return;
-  const PictureForm& picture = *form.picture;
+  const PictureParameters& picture = *form.picture;
   const Vec2 repeat(picture.repeat_u, picture.repeat_v), shift(picture.shift_u, picture.shift_v);
   if (repeat == Vec2(1) && shift == Vec2(0)) return;
   for (Vec2& uv : mesh.uvs) uv = repeat * uv + shift;
 }
 
-std::shared_ptr<const Texture> make_texture(const TextureForm& form, const TextureShape& shape, Vec3 colour) {
+std::shared_ptr<const Texture> make_texture(const TextureParameters& form, const TextureShape& shape, Vec3 colour) {
   if (form.is_empty()) return nullptr;
   return with_fingerprint(painted(form, shape, colour), fingerprint_of(form, shape, colour));
 }
 
-std::shared_ptr<const Texture> sketch_texture(const TextureForm& form, const TextureShape& shape, Vec3 colour) {
+std::shared_ptr<const Texture> sketch_texture(const TextureParameters& form, const TextureShape& shape, Vec3 colour) {
   if (form.is_empty()) return nullptr;
   return with_fingerprint(sketched(form, shape), fingerprint_of(form, shape, colour));
 }

@@ -9,13 +9,13 @@ namespace meristem {
 
 /// Which places a node's next child may take: none closer than a hundredth of a step to the node itself, to its parent
 /// or to a child it already has. Without this a node between balanced points would get the same child again and again.
-class ChildPlaces {
+class ChildPositions {
  public:
-  explicit ChildPlaces(double step) : closest_(0.01 * step) {}
+  explicit ChildPositions(double step) : closest_(0.01 * step) {}
 
   /// Takes note of the newest node of the skeleton; to be called for every node in turn.
   void add_node(NodeIndex parent);
-  bool is_free(const Skeleton& skeleton, NodeIndex node, Vec3 place) const;
+  bool is_free(const Skeleton& skeleton, NodeIndex node, Vec3 position) const;
 
  private:
   double closest_;

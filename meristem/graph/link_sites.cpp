@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Blocks of the parent's instances are followed side by side. Which fault is thrown does not depend on which of them
 // comes first: it is the one that following them in their order meets first.
-#include "meristem/graph/link_places.h"
+#include "meristem/graph/link_sites.h"
 
 #include <algorithm>
 #include <atomic>
@@ -48,9 +48,9 @@ class LeadingSum {
 }  // namespace
 
 /// Writes the places that one link gives on one block of the parent's instances.
-class LinkPlaces::Writer {
+class LinkSites::Writer {
  public:
-  Writer(const LinkPlaces& all, LinkIndex index, Progress& progress, std::uint64_t room)
+  Writer(const LinkSites& all, LinkIndex index, Progress& progress, std::uint64_t room)
       : all_(all),
         index_(index),
         link_(all.graph_.links[index]),
@@ -168,7 +168,7 @@ class LinkPlaces::Writer {
     if (inside != kNoIndex) site.depth = site.depths[structure.recursions[inside].level];
   }
 
-  const LinkPlaces& all_;
+  const LinkSites& all_;
   LinkIndex index_;
   const Link& link_;
   const ComponentType& from_;
@@ -178,14 +178,14 @@ class LinkPlaces::Writer {
   std::vector<Site> sites_;
 };
 
-LinkPlaces::LinkPlaces(const Graph& graph, const Directions& directions, Progress& progress)
+LinkSites::LinkSites(const Graph& graph, const Directions& directions, Progress& progress)
     : graph_(graph),
       structure_(graph.structure),
       directions_(directions),
       progress_(progress),
       ordinals_(ordinals_of_links(graph)) {}
 
-std::vector<LinkIndex> LinkPlaces::links_followed(ComponentIndex component, const Site& site) const {
+std::vector<LinkIndex> LinkSites::links_followed(ComponentIndex component, const Site& site) const {
   const auto is_at_end = [&](std::uint32_t recursion) {
     const Structure::Recursion& found = structure_.recursions[recursion];
     return site.depths[found.level] + 1 >= graph_.components[found.head].base().recursion;
@@ -202,7 +202,7 @@ std::vector<LinkIndex> LinkPlaces::links_followed(ComponentIndex component, cons
   return links;
 }
 
-std::vector<Site> LinkPlaces::places(LinkIndex link, const BatchResult& parent, Counts before) const {
+std::vector<Site> LinkSites::places(LinkIndex link, const BatchResult& parent, Counts before) const {
   const std::size_t blocks = parent.blocks.size();
   const std::uint64_t limit = graph_.limits.instances;
   const std::uint64_t room = limit - std::min(limit, before.all);
@@ -235,7 +235,7 @@ std::vector<Site> LinkPlaces::places(LinkIndex link, const BatchResult& parent, 
   return sites;
 }
 
-void LinkPlaces::throw_too_many(LinkIndex link, std::uint64_t places, Counts before) const {
+void LinkSites::throw_too_many(LinkIndex link, std::uint64_t places, Counts before) const {
   const std::string& from = graph_.components[graph_.links[link].from].id;
   const std::string& to = graph_.components[graph_.links[link].to].id;
   throw_limit(fmt::format("instances, {} of them '{}' on {} of '{}',", places, to, before.parents, from),
@@ -243,7 +243,7 @@ void LinkPlaces::throw_too_many(LinkIndex link, std::uint64_t places, Counts bef
               multiplier(graph_.links[link].from, std::span(&link, 1)));
 }
 
-std::optional<std::uint64_t> LinkPlaces::fingerprint(LinkIndex index) const {
+std::optional<std::uint64_t> LinkSites::fingerprint(LinkIndex index) const {
   const Link& link = graph_.links[index];
   if (!link.fingerprint) return std::nullopt;
   Fingerprint fingerprint;
@@ -261,7 +261,7 @@ std::optional<std::uint64_t> LinkPlaces::fingerprint(LinkIndex index) const {
   return fingerprint.hash();
 }
 
-std::string LinkPlaces::multiplier(ComponentIndex component, std::span<const LinkIndex> links) const {
+std::string LinkSites::multiplier(ComponentIndex component, std::span<const LinkIndex> links) const {
   for (const LinkIndex link : links) {
     const std::uint32_t closed = structure_.recursion_of_link[link];
     if (closed == kNoIndex) continue;

@@ -13,7 +13,7 @@
 namespace meristem {
 
 /// Pictures of the user's.
-struct PictureForm {
+struct PictureParameters {
   Asset<Image> colour;
   Asset<Image> normals;
   bool masked = false;  ///< the colour's alpha cuts holes
@@ -24,26 +24,26 @@ struct PictureForm {
 };
 
 /// At most one of the four kinds is given.
-struct TextureForm {
+struct TextureParameters {
   std::optional<BarkRecipe> bark;
   std::optional<LeafRecipe> leaf;
   std::optional<PetalRecipe> petal;
-  std::optional<PictureForm> picture;
+  std::optional<PictureParameters> picture;
   int pixels = 512;  ///< a side, of those that are made
 
   bool is_empty() const { return !bark && !leaf && !petal && !picture; }
 };
 
-const ParameterTable& texture_table();  ///< of TextureForm
+const ParameterTable& texture_table();  ///< of TextureParameters
 
 /// Lays the picture of a form, if it has one, on a mesh as it says.
-void lay_picture(const TextureForm& form, Mesh& mesh);
+void lay_picture(const TextureParameters& form, Mesh& mesh);
 
 /// The texture that a checked form means, null for an empty one. `shape` is what the component's uvs show, `colour`
 /// (sRGB) its mean.
-std::shared_ptr<const Texture> make_texture(const TextureForm& form, const TextureShape& shape, Vec3 colour);
+std::shared_ptr<const Texture> make_texture(const TextureParameters& form, const TextureShape& shape, Vec3 colour);
 
 /// A sketch of the same texture, which takes no time: sizes and masks, without pixels.
-std::shared_ptr<const Texture> sketch_texture(const TextureForm& form, const TextureShape& shape, Vec3 colour);
+std::shared_ptr<const Texture> sketch_texture(const TextureParameters& form, const TextureShape& shape, Vec3 colour);
 
 }  // namespace meristem

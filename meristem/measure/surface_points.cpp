@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "meristem/measure/surface_places.h"
+#include "meristem/measure/surface_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,26 +15,26 @@ DVec3 double_area(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle
 
 }  // namespace
 
-SurfacePlaces::SurfacePlaces(const Mesh& mesh) : mesh_(mesh) {
+SurfacePoints::SurfacePoints(const Mesh& mesh) : mesh_(mesh) {
   for (std::uint32_t k = 0; k < mesh.triangle_count(); ++k) {
     add(k, glm::length(double_area(mesh, mesh.triangles[k])) / 2);
   }
 }
 
-SurfacePlaces::SurfacePlaces(const Mesh& mesh, DVec3 toward) : mesh_(mesh) {
+SurfacePoints::SurfacePoints(const Mesh& mesh, DVec3 toward) : mesh_(mesh) {
   for (std::uint32_t k = 0; k < mesh.triangle_count(); ++k) {
     const DVec3 area = double_area(mesh, mesh.triangles[k]) / 2.0;
     if (glm::dot(area, toward) > 0) add(k, glm::length(area));
   }
 }
 
-void SurfacePlaces::add(std::uint32_t triangle, double area) {
+void SurfacePoints::add(std::uint32_t triangle, double area) {
   if (!(area > 0)) return;
   area_before_.push_back(this->area() + area);
   triangles_.push_back(triangle);
 }
 
-SurfacePlaces::Place SurfacePlaces::at(double along, double across) const {
+SurfacePoints::Point SurfacePoints::at(double along, double across) const {
   const double reached = along * area();
   const auto found = std::upper_bound(area_before_.begin(), area_before_.end() - 1, reached);
   const auto index = static_cast<std::size_t>(found - area_before_.begin());
@@ -45,7 +45,7 @@ SurfacePlaces::Place SurfacePlaces::at(double along, double across) const {
   return {triangles_[index], Vec3(1 - way, way * (1 - across), way * across)};
 }
 
-Vec3 SurfacePlaces::position(const Place& place) const {
+Vec3 SurfacePoints::position(const Point& place) const {
   const auto [a, b, c] = mesh_.triangles[place.triangle];
   return place.weights.x * mesh_.positions[a] + place.weights.y * mesh_.positions[b] +
          place.weights.z * mesh_.positions[c];

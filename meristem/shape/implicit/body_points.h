@@ -24,7 +24,7 @@ struct BodyGrid {
   std::uint64_t most = 0xffffffffU;  ///< places; one more than that is the last
 };
 
-struct BodyPlace {
+struct BodyPoint {
   Vec3 position{0};
   Vec3 outward{0, 1, 0};  ///< unit, along the body's gradient
   glm::ivec3 cell{0};     ///< counted from the grid's origin
@@ -34,6 +34,6 @@ struct BodyPlace {
 /// Whether a cell has one does not depend on what else there is. Cost by places and by the body's surface, not by the
 /// size of its box. Throws Cancelled;
 /// std::invalid_argument for more than kMostBodyCells along the body's box.
-std::vector<BodyPlace> places_in(const ImplicitBody& body, const BodyGrid& grid, RandomKey key, Progress& progress);
+std::vector<BodyPoint> places_in(const ImplicitBody& body, const BodyGrid& grid, RandomKey key, Progress& progress);
 
 }  // namespace meristem

@@ -28,21 +28,21 @@ struct TextNode {
 };
 
 /// A value with where it stands.
-struct PlacedValue {
+struct LocatedValue {
   const Value* value = nullptr;
   std::uint32_t node = 0;
 };
 
-class PlacedTree {
+class LocatedTree {
  public:
   /// Throws an InputError as parse_json does.
-  explicit PlacedTree(std::string text);
+  explicit LocatedTree(std::string text);
 
   const std::string& text() const { return text_; }
-  PlacedValue root() const { return {&value_, 0}; }
-  const TextNode& at(PlacedValue value) const { return nodes_[value.node]; }
+  LocatedValue root() const { return {&value_, 0}; }
+  const TextNode& at(LocatedValue value) const { return nodes_[value.node]; }
   /// An element of a list or the value of a member.
-  PlacedValue part(PlacedValue container, std::size_t index) const;
+  LocatedValue part(LocatedValue container, std::size_t index) const;
 
  private:
   std::string text_;

@@ -26,7 +26,7 @@ except ModuleNotFoundError as missing:
     )
 
 from common.tables import Finding, print_findings, write_findings, write_table
-from fit_study.problems import PLANTINGS, PROBLEMS, QUICK, Found, solve
+from fit_study.problems import PLANTINGS, PROBLEMS, QUICK, Found, ends_of, solve
 
 GROWTHS = 400
 QUICK_GROWTHS = 150
@@ -71,11 +71,7 @@ def run_study(folder: Path, quick: bool) -> None:
             errors = "  ".join(f"{one.variable} {one.true:.4g}→{one.found:.4g}" for one in solved)
             middle = 100 * median(one.error for one in solved)
             print(f"{problem.model:<13}{planting + 1}  {solved[0].growths:4} growths  {middle:6.2f} %  {errors}", flush=True)
-    ends = {}
-    for problem in problems:
-        for variable in problem.document().variables:
-            whole = problem.variables.get(variable.name)
-            ends[problem.model, variable.name] = (variable.min, variable.max) if whole is None else (whole[0], whole[-1])
+    ends = {(problem.model, name): pair for problem in problems for name, pair in ends_of(problem).items()}
     findings = check(found, growths)
     write_table(folder / "fits.csv", [field.name for field in fields(Found)], map(astuple, found))
     write_findings(folder / "expectations.csv", findings)

@@ -48,10 +48,10 @@ SessionPointer make_session(std::string text, std::string file, const py::object
 }
 
 /// The text that a document was read from, with the values that were set edited in.
-SessionPointer session_of(const DocumentInPython& document, const py::object& root) {
+SessionPointer session_of_document(const DocumentInPython& document, const py::object& root) {
   SessionOptions options{.root = path_of(root)};
-  auto made = std::make_shared<SessionInPython>(
-      Session(document.text, document.file, builtin_components(), options), std::nullopt);
+  auto made = std::make_shared<SessionInPython>(Session(document.text, document.file, builtin_components(), options),
+                                                std::nullopt);
   std::vector<Edit> edits;
   for (const Override& set : document.overrides) edits.emplace_back(SetValue{set.path, set.value});
   if (document.seed) edits.emplace_back(SetValue{"seed", seed_in_document(*document.seed)});
@@ -65,12 +65,13 @@ SessionPointer session_of(const py::object& content, const py::object& file, con
     if (!set.is_none() || !seed.is_none() || !path_of(file).empty()) {
       throw py::type_error("a Document has its own file, values and seed; give others with its set()");
     }
-    return session_of(content.cast<const DocumentInPython&>(), root);
+    return session_of_document(content.cast<const DocumentInPython&>(), root);
   }
   const Value value = to_value(content);
   const std::string* const text = value.text();
   const std::string named = path_of(file);
-  return make_session(text != nullptr ? *text : write_json(value), named.empty() ? kFromPython : named, set, seed, root);
+  return make_session(text != nullptr ? *text : write_json(value), named.empty() ? kFromPython : named, set, seed,
+                      root);
 }
 
 SessionPointer open(const py::object& path, const py::object& set, const py::object& seed, const py::object& root) {

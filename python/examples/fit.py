@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import meristem
 
-MEASURED = {"height": 2.9, "crown_mean_width": (2.5, 2.7), "length": meristem.Target(130, scale=20)}
+MEASURED: dict[str, float | tuple[float, float] | meristem.Target] = {"height": 2.9, "crown_mean_width": (2.5, 2.7), "length": meristem.Target(130, scale=20)}
 
 
 def main() -> None:

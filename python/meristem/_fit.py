@@ -158,21 +158,16 @@ def fit(
                 optimizer(search.loss, [(0.0, 1.0)] * len(handles))
             else:
                 raise TypeError(f"optimizer must have ask and tell, or be a function, not {type(optimizer).__name__}")
-        except _Enough as enough:
-            reason = enough.reason
-        except KeyboardInterrupt:
-            if search.best is None:
+        except (Exception, KeyboardInterrupt):
+            # Optimizers may wrap what ends a search in an error of their own.
+            if search.ended is None or (search.ended == "interrupted" and search.best is None):
                 raise
-            reason = "interrupted"
+            reason = search.ended
     return search.result(document, reason)
 
 
 class _Enough(Exception):
     """Ends a search from within whatever asks for points."""
-
-    def __init__(self, reason: Reason) -> None:
-        super().__init__(reason)
-        self.reason = reason
 
 
 @dataclass(frozen=True)
@@ -205,6 +200,7 @@ class _Search:
         self.measured: list[list[float]] = []
         self.points: list[FitPoint] = []
         self.best: int | None = None  #: of `points`
+        self.ended: Reason | None = None  #: why no more points are tried
         self.grown = 0
         self._targets = targets
         self._seeds = seeds
@@ -230,27 +226,35 @@ class _Search:
         return self.try_points([point])[0]
 
     def try_points(self, points: Sequence[Sequence[float]]) -> list[float]:
-        """The errors at points of the unit box. Raises _Enough, with all that could be grown noted."""
+        """The errors at points of the unit box. Ends the search with all that could be grown noted."""
         all_values = [
             tuple(handle.value_at(float(share)) for handle, share in zip(self.handles, point)) for point in points
         ]
         fresh = [values for values in dict.fromkeys(all_values) if values not in self._known]
         may_grow = (self._growths - self.grown) // len(self._seeds)
-        if fresh and may_grow < 1:
-            raise _Enough("growths")
-        tasks = [Task(seed, self._named(values)) for values in fresh[:may_grow] for seed in self._seeds]
-        results = iter(self.runner.run(tasks, self._tell))
-        for values in fresh[:may_grow]:
+        try:
+            self._try_values(fresh[:may_grow])
+        except KeyboardInterrupt:
+            self.ended = "interrupted"
+            raise
+        if len(fresh) > may_grow:
+            self._end("growths")
+        return [self._known[values].error for values in all_values]
+
+    def _try_values(self, all_values: Sequence[tuple[float | int, ...]]) -> None:
+        tasks = [Task(seed, self._named(values)) for values in all_values for seed in self._seeds]
+        results = self.runner.run(tasks, self._tell)
+        for values in all_values:
             self._note(values, [next(results)[1] for _ in self._seeds])
             self.grown += len(self._seeds)
-            best = self.best
-            if best is not None and self.points[best].error <= self._tolerance:
-                raise _Enough("reached")
+            if self.best is not None and self.points[self.best].error <= self._tolerance:
+                self._end("reached")
             if self._should_stop:
-                raise _Enough("stopped")
-        if len(fresh) > may_grow:
-            raise _Enough("growths")
-        return [self._known[values].error for values in all_values]
+                self._end("stopped")
+
+    def _end(self, reason: Reason) -> None:
+        self.ended = reason
+        raise _Enough(reason)
 
     def result(self, document: Document, reason: Reason) -> FitResult:
         failures = list(dict.fromkeys(point.failure for point in self.history if point.failure is not None))

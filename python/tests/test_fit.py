@@ -29,7 +29,7 @@ COMB = """// A comb.
     "endless": 3
   },
   "components": {
-    "stem": {"type": "tree", "length": "tall*hidden", "radius": "thick", "segments": 8, "taper": 1},
+    "stem": {"type": "tree", "length": "tall*hidden", "radius": "thick", "segments": 8},
     "tooth": {"type": "tree", "length": "twice/2*(1 + 0.1*gauss(0,1))", "radius": 0.005, "segments": 2}
   },
   "links": [{"from": "stem", "to": "tooth", "kind": "branch", "count": "teeth + 0*endless", "angle": 90}]

@@ -5,11 +5,14 @@ from __future__ import annotations
 
 import random
 from dataclasses import dataclass, field
-from typing import Mapping, Optional
+from typing import Any, Mapping, Tuple, Union
 
 import meristem
 
+Range = Union[None, Tuple[float, float], range]
+
 PLANTINGS = 2  #: of each model
+TOLERANCE = 1e-3  #: the error at which a fit is done
 
 
 @dataclass(frozen=True)
@@ -18,7 +21,7 @@ class Problem:
 
     model: str
     system: str  #: that grows it
-    variables: Mapping[str, Optional[range]]  #: None for the declared range, or the whole numbers of one
+    variables: Mapping[str, Range]  #: None for the declared range; (low, high); or whole numbers
     measures: tuple[str, ...]
     fixed: Mapping[str, float] = field(default_factory=dict)
 
@@ -58,13 +61,13 @@ PROBLEMS = (
     Problem(
         "lime",
         "organize",
-        {"age": range(6, 31), "leader": None, "breadth": None, "leafiness": None},
+        {"age": range(8, 27), "leader": None, "breadth": None, "leafiness": None},
         ("height", "metamers", "crown_mean_width", "branching_angle_mean", "tips", "leaf_count"),
     ),
     Problem(
         "hawthorn",
         "organize",
-        {"age": range(8, 33), "leader": None, "blossom": None, "leafiness": None},
+        {"age": range(14, 25), "leader": None, "blossom": None, "leafiness": None},
         ("height", "metamers", "crown_mean_width", "tips", "leaf_count", "leaf_area"),
     ),
     Problem(
@@ -77,45 +80,60 @@ PROBLEMS = (
     Problem(
         "fern",
         "lsystem",
-        {"age": range(5, 91), "fronds": range(1, 25), "pairs": range(10, 46), "arch": None},
+        {"age": range(60, 91), "fronds": range(4, 17), "pairs": range(10, 46), "arch": None},
         ("height", "crown_mean_width", "nodes", "axes", "length", "leaf_count"),
     ),
     Problem(
-        "birch",
+        "tulip",
         "p-graph",
-        dict.fromkeys(("tree_height", "weeping", "leafiness", "leaf_size")),
-        ("height", "length", "inclination_altitude", "leaf_count", "leaf_area"),
+        {"stem_length": None, "flower": None, "leaves": range(2, 6), "bend": None},
+        ("height", "width", "length", "inclination_altitude", "leaf_count", "leaf_area"),
     ),
     Problem(
         "rhododendron",
         "p-graph",
         {"bush_height": None, "branches": range(6, 41), "breadth": None, "leaf_size": None},
-        ("height", "crown_mean_width", "axes", "length", "leaf_count", "leaf_area"),
+        ("height", "width", "axes", "length", "leaf_count", "leaf_area"),
     ),
     Problem(
         "wheat",
         "grassleaf",
-        {"tillers": range(0, 10), "plant_height": None, "lean": None, "stage": None},
-        ("height", "crown_mean_width", "axes", "length", "leaf_count", "leaf_area"),
+        {"tillers": range(2, 10), "plant_height": None, "lean": None, "stage": (30, 60)},
+        ("height", "axes", "length", "inclination_altitude", "centroid_radius", "leaf_count", "leaf_area"),
     ),
     Problem(
         "maize",
         "grassleaf",
-        {"age": None, "leaves": range(12, 19), "plant_height": None, "ears": range(0, 3)},
-        ("height", "axes", "nodes", "length", "leaf_count", "leaf_area"),
+        {"age": (30, 90), "leaves": range(12, 19), "plant_height": None, "spread": None},
+        ("height", "width", "axes", "length", "leaf_count", "leaf_area"),
     ),
 )
 QUICK = ("bush", "wheat")
 
 
+def measure_plant(plant: meristem.Plant) -> dict[str, Any]:
+    """All measures, and the width of the whole plant with its leaves: the mean of that along x and z."""
+    bounds = plant.bounds
+    assert bounds is not None
+    return {**plant.measure(threads=1), "width": float((bounds[1] - bounds[0])[[0, 2]].mean())}
+
+
+def ends_of(problem: Problem) -> dict[str, tuple[float, float]]:
+    """The least and greatest value of each variable."""
+    declared = {variable.name: (variable.min, variable.max) for variable in problem.document().variables}
+    ends = {}
+    for name, given in problem.variables.items():
+        ends[name] = declared[name] if given is None else (given[0], given[-1])
+    return ends
+
+
 def plant(problem: Problem, planting: int) -> dict[str, float]:
     """The values of a planting, drawn evenly from the ranges."""
-    declared = {variable.name: variable for variable in problem.document().variables}
     values: dict[str, float] = {}
-    for name, whole in problem.variables.items():
+    for name, (low, high) in ends_of(problem).items():
         draw = random.Random(f"{problem.model} {planting} {name}")
-        low, high = declared[name].min, declared[name].max
-        values[name] = draw.choice(whole) if whole is not None else round(draw.uniform(low, high), 6)
+        whole = problem.variables[name]
+        values[name] = draw.choice(whole) if isinstance(whole, range) else round(draw.uniform(low, high), 6)
     return values
 
 
@@ -123,27 +141,15 @@ def solve(problem: Problem, planting: int, growths: int) -> list[Found]:
     """Plants values, measures, and seeks the values by the measures."""
     document = problem.document()
     truth = plant(problem, planting)
-    measures = document.set(truth).grow().measure()
+    measures = measure_plant(document.set(truth).grow())
     targets = {name: measures[name] for name in problem.measures}
-    result = meristem.fit(document, problem.variables, targets, growths=growths, tolerance=1e-3)
-    declared = {variable.name: variable for variable in document.variables}
+    result = meristem.fit(
+        document, problem.variables, targets, measure=measure_plant, growths=growths, tolerance=TOLERANCE
+    )
     found = []
-    for name, true in truth.items():
-        whole = problem.variables[name]
-        width = whole[-1] - whole[0] if whole is not None else declared[name].max - declared[name].min
-        value = result.values[name]
-        found.append(
-            Found(
-                problem.model,
-                problem.system,
-                planting,
-                name,
-                true,
-                value,
-                abs(value - true) / width,
-                result.growths,
-                result.error,
-                result.reason,
-            )
-        )
+    for name, (low, high) in ends_of(problem).items():
+        true, value = truth[name], float(result.values[name])
+        error = abs(value - true) / (high - low)
+        where = (problem.model, problem.system, planting, name)
+        found.append(Found(*where, true, value, error, result.growths, result.error, result.reason))
     return found

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal, Protocol
 
 from ._batch import check_measure, count_processes, pickle_job
@@ -163,6 +163,9 @@ def fit(
             if search.ended is None or (search.ended == "interrupted" and search.best is None):
                 raise
             reason = search.ended
+        if reason not in ("stopped", "interrupted"):
+            with suppress(KeyboardInterrupt):
+                search.round_values()
     return search.result(document, reason)
 
 
@@ -209,6 +212,10 @@ class _Search:
         self._progress = progress
         self._start = time.monotonic()
         self._told = 0  #: growths that are done; `grown` counts those that are noted
+        # A growth for each value that may turn out to be a whole number
+        self._kept_back = len(seeds) * sum(handle.may_be_whole for handle in handles)
+        if growths < 8 * self._kept_back:
+            self._kept_back = 0
         self._known: dict[tuple[float | int, ...], FitPoint] = {}
         self._should_stop = False
         groups = [[place] for place in range(len(seeds))] if each else [list(range(len(seeds)))]
@@ -231,7 +238,7 @@ class _Search:
             tuple(handle.value_at(float(share)) for handle, share in zip(self.handles, point)) for point in points
         ]
         fresh = [values for values in dict.fromkeys(all_values) if values not in self._known]
-        may_grow = (self._growths - self.grown) // len(self._seeds)
+        may_grow = max(self._growths - self._kept_back - self.grown, 0) // len(self._seeds)
         try:
             self._try_values(fresh[:may_grow])
         except KeyboardInterrupt:
@@ -241,16 +248,37 @@ class _Search:
             self._end("growths")
         return [self._known[values].error for values in all_values]
 
+    def round_values(self) -> None:
+        """Takes whole numbers where they give plants that measure no worse: what a document rounds stays whole."""
+        for handle in self.handles:
+            if self.best is None or not handle.may_be_whole or self.grown + len(self._seeds) > self._growths:
+                continue
+            best = self.points[self.best]
+            rounded = dict(best.values)
+            rounded[handle.name] = round(best.values[handle.name])
+            key = tuple(rounded[one.name] for one in self.handles)
+            if key not in self._known:
+                for _ in self._grow([key]):
+                    pass
+            if self._known[key].error <= best.error:
+                self.best = len(self.points)
+                self.points.append(replace(self._known[key], values=rounded))
+
     def _try_values(self, all_values: Sequence[tuple[float | int, ...]]) -> None:
+        for _ in self._grow(all_values):
+            if self.best is not None and self.points[self.best].error <= self._tolerance:
+                self._end("reached")
+            if self._should_stop:
+                self._end("stopped")
+
+    def _grow(self, all_values: Sequence[tuple[float | int, ...]]) -> Iterator[None]:
+        """Grows and notes one set of values after the other."""
         tasks = [Task(seed, self._named(values)) for values in all_values for seed in self._seeds]
         results = self.runner.run(tasks, self._tell)
         for values in all_values:
             self._note(values, [next(results)[1] for _ in self._seeds])
             self.grown += len(self._seeds)
-            if self.best is not None and self.points[self.best].error <= self._tolerance:
-                self._end("reached")
-            if self._should_stop:
-                self._end("stopped")
+            yield
 
     def _end(self, reason: Reason) -> None:
         self.ended = reason

@@ -25,6 +25,11 @@ class Handle:
     high: float
     whole: range | None  #: the values, if it has whole numbers only
 
+    @property
+    def may_be_whole(self) -> bool:
+        """Whether the variable could be one that the document rounds, such as a number of leaves."""
+        return self.whole is None and self.low == round(self.low) and self.high == round(self.high) > self.low + 1
+
     def value_at(self, share: float) -> float | int:
         """The value at a share of the range, from 0 to 1, with as many digits as a document needs."""
         share = min(max(share, 0.0), 1.0)

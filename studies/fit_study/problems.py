@@ -80,7 +80,7 @@ PROBLEMS = (
     Problem(
         "fern",
         "lsystem",
-        {"age": range(60, 91), "fronds": range(4, 17), "pairs": range(10, 46), "arch": None},
+        {"age": range(30, 61), "fronds": range(3, 11), "pairs": range(10, 46), "arch": None},
         ("height", "crown_mean_width", "nodes", "axes", "length", "leaf_count"),
     ),
     Problem(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Space colonization of an ellipsoid crown, from 2,400 to 240,000 points, with as many nodes a point at every size:
+// Space colonization of an ellipsoid crown, from 2,400 to 240,000 points, with as many nodes per point at every size:
 // step 0.02 (2400/N)^(1/3) m, influence 17 steps, kill distance 2 steps. Counters: nodes, steps, peak memory of the
 // process. `growth` is ours; `rebuilt_tree` finds nearest nodes with a k-d tree of all nodes, built anew in every step;
 // `new_nodes_tree` with one of the step's new nodes alone. All three must grow the same tree, or the program fails.

@@ -2,7 +2,7 @@
 // Honda's tree with one axis as an L-system (P. Prusinkiewicz, A. Lindenmayer: The Algorithmic Beauty of Plants, 1990,
 // figure 2.6), with two parameters and 18 steps: 1,835,002 modules and 262,143 segments. `derived_hard_coded` and
 // `drawn_hard_coded` are the same derivation and the same drawing written in C++ for this tree alone; both give the
-// same numbers to the last bit. Counters: modules of the last word a second, and `to_hard_coded`, the time as a
+// same numbers to the last bit. Counters: modules of the last word per second, and `to_hard_coded`, the time as a
 // multiple of the hard-coded one's, both the least of some runs taken in turn.
 #include <algorithm>
 #include <chrono>

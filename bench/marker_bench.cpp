@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Trees that grow toward free markers. Counters: shoots, buds or metamers a second (buds that looked, metamers that
 // grew); `blind`, the share of buds that find nothing; bytes of the field for a metamer; `to_plain`, the time of a hash
-// map with an entry a voxel over ours for the same tree, measured in the same run.
+// map with an entry per voxel over ours for the same tree, measured in the same run.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -46,7 +46,7 @@ class Field : public MarkerField {
   explicit Field(const CrownPointer& crown) : MarkerField(kForm, RandomKey(1)) { add_volume(crown, Vec3(0, -0.5F, 0)); }
 };
 
-/// An entry a voxel, an entry a claim.
+/// An entry per voxel, an entry per claim.
 class PlainField {
  public:
   explicit PlainField(CrownPointer crown) : crown_(std::move(crown)) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lit share of a crown's hull among obstacles. Counters: rays a second, the share, and `to_plain`, the time of
+// The lit share of a crown's hull among obstacles. Counters: rays per second, the share, and `to_plain`, the time of
 // plain counting (random places on the whole hull, each ray tested against every triangle of hull and obstacles) over
 // ours, a ray, measured in the same run on one thread.
 #include <algorithm>

@@ -4,7 +4,7 @@
 // the most memory in use between two rounds of the growth, with the shade or the markers; the hash of the skeleton,
 // which has to be the same on any number of threads. `far` is a stand of eight trees up to 7 km apart: cost goes with
 // the trees and not with the space around them. `plain_light` counts the light of a growth anew in each iteration, in a
-// map with an entry a voxel, and grows nothing; its light must be ours, and `to_growth` is its time over that of our
+// map with an entry per voxel, and grows nothing; its light must be ours, and `to_growth` is its time over that of our
 // whole growth. After the runs it prints how cost grows with the metamers.
 #include <algorithm>
 #include <chrono>
@@ -132,7 +132,7 @@ void shadow(benchmark::State& state) { measure(state, BudLightModel::Kind::shado
 void far(benchmark::State& state) { measure(state, BudLightModel::Kind::shadow, 8, 1000); }
 void markers(benchmark::State& state) { measure(state, BudLightModel::Kind::markers, 1, 0); }
 
-/// Shade from the zenith, an entry a voxel, as the defaults cast it.
+/// Shade from the zenith, an entry per voxel, as the defaults cast it.
 class PlainShade {
  public:
   explicit PlainShade(const OrganizeParameters& parameters) : parameters_(parameters) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shade of the buds of a crown. Counters: shaders or queries a second; voxels a shader touches; bytes of the grid;
-// `to_plain`, the time of a map with an entry a voxel over ours, measured in the same run.
+// `to_plain`, the time of a map with an entry per voxel over ours, measured in the same run.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -41,7 +41,7 @@ ShadowParameters form_of(const benchmark::State& state) {
   return form;
 }
 
-/// Light from the zenith, an entry a voxel.
+/// Light from the zenith, an entry per voxel.
 class PlainGrid {
  public:
   explicit PlainGrid(const ShadowParameters& form) : form_(form) {}

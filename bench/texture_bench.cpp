@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Textures with their normals. Counters: pixels a second; `to_plain`, the time of one octave of gradient noise by the
+// Textures with their normals. Counters: pixels per second; `to_plain`, the time of one octave of gradient noise by the
 // function of a place (base/noise.h) at each pixel over ours for the whole texture, measured in the same run.
 #include <algorithm>
 #include <chrono>

@@ -27,4 +27,21 @@ if(TARGET meristem_cli)
   install(TARGETS meristem_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/meristem
           FILES_MATCHING PATTERN "*.json" PATTERN "*.obj")
+
+  # The man page and what shells complete by, as the program prints them.
+  set(printed ${PROJECT_BINARY_DIR}/printed)
+  function(install_printed name destination)
+    add_custom_command(OUTPUT ${printed}/${name}
+                       COMMAND ${CMAKE_COMMAND} -E make_directory ${printed}
+                       COMMAND meristem_cli completion ${ARGN} > ${printed}/${name}
+                       DEPENDS meristem_cli VERBATIM)
+    set_property(GLOBAL APPEND PROPERTY MERISTEM_PRINTED ${printed}/${name})
+    install(FILES ${printed}/${name} DESTINATION ${CMAKE_INSTALL_DATADIR}/${destination})
+  endfunction()
+  install_printed(meristem bash-completion/completions bash)
+  install_printed(_meristem zsh/site-functions zsh)
+  install_printed(meristem.fish fish/vendor_completions.d fish)
+  install_printed(meristem.1 man/man1 --man)
+  get_property(files GLOBAL PROPERTY MERISTEM_PRINTED)
+  add_custom_target(meristem_printed ALL DEPENDS ${files})
 endif()

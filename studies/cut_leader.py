@@ -16,15 +16,9 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Mapping, Sequence
 
-try:
-    import meristem  # noqa: F401
-except ModuleNotFoundError as missing:
-    if missing.name != "meristem":
-        raise
-    sys.exit(
-        "The Python module 'meristem' is not found. Build it with './dev python' and run\n"
-        "PYTHONPATH=build/python/python /usr/bin/python3 studies/cut_leader.py"
-    )
+from common.needs import need_modules
+
+need_modules("studies/cut_leader.py")
 
 from common.tables import positive_number, print_findings, write_findings, write_table
 from cut_study.adaptations import ADAPTATIONS, Effect, study_adaptation

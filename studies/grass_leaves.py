@@ -17,15 +17,9 @@ from dataclasses import astuple, fields
 from pathlib import Path
 from typing import Any, Mapping, NamedTuple, Sequence
 
-try:
-    import meristem  # noqa: F401
-except ModuleNotFoundError as missing:
-    if missing.name != "meristem":
-        raise
-    sys.exit(
-        "The Python module 'meristem' is not found. Build it with './dev python' and run\n"
-        "PYTHONPATH=build/python/python /usr/bin/python3 studies/grass_leaves.py"
-    )
+from common.needs import need_modules
+
+need_modules("studies/grass_leaves.py")
 
 from common.tables import Finding, print_findings, write_findings, write_table
 from grass_study import ages, expectations, fits, forces, levels, light, measured, plants

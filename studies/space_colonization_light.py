@@ -17,15 +17,9 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Iterable, Sequence
 
-try:
-    import meristem  # noqa: F401
-except ModuleNotFoundError as missing:
-    if missing.name != "meristem":
-        raise
-    sys.exit(
-        "The Python module 'meristem' is not found. Build it with './dev python' and run\n"
-        "PYTHONPATH=build/python/python /usr/bin/python3 studies/space_colonization_light.py"
-    )
+from common.needs import need_modules
+
+need_modules("studies/space_colonization_light.py")
 
 from common.tables import positive_number, print_findings, write_findings, write_table
 from light_study.expectations import SHIFTS, check_expectations

@@ -3,25 +3,52 @@
 
 #include "commands.h"
 #include "documents.h"
+#include "meristem/base/parallel.h"
+#include "meristem/document/grow.h"
+#include "terminal.h"
 
 namespace meristem::cli {
 
+namespace {
+
+struct CheckOptions {
+  DocumentOptions document;
+  bool is_quick = false;
+};
+
+/// What growing would find: the plant alone tells it, without meshes.
+std::vector<Diagnostic> growth_warnings(const Document& document, bool quiet) {
+  TerminalProgress terminal(quiet);
+  return grow_document(document, terminal.progress(), {.up_to = GrownPart::plant}).warnings;
+}
+
+void check(const CheckOptions& options) {
+  const Document document = open_document(options.document);
+  const bool quiet = options.document.quiet;
+  const ThreadLimit threads = limited_threads(options.document.threads, quiet);
+  if (!options.is_quick) {
+    const std::vector<Diagnostic> warnings = growth_warnings(document, quiet);
+    if (!quiet) print_diagnostics(warnings);
+  }
+  if (quiet) return;
+  const auto counted = [](std::size_t count, const char* what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  };
+  fmt::print("{}: good, {} and {}\n", document.source.file, counted(document.graph.components.size(), "component"),
+             counted(document.graph.links.size(), "link"));
+}
+
+}  // namespace
+
 void add_check(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("check", "Report all that is wrong with a document, without growing it");
-  auto options = std::make_shared<DocumentOptions>();
-  options->add_to(*command);
+  CLI::App* command =
+      app.add_subcommand("check", "Report all that is wrong with a document, also what growing it would find");
+  auto options = std::make_shared<CheckOptions>();
+  options->document.add_to(*command);
+  command->add_flag("--quick", options->is_quick,
+                    "Only read the document, without growing its plants to see whether they can");
   command->footer("Example: meristem check models/oak.json");
-  command->callback([options, &run] {
-    run = [options] {
-      const Document document = open_document(*options);
-      if (options->quiet) return;
-      const auto counted = [](std::size_t count, const char* what) {
-        return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-      };
-      fmt::print("{}: good, {} and {}\n", document.source.file, counted(document.graph.components.size(), "component"),
-                 counted(document.graph.links.size(), "link"));
-    };
-  });
+  command->callback([options, &run] { run = [options] { check(*options); }; });
 }
 
 }  // namespace meristem::cli

@@ -17,5 +17,6 @@ void add_derive(CLI::App& app, Run& run);
 void add_check(CLI::App& app, Run& run);
 void add_components(CLI::App& app, Run& run);
 void add_models(CLI::App& app, Run& run);
+void add_completion(CLI::App& app, Run& run);
 
 }  // namespace meristem::cli

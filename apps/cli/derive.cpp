@@ -106,7 +106,7 @@ void derive(const DeriveOptions& command) {
   const int steps = steps_of(command, grammar);
   check_output(command.output, inputs);
 
-  const ThreadLimit threads(command.threads);
+  const ThreadLimit threads = limited_threads(command.threads, command.quiet);
   TerminalProgress terminal(command.quiet);
   Progress& progress = terminal.progress();
   const Limits limits;
@@ -141,7 +141,7 @@ void add_derive(CLI::App& app, Run& run) {
       ->check(CLI::Range(0, kMostSteps));
   command->add_option("--seed", options->seed, "Seed of the random draws; 1 if not given")
       ->type_name("N")
-      ->check(CLI::NonNegativeNumber);
+      ->check(is_seed());
   command
       ->add_option("--define", options->defines,
                    "Give a name of the grammar's #define lines another value (angle=22.5, r=1/3); may be repeated")

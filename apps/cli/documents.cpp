@@ -4,6 +4,9 @@
 #include <filesystem>
 #include <system_error>
 
+#include <fmt/format.h>
+
+#include "meristem/base/seed.h"
 #include "meristem/components/registry.h"
 #include "meristem/document/models.h"
 #include "terminal.h"
@@ -19,6 +22,21 @@ void add_run_options(CLI::App& command, int& threads, bool& quiet) {
   command.add_flag("-q,--quiet", quiet, "Print errors only");
 }
 
+CLI::Validator is_seed() {
+  const auto fault = [](const std::string& text) {
+    return seed_of_text(text) ? "" : fmt::format("'{}' is no seed; expected {}", text, kSeedRange);
+  };
+  return CLI::Validator(fault, "");
+}
+
+ThreadLimit limited_threads(int threads, bool quiet) {
+  const int cores = thread_count();
+  if (threads > cores && !quiet) {
+    print_status(fmt::format("meristem: {} threads take turns on {} cores", threads, cores));
+  }
+  return ThreadLimit(threads);
+}
+
 void DocumentOptions::add_to(CLI::App& command) {
   command.add_option("document", path, "A plant document, the name of a shipped model, or - for standard input")
       ->required()
@@ -28,9 +46,7 @@ void DocumentOptions::add_to(CLI::App& command) {
                   "Set a variable (age=20), parameter (leaf.length=0.1) or key (links[1].density=90); may be repeated")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--seed", seed, "Use this seed instead of the document's")
-      ->type_name("N")
-      ->check(CLI::NonNegativeNumber);
+  command.add_option("--seed", seed, "Use this seed instead of the document's")->type_name("N")->check(is_seed());
   add_run_options(command, threads, quiet);
 }
 

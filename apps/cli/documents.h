@@ -9,12 +9,19 @@
 
 #include <CLI/App.hpp>
 
+#include "meristem/base/parallel.h"
 #include "meristem/document/document.h"
 
 namespace meristem::cli {
 
 /// The options of every command that works: how many threads, and whether it is to be quiet.
 void add_run_options(CLI::App& command, int& threads, bool& quiet);
+
+/// Refuses what is no seed.
+CLI::Validator is_seed();
+
+/// Bounds the threads of a command, 0 for all cores; says where there are more than cores unless quiet.
+ThreadLimit limited_threads(int threads, bool quiet);
 
 /// Options of commands that read a document.
 struct DocumentOptions {

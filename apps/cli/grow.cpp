@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "documents.h"
 #include "frames.h"
+#include "meristem/base/atomic_file.h"
 #include "meristem/base/parallel.h"
 #include "meristem/measure/counts.h"
 #include "meristem/output/formats.h"
@@ -121,13 +122,16 @@ void grow(const GrowOptions& options) {
     for (const PlannedFile& file : files) check_grown_output(document, file.path);
   }
 
-  const ThreadLimit threads(options.document.threads);
+  const ThreadLimit threads = limited_threads(options.document.threads, options.document.quiet);
   std::vector<std::string> summary;
+  std::vector<Diagnostic> warnings;
   {
     TerminalProgress terminal(options.document.quiet);
     Progress& progress = terminal.progress();
     GrownDocument grown = grow_document(document, progress, {.time = time, .up_to = needed_part(formats)});
+    warnings = grown.warnings;
     EncodedPictures pictures;
+    FileSet files;
     const FormatOptions format{.instances = options.instances(), .pictures = &pictures};
     const std::string written = write_level(document, grown, levels[0], format, progress);
     summary.push_back(fmt::format("{}: {}", written, sizes_of(grown)));
@@ -137,8 +141,10 @@ void grow(const GrowOptions& options) {
       const std::string coarser = write_level(document, grown, levels[level], format, progress);
       summary.push_back(fmt::format("{}: {} triangles", coarser, grown.meshes.triangle_count()));
     }
+    files.commit();
   }
   if (options.document.quiet) return;
+  print_diagnostics(warnings);
   for (const std::string& line : summary) print_status(line);
 }
 
@@ -161,10 +167,10 @@ void add_grow(CLI::App& app, Run& run) {
                    "Number of coarser levels of detail to write too, oak_lod1.glb, oak_lod2.glb, ...; the document's "
                    "output.lod if not given")
       ->type_name("N");
-  CLI::Option* const instanced =
-      command->add_flag("--instanced", options->instanced,
-                        "Write leaves to .glb as places of one mesh, as is done by itself beyond 5 million triangles: "
-                        "small files, that not every program reads");
+  CLI::Option* const instanced = command->add_flag(
+      "--instanced", options->instanced,
+      "Write leaves to .glb as instances of one mesh, as is done by itself beyond 5 million triangles: "
+      "small files, that not every program reads");
   command
       ->add_flag("--nodes", options->nodes,
                  "Beyond 5 million triangles, write leaves to .glb as nodes instead: large files, that every program "

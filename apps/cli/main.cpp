@@ -3,9 +3,11 @@
 // the program as signals do, after what was begun is undone.
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <sstream>
+#include <string>
 #include <system_error>
 
 #include <CLI/App.hpp>
@@ -84,9 +86,23 @@ int run_and_report(const cli::Run& run) {
   return kFailed;
 }
 
+/// Where the system refuses a thread that a library needs, no exception can be caught.
+[[noreturn]] void end_with_a_word() {
+  std::string reason = "an error that was not expected";
+  try {
+    if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::exception& error) {
+    reason = error.what();
+  } catch (...) {
+  }
+  cli::print_status(fmt::format("meristem: {}; fewer threads take less memory: --threads 1", reason));
+  std::_Exit(kFailed);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::set_terminate(end_with_a_word);
   CLI::App app("Grows plants from documents into meshes and pictures.", "meristem");
   app.set_version_flag("--version", fmt::format("meristem {}", version()));
   app.require_subcommand(0, 1);
@@ -99,6 +115,7 @@ int main(int argc, char** argv) {
   cli::add_check(app, run);
   cli::add_components(app, run);
   cli::add_models(app, run);
+  cli::add_completion(app, run);
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is a failed write like any other
   try {
     app.parse(argc, argv);

@@ -87,15 +87,21 @@ StandMeasures measure_document(const MeasureCommand& command) {
   const std::vector<std::string> inputs = input_files(document);
   check_output(command.output, inputs);
   if (!command.organs.empty()) check_organs(command, inputs);
-  const ThreadLimit threads(command.document.threads);
-  TerminalProgress terminal(command.document.quiet);
-  MeasureOptions options = command.measures;
-  options.organ_light |= !command.organs.empty();
-  // Light falls through the holes of textures.
-  const GrownPart up_to = options.organ_light ? GrownPart::textures : GrownPart::meshes;
-  const GrownDocument grown = grow_document(document, terminal.progress(), {.up_to = up_to});
-  StandMeasures stand = measure_plant(grown.plant, grown.meshes, document.scene, options, terminal.progress());
-  if (!command.organs.empty()) write_organ_csv(grown.plant, stand.organs, command.organs, terminal.progress());
+  const ThreadLimit threads = limited_threads(command.document.threads, command.document.quiet);
+  StandMeasures stand;
+  std::vector<Diagnostic> warnings;
+  {
+    TerminalProgress terminal(command.document.quiet);
+    MeasureOptions options = command.measures;
+    options.organ_light |= !command.organs.empty();
+    // Light falls through the holes of textures.
+    const GrownPart up_to = options.organ_light ? GrownPart::textures : GrownPart::meshes;
+    const GrownDocument grown = grow_document(document, terminal.progress(), {.up_to = up_to});
+    warnings = grown.warnings;
+    stand = measure_plant(grown.plant, grown.meshes, document.scene, options, terminal.progress());
+    if (!command.organs.empty()) write_organ_csv(grown.plant, stand.organs, command.organs, terminal.progress());
+  }
+  if (!command.document.quiet) print_diagnostics(warnings);
   return stand;
 }
 
@@ -122,7 +128,7 @@ StandMeasures measure_mtg(const MeasureCommand& command) {
       skeleton_of(read_mtg(read_file(path, limits.file_bytes), path, limits), path, geometry, limits);
   check_output(command.output, std::span(&path, 1));
 
-  const ThreadLimit threads(command.document.threads);
+  const ThreadLimit threads = limited_threads(command.document.threads, command.document.quiet);
   StandMeasures stand;
   {
     TerminalProgress terminal(command.document.quiet);

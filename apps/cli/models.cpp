@@ -16,10 +16,12 @@ std::string text_member(const Value& document, const char* name) {
   return member != nullptr && member->text() != nullptr ? *member->text() : std::string();
 }
 
-void list_models(bool paths) {
+void list_models(bool paths, bool names) {
   const std::string folder = models_folder();
   for (const std::string& name : model_names(folder)) {
-    if (paths) {
+    if (names) {
+      fmt::print("{}\n", name);
+    } else if (paths) {
       fmt::print("{}\n", model_path(folder, name));
     } else {
       const Value document = parse_json(read_text_file(model_path(folder, name)));
@@ -33,9 +35,11 @@ void list_models(bool paths) {
 void add_models(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("models", "List the shipped models");
   auto paths = std::make_shared<bool>(false);
+  auto names = std::make_shared<bool>(false);
   command->add_flag("--paths", *paths, "Print their files instead");
+  command->add_flag("--names", *names, "Print their names alone")->excludes("--paths");
   command->footer("Example: meristem models");
-  command->callback([paths, &run] { run = [paths] { list_models(*paths); }; });
+  command->callback([paths, names, &run] { run = [paths, names] { list_models(*paths, *names); }; });
 }
 
 }  // namespace meristem::cli

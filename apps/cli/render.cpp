@@ -124,14 +124,15 @@ PictureOptions chosen_picture(const RenderOptions& options, const Document& docu
 }
 
 /// Grows the document for each of the times and takes the pictures. The camera does not follow the plant's
-/// growth: it stands where it shows the last picture's plant as a whole.
-void take_pictures(const Document& document, const std::vector<Picture>& pictures, PictureOptions options,
-                   const RenderOptions& chosen, Progress& progress) {
+/// growth: it stands where it shows the last picture's plant as a whole. Returns what is odd about that plant.
+std::vector<Diagnostic> take_pictures(const Document& document, const std::vector<Picture>& pictures,
+                                      PictureOptions options, const RenderOptions& chosen, Progress& progress) {
   const Detail& detail = chosen.detail;
   const PictureFileOptions file = chosen_file(chosen);
   double grown_time = pictures.back().time;
   GrowthCache cache;  // what does not change with time is made once
   GrownDocument grown = grow_document(document, progress, {.time = grown_time, .detail = detail, .cache = &cache});
+  std::vector<Diagnostic> warnings = grown.warnings;
   const Vec3 middle = grown.meshes.bounds().centre();
   if (pictures.front().time != grown_time) {
     const double aspect = static_cast<double>(options.still.width) / options.still.height;
@@ -150,6 +151,7 @@ void take_pictures(const Document& document, const std::vector<Picture>& picture
       write_picture(take_picture(grown, document.scene, options, progress), picture.path, file);
     }
   }
+  return warnings;
 }
 
 void render(const RenderOptions& options) {
@@ -170,11 +172,13 @@ void render(const RenderOptions& options) {
     if (!options.fingerprint) check_output(picture.path, inputs);
   }
 
-  const ThreadLimit threads(options.document.threads);
+  const ThreadLimit threads = limited_threads(options.document.threads, options.document.quiet);
+  std::vector<Diagnostic> warnings;
   {
     TerminalProgress terminal(options.document.quiet);
-    take_pictures(document, pictures, picture_options, options, terminal.progress());
+    warnings = take_pictures(document, pictures, picture_options, options, terminal.progress());
   }
+  if (!options.document.quiet) print_diagnostics(warnings);
   if (!options.document.quiet && !options.fingerprint) {
     const std::string written =
         pictures.size() == 1 ? pictures[0].path : fmt::format("{} to {}", pictures.front().path, pictures.back().path);

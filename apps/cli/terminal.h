@@ -11,7 +11,7 @@
 
 namespace meristem::cli {
 
-/// Warnings and errors, one a line, on standard error.
+/// Warnings and errors, one per line, on standard error.
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics);
 
 /// A line for the user on standard error, past any progress bar.

@@ -51,6 +51,14 @@ std::string temporary_beside(const std::string& target) {
   return fmt::format("{}.{}.{}-{}.part", target.substr(0, name_at), target.substr(name_at, kKept), ::getpid(), count++);
 }
 
+[[noreturn]] void throw_cannot_write(const std::string& path, int reason) {
+  const std::string where = path == "-" ? "standard output" : "'" + path + "'";
+  throw MachineError(fmt::format("cannot write {}: {}", where, std::generic_category().message(reason)));
+}
+
+// The innermost set of this thread's.
+thread_local FileSet* current_set = nullptr;
+
 }  // namespace
 
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
@@ -98,21 +106,16 @@ void AtomicFile::write(const void* data, std::size_t size) {
   buffer_.insert(buffer_.end(), bytes, bytes + size);
 }
 
-void AtomicFile::close() {
-  if (descriptor_ < 0) throw std::invalid_argument("a file is closed once");
+void AtomicFile::commit() {
+  if (descriptor_ < 0) throw std::invalid_argument("a file is committed once");
   flush();
-  // Network file systems tell of a full disk only when closing.
-  if (const int descriptor = std::exchange(descriptor_, -1); descriptor != STDOUT_FILENO && ::close(descriptor) != 0) {
+  close();
+  if (temporary_.empty()) return;
+  if (current_set != nullptr) {
+    current_set->waiting_.push_back({temporary_, target_, path_});
+  } else if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
     fail();
   }
-  is_closed_ = true;
-}
-
-void AtomicFile::commit() {
-  if (!is_closed_) close();
-  is_closed_ = false;
-  if (temporary_.empty()) return;
-  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail();
   temporary_.clear();
 }
 
@@ -132,6 +135,13 @@ void AtomicFile::flush() {
   buffer_.clear();
 }
 
+/// Network file systems tell of a full disk only when closing.
+void AtomicFile::close() {
+  if (const int descriptor = std::exchange(descriptor_, -1); descriptor != STDOUT_FILENO && ::close(descriptor) != 0) {
+    fail();
+  }
+}
+
 void AtomicFile::send(const std::byte* data, std::size_t size) {
   while (size > 0) {
     const ssize_t sent = ::write(descriptor_, data, size);
@@ -149,10 +159,31 @@ void AtomicFile::close_descriptor() {
 
 /// Throws for the reason in `errno`, and takes no more bytes.
 void AtomicFile::fail() {
-  const std::string reason = std::generic_category().message(errno);
+  const int reason = errno;
   close_descriptor();
-  const std::string where = path_ == "-" ? "standard output" : "'" + path_ + "'";
-  throw MachineError(fmt::format("cannot write {}: {}", where, reason));
+  throw_cannot_write(path_, reason);
+}
+
+FileSet::FileSet() : outer_(std::exchange(current_set, this)) {}
+
+FileSet::~FileSet() {
+  current_set = outer_;
+  for (const Waiting& file : waiting_) ::unlink(file.temporary.c_str());
+}
+
+void FileSet::commit() {
+  if (outer_ != nullptr) {
+    outer_->waiting_.insert(outer_->waiting_.end(), waiting_.begin(), waiting_.end());
+    waiting_.clear();
+    return;
+  }
+  // The destructor removes what a refused rename leaves.
+  while (!waiting_.empty()) {
+    if (std::rename(waiting_.front().temporary.c_str(), waiting_.front().target.c_str()) != 0) {
+      throw_cannot_write(waiting_.front().path, errno);
+    }
+    waiting_.pop_front();
+  }
 }
 
 }  // namespace meristem

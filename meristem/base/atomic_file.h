@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,16 +32,14 @@ class AtomicFile {
   std::size_t size() const { return size_; }  ///< bytes written so far
   /// True where bytes go straight through and nothing can be taken back.
   bool is_stream() const { return temporary_.empty(); }
-  /// Ends the writing with every byte on its way to the disk; only the renaming is left for `commit()`. So several
-  /// files appear together or not at all, as far as the disk decides. Later calls but commit() throw
+  /// Puts the file in place, or hands it to this thread's FileSet; closes it first if it is open. Later calls throw
   /// std::invalid_argument, also after a failure.
-  void close();
-  /// Puts the file in place, closing it if it is not. Later calls throw std::invalid_argument, also after a failure.
   void commit();
 
  private:
   void open_temporary();
   void flush();
+  void close();
   void send(const std::byte* data, std::size_t size);
   void close_descriptor();
   [[noreturn]] void fail();
@@ -49,9 +48,35 @@ class AtomicFile {
   std::string target_;     // path_ with links followed
   std::string temporary_;  // empty where bytes go straight through, and once renamed
   int descriptor_ = -1;
-  bool is_closed_ = false;  // by close(), without a fault
   std::size_t size_ = 0;
   std::vector<std::byte> buffer_;
+};
+
+/// Files that appear together or not at all: while it lives, each file that this thread commits waits whole beside its
+/// target, and `commit()` renames them all. Destroyed without commit (an exception, a cancel), it removes what waits,
+/// and the files that stood there before are untouched. Only a rename that the system refuses, or a power cut between
+/// two, can leave some new and some old. Sets nest: an inner one hands its files to the outer one. Sets of one thread
+/// end in the reverse order of their making.
+class FileSet {
+ public:
+  FileSet();
+  ~FileSet();
+  FileSet(const FileSet&) = delete;
+  FileSet& operator=(const FileSet&) = delete;
+
+  /// Renames the files in the order in which they were committed. Throws MachineError for the first that is refused.
+  void commit();
+
+ private:
+  friend class AtomicFile;
+  struct Waiting {
+    std::string temporary;
+    std::string target;
+    std::string path;  // as the user wrote it
+  };
+
+  FileSet* outer_;
+  std::deque<Waiting> waiting_;
 };
 
 }  // namespace meristem

@@ -196,24 +196,11 @@ TEST_F(AtomicFileTest, DashAndDevStdoutAreStandardOutput) {
   EXPECT_FALSE(fs::exists("-"));
 }
 
-TEST_F(AtomicFileTest, ClosedFileIsOnTheDiskButNotInPlace) {
-  AtomicFile file(at("file").string());
-  EXPECT_FALSE(file.is_stream());
-  put(file, "text");
-  file.close();
-  EXPECT_FALSE(fs::exists(at("file")));
-  EXPECT_THROW(put(file, "more"), std::invalid_argument);
-  EXPECT_THROW(file.close(), std::invalid_argument);
-  file.commit();
-  EXPECT_EQ(content_of(at("file")), "text");
-  EXPECT_THROW(file.commit(), std::invalid_argument);
-}
-
-TEST_F(AtomicFileTest, CloseTellsOfAFullDisk) {
+TEST_F(AtomicFileTest, TellsOfAFullDisk) {
   const FileSizeLimit limit(1000);
   AtomicFile file(at("file").string());
   put(file, std::string(2000, 'x'));
-  EXPECT_THROW(file.close(), MachineError);
+  EXPECT_THROW(file.commit(), MachineError);
   EXPECT_THROW(file.commit(), std::invalid_argument);
 }
 
@@ -227,6 +214,66 @@ TEST_F(AtomicFileTest, EndsWithCommitOrFailure) {
   EXPECT_THROW(put(failed, std::string(5'000'000, 'x')), MachineError);
   EXPECT_THROW(put(failed, "more"), std::invalid_argument);
   EXPECT_THROW(failed.commit(), std::invalid_argument);
+}
+
+TEST_F(AtomicFileTest, FilesOfASetAppearTogether) {
+  write_file(at("first"), "before");
+  FileSet set;
+  write_file(at("first"), "after");
+  write_file(at("second"), "new");
+  EXPECT_EQ(content_of(at("first")), "before");
+  EXPECT_FALSE(fs::exists(at("second")));
+  set.commit();
+  EXPECT_EQ(content_of(at("first")), "after");
+  EXPECT_EQ(content_of(at("second")), "new");
+  EXPECT_EQ(entry_count(), 2);
+}
+
+TEST_F(AtomicFileTest, SetWithoutCommitLeavesNothing) {
+  write_file(at("first"), "before");
+  {
+    const FileSet set;
+    write_file(at("first"), "after");
+    write_file(at("second"), "new");
+  }
+  EXPECT_EQ(content_of(at("first")), "before");
+  EXPECT_EQ(entry_count(), 1);
+  write_file(at("third"), "by itself");
+  EXPECT_EQ(content_of(at("third")), "by itself");
+}
+
+TEST_F(AtomicFileTest, InnerSetHandsItsFilesToTheOuterOne) {
+  FileSet outer;
+  {
+    FileSet inner;
+    write_file(at("kept"), "kept");
+    inner.commit();
+  }
+  {
+    const FileSet dropped;
+    write_file(at("dropped"), "dropped");
+  }
+  EXPECT_FALSE(fs::exists(at("kept")));
+  outer.commit();
+  EXPECT_EQ(content_of(at("kept")), "kept");
+  EXPECT_EQ(entry_count(), 1);
+}
+
+TEST_F(AtomicFileTest, SetTellsOfARenamingThatIsRefused) {
+  fs::create_directory(at("folder"));
+  FileSet set;
+  write_file(at("folder/file"), "text");
+  write_file(at("other"), "text");
+  fs::remove_all(at("folder"));
+  EXPECT_THROW(set.commit(), MachineError);
+  EXPECT_FALSE(fs::exists(at("other")));
+}
+
+TEST_F(AtomicFileTest, StandardOutputWaitsForNoSet) {
+  const FileSet set;
+  testing::internal::CaptureStdout();
+  write_file("-", "to the screen");
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "to the screen");
 }
 
 }  // namespace

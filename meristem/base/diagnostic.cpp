@@ -43,6 +43,7 @@ std::string all_texts(std::span<const Diagnostic> diagnostics) {
   std::string lines;
   for (const Diagnostic& diagnostic : diagnostics) {
     if (!lines.empty()) lines += '\n';
+    if (diagnostic.severity == Severity::warning) lines += "warning: ";
     lines += diagnostic.text();
   }
   return lines;

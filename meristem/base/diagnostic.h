@@ -31,7 +31,8 @@ struct Diagnostic {
   std::string text() const;
 };
 
-/// Everything that is wrong with an input. `what()` has one line a diagnostic.
+/// Everything that is wrong with an input. `what()` has one line a diagnostic, and `warning: ` before those that are
+/// none of the faults.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<Diagnostic> diagnostics);

@@ -56,6 +56,11 @@ TEST(InputError, SaysOneLineADiagnostic) {
   EXPECT_EQ(error.diagnostics()[0].nearest, "length");
 }
 
+TEST(InputError, CallsWarningsByThatName) {
+  const InputError error({{.message = "no components"}, {.severity = Severity::warning, .message = "an old key"}});
+  EXPECT_STREQ(error.what(), "no components\nwarning: an old key");
+}
+
 TEST(NearestName, FindsEachKindOfEdit) {
   const std::array<std::string, 3> names = {"length", "width", "divergence"};
   EXPECT_EQ(nearest_name("lenght", names), "length");          // neighbours swapped

@@ -12,8 +12,6 @@ namespace meristem {
 
 namespace {
 
-using DMat3 = glm::dmat3;
-
 /// `vector` with length 1, or `fallback` where it has no direction.
 DVec3 unit_or(DVec3 vector, DVec3 fallback) {
   const double length = std::sqrt(glm::dot(vector, vector));
@@ -43,12 +41,14 @@ Vec3 Frame::normal(Vec3 local) const {
   return Vec3(unit_or(side * (cofactors * DVec3(local)), DVec3(local)));
 }
 
-Mat3 rotation(Vec3 axis, double angle) {
-  const DVec3 a = unit_or(DVec3(axis), DVec3(kUp));
+Mat3 rotation(Vec3 axis, double angle) { return Mat3(exact_rotation(DVec3(axis), angle)); }
+
+DMat3 exact_rotation(DVec3 axis, double angle) {
+  const DVec3 a = unit_or(axis, DVec3(kUp));
   const double sine = math::sin(angle);
   const double cosine = math::cos(angle);
   const DMat3 cross(DVec3(0, a.z, -a.y), DVec3(-a.z, 0, a.x), DVec3(a.y, -a.x, 0));
-  return Mat3(cosine * DMat3(1) + sine * cross + (1 - cosine) * glm::outerProduct(a, a));
+  return cosine * DMat3(1) + sine * cross + (1 - cosine) * glm::outerProduct(a, a);
 }
 
 Mat3 rotation_between(Vec3 from, Vec3 to) {

@@ -5,7 +5,7 @@
 
 namespace meristem {
 
-/// A place and its directions: an affine map from local to outer coordinates.
+/// An origin and directions: an affine map from local to outer coordinates.
 ///
 /// Columns of `axes` are the images of x (to the right), y (the heading) and z (the upper face); unit and orthogonal
 /// unless the frame scales. `origin` is in metres. The default is the world's own frame: y up.
@@ -28,9 +28,21 @@ struct Frame {
   Frame operator*(const Frame& inner) const { return {axes * inner.axes, point(inner.origin)}; }
 };
 
+/// A frame in 64 bits, for what comes from files with the coordinates of a country: a 32-bit float a thousand
+/// kilometres from the origin is 6 cm from its neighbours.
+struct DFrame {
+  DMat3 axes{1};
+  DVec3 origin{0};
+
+  /// Outer coordinates of a local point; whoever stores it in 32 bits rounds it there, once.
+  DVec3 point(DVec3 local) const { return origin + axes * local; }
+};
+
 /// The rotation by `angle` (radians) about the unit vector `axis`, counter-clockwise seen against it.
 /// Uses the project's own sine and cosine, so that frames have the same bytes on every machine.
 Mat3 rotation(Vec3 axis, double angle);
+/// The same in 64 bits.
+DMat3 exact_rotation(DVec3 axis, double angle);
 
 /// The smallest rotation that takes the unit vector `from` to the unit vector `to`; for opposite vectors a half turn
 /// about some axis at right angles, always the same one.

@@ -11,7 +11,7 @@ namespace meristem {
 struct Image {
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> rgba;  ///< 4 bytes a pixel; sRGB where they are colours
+  std::vector<std::uint8_t> rgba;  ///< 4 bytes per pixel; sRGB where they are colours
 
   bool is_empty() const { return width == 0 || height == 0; }
   const std::uint8_t* pixel(int x, int y) const { return rgba.data() + 4 * (std::size_t{1} * y * width + x); }

@@ -16,7 +16,7 @@ namespace meristem {
 
 namespace {
 
-/// A coordinate as lattice cell, place in the cell, and blend weight there.
+/// A coordinate as lattice cell, position in the cell, and blend weight there.
 struct Cell {
   explicit Cell(double x)
       : lattice(static_cast<std::int64_t>(std::floor(x))),

@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
@@ -30,9 +31,47 @@ namespace {
 // Of the loops that this thread begins; 0 for none.
 thread_local int thread_limit = 0;
 
+/// How many of `wanted` threads the system starts: all, or half of those that it did, since what else the program needs
+/// takes memory from them. Each takes what threads take later, its stack and its share of the allocator. TBB does not
+/// survive a thread that cannot be started.
+int startable_threads(int wanted) {
+  std::atomic<bool> all_asked{false};
+  std::vector<std::jthread> started;
+  const auto stay = [&all_asked] {
+    const auto taken = std::make_unique<std::atomic<int>>(1);
+    taken->fetch_add(1);
+    all_asked.wait(false);
+  };
+  try {
+    while (static_cast<int>(started.size()) + 1 < wanted) started.emplace_back(stay);
+  } catch (const std::system_error&) {
+    // As many as there are.
+  } catch (const std::bad_alloc&) {
+  }
+  all_asked = true;
+  all_asked.notify_all();
+  const int count = static_cast<int>(started.size()) + 1;
+  return count == wanted ? wanted : std::max(1, count / 2);
+}
+
+int machine_cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
 int core_count() {
-  static const int count = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  static const int count = startable_threads(machine_cores());
   return count;
+}
+
+/// As many of `wanted` threads as can be started; asked once for each higher number.
+int available_threads(int wanted) {
+  if (wanted <= core_count()) return wanted;
+  static std::mutex mutex;
+  static int most_wanted = 0, most = 0;
+  const std::lock_guard lock(mutex);
+  if (wanted > most_wanted) {
+    most = startable_threads(wanted);
+    most_wanted = wanted;
+  }
+  return std::min(wanted, most);
 }
 
 /// Has loops in a block keep to the limit of the loop around them, whichever thread runs the block.
@@ -98,7 +137,7 @@ void allow_more_than_cores() {
 /// An arena for a limited number of threads.
 struct Crew {
   explicit Crew(int size) : threads(size), arena(size) {
-    if (size > core_count()) allow_more_than_cores();
+    if (size > machine_cores()) allow_more_than_cores();
   }
 
   int threads;
@@ -127,7 +166,8 @@ void run_together(Blocks& blocks, int threads) {
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks.size(), 1), run_range, tbb::simple_partitioner());
     });
   };
-  if (thread_limit == 0 || tbb::this_task_arena::max_concurrency() == threads) return run_all();
+  const bool is_whole_machine = thread_limit == 0 && threads == machine_cores();
+  if (is_whole_machine || tbb::this_task_arena::max_concurrency() == threads) return run_all();
   crew_of(threads).arena.execute(run_all);
 }
 
@@ -171,7 +211,7 @@ void parallel_for(std::size_t count, std::size_t grain, FunctionRef<void(std::si
   blocks.rethrow();
 }
 
-int thread_count() { return thread_limit > 0 ? thread_limit : core_count(); }
+int thread_count() { return thread_limit > 0 ? available_threads(thread_limit) : core_count(); }
 
 ThreadLimit::ThreadLimit(int threads) : previous_(thread_limit) {
   if (threads < 0) throw std::invalid_argument("a thread limit is at least 1, or 0 for all cores");

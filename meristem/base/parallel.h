@@ -16,7 +16,8 @@ namespace meristem {
 /// Calls may nest; no thread begins another block before the one it is in has returned.
 void parallel_for(std::size_t count, std::size_t grain, FunctionRef<void(std::size_t begin, std::size_t end)> body);
 
-/// How many threads parallel_for may use: the machine's cores unless a ThreadLimit says otherwise.
+/// How many threads parallel_for may use: the machine's cores unless a ThreadLimit says otherwise; fewer where the
+/// system does not start that many.
 int thread_count();
 
 /// While it lives, bounds the threads of the loops that this thread begins and of those within them; other threads'

@@ -28,7 +28,7 @@ int longest_axis(const Box& box) {
   return size.y >= size.z ? 1 : 2;
 }
 
-/// Puts the median along an axis in its place, smaller ones before it and larger ones after it.
+/// Puts the median along an axis where it belongs, smaller ones before it and larger ones after it.
 template <class Point>
 void halve(Point* begin, Point* middle, Point* end) {
   if (middle == end) return;

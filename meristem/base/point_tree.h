@@ -10,7 +10,7 @@
 
 namespace meristem {
 
-/// A place that keeps its number where places are ordered.
+/// A point that keeps its number while points are ordered.
 struct NumberedPoint {
   Vec3 position{0};
   std::uint32_t number = 0;
@@ -45,7 +45,7 @@ class PointTree {
   /// Where a node stands in arrays over all nodes; its children stand at twice that plus 1 and plus 2.
   static std::uint32_t place(int level, std::uint32_t index) { return (std::uint32_t{1} << level) - 1 + index; }
   std::uint32_t node_count() const { return 2 * leaf_count() - 1; }
-  /// Boxes around the points of each node, by place.
+  /// Boxes around the points of each node, by tree node.
   const std::vector<Box>& boxes() const { return boxes_; }
 
  private:

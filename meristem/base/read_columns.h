@@ -18,7 +18,7 @@ struct ColumnRequest {
 
 /// The columns asked for, in that order.
 struct Columns {
-  std::vector<std::vector<double>> numbers;  ///< a list a column; empty for one that is not there
+  std::vector<std::vector<double>> numbers;  ///< a list per column; empty for one that is not there
   std::vector<int> lines;                    ///< of each row in the text, from 1
 
   std::size_t row_count() const { return lines.size(); }

@@ -22,7 +22,7 @@ struct Sample {
   List x, y, weights;
 };
 
-/// A wave with noise at uneven places, and uneven weights.
+/// A wave with noise at uneven positions, and uneven weights.
 Sample noisy_wave(std::size_t count, std::uint64_t seed) {
   const RandomKey key(seed);
   Sample sample;
@@ -50,7 +50,7 @@ double distance_of(const Sample& sample, const List& values) {
   return std::sqrt(squares / sum);
 }
 
-/// The least-squares line at the places.
+/// The least-squares line at the positions.
 List line_through(const Sample& sample) {
   double w = 0, wx = 0, wy = 0, wxx = 0, wxy = 0;
   for (std::size_t k = 0; k < sample.x.size(); ++k) {

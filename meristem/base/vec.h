@@ -20,6 +20,7 @@ using Vec3 = glm::vec3;
 using Vec4 = glm::vec4;
 using Mat3 = glm::mat3;
 using DVec3 = glm::dvec3;
+using DMat3 = glm::dmat3;
 
 inline constexpr Vec3 kUp{0, 1, 0};
 inline constexpr double kPi = 3.14159265358979323846;

@@ -16,6 +16,8 @@ constexpr Vec3 kDotColour{0.06F, 0.16F, 0.55F};
 constexpr float kKept = 0;
 constexpr float kRemoved = 1;
 
+RootsInCrowns roots_of(const Cloud& cloud) { return {cloud.crown, cloud.points, cloud.roots, cloud.one_crown}; }
+
 /// Points that stay as they are: each is a root of its own. Points are placed where plants grow, one component after
 /// another, so that they report and can be cancelled as growth can.
 class PlacedPoints : public Grower {
@@ -55,8 +57,10 @@ std::vector<bool> kept_points(const std::vector<Vec3>& places, const LightLimit&
 }
 
 std::unique_ptr<Grower> grow(const Cloud& cloud, const Site& site, const GrowContext& context) {
-  const std::vector<Vec3> points = make_points(cloud.crown, cloud.points, site.key.child("points"), context);
-  std::vector<Vec3> places;
+  std::vector<Vec3> points, places;
+  for (const PointsOfRoot& of_root : points_of_roots(roots_of(cloud), site.key.child("points"), context)) {
+    for (const Vec3 point : of_root.points) points.push_back(of_root.base + point);
+  }
   for (const Vec3 point : points) places.push_back(site.frame.point(point));
   LightLimit limit = cloud.limit;
   limit.radius *= glm::length(site.frame.heading());
@@ -85,20 +89,39 @@ ComponentType cloud_component() {
                  .doc =
                      "The attraction points of a crown as dots, to see what a crown, a distribution or the scene makes "
                      "of them.",
-                 .material = {.colour = kDotColour, .roughness = 0.9F}},
+                 .material = {.colour = kDotColour, .roughness = 0.9F},
+                 .shows = {.type = "colonize",
+                           .rows = {{"crown", "crown"},
+                                    {"points", "points"},
+                                    {"roots", "roots"},
+                                    {"one_crown", "one_crown"},
+                                    {"limit", "light.limit"},
+                                    {"frame", "frame"},
+                                    {"gravitropism", "gravitropism"},
+                                    {"phototropism", "phototropism"}}}},
       .parameters =
           Table<Cloud>("a cloud", "The attraction points of a crown as dots.")
+              .text(
+                  "of", &Cloud::of,
+                  "Id of a colonize component beside the cloud, whose own attraction points the dots then show: crown, "
+                  "points, roots, light limit and frame are those of the tree unless the cloud gives its own.")
               .object("crown", &Cloud::crown, crown_table,
                       "Envelope that the attraction points fill; required unless the points come from a file.")
               .object("points", &Cloud::points, points_table, "Number, distribution or file of the attraction points.")
+              .places("roots", &Cloud::roots, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-20, 20}},
+                      "Positions of the crowns, as of the trees of a colonize component.")
+              .boolean("one_crown", &Cloud::one_crown,
+                       "Whether all roots share one crown, which stands at the component's origin.")
               .object("limit", &Cloud::limit, limit_table,
                       "Removes the points in the deepest shade, as the light response of a colonize component does.")
               .number("size", &Cloud::size, {.unit = Unit::metre, .min = 1e-5, .max = 1e4, .usual = {0.005, 0.2}},
                       "Diameter of each dot.")
               .colour("removed_colour", &Cloud::removed_colour,
                       "Colour of the points that obstacles or the light limit remove; by default, they are not shown.")
+              .only_with("roots", {"one_crown"})
               .check([](const Cloud& cloud, const DocumentPath& path, ParameterReader& reader) {
-                check_cloud(cloud.crown, cloud.points, 1, "a cloud", path, reader);
+                const std::size_t times = roots_of(cloud).share_points() ? 1 : cloud.roots.size();
+                check_cloud(cloud.crown, cloud.points, times, "a cloud", path, reader);
               }),
       .expand = expand,
       .grow = grow,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/components/colonize.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "meristem/components/parts/growth_scale.h"
@@ -14,15 +16,7 @@ namespace meristem {
 
 namespace {
 
-/// Whether all roots grow into the same points.
-bool shares_points(const Colonize& tree) { return tree.one_crown || tree.points.file; }
-
-/// The points of one crown or file, moved to the world.
-std::vector<Vec3> points_at(const Colonize& tree, const Frame& frame, RandomKey key, const GrowContext& context) {
-  std::vector<Vec3> points = make_points(tree.crown, tree.points, key, context);
-  for (Vec3& point : points) point = frame.point(point);
-  return points;
-}
+RootsInCrowns roots_of(const Colonize& tree) { return {tree.crown, tree.points, tree.roots, tree.one_crown}; }
 
 /// With all lengths to `scale`.
 ColonizeParameters growth_of(const Colonize& tree, double scale) {
@@ -42,17 +36,13 @@ ColonizeParameters growth_of(const Colonize& tree, double scale) {
 std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowContext& context) {
   const std::optional<double> scale = growth_scale(site.frame);
   if (!scale) return make_nothing();
-  const RandomKey key = site.key.child("points");
-  const bool shares = shares_points(tree);
+  std::vector<PointsOfRoot> all = points_of_roots(roots_of(tree), site.key.child("points"), context);
   std::vector<Seedling> seedlings;
-  for (const Vec3 root : tree.roots) {
-    Seedling& seedling = seedlings.emplace_back();
-    seedling.root = site.frame.point(root);
-    const std::size_t k = seedlings.size() - 1;
-    const Frame crown{site.frame.axes, seedling.root};
-    if (!shares) seedling.points = points_at(tree, crown, k == 0 ? key : key.child(k), context);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const Frame crown{site.frame.axes, site.frame.point(all[k].base)};
+    for (Vec3& point : all[k].points) point = crown.point(point);
+    seedlings.push_back({.root = site.frame.point(tree.roots[k]), .points = std::move(all[k].points)});
   }
-  if (shares) seedlings[0].points = points_at(tree, site.frame, key, context);
   return make_colonizer(context.stand, std::move(seedlings), growth_of(tree, *scale), site.key.child("growth"),
                         context.scene, context.limits, context.component, context.progress);
 }
@@ -68,7 +58,8 @@ void expand(const Colonize& tree, const Site& site, Emitter& out) {
 }
 
 void check_colonize(const Colonize& tree, const DocumentPath& path, ParameterReader& reader) {
-  check_cloud(tree.crown, tree.points, shares_points(tree) ? 1 : tree.roots.size(), "a colonize", path, reader);
+  check_cloud(tree.crown, tree.points, roots_of(tree).share_points() ? 1 : tree.roots.size(), "a colonize", path,
+              reader);
   const ColonizeParameters& growth = tree.growth;
   if (growth.kill >= growth.influence) {
     reader.fault(DocumentPath(path, "kill"),

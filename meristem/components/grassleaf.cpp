@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A field has a million leaves. Unless they are to be exact, what shapes a leaf is rounded so that many share a mesh,
-// which is made for a length of 1 and scaled: its width over its length to an eighth of an octave (and stretched to the
+// A field has a million leaves. Unless they are to be exact, what of a leaf's shape varies from leaf to leaf is rounded
+// so that many share a mesh; a number that is the same for all of them makes no more meshes, and stays as it is. The
+// mesh is made for a length of 1 and scaled: its width over its length to an eighth of an octave (and stretched to the
 // exact one, by at most 4.4 %), angles to 5°, its age to 32 steps of full growth, forces to a quarter of the leaf's
 // weight. Lives are drawn from a number of variants.
 #include "meristem/components/grassleaf.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -29,13 +31,13 @@ constexpr double kProportionSteps = 8;  // an octave
 constexpr double kRadiusSteps = 2;      // an octave
 constexpr double kForceStep = 0.25;     // of the leaf's weight
 constexpr double kWaveStep = 0.05;      // of their depth
-constexpr double kFactorStep = 0.05;    // of an inclination
+constexpr double kWaveNumberStep = 0.5;
+constexpr double kFactorStep = 0.05;  // of an inclination
 constexpr double kTurnStep = kPi / 180;
 constexpr double kTurnPlaceStep = 0.01;  // of the midrib
 constexpr double kErrorSteps = 4;        // an octave
 constexpr double kAirDensity = 1.2;      // kg/m3
 constexpr double kAgeTolerance = 1e-9;
-constexpr int kPiecesAWave = 4;
 constexpr double kUsualLength = 0.3;    // metres, where neither document nor file says it
 constexpr double kUsualSheath = 0.005;  // metres, of its radius away from stems
 constexpr double kSheathOverStem = 1.12;
@@ -127,18 +129,37 @@ struct ShapeNumbers {
 };
 static_assert(sizeof(ShapeNumbers) % sizeof(double) == 0 && sizeof(LocalTurn) == 3 * sizeof(double));
 
-/// Rounds numbers, or leaves them.
-struct Rounding {
-  bool exact;
-  double step(double value, double step) const { return exact ? value : to_step(value, step) + 0.0; }
-  double octaves(double value, double steps) const { return exact || value <= 0 ? value : to_octaves(value, steps); }
+/// Rounds numbers of a leaf, or leaves them.
+class Rounding {
+ public:
+  Rounding(const Grassleaf& grass, const Emitter& out) : grass_(grass), out_(out) {}
+
+  double step(double value, double step) const { return grass_.exact ? value : to_step(value, step) + 0.0; }
+  double octaves(double value, double steps) const {
+    return grass_.exact || value <= 0 ? value : to_octaves(value, steps);
+  }
+  /// A number of the leaf itself, which is rounded only where it is one for one leaf and another one for another.
+  double own(const double& number, double steps) const { return varies(number) ? step(number, steps) : number + 0.0; }
+  double own_octaves(const double& number, double steps) const {
+    return varies(number) ? octaves(number, steps) : number;
+  }
+  template <class Member>
+  bool varies(const Member& member) const {
+    const auto place = [](const auto& object) { return reinterpret_cast<const std::byte*>(&object); };
+    return out_.varies(static_cast<std::size_t>(place(member) - place(grass_)));
+  }
+
+ private:
+  const Grassleaf& grass_;
+  const Emitter& out_;
 };
 
 /// Those of the leaf, rounded; where numbers that vary put a turn's end before its beginning, it is a kink.
-std::vector<LocalTurn> turns_of(const Grassleaf& grass) {
+std::vector<LocalTurn> turns_of(const Grassleaf& grass, const Emitter& out) {
   if (!grass.stages.bend) return {};
-  const Rounding round{grass.exact};
+  const Rounding round(grass, out);
   std::vector<LocalTurn> turns = grass.turns;
+  if (!round.varies(grass.turns)) return turns;
   for (LocalTurn& turn : turns) {
     turn.from = round.step(turn.from, kTurnPlaceStep);
     turn.to = std::max(turn.from, round.step(turn.to, kTurnPlaceStep));
@@ -159,7 +180,8 @@ glm::dvec2 in_plane(Vec3 vector, const Frame& frame) {
   return {-glm::dot(vector, glm::normalize(frame.axes[2])), glm::dot(vector, glm::normalize(frame.axes[1]))};
 }
 
-void note_forces(const Grassleaf& grass, const Site& site, const Emitter& out, Rounding round, ShapeNumbers& numbers) {
+void note_forces(const Grassleaf& grass, const Site& site, const Emitter& out, const Rounding& round,
+                 ShapeNumbers& numbers) {
   if (!grass.forces || !grass.stages.bend) return;
   const GrassForces& forces = *grass.forces;
   const Vec3 all = forces.pull + static_cast<float>(forces.light) * out.directions().toward_light(site.frame.origin);
@@ -174,13 +196,13 @@ void note_forces(const Grassleaf& grass, const Site& site, const Emitter& out, R
   set(all, numbers.pull_x, numbers.pull_y);
   set(wind, numbers.wind_x, numbers.wind_y);
   set(out.directions().down(site.frame.origin), numbers.gravity_x, numbers.gravity_y);
-  numbers.stiffness = round.octaves(forces.strip.stiffness, kRadiusSteps);
-  numbers.tip_thickness = round.octaves(forces.strip.tip_thickness, kRadiusSteps);
+  numbers.stiffness = round.own_octaves(forces.strip.stiffness, kRadiusSteps);
+  numbers.tip_thickness = round.own_octaves(forces.strip.tip_thickness, kRadiusSteps);
 }
 
 ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choice& choice, double length, double width,
                            const Emitter& out) {
-  const Rounding round{grass.exact};
+  const Rounding round(grass, out);
   ShapeNumbers numbers{};
   numbers.midrib = choice.midrib;
   numbers.widths = choice.widths;
@@ -198,30 +220,33 @@ ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choic
   numbers.full_age = grass.full_age;
   const double age = grass.stages.age ? grass.age : grass.stock->midribs[choice.midrib].family.last_age();
   const double step = grass.full_age / kAgeSteps;
-  numbers.age = round.step(age, step);
+  const bool is_rounded = !grass.exact && grass.stages.age && round.varies(grass.age);
+  numbers.age = is_rounded ? round.step(age, step) : age;
   // Rounded, a young leaf is still there, and none gets older than its midribs.
-  if (!grass.exact && age > 0) numbers.age = std::max(numbers.age, step);
+  if (is_rounded && age > 0) numbers.age = std::max(numbers.age, step);
   numbers.age = std::min(numbers.age, grass.stock->midribs[choice.midrib].family.last_age());
   numbers.inclination = kOwnInclination;
   numbers.inclination_factor = 1;
   if (grass.stages.bend) {
     if (grass.inclination) {
-      numbers.inclination = round.step(*grass.inclination * grass.inclination_factor, kShapeAngleStep);
+      const double inclination = *grass.inclination * grass.inclination_factor;
+      const bool is_rounded = round.varies(*grass.inclination) || round.varies(grass.inclination_factor);
+      numbers.inclination = is_rounded ? round.step(inclination, kShapeAngleStep) : inclination;
     } else {
-      numbers.inclination_factor = round.step(grass.inclination_factor, kFactorStep);
+      numbers.inclination_factor = round.own(grass.inclination_factor, kFactorStep);
     }
   }
   note_forces(grass, site, out, round, numbers);
   if (grass.stages.blade) {
     const GrassBlade& blade = grass.blade;
-    numbers.twist = round.step(blade.twist, kShapeAngleStep);
-    numbers.fold = round.step(blade.fold, kShapeAngleStep);
-    numbers.roll = round.step(blade.roll, kShapeAngleStep);
+    numbers.twist = round.own(blade.twist, kShapeAngleStep);
+    numbers.fold = round.own(blade.fold, kShapeAngleStep);
+    numbers.roll = round.own(blade.roll, kShapeAngleStep);
     if (blade.waves.number > 0 && blade.waves.depth != 0) {
-      numbers.waves = round.step(blade.waves.number, 0.5);
-      numbers.waves_depth = round.step(blade.waves.depth, kWaveStep);
-      numbers.waves_left = round.step(blade.waves.left, 6 * kShapeAngleStep);
-      numbers.waves_right = round.step(blade.waves.right, 6 * kShapeAngleStep);
+      numbers.waves = round.own(blade.waves.number, kWaveNumberStep);
+      numbers.waves_depth = round.own(blade.waves.depth, kWaveStep);
+      numbers.waves_left = round.own(blade.waves.left, 6 * kShapeAngleStep);
+      numbers.waves_right = round.own(blade.waves.right, 6 * kShapeAngleStep);
     }
     if (grass.sheath.length > 0) {
       numbers.clasp = grass.sheath.clasp;
@@ -247,7 +272,7 @@ double value_of(const std::optional<Formula>& formula, std::span<const double> n
   return value;
 }
 
-/// The rates of one leaf's life. Each random call of an expression draws once a leaf.
+/// The rates of one leaf's life. Each random call of an expression draws once per leaf.
 class LifeRates {
  public:
   LifeRates(const GrassVariety& vary, RandomKey key, const Emitter& out) : vary_(vary), key_(key), out_(out) {}
@@ -287,7 +312,7 @@ GrassLeaf bent_leaf(const Grassleaf& grass, const ShapeNumbers& numbers, GrassLe
   } else if (numbers.inclination_factor != 1) {
     leaf = inclined(leaf, numbers.inclination_factor * inclination(leaf));
   }
-  if (!grass.turns.empty()) leaf = turned(leaf, turns_of(grass));
+  if (!grass.turns.empty()) leaf = turned(leaf, turns_of(grass, out));
   if (!grass.forces) return leaf;
   try {
     return loaded(leaf, {.stiffness = numbers.stiffness, .tip_thickness = numbers.tip_thickness},
@@ -347,7 +372,7 @@ Mesh make_shape(const Grassleaf& grass, const ShapeNumbers& numbers, const Emitt
 void emit_sheath(const Grassleaf& grass, const Site& site, Emitter& out) {
   const GrassSheath& sheath = grass.sheath;
   const auto radius = static_cast<float>(sheath_radius(sheath, site)), length = static_cast<float>(sheath.length);
-  const double open = Rounding{grass.exact}.step(sheath.open, kShapeAngleStep);
+  const double open = Rounding(grass, out).own(sheath.open, kShapeAngleStep);
   out.blade(
       Frame{.axes = Mat3(Vec3(radius, 0, 0), Vec3(0, length, 0), Vec3(0, 0, radius))}, shape_key({1, open}),
       [&] { return make_sheath(open); }, Vec3(1));
@@ -381,7 +406,7 @@ void expand(const Grassleaf& grass, const Site& site, Emitter& out) {
   frame.axes *= static_cast<float>(length);
   frame.axes[0] *= static_cast<float>(width / (length * numbers.width));
   frame.origin.z = -static_cast<float>(distance_from_axis(grass, site));
-  out.organ(frame, shape_hash(numbers, turns_of(grass)), [&] { return make_shape(grass, numbers, out); });
+  out.organ(frame, shape_hash(numbers, turns_of(grass, out)), [&] { return make_shape(grass, numbers, out); });
 }
 
 TextureShape texture_shape(const Grassleaf& grass) {

@@ -153,6 +153,53 @@ TEST(Grassleaf, ExactLeavesAreAsTheyAreAsked) {
   EXPECT_NEAR(math::atan2(-tip.z, tip.y), radians(12.3), 1e-5);
 }
 
+TEST(Grassleaf, ANumberThatIsTheSameForAllLeavesIsNotRounded) {
+  // So far the surface's points lie from where they are without it.
+  const auto moved_by = [](Object more, Object plain = {}) {
+    more.emplace_back("polygons", 24);
+    plain.emplace_back("polygons", 24);
+    const Plant with = field_of(3, strip(std::move(more))), without = field_of(3, strip(std::move(plain)));
+    EXPECT_EQ(with.prototypes.size(), 1U);
+    float farthest = 0;
+    for (const Vec3 point : with.prototypes[0].mesh->positions) {
+      float nearest = 1e9F;
+      for (const Vec3 other : without.prototypes[0].mesh->positions)
+        nearest = std::min(nearest, glm::distance(point, other));
+      farthest = std::max(farthest, nearest);
+    }
+    return farthest;
+  };
+  for (const char* const name : {"twist", "fold", "roll"}) EXPECT_GT(moved_by({{name, 2}}), 1e-5F) << name;
+  EXPECT_GT(moved_by({{"waves", Object{{"number", 3}, {"depth", 0.02}}}}), 1e-5F);
+  EXPECT_GT(moved_by({{"turns", List{Object{{"from", 0.5}, {"to", 0.5}, {"angle", 0.4}}}}}), 1e-4F);
+  const Plant leaning = field_of(1, strip({{"inclination", 1.5}}));
+  EXPECT_NEAR(-tip_of(leaning, leaning.organs[0]).z, std::sin(radians(1.5)), 1e-5);
+  const Plant young = field_of(1, strip({{"age", 0.3456}}));
+  EXPECT_NEAR(area_of(young, young.organs[0]), 0.03456, 1e-7);
+}
+
+TEST(Grassleaf, ANumberThatVariesIsStillRoundedSoThatLeavesShareMeshes) {
+  EXPECT_LE(field_of(400, strip({{"twist", "rand(-10, 10)"}})).prototypes.size(), 5U);
+  EXPECT_GT(field_of(400, strip({{"twist", "rand(-10, 10)"}, {"exact", true}})).prototypes.size(), 300U);
+}
+
+TEST(Grassleaf, WavesThatItsPolygonsCannotShowAreWarnedOf) {
+  const auto warnings_of = [](const Object& leaf) {
+    ParameterReader reader({}, Limits());
+    const ComponentType type = grassleaf_component();
+    const std::shared_ptr<void> parameters = type.make_parameters();
+    reader.read_varying(type.parameters, parameters.get(), leaf, DocumentPath());
+    return reader.take_diagnostics();
+  };
+  const Object waves{{"number", 6}, {"depth", 0.5}};
+  const auto warnings = warnings_of(strip({{"waves", waves}, {"polygons", 20}}));
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0].severity, Severity::warning);
+  EXPECT_EQ(warnings[0].message, "20 polygons are too few to show 6 waves, which are left out; it takes 24 or more");
+  EXPECT_TRUE(warnings_of(strip({{"waves", waves}, {"polygons", 24}})).empty());
+  EXPECT_TRUE(warnings_of(strip({{"waves", waves}, {"polygons", 20}, {"stages", Object{{"reduce", false}}}})).empty());
+}
+
 TEST(Grassleaf, NumbersThatVaryDoNotSpoilItsTexture) {
   const Object veins{{"leaf", Object{{"veins", "parallel"}}}, {"pixels", 32}};
   const auto normals_of = [&](const Object& leaf) { return field_of(1, leaf).materials[0].texture->normals.rgba; };

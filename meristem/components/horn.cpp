@@ -22,7 +22,7 @@ constexpr double kThinnest = 1e-6;     // of the length: thinner sections are po
 constexpr double kRadiiAnOctave = 64;  // steps in which radii differ, of outlines that share their meshes
 constexpr std::size_t kMostRibs = 100'000;
 
-/// A place on the curve.
+/// A cross-section on the curve.
 struct Rib {
   Frame frame;  ///< in world space, turned by the twist
   float u = 0;
@@ -91,7 +91,7 @@ Mesh make_outline_mesh(const Horn& horn, const StemParameters& stem, const StemP
 }
 
 /// The curve of a horn that is 1 long, in the horn's own frame. What the world does to it, where it is `length` long,
-/// differs from place to place.
+/// differs along the curve.
 StemPath unit_path(const StemParameters& unit, float length, const Site& site, StemTropisms tropisms) {
   Site own;
   own.key = site.key;

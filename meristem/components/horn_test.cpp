@@ -80,7 +80,7 @@ TEST(Horn, ASpiralIsAHelix) {
   const Mat3 turn = frames[31].axes * glm::transpose(frames[30].axes);
   const Vec3 axis = glm::normalize(Vec3(turn[1][2] - turn[2][1], turn[2][0] - turn[0][2], turn[0][1] - turn[1][0]));
   const auto flat = [&](Vec3 position) { return position - glm::dot(position, axis) * axis; };
-  // The centre is where the perpendicular bisectors of three places meet.
+  // The centre is where the perpendicular bisectors of three points meet.
   const Vec3 a = flat(frames[10].origin), b = flat(frames[13].origin), c = flat(frames[17].origin);
   const Vec3 ab = b - a, ac = c - a, normal = glm::cross(ab, ac);
   const Vec3 centre = a + (glm::dot(ac, ac) * glm::cross(normal, ab) + glm::dot(ab, ab) * glm::cross(ac, normal)) /

@@ -22,7 +22,7 @@ constexpr double kDefaultAngle = 22.5;  // degrees
 constexpr float kShapeSteps = 8192;     // of a polygon's extent, to which its corners are rounded to be shared
 constexpr Vec3 kLeafGreen{0.31F, 0.47F, 0.19F};
 
-/// Faults of the grammar while it derives, at the place in the document where the grammar stands.
+/// Faults of the grammar while it derives, at the path in the document where the grammar stands.
 [[noreturn]] void throw_placed(const InputError& error, const Lsystem& plant, const std::string& component) {
   std::vector<Diagnostic> placed = error.diagnostics();
   for (Diagnostic& found : placed) {

@@ -48,7 +48,7 @@ std::unique_ptr<Grower> grow(const Organize& tree, const Site& site, const GrowC
                         context.scene, context.limits, context.component);
 }
 
-/// A place for a leaf beside each lateral bud of the young metamers. A tree that no longer grows has none.
+/// A site for a leaf beside each lateral bud of the young metamers. A tree that no longer grows has none.
 void offer_leaves(const Organize& tree, const Skeleton& skeleton, float scale, Emitter& out) {
   const std::vector<float>& angle = skeleton.extra.find("bud_angle")->second;
   const std::vector<float>& number = skeleton.extra.find("metamer")->second;

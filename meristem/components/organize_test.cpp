@@ -37,7 +37,7 @@ Diagnostic fault(const Value::Object& parameters) {
   return faults.empty() ? Diagnostic{} : faults[0];
 }
 
-/// What reading warns of, one a line.
+/// What reading warns of, one per line.
 std::string warnings(const Value::Object& parameters) {
   const ComponentType type = organize_component();
   const auto read = type.make_parameters();

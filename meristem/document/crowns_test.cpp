@@ -146,6 +146,64 @@ TEST(CrownDocument, FaultyPointsHaveTheirPlace) {
             std::string::npos);
 }
 
+// A tree of two roots with few points, and a cloud that shows them.
+Plant tree_with_cloud(const std::string& tree, const std::string& cloud) {
+  const std::string text = fmt::format(R"({{"meristem": 1, "seed": 5, "components": {{
+    "dots": {{"type": "cloud", {}}},
+    "tree": {{"type": "colonize", "crown": {{"sphere": {{"centre": [0, 3, 0], "radius": 2}}}}, "points": 12,
+              "step": 0.05, "influence": 6, "kill": 0.1, "finish": {{"decimate": 0, "relax": false, "subdivide": 0}}, {}}}}}}})",
+                                       cloud, tree);
+  const Document document = read_document(text, "d.json", builtin_components());
+  Progress progress;
+  return grow_document(document, progress, {.up_to = GrownPart::plant}).plant;
+}
+
+/// The largest distance from a dot to the tree's nearest node.
+float farthest_from_tree(const Plant& plant) {
+  float farthest = 0;
+  for (const Organ& dot : plant.organs) {
+    float nearest = 1e9F;
+    for (const Vec3 node : plant.stems.at(0).skeleton.position) {
+      nearest = std::min(nearest, glm::distance(node, dot.frame.origin));
+    }
+    farthest = std::max(farthest, nearest);
+  }
+  return farthest;
+}
+
+TEST(CrownDocument, ACloudShowsThePointsThatItsTreeGrowsTo) {
+  for (const char* const tree :
+       {R"("alone": false)", R"("roots": [[0, 0, 0], [5, 0, 1]])",
+        R"("frame": {"translate": [1, 0, 2], "rotate": [0, 0, 30]})",
+        R"("roots": [[-1, 0, 0], [2, 0, 1]], "one_crown": true, "frame": {"scale": [2, 2, 2]})"}) {
+    const Plant plant = tree_with_cloud(tree, R"("of": "tree")");
+    EXPECT_GE(plant.organs.size(), 12U);
+    const float scale = std::string(tree).find("scale") == std::string::npos ? 1 : 2;
+    EXPECT_LT(farthest_from_tree(plant), scale * 0.11F) << tree;
+  }
+}
+
+TEST(CrownDocument, ACloudMayStandElsewhereThanItsTree) {
+  const Plant there = tree_with_cloud(R"("alone": false)", R"("of": "tree")");
+  const Plant away = tree_with_cloud(R"("alone": false)", R"("of": "tree", "frame": {"translate": [4, 0, 0]})");
+  ASSERT_EQ(away.organs.size(), there.organs.size());
+  for (std::size_t k = 0; k < away.organs.size(); ++k) {
+    EXPECT_LT(glm::distance(away.organs[k].frame.origin, there.organs[k].frame.origin + Vec3(4, 0, 0)), 1e-5F);
+  }
+}
+
+TEST(CrownDocument, ACloudOfATreeThatIsNotThereNamesTheNearest) {
+  try {
+    tree_with_cloud(R"("alone": false)", R"("of": "tre")");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.diagnostics()[0].message, "there is no colonize 'tre'");
+    EXPECT_EQ(error.diagnostics()[0].nearest, "tree");
+    EXPECT_EQ(error.diagnostics()[0].path, "components.dots.of");
+    EXPECT_GT(error.diagnostics()[0].line, 0);
+  }
+}
+
 /// A folder with files for one test.
 class CrownFiles : public testing::Test {
  protected:
@@ -206,6 +264,31 @@ TEST_F(CrownFiles, PointsAreTurnedUpScaledTurnedAndMoved) {
   EXPECT_LT(glm::length(points[2] - Vec3(9.6F, 3.6F, -0.2F)), 1e-5F);
   const std::vector<Vec3> turned = points_of(R"("points": {"file": "scans/tree.xyz", "rotate": [0, 90, 0]})");
   EXPECT_LT(glm::length(turned[0] - Vec3(1, 0, 0)), 1e-5F);
+}
+
+TEST_F(CrownFiles, PointsWithTheCoordinatesOfACountryAreMovedToTheMillimetre) {
+  write("scans/map.xyz", "3456789.126 105.25 5765432.381\n3456790.001 106.75 5765431.906\n");
+  const std::vector<Vec3> points =
+      points_of(R"("points": {"file": "scans/map.xyz", "translate": [-3456789.001, -105.125, -5765432.256]})");
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_LT(glm::length(points[0] - Vec3(0.125F, 0.125F, 0.125F)), 1e-6F);
+  EXPECT_LT(glm::length(points[1] - Vec3(1, 1.625F, -0.35F)), 1e-6F);
+  const std::vector<Vec3> up = points_of(R"("points": {"file": "scans/map.xyz", "scale": 0.001, "rotate": [0, 90, 0],
+                              "translate": [-5765.432256, -0.1, 3456.789001]})");
+  EXPECT_LT(glm::length(up[0] - Vec3(0.000125F, 0.00525F, -0.000125F)), 1e-8F) << "turns and scales, too";
+}
+
+TEST_F(CrownFiles, AMeshWithTheCoordinatesOfACountryIsMovedToTheMillimetre) {
+  write("map.obj",
+        "v 3456789.1 10 5765432.3\nv 3456790.1 10 5765432.3\nv 3456789.1 11 5765432.3\nv 3456789.1 10 5765433.3\n"
+        "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const Document document = read_here(R"("crown": {"mesh": "map.obj", "translate": [-3456789.1, -10, -5765432.3]})");
+  const auto& tree = *static_cast<const Colonize*>(document.graph.components[0].parameters.get());
+  const CrownPointer made = build_crown(*tree.crown);
+  EXPECT_NEAR(made->bounds().low.x, 0, 1e-6);
+  EXPECT_NEAR(made->bounds().high.z, 1, 1e-6);
+  EXPECT_TRUE(made->contains({0.01F, 0.01F, 0.01F}));
+  EXPECT_FALSE(made->contains({-0.01F, 0.01F, 0.01F}));
 }
 
 TEST_F(CrownFiles, ACrownCutsOffThePointsOutside) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <span>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -175,10 +176,51 @@ class DocumentReader {
     prototype.parameters = prototype.type->make_parameters();
     const std::size_t faults_before = reader.fault_count();
     const std::size_t files_before = reader.files().size();
-    prototype.varyings = reader.read_varying(prototype.type->parameters, prototype.parameters.get(), value, path);
+    const Value whole = with_shown(reader, prototype, value, path);
     if (reader.fault_count() != faults_before) return;
-    set_fingerprints(prototype, value, reader.constants(), std::span(reader.files()).subspan(files_before),
+    prototype.varyings = reader.read_varying(prototype.type->parameters, prototype.parameters.get(), whole, path);
+    if (reader.fault_count() != faults_before) return;
+    set_fingerprints(prototype, whole, reader.constants(), std::span(reader.files()).subspan(files_before),
                      reader.limits());
+  }
+
+  /// What a component says, and what it takes from the one that it shows.
+  Value with_shown(ParameterReader& reader, Prototype& prototype, const Value& value, const DocumentPath& path) const {
+    const Showing& shows = prototype.type->shows;
+    const Value* of = shows.type.empty() ? nullptr : value.find("of");
+    if (of == nullptr || of->text() == nullptr) return value;
+    std::vector<std::string> ids;
+    const Value* shown = nullptr;
+    for (const auto& [id, other] : *root_.find("components")->object()) {
+      const Value* type = other.find("type");
+      if (type == nullptr || *type != Value(shows.type)) continue;
+      ids.push_back(id);
+      if (id == *of->text()) shown = &other;
+    }
+    if (shown == nullptr) {
+      const std::string nearest = reader.nearest(*of->text(), ids);
+      reader.fault(DocumentPath(path, "of"), fmt::format("there is no {} '{}'", shows.type, *of->text()),
+                   nearest.empty() ? fmt::format("the id of a component of type {}", shows.type) : "", nearest);
+      return value;
+    }
+    prototype.shown = *of->text();
+    Value whole = value;
+    for (const auto& [own, there] : shows.rows) {
+      const Value* taken = value.find(own) == nullptr ? find_member(*shown, there) : nullptr;
+      if (taken != nullptr) whole.object()->emplace_back(own, *taken);
+    }
+    return whole;
+  }
+
+  /// The value behind names that dots part; null where there is none.
+  static const Value* find_member(const Value& value, std::string_view names) {
+    const Value* found = &value;
+    while (found != nullptr && !names.empty()) {
+      const std::size_t end = std::min(names.find('.'), names.size());
+      found = found->find(names.substr(0, end));
+      names.remove_prefix(std::min(end + 1, names.size()));
+    }
+    return found;
   }
 
   const Value& root_;

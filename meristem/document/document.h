@@ -40,7 +40,7 @@ struct VariableNote {
 /// Defaults for doors that make pictures and files.
 struct OutputParameters {
   std::vector<int> size{1200, 1200};  ///< width and height, pixels
-  int samples = 64;                   ///< paths a pixel
+  int samples = 64;                   ///< paths per pixel
   int lod = 0;                        ///< coarser levels of detail that files with meshes are written in as well
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "meristem/document/obstacle_warnings.h"
 #include "meristem/graph/expand.h"
 #include "meristem/graph/looks.h"
 
@@ -11,7 +12,7 @@ namespace meristem {
 
 namespace {
 
-/// What `work` returns; places what it throws in the document's text.
+/// What `work` returns; locates what it throws in the document's text.
 template <class Work>
 auto placing_faults(const Document& document, Work&& work) {
   try {
@@ -40,6 +41,8 @@ GrownDocument grow_document(const Document& document, Progress& progress, const 
   GrownDocument grown;
   grown.plant = placing_faults(
       document, [&] { return expand(document.graph, document.scene, options.time, progress, options.cache); });
+  grown.warnings = obstacle_warnings(document.graph, document.scene.obstacles, grown.plant, progress);
+  document.source.place(grown.warnings);
   complete_growth(document, grown, progress, options);
   return grown;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "meristem/base/cache.h"
 #include "meristem/base/progress.h"
 #include "meristem/document/document.h"
@@ -21,6 +23,7 @@ struct GrownDocument {
   Plant plant;
   MeshScene meshes;                    ///< empty where only the plant was asked for
   GrownPart up_to = GrownPart::plant;  ///< what there is of it; without textures, materials have sketches of them
+  std::vector<Diagnostic> warnings;    ///< what is odd about the plant but not wrong, placed in the document's text
 };
 
 /// What one growth leaves for the next one of the same or a changed document, which makes anew only what depends on the

@@ -14,7 +14,7 @@ namespace meristem {
 /// past the limits.
 Value parse_json(std::string_view text, const Limits& limits = {});
 
-/// Writes JSON in the canonical form: a member a line, two spaces, members in their order; lists that hold no objects
+/// Writes JSON in the canonical form: a member per line, two spaces, members in their order; lists that hold no objects
 /// on one line; whole numbers without a point, others with the fewest digits that read back as the same number. Numbers
 /// that are not finite become null. Text must be UTF-8.
 std::string write_json(const Value& value);

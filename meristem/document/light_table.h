@@ -10,7 +10,7 @@
 
 namespace meristem {
 
-/// Where the sun stands: at a place on the sky, at an hour of a day, over a day, or over a season.
+/// Where the sun stands: at a position on the sky, at an hour of a day, over a day, or over a season.
 struct SunParameters {
   std::optional<double> azimuth;      // radians
   std::optional<double> altitude;     // radians
@@ -32,7 +32,7 @@ struct LightParameters {
 const ParameterTable& light_table();
 void check_light(const LightParameters& settings, const DocumentPath& path, ParameterReader& reader);
 
-/// Sets the scene's light and its sun in pictures; `place` is the scene's. Warns where the sun gives no light. The
+/// Sets the scene's light and its sun in pictures; `path` is the scene's. Warns where the sun gives no light. The
 /// settings are those that check_light finds no fault with.
 void light_scene(const LightParameters& settings, const DocumentPath& path, ParameterReader& reader, Scene& scene);
 

@@ -24,7 +24,7 @@ std::vector<std::size_t> places_of_bytes(std::string_view text, std::size_t begi
 
 /// Fills line and column of the diagnostics that have a path, from the JSON `text` in which they arose: those of the
 /// value at the path, of the member's name (kAtName), or of a byte within the text there. Paths not in the text take
-/// the place of the longest part of them that is. Two passes over the text however many diagnostics; text that is not
+/// the path of the longest part of them that is. Two passes over the text however many diagnostics; text that is not
 /// JSON leaves the rest unplaced.
 void locate_diagnostics(std::string_view text, std::span<Diagnostic> diagnostics);
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <glm/mat3x3.hpp>
 
 #include "meristem/graph/table/table.h"
 #include "meristem/scene/file/read_mesh.h"
@@ -18,21 +17,20 @@ constexpr NumberRange kCoordinate{.unit = Unit::metre, .min = -1e5, .max = 1e5, 
 constexpr double kFarthest = 1e6;        // metres along an axis, where a float still tells centimetres apart
 constexpr double kBytesATriangle = 300;  // of the mesh, of what is inside it, and of the tree
 
-DVec3 placed(const Frame& frame, DVec3 position) { return DVec3(frame.origin) + glm::dmat3(frame.axes) * position; }
-
 /// The form's mesh where it stands in the scene.
 TriangleMesh placed_mesh(const ObstacleParameters& form) {
   TriangleMesh mesh = form.mesh ? form.mesh->mesh
                                 : box_mesh(glm::min(DVec3(form.box->low), DVec3(form.box->high)),
                                            glm::max(DVec3(form.box->low), DVec3(form.box->high)));
-  const Frame frame = form.pose.frame();
-  for (DVec3& position : mesh.positions) position = placed(frame, position);
+  const DFrame frame = form.pose.frame();
+  for (DVec3& position : mesh.positions) position = frame.point(position);
   return mesh;
 }
 
 ObstacleMesh read_obstacle_mesh(const std::string& path, const Limits& limits) {
-  ObstacleMesh read{.mesh = read_mesh(path, limits), .faults = {}};
+  ObstacleMesh read{.mesh = read_mesh(path, limits), .faults = {}, .body_fault = {}};
   read.faults = closedness_faults(read.mesh);
+  if (read.faults.empty()) read.body_fault = body_fault(read.mesh);
   return read;
 }
 
@@ -46,20 +44,25 @@ void check_box(const Box& box, const DocumentPath& path, ParameterReader& reader
   }
 }
 
-void check_closed(const ObstacleParameters& form, const DocumentPath& path, ParameterReader& reader) {
-  const std::vector<std::string>& faults = form.mesh->faults;
-  if (faults.empty()) return;
-  const std::string found = fmt::format("{}", fmt::join(faults, "; "));
-  if (form.broken) {
-    return reader.warn(path, fmt::format("'{}' is not closed and is used as it is: {}", form.mesh.path, found));
+void check_body(const ObstacleParameters& form, const DocumentPath& path, ParameterReader& reader) {
+  if (form.mesh->is_sound()) return;
+  const bool is_closed = form.mesh->faults.empty();
+  const std::string what =
+      is_closed ? fmt::format("'{}' {}", form.mesh.path, form.mesh->body_fault)
+                : fmt::format("'{}' is not closed: {}", form.mesh.path, fmt::join(form.mesh->faults, "; "));
+  if (!form.broken) {
+    return reader.fault(path, what,
+                        fmt::format("a closed mesh{}, or \"broken\": true to use it anyway",
+                                    is_closed ? " that faces outward everywhere" : ""));
   }
-  reader.fault(path, fmt::format("'{}' is not closed: {}", form.mesh.path, found),
-               "a closed mesh, or \"broken\": true to use it anyway");
+  if (is_closed) return reader.warn(path, what + "; it is used as it is");
+  reader.warn(path, fmt::format("'{}' is not closed and is used as it is: {}", form.mesh.path,
+                                fmt::join(form.mesh->faults, "; ")));
 }
 
 void check_obstacle(const ObstacleParameters& form, const DocumentPath& path, ParameterReader& reader) {
   if (form.box) check_box(*form.box, DocumentPath(path, "box"), reader);
-  if (form.mesh) check_closed(form, DocumentPath(path, "mesh"), reader);
+  if (form.mesh) check_body(form, DocumentPath(path, "mesh"), reader);
   double farthest = 0;
   for (const DVec3 position : placed_mesh(form).positions) {
     const DVec3 away = glm::abs(position);
@@ -110,7 +113,7 @@ Obstacles build_obstacles(const std::vector<ObstacleParameters>& forms) {
   for (const ObstacleParameters& form : forms) {
     bodies.push_back({.mesh = placed_mesh(form),
                       .colour = form.colour,
-                      .is_broken = form.broken && !form.mesh->faults.empty(),
+                      .is_broken = form.broken && !form.mesh->is_sound(),
                       .is_hidden = form.hidden});
   }
   return Obstacles(std::move(bodies));

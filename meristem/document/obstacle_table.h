@@ -12,10 +12,14 @@
 
 namespace meristem {
 
-/// A mesh from a file, with what keeps it from being closed (closedness_faults), which takes long to find out.
+/// A mesh from a file, with what keeps it from being closed (closedness_faults) or else a body (body_fault), which
+/// takes long to find out.
 struct ObstacleMesh {
   TriangleMesh mesh;
   std::vector<std::string> faults;
+  std::string body_fault;
+
+  bool is_sound() const { return faults.empty() && body_fault.empty(); }
 };
 
 /// Exactly one of box and mesh is given.
@@ -30,7 +34,7 @@ struct ObstacleParameters {
 
 const ParameterTable& obstacle_table();  ///< of ObstacleParameters
 
-/// Reports more triangles than the limits allow; `place` is the list's.
+/// Reports more triangles than the limits allow; `path` is the list's.
 void check_obstacles(const std::vector<ObstacleParameters>& forms, const DocumentPath& path, ParameterReader& reader);
 
 /// The obstacles that checked forms mean.

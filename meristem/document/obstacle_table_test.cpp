@@ -82,6 +82,14 @@ TEST_F(ObstacleDocument, BoxesAndMeshesAreScaledThenTurnedThenMoved) {
   for (const Obstacle& body : placed.bodies()) EXPECT_TRUE(closedness_faults(body.mesh).empty());
 }
 
+TEST_F(ObstacleDocument, MapCoordinatesAreMovedToTheMillimetre) {
+  write("map.obj",
+        "v 3456789.1 10 5765432.3\nv 3456790.1 10 5765432.3\nv 3456789.1 11 5765432.3\nv 3456789.1 10 5765433.3\n"
+        "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const Obstacles moved = obstacles(R"([{"mesh": "map.obj", "translate": [-3456789.1, -10, -5765432.3]}])");
+  EXPECT_LT(glm::distance(moved.bodies()[0].mesh.positions[3], DVec3(0, 0, 1)), 1e-8);
+}
+
 TEST_F(ObstacleDocument, LooksAreKept) {
   const Obstacles looks = obstacles(
       R"([{"box": [[0, 0, 0], [1, 1, 1]], "colour": "#ff0000"}, {"mesh": "cube.obj", "hidden": true, "broken": true}])");
@@ -109,6 +117,20 @@ TEST_F(ObstacleDocument, AnOpenMeshIsAFaultUnlessItIsCalledBroken) {
   EXPECT_NE(document.warnings[0].message.find("used as it is: 3 edges are open"), std::string::npos);
   EXPECT_TRUE(document.scene.obstacles.bodies()[0].is_broken);
   EXPECT_TRUE(document.scene.obstacles.contain({1, 1, 1}));
+}
+
+TEST_F(ObstacleDocument, AClosedMeshThatCrossesItselfIsCalledThat) {
+  write("tie.obj",
+        "v -1 0 -1\nv -1 0 1\nv 1 0 -1\nv 1 0 1\nv -1 1 -1\nv -1 1 1\nv 1 1 -1\nv 1 1 1\nv 0 0 0\nv 0 1 0\n"
+        "f 1 9 2\nf 3 9 4\nf 5 6 10\nf 7 8 10\nf 1 2 6 5\nf 2 9 10 6\nf 9 3 7 10\nf 3 4 8 7\nf 4 9 10 8\nf 9 1 5 10\n");
+  EXPECT_EQ(fault(R"([{"mesh": "tie.obj"}])"),
+            "scene.obstacles[0].mesh: 'tie.obj' crosses itself: as much of it is turned inside out as faces outward; "
+            "expected a closed mesh that faces outward everywhere, or \"broken\": true to use it anyway");
+  const Document document = read(document_with(R"([{"mesh": "tie.obj", "broken": true}])"));
+  ASSERT_EQ(document.warnings.size(), 1U);
+  EXPECT_EQ(document.warnings[0].message.find("not closed"), std::string::npos);
+  EXPECT_TRUE(document.scene.obstacles.contain({-0.6F, 0.5F, 0.1F}));
+  EXPECT_TRUE(document.scene.obstacles.contain({0.6F, 0.5F, 0.1F}));
 }
 
 TEST_F(ObstacleDocument, OverridesReachThem) {

@@ -105,7 +105,7 @@ bool is_known(const Value& root, const std::vector<std::string>& elements, const
   return false;
 }
 
-/// The place in the tree, made where it is a member that may be added; null with a fault otherwise.
+/// The value in the tree, made where it is a member that may be added; null with a fault otherwise.
 Value* find_or_add(Value& root, const std::string& path, std::vector<Diagnostic>& diagnostics) {
   const std::vector<std::string> elements = path_elements(path);
   if (!is_known(root, elements, path, diagnostics)) return nullptr;

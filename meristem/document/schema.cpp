@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "meristem/document/tables.h"
 #include "meristem/graph/placement.h"
+#include "meristem/graph/table/kinds.h"
 
 namespace meristem {
 
@@ -96,35 +98,61 @@ class SchemaWriter {
     if (!never.empty()) schema.emplace_back("not", any_of(std::move(never)));
   }
 
-  /// Those within the table; what crosses into nested ones, the reader checks alone.
   static void add_meanings(const ParameterTable& table, Object& schema) {
-    const auto is_path = [](const std::string& name) { return name.find('.') != std::string::npos; };
     List rules;
     for (const ParameterTable::Meaning& meaning : table.meanings) {
-      const auto crosses = [&](const auto& giver) { return is_path(giver.parameter); };
-      if (meaning.givers.empty() || std::ranges::any_of(meaning.givers, crosses)) continue;
+      if (meaning.givers.empty()) continue;
       List given;
-      for (const std::string& name : meaning.parameters) {
-        if (!is_path(name)) given.emplace_back(Object{{"required", List{Value(name)}}});
-      }
-      if (given.empty()) continue;
+      for (const std::string& row_path : meaning.parameters) given.push_back(given_schema(row_path));
       List cases;
       cases.emplace_back(Object{{"not", any_of(std::move(given))}});
-      for (const auto& giver : meaning.givers) cases.push_back(giver_schema(table, giver));
+      for (const auto& giver : meaning.givers) {
+        cases.push_back(giver.values.empty() ? given_schema(giver.parameter)
+                                             : value_schema(table, giver.parameter, giver.values));
+      }
       rules.push_back(any_of(std::move(cases)));
     }
     if (!rules.empty()) schema.emplace_back("allOf", std::move(rules));
   }
 
-  static Value giver_schema(const ParameterTable& table, const ParameterTable::Meaning::Giver& giver) {
-    const Value required(List{Value(giver.parameter)});
-    if (giver.values.empty()) return Object{{"required", required}};
-    Object values{{"enum", List(giver.values.begin(), giver.values.end())}};
-    Object schema{{"properties", Object{{giver.parameter, std::move(values)}}}};
+  /// The first name of a path such as "surface.style", and what is left of it.
+  static std::pair<std::string, std::string> first_of(const std::string& row_path) {
+    const std::size_t dot = row_path.find('.');
+    return {row_path.substr(0, dot), dot == std::string::npos ? std::string() : row_path.substr(dot + 1)};
+  }
+
+  /// The member at a path; null where there is none.
+  static Value member_at(const Value& value, const std::string& row_path) {
+    const auto [name, rest] = first_of(row_path);
+    const Value* member = value.find(name);
+    if (member == nullptr) return {};
+    return rest.empty() ? *member : member_at(*member, rest);
+  }
+
+  /// Of an object in which there is something at the path.
+  static Value given_schema(const std::string& row_path) {
+    const auto [name, rest] = first_of(row_path);
+    Object schema = typed("object");
+    schema.emplace_back("required", List{Value(name)});
+    if (!rest.empty()) schema.emplace_back("properties", Object{{name, given_schema(rest)}});
+    return schema;
+  }
+
+  /// Of an object whose parameter at the path has one of the values, given or by default. Where a nested object may be
+  /// written in short, the reader alone knows.
+  static Value value_schema(const ParameterTable& table, const std::string& row_path, const List& values) {
+    const auto [name, rest] = first_of(row_path);
+    const Parameter* row = table.find(name);
+    if (row == nullptr || (!rest.empty() && row->kind != ParameterKind::object)) return Object{};
+    Value usual = table.defaults()[static_cast<std::size_t>(row - table.parameters.data())];
+    Value wanted = Object{{"enum", values}};
+    if (!rest.empty()) {
+      wanted = any_of({Object{{"not", typed("object")}}, value_schema(row->nested(), rest, values)});
+      usual = member_at(usual, rest);
+    }
+    Object schema{{"properties", Object{{name, std::move(wanted)}}}};
     // What is not given has its default.
-    const auto row = table.find(giver.parameter) - table.parameters.data();
-    const Value usual = table.defaults()[static_cast<std::size_t>(row)];
-    if (std::ranges::find(giver.values, usual) == giver.values.end()) schema.emplace_back("required", required);
+    if (std::ranges::find(values, usual) == values.end()) schema.emplace_back("required", List{Value(name)});
     return schema;
   }
 
@@ -140,6 +168,16 @@ class SchemaWriter {
       definitions_.made.emplace_back(name, std::move(schema));
     }
     return Object{{"allOf", List{Object{{"$ref", "#/definitions/" + name}}}}};
+  }
+
+  /// An element of any of the kinds, each with its own rows alone.
+  Value of_kinds(const Kinds& kinds) const {
+    List alternatives;
+    for (const Kinds::Kind& kind : kinds.kinds) {
+      const Object says{{"const", kind.name}, {"description", kinds.key_doc}};
+      alternatives.push_back(table(kind.table(), {{kinds.key, says}}, {kinds.key}));
+    }
+    return Object{{"oneOf", std::move(alternatives)}};
   }
 
   static std::string description(const Parameter& row) {
@@ -200,7 +238,7 @@ class SchemaWriter {
       case ParameterKind::object:
         return nested(row.nested());
       case ParameterKind::list:
-        return list_of(nested(row.nested()), 0, 0);
+        return list_of(row.kinds != nullptr ? of_kinds(row.kinds()) : nested(row.nested()), 0, 0);
       case ParameterKind::map: {
         Object schema = typed("object");
         schema.emplace_back("additionalProperties", nested(row.nested()));
@@ -233,10 +271,30 @@ Value component_schema(const Registry& registry, Definitions& definitions) {
 
 Value link_schema(const SchemaWriter& writer) {
   const Value id = typed("string");
-  Object ends{{"from", id}, {"to", id}, {"kind", Object{{"enum", List{"child", "branch", "leaf"}}}}};
-  Object ends_in_crown{{"from", id}, {"to", id}, {"kind", Object{{"const", "crown"}}}};
-  return any_of({list_of(id, 2, 2), writer.table(placement_table(), std::move(ends), {"from", "to"}),
-                 writer.table(crown_placement_table(), std::move(ends_in_crown), {"from", "to", "kind"})});
+  const auto ends = [&](Value kind) { return Object{{"from", id}, {"to", id}, {"kind", std::move(kind)}}; };
+  const Value plain = closed_object(ends(Object{{"enum", List{"child", "leaf"}}}), {"from", "to"});
+  const auto placed = [&](const ParameterTable& table, const char* kind) {
+    return writer.table(table, ends(Object{{"const", kind}}), {"from", "to", "kind"});
+  };
+  return any_of(
+      {list_of(id, 2, 2), plain, placed(placement_table(), "branch"), placed(crown_placement_table(), "crown")});
+}
+
+/// A `recursion` needs a link that leads back, and so links, or components that place others by themselves.
+Value recursion_rule(const Registry& registry) {
+  const auto all_components = [](Value each) {
+    return Object{{"properties", Object{{"components", Object{{"additionalProperties", std::move(each)}}}}}};
+  };
+  List placers;
+  for (const ComponentType& type : registry.types()) {
+    if (type.placed) placers.emplace_back(type.name);
+  }
+  const Value no_placer = Object{{"properties", Object{{"type", Object{{"not", Object{{"enum", placers}}}}}}}};
+  const Value some_links =
+      Object{{"required", List{"links"}}, {"properties", Object{{"links", Object{{"minItems", 1}}}}}};
+  List cases{some_links, all_components(Object{{"not", Object{{"required", List{"recursion"}}}}})};
+  if (!placers.empty()) cases.emplace_back(Object{{"not", all_components(no_placer)}});
+  return any_of(std::move(cases));
 }
 
 }  // namespace
@@ -260,6 +318,12 @@ Value document_schema(const Registry& registry) {
   Object schema{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "Meristem plant document"}};
   if (!definitions.made.empty()) schema.emplace_back("definitions", std::move(definitions.made));
   schema.insert(schema.end(), head.object()->begin(), head.object()->end());
+  const auto rules = std::ranges::find(schema, "allOf", &Value::Member::first);
+  if (rules == schema.end()) {
+    schema.emplace_back("allOf", List{recursion_rule(registry)});
+  } else {
+    rules->second.list()->push_back(recursion_rule(registry));
+  }
   return schema;
 }
 

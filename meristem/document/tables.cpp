@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/document/tables.h"
 
+#include "meristem/base/seed.h"
 #include "meristem/graph/table/table.h"
 #include "meristem/shape/detail.h"
 
@@ -55,7 +56,7 @@ const ParameterTable& head_table() {
           .text("description", &DocumentHead::description, "Description of the plant in one or two sentences.")
           .text("author", &DocumentHead::author, "Author of the document, who is named in exported files.")
           .text("licence", &DocumentHead::licence, "Licence of the document, which is named in exported files.")
-          .integer("seed", &DocumentHead::seed, {.min = 0, .max = kLargestWhole, .usual = {0, 100}},
+          .integer("seed", &DocumentHead::seed, {.min = 0, .max = kLargestSeed, .usual = {0, 100}},
                    "Number from which everything random comes; another one gives another plant of the same kind.")
           .object("scene", &DocumentHead::scene, scene_table, "What surrounds the plants: light, obstacles and ground.")
           .object("output", &DocumentHead::output, output_table, "Defaults for pictures and files.")

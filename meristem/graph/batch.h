@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What flows through an expansion: places where instances of one component stand, and what these have made. Neither
+// What flows through an expansion: sites where instances of one component stand, and what these have made. Neither
 // changes once it is there, so both can be kept for the next expansion.
 #pragma once
 
@@ -27,12 +27,12 @@ std::uint64_t hash_of(const std::vector<Site>& sites);
 struct BatchResult {
   std::vector<Emitted> blocks;
   std::uint64_t nodes = 0;    ///< of all stems
-  std::uint64_t offered = 0;  ///< places for children
+  std::uint64_t offered = 0;  ///< sites for children
 
   std::uint64_t bytes() const;
 };
 
-/// What a component's instances have grown, one skeleton an instance.
+/// What a component's instances have grown, one skeleton per instance.
 struct GrownBatch {
   std::vector<Skeleton> skeletons;
 

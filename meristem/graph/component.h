@@ -131,7 +131,10 @@ struct Prototype {
   std::optional<std::uint64_t> fingerprint{};
   std::optional<std::uint64_t> growth_fingerprint{};  ///< of what its growth depends on
   bool depends_on_time = true;                        ///< whether an expression of it may ask for t
+  std::string shown{};                                ///< id of the component that it shows, or empty
 
+  /// The id that its instances draw their random numbers by.
+  const std::string& drawn_as() const { return shown.empty() ? id : shown; }
   const ComponentBase& base() const { return type->base(parameters.get()); }
 };
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "meristem/graph/placement.h"
@@ -24,6 +25,14 @@ struct BladeLook {
   bool has_document_colours = false;  ///< with the colours that the document gives the component, and their variety
 };
 
+/// How a component shows another one, which its text row `of` names: what it does not say itself, it takes from there,
+/// and it draws its random numbers as the other one does where both stand on the same parent.
+struct Showing {
+  std::string type;  ///< of the other one; empty: it shows none
+  /// Its rows that it takes, and where the other one has them, as in "light.limit".
+  std::vector<std::pair<std::string, std::string>> rows;
+};
+
 struct ComponentTraits {
   std::string name;
   std::string doc;  ///< one sentence
@@ -40,6 +49,7 @@ struct ComponentTraits {
   /// Parameters that growth does not ask for, besides the looks that all components have: where only they change, what
   /// has grown stays.
   std::vector<std::string> after_growth;
+  Showing shows;
 };
 
 }  // namespace meristem

@@ -31,7 +31,7 @@ Mat3 any_rotation(RandomKey key) {
   return Mat3(rotation);
 }
 
-/// A child's directions at a place.
+/// A child's directions at a site.
 Mat3 axes_at(const BodyPoint& place, const CrownPlacement& placement, RandomKey key) {
   if (placement.orient == CrownPlacement::Orient::random) return any_rotation(key.child("turn"));
   Mat3 axes = frame_along({}, place.outward, kUp).axes;

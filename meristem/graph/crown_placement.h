@@ -21,7 +21,7 @@ struct CrownPlacement {
     outward,  ///< children head away from the crown's surface
     random,   ///< anywhere
   };
-  double density = 30;  ///< places per cubic metre
+  double density = 30;  ///< sites per cubic metre
   Orient orient = Orient::outward;
   double turn = 0;              ///< outward children turn aside by up to this, radians
   double droop = 0;             ///< share of the turn that brings the heading straight down
@@ -30,7 +30,7 @@ struct CrownPlacement {
 
 const ParameterTable& crown_placement_table();
 
-/// The places in the crown body that `surface` gives `skeleton`, which must have one. They see where they are from the
+/// The sites in the crown body that `surface` gives `skeleton`, which must have one. They see where they are from the
 /// crown's base to its top as u, and its height as length; i and n count over all. Throws InputError past the limit of
 /// instances, and Cancelled.
 std::vector<Site> place_in_crown(const Skeleton& skeleton, const Surface& surface, const CrownPlacement& placement,

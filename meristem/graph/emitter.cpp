@@ -55,6 +55,12 @@ const Limits& Emitter::limits() const { return context_->limits; }
 const std::string& Emitter::component() const { return context_->prototype.id; }
 Progress& Emitter::progress() const { return *context_->progress; }
 double Emitter::time() const { return context_->time; }
+bool Emitter::varies(std::size_t offset) const {
+  return std::ranges::any_of(context_->prototype.varyings, [&](const Varying& varying) {
+    return (varying.way.empty() ? varying.offset : varying.way[0].offset) == offset;
+  });
+}
+
 RandomKey Emitter::component_key() const { return context_->key; }
 
 void Emitter::instance(const ComponentBase& base, const Site& site, std::size_t index,
@@ -93,7 +99,7 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   first_named_ = named_sites.size();
 }
 
-/// Completes the places for children, drops those that no link wants, and numbers the rest.
+/// Completes the sites for children, drops those that no link wants, and numbers the rest.
 void Emitter::end_instance() {
   if (!has_child_sites_) child_site(Frame{});
   if (context_->wants_branch_sites && !context_->prototype.type->makes_stems && branch_sites.size() == first_branch_) {
@@ -120,7 +126,7 @@ void Emitter::end_instance() {
   if (uncounted_ >= kCountedTogether / 8) count_sites();
 }
 
-/// Each name's places count by themselves.
+/// Each name's sites count by themselves.
 void Emitter::number_named_sites() {
   std::unordered_map<std::uint32_t, std::uint32_t> count;
   for (std::size_t k = first_named_; k < named_sites.size(); ++k) {

@@ -40,7 +40,7 @@ struct EmittedStem {
   std::optional<Skeleton> moved;  ///< what is seen instead of the skeleton where `place` moves it
   float moved_scale = 1;          ///< by which that is larger
 
-  std::uint64_t id() const { return site.key.bits(); }  ///< what Site::stem says of places on it
+  std::uint64_t id() const { return site.key.bits(); }  ///< what Site::stem says of sites on it
 };
 
 /// The points of a section, in its own frame.
@@ -84,7 +84,7 @@ inline RandomKey key_of_places(RandomKey stem) { return stem.child("branching");
 /// Takes what the instances of one block emit. One thread uses one emitter; blocks are merged in their order.
 ///
 /// An instance whose frame has shrunk to nothing emits nothing, nor does what hangs on it. Throws InputError for frames
-/// that are not finite, when the places for children pass the limit of instances, the stems that of nodes, and the
+/// that are not finite, when the sites for children pass the limit of instances, the stems that of nodes, and the
 /// meshes that of bytes.
 class Emitter : private Emitted {
  public:
@@ -99,16 +99,16 @@ class Emitter : private Emitted {
   void organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint = Vec3(1));
   /// The same for flat shapes that look otherwise than the rest: in the component type's material of blades.
   void blade(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint = Vec3(1));
-  /// A section of a surface at `local` in the instance's frame (moved by its `place`), once an instance. Where children
-  /// by child and leaf links give sections too, their surface is one with it. Instances of one component with equal
-  /// `key` share what one of them makes.
+  /// A section of a surface at `local` in the instance's frame (moved by its `place`), once per instance. Where
+  /// children by child and leaf links give sections too, their surface is one with it. Instances of one component with
+  /// equal `key` share what one of them makes.
   void section(const Frame& local, std::uint64_t key, bool is_capped, FunctionRef<LoftSection()> make);
   /// A skeleton in world space. The instance's `place` moves it, but not what hangs on it.
   /// `branching`, if given, says where the children of branch links stand, as far as the links do not.
   void stem(Skeleton skeleton, const Surface& surface, const Placement* branching = nullptr);
   /// One that is not seen, for the children of branch links.
   void unseen_stem(Skeleton skeleton);
-  /// A place for children, relative to the instance's frame, as are the length and radius that they see; called n times
+  /// A site for children, relative to the instance's frame, as are the length and radius that they see; called n times
   /// it multiplies them. Without a call, children stand in the instance's frame, unless `no_children` was called.
   void child_site(const Frame& local, float length = 0, float radius = 0);
   /// The same for a frame in world space.
@@ -118,10 +118,10 @@ class Emitter : private Emitted {
   /// The values of a number for each of `count` children of the instance, in the struct's unit. Expressions see the
   /// children's i and n and draw random numbers of their own; all else that they see is the instance's.
   std::vector<double> per_child(const PerChild& number, std::uint32_t count) const;
-  /// Says that `count` places will be offered, before anything is made for them. Throws InputError where they are more
+  /// Says that `count` sites will be offered, before anything is made for them. Throws InputError where they are more
   /// than may be.
   void expect_children(std::uint64_t count);
-  /// A place for the children of branch links where it differs from those of child links. Without a call, and for
+  /// A site for the children of branch links where it differs from those of child links. Without a call, and for
   /// components that make no stems, these stand where the children of child links do.
   void branch_site(const Frame& local, float u, float length, float radius);
   /// The same in world space, on the stem emitted last: at the share `along` of the segment that ends in `node`.
@@ -135,15 +135,18 @@ class Emitter : private Emitted {
   RandomKey places_on_next_stem() const { return key_of_places(site_.key.child("stem").child(stems_of_instance_)); }
 
   const Scene& scene() const;
-  /// Toward the light, and down: what turns by them asks at the place where it turns.
+  /// Toward the light, and down: what turns by them asks at the site where it turns.
   const Directions& directions() const;
   const Limits& limits() const;
   const std::string& component() const;  ///< id, for errors
+  /// Whether what stands so many bytes from the beginning of the component's struct, a number or a list, differs from
+  /// instance to instance.
+  bool varies(std::size_t offset) const;
   Progress& progress() const;
   double time() const;
   /// Of the component, for what its instances have in common. Meshes that depend on it need it in their key.
   RandomKey component_key() const;
-  /// The skeleton that this instance has grown; only for components that grow, and once an instance.
+  /// The skeleton that this instance has grown; only for components that grow, and once per instance.
   Skeleton take_grown();
 
   // For the graph.

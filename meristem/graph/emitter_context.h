@@ -30,7 +30,7 @@ struct EmitterContext {
   bool wants_child_sites = true;
   bool wants_branch_sites = true;
   std::uint64_t mesh_bytes = 0;             ///< of what other components have made
-  std::atomic<std::uint64_t> instances{0};  ///< so far, with the places that are offered to more
+  std::atomic<std::uint64_t> instances{0};  ///< so far, with the sites that are offered to more
   std::atomic<std::uint64_t> nodes{0};      ///< so far, of all stems
   Tinting tinting{prototype};
 };

@@ -195,7 +195,7 @@ class Expansion {
     results_.count<Result>(is_reused, batch.sites().size());
   }
 
-  /// Expands the instances, or finds what they made before, and hands their places on along the links.
+  /// Expands the instances, or finds what they made before, and hands their sites on along the links.
   void expand_batch(const Batch& batch, const Grown& grown) {
     const std::vector<LinkIndex> links = links_.links_followed(batch.component, batch.sites()[0]);
     const CacheKey key = key_of(batch, links, grown);

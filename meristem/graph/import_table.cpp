@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/graph/import_table.h"
 
-#include "meristem/graph/component.h"
 #include "meristem/graph/table/table.h"
 
 namespace meristem {
 
-Frame ImportPose::frame() const {
-  Frame frame = Transform{.translate = translate, .rotate = rotate, .scale = Vec3(scale)}.frame();
+DFrame ImportPose::frame() const {
+  DFrame frame{.axes = DMat3(scale), .origin = translate};
+  if (rotate != DVec3(0)) {
+    const DMat3 turn =
+        exact_rotation({0, 0, 1}, rotate.z) * exact_rotation({1, 0, 0}, rotate.x) * exact_rotation({0, 1, 0}, rotate.y);
+    frame.axes = turn * frame.axes;
+  }
   // With z up, y goes north: to -z.
   if (up == Up::z) frame.axes = {frame.axes[0], -frame.axes[2], frame.axes[1]};
   return frame;
@@ -15,7 +19,7 @@ Frame ImportPose::frame() const {
 
 const ParameterTable& import_table() {
   static const ParameterTable table =
-      Table<ImportPose>("a place", "How the content of a file comes to stand in the scene.")
+      Table<ImportPose>("an import", "How the content of a file comes to stand in the scene.")
           .choice("up", &ImportPose::up, {"y", "z"},
                   "Axis of the file that points up; with z, the file's y points north.")
           .number("scale", &ImportPose::scale, {.min = 1e-6, .max = 1e6, .usual = {0.001, 10}},

@@ -7,15 +7,15 @@
 namespace meristem {
 
 /// How what is read from a file comes to stand in a document: its up axis is turned up, then it is scaled, turned and
-/// moved.
+/// moved, all of it in 64 bits.
 struct ImportPose {
   enum class Up { y, z };
   Up up = Up::y;
   double scale = 1;
-  Vec3 rotate{0};  ///< radians, as of Transform
-  Vec3 translate{0};
+  DVec3 rotate{0};  ///< radians, as of Transform
+  DVec3 translate{0};
 
-  Frame frame() const;
+  DFrame frame() const;
 };
 
 const ParameterTable& import_table();  ///< of ImportPose

@@ -108,7 +108,7 @@ void LinkReader::link_placed(const DocumentPath& components) {
       const std::string& id = placed[k].id;
       const auto found = component_by_id_.find(id);
       if (found != component_by_id_.end()) {
-        // Made in its place: g++ 12 warns of what a moved variant does not hold.
+        // Made where it stays: g++ 12 warns of what a moved variant does not hold.
         Link& link = graph_.links.emplace_back();
         link.from = from;
         link.to = found->second;

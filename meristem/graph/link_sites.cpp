@@ -47,7 +47,7 @@ class LeadingSum {
 
 }  // namespace
 
-/// Writes the places that one link gives on one block of the parent's instances.
+/// Writes the sites that one link gives on one block of the parent's instances.
 class LinkSites::Writer {
  public:
   Writer(const LinkSites& all, LinkIndex index, Progress& progress, std::uint64_t room)
@@ -149,8 +149,9 @@ class LinkSites::Writer {
     sites_.insert(sites_.end(), sites.begin(), sites.end());
   }
 
-  /// A path element is the child's id, told apart where a parent links to the same child more than once.
-  RandomKey child_key(RandomKey parent) const { return parent.child(to_.id).child(all_.ordinals_[index_]); }
+  /// A path element is the child's id, or that of what it shows, told apart where a parent links to the same child more
+  /// than once.
+  RandomKey child_key(RandomKey parent) const { return parent.child(to_.drawn_as()).child(all_.ordinals_[index_]); }
 
   /// Counts recursion depths. A recursion entered from outside, or within one that begins anew, starts at 0.
   void count_depth(Site& site) const {
@@ -174,7 +175,7 @@ class LinkSites::Writer {
   const ComponentType& from_;
   const Prototype& to_;
   Progress& progress_;
-  std::uint64_t room_;  // more places than that are too many, and need not be found
+  std::uint64_t room_;  // more sites than that are too many, and need not be found
   std::vector<Site> sites_;
 };
 
@@ -249,7 +250,7 @@ std::optional<std::uint64_t> LinkSites::fingerprint(LinkIndex index) const {
   Fingerprint fingerprint;
   const auto* placed = link.as<PlacedLink>();
   fingerprint.add(*link.fingerprint).add(link.kind.index()).add(placed != nullptr ? placed->name : kNoIndex);
-  fingerprint.add(ordinals_[index]).add_text(graph_.components[link.to].id);
+  fingerprint.add(ordinals_[index]).add_text(graph_.components[link.to].drawn_as());
   fingerprint.add(graph_.components[link.to].type->stance);
   const auto add_level = [&](std::uint32_t recursion) {
     fingerprint.add(recursion == kNoIndex ? std::size_t{0} : structure_.recursions[recursion].level + 1);

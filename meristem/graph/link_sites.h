@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what a batch of instances has made to the places where the children of its links stand.
+// From what a batch of instances has made to the sites where the children of its links stand.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ class LinkSites {
   /// there.
   std::vector<LinkIndex> links_followed(ComponentIndex component, const Site& site) const;
 
-  /// The places that a link gives its child, over all instances of the parent in their order. Throws InputError where
+  /// The sites that a link gives its child, over all instances of the parent in their order. Throws InputError where
   /// with them there would be more instances than the limit allows.
   std::vector<Site> places(LinkIndex link, const BatchResult& parent, Counts before) const;
 

@@ -21,7 +21,7 @@ namespace meristem {
 namespace {
 
 constexpr double kSame = 1e-4;      // of a chain's size, by which equal chains may differ
-constexpr double kRounding = 3e-7;  // of a place's distance from the origin: what 32-bit numbers leave of it
+constexpr double kRounding = 3e-7;  // of a point's distance from the origin: what 32-bit numbers leave of it
 constexpr std::size_t kMostInDrawer = 4;
 constexpr double kDrawer = 5e-4;    // width of what is filed together
 constexpr std::size_t kGrain = 16;  // chains meshed by one thread at a time
@@ -34,7 +34,7 @@ struct Chain {
   float size = 0;        ///< metres
 };
 
-/// Places and directions of a section against its chain's frame and size.
+/// Points and directions of a section against its chain's frame and size.
 using Description = std::array<double, 12>;
 /// Whole numbers.
 using Drawer = std::array<double, 3>;

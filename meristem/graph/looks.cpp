@@ -39,9 +39,16 @@ TextureShape shape_of(const Prototype& prototype) {
   return texture_shape ? texture_shape(prototype.parameters.get()) : TextureShape();
 }
 
-std::shared_ptr<const Texture> painted_texture(const Prototype& prototype) {
+std::shared_ptr<const Texture> painted_texture(const Prototype& prototype, const Progress& progress) {
   const ComponentBase& base = prototype.base();
-  return make_texture(base.texture, shape_of(prototype), mean_colour(base, prototype.type->material.colour));
+  return make_texture(base.texture, shape_of(prototype), mean_colour(base, prototype.type->material.colour), progress);
+}
+
+/// Of the sketch that it wears, if it does.
+std::uint64_t pixels_to_paint(const Material& material) {
+  if (material.texture == nullptr || material.texture->is_painted()) return 0;
+  const Image& colour = material.texture->colour;
+  return static_cast<std::uint64_t>(colour.width) * static_cast<std::uint64_t>(colour.height);
 }
 
 /// The component whose id is the name of a material with a texture.
@@ -70,17 +77,21 @@ Material material_of(const Prototype& prototype) {
 void paint_textures(const Graph& graph, std::vector<Material>& materials, Progress& progress, Cache* cache) {
   CacheRun results(cache, {typeid(Texture)});
   std::unordered_map<std::uint64_t, std::shared_ptr<const Texture>> painted;  // by fingerprint
+  std::uint64_t pixels = 0;
+  for (const Material& material : materials) pixels += pixels_to_paint(material);
+  if (pixels > 0) progress.begin("painting textures", pixels);
   for (Material& material : materials) {
-    if (material.texture == nullptr || material.texture->is_painted()) continue;
-    progress.check();
+    const std::uint64_t own_pixels = pixels_to_paint(material);
+    if (own_pixels == 0) continue;
     const std::uint64_t key = material.texture->fingerprint;
     std::shared_ptr<const Texture>& texture = painted[key];
     if (texture == nullptr) {
       texture = results.find<const Texture>(key);
       results.count<Texture>(texture != nullptr);
     }
-    if (texture == nullptr) results.store(key, texture = painted_texture(component_of(material, graph)));
+    if (texture == nullptr) results.store(key, texture = painted_texture(component_of(material, graph), progress));
     material.texture = texture;
+    progress.advance(own_pixels);
   }
   results.end();
 }

@@ -26,7 +26,7 @@ class Tinting {
  public:
   explicit Tinting(const Prototype& prototype);
 
-  /// Linear factors on the material's colour for one instance: its place among the `colours`, and its own shade.
+  /// Linear factors on the material's colour for one instance: its position among the `colours`, and its own shade.
   Vec3 tint(const ComponentBase& instance, RandomKey key) const;
 
  private:

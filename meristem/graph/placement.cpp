@@ -143,7 +143,7 @@ AxisSites measure_axis(const Skeleton& skeleton, std::span<const NodeIndex> node
   return places;
 }
 
-/// Shares places out over the axes: by density with the fraction drawn, so that short twigs get their due on average,
+/// Shares sites out over the axes: by density with the fraction drawn, so that short twigs get their due on average,
 /// or an exact count by cumulated length. Returns their number, as a double so that nothing overflows.
 double count_places(std::vector<AxisSites>& axes, const Placement& placement, RandomKey key) {
   double total = 0;
@@ -191,7 +191,7 @@ class AxisWriter {
     Vec3 tangent = piece_tangent(axis.pieces[0]);
     Vec3 radial = first_radial(tangent);
     for (std::uint64_t k = 0; k < axis.places; ++k) {
-      // Walk to the piece with the k-th place, carrying the radial direction without twist.
+      // Walk to the piece with the k-th site, carrying the radial direction without twist.
       const double at = (static_cast<double>(k) + 0.5) * spacing;
       while (p + 1 < axis.pieces.size() && at >= axis.pieces[p + 1].carried) {
         const Vec3 next = piece_tangent(axis.pieces[++p]);

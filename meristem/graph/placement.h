@@ -22,12 +22,12 @@ namespace meristem {
 struct Placement {
   bool operator==(const Placement&) const = default;
 
-  std::optional<double> density;                    ///< places per metre of stem; 40 where neither is given
-  std::optional<int> count;                         ///< places on a skeleton, shared out over its axes by length
+  std::optional<double> density;                    ///< sites per metre of stem; 40 where neither is given
+  std::optional<int> count;                         ///< sites on a skeleton, shared out over its axes by length
   std::optional<Condition> where;                   ///< default: tip_distance < 0.4 on stems that have grown, else all
-  int whorl = 1;                                    ///< organs a place
-  double divergence = kGoldenAngleDeg * kPi / 180;  ///< turn about the axis from place to place
-  std::optional<double> roll;                       ///< of the first place, from the stem's upper side; else anywhere
+  int whorl = 1;                                    ///< organs per site
+  double divergence = kGoldenAngleDeg * kPi / 180;  ///< turn about the axis from site to site
+  std::optional<double> roll;                       ///< of the first site, from the stem's upper side; else anywhere
   double angle = kPi / 4;                           ///< between axis and organ
   std::optional<double> angle_tip;                  ///< the same at the axis's tip, with even steps between; as `angle`
   double angle_spread = 0;                          ///< the angle varies evenly by up to this much to both sides
@@ -36,7 +36,7 @@ struct Placement {
   double droop = 0;                                 ///< share of the turn that brings the heading straight down
   double face_light = 0;                            ///< share of the turn that brings the upper face to the light
   double start = 0;                                 ///< share of each axis left free at its base
-  double end = 1;                                   ///< and the share at which the places end
+  double end = 1;                                   ///< and the share at which the sites end
 };
 
 const ParameterTable& placement_table();
@@ -58,9 +58,9 @@ struct PlacementContext {
   Directions directions;                        ///< of light and gravity
   BranchStance stance = BranchStance::on_bark;  ///< of the children; `along_axis` leaves the placement's angles aside
   bool has_twigs = true;                        ///< by default they carry the children
-  std::uint64_t stem = kOnNoStem;               ///< id of the stem, for the places
-  Site parent;                      ///< of the instance that made the stem; the places' keys and depths come from it
-  std::optional<RandomKey> places;  ///< of where they are, where that is not the parent's: equal ones, equal places
+  std::uint64_t stem = kOnNoStem;               ///< id of the stem, for the sites
+  Site parent;                      ///< of the instance that made the stem; the sites' keys and depths come from it
+  std::optional<RandomKey> places;  ///< of where they are, where that is not the parent's: equal ones, equal sites
 
   RandomKey key_of_places() const { return places.value_or(parent.key); }
   const Limits* limits = nullptr;
@@ -71,13 +71,13 @@ struct PlacementContext {
 /// share.
 Mat3 drooped(const Mat3& axes, double droop, Vec3 down);
 
-/// The places of `placement` on `skeleton`, axis by axis from base to tip; i, n, u count along each axis. An organ's
+/// The sites of `placement` on `skeleton`, axis by axis from base to tip; i, n, u count along each axis. An organ's
 /// frame stands on the bark, heads away from the axis by the angle, and turns its upper face (z) toward the axis's tip.
-/// A lateral axis begins at its parent's bark. A skeleton of one node has no axis to stand on and gets no places.
+/// A lateral axis begins at its parent's bark. A skeleton of one node has no axis to stand on and gets no sites.
 /// Throws InputError past the limit of instances.
 std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context);
 
-/// A place at the tip of every axis of `skeleton`, heading along its last segment (for a single node as the parent
+/// A site at the tip of every axis of `skeleton`, heading along its last segment (for a single node as the parent
 /// does); i and n count over all tips, the keys are the parent's. `stem` is the skeleton's id.
 std::vector<Site> tip_sites(const Skeleton& skeleton, std::uint64_t stem, const Site& parent);
 

@@ -88,11 +88,11 @@ std::vector<Site> places(const Skeleton& skeleton, const Placement& placement, V
 
 double angle_between(Vec3 a, Vec3 b) { return degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b))); }
 
-// The direction of a place on an upright pole, seen from the axis, as an angle about it (degrees).
+// The direction of a site on an upright pole, seen from the axis, as an angle about it (degrees).
 double azimuth(const Site& site) { return degrees(std::atan2(-site.frame.origin.z, site.frame.origin.x)); }
 
 TEST(Placement, DensityIsTheExpectedNumberPerMetreOverManyAxes) {
-  // Twigs of 0.1 m less the trunk's radius carry 1.2 places each: 1 or 2 by chance. The deviation of the sum of 1000
+  // Twigs of 0.1 m less the trunk's radius carry 1.2 sites each: 1 or 2 by chance. The deviation of the sum of 1000
   // is sqrt(1000 * 0.2 * 0.8) = 12.6; five of them are passed once in two million seeds.
   const auto sites = places(twigs(0.12F), placement({{"density", 12}, {"where", "order == 1"}}));
   EXPECT_NEAR(static_cast<double>(sites.size()), 1200, 5 * 12.65);
@@ -152,7 +152,7 @@ TEST(Placement, ConditionsSeeTheNodesOfTheStems) {
 TEST(Placement, ARandomConditionTakesItsShareOfTheNodes) {
   // Twigs carry children where both, one or none of their two nodes were drawn: about 3/4 of them.
   const auto sites = places(twigs(0.5F), placement({{"density", 1000}, {"where", "order == 1 && rand() < 0.5"}}));
-  // 0.48 m times 1000 places times 1000 twigs, a half of them; the deviation is about 250 / sqrt(1000) of 240 a twig.
+  // 0.48 m times 1000 sites times 1000 twigs, a half of them; the deviation is about 250 / sqrt(1000) of 240 per twig.
   EXPECT_NEAR(static_cast<double>(sites.size()), 240e3, 240e3 * 0.12);
 }
 
@@ -174,7 +174,7 @@ TEST(Placement, SuccessivePlacesTurnByTheDivergence) {
 }
 
 TEST(Placement, TheDivergenceHoldsAlongABentAxis) {
-  // Without twist: on a quarter circle in the x-y plane, places keep their side of that plane.
+  // Without twist: on a quarter circle in the x-y plane, sites keep their side of that plane.
   Skeleton skeleton;
   for (int k = 0; k <= 30; ++k) {
     const float a = static_cast<float>(kPi) / 60 * static_cast<float>(k);

@@ -169,10 +169,10 @@ Texture texture_of(const PictureParameters& picture) {
   return texture;
 }
 
-Texture painted(const TextureParameters& form, const TextureShape& shape, Vec3 colour) {
-  if (form.bark) return make_bark_texture(*form.bark, colour, form.pixels);
-  if (form.leaf) return make_leaf_texture(*form.leaf, shape, colour, form.pixels);
-  if (form.petal) return make_petal_texture(*form.petal, shape, colour, form.pixels);
+Texture painted(const TextureParameters& form, const TextureShape& shape, Vec3 colour, const Progress& progress) {
+  if (form.bark) return make_bark_texture(*form.bark, colour, form.pixels, progress);
+  if (form.leaf) return make_leaf_texture(*form.leaf, shape, colour, form.pixels, progress);
+  if (form.petal) return make_petal_texture(*form.petal, shape, colour, form.pixels, progress);
   return texture_of(*form.picture);
 }
 
@@ -227,9 +227,10 @@ void lay_picture(const TextureParameters& form, Mesh& mesh) {
   for (Vec2& uv : mesh.uvs) uv = repeat * uv + shift;
 }
 
-std::shared_ptr<const Texture> make_texture(const TextureParameters& form, const TextureShape& shape, Vec3 colour) {
+std::shared_ptr<const Texture> make_texture(const TextureParameters& form, const TextureShape& shape, Vec3 colour,
+                                            const Progress& progress) {
   if (form.is_empty()) return nullptr;
-  return with_fingerprint(painted(form, shape, colour), fingerprint_of(form, shape, colour));
+  return with_fingerprint(painted(form, shape, colour, progress), fingerprint_of(form, shape, colour));
 }
 
 std::shared_ptr<const Texture> sketch_texture(const TextureParameters& form, const TextureShape& shape, Vec3 colour) {

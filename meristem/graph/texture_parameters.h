@@ -40,8 +40,9 @@ const ParameterTable& texture_table();  ///< of TextureParameters
 void lay_picture(const TextureParameters& form, Mesh& mesh);
 
 /// The texture that a checked form means, null for an empty one. `shape` is what the component's uvs show, `colour`
-/// (sRGB) its mean.
-std::shared_ptr<const Texture> make_texture(const TextureParameters& form, const TextureShape& shape, Vec3 colour);
+/// (sRGB) its mean. Throws Cancelled.
+std::shared_ptr<const Texture> make_texture(const TextureParameters& form, const TextureShape& shape, Vec3 colour,
+                                            const Progress& progress = Progress());
 
 /// A sketch of the same texture, which takes no time: sizes and masks, without pixels.
 std::shared_ptr<const Texture> sketch_texture(const TextureParameters& form, const TextureShape& shape, Vec3 colour);

@@ -31,7 +31,7 @@ class RoomSeeker {
 /// Where a plant has grown leafy shoots and lost them, one after another.
 class ShootChanges {
  public:
-  /// A leafy shoot of `length` metres ends at a place (world space). One as long as a voxel casts one shade.
+  /// A leafy shoot of `length` metres ends at a position (world space). One as long as a voxel casts one shade.
   void grow(Vec3 position, double length) { shoots_.push_back({position, length, false}); }
   /// One that was grown before is gone: light and room are as if it had never been.
   void lose(Vec3 position, double length) { shoots_.push_back({position, length, true}); }

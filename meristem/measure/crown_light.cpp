@@ -22,8 +22,8 @@ namespace {
 
 constexpr std::size_t kRaysPerBlock = 2048;
 
-/// The share of some places' area from which a far light is seen. Each of the sun's positions has its own `turn`, so
-/// that those with few rays do not use the same places.
+/// The share of some positions' area from which a far light is seen. Each of the sun's positions has its own `turn`, so
+/// that those with few rays do not use the same positions.
 double unshaded_share(const SurfacePoints& places, Vec3 toward, const Obstacles& obstacles, std::uint64_t rays,
                       std::size_t turn, const Progress* progress) {
   const double first = fraction(0.5 + static_cast<double>(turn) * kSquareSteps[0]);

@@ -52,7 +52,7 @@ Scene street() {
                     {box_obstacle({-3, 0, 3}, {3, 8, 6}), box_obstacle({4, 0, -5}, {6, 3, 5})});
 }
 
-/// As the source counts it: random places on the whole hull, tested against hull and obstacles alike.
+/// As the source counts it: random positions on the whole hull, tested against hull and obstacles alike.
 double lit_share_by_counting(const Mesh& hull, Vec3 toward, const Scene& scene, std::uint64_t rays) {
   Obstacle self;
   for (const Vec3 position : hull.positions) self.mesh.positions.emplace_back(position);
@@ -132,7 +132,7 @@ TEST(CrownLight, AgreesWithPlainCounting) {
   constexpr std::uint64_t kCounted = 4000;
   const CrownLight light = measure_crown_light(ball, scene);
   for (std::size_t k = 2; k < light.lit_shares.size(); k += 4) {
-    // Five standard errors of a half: one in two million would fail by chance, and the places are always the same.
+    // Five standard errors of a half: one in two million would fail by chance, and the positions are always the same.
     const double tolerance = 5 * 0.5 / std::sqrt(static_cast<double>(kCounted));
     EXPECT_NEAR(light.lit_shares[k], lit_share_by_counting(ball, scene.light.sun[k].toward, scene, kCounted),
                 tolerance);

@@ -23,7 +23,7 @@ namespace {
 constexpr double kAreaOfPlace = 0.001;  // square metres
 constexpr int kLeastPlaces = 4;
 constexpr int kMostPlaces = 64;
-constexpr int kTrials = 16;  // for a place that is not in a hole
+constexpr int kTrials = 16;  // for a position that is not in a hole
 constexpr std::size_t kRaysPerBlock = 4096;
 
 using Point = SurfacePoints::Point;
@@ -35,7 +35,7 @@ class OrganSurface {
 
   bool is_empty() const { return !(places_.area() > 0); }
 
-  /// The place at `along` and `across`, or one after it that is not in a hole.
+  /// The position at `along` and `across`, or one after it that is not in a hole.
   Point solid_place(double along, double across) const {
     Point place = places_.at(along, across);
     for (int trial = 1; trial < kTrials && is_hole(place); ++trial) {
@@ -46,7 +46,7 @@ class OrganSurface {
 
   Vec3 position(const Point& place) const { return places_.position(place); }
 
-  /// The normal of a place's triangle under a frame; (0, 0, 0) where it is flattened to a line.
+  /// The normal of a position's triangle under a frame; (0, 0, 0) where it is flattened to a line.
   Vec3 face_normal(const Point& place, const Frame& frame) const {
     const auto [a, b, c] = mesh_.triangles[place.triangle];
     const Vec3 to_b = frame.vector(mesh_.positions[b] - mesh_.positions[a]);
@@ -85,7 +85,7 @@ class OrganSurfaces {
   std::vector<OrganSurface> surfaces_;
 };
 
-/// Strengths of the rays that go to some places.
+/// Strengths of the rays that go to some positions.
 struct LightSum {
   double sent = 0;
   double arrived = 0;
@@ -125,7 +125,7 @@ int place_count(double area) {
   return static_cast<int>(std::clamp(wanted, double{kLeastPlaces}, double{kMostPlaces}));
 }
 
-/// The light on organ number `index`. Organs of one prototype are asked at different places.
+/// The light on organ number `index`. Organs of one prototype are asked at different positions.
 LightSum light_on(const Organ& organ, const OrganSurface& surface, int places, std::size_t index, const Shade& shade,
                   const Progress& progress) {
   LightSum sum;

@@ -217,7 +217,7 @@ TEST(OrganLight, AgreesWithRaysThatAreTestedOtherwise) {
     arrived += arrived_here / sent_here;
     sent += 1;
   }
-  // Both ask some 20,000 places; shares of 0 or 1 would have errors of 0.0035 each.
+  // Both ask some 20,000 positions; shares of 0 or 1 would have errors of 0.0035 each.
   const LitOrgan mean = mean_leaf_light(plant, measured(plant, scene));
   EXPECT_NEAR(mean.exposure, arrived / sent, 0.02);
   EXPECT_GT(mean.exposure, 0.1);

@@ -26,7 +26,7 @@ TEST(SurfacePoints, TrianglesGetPlacesInProportionToTheirArea) {
 }
 
 TEST(SurfacePoints, AreEvenWithinATriangle) {
-  // The mean of even places is the centroid, and their second moments are the triangle's: 1/6 for a weight's square.
+  // The mean of even positions is the centroid, and their second moments are the triangle's: 1/6 for a weight's square.
   Mesh triangle;
   triangle.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   triangle.triangles = {{0, 1, 2}};

@@ -3,26 +3,37 @@
 // orders and radii are assigned afterwards. Order of use: decimate, relax, subdivide. A branch here is the run of nodes
 // between a root or fork and the next fork or tip.
 //
+// Where things stand in the way, the caller says which straight ways are open. A skeleton whose segments all are has
+// only open ones afterwards: nodes stay, or stay where they were, where a new segment would not be.
+//
 // Based on: J. Jansen, Space Colonization-gestützte Generierung realitätskonformer Vegetationsszenarien, TU Dortmund
 // 2020, section 3.5.2 (equation 3.21 corrected, see relax_angles).
 #pragma once
 
+#include "meristem/base/function_ref.h"
 #include "meristem/plant/skeleton.h"
 
 namespace meristem {
+
+/// Whether nothing stands in the straight way from one position to another.
+using IsOpen = FunctionRef<bool(Vec3 from, Vec3 to)>;
 
 /// Removes inner nodes of branches: walking each branch, a node goes while the length removed since the last kept one
 /// plus its own segment is below `tolerance - step / 2`. Forks, roots and tips stay. The half step keeps rounding from
 /// deciding; with tolerance = 4 steps every fourth inner node stays.
 Skeleton decimate(const Skeleton& skeleton, double tolerance, double step);
+Skeleton decimate(const Skeleton& skeleton, double tolerance, double step, IsOpen is_open);
 
 /// Moves every node but the roots to the middle between itself and its parent's old position, all at once. Fork angles
 /// fall from about 100° to 50-60°.
 void relax_angles(Skeleton& skeleton);
+void relax_angles(Skeleton& skeleton, IsOpen is_open);
 
 /// Replaces the nodes of each branch by points at equal arc distance, near `spacing` metres, on the natural spline
 /// through them (parametrised by chord length; branches with fewer than three nodes by the straight line). The ends of
-/// branches stay where they are. Throws std::invalid_argument unless `spacing` is above 0.
+/// branches stay where they are. A branch whose spline leads through what is in the way keeps its nodes, with straight
+/// pieces between them that are parted. Throws std::invalid_argument unless `spacing` is above 0.
 Skeleton subdivide(const Skeleton& skeleton, double spacing);
+Skeleton subdivide(const Skeleton& skeleton, double spacing, IsOpen is_open);
 
 }  // namespace meristem

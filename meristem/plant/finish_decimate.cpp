@@ -4,29 +4,38 @@
 namespace meristem {
 namespace {
 
-std::vector<std::uint32_t> count_children(const Skeleton& skeleton) {
-  std::vector<std::uint32_t> count(skeleton.node_count(), 0);
-  for (const NodeIndex parent : skeleton.parent) {
-    if (parent != kNoNode) ++count[parent];
+/// The child of each node that has just one; kNoNode for others.
+std::vector<NodeIndex> only_children(const Skeleton& skeleton) {
+  std::vector<NodeIndex> child(skeleton.node_count(), kNoNode);
+  std::vector<std::uint8_t> has_more(skeleton.node_count(), 0);
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    const NodeIndex parent = skeleton.parent[node];
+    if (parent == kNoNode) continue;
+    has_more[parent] = child[parent] != kNoNode || has_more[parent] != 0 ? 1 : 0;
+    child[parent] = has_more[parent] != 0 ? kNoNode : node;
   }
-  return count;
+  return child;
 }
 
 }  // namespace
 
 Skeleton decimate(const Skeleton& skeleton, double tolerance, double step) {
+  return decimate(skeleton, tolerance, step, [](Vec3, Vec3) { return true; });
+}
+
+Skeleton decimate(const Skeleton& skeleton, double tolerance, double step, IsOpen is_open) {
   const double limit = tolerance - step / 2;
-  const std::vector<std::uint32_t> children = count_children(skeleton);
+  const std::vector<NodeIndex> only_child = only_children(skeleton);
   std::vector<double> removed_length(skeleton.node_count(), 0);  // since the last kept node, this one included
   std::vector<NodeIndex> kept(skeleton.node_count());            // new index of the nearest kept node toward the root
   Skeleton result;
   for (const auto& [name, values] : skeleton.extra) result.extra[name];
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     const NodeIndex parent = skeleton.parent[node];
-    // Drop an inner node while its stretch of removed nodes stays short.
-    if (parent != kNoNode && children[node] == 1) {
+    // Drop an inner node while its stretch of removed nodes stays short and the next one can be reached without it.
+    if (parent != kNoNode && only_child[node] != kNoNode) {
       const double length = removed_length[parent] + glm::distance(skeleton.position[parent], skeleton.position[node]);
-      if (length < limit) {
+      if (length < limit && is_open(result.position[kept[parent]], skeleton.position[only_child[node]])) {
         removed_length[node] = length;
         kept[node] = kept[parent];
         continue;

@@ -107,8 +107,17 @@ struct Subdivision {
   }
 };
 
-void add_inner_nodes(Subdivision& subdivision, const Branch& branch, double spacing, NodeIndex& last) {
-  const BranchCurve curve(subdivision.old, branch);
+/// A node to be set into a branch, between two of its old ones.
+struct InnerNode {
+  Vec3 position{0};
+  NodeIndex low = 0, high = 0;
+  float share = 0;  ///< of the second
+};
+
+/// Nodes at equal arc distance on the spline through a branch.
+std::vector<InnerNode> nodes_on_curve(const Skeleton& old, const Branch& branch, double spacing) {
+  std::vector<InnerNode> nodes;
+  const BranchCurve curve(old, branch);
   const ArcTable table = measure_arc(branch, curve);
   const double length = table.arc.back();
   const double segments = std::max(1.0, std::round(length / spacing));
@@ -123,14 +132,42 @@ void add_inner_nodes(Subdivision& subdivision, const Branch& branch, double spac
     while (branch.chord[piece] < chord && piece + 1 < branch.chord.size()) ++piece;
     const double from = branch.chord[piece - 1];
     const double along = (chord - from) / (branch.chord[piece] - from);
-    last = subdivision.add_between(last, Vec3(curve(chord)), branch.node[piece - 1], branch.node[piece],
-                                   static_cast<float>(along));
+    nodes.push_back({Vec3(curve(chord)), branch.node[piece - 1], branch.node[piece], static_cast<float>(along)});
   }
+  return nodes;
+}
+
+/// A branch's own inner nodes, and others on the straight pieces between them.
+std::vector<InnerNode> nodes_on_pieces(const Skeleton& old, const Branch& branch, double spacing) {
+  std::vector<InnerNode> nodes;
+  for (std::size_t piece = 1; piece < branch.node.size(); ++piece) {
+    const NodeIndex low = branch.node[piece - 1], high = branch.node[piece];
+    const double parts = std::max(1.0, std::round((branch.chord[piece] - branch.chord[piece - 1]) / spacing));
+    for (double k = 1; k < parts; ++k) {
+      const auto share = static_cast<float>(k / parts);
+      nodes.push_back({glm::mix(old.position[low], old.position[high], share), low, high, share});
+    }
+    if (piece + 1 < branch.node.size()) nodes.push_back({old.position[high], high, high, 0});
+  }
+  return nodes;
+}
+
+bool are_open(const Skeleton& old, const Branch& branch, const std::vector<InnerNode>& nodes, IsOpen is_open) {
+  Vec3 from = old.position[branch.node.front()];
+  for (const InnerNode& node : nodes) {
+    if (!is_open(from, node.position)) return false;
+    from = node.position;
+  }
+  return is_open(from, old.position[branch.node.back()]);
 }
 
 }  // namespace
 
 Skeleton subdivide(const Skeleton& skeleton, double spacing) {
+  return subdivide(skeleton, spacing, [](Vec3, Vec3) { return true; });
+}
+
+Skeleton subdivide(const Skeleton& skeleton, double spacing, IsOpen is_open) {
   if (!(spacing > 0)) throw std::invalid_argument("subdivide: a spacing above 0 wanted");
   const Children children(skeleton);
   Subdivision subdivision{skeleton, {}, std::vector<NodeIndex>(skeleton.node_count(), kNoNode)};
@@ -145,7 +182,13 @@ Skeleton subdivide(const Skeleton& skeleton, double spacing) {
     if (!skeleton.is_root(parent) && children.of(parent).size() == 1) continue;
     const Branch branch = trace_branch(skeleton, children, node);
     NodeIndex last = subdivision.renumbered[parent];
-    if (branch.length() > 0) add_inner_nodes(subdivision, branch, spacing, last);
+    if (branch.length() > 0) {
+      std::vector<InnerNode> nodes = nodes_on_curve(skeleton, branch, spacing);
+      if (!are_open(skeleton, branch, nodes, is_open)) nodes = nodes_on_pieces(skeleton, branch, spacing);
+      for (const InnerNode& inner : nodes) {
+        last = subdivision.add_between(last, inner.position, inner.low, inner.high, inner.share);
+      }
+    }
     subdivision.add_copy(last, branch.node.back());
   }
   return std::move(subdivision.result);

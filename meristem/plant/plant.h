@@ -58,7 +58,7 @@ struct Surface {
 
   // Tubes.
   int sides = 8;        ///< sides of the thickest tube; thinner ones have fewer. More: rounder, more triangles
-  float error = 0.03F;  ///< radii by which a tube may stray from its skeleton; raised, fewer rings; 0: one a node
+  float error = 0.03F;  ///< radii by which a tube may stray from its skeleton; raised, fewer rings; 0: one per node
   float uv_scale = 1;   ///< metres of bark that one texture tile covers
   float smooth = 3;  ///< radii along the axis to both sides over which a tube's radius is levelled; 0: as the skeleton
   float collar = 0.8F;     ///< radii over which branches grow out of their parent; 0: they start with a crease
@@ -88,7 +88,7 @@ struct StemPart {
 /// One grown skeleton with its looks. Where stems grow on stems, whatever made them, they are one skeleton.
 struct Stem {
   std::vector<StemPart> parts{1};           ///< the first is the root's
-  std::vector<std::uint32_t> part_of_axis;  ///< index into parts, one an axis; empty where there is one part
+  std::vector<std::uint32_t> part_of_axis;  ///< index into parts, one per axis; empty where there is one part
   Skeleton skeleton;                        ///< in world space
 
   std::size_t part_index(AxisIndex axis) const { return part_of_axis.empty() ? 0 : part_of_axis[axis]; }

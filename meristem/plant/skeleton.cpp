@@ -60,13 +60,13 @@ void Skeleton::append(Skeleton more) {
 
 Children::Children(const Skeleton& skeleton) : first(skeleton.node_count() + 1, 0) {
   const std::size_t nodes = skeleton.node_count();
-  // Count the children of each node, one place further on.
+  // Count the children of each node, one position further on.
   for (const NodeIndex parent : skeleton.parent) {
     if (parent != kNoNode) ++first[parent + 1];
   }
   // Sum up, so that each entry is where a node's children begin.
   for (std::size_t node = 0; node < nodes; ++node) first[node + 1] += first[node];
-  // Put every node in its parent's next free place.
+  // Put every node in its parent's next free position.
   child.resize(first[nodes]);
   std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
   for (NodeIndex node = 0; node < nodes; ++node) {

@@ -17,7 +17,7 @@ using NodeIndex = std::uint32_t;
 using AxisIndex = std::uint32_t;
 inline constexpr NodeIndex kNoNode = 0xffffffffU;
 
-/// Nodes joined by segments from parent to child. All columns have one entry a node.
+/// Nodes joined by segments from parent to child. All columns have one entry per node.
 ///
 /// A parent's index is smaller than its children's, so plain loops run from root to tips and back, and nothing
 /// recurses. A node belongs to the axis on which it lies; the first node of a lateral axis is the first one after the

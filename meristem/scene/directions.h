@@ -7,9 +7,9 @@
 
 namespace meristem {
 
-/// Which ways a plant feels at a place: toward the light, and down. Whatever turns by light or gravity asks here, at
-/// the place where it turns. They are the same everywhere, so asking costs nothing; what shares a result between places
-/// goes by key_at all the same.
+/// Which ways a plant feels at a position: toward the light, and down. Whatever turns by light or gravity asks here, at
+/// the position where it turns. They are the same everywhere, so asking costs nothing; what shares a result between
+/// positions goes by key_at all the same.
 class Directions {
  public:
   Directions() = default;  ///< light from the zenith
@@ -18,7 +18,7 @@ class Directions {
 
   Vec3 toward_light(Vec3) const { return toward_light_; }  ///< unit vector
   Vec3 down(Vec3) const { return down_; }                  ///< unit vector, the way gravity pulls
-  /// Equal for places about which both are the same.
+  /// Equal for positions about which both are the same.
   std::uint64_t key_at(Vec3 position) const;
 
  private:

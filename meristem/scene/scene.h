@@ -21,7 +21,7 @@ struct Scene {
   /// Hash of all that it was made of, if that is known: what grew in a scene with the same one need not grow again.
   std::optional<std::uint64_t> fingerprint{};
 
-  /// Which ways plants feel in it. To be asked once, and then at every place.
+  /// Which ways plants feel in it. To be asked once, and then at every position.
   Directions directions() const { return Directions(unit_vector(sun)); }
 };
 

@@ -21,8 +21,8 @@ struct MeshInstances {
   std::string component;  ///< id in the document; exports group by it
   std::shared_ptr<const Mesh> mesh;
   std::uint32_t material = 0;  ///< index into MeshScene::materials
-  std::vector<Frame> frames;   ///< one an instance; rotations, uneven scales and mirrors are allowed
-  std::vector<Vec3> tints;     ///< linear factors on the material's colour, one an instance; empty where all are 1
+  std::vector<Frame> frames;   ///< one per instance; rotations, uneven scales and mirrors are allowed
+  std::vector<Vec3> tints;     ///< linear factors on the material's colour, one per instance; empty where all are 1
 
   std::uint64_t triangle_count() const { return mesh->triangle_count() * frames.size(); }
   Vec3 tint(std::size_t instance) const { return tints.empty() ? Vec3(1) : tints[instance]; }

@@ -201,7 +201,7 @@ RayScene::RayScene(const MeshScene& scene, Progress& progress, std::uint64_t cop
 RayScene::~RayScene() = default;
 
 float RayScene::clearance(Vec3 position) {
-  // Floats know a place 10 m away to a micrometre.
+  // Floats know a position 10 m away to a micrometre.
   return 2e-5F * (0.1F + std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)}));
 }
 

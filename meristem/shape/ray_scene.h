@@ -19,7 +19,7 @@ namespace meristem {
 struct Ray {
   Vec3 origin;       ///< metres, world space
   Vec3 direction;    ///< unit
-  float spread = 0;  ///< by how much it stands for a wider cone, metres a metre; raised, textures are blurred more
+  float spread = 0;  ///< by how much it stands for a wider cone, metres per metre; raised, textures are blurred more
 };
 
 /// A position on a surface.

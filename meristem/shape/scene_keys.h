@@ -14,7 +14,7 @@ namespace meristem {
 
 /// Equal keys, equal content: hashes of all that a part holds.
 struct SceneKeys {
-  /// What stands in one place of MeshScene::meshes.
+  /// What stands at one index of MeshScene::meshes.
   struct Batch {
     std::string component;
     std::uint32_t number = 0;     ///< among those of its component
@@ -53,7 +53,7 @@ struct SceneDifference {
   };
   Keys meshes;
   Keys materials;
-  /// Places of batches: those added and changed in the later scene, those removed in the earlier one. Batches are the
+  /// Indices of batches: those added and changed in the later scene, those removed in the earlier one. Batches are the
   /// same one where they have their component and number in common, and have changed where a key differs.
   struct Batches {
     std::vector<std::size_t> added;

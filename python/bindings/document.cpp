@@ -92,7 +92,7 @@ std::shared_ptr<PlantInPython> grow(const DocumentPointer& document, double time
     GrowthOptions options{.time = time, .up_to = GrownPart::plant};
     std::unique_lock<std::mutex> growing(document->shared->growing, std::defer_lock);
     if (document->has_other_values && growing.try_lock()) options.cache = &document->shared->growth;
-    return std::make_shared<PlantInPython>(document, grow_document(document->document, inner, options).plant);
+    return std::make_shared<PlantInPython>(document, grow_document(document->document, inner, options));
   });
 }
 
@@ -203,7 +203,7 @@ void bind_document(py::module_& module) {
 
 `content` is a dict such as a document's JSON would be read into, or the JSON text itself. Numbers may be numpy's, lists
 tuples or arrays. Files that it names are sought from the folder of `file`, or the current one. `set` sets values by
-their paths, as in set(); `seed` (0 to 2^64 - 1) replaces the document's. Raises InputError with all that is wrong.)")
+their paths, as in set(); `seed` (0 to 2^53) replaces the document's. Raises InputError with all that is wrong.)")
       .def(py::init(&document_of), py::arg("content"), py::kw_only(), py::arg("file") = "", py::arg("set") = py::none(),
            py::arg("seed") = py::none())
       .def("set", &with_values, py::arg("values") = py::none(), py::kw_only(), py::arg("seed") = py::none(),

@@ -66,15 +66,13 @@ double seed_in_document(std::uint64_t seed);
 /// A document that has grown. Its meshes and the pictures on them are made when they are first asked for.
 class PlantInPython {
  public:
-  PlantInPython(std::shared_ptr<const DocumentInPython> from, Plant plant) : origin(std::move(from)) {
-    grown_.plant = std::move(plant);
-  }
   PlantInPython(std::shared_ptr<const DocumentInPython> from, GrownDocument grown)
       : origin(std::move(from)), grown_(std::move(grown)), has_meshes_(grown_.up_to >= GrownPart::meshes) {}
 
   const std::shared_ptr<const DocumentInPython> origin;
 
   const Plant& plant() const { return grown_.plant; }
+  const std::vector<Diagnostic>& warnings() const { return grown_.warnings; }
   /// What has grown, with all up to a part. On a thread without the interpreter's lock. Throws as complete_growth does.
   const GrownDocument& up_to(GrownPart part, Progress& progress);
   /// The meshes if they have been made, else null.

@@ -33,20 +33,22 @@ auto read_leaves(const py::object& path, Read read) {
   }
 }
 
-std::vector<MeasuredCurve> midribs_of(const py::object& path) {
-  return read_leaves(path, [](const std::string& text, const Limits& limits) { return read_midribs(text, limits); });
-}
-
-std::vector<MeasuredCurve> widths_of(const py::object& path) {
+/// The same for reading that warns.
+template <class Read>
+std::vector<MeasuredCurve> read_warning(const py::object& path, Read read) {
   std::vector<Diagnostic> warnings;
-  std::vector<MeasuredCurve> widths = read_leaves(
-      path, [&](const std::string& text, const Limits& limits) { return read_widths(text, limits, warnings); });
+  std::vector<MeasuredCurve> curves =
+      read_leaves(path, [&](const std::string& text, const Limits& limits) { return read(text, limits, warnings); });
   for (Diagnostic& warning : warnings) {
     warning.file = path_of(path);
     if (PyErr_WarnEx(PyExc_UserWarning, warning.text().c_str(), 1) != 0) throw py::error_already_set();
   }
-  return widths;
+  return curves;
 }
+
+std::vector<MeasuredCurve> midribs_of(const py::object& path) { return read_warning(path, read_midribs); }
+
+std::vector<MeasuredCurve> widths_of(const py::object& path) { return read_warning(path, read_widths); }
 
 /// Points from two columns of equal length.
 MeasuredCurve curve_of(const py::object& first, const char* first_name, const py::object& second,
@@ -129,13 +131,14 @@ void bind_measured(py::module_& module) {
   module.def("read_midribs", &midribs_of, py::arg("path"), R"(Reads digitised midribs: a list of MeasuredCurve.
 
 The file is a table with the columns x and y (away from the stem and up, in any unit) and, if there, rank, lindex and
-age; a midrib is what stands together with equal ones of these. Raises InputError with all faults, each with its file
-and line: columns that are missing, cells that are no numbers, midribs of fewer than 3 points or with two equal ones in
-a row.)");
+age; a midrib is what stands together with equal ones of these. A point that repeats the one before it is left out, with
+a UserWarning that names leaf and line. Raises InputError with all faults, each with its file and line: columns that are
+missing, cells that are no numbers, midribs of fewer than 3 points.)");
   module.def("read_widths", &widths_of, py::arg("path"), R"(Reads widths along blades: a list of MeasuredCurve.
 
 The file is a table with the columns s (distance from the base) and r (width, or share of the widest) and, if there,
-rank or rankclass, and lindex. What runs from the tip to the base is turned about, with a UserWarning each. Raises
+rank or rankclass, and lindex. What runs from the tip to the base is turned about, and positions that repeat
+the one before are left out, with a UserWarning each. Raises
 InputError as read_midribs does, and for positions that are not sorted and widths below 0.)");
 }
 

@@ -5,6 +5,7 @@
 #include "arrays.h"
 #include "call.h"
 #include "document.h"
+#include "errors.h"
 #include "meristem/components/camera.h"
 #include "meristem/measure/counts.h"
 #include "meristem/measure/measures.h"
@@ -314,6 +315,9 @@ pictures on them, are made when something first asks for them, which then raises
       .def_property_readonly(
           "document", [](const PlantInPython& p) { return std::const_pointer_cast<DocumentInPython>(p.origin); },
           "The Document that has grown.")
+      .def_property_readonly(
+          "warnings", [](const PlantInPython& p) { return to_python(p.warnings()); },
+          "What is odd about the plant but not wrong, such as stems that go into obstacles: a tuple of Diagnostic.")
       .def_property_readonly(
           "stems", [](const PlantPointer& p) { return parts_of(p, p->plant().stems); },
           "A list of Stem, one for each grown skeleton.")

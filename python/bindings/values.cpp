@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/limits.h"
+#include "meristem/base/seed.h"
 
 namespace meristem::python {
 
@@ -137,12 +138,9 @@ std::string file_of(const py::object& path) {
 
 std::uint64_t seed_of(const py::handle& seed) {
   if (PyIndex_Check(seed.ptr()) == 0) throw py::type_error("seed must be a whole number");
-  const std::uint64_t value = PyLong_AsUnsignedLongLong(py::int_(py::reinterpret_borrow<py::object>(seed)).ptr());
-  if (PyErr_Occurred() != nullptr) {
-    PyErr_Clear();
-    throw py::value_error("seed must be from 0 to 2^64 - 1");
-  }
-  return value;
+  const auto number = seed_of_text(py::str(py::int_(py::reinterpret_borrow<py::object>(seed))).cast<std::string>());
+  if (!number) throw py::value_error(fmt::format("seed must be {}", kSeedRange));
+  return *number;
 }
 
 std::vector<Override> to_overrides(const py::object& mapping) {

@@ -30,7 +30,7 @@ std::string path_of(const py::object& path);
 /// The same for a file that is written: standard output is refused.
 std::string file_of(const py::object& path);
 
-/// A seed from a whole number. Throws TypeError for others, and ValueError outside of 0 to 2^64 - 1.
+/// A seed from a whole number. Throws TypeError for others, and ValueError outside of 0 to 2^53.
 std::uint64_t seed_of(const py::handle& seed);
 
 /// What a mapping from names to values sets, in its order.

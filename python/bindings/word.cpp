@@ -166,7 +166,7 @@ str(word) is its text. Two are equal if they have the same symbols and parameter
              R"(Derives the word of a grammar, an L-system, and gives a Word, the same on any number of threads.
 
 `grammar` is its text (str), or the path of a file (os.PathLike), beside which those are sought that it includes. `steps`
-(0 to 1,000,000) are the grammar's own #steps if not given. `seed` (0 to 2^64 - 1) is what its draws come from.
+(0 to 1,000,000) are the grammar's own #steps if not given. `seed` (0 to 2^53) is what its draws come from.
 `constants` gives names of its #define lines other values: {"angle": 22.5}. `drawn` applies the rules of #interpret too,
 as drawing does.
 

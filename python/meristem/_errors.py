@@ -37,7 +37,7 @@ class InputError(Error, ValueError):
         super().__init__(self.diagnostics)
 
     def __str__(self) -> str:
-        return "\n".join(diagnostic.text for diagnostic in self.diagnostics)
+        return "\n".join("warning: " * (d.severity == "warning") + d.text for d in self.diagnostics)
 
 
 class MachineError(Error, OSError):

@@ -118,6 +118,12 @@ def test_faults_of_a_file_have_its_name_and_line(tmp_path: Path) -> None:
         grass.read_widths(tmp_path / "none.csv")
 
 
+def test_points_that_are_repeated_are_left_out_with_a_warning(tmp_path: Path) -> None:
+    with pytest.warns(UserWarning, match="leaves.csv:4: rank 2: the point of the midrib repeats"):
+        [midrib] = grass.read_midribs(write(tmp_path, "rank,x,y\n2,0,0\n2,1,1\n2,1,1\n2,2,1\n"))
+    assert midrib.points.tolist() == [[0, 0], [1, 1], [2, 1]]
+
+
 def test_widths_from_the_tip_are_turned_with_a_warning(tmp_path: Path) -> None:
     for text in ("s,r\n1,0\n0.5,1\n0,0.8\n", "s,r\n0,0\n0.5,1\n1,0.8\n"):  # falling, and narrow first
         with pytest.warns(UserWarning, match="leaves.csv:2.*from the tip to the base"):

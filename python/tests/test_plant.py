@@ -257,3 +257,16 @@ def test_plants_of_one_document_share_their_pictures() -> None:
     assert first is not None and second is not None and np.shares_memory(first, second)
     other = document.set({"tree.colour": "#405060"}).grow().materials[0].picture
     assert other is not None and not np.array_equal(first, other)
+
+
+def test_a_stem_in_an_obstacle_is_a_warning_of_the_plant(tmp_path: Path) -> None:
+    path = tmp_path / "limb.json"
+    path.write_text(
+        """{"meristem": 1, "scene": {"obstacles": [{"box": [[-1, 1, -1], [1, 2, 1]]}]},
+            "components": {"limb": {"type": "tree", "length": 3}}}"""
+    )
+    document = meristem.read(path)
+    [warning] = document.grow().warnings
+    assert (warning.severity, warning.path, warning.line) == ("warning", "components.limb", 2)
+    assert "does not avoid obstacles" in warning.message
+    assert document.set({"limb.length": 0.5}).grow().warnings == ()

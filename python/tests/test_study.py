@@ -153,3 +153,20 @@ def test_numbers_of_threads_below_one_are_refused(tmp_path: Path) -> None:
     assert done.returncode == 2
     assert "at least 1" in done.stderr
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("script", ["cut_leader", "grass_leaves", "space_colonization_light"])
+@pytest.mark.parametrize("module", ["matplotlib", "numpy"])
+def test_a_missing_module_is_named_with_its_package(tmp_path: Path, script: str, module: str) -> None:
+    (tmp_path / f"{module}.py").write_text(f"raise ModuleNotFoundError('no {module}', name='{module}')\n")
+    path = f"{tmp_path}{os.pathsep}{Path(meristem.__file__).parents[1]}"
+    done = subprocess.run(
+        [sys.executable, "-B", str(STUDIES / f"{script}.py")],
+        env={**os.environ, "PYTHONPATH": path},
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert done.returncode == 1
+    assert f"apt-get install python3-{module}" in done.stderr and "./dev studies" in done.stderr
+    assert "Traceback" not in done.stderr

@@ -226,6 +226,26 @@ class Documents(Case):
         self.write("bad.json", '{"meristem": 1, "\\u001b[2J": 3}')
         self.assertNotIn("\x1b", self.assert_ends(WRONG_INPUT, "check", "bad.json"))
 
+    def test_check_tells_what_growing_would(self):
+        tree = ('{"meristem": 1, %s "components": {"tree": {"type": "colonize", "points": 50, '
+                '"crown": {"sphere": {"centre": [0, %s, 0], "radius": 1}}}}}')
+        box = '"scene": {"obstacles": [{"box": [[-1, -1, -1], [1, 1, 1]]}]},'
+        self.write("walled.json", tree % (box, 2))
+        self.write("far.json", tree % ("", 9000))
+        self.assertIn("components.tree.roots: a root stands inside an obstacle",
+                      self.assert_ends(WRONG_INPUT, "check", "walled.json"))
+        self.assertIn("components.tree.iterations: the crown is out of reach",
+                      self.assert_ends(WRONG_INPUT, "check", "far.json"))
+        self.assert_ends(DONE, "check", "far.json", "--quick")
+
+    def test_stems_in_obstacles_are_warned_of(self):
+        self.write("limb.json", '{"meristem": 1, "scene": {"obstacles": [{"box": [[-1, 1, -1], [1, 2, 1]]}]},\n'
+                   '"components": {"limb": {"type": "tree", "length": 3}}}')
+        for command in (["check", "limb.json"], ["grow", "limb.json", "-o", "limb.csv"],
+                        ["measure", "limb.json"], ["render", "limb.json", "--fingerprint"]):
+            errors = self.assert_ends(DONE, *command)
+            self.assertRegex(errors, r"warning: limb\.json:2:\d+: components\.limb: 'limb' does not avoid obstacles")
+
     def test_warnings_say_so_and_do_not_refuse(self):
         self.write("night.json", BOX.replace('"comp', '"scene": {"sun": {"azimuth": 0, "altitude": -9}}, "comp'))
         errors = self.assert_ends(DONE, "check", "night.json")

@@ -25,7 +25,7 @@ def check(document, *settings):
     done = subprocess.run([program, "check", str(document), *settings], capture_output=True, text=True, timeout=60)
     told = done.stdout + done.stderr
     # Pictures of what a variable does may go beyond what is sensible.
-    warnings = [line for line in told.splitlines() if "warning" in line and not (settings and "beyond its range" in line)]
+    warnings = [line for line in told.splitlines() if "warning" in line and not ("--set" in settings and "beyond its range" in line)]
     if done.returncode != 0 or warnings:
         fail(f"{document.name} {' '.join(settings)}:\n{told}")
 
@@ -52,7 +52,8 @@ for line in (figures / "figures.txt").read_text(encoding="utf-8").splitlines():
     if line.strip() and not line.startswith("#"):
         name, document, *options = line.split()
         pictures.add(name)
-        check(figures / f"{document}.json", *only_settings(options))
+        # The documents have grown above; what is set is read only, as there are hundreds of pictures.
+        check(figures / f"{document}.json", "--quick", *only_settings(options))
 
 manifest = {line.split()[1] for line in (repository / "docs" / "pictures.txt").read_text(encoding="utf-8").splitlines()
             if not line.startswith("#")}

@@ -31,7 +31,8 @@ void require_lines(const InputError& error, const Limits& limits) {
 
 std::vector<MeasuredCurve> midribs_of(std::string_view text, const Limits& limits) {
   try {
-    return read_midribs(text, limits);
+    std::vector<Diagnostic> warnings;
+    return read_midribs(text, limits, warnings);
   } catch (const InputError& error) {
     require_lines(error, limits);
     return {};

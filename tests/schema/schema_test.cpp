@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -18,6 +19,8 @@
 #include "meristem/components/registry.h"
 #include "meristem/document/document.h"
 #include "meristem/document/json.h"
+#include "meristem/graph/component.h"
+#include "meristem/graph/table/kinds.h"
 
 namespace meristem {
 namespace {
@@ -33,9 +36,9 @@ const Json& schema_json() {
 
 class DocumentSchema {
  public:
-  DocumentSchema() {
+  explicit DocumentSchema(const Json& json) {
     valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
-    parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json()), schema_);
+    parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(json), schema_);
   }
 
   bool accepts(const Json& document) const {
@@ -48,7 +51,7 @@ class DocumentSchema {
 };
 
 const DocumentSchema& schema() {
-  static const DocumentSchema schema;
+  static const DocumentSchema schema(schema_json());
   return schema;
 }
 
@@ -147,6 +150,16 @@ TEST(Schema, RejectsWhatTheReaderRejects) {
           R"({"meristem": 1, "components": {"a": {"type": "colonize", "crown": {"box": [[0, 1, 0]]}}}})",
           R"({"meristem": 1, "components": {"a": {"type": "colonize", "crown": {"profiles": {"0": 3}}}}})",
           R"({"meristem": 1, "components": {"a": {"type": "colonize", "crown": {"profile": [[1, 0], [1, 1]]}, "step": 0}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "simple", "recursion": 3}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "simple", "recursion": 3}}, "links": []})",
+          R"({"meristem": 1, "components": {"a": {"type": "organize", "operations": [{"do": "prune"}]}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "organize", "operations": [{"do": "cut", "every": 2}]}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "organize", "operations": [{"iteration": 2}]}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "grassleaf", "fit": {"width_smoothing": 0.1}}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "grassleaf", "exact": true, "vary": {"bend": 1, "variants": 3}}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "tree", "surface": {"style": "blend"}, "texture": {"bark": {}}}}})",
+          R"({"meristem": 1, "components": {"a": {"type": "tree"}, "b": {"type": "simple"}},
+              "links": [{"from": "a", "to": "b", "density": 3}]})",
           R"({"meristem": 1, "components": {"a": {"type": "simple"}}, "links": [["a"]]})",
           R"({"meristem": 1, "components": {"a": {"type": "simple"}}, "links": [{"from": "a"}]})",
           R"({"meristem": 1, "components": {"a": {"type": "simple"}}, "variables": {"v": {"min": 0}}})",
@@ -162,6 +175,51 @@ TEST(Schema, RejectsWhatTheReaderRejects) {
     EXPECT_FALSE(schema().accepts(parse(document))) << document;
     EXPECT_NE(faults_of(document), "") << document;
   }
+}
+
+struct Snip {
+  double length = 1;
+};
+struct Bend {
+  double angle = 1;
+};
+struct Hedge : ComponentBase {
+  std::vector<std::variant<Snip, Bend>> work;
+};
+
+TEST(Schema, AListOfKindsTakesEachKindWithItsOwnRowsAlone) {
+  static const auto snip_table = []() -> const ParameterTable& {
+    static const ParameterTable table =
+        Table<Snip>("a snip", "Takes off.").number("length", &Snip::length, {.max = 9}, "How much.").elsewhere({"do"});
+    return table;
+  };
+  static const auto bend_table = []() -> const ParameterTable& {
+    static const ParameterTable table =
+        Table<Bend>("a bend", "Turns.").number("angle", &Bend::angle, {.max = 9}, "How far.").elsewhere({"do"});
+    return table;
+  };
+  static const auto work_kinds = []() -> const Kinds& {
+    static const Kinds kinds{
+        "a piece of work", "What is done.", "do", "Its kind.", {{"snip", snip_table}, {"bend", bend_table}}};
+    return kinds;
+  };
+  static const auto work_table = []() -> const ParameterTable& {
+    static const ParameterTable table = table_of_kinds(work_kinds());
+    return table;
+  };
+  const Registry registry({define_component<Hedge>(
+      {.traits = {.name = "hedge", .doc = "A hedge."},
+       .parameters = Table<Hedge>("a hedge", "A hedge.")
+                         .list_of_kinds("work", &Hedge::work, +work_kinds, +work_table, "What is done to it."),
+       .expand = [](const Hedge&, const Site&, Emitter&) {}})});
+  const DocumentSchema own(parse(write_json(document_schema(registry))));
+  const auto accepts = [&](const std::string& work) {
+    return own.accepts(parse(R"({"meristem": 1, "components": {"a": {"type": "hedge", "work": [)" + work + "]}}}"));
+  };
+  EXPECT_TRUE(accepts(R"({"do": "snip", "length": 2}, {"do": "bend", "angle": 3})"));
+  EXPECT_FALSE(accepts(R"({"do": "snip", "angle": 2})")) << "a row of another kind";
+  EXPECT_FALSE(accepts(R"({"length": 2})"));
+  EXPECT_FALSE(accepts(R"({"do": "mow"})"));
 }
 
 TEST(Schema, DescribesEveryParameter) {

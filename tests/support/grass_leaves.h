@@ -96,7 +96,8 @@ inline constexpr const char* kWheatByAge = "grass/median_leaf_trajectories_Soiss
 inline std::vector<MeasuredCurve> measured_midribs(const char* name) {
   const auto path = find_shared_data(name);
   if (!path) return {};
-  return read_midribs(read_file(*path, Limits{}.file_bytes), {});
+  std::vector<Diagnostic> warnings;
+  return read_midribs(read_file(*path, Limits{}.file_bytes), {}, warnings);
 }
 
 inline std::vector<MeasuredCurve> measured_widths(const char* name) {

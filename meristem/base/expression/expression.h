@@ -12,7 +12,7 @@
 // step(edge, x) noise(x [, y [, z]]) rand() rand(low, high) gauss(mean, deviation), and their names in grammars
 // ran(x), which is rand(0, x), and nran(mean, deviation). Constants: pi, e, golden (137.508°).
 //
-// Both branches of `?:` are evaluated. Random calls draw from the lane's key by their place in the
+// Both branches of `?:` are evaluated. Random calls draw from the lane's key by their position in the
 // expression: the k-th in the text, from 0 and left to right, draws the key's k-th number. The manual has it all:
 // docs/manual/expressions.md.
 #pragma once
@@ -74,7 +74,7 @@ class Expression {
   static Expression compile(std::string_view text, const ExpressionNames& names, std::size_t max_bytes = 16'384);
 
   /// Values for `count` lanes into `out`. `variables[k]` points to `count` values of the k-th name (only those that
-  /// `uses(k)` are read; others may be null). `keys` has a key a lane, or is empty if the expression draws nothing.
+  /// `uses(k)` are read; others may be null). `keys` has a key per lane, or is empty if the expression draws nothing.
   /// Numbers follow IEEE 754: a division by zero gives an infinity, log(-1) a NaN; callers decide what that means.
   /// A lane's value depends neither on the other lanes nor on how they are split into calls. `out` may be one of the
   /// variables. Missing variables or keys are a std::invalid_argument.

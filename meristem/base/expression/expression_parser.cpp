@@ -279,7 +279,7 @@ Operand Parser::parse_call(const ExpressionToken& name) {
 
 Operand Parser::parse_arguments(const ExpressionFunction& function, const ExpressionToken& name,
                                 const ExpressionToken& opening) {
-  // Number a random call before the calls in its arguments: places follow the text.
+  // Number a random call before the calls in its arguments: their numbers follow the text.
   const std::uint32_t place = is_random(function.op) ? random_calls_++ : 0;
   std::array<Operand, 3> operands;
   std::size_t held = 0;

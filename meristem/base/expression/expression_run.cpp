@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loop over the instructions. An instruction is dispatched once a block and then runs over the block's lanes in a
+// The loop over the instructions. An instruction is dispatched once per block and then runs over the block's lanes in a
 // loop of known length without branches where the operation allows it. Blocks have 64 lanes; what remains runs through
 // the same code with blocks of 8 and of 1, so a lane's value does not depend on its block.
 #include <algorithm>
@@ -110,7 +110,7 @@ void map(double* __restrict out, const double* a, const double* b, const double*
 /// Maps angles in degrees through an `f` that takes near ones only.
 template <std::size_t lanes, typename F>
 void map_angles(double* __restrict out, const double* a, F f) {
-  // Collect in the top bit whether any angle is large, infinite or NaN, without a branch a lane.
+  // Collect in the top bit whether any angle is large, infinite or NaN, without a branch per lane.
   constexpr std::uint64_t kLargest = std::bit_cast<std::uint64_t>(math::kNearDegrees);
   std::uint64_t beyond = 0;
   for (std::size_t lane = 0; lane < lanes; ++lane)

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <glm/mat3x3.hpp>
 
 #include "meristem/scene/crown/combined_crown.h"
 #include "meristem/scene/crown/crown_points.h"
@@ -181,9 +180,7 @@ const ParameterTable& share_table() {
 
 /// Scans may have the coordinates of a country, so they are moved in double.
 std::vector<Vec3> points_of_file(const CrownPointer& crown, const PointsParameters& form, const GrowContext& context) {
-  const Frame frame = form.file_place.frame();
-  const glm::dmat3 axes(frame.axes);
-  const DVec3 origin(frame.origin);
+  const DFrame frame = form.file_place.frame();
   const auto refuse = [&](std::string message, std::string expected) {
     throw InputError(Diagnostic{.message = std::move(message),
                                 .expected = std::move(expected),
@@ -191,7 +188,7 @@ std::vector<Vec3> points_of_file(const CrownPointer& crown, const PointsParamete
   };
   std::vector<Vec3> points;
   for (const DVec3 position : *form.file) {
-    const DVec3 placed = origin + axes * position;
+    const DVec3 placed = frame.point(position);
     const Vec3 point(placed);
     if (crown != nullptr && !crown->contains(point)) continue;
     const DVec3 away = glm::abs(placed);
@@ -313,6 +310,18 @@ CrownPointer build_crown(const CrownParameters& form) {
   if (!form.intersected.empty()) return combined(CombineKind::intersect, form.intersected);
   if (!form.subtracted.empty()) return combined(CombineKind::subtract, form.subtracted);
   return nullptr;
+}
+
+std::vector<PointsOfRoot> points_of_roots(const RootsInCrowns& trees, RandomKey key, const GrowContext& context) {
+  std::vector<PointsOfRoot> all(trees.roots.size());
+  if (trees.share_points()) {
+    all[0].points = make_points(trees.crown, trees.points, key, context);
+    return all;
+  }
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    all[k] = {trees.roots[k], make_points(trees.crown, trees.points, k == 0 ? key : key.child(k), context)};
+  }
+  return all;
 }
 
 std::vector<Vec3> make_points(const std::optional<CrownParameters>& crown, const PointsParameters& points,

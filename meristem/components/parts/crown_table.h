@@ -71,12 +71,32 @@ const ParameterTable& crown_table();   ///< of CrownParameters
 const ParameterTable& points_table();  ///< of PointsParameters
 
 /// Reports a crown that is missing, shares whose part of it is empty, and more points than allowed where it is filled
-/// `times` times. `place` is the component's, `component` what messages call it: "a colonize".
+/// `times` times. `path` is the component's, `component` what messages call it: "a colonize".
 void check_cloud(const std::optional<CrownParameters>& crown, const PointsParameters& points, std::size_t times,
                  std::string_view component, const DocumentPath& path, ParameterReader& reader);
 
 /// The crown that a checked form means; null where its list is empty.
 CrownPointer build_crown(const CrownParameters& form);
+
+/// Where trees stand, and what they grow into.
+struct RootsInCrowns {
+  const std::optional<CrownParameters>& crown;
+  const PointsParameters& points;
+  const std::vector<Vec3>& roots;  ///< in the component's frame
+  bool one_crown;                  ///< over the component's origin, instead of one per root
+
+  /// Whether all roots grow into the same points.
+  bool share_points() const { return one_crown || points.file; }
+};
+
+/// The attraction points of each root in the component's frame: those around it stand over `base` there, and the first
+/// root has those that all share.
+struct PointsOfRoot {
+  Vec3 base{0};
+  std::vector<Vec3> points;  ///< relative to it
+};
+/// Throws as make_points does.
+std::vector<PointsOfRoot> points_of_roots(const RootsInCrowns& trees, RandomKey key, const GrowContext& context);
 
 /// The attraction points of one tree, relative to its root: those of the file that lie in the crown, if there is one,
 /// else so many in the crown. Throws InputError at the component's crown or points.

@@ -132,8 +132,8 @@ const ParameterTable& aged_points_table() {
 }
 
 std::vector<MeasuredCurve> read_midrib_file(const std::string& text, const std::string&, ParameterReader& reader,
-                                            std::vector<Diagnostic>&) {
-  return read_midribs(text, reader.limits());
+                                            std::vector<Diagnostic>& warnings) {
+  return read_midribs(text, reader.limits(), warnings);
 }
 
 std::vector<MeasuredCurve> read_width_file(const std::string& text, const std::string&, ParameterReader& reader,

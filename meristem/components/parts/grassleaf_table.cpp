@@ -2,6 +2,7 @@
 #include "meristem/components/parts/grassleaf_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -191,7 +192,20 @@ void check_grassleaf(const Grassleaf& grass, const DocumentPath& path, Parameter
   }
 }
 
-/// Fits what the document gives; what is wrong with it is a fault at its place.
+/// Warns where there are so few polygons that waves are left out.
+void warn_of_lost_waves(const Grassleaf& grass, const DocumentPath& path, ParameterReader& reader) {
+  const EdgeWaves& waves = grass.blade.waves;
+  const DocumentPath at_waves(path, "waves");
+  const DocumentPath number(at_waves, "number"), polygons(path, "polygons");
+  if (!grass.stages.reduce || !grass.stages.blade || grass.error || waves.depth == 0) return;
+  if (reader.is_worked_out(number) || reader.is_worked_out(polygons)) return;
+  if (!(grass.polygons < kPiecesAWave * waves.number)) return;
+  reader.warn(polygons,
+              fmt::format("{} polygons are too few to show {:.7g} waves, which are left out; it takes {} or more",
+                          grass.polygons, waves.number, std::ceil(kPiecesAWave * waves.number)));
+}
+
+/// Fits what the document gives; what is wrong with it is a fault at its path.
 void prepare_grassleaf(Grassleaf& grass, const DocumentPath& path, ParameterReader& reader) {
   const char* row = grass.source.midribs.empty() ? "midrib" : "midribs";
   try {
@@ -206,6 +220,7 @@ void prepare_grassleaf(Grassleaf& grass, const DocumentPath& path, ParameterRead
     reader.fault(DocumentPath(path, row), error.what());
     return;
   }
+  warn_of_lost_waves(grass, path, reader);
   for (const StockedMidrib& midrib : grass.stock->midribs) {
     if (grass.full_age <= midrib.family.last_age()) continue;
     reader.fault(DocumentPath(path, "full_age"), fmt::format("the midribs end at the age {}", midrib.family.last_age()),

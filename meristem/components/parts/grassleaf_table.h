@@ -46,6 +46,9 @@ struct GrassStages {
   bool load = true, fit = true, age = true, vary = true, bend = true, reduce = true, blade = true;
 };
 
+/// Polygons from base to tip that it takes to show a wave; with fewer, waves are left out.
+inline constexpr int kPiecesAWave = 4;
+
 /// The leaf of a grass: a midrib in a plane and widths along it, measured or drawn, made older, bent, reduced and given
 /// a surface. Its heading is the stem's; the leaf leads away from the stem by its own midrib.
 struct Grassleaf : ComponentBase {

@@ -170,7 +170,7 @@ void check_cut(const Cut& cut, const DocumentPath& path, ParameterReader& reader
   }
 }
 
-/// Growth names the place of what it cannot do.
+/// Growth names the document path of what it cannot do.
 template <class Kind>
 void note_place(Kind& operation, const DocumentPath& path, ParameterReader&) {
   operation.path = path.text();

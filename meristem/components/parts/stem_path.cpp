@@ -127,7 +127,7 @@ class Builder {
   /// A direction in the frame of a straight stem, in the world.
   Vec3 from_stem(Vec3 local) const { return local.x * right_ + local.y * heading_ + local.z * upper(); }
 
-  /// The section that begins at `place`.
+  /// The section that begins at `position`.
   void turn(int section, Vec3 position) {
     if (!way_.empty()) follow_way(static_cast<std::size_t>(section));
     if (form_.spiral != 0) rotate(rotation(heading_, form_.spiral / form_.segments));

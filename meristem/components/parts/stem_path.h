@@ -38,7 +38,7 @@ struct StemTropisms {
   Directions directions;    ///< of light and gravity
   double gravitropism = 0;  ///< share of the angle down that the tip has closed; negative: of that up
   double phototropism = 0;  ///< the same for the light; negative: away from it
-  /// Where in the scene a stem stands that is made elsewhere and smaller: its places times `stretch`, from `origin`.
+  /// Where in the scene a stem stands that is made elsewhere and smaller: its positions times `stretch`, from `origin`.
   Vec3 origin{0};
   float stretch = 1;
 

@@ -66,7 +66,7 @@ Patch remove_component(const LocatedTree& tree, const std::string& path, const s
   return patch;
 }
 
-/// All places of expressions, as far as the text can be read.
+/// All paths of expressions, as far as the text can be read.
 std::vector<std::string> expression_paths(const LocatedTree& tree, const EditContext& context) {
   std::vector<std::string> paths;
   try {

@@ -46,7 +46,7 @@ struct WritingPlace {
   std::size_t column = 0;  ///< in the line, bytes
 };
 
-/// The value in one line where it fits; else a member a line, and lists without objects in filled lines.
+/// The value in one line where it fits; else a member per line, and lists without objects in filled lines.
 std::string written_value(const Value& value, const WritingPlace& place);
 
 }  // namespace meristem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A JSON text with the tree that it says and the places in it where each value stands: what edits of the text start
+// A JSON text with the tree that it says and the offsets in it where each value stands: what edits of the text start
 // from.
 #pragma once
 

@@ -13,7 +13,7 @@ namespace meristem {
 struct Splice {
   std::size_t offset = 0;   ///< byte in the text before the whole patch
   std::size_t length = 0;   ///< bytes that go
-  std::string replacement;  ///< what comes in their place
+  std::string replacement;  ///< what comes instead
 
   bool operator==(const Splice&) const = default;
 };

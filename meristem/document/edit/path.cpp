@@ -96,7 +96,7 @@ class PathReader {
   std::string_view rest_;
 };
 
-/// The place of what a step leads to.
+/// The path of what a step leads to.
 std::size_t find_part(const Value& at, const PathStep& step) {
   if (step.is_index) {
     const bool is_there = at.list() != nullptr && step.index < at.list()->size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Paths in the tree of a text: "components.leaf.length", "links[2]". A name that has dots or brackets in it is found as
-// it stands, and can be written in quotes: profiles["22.5"]. "links[]" is the place behind the last element.
+// it stands, and can be written in quotes: profiles["22.5"]. "links[]" is the path behind the last element.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +36,7 @@ PathTarget follow_path(const LocatedTree& tree, std::string_view path);
 /// The same for paths of something that is there, other than the root: throws an InputError that names the nearest.
 PathTarget find_path(const LocatedTree& tree, std::string_view path);
 
-/// What the places lead to, each in the one before.
+/// What the paths lead to, each in the one before.
 LocatedValue value_at(const LocatedTree& tree, const std::vector<std::size_t>& places);
 
 /// Throws the InputError for a path that ends in `target.missing`.

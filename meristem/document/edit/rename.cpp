@@ -78,6 +78,21 @@ void rename_in_links(const LocatedTree& tree, const std::string& id, const std::
   }
 }
 
+/// Where components name the one that they show.
+void rename_where_shown(const LocatedTree& tree, const std::string& id, const std::string& name,
+                        const Registry& registry, Patch& patch) {
+  const LocatedValue components = member_of(tree, tree.root(), "components");
+  if (components.value == nullptr || components.value->object() == nullptr) return;
+  for (std::size_t k = 0; k < part_count(*components.value); ++k) {
+    const LocatedValue component = tree.part(components, k);
+    const LocatedValue type = member_of(tree, component, "type"), of = member_of(tree, component, "of");
+    if (type.value == nullptr || type.value->text() == nullptr || of.value == nullptr) continue;
+    const ComponentType* known = registry.find(*type.value->text());
+    if (known == nullptr || known->shows.type.empty() || *of.value != Value(id)) continue;
+    patch.push_back(text_over(tree, of, name));
+  }
+}
+
 /// The name wherever it stands in an expression.
 void rename_in_expression(const LocatedTree& tree, LocatedValue value, const std::string& variable,
                           const std::string& name, const std::string& path, Patch& patch) {
@@ -121,6 +136,7 @@ Patch rename_component(const LocatedTree& tree, const std::string& id, const std
   Patch patch = rename_member(tree, path, name);
   if (patch.empty()) return patch;
   rename_in_links(tree, id, name, patch);
+  rename_where_shown(tree, id, name, registry, patch);
   for_each_grammar(tree, registry,
                    [&](const std::string& placer, const GrammarInDocument& grammar, const std::string& at) {
                      if (grammar.has_symbol(id) && (grammar.places(id) || placed_by(placer))) {

@@ -72,6 +72,14 @@ TEST(Rename, ComponentsKeepTheirLinksAndTheirPlacesInGrammars) {
                              {"\"to\": \"size\"", "\"to\": \"fruit\""}}));
 }
 
+TEST(Rename, ATreeKeepsTheCloudThatShowsItsPoints) {
+  const std::string text = R"json({"meristem": 1, "components": {
+    "tree": {"type": "colonize", "crown": {"sphere": {"centre": [0, 2, 0], "radius": 1}}},
+    "dots": {"type": "cloud", "of": "tree"}}})json";
+  EXPECT_EQ(renamed(text, "components.tree", "oak"),
+            replaced(text, {{"\"tree\": {", "\"oak\": {"}, {"\"of\": \"tree\"", "\"of\": \"oak\""}}));
+}
+
 TEST(Rename, ALongerNameInAGrammarIsDeclared) {
   EXPECT_EQ(renamed(kFern, "components.K", "bud"),
             replaced(kFern, {{"      \"#symbols leaf\"", "      \"#symbols bud\",\n      \"#symbols leaf\""},

@@ -162,7 +162,7 @@ Patch move_value(const LocatedTree& tree, std::string_view path, std::size_t ind
   const LocatedValue container = target.container();
   const std::size_t count = part_count(*container.value);
   if (index >= count) {
-    refuse(path, fmt::format("there is no place {} among {}", index, count), fmt::format("0 to {}", count - 1));
+    refuse(path, fmt::format("there is no element {} among {}", index, count), fmt::format("0 to {}", count - 1));
   }
   if (index == target.places.back()) return {};
   const RemovedPart removed = remove_part(tree, container, target.places.back());

@@ -16,7 +16,7 @@ namespace meristem {
 /// Whether a text of the value has the name as a word of its own.
 bool mentions(const Value& value, std::string_view name);
 
-/// Hash of what a document says in one place: the value, the constants whose names occur in its texts, and what stands
+/// Hash of what a document says at one path: the value, the constants whose names occur in its texts, and what stands
 /// in the `files` that were read with it; where there are such, all constants. Nothing where a file is none to be read
 /// twice, such as a pipe.
 std::optional<std::uint64_t> fingerprint_of(const Value& value, std::span<const ExpressionNames::Constant> constants,

@@ -37,7 +37,7 @@ Value present(const ParameterTable& table, const void* object, std::string_view 
   return member == nullptr ? Value() : *member;
 }
 
-/// Calls `report` with the place of a path below `place`.
+/// Calls `report` with the document path of a row path below `path`.
 void at_path(const DocumentPath& path, std::string_view row_path, FunctionRef<void(const DocumentPath&)> report) {
   const auto [name, rest] = first_of(row_path);
   const DocumentPath here(path, name);

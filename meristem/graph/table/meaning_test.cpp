@@ -56,7 +56,7 @@ std::vector<Diagnostic> faults_of(const Value& value) {
   return reader.take_diagnostics();
 }
 
-/// The place and the words of the only fault.
+/// The path and the words of the only fault.
 std::string fault_of(const Value& value) {
   const std::vector<Diagnostic> faults = faults_of(value);
   if (faults.size() != 1) return std::to_string(faults.size()) + " faults";

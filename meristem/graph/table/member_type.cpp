@@ -103,6 +103,19 @@ Value show_colour(Vec3 colour) {
                      static_cast<int>(bytes.z));
 }
 
+/// Reads [x, y, z] into a Vec3 or a DVec3.
+template <class V>
+void read_coordinates(const Parameter& self, const Value& value, const DocumentPath& path, ParameterReader& reader,
+                      V& out) {
+  const Value::List* list = value.list();
+  if (list == nullptr || list->size() != 3) return reader.wrong_kind(self, value, path);
+  const Parameter element = element_of(self);
+  for (int k = 0; k < 3; ++k) {
+    const auto index = static_cast<std::size_t>(k);
+    read_value(element, out[k], (*list)[index], DocumentPath(path, index), reader);
+  }
+}
+
 }  // namespace
 
 void read_value(const Parameter& self, bool& member, const Value& value, const DocumentPath& path,
@@ -212,17 +225,20 @@ Value show_value(const Parameter&, const std::vector<int>& numbers) {
 void read_value(const Parameter& self, Vec3& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
   if (self.kind == ParameterKind::colour) return read_colour(self, value, path, reader, member);
-  const Value::List* list = value.list();
-  if (list == nullptr || list->size() != 3) return reader.wrong_kind(self, value, path);
-  const Parameter element = element_of(self);
-  for (int k = 0; k < 3; ++k) {
-    const auto index = static_cast<std::size_t>(k);
-    read_value(element, member[k], (*list)[index], DocumentPath(path, index), reader);
-  }
+  read_coordinates(self, value, path, reader, member);
+}
+
+void read_value(const Parameter& self, DVec3& member, const Value& value, const DocumentPath& path,
+                ParameterReader& reader) {
+  read_coordinates(self, value, path, reader, member);
 }
 
 Value show_value(const Parameter& self, const Vec3& member) {
   if (self.kind == ParameterKind::colour) return show_colour(member);
+  return show_value(self, DVec3(member));
+}
+
+Value show_value(const Parameter& self, const DVec3& member) {
   const Unit unit = self.form.unit;
   return Value::List{to_document(unit, member.x), to_document(unit, member.y), to_document(unit, member.z)};
 }

@@ -47,6 +47,7 @@ void read_value(const Parameter&, bool& member, const Value&, const DocumentPath
 void read_value(const Parameter&, std::string& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, PerChild& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, Vec3& member, const Value&, const DocumentPath&, ParameterReader&);
+void read_value(const Parameter&, DVec3& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, Box& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, Curve& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, std::vector<Vec2>& member, const Value&, const DocumentPath&, ParameterReader&);
@@ -59,6 +60,7 @@ Value show_value(const Parameter&, bool member);
 Value show_value(const Parameter&, const std::string& member);
 Value show_value(const Parameter&, const PerChild& member);
 Value show_value(const Parameter&, const Vec3& member);
+Value show_value(const Parameter&, const DVec3& member);
 Value show_value(const Parameter&, const Box& member);
 Value show_value(const Parameter&, const Curve& member);
 Value show_value(const Parameter&, const std::vector<Vec2>& member);

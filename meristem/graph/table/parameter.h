@@ -37,8 +37,8 @@ enum class ParameterKind {
   colours,    ///< a list of colours, at least one
   curve,      ///< {"curve": [[x, y], ...], "kind": "spline" | "linear"}
   points,     ///< a list of pairs [x, y]
-  places,     ///< a list of places [x, y, z]
-  condition,  ///< an expression that is true or false for each place
+  places,     ///< a list of points [x, y, z]
+  condition,  ///< an expression that is true or false for each site
   formula,    ///< an expression over names of its own that gives a number, or a number
   selection,  ///< a list of instance numbers, ranges and conditions
   box,        ///< two corners [[x, y, z], [x, y, z]], the lower first

@@ -391,7 +391,7 @@ void ParameterReader::file(const Parameter& parameter, const Value& value, const
   }
 }
 
-/// One fault says both places: this one, and the one in the file.
+/// One fault says both paths: this one, and the one in the file.
 void ParameterReader::report_in_file(const Diagnostic& found, const std::string& file, const DocumentPath& path) {
   const std::filesystem::path folder(access_.folder);
   Diagnostic told = found;

@@ -26,7 +26,7 @@ struct NumberSlot {
   double present = 0;  ///< the default, in document units: what an expression without a range sees as v
 };
 
-/// Reads values into structs by their tables, collects every fault with its place, and sets aside the numbers that
+/// Reads values into structs by their tables, collects every fault with its path, and sets aside the numbers that
 /// differ from instance to instance.
 class ParameterReader {
  public:
@@ -83,11 +83,11 @@ class ParameterReader {
                                        std::span<const std::string> variables);
   const std::string* text(const Parameter& parameter, const Value& value, const DocumentPath& path);
   std::optional<std::size_t> choice(const Parameter& parameter, const Value& value, const DocumentPath& path);
-  /// Calls `load` with the full path of the file that `value` names; what it throws becomes faults at `place`.
+  /// Calls `load` with the full path of the file that `value` names; what it throws becomes faults at `path`.
   void file(const Parameter& parameter, const Value& value, const DocumentPath& path,
             FunctionRef<void(const std::string& file_path)> load);
   /// Calls `read` with a text that may stand as a list of its lines, and with a path in the document's folder. The
-  /// faults that it throws and the warnings that it gives, by line and column, come to stand at their places in the
+  /// faults that it throws and the warnings that it gives, by line and column, come to stand at their paths in the
   /// document.
   void lines(const Parameter& parameter, const Value& value, const DocumentPath& path, ReadText read);
   /// The same for the text of a file.
@@ -149,7 +149,7 @@ class ParameterReader {
     files_.insert(files_.end(), found->files.begin(), found->files.end());
     return found->made;
   }
-  /// Takes the places of all expressions that are read from here on; null: none.
+  /// Takes the paths of all expressions that are read from here on; null: none.
   void note_expressions(std::vector<std::string>* places) { expression_places_ = places; }
   /// The table's members from an object, or its shorthand from a bare value.
   GivenRows object(const ParameterTable& table, void* object, const Value& value, const DocumentPath& path);

@@ -19,7 +19,7 @@ struct Formula {
   bool operator==(const Formula& other) const { return text == other.text; }
 };
 
-/// One over the places along a stem or over instances, which says yes or no.
+/// One over the sites along a stem or over instances, which says yes or no.
 using Condition = Formula;
 
 /// A set of instances: numbers, ranges of numbers with both ends, and conditions over the site variables.

@@ -18,7 +18,7 @@ inline constexpr std::size_t kMaxRecursionLevels = 4;
 /// In place of a stem's id.
 inline constexpr std::uint64_t kOnNoStem = 0;
 
-/// A place where a child stands: what the child can see of its parent and of itself.
+/// A site where a child stands: what the child can see of its parent and of itself.
 struct Site {
   Frame frame;                      ///< world space
   RandomKey key = RandomKey();      ///< of the instance's path from the root
@@ -26,8 +26,8 @@ struct Site {
   std::uint32_t n = 1;              ///< number of siblings, itself included
   float u = 0;                      ///< position along the parent's axis, from 0 to 1
   float length = 0;                 ///< of the parent, metres
-  float radius = 0;                 ///< of the parent at this place, metres
-  float birth = 0;                  ///< growth step at which the place appeared
+  float radius = 0;                 ///< of the parent at this site, metres
+  float birth = 0;                  ///< growth step at which the site appeared
   std::uint16_t order = 0;          ///< branching order of the axis it stands on
   std::uint16_t depth = 0;          ///< recursion depth
   std::uint64_t stem = kOnNoStem;   ///< id of the stem that it stands on, made of its random key

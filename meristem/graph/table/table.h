@@ -75,10 +75,10 @@ class Table {
     row(ParameterKind::choice, name, member, doc).choices = std::move(names);
     return std::move(*this);
   }
-  /// Three numbers [x, y, z]; each may vary. A Vec3 or an optional one.
+  /// Three numbers [x, y, z]; each may vary. A Vec3, a DVec3 or an optional one of them.
   template <class M>
   Table&& vector(std::string_view name, M P::*member, const NumberRange& form, std::string_view doc) && {
-    static_assert(std::is_same_v<ValueOf<M>, Vec3>);
+    static_assert(std::is_same_v<ValueOf<M>, Vec3> || std::is_same_v<ValueOf<M>, DVec3>);
     row(ParameterKind::vector, name, member, doc).form = form;
     return std::move(*this);
   }
@@ -110,7 +110,7 @@ class Table {
     row(ParameterKind::points, name, member, doc).form = form;
     return std::move(*this);
   }
-  /// A list of places [[x, y, z], ...], at least one.
+  /// A list of points [[x, y, z], ...], at least one.
   Table&& places(std::string_view name, std::vector<Vec3> P::*member, NumberRange form, std::string_view doc) && {
     form.fixed = true;
     row(ParameterKind::places, name, member, doc).form = form;

@@ -50,7 +50,7 @@ class Value {
   std::variant<std::monostate, bool, double, std::string, List, Object> data_;
 };
 
-/// A place in a document, as a chain of stack objects from the top down; it costs nothing until it is written out.
+/// A path in a document, as a chain of stack objects from the top down; it costs nothing until it is written out.
 class DocumentPath {
  public:
   DocumentPath() = default;

@@ -21,7 +21,7 @@ GraphBuilder five_sticks(const Value::Object& parameters) {
   return builder.link("view", "star").link("star", "stick");
 }
 
-// The heights of the sticks, one an instance.
+// The heights of the sticks, one per instance.
 std::vector<float> heights(const GraphBuilder& builder, double time = 0) {
   const Plant plant = builder.grow(time);
   std::vector<float> heights;

@@ -7,8 +7,9 @@
 
 namespace meristem {
 
-/// Which places a node's next child may take: none closer than a hundredth of a step to the node itself, to its parent
-/// or to a child it already has. Without this a node between balanced points would get the same child again and again.
+/// Which positions a node's next child may take: none closer than a hundredth of a step to the node itself, to its
+/// parent or to a child it already has. Without this a node between balanced points would get the same child again and
+/// again.
 class ChildPositions {
  public:
   explicit ChildPositions(double step) : closest_(0.01 * step) {}

@@ -91,6 +91,26 @@ TEST(ColonizeAmongObstacles, NothingGrowsIntoThemOrThroughThem) {
   EXPECT_GT(highest, 2.7F);  // it has grown around the beam
 }
 
+TEST(ColonizeAmongObstacles, WhatIsDoneAfterGrowthEntersThemNeither) {
+  const Scene scene = beam();
+  for (const Finish finish : {Finish{}, Finish{.decimate = 10}, Finish{.decimate = 4, .subdivide = 1.5},
+                              Finish{.relax = false, .subdivide = 3}}) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      ColonizeParameters parameters{.step = 0.05, .influence = 0.8, .kill = 0.12, .finish = finish};
+      std::vector<Vec3> points = ball_points({0, 2, 0}, 1, 300, seed);
+      const Skeleton tree = grow({{{Vec3(0), std::move(points)}, parameters}}, scene)[0];
+      ASSERT_TRUE(check_skeleton(tree));
+      std::size_t crossing = 0;
+      for (NodeIndex node = 0; node < tree.node_count(); ++node) {
+        if (tree.is_root(node)) continue;
+        crossing += scene.obstacles.cross(tree.position[tree.parent[node]], tree.position[node]) ? 1 : 0;
+      }
+      EXPECT_EQ(crossing, 0U) << "seed " << seed << ", decimate " << finish.decimate << ", subdivide "
+                              << finish.subdivide;
+    }
+  }
+}
+
 TEST(ColonizeAmongObstacles, GrowsTheSameWhereNoneIsNear) {
   const Scene far_away = scene_with(box_mesh({50, 0, 50}, {60, 9, 60}));
   EXPECT_TRUE(are_same(grow(far_away), grow(Scene())));

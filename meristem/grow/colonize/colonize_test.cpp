@@ -21,7 +21,7 @@ namespace {
 const Scene kOpenScene;
 constexpr Finish kUnfinished{.decimate = 0, .relax = false, .subdivide = 0};
 
-// Uniform in a ball of radius 0.6 about a place 0.9 m above the root, on multiples of 2^-16 m, so that they can be
+// Uniform in a ball of radius 0.6 about a point 0.9 m above the root, on multiples of 2^-16 m, so that they can be
 // scaled and moved without rounding.
 std::vector<Vec3> ball(std::uint64_t count, RandomKey key = RandomKey(3)) {
   std::vector<Vec3> points;
@@ -33,7 +33,7 @@ std::vector<Vec3> ball(std::uint64_t count, RandomKey key = RandomKey(3)) {
   return points;
 }
 
-// 0.8 nodes a point, as a crown of many twigs has.
+// 0.8 nodes per point, as a crown of many twigs has.
 ColonizeParameters ball_parameters(std::uint64_t count) {
   const double step = 0.03 * std::cbrt(1000.0 / static_cast<double>(count));
   return {.step = step, .influence = 17 * step, .kill = 2 * step, .finish = kUnfinished};

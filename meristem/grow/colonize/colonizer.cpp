@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One step of growth: every node that the cloud says is pulled gets a child. What the children do to the points, the
 // cloud finds out before the next round. Growth happens relative to the root, so that a tree far from the world's
-// origin loses no digits; the finished skeleton is moved to its place.
+// origin loses no digits; the finished skeleton is moved to its position.
 //
 // Deviations, so that growth ends: a child that would stand where its node already has one (points balanced on both
 // sides pull a node the same way for ever) is turned by a keyed draw, a little more each time and kMostTurns times at
@@ -45,6 +45,14 @@ void check_parameters(const ColonizeParameters& parameters) {
       !is_positive(parameters.kill) || parameters.iterations < 0) {
     throw std::invalid_argument("colonize: step, influence and kill distance must be above 0, iterations at least 0");
   }
+}
+
+/// Whether no obstacle is at `to` or on the way there, both relative to a tree's root. A root may stand on one's
+/// surface.
+bool is_open(const Obstacles& obstacles, Vec3 root, Vec3 from, Vec3 to) {
+  if (obstacles.empty()) return true;
+  const Vec3 begin = from == Vec3(0) ? 0.001F * to : from;
+  return !(obstacles.cross(root + begin, root + to) || obstacles.contain(root + to));
 }
 
 /// What all trees of one component have in common.
@@ -99,13 +107,7 @@ class Tree {
   bool grow_toward_cloud();
   bool grow_into_cloud(std::span<const Pull> pulls);
   std::optional<Vec3> place_child(const Pull& pull);
-  /// Whether no obstacle is at `to` or on the way there, both relative to the root. A root may stand on one's surface.
-  bool is_open(Vec3 from, Vec3 to) const {
-    const Obstacles& obstacles = species_->scene.obstacles;
-    if (obstacles.empty()) return true;
-    const Vec3 begin = from == Vec3(0) ? 0.001F * to : from;
-    return !(obstacles.cross(root_ + begin, root_ + to) || obstacles.contain(root_ + to));
-  }
+  bool is_open(Vec3 from, Vec3 to) const { return meristem::is_open(species_->scene.obstacles, root_, from, to); }
   void add_node(NodeIndex parent, Vec3 position);
   void note_node(NodeIndex parent, Vec3 position);
 
@@ -259,7 +261,7 @@ class Colonizer : public Grower {
                 species_.path("points"));
   }
   void leave_out_inner_points(std::vector<Seedling>& seedlings, const Progress& progress) const;
-  Skeleton finish(Skeleton skeleton, Progress& progress) const;
+  Skeleton finish(Skeleton skeleton, Vec3 root, Progress& progress) const;
 
   Species species_;
   std::vector<Tree> trees_;
@@ -312,26 +314,27 @@ Skeleton Colonizer::take_skeleton(Progress& progress) {
   parallel_for(trees_.size(), kTreesAtOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       progress.check();
-      finished[k] = finish(trees_[k].take_skeleton(), progress);
+      finished[k] = finish(trees_[k].take_skeleton(), trees_[k].root(), progress);
       for (Vec3& position : finished[k].position) position += trees_[k].root();
     }
   });
   return join_skeletons(std::move(finished));
 }
 
-Skeleton Colonizer::finish(Skeleton skeleton, Progress& progress) const {
+Skeleton Colonizer::finish(Skeleton skeleton, Vec3 root, Progress& progress) const {
+  const auto is_free = [&](Vec3 from, Vec3 to) { return is_open(species_.scene.obstacles, root, from, to); };
   const double step = species_.parameters.step;
   const Finish& wanted = species_.parameters.finish;
   if (wanted.decimate > 0) {
-    skeleton = decimate(skeleton, wanted.decimate * step, step);
+    skeleton = decimate(skeleton, wanted.decimate * step, step, is_free);
     progress.check();
   }
-  if (wanted.relax) relax_angles(skeleton);
+  if (wanted.relax) relax_angles(skeleton, is_free);
   if (wanted.subdivide > 0) {
     const double spacing = wanted.subdivide * step;
     const double nodes = static_cast<double>(skeleton.node_count()) + total_length(skeleton) / spacing;
     species_.require_nodes(static_cast<std::uint64_t>(std::min(nodes, 1e18)), "finish.subdivide");
-    skeleton = subdivide(skeleton, spacing);
+    skeleton = subdivide(skeleton, spacing, is_free);
     progress.check();
   }
   assign_pipe_radii(skeleton, species_.parameters.radii);

@@ -10,7 +10,7 @@ namespace meristem {
 
 /// Sets `axis` and `order` of a skeleton whose branches a word's brackets tell: the child that does not begin a branch
 /// continues its parent's axis; where all do, the one with the largest radius, of equal ones the straightest, of these
-/// the lowest index. All other children start an axis of the next order. `begins_branch` has one entry a node.
+/// the lowest index. All other children start an axis of the next order. `begins_branch` has one entry per node.
 void assign_apical_axes(Skeleton& skeleton, const std::vector<std::uint8_t>& begins_branch);
 
 }  // namespace meristem

@@ -11,6 +11,7 @@
 #include "meristem/base/in_quotes.h"
 #include "meristem/grow/lsystem/rewrite.h"
 #include "meristem/grow/lsystem/rule_faults.h"
+#include "meristem/grow/lsystem/word_forecast.h"
 
 namespace meristem {
 
@@ -91,6 +92,7 @@ bool rewrite_to_end(Rewriter& rewriter, const RewritePlan& plan, RandomKey key, 
 Word derived_word(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress) {
   const RewritePlan production(grammar, grammar.production);
   const RewritePlan decomposition(grammar, grammar.decomposition);
+  require_bounded_words(grammar, production, steps, limits);
   Rewriter rewriter(grammar, limits, progress);
   Word word = axiom_word(grammar, limits);
   Word next;

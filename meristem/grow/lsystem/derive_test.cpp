@@ -230,6 +230,29 @@ TEST(Derive, StopsExplosionsBeforeTheyHappenAndNamesTheRule) {
   EXPECT_EQ(fault_of({"A", {"A -> AA"}}, 19, limits), "");
 }
 
+TEST(Derive, TellsOfExplosionsBeforeTheFirstWord) {
+  Limits limits;
+  limits.modules = 200'000'000;
+  Progress progress;
+  progress.cancel();  // deriving would end with Cancelled
+  const auto outcome = [&](const GrammarText& text, int steps) -> std::string {
+    try {
+      derive(build_grammar(text), steps, RandomKey(), limits, progress);
+    } catch (const Cancelled&) {
+      return "cancelled";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "derived";
+  };
+  EXPECT_TRUE(has(outcome({"A", {"A -> AA"}}, 28), "268435456 modules of a word are too many"));
+  EXPECT_EQ(outcome({"A", {"A -> AA"}}, 27), "cancelled");
+  // Of a letter whose rule depends on more than the letter only what all rules share is counted on.
+  EXPECT_EQ(outcome({"A(1)", {"A(x) : x > 2 -> A(x)A(x)"}}, 60), "cancelled");
+  EXPECT_TRUE(has(outcome({"BA(1)", {"A(x) : x > 2 -> A(x)A(x)", "B -> BB"}}, 60), "'B -> BB' adds most"));
+  EXPECT_TRUE(has(outcome({"A", {"A : : 0.5 -> BA", "A : : 0.5 -> AB", "B -> BBB"}, ""}, 60), "cancelled"));
+}
+
 TEST(Derive, BoundsParametersToo) {
   Limits limits;
   limits.modules = 10;

@@ -49,7 +49,7 @@ struct Rule {
 /// Rules by predecessor, in the order of the text.
 struct RuleSet {
   std::vector<Rule> rules;
-  std::vector<std::vector<std::uint32_t>> of_letter;  ///< indices into `rules`, one list a letter of the alphabet
+  std::vector<std::vector<std::uint32_t>> of_letter;  ///< indices into `rules`, one list per letter of the alphabet
 };
 
 struct Grammar {
@@ -62,7 +62,7 @@ struct Grammar {
   RuleSet production;                    ///< one step
   RuleSet decomposition;                 ///< after each step, until none applies
   RuleSet interpretation;                ///< before drawing, until none applies; never changes the word that is derived
-  std::vector<std::uint8_t> is_ignored;  ///< by contexts; one a letter
+  std::vector<std::uint8_t> is_ignored;  ///< by contexts; one per letter
   std::optional<int> steps;              ///< #steps
   std::optional<double> angle;           ///< #angle, degrees
 };

@@ -4,7 +4,7 @@
 //   #define r = 0.6            a constant, for all expressions behind it; "=" may be left out
 //   #symbols Leaf Bud          symbols of several characters; all others have one. The longest name counts
 //   #axiom                     a word, here or on the next lines; "ω :" may stand before it
-//   #rules                     one a line:
+//   #rules                     one per line:
 //       [id :] [left <] predecessor [> right] [: condition] [: weight] -> successor
 //   #decompose  #interpret     rules likewise
 //   #ignore +-                 symbols that contexts do not see; after "#ignore:" too

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layer under the reader of grammars: a text without its comments in which every byte keeps its place, and the list
-// of what is wrong with it. Pieces of the text are views into it, so that a piece knows its place. Private to the
-// reader.
+// The layer under the reader of grammars: a text without its comments in which every byte keeps its position, and the
+// list of what is wrong with it. Pieces of the text are views into it, so that a piece knows its position. Private to
+// the reader.
 #pragma once
 
 #include <cstddef>
@@ -54,7 +54,7 @@ class GrammarFaults {
   /// `at` is a piece of the text.
   void add(std::string_view at, std::string message, std::string expected, std::string nearest = "");
   void warn(std::string_view at, std::string message, std::string expected = "");
-  /// Faults of an included file, at the place of its inclusion.
+  /// Faults of an included file, at the position of its inclusion.
   void add_all(std::string_view at, const std::vector<Diagnostic>& others);
 
   bool is_full() const { return faults_.size() >= most_; }

@@ -160,13 +160,8 @@ void Rewriter::require_room(const RewritePlan& plan, std::size_t modules, std::s
   for (const RuleChoice choice : choices_) added_by[choice] += added[choice];
   const auto most = std::max_element(added_by.begin() + 1, added_by.end());
   const Rule& rule = *plan.rules[static_cast<std::size_t>(most - added_by.begin() - 1)].rule;
-
-  Diagnostic diagnostic =
-      limit_diagnostic(too_many_modules ? "modules of a word" : "parameters of a word",
-                       static_cast<double>(too_many_modules ? modules : parameters), limit, "modules", "");
-  diagnostic.message += fmt::format("; {} adds most", in_quotes(rule.text));
-  diagnostic.line = rule.line;
-  throw InputError(diagnostic);
+  throw_word_too_long(too_many_modules ? "modules of a word" : "parameters of a word",
+                      static_cast<double>(too_many_modules ? modules : parameters), limit, rule);
 }
 
 void Rewriter::write_letters(const RewritePlan& plan, const OldWord& old, std::size_t begin, std::size_t end,

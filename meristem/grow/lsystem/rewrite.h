@@ -26,7 +26,7 @@ struct RewriteOutcome {
 };
 
 /// Rewrites words of one grammar; its memory serves one word after another. Beside the old word and the new one that
-/// is 2 bytes a module, and 4 for each kind of neighbours that contexts ask for.
+/// is 2 bytes per module, and 4 for each kind of neighbours that contexts ask for.
 class Rewriter {
  public:
   /// All three must outlive it.

@@ -57,7 +57,7 @@ class RuleBatch {
 
   /// At most kLanes lanes, all with the rule's predecessor and in its contexts.
   void begin(const OldWord& old, const RulePlan& plan, std::span<const Lane> lanes);
-  /// A value a lane; they hold until the next call.
+  /// A value per lane; they hold until the next call.
   std::span<const double> values(const RuleFormula& formula);
   std::span<const double> values(const VariableSource& source);
 
@@ -70,7 +70,7 @@ class RuleBatch {
   bool has_matched_ = false;
   std::vector<std::size_t> matched_;  // first parameter of each lane's context modules, lane after lane
   std::vector<std::uint32_t> matched_of_lane_;
-  std::vector<std::array<double, kLanes>> columns_;  // one a variable
+  std::vector<std::array<double, kLanes>> columns_;  // one per variable
   std::vector<std::uint8_t> is_gathered_;
   std::vector<const double*> pointers_;
   std::vector<RandomKey> keys_;

@@ -15,7 +15,7 @@ namespace meristem {
 
 class RuleChooser {
  public:
-  /// Writes the choices of the modules from `begin` to `end`, a chunk, to their places in `choices`. Returns whether
+  /// Writes the choices of the modules from `begin` to `end`, a chunk, to their positions in `choices`. Returns whether
   /// any module's letter was not enough to tell. Throws InputError for weights that are none, and Cancelled.
   bool choose(const RewritePlan& plan, const OldWord& old, std::span<const std::uint16_t> arities, std::size_t begin,
               std::size_t end, std::span<RuleChoice> choices, const Progress& progress);

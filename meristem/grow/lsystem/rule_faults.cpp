@@ -8,6 +8,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/in_quotes.h"
+#include "meristem/base/limits.h"
 
 namespace meristem {
 
@@ -15,6 +16,13 @@ void throw_rule_fault(const Rule& rule, std::string message, std::string expecte
   Diagnostic diagnostic;
   diagnostic.message = std::move(message);
   diagnostic.expected = std::move(expected);
+  diagnostic.line = rule.line;
+  throw InputError(diagnostic);
+}
+
+void throw_word_too_long(std::string_view what, double wanted, std::uint64_t limit, const Rule& rule) {
+  Diagnostic diagnostic = limit_diagnostic(what, wanted, limit, "modules", "");
+  diagnostic.message += fmt::format("; {} adds most", in_quotes(rule.text));
   diagnostic.line = rule.line;
   throw InputError(diagnostic);
 }

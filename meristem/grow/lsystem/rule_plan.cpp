@@ -106,7 +106,7 @@ class RulePlanner {
 
   const Rule& rule_;
   std::uint64_t& streams_;
-  std::vector<VariableSource> sources_;  // one a variable
+  std::vector<VariableSource> sources_;  // one per variable
   std::unordered_map<std::string, std::size_t> formula_of_text_;
   RulePlan plan_;
 };

@@ -100,7 +100,7 @@ std::vector<ExpressionNames::Constant> GrammarConstants::used_in(std::string_vie
   return used;
 }
 
-/// The pieces of a rule's line, trimmed; those that are not there are empty and have no place.
+/// The pieces of a rule's line, trimmed; those that are not there are empty and have no position.
 struct RuleReader::Parts {
   std::string_view left;
   std::string_view predecessor;

@@ -279,7 +279,7 @@ class Turtle {
     if (!is_polar_ && parameters_.elasticity != 0) bend();
   }
 
-  /// All branches from a place where nothing was drawn before share its node.
+  /// All branches from a position where nothing was drawn before share its node.
   NodeIndex root(double width) {
     NodeIndex& root = root_after_gap_[state_.gap];
     if (root == kNoNode) root = add_node(kNoNode, width);
@@ -312,7 +312,7 @@ class Turtle {
     }
   }
 
-  // --- Polygons and places
+  // --- Polygons and placed components
 
   Frame frame() const { return {Mat3(glm::dmat3(-state_.left, state_.heading, state_.up)), Vec3(state_.position)}; }
 
@@ -367,7 +367,7 @@ class Turtle {
   bool is_polar_;
   bool decays_ = true;  // the word sets no widths
   std::uint64_t segments_ = 0;
-  std::uint64_t instances_ = 0;  // polygons and places
+  std::uint64_t instances_ = 0;  // polygons and placed components
   double scale_ = 1;
   glm::dmat3 base_{1};  // of the polar reading: right, heading and upper at the start
   std::vector<LetterMeaning> meanings_;
@@ -390,7 +390,7 @@ Drawing draw(const Word& word, const Alphabet& alphabet, const TurtleParameters&
     throw_limit("nodes", static_cast<double>(turtle.segments()), limits.nodes, "nodes", path);
   }
   if (turtle.instances() > limits.instances) {
-    throw_limit("polygons and places", static_cast<double>(turtle.instances()), limits.instances, "instances", path);
+    throw_limit("polygons and components", static_cast<double>(turtle.instances()), limits.instances, "instances", path);
   }
   return turtle.run(progress);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walks along a word and draws it: stems, polygons, and places for other components.
+// Walks along a word and draws it: stems, polygons, and sites of other components.
 //
 //   F G  a segment             f g  the same way without one       [ ]  a side branch
 //   + -  left, right           & ^  down, up                       \ /  roll
@@ -82,8 +82,8 @@ struct Drawing {
 /// the straightest. Segments without a length make no node.
 ///
 /// Throws InputError at `path` for braces without their like, polygons of more than 2,000 corners, a ~ without a name,
-/// brackets nested deeper than a million, places and radii beyond a million kilometres, and beyond the limits of nodes
-/// and, with polygons and places, of instances, before they are made; Cancelled.
+/// brackets nested deeper than a million, positions and radii beyond a million kilometres, and beyond the limits of
+/// nodes and, with polygons and sites, of instances, before they are made; Cancelled.
 Drawing draw(const Word& word, const Alphabet& alphabet, const TurtleParameters& parameters, const Frame& start,
              const Limits& limits, const std::string& path, Progress& progress);
 

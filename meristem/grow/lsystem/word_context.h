@@ -18,7 +18,7 @@ namespace meristem {
 
 inline constexpr std::uint32_t kNoModule = std::numeric_limits<std::uint32_t>::max();
 
-/// Which neighbours the contexts of some rules ask for; each kind costs 4 bytes a module.
+/// Which neighbours the contexts of some rules ask for; each kind costs 4 bytes per module.
 struct ContextNeeds {
   bool left = false;
   bool right = false;

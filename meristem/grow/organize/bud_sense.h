@@ -20,7 +20,7 @@ class SceneLight {
  public:
   SceneLight(const Scene& scene, Vec3 root);
   float at(MetamerIndex metamer) const { return is_even_ ? 1 : light_[metamer]; }
-  /// At a place in world space.
+  /// At a position in world space.
   float reaching(Vec3 position) const;
 
   /// Follow Metamers::grow(), what moves, and Metamers::remove().
@@ -42,7 +42,7 @@ class BudSense {
   /// The unit vector in which a bud finds more of it, after sense(); 0 where that is no way in particular. From many
   /// threads at once, each with a `recent` of its own.
   virtual Vec3 way(MetamerIndex metamer, bool is_lateral, ShadowGrid::Recent& recent) const = 0;
-  /// Whether buds at a place in world space can perceive anything; if not, it is too far from the world's origin.
+  /// Whether buds at a position in world space can perceive anything; if not, it is too far from the world's origin.
   virtual bool reaches(Vec3 position) const = 0;
 };
 

@@ -6,8 +6,8 @@
 
 namespace meristem {
 
-/// The first metamer that a cut takes away, after the growth of `iteration`. Throws InputError at the cut's place, with
-/// the names that there are, where there is no such shoot or nothing to take away.
+/// The first metamer that a cut takes away, after the growth of `iteration`. Throws InputError at the cut's document
+/// path, with the names that there are, where there is no such shoot or nothing to take away.
 MetamerIndex find_cut(const Metamers& metamers, const Cut& cut, int iteration);
 
 }  // namespace meristem

@@ -58,8 +58,8 @@ void erase_marked(std::vector<T>& column, const std::vector<std::uint8_t>& marks
   column.resize(kept);
 }
 
-/// The metamers of one tree, structure of arrays. Metamer 0 is the seed: a place without length and without a lateral
-/// bud. What a metamer bears has a larger index, so that loops run from seed to tips and back.
+/// The metamers of one tree, structure of arrays. Metamer 0 is the seed: a position without length and without a
+/// lateral bud. What a metamer bears has a larger index, so that loops run from seed to tips and back.
 ///
 /// A metamer has a number on its axis, from 1 at the base. Shoots are named by the numbers of the metamers where they
 /// branch off: `main`, `main.4`, `main.4.2`. Numbers and names never change, and are never used again unless an open
@@ -114,7 +114,7 @@ struct Metamers {
   /// The names of the shoots on an axis, from its base on.
   std::vector<std::string> shoots_on(AxisIndex on) const;
 
-  /// Takes metamers away with all that they bear: those whose entry in `gone`, one a metamer, is not 0. The buds that
+  /// Takes metamers away with all that they bear: those whose entry in `gone`, one per metamer, is not 0. The buds that
   /// had grown them become `after`. Tells the metamer that bore them how many tips it has lost. `gone` then marks all
   /// that are no more. Indices change; order stays.
   void remove(std::vector<std::uint8_t>& gone, Bud after);

@@ -104,7 +104,7 @@ struct OrganizeSeed {
   CrownPointer room;  ///< of the marker model
 };
 
-/// Self-organizing trees in a stand, together one member of it and one skeleton: a node a metamer after the seeds'.
+/// Self-organizing trees in a stand, together one member of it and one skeleton: a node per metamer after the seeds'.
 /// `component` is the id that errors name.
 ///
 /// Columns of the skeleton: `metamer` (number on the axis, 0 for seeds), `light` and `resource` as they would be in the

@@ -62,7 +62,7 @@ TEST(OrganizeForm, DecussateBudsStandInCrossedPairs) {
   const Skeleton stem = straight_stem(Phyllotaxis::Kind::decussate);
   const std::vector<double> turns = turns_deg(stem);
   for (std::size_t k = 0; k < turns.size(); ++k) EXPECT_NEAR(turns[k], k % 2 == 0 ? 180 : 90, 0.01);
-  // Both of a pair at nearly the same place, and pairs two lengths apart.
+  // Both of a pair at nearly the same position, and pairs two lengths apart.
   for (NodeIndex node = 2; node < stem.node_count(); node += 2) {
     EXPECT_LT(glm::distance(stem.position[node], stem.position[node - 1]), 0.1F);
     EXPECT_NEAR(glm::distance(stem.position[node], stem.position[node - 2]), 2, 1e-5);

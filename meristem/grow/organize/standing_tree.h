@@ -15,7 +15,7 @@
 namespace meristem {
 
 /// A tree's metamers where they stand in a scene. What changes them changes by the same call what depends on their
-/// places: the light and room that the stand's plants take from each other, to the last bit, the light of the scene
+/// positions: the light and room that the stand's plants take from each other, to the last bit, the light of the scene
 /// that reaches each metamer, and the load of the branches. The stand's plants hear of it by tell(). `scene` and
 /// `space` outlive it; it stays where it is, as others keep references to its parts.
 class StandingTree {

@@ -16,7 +16,7 @@ constexpr Vec3 kRoot{3, 0.25F, -7};
 constexpr PipeModel kPipes{.tip_radius = 0.005, .exponent = 2, .memory = 1};
 constexpr Sag kSoft{.stiffness = 0.5, .density = 900, .leaf_mass = 0.01};
 
-/// A wall whose shade falls on some places, and a lamp.
+/// A wall whose shade falls on some positions, and a lamp.
 Scene walled() {
   Scene scene;
   scene.obstacles = Obstacles({Obstacle{.mesh = box_mesh({4, 0, -9}, {4.5, 3, -5})}});

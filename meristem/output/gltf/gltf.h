@@ -13,7 +13,7 @@ namespace meristem {
 
 /// How instances of a mesh are written.
 enum class GltfInstances {
-  automatic,  ///< flattened into one mesh a material; in large scenes rows
+  automatic,  ///< flattened into one mesh per material; in large scenes rows
   rows,       ///< rows of arrays by EXT_mesh_gpu_instancing: small files, that not every program reads
   nodes,      ///< flattened; in large scenes nodes that share a mesh: large files, that every program reads
 };

@@ -140,7 +140,7 @@ class ArrayWriter {
     write_elements<Bytes4>(piece.frames.size(), piece.mesh->vertex_count(), fill);
   }
 
-  /// Writes the places and colours of instances as arrays with a row for each.
+  /// Writes the transforms and colours of instances as arrays with a row for each.
   void write_rows(const GltfSharedMesh& shared) {
     write_row_array<Vec3>(shared, [&](std::size_t row) { return shared.frame(row).origin; });
     write_row_array<Vec4>(shared, [&](std::size_t row) {

@@ -151,7 +151,7 @@ class ArrayTables {
     return add_accessor(range, kArrayBuffer, kFloat, primitive.vertices, type);
   }
 
-  /// Four normalized bytes an element.
+  /// Four normalized bytes per element.
   std::size_t add_bytes(GltfRange range, int target, std::uint64_t count) {
     const std::size_t accessor = add_accessor(range, target, kUnsignedByte, count, "VEC4");
     accessors_[accessor]["normalized"] = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a binary glTF will hold and where, decided before the first byte is written: which instances are baked into one
-// mesh, which are nodes or instances that share a mesh, how colours are split into factors, and the place of every
+// mesh, which are nodes or instances that share a mesh, how colours are split into factors, and the transform of every
 // array and picture in the binary chunk.
 #pragma once
 
@@ -23,7 +23,7 @@ namespace meristem {
 struct GltfPiece {
   const Mesh* mesh = nullptr;
   std::span<const Frame> frames;
-  std::span<const Vec3> tints;  ///< one a frame; empty where all are 1
+  std::span<const Vec3> tints;  ///< one per frame; empty where all are 1
 
   std::uint64_t vertex_count() const { return mesh->vertex_count() * frames.size(); }
   std::uint64_t triangle_count() const { return mesh->triangle_count() * frames.size(); }
@@ -72,7 +72,7 @@ struct GltfSharedMesh {
   bool is_mirrored = false;              ///< the mesh is its mirror image in x, so that no row has to mirror it
   GltfRange translation_range, rotation_range, scale_range, colour_range;  ///< where instances are rows
 
-  /// The place of one of `instances`, as the shared mesh needs it.
+  /// The transform of one of `instances`, as the shared mesh needs it.
   Frame frame(std::size_t row) const;
 };
 

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 #include <fmt/compile.h>
 #include <fmt/format.h>
@@ -198,21 +197,17 @@ void write_obj(const MeshScene& scene, const std::string& path, const ObjOptions
   progress.begin("writing OBJ", element_count(scene));
   const ObjNames names = names_of(scene);
   const std::vector<ColourFactors> factors = colour_factors(scene);
+  FileSet files;
   AtomicFile file(path);
   for (const std::string& line : provenance_lines(options.provenance)) file.write("# " + line + "\n");
-  std::optional<ObjCompanions> companions;
   if (!file.is_stream()) {
-    companions.emplace(scene, factors, names.materials, path, options, progress);
+    write_companions(scene, factors, names.materials, path, options, progress);
     const std::string materials = material_path(path);
     file.write(fmt::format("mtllib {}\n", materials.substr(materials.rfind('/') + 1)));
   }
   write_geometry(scene, factors, names, file, progress);
-
-  // Put the files in place once nothing but a rename can fail.
-  if (companions) companions->close();
-  file.close();
-  if (companions) companions->commit();
   file.commit();
+  files.commit();
 }
 
 }  // namespace meristem

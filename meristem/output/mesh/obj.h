@@ -24,8 +24,8 @@ struct ObjOptions {
 /// behind their position as sRGB colours, to be multiplied with `Kd` and the picture.
 /// In names, what would end a word is `_`, and names that would be alike are numbered.
 ///
-/// Streams: memory beyond the scene and the pictures' files stays below 64 MB. All files are on the disk before the
-/// first is put in place, the OBJ last; only if a renaming is refused, new files beside it stay behind. Where `path` is
+/// Streams: memory beyond the scene and the pictures' files stays below 64 MB. The files appear together (FileSet), the
+/// OBJ last. Where `path` is
 /// standard output ("-"), a device or a pipe, there are no other files, and material names remain as labels.
 /// Throws MachineError (path, disk), Cancelled.
 void write_obj(const MeshScene& scene, const std::string& path, const ObjOptions& options, Progress& progress);

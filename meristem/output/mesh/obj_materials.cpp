@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "meristem/base/atomic_file.h"
 #include "meristem/output/write/names.h"
 
 namespace meristem {
@@ -50,8 +51,7 @@ std::vector<Pictures> pictures_of(const MeshScene& scene, const std::string& obj
 }
 
 /// Writes each picture once, in the order of the materials.
-void write_pictures(const std::vector<Pictures>& of_materials, EncodedPictures& known, std::deque<AtomicFile>& files,
-                    const Progress& progress) {
+void write_pictures(const std::vector<Pictures>& of_materials, EncodedPictures& known, const Progress& progress) {
   std::vector<std::string> paths;
   std::vector<TexturePicture> pictures;
   const auto add = [&](const std::string& path, const Texture* texture, TexturePicture::Kind kind) {
@@ -66,7 +66,11 @@ void write_pictures(const std::vector<Pictures>& of_materials, EncodedPictures& 
     add(material.mask, material.texture, TexturePicture::Kind::mask);
   }
   const auto bytes = known.encode(pictures, progress);
-  for (std::size_t k = 0; k < paths.size(); ++k) files.emplace_back(paths[k]).write(*bytes[k]);
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    AtomicFile file(paths[k]);
+    file.write(*bytes[k]);
+    file.commit();
+  }
 }
 
 std::string name_in(const std::string& path) { return path.substr(path.rfind('/') + 1); }
@@ -88,26 +92,19 @@ std::string material_lines(const Material& material, const ColourFactors& factor
 
 }  // namespace
 
-ObjCompanions::ObjCompanions(const MeshScene& scene, const std::vector<ColourFactors>& factors,
-                             const std::vector<std::string>& names, const std::string& obj_path,
-                             const ObjOptions& options, Progress& progress) {
+void write_companions(const MeshScene& scene, const std::vector<ColourFactors>& factors,
+                      const std::vector<std::string>& names, const std::string& obj_path, const ObjOptions& options,
+                      Progress& progress) {
   const std::vector<Pictures> of_materials = pictures_of(scene, obj_path);
   EncodedPictures own;
-  write_pictures(of_materials, options.pictures != nullptr ? *options.pictures : own, files_, progress);
-  AtomicFile& materials = files_.emplace_back(material_path(obj_path));
+  write_pictures(of_materials, options.pictures != nullptr ? *options.pictures : own, progress);
+  AtomicFile materials(material_path(obj_path));
   for (const std::string& line : provenance_lines(options.provenance)) materials.write("# " + line + "\n");
   const std::vector<bool> is_used = materials_in_use(scene);
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     if (is_used[m]) materials.write(material_lines(scene.materials[m], factors[m], of_materials[m], names[m]));
   }
-}
-
-void ObjCompanions::close() {
-  for (AtomicFile& file : files_) file.close();
-}
-
-void ObjCompanions::commit() {
-  for (AtomicFile& file : files_) file.commit();
+  materials.commit();
 }
 
 }  // namespace meristem

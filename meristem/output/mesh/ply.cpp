@@ -150,8 +150,8 @@ class MeshPly {
   bool has_uvs_ = false;
 };
 
-/// Columns in the order of the file, indices into the table's: places first, as viewers expect, and without the row's
-/// own number and the label, which is a text.
+/// Columns in the order of the file, indices into the table's: positions first, as viewers expect, and without the
+/// row's own number and the label, which is a text.
 std::vector<std::size_t> ply_columns(const SkeletonTable& table) {
   static constexpr std::array<std::string_view, 8> kFirst{"x", "y", "z", "radius", "parent", "axis", "order", "birth"};
   const auto rank = [&](std::size_t column) {

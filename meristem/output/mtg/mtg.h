@@ -59,7 +59,7 @@ struct MtgValues {
 struct MtgTree {
   std::vector<MtgClass> classes;
   std::vector<MtgFeature> features;
-  // One entry a vertex.
+  // One entry per vertex.
   std::vector<std::uint32_t> type;  ///< index into `classes`
   std::vector<std::int32_t> index;  ///< the number in its label, or -1
   std::vector<MtgVertex> complex;   ///< of the next coarser scale, of which it is a part; kNoVertex for the scene

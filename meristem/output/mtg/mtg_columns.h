@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an MTG says of a skeleton's nodes beside their places, for its reader and its writer.
+// What an MTG says of a skeleton's nodes beside their positions, for its reader and its writer.
 #pragma once
 
 #include <span>
@@ -21,10 +21,10 @@ inline bool is_mtg_sign(char c) {
   return std::string_view("+<>/\\[](){},=:;*^#\"' ").find(c) != std::string_view::npos;
 }
 
-/// Gives a skeleton, whose places, axes and orders are known, what else the entities of its nodes have: ages, further
-/// columns, the numbers of metamers, and the order of its nodes. `node_of` has the node of each vertex or kNoNode;
-/// `geometry` are the features that are no further columns. Throws InputError for more than 16 numbers for each node of
-/// `limits`.
+/// Gives a skeleton, whose positions, axes and orders are known, what else the entities of its nodes have: ages,
+/// further columns, the numbers of metamers, and the order of its nodes. `node_of` has the node of each vertex or
+/// kNoNode; `geometry` are the features that are no further columns. Throws InputError for more than 16 numbers for
+/// each node of `limits`.
 void read_mtg_columns(const MtgTree& tree, const std::string& file, std::span<const NodeIndex> node_of,
                       std::span<const std::string> geometry, const Limits& limits, MtgSkeleton& made);
 

@@ -14,7 +14,7 @@ namespace meristem {
 /// Whether each node continues its parent's axis: of a node's children on its own axis, the first does.
 std::vector<bool> find_successors(const Skeleton& skeleton);
 
-/// A node's place in an MTG file.
+/// A node's entry in an MTG file.
 struct MtgEntry {
   NodeIndex node = 0;
   std::uint8_t column = 0;    ///< of its code, from 0

@@ -3,6 +3,9 @@
 // or in the column before, an alias), making one entity a label. An entity that begins a part of another (`/`) hangs on
 // what that other one was set on: so a branch that starts a new axis starts its first internode as well.
 //
+// What follows or branches at a scale finer than where a code stands goes on from the finer entity that this one was
+// set on: `S3`, `^+B31`, `^<S4` in one column, with B an axis of which nothing more is coded, is S4 after S3.
+//
 // Codes that start from the scene or an alias may repeat the names of entities on the way; only their last label is
 // always new. Codes that start from a column always make new entities, as digitised plants give twins the same name.
 #include <algorithm>
@@ -320,8 +323,16 @@ class TreeReader {
     return vertex;
   }
 
+  /// The entity of at least the scale that `vertex` was set on, through others that were; else `vertex`.
+  MtgVertex finer_base(MtgVertex vertex, int scale) const {
+    MtgVertex base = vertex;
+    while (base != kNoVertex && tree_.scale(base) < scale) base = finer_base_[base];
+    return base == kNoVertex ? vertex : base;
+  }
+
   /// The entities from the one the code stands at, not included, up to `label`.
   bool make_run(Code& code, const Sign& sign, Label label, std::size_t offset) {
+    code.position = finer_base(code.position, tree_.classes[label.type].scale);
     const Label from{tree_.type[code.position], tree_.index[code.position]};
     if (from.type != label.type || from.index < 0 || from.index >= label.index) {
       faults_.add(line_, offset,
@@ -343,8 +354,10 @@ class TreeReader {
 
   bool make_entity(Code& code, Relation relation, Label label, std::size_t offset) {
     const int scale = tree_.classes[label.type].scale;
-    const int from_scale = tree_.scale(code.position);
     const bool is_part = relation == Relation::part;
+    const MtgVertex named_from = code.position;
+    if (!is_part) code.position = finer_base(code.position, scale);
+    const int from_scale = tree_.scale(code.position);
     if (is_part ? scale > from_scale + 1 : scale > from_scale) {
       faults_.add(line_, offset,
                   {.message = fmt::format("{} of scale {} cannot follow {} of scale {}", tree_.classes[label.type].name,
@@ -353,7 +366,7 @@ class TreeReader {
       return false;
     }
     check_count(1, offset);
-    names_.add(code.position, relation, label);
+    names_.add(named_from, relation, label);
     if (is_part) {
       code.position = add_part(label, ancestor(code.position, scale - 1));
     } else {
@@ -383,6 +396,9 @@ class TreeReader {
     tree_.parent.push_back(parent);
     tree_.edge.push_back(edge);
     tree_.line.push_back(line_.number);
+    const MtgVertex base = setting.base;
+    const bool is_finer = base != kNoVertex && tree_.scale(base) > tree_.classes[label.type].scale;
+    finer_base_.push_back(base == kNoVertex || is_finer ? base : finer_base_[base]);
     settings_.push_back(setting);
     has_parts_.push_back(false);
     return static_cast<MtgVertex>(tree_.vertex_count() - 1);
@@ -408,9 +424,10 @@ class TreeReader {
   std::vector<MtgVertex> latest_;                 // of each column
   std::map<std::string, MtgVertex, std::less<>> aliases_;
   Names names_;
-  std::vector<Setting> settings_;  // of each vertex
-  std::vector<bool> has_parts_;    // each vertex
-  VertexRange named_;              // of which the line's values speak
+  std::vector<Setting> settings_;      // of each vertex
+  std::vector<MtgVertex> finer_base_;  // the nearest of a finer scale along these, or kNoVertex
+  std::vector<bool> has_parts_;        // each vertex
+  VertexRange named_;                  // of which the line's values speak
 };
 
 }  // namespace

@@ -107,7 +107,7 @@ TEST(MtgSkeleton, FaultsNameTheFeatureOrTheLine) {
   EXPECT_THROW(read(kForked, {.length_unit = 0}), std::invalid_argument);
 }
 
-/// A file with these features beside the places, `columns` of their names, and codes that begin on line 11 or later.
+/// A file with these features beside the positions, `columns` of their names, and codes that begin on line 11 or later.
 std::string file_with(const std::vector<std::string>& features, const std::string& codes) {
   std::string text = "CODE:\tFORM-A\nCLASSES:\nP 1 FREE\nA 2 FREE\nS 3 FREE\nFEATURES:\nXX REAL\nYY REAL\nZZ REAL\n";
   std::string names = "TOPO\t\tXX\tYY\tZZ";

@@ -87,6 +87,21 @@ TEST(Mtg, TheFirstPartHangsWhereItsWholeWasSetOn) {
   EXPECT_EQ(joints(tree), "P1/$ A1/P1 S1/A1 P2+P1 A1+A1 S5+S1 S6/A1");
 }
 
+TEST(Mtg, WhatIsFinerThanAnAxisWithoutPartsGoesOnWhereThatWasSetOn) {
+  const std::string stem = "/P1/A1\n^/S1<<S3\n";
+  const std::string begin = "P1/$ A1/P1 S1/A1 S2<S1 S3<S2 ";
+  // Axes that are only named, each in the column of what bears it.
+  EXPECT_EQ(joints(read(stem + "^+A31\n^<S4\n")), begin + "A31+A1 S4<S3");
+  EXPECT_EQ(joints(read(stem + "^+A31<S4\n")), begin + "A31+A1 S4<S3");
+  EXPECT_EQ(joints(read(stem + "^+A31\n^+A32\n^<S4\n")), begin + "A31+A1 A32+A31 S4<S3");
+  EXPECT_EQ(joints(read(stem + "\t+A31\n\t^<S4\n")), begin + "A31+A1 S4<S3");
+  EXPECT_EQ(joints(read(stem + "^+A31\n^<<S5\n")), begin + "A31+A1 S4<S3 S5<S4");
+  // An axis with parts: they are coded in a further column.
+  EXPECT_EQ(joints(read(stem + "^+A31\n\t/S1\n^<S4\n")), begin + "A31+A1 S1+S3 S4<S3");
+  const MtgTree tree = read(stem + "^+A31\n^<S4\n");
+  EXPECT_EQ(tree.complex[7], 2U) << "S4 belongs to the axis of S3";
+}
+
 TEST(Mtg, RunsNameTheEntitiesBetween) {
   const MtgTree tree = read("/P1/A1/S3<<S6\n^++S8\n");
   EXPECT_EQ(joints(tree), "P1/$ A1/P1 S3/A1 S4<S3 S5<S4 S6<S5 S7+S6 S8+S7");

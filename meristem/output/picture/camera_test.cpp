@@ -11,7 +11,7 @@
 namespace meristem {
 namespace {
 
-/// Specks about scattered places, some of them mirrored or scaled.
+/// Specks about scattered positions, some of them mirrored or scaled.
 MeshScene specks(int count, Vec3 spread) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {0.1F, 0, 0}, {0, 0.1F, 0.05F}};

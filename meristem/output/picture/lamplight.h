@@ -12,7 +12,7 @@ namespace meristem {
 /// faces one is its strength times the light of the clear midday sun.
 class Lamplight {
  public:
-  /// From a lamp to a place, as if nothing stood in the way.
+  /// From a lamp to a position, as if nothing stood in the way.
   struct Ray {
     Vec3 toward;      ///< unit vector to a point of the lamp
     float distance;   ///< metres

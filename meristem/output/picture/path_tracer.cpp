@@ -65,7 +65,7 @@ PathTracer::PathTracer(const MeshScene& meshes, const RayScene& rays, Daylight l
 /// The colour of the surface's texture there; its normal map turns the point's normal.
 Vec3 PathTracer::textured(const Look& look, const RayHit& hit, const Ray& ray, SurfacePoint& point) const {
   const TextureMapping place = rays_.texture_mapping(hit);
-  // Seen at a low angle a place is long and narrow; the mean is taken over a square of the same area.
+  // Seen at a low angle a position is long and narrow; the mean is taken over a square of the same area.
   const float cosine = std::max(0.05F, std::abs(glm::dot(point.normal, ray.direction)));
   const float width = ray.spread * hit.distance * place.uvs_per_metre / std::sqrt(cosine);
   if (look.texture->has_normals()) {

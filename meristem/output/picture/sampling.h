@@ -25,7 +25,7 @@ constexpr std::uint32_t mixed_bits(std::uint32_t x) {
 /// The number in [0, 1) of the upper 24 bits.
 constexpr float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24F; }
 
-/// The place of `index` in a permutation of [0, count) chosen by `seed`.
+/// The position of `index` in a permutation of [0, count) chosen by `seed`.
 std::uint32_t permuted(std::uint32_t index, std::uint32_t count, std::uint32_t seed);
 
 /// The numbers of one path: the `sample`-th of `samples` through `pixel`.

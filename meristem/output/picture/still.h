@@ -16,7 +16,7 @@ namespace meristem {
 struct StillOptions {
   int width = 1200;  ///< pixels, 1 to 16384; the same for the height
   int height = 1200;
-  int samples = 64;          ///< paths a pixel; noise falls with its root, time grows with it
+  int samples = 64;          ///< paths per pixel; noise falls with its root, time grows with it
   bool transparent = false;  ///< no background, ground and obstacles; only the plant, with alpha
   bool ground = true;        ///< a plane under the plant that takes its shade
 };

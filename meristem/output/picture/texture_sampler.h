@@ -24,7 +24,7 @@ enum class PixelMeaning {
 /// A picture that repeats, at full size and halved down to one pixel. Every level has the same mean.
 class PixelPyramid {
  public:
-  /// `image` is not empty. Takes 8 bytes a pixel and a third more for the halves.
+  /// `image` is not empty. Takes 8 bytes per pixel and a third more for the halves.
   PixelPyramid(const Image& image, PixelMeaning meaning);
 
   /// The mean over a square of `width` about `uv`: bilinear in the level whose pixels are about that wide. The

@@ -10,7 +10,7 @@
 
 namespace meristem {
 
-/// Writes a table in CSV as write_skeleton_csv does, one row an organ in the plant's order: `component` (id),
+/// Writes a table in CSV as write_skeleton_csv does, one row per organ in the plant's order: `component` (id),
 /// `instance` (number among the component's organs, from 0), `x`, `y`, `z` (where it is attached, metres), `area`
 /// (square metres), `exposure` and `irradiance` (organ_light.h). `lit` has an entry for each organ, else
 /// std::invalid_argument. Throws MachineError (path, disk), Cancelled.

@@ -31,8 +31,9 @@ struct MtgOptions {
 /// where stems are of components, and `label` where metamers are numbered.
 ///
 /// A line an entity, laterals in the next column. Numbers have the digits that give the same float when read. Memory
-/// beyond the plant: 64 MB, the labels and some 40 bytes a node. The file appears whole or not at all; "-" is standard
-/// output. Throws MachineError (path, disk), InputError for further columns whose names a file cannot have, Cancelled.
+/// beyond the plant: 64 MB, the labels and some 40 bytes per node. The file appears whole or not at all; "-" is
+/// standard output. Throws MachineError (path, disk), InputError for further columns whose names a file cannot have,
+/// Cancelled.
 void write_skeleton_mtg(const Plant& plant, const std::string& path, const MtgOptions& options, Progress& progress);
 
 }  // namespace meristem

@@ -56,7 +56,7 @@ void check_round_trip(const Skeleton& skeleton) {
   EXPECT_TRUE(written(plant_of(again)) == text);
 }
 
-/// A skeleton of any shape: axes that go on late, several roots, places and columns of all magnitudes.
+/// A skeleton of any shape: axes that go on late, several roots, positions and columns of all magnitudes.
 Skeleton random_skeleton(const RandomKey& key, NodeIndex nodes) {
   Skeleton skeleton;
   std::vector<bool> goes_on(nodes, false);

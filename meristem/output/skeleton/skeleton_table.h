@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The skeletons of a plant as one table, a row a node: what every export of skeletons shows, under the same names.
+// The skeletons of a plant as one table, a row per node: what every export of skeletons shows, under the same names.
 #pragma once
 
 #include <algorithm>

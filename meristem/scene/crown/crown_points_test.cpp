@@ -135,10 +135,10 @@ TEST(CrownPoints, AreUniformInMeshes) {
   for (int k = 0; k < 8; ++k) cube.positions.emplace_back(k & 1, k >> 1 & 1, k >> 2);
   cube.triangles = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
                     {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
-  const Frame frame{.axes = rotation(glm::normalize(Vec3(1, 2, 3)), 1), .origin = {0, 2, 1}};
+  const DFrame frame{.axes = exact_rotation(glm::normalize(DVec3(1, 2, 3)), 1), .origin = {0, 2, 1}};
   const MeshCrown crown(std::make_shared<const ClosedMesh>(cube), frame);
   expect_uniform(place(crown, {.count = kMany}),
-                 [&](Vec3 p) { return DVec3(glm::transpose(frame.axes) * (p - frame.origin)); });
+                 [&](Vec3 p) { return glm::transpose(frame.axes) * (DVec3(p) - frame.origin); });
 }
 
 TEST(CrownPoints, AreUniformInZones) {
@@ -279,7 +279,7 @@ TEST(BlueNoise, StaysUniformInVolume) {
 }
 
 TEST(BlueNoise, EndsWhereOnlyFewPlacesAreLeft) {
-  // Far from the origin floats are so coarse that not every point finds a place of its own.
+  // Far from the origin floats are so coarse that not every point finds a position of its own.
   const BoxCrown box({Vec3(90'000), Vec3(90'000.03F)});
   EXPECT_EQ(place(box, {.count = 2000, .blue_noise = true}).size(), 2000U);
 }

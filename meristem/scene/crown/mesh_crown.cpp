@@ -9,10 +9,9 @@
 
 namespace meristem {
 
-MeshCrown::MeshCrown(std::shared_ptr<const ClosedMesh> mesh, const Frame& frame)
-    : mesh_(std::move(mesh)), origin_(frame.origin), back_(glm::inverse(glm::dmat3(frame.axes))) {
-  const glm::dmat3 axes(frame.axes);
-  for (const DVec3 position : mesh_->positions()) bounds_.add(Vec3(origin_ + axes * position));
+MeshCrown::MeshCrown(std::shared_ptr<const ClosedMesh> mesh, const DFrame& frame)
+    : mesh_(std::move(mesh)), origin_(frame.origin), back_(glm::inverse(frame.axes)) {
+  for (const DVec3 position : mesh_->positions()) bounds_.add(Vec3(frame.point(position)));
   // Rounding must not cut anything off.
   for (int k = 0; k < 3; ++k) {
     bounds_.low[k] = std::nextafter(bounds_.low[k], -std::numeric_limits<float>::infinity());

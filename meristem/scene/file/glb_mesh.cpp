@@ -156,7 +156,7 @@ class SceneReader {
     return indices;
   }
 
-  /// The places of a triangle's corners in the list of indices.
+  /// The positions of a triangle's corners in the list of indices.
   static std::array<std::uint64_t, 3> corners_of(std::uint64_t mode, std::uint64_t triangle) {
     if (mode == kStrip) return {triangle, triangle + 1 + triangle % 2, triangle + 2 - triangle % 2};
     if (mode == kFan) return {triangle + 1, triangle + 2, 0};

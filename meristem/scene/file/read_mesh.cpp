@@ -173,6 +173,10 @@ ClosedMesh read_closed_mesh(const std::string& path, const Limits& limits) {
                            .file = path});
   }
   if (!diagnostics.empty()) throw InputError(std::move(diagnostics));
+  if (const std::string fault = body_fault(mesh); !fault.empty()) {
+    throw InputError(
+        Diagnostic{.message = "the mesh " + fault, .expected = "a closed mesh that faces outward", .file = path});
+  }
   return ClosedMesh(mesh);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The light that plants grow in: the sun over a day or a season, the sky, lamps. Growth and measures ask it from where
-// how much light comes to a place; whether anything stands in the way they ask the obstacles.
+// how much light comes to a position; whether anything stands in the way they ask the obstacles.
 #pragma once
 
 #include <limits>
@@ -23,11 +23,11 @@ struct Lamp {
   double strength = 1;  ///< one metre away, against all far light together; falls with the square of the distance
 };
 
-/// The light that comes to one place from one side.
+/// The light that comes to one position from one side.
 struct LightRay {
   Vec3 toward = kUp;                                          ///< unit vector
   double distance = std::numeric_limits<double>::infinity();  ///< metres to where it comes from
-  double strength = 1;                                        ///< at the place; of all far light together 1
+  double strength = 1;                                        ///< at the position; of all far light together 1
 };
 
 /// All light of a scene. The strengths of sun and sky sum to 1, unless the sun never rises.
@@ -37,7 +37,7 @@ struct Light {
   std::vector<Lamp> lamps;
 
   bool is_none() const { return sun.empty() && sky.empty() && lamps.empty(); }
-  /// Calls `visit(LightRay)` for each light that shines on a place, in the order of the members.
+  /// Calls `visit(LightRay)` for each light that shines on a position, in the order of the members.
   template <class Visit>
   void for_each_ray(Vec3 point, Visit visit) const {
     for (const FarLight& far : sun) visit(LightRay{.toward = far.toward, .strength = far.strength});
@@ -47,7 +47,7 @@ struct Light {
 
   /// The unit vector toward the middle of the far light; up where there is none, or as much from all sides.
   Vec3 mean_direction() const;
-  /// The light of a lamp at a place; within a hand's breadth of it not stronger than there.
+  /// The light of a lamp at a position; within a hand's breadth of it not stronger than there.
   static LightRay ray_to(const Lamp& lamp, Vec3 point);
 };
 

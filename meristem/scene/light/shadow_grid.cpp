@@ -18,7 +18,7 @@ constexpr double kMostShade = 1e6;
 constexpr double kFarthest = 1e10;  // voxels
 constexpr int kDeepest = 64;
 constexpr int kLongestReach = 4;  // so that what is looked at lies in two bricks each way
-constexpr int kBits = 3;          // of a voxel's place in its brick
+constexpr int kBits = 3;          // of a voxel's position in its brick
 constexpr int kMask = 7;
 
 /// To the nearest whole number, halves away from 0, so that both sides are alike.
@@ -54,7 +54,7 @@ void check(const ShadowParameters& form) {
   require(std::abs(glm::dot(light, light) - 1) < 1e-3, "ShadowParameters::toward_light is no unit vector");
 }
 
-constexpr std::size_t kAskedAtOnce = 16;  // places
+constexpr std::size_t kAskedAtOnce = 16;  // positions
 constexpr int kKeyBits = 21;
 constexpr std::uint64_t kPartOfKey = (1U << kKeyBits) - 1;
 constexpr std::size_t kFew = 64;         // shaders
@@ -393,7 +393,7 @@ double ShadowGrid::shade(Vec3 position) const {
 }
 
 void ShadowGrid::shade(std::span<const Vec3> places, std::span<double> found, Recent& recent) const {
-  // All voxels of a few places are on their way from memory before the first is read.
+  // All voxels of a few positions are on their way from memory before the first is read.
   std::array<const std::uint64_t*, kAskedAtOnce> voxels;
   for (std::size_t first = 0; first < places.size(); first += kAskedAtOnce) {
     const std::size_t count = std::min(kAskedAtOnce, places.size() - first);

@@ -24,7 +24,7 @@
 namespace meristem {
 
 struct ShadowParameters {
-  double voxel = 0.1;       ///< metres a side; raised, shade is coarser and reaches farther
+  double voxel = 0.1;       ///< metres per side; raised, shade is coarser and reaches farther
   double amount = 0.2;      ///< a: shade in the shader's own voxel; 0 casts none
   double base = 2;          ///< b, at least 1; raised, shade fades sooner with the distance
   int depth = 3;            ///< layers below the shader's own, 0 to 64; time and memory grow with its cube
@@ -66,9 +66,9 @@ class ShadowGrid {
   /// Throws std::invalid_argument for a form out of range.
   explicit ShadowGrid(const ShadowParameters& form);
 
-  /// Adds what a shader at `place` casts, `weight` times over; remove() of the same place and weight takes it back
-  /// exactly. Weights are kept to 2^-32 of a shade. Throws std::invalid_argument for places that are not finite or more
-  /// than 10^10 voxels away, and for weights that are not finite or cast over 10^6 shades.
+  /// Adds what a shader at `position` casts, `weight` times over; remove() of the same position and weight takes it
+  /// back exactly. Weights are kept to 2^-32 of a shade. Throws std::invalid_argument for positions that are not finite
+  /// or more than 10^10 voxels away, and for weights that are not finite or cast over 10^6 shades.
   void add(Vec3 position, double weight = 1);
   void remove(Vec3 position, double weight = 1) { add(position, -weight); }
   /// The same of many, on all threads. Throws TooMuchMemory before it takes more than `most_bytes`, and Cancelled; then
@@ -76,12 +76,12 @@ class ShadowGrid {
   void cast(std::span<const Shader> shaders, const Progress& progress,
             std::uint64_t most_bytes = std::numeric_limits<std::uint64_t>::max());
   struct TooMuchMemory {};
-  /// Whether a place is not too far away to cast and to ask.
+  /// Whether a position is not too far away to cast and to ask.
   bool reaches(Vec3 position) const;
 
-  /// The sum of what was cast on the place's voxel. From many threads at once, as brighter_way.
+  /// The sum of what was cast on the position's voxel. From many threads at once, as brighter_way.
   double shade(Vec3 position) const;
-  /// The same of some places, as many as `found`; many places far apart are asked sooner than one by one.
+  /// The same of some positions, as many as `found`; many positions far apart are asked sooner than one by one.
   void shade(std::span<const Vec3> places, std::span<double> found, Recent& recent) const;
   /// The way out of the shade: minus the mean of the unit vectors to the voxels around, weighted by their shade. The
   /// more one-sided the shade, the longer, up to 1; zero where there is none or as much on every side.
@@ -93,7 +93,7 @@ class ShadowGrid {
   std::size_t bytes() const;  ///< of shaded space
 
  private:
-  /// Bricks by their places. A small table leads to them, so that looking one up costs one look into memory.
+  /// Bricks by their positions. A small table leads to them, so that looking one up costs one look into memory.
   class Bricks {
    public:
     std::size_t size() const { return bricks_.size() - free_.size(); }

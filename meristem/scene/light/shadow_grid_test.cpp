@@ -14,7 +14,7 @@
 namespace meristem {
 namespace {
 
-constexpr float kVoxel = 0.5F;  // exact in binary, so that places are
+constexpr float kVoxel = 0.5F;  // exact in binary, so that positions are
 
 /// The middle of the voxel so many voxels from the origin's.
 Vec3 voxel(int x, int y, int z) {

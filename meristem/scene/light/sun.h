@@ -13,7 +13,7 @@
 
 namespace meristem {
 
-/// A place on the sky, radians.
+/// A position on the sky, radians.
 struct SkyDirection {
   double azimuth = 0;
   double altitude = 0;

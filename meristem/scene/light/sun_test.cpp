@@ -24,8 +24,8 @@ struct Place {
   double azimuth;
 };
 
-// A day's declination, the sun's places at 6, 9, 12 and 15 hours, and sunrise, computed once by the source's formulas
-// in another program.
+// A day's declination, the sun's positions at 6, 9, 12 and 15 hours, and sunrise, computed once by the source's
+// formulas in another program.
 struct Day {
   int day;
   double declination;
@@ -63,7 +63,7 @@ void expect_agrees(const Day& day) {
   EXPECT_NEAR(light->second, 24 - day.sunrise, kTolerance);
 }
 
-/// A row "| day | declination | altitude azimuth | ... | sunrise |" with four places, or nothing.
+/// A row "| day | declination | altitude azimuth | ... | sunrise |" with four positions, or nothing.
 std::optional<Day> day_in(std::string line) {
   for (char& c : line) {
     if (c == '|') c = ' ';

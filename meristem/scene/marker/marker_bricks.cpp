@@ -30,9 +30,9 @@ std::uint64_t bits(const std::array<std::uint8_t, MarkerBricks::kInBrick>& bytes
 }
 static_assert(std::endian::native == std::endian::little, "the first byte becomes the lowest bit");
 
-/// The bricks of a range along one axis, seen from a place.
+/// The bricks of a range along one axis, seen from a position.
 struct BricksAlong {
-  std::array<float, MarkerBricks::kMostAlong> from_corner;  // voxels from the low corner to the place
+  std::array<float, MarkerBricks::kMostAlong> from_corner;  // voxels from the low corner to the position
   std::array<float, MarkerBricks::kMostAlong> gap;          // squared distance
 
   BricksAlong(const MarkerBricks::Range& bricks, const MarkerBricks::FinePosition& position, int axis) {

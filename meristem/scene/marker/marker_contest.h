@@ -34,8 +34,8 @@ class BrickContest {
   void begin(const MarkerBricks::Pattern& pattern, std::uint64_t markers);
   /// Of them the next lookers see these.
   void show(const MarkerBricks::Pattern& pattern, std::uint64_t markers);
-  /// `place`: the looker's in voxels from the brick's corner; `layer`: the brick's first layer of voxels; `looker`: a
-  /// number that for_each_owner gives back.
+  /// `position`: the looker's in voxels from the brick's corner; `layer`: the brick's first layer of voxels; `looker`:
+  /// a number that for_each_owner gives back.
   void compete(const Look& look, Vec3 position, std::int32_t layer, std::uint32_t looker);
 
   /// For each marker that somebody sees, visit(the nearest looker, marker's number in the brick, squared distance).

@@ -23,7 +23,7 @@
 namespace meristem {
 
 struct MarkerParameters {
-  double spacing = 0.07;   ///< metres a voxel's side; raised, room is coarser and costs less
+  double spacing = 0.07;   ///< metres per voxel's side; raised, room is coarser and costs less
   double occupancy = 0.2;  ///< metres around a shoot within which markers are taken, up to 32 spacings
 
   bool operator==(const MarkerParameters&) const = default;
@@ -57,7 +57,7 @@ class MarkerField {
 
   /// Whether a position is finite and at most 4 million spacings away from the origin, along each axis.
   bool reaches(Vec3 position) const { return bricks_.reaches(position); }
-  /// A shoot at `place` takes the markers around it; vacate() of the same place gives them back exactly. Throws
+  /// A shoot at `position` takes the markers around it; vacate() of the same position gives them back exactly. Throws
   /// std::invalid_argument for positions out of reach, and for vacating where nothing was occupied.
   void occupy(Vec3 position) { bricks_.occupy(position); }
   void vacate(Vec3 position) { bricks_.vacate(position); }
@@ -74,7 +74,7 @@ class MarkerField {
   std::vector<DVec3> free_markers(const Box& box, std::uint32_t volume) const;
 
   const MarkerParameters& form() const { return form_; }
-  /// Kept between rounds: some 120 a brick of 64 markers that a shoot or a cone has touched. A round takes, for its
+  /// Kept between rounds: some 120 per brick of 64 markers that a shoot or a cone has touched. A round takes, for its
   /// time, about 50 a seeker, and for each that finds a free marker about 100 and 12 for each brick in the box around
   /// its cone.
   std::size_t bytes() const;

@@ -36,7 +36,7 @@ CrownPointer ball(float radius) { return std::make_shared<Ball>(radius); }
 
 Obstacles wall() { return Obstacles(std::vector<Obstacle>{{.mesh = box_mesh({0.3, 0, -2}, {0.5, 2, 2})}}); }
 
-/// `count` places in a ball about `middle`.
+/// `count` points in a ball about `middle`.
 std::vector<Vec3> crowd(int count, Vec3 middle, float radius, std::uint64_t seed = 1) {
   const RandomKey key = RandomKey(seed).child("crowd");
   const RandomKey ways = key.child("ways");
@@ -47,7 +47,7 @@ std::vector<Vec3> crowd(int count, Vec3 middle, float radius, std::uint64_t seed
   return places;
 }
 
-/// At each place two buds, as at the end of a metamer, the volumes in turn.
+/// At each position two buds, as at the end of a metamer, the volumes in turn.
 std::vector<Seeker> buds_at(const std::vector<Vec3>& places, std::uint32_t volumes, std::uint64_t seed = 1) {
   const RandomKey key = RandomKey(seed).child("buds");
   std::vector<Seeker> seekers;
@@ -171,7 +171,7 @@ TEST(MarkerField, ThereIsOneMarkerInEachVoxel) {
     sum += marker / 0.25 - voxel;
   }
   EXPECT_EQ(in_voxel.size(), markers.size());
-  // The mean of 8000 places uniform in a voxel lies within 5 deviations of the middle: 5 / sqrt(12 * 8000) = 0.016.
+  // The mean of 8000 positions uniform in a voxel lies within 5 deviations of the middle: 5 / sqrt(12 * 8000) = 0.016.
   const DVec3 mean = sum / static_cast<double>(markers.size());
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(mean[k], 0.5, 0.016);
 }
@@ -272,7 +272,7 @@ TEST(MarkerField, EachMarkerGoesToOneBud) {
   const Seeker bud{Vec3(0.2F), kUp, 0, 0.4F, -1};
   const std::vector<Room> alone = share_out(field, {bud});
   ASSERT_GT(alone[0].count, 100U);
-  // Of two at the same place the first gets all.
+  // Of two at the same position the first gets all.
   const std::vector<Room> twins = share_out(field, {bud, bud});
   expect_same({twins[0]}, alone);
   EXPECT_EQ(twins[1].count, 0U);

@@ -29,7 +29,7 @@ int sign(T value) {
   return (value > 0) - (value < 0);
 }
 
-/// On which side of the line a to b, seen along y, the moved point lies; 0 only where a and b are one place.
+/// On which side of the line a to b, seen along y, the moved point lies; 0 only where a and b are one position.
 int side_of(const std::array<std::int32_t, 3>& a, const std::array<std::int32_t, 3>& b,
             const std::array<std::int32_t, 3>& point) {
   const std::int64_t x = std::int64_t{b[0]} - a[0];

@@ -17,10 +17,13 @@ struct TriangleMesh {
 };
 
 /// What keeps a mesh from being closed, each kind with its number and first position: open edges, edges where more
-/// triangles meet one way than the other, triangles turned against their neighbours, no volume. Empty for closed
-/// meshes. Vertices at one position count as one; triangles without area, which close nothing and open nothing, are
-/// passed over.
+/// triangles meet one way than the other, triangles turned against their neighbours. Empty for closed meshes. Vertices
+/// at one position count as one; triangles without area, which close nothing and open nothing, are passed over.
 std::vector<std::string> closedness_faults(const TriangleMesh& mesh);
+
+/// What keeps a closed mesh from being a body, as in "encloses nothing"; empty for bodies. One that crosses itself may
+/// have as much inside that is turned inside out as there is else, like a bow tie, and then no volume.
+std::string body_fault(const TriangleMesh& mesh);
 
 /// A closed mesh that says what is inside it. A point is inside where the surface winds around it a number of times
 /// that is not 0: so a mesh turned inside out has the same inside, a shell within a shell makes a hollow if it faces

@@ -183,12 +183,35 @@ TEST(Closedness, TellsEachKindOfFaultWithItsPlace) {
             std::string::npos);
   TriangleMesh flat = cube();
   for (DVec3& position : flat.positions) position.y = 0;
-  EXPECT_EQ(closedness_faults(flat), (std::vector<std::string>{"the mesh encloses nothing"}));
+  EXPECT_TRUE(closedness_faults(flat).empty());
+  EXPECT_EQ(body_fault(flat), "encloses nothing");
+  EXPECT_EQ(body_fault(cube()), "");
+}
+
+TEST(ClosedMesh, ABowTieIsClosedAndCrossesItself) {
+  // A prism over a polygon of two triangles, one of them counter-clockwise and one clockwise.
+  TriangleMesh tie;
+  tie.positions = {{-1, 0, -1}, {-1, 0, 1}, {1, 0, -1}, {1, 0, 1}, {-1, 1, -1},
+                   {-1, 1, 1},  {1, 1, -1}, {1, 1, 1},  {0, 0, 0}, {0, 1, 0}};
+  // Bottom and top as two triangles that meet in the middle, then the four sides.
+  tie.triangles = {{0, 8, 1}, {2, 8, 3}, {4, 5, 9}, {6, 7, 9}};
+  const std::array<std::array<std::uint32_t, 2>, 6> sides{{{0, 1}, {1, 8}, {8, 2}, {2, 3}, {3, 8}, {8, 0}}};
+  for (const auto& side : sides) {
+    const std::uint32_t a = side[0], b = side[1];
+    const auto above = [](std::uint32_t k) { return k == 8 ? 9 : k + 4; };
+    tie.triangles.push_back({a, b, above(b)});
+    tie.triangles.push_back({a, above(b), above(a)});
+  }
+  EXPECT_EQ(closedness_faults(tie), std::vector<std::string>{});
+  EXPECT_NE(body_fault(tie).find("crosses itself"), std::string::npos) << body_fault(tie);
+  EXPECT_TRUE(ClosedMesh(tie).contains({-0.5, 0.5, 0}));
+  EXPECT_TRUE(ClosedMesh(tie).contains({0.5, 0.5, 0}));
+  EXPECT_EQ(ClosedMesh(tie).volume(), 0);
 }
 
 TEST(MeshCrown, IsPlacedByItsFrame) {
   const auto mesh = std::make_shared<const ClosedMesh>(cube(DVec3(-0.5)));
-  const Frame frame{.axes = 2.0F * rotation({0, 1, 0}, kPi / 4), .origin = {3, 5, 0}};
+  const DFrame frame{.axes = 2.0 * exact_rotation({0, 1, 0}, kPi / 4), .origin = {3, 5, 0}};
   const MeshCrown crown(mesh, frame);
   EXPECT_TRUE(crown.contains({3 + 1.4F, 5, 0}));
   EXPECT_FALSE(crown.contains({3 + 1.43F, 5, 0}));

@@ -18,7 +18,7 @@ struct Edge {
   bool is_forward = false;  // from the smaller to the larger
 };
 
-/// For each position the first one at the same place.
+/// For each position the first one at the same position.
 std::vector<std::uint32_t> welded(const std::vector<DVec3>& positions) {
   std::vector<std::uint32_t> order(positions.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -65,6 +65,24 @@ void report(const Finding& finding, const char* what, const TriangleMesh& mesh, 
                   what, text_of(mesh.positions[finding.first.low]), text_of(mesh.positions[finding.first.high])));
 }
 
+/// Whether the surface winds around a place close to it, on either side of some triangles.
+bool encloses_something(const ClosedMesh& closed, const TriangleMesh& mesh, DVec3 size) {
+  constexpr std::size_t kMostTriangles = 1000;
+  constexpr double kNear = 1e-4;  // of the mesh's size
+  const std::size_t step = mesh.triangles.size() / kMostTriangles + 1;
+  for (std::size_t k = 0; k < mesh.triangles.size(); k += step) {
+    const auto [a, b, c] = mesh.triangles[k];
+    const DVec3 corner = mesh.positions[a];
+    const DVec3 across = glm::cross(mesh.positions[b] - corner, mesh.positions[c] - corner);
+    const double area = glm::length(across);
+    if (!(area > 0)) continue;
+    const DVec3 middle = (corner + mesh.positions[b] + mesh.positions[c]) / 3.0;
+    const DVec3 away = kNear * glm::length(size) / area * across;
+    if (closed.contains(middle + away) || closed.contains(middle - away)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<std::string> closedness_faults(const TriangleMesh& mesh) {
@@ -86,14 +104,17 @@ std::vector<std::string> closedness_faults(const TriangleMesh& mesh) {
   report(open, "open, with a triangle on one side only", mesh, faults);
   report(turned, "between triangles that are turned against each other", mesh, faults);
   report(crowded, "where more triangles meet one way than the other", mesh, faults);
-  if (!faults.empty()) return faults;
+  return faults;
+}
 
+std::string body_fault(const TriangleMesh& mesh) {
   const ClosedMesh closed(mesh);
   Box box;
   for (const DVec3 position : mesh.positions) box.add(Vec3(position));
   const DVec3 size(box.size());
-  if (!(closed.volume() > 1e-9 * size.x * size.y * size.z)) faults.emplace_back("the mesh encloses nothing");
-  return faults;
+  if (closed.volume() > 1e-9 * size.x * size.y * size.z) return {};
+  return encloses_something(closed, mesh, size) ? "crosses itself: as much of it is turned inside out as faces outward"
+                                                : "encloses nothing";
 }
 
 }  // namespace meristem

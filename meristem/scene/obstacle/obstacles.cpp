@@ -79,7 +79,7 @@ DVec3 centroid_of(const Obstacle& body, DVec3 middle) {
   return total != 0 ? middle + sum / total : middle;
 }
 
-/// Says whether a place is inside one body.
+/// Says whether a position is inside one body.
 class Inside {
  public:
   explicit Inside(const Obstacle& body) : box_(box_around(body.mesh)) {
@@ -90,7 +90,7 @@ class Inside {
 
   const Box& box() const { return box_; }
 
-  /// Of a place in its box.
+  /// Of a position in its box.
   bool contains(Vec3 point) const {
     const DVec3 at(point);
     if (views_.size() == 1) return views_[0].contains(at);

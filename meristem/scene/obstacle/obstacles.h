@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bodies that stand in a scene: buildings, walls, rocks. They answer what growth asks: is this place inside one,
+// The bodies that stand in a scene: buildings, walls, rocks. They answer what growth asks: is this position inside one,
 // does this segment pass through one, what does this ray meet. Exact or in double precision and the same on every
 // machine, so that growth is.
 #pragma once
@@ -37,18 +37,18 @@ class Obstacles {
   };
 
   Obstacles();
-  /// Throws std::invalid_argument for indices out of range or places that are not finite in 32 bits, and MachineError.
-  /// Takes about 300 bytes and a microsecond a triangle.
+  /// Throws std::invalid_argument for indices out of range or positions that are not finite in 32 bits, and
+  /// MachineError. Takes about 300 bytes and a microsecond per triangle.
   explicit Obstacles(std::vector<Obstacle> bodies);
 
   bool empty() const { return bodies().empty(); }
   const std::vector<Obstacle>& bodies() const;
   Box bounds() const;  ///< of all; empty where there are none
 
-  /// Whether a place is inside one. Of a broken one most of three views decide, along x, y and z.
+  /// Whether a position is inside one. Of a broken one most of three views decide, along x, y and z.
   bool contain(Vec3 position) const;
-  /// Whether the way from one place to another meets a surface, be it only at an end or an edge. However short, a way
-  /// from outside to inside does; one without length does not.
+  /// Whether the way from one position to another meets a surface, be it only at an end or an edge. However short, a
+  /// way from outside to inside does; one without length does not.
   bool cross(Vec3 from, Vec3 to) const;
   /// The first surface on a ray, at most `within` metres away, which may be infinite; `direction` is a unit vector.
   /// What only touches an edge is met. At equal distances the obstacle with the lower index.
@@ -63,7 +63,7 @@ class Obstacles {
   std::shared_ptr<const Content> content_;
 };
 
-/// For each of `places` whether it is inside an obstacle: 1 or 0. On all threads; throws Cancelled.
+/// For each of `positions` whether it is inside an obstacle: 1 or 0. On all threads; throws Cancelled.
 std::vector<std::uint8_t> inside_of(const Obstacles& obstacles, std::span<const Vec3> places, const Progress& progress);
 
 }  // namespace meristem

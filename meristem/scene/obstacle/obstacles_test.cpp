@@ -330,7 +330,7 @@ TEST(Obstacles, TurnedAndMissingTrianglesHardlyMoveAnInside) {
     const Vec3 position = random_position(k, 1);
     wrong += broken.contain(position) != closed.contains(DVec3(position)) ? 1 : 0;
   }
-  // Each view errs in 4 % of the places inside; two of three do in about 3 * 0.04^2.
+  // Each view errs in 4 % of the positions inside; two of three do in about 3 * 0.04^2.
   EXPECT_LT(wrong, 0.01 * kTrials);
   EXPECT_LT(glm::length(broken.ground_centroid(0)), 0.02F);
 }

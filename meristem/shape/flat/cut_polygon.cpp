@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The polygon is split at one line after the other, and what is left between the lines is triangulated: ears are cut
-// off, the best shaped first, then diagonals changed where that gives better shapes. A split orders the places where
+// off, the best shaped first, then diagonals changed where that gives better shapes. A split orders the points where
 // the boundary crosses the line along it; between the first and second, the third and fourth and so on, the line is
 // inside, so there the parts of the boundary on either side are closed. What else lies on the line becomes a corner on
 // both sides, so that no gap opens when the triangles are bent.

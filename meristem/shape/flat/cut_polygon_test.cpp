@@ -25,7 +25,7 @@ double area_of(const Points& corners) {
   return doubled / 2;
 }
 
-/// With vertices of its own for each corner; check_mesh takes those at one place for one.
+/// With vertices of its own for each corner; check_mesh takes those at one position for one.
 Mesh mesh_of(const std::vector<FlatTriangle>& triangles) {
   Mesh mesh;
   for (const FlatTriangle& triangle : triangles) {

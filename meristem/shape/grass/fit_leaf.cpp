@@ -22,12 +22,14 @@ namespace meristem {
 
 namespace {
 
-constexpr double kEndWeight = 1000;  // of the points that stay: where a blade is held, and both ends of its widths
-constexpr int kSteps = 8;            // along the spline, a piece
-constexpr int kEvenings = 20;        // rounds at most that make chords equally long
-constexpr double kEven = 1e-7;       // of the length: a place that moves by less stays
-constexpr double kWhole = 1e-6;      // of the last place: nearer to 0 than that it is 0
-constexpr double kLeastShares = 0.9, kMostShares = 1.001;  // where places of widths end that are shares of the length
+constexpr double kEndWeight = 1000;   // of the points that stay: where a blade is held, and both ends of its widths
+constexpr int kSteps = 8;             // along the spline, a piece
+constexpr int kEvenings = 20;         // rounds at most that make chords equally long
+constexpr double kEven = 1e-7;        // of the length: a position that moves by less stays
+constexpr double kWhole = 1e-6;       // of the last position: nearer to 0 than that it is 0
+constexpr double kMostExcess = 0.01;  // of the area of widths that are joined by lines
+constexpr double kLeastShares = 0.9,
+                 kMostShares = 1.001;  // where positions of widths end that are shares of the length
 
 using Points = std::vector<glm::dvec2>;
 
@@ -73,7 +75,7 @@ Points follow_midrib(const Points& points, const std::vector<double>& lengths, c
   return followed;
 }
 
-/// Root mean square over `points` of the distance to the nearest place on `curve`.
+/// Root mean square over `points` of the distance to the nearest point on `curve`.
 double mean_distance(const Points& points, const Points& curve) {
   double squares = 0;
   for (const glm::dvec2 point : points) {
@@ -93,7 +95,7 @@ double share_in_piece(const std::vector<double>& places, double place, std::size
   return step > 0 ? std::clamp((place - places[k]) / step, 0.0, 1.0) : 0;
 }
 
-/// The points at rising places along others.
+/// The points at rising positions along others.
 Points points_at(const Points& followed, const std::vector<double>& lengths, const std::vector<double>& places) {
   Points points;
   std::size_t k = 0;
@@ -142,15 +144,38 @@ GrassLeaf leaf_through(const Points& points) {
 
 /// Smoothed widths as shares of the largest measured one, over the share of the length.
 struct WidthCurve {
-  Curve shares{};
-  double widest = 0;   // the share of the length where the smoothed ones are largest
-  double largest = 0;  // measured one
+  Curve spline{};
+  Curve lines{};            // through the same points
+  double straightness = 0;  // the share that the lines have
+  double widest = 0;        // the share of the length where the smoothed ones are largest
+  double largest = 0;       // measured one
+
+  double operator()(double place) const {
+    const double smooth = std::max(0.0, spline(place));
+    return straightness > 0 ? smooth + straightness * (std::max(0.0, lines(place)) - smooth) : smooth;
+  }
 };
+
+double area_under(const Curve& curve) {
+  constexpr int kPlaces = 512;
+  double sum = 0;
+  for (int k = 0; k < kPlaces; ++k) sum += std::max(0.0, curve((k + 0.5) / kPlaces));
+  return sum / kPlaces;
+}
+
+/// Between few rows a spline bulges: it may have 6 % more area than the widths that were measured. So much of it is
+/// given up for the straight lines that the area keeps to theirs.
+double straightness_for_area(const Curve& spline, const Curve& lines) {
+  const double wanted = area_under(lines);
+  const double excess = std::abs(area_under(spline) - wanted);
+  const double allowed = kMostExcess * wanted;
+  return excess > allowed ? 1 - allowed / excess : 0;
+}
 
 WidthCurve smooth_widths(const Points& points, double smoothing) {
   WidthCurve smoothed;
   std::vector<double> places, widths;
-  // A place that is not measured has the width of the next one.
+  // A position that is not measured has the width of the next one.
   if (points.front().x > kWhole * points.back().x) {
     places.push_back(0);
     widths.push_back(points.front().y);
@@ -166,7 +191,9 @@ WidthCurve smooth_widths(const Points& points, double smoothing) {
   std::vector<double> smooth = smooth_values(places, {widths}, distance, weights)[0];
   for (double& width : smooth) width = std::max(0.0, width / smoothed.largest);
   smoothed.widest = places[static_cast<std::size_t>(std::ranges::max_element(smooth) - smooth.begin())];
-  smoothed.shares = through(places, smooth, smoothing > 0 ? CurveKind::spline : CurveKind::linear);
+  smoothed.lines = through(places, smooth, CurveKind::linear);
+  smoothed.spline = smoothing > 0 ? through(places, smooth, CurveKind::spline) : smoothed.lines;
+  smoothed.straightness = straightness_for_area(smoothed.spline, smoothed.lines);
   return smoothed;
 }
 
@@ -206,7 +233,7 @@ FittedWidths fit_widths(const MeasuredCurve& widths, const FitOptions& options) 
   const WidthCurve smooth = smooth_widths(from_base.points, options.width_smoothing);
   double largest = 0;
   for (int k = 0; k <= options.pieces; ++k) {
-    fitted.r.push_back(std::max(0.0, smooth.shares(static_cast<double>(k) / options.pieces)));
+    fitted.r.push_back(smooth(static_cast<double>(k) / options.pieces));
     largest = std::max(largest, fitted.r.back());
   }
   if (largest == 0) {

@@ -33,7 +33,7 @@ FittedMidrib fit_midrib(const MeasuredCurve& midrib, const FitOptions& options =
 struct FittedWidths {
   std::vector<double> r;    ///< share of the largest at the points of equal pieces
   double width = 0;         ///< the largest, as measured
-  double length = 0;        ///< the last place, as measured
+  double length = 0;        ///< the last position, as measured
   bool are_shares = false;  ///< the positions are shares of the length: they end at 1, or from 0.9 on
   /// Whether the widths are shares, too: their largest is about 1.
   bool are_widths_shares() const { return are_shares && width > 0.9 && width < 1.01; }

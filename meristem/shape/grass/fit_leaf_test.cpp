@@ -220,6 +220,20 @@ TEST_F(FitLeafOfWheat, SmoothMidribsKeepTheirLengthWithinOnePercent) {
   }
 }
 
+TEST(FitLeaf, FewRowsOfWidthsKeepTheirArea) {
+  const std::vector<std::vector<glm::dvec2>> blades{{{0, 0.6}, {0.5, 1}, {1, 0}},
+                                                    {{0, 0.4}, {0.3, 1}, {1, 0}},
+                                                    {{0, 0.7}, {0.35, 1}, {0.7, 0.7}, {1, 0}},
+                                                    {{0, 0.1}, {0.2, 1}, {0.6, 1}, {1, 0}},
+                                                    {{0, 1}, {0.9, 0.9}, {1, 0}}};
+  for (const std::vector<glm::dvec2>& points : blades) {
+    const MeasuredCurve widths{.points = points};
+    const FittedLeaf fitted = fit_leaf(quarter_circle(12), widths);
+    EXPECT_NEAR(area(fitted.leaf) / (fitted.leaf.length * trapezoids(widths)), 1, 0.02) << points[1].x;
+    EXPECT_NEAR(fitted.leaf.width, 1, 0.05) << points[1].x;
+  }
+}
+
 TEST_F(FitLeafOfWheat, AllSurviveWithWidthsOfAnyClassAndKeepTheirAreaWithin2Percent) {
   for (std::size_t k = 0; k < midribs_.size(); ++k) {
     for (const MeasuredCurve& widths : widths_) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <set>
 #include <tuple>
 
@@ -128,6 +127,45 @@ void check_all(std::vector<MeasuredCurve>& curves, const Limits& limits, std::ve
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
+/// How far points may be from one another to count as equal, and how far each is from the one before it.
+double nearest_of_midrib(const MeasuredCurve& midrib) {
+  double length = 0;
+  for (std::size_t k = 1; k < midrib.points.size(); ++k) {
+    length += glm::distance(midrib.points[k - 1], midrib.points[k]);
+  }
+  return kNear * length;
+}
+double nearest_of_widths(const MeasuredCurve& widths) {
+  return kNear * std::max(std::abs(widths.points.front().x), std::abs(widths.points.back().x));
+}
+
+/// Leaves out the points that repeat the one before, by `distance` within `nearest`, and warns of each. A curve that
+/// would have too few points left stays as it is, for its faults to be told.
+template <class Distance>
+void leave_out_repeats(MeasuredCurve& curve, double nearest, Distance distance, const char* what, const Limits& limits,
+                       std::vector<Diagnostic>& warnings) {
+  if (!std::isfinite(nearest)) return;
+  MeasuredCurve kept{curve.rank, curve.lindex, curve.age, {}, {}};
+  std::vector<Diagnostic> found;
+  const std::string name = shown({curve.rank, curve.lindex, curve.age});
+  for (std::size_t k = 0; k < curve.points.size(); ++k) {
+    if (!kept.points.empty() && distance(kept.points.back(), curve.points[k]) <= nearest) {
+      found.push_back({.severity = Severity::warning,
+                       .message = fmt::format("{}{} repeats the one before it and is left out",
+                                              name.empty() ? name : name + ": ", what),
+                       .line = curve.lines[k]});
+      continue;
+    }
+    kept.points.push_back(curve.points[k]);
+    kept.lines.push_back(curve.lines[k]);
+  }
+  if (found.empty() || kept.points.size() < kLeastPoints) return;
+  curve = std::move(kept);
+  for (Diagnostic& each : found) {
+    if (warnings.size() < limits.diagnostics) warnings.push_back(std::move(each));
+  }
+}
+
 double mean_width(const std::vector<glm::dvec2>& points, std::size_t first, std::size_t count) {
   double sum = 0;
   for (std::size_t k = first; k < first + count; ++k) sum += points[k].y;
@@ -139,13 +177,9 @@ double mean_width(const std::vector<glm::dvec2>& points, std::size_t first, std:
 void check_midrib(const MeasuredCurve& midrib) {
   CurveFaults faults(midrib);
   check_points(midrib, "midribs", faults);
-  std::vector<double> steps;
+  const double nearest = nearest_of_midrib(midrib);
   for (std::size_t k = 1; k < midrib.points.size(); ++k) {
-    steps.push_back(glm::distance(midrib.points[k - 1], midrib.points[k]));
-  }
-  const double nearest = kNear * std::accumulate(steps.begin(), steps.end(), 0.0);
-  for (std::size_t k = 1; k < midrib.points.size(); ++k) {
-    if (steps[k - 1] <= nearest) {
+    if (glm::distance(midrib.points[k - 1], midrib.points[k]) <= nearest) {
       faults.add(k, "the point of the midrib repeats the one in the row before", "another one");
     }
   }
@@ -158,10 +192,10 @@ void check_widths(const MeasuredCurve& widths) {
   const std::vector<glm::dvec2>& points = widths.points;
   const double length = points.back().x - points.front().x;
   const double direction = length > 0 ? 1 : -1;
-  const double farthest = std::max(std::abs(points.front().x), std::abs(points.back().x));
+  const double nearest = nearest_of_widths(widths);
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double step = k == 0 ? length : points[k].x - points[k - 1].x;
-    if (k > 0 && std::abs(step) <= kNear * farthest) {
+    if (k > 0 && std::abs(step) <= nearest) {
       faults.add(k, fmt::format("the position s = {} repeats the one in the row before", points[k].x), "another one");
     } else if (step * direction < 0) {
       faults.add(k, fmt::format("the positions s are not sorted: {} after {}", points[k].x, points[k - 1].x),
@@ -191,13 +225,18 @@ bool turn_to_base(MeasuredCurve& widths) {
   return true;
 }
 
-std::vector<MeasuredCurve> read_midribs(std::string_view text, const Limits& limits) {
+std::vector<MeasuredCurve> read_midribs(std::string_view text, const Limits& limits,
+                                        std::vector<Diagnostic>& warnings) {
   const Columns columns =
       read_columns(text, {{"rank", false}, {"lindex", false}, {"age", false}, {"x"}, {"y"}}, limits);
   std::vector<Diagnostic> faults;
   std::vector<MeasuredCurve> midribs =
       curves_of(columns, {.rank = 0, .lindex = 1, .age = 2, .first = 3, .second = 4}, faults);
-  check_all(midribs, limits, faults, check_midrib);
+  const auto distance = [](glm::dvec2 a, glm::dvec2 b) { return glm::distance(a, b); };
+  check_all(midribs, limits, faults, [&](MeasuredCurve& midrib) {
+    leave_out_repeats(midrib, nearest_of_midrib(midrib), distance, "the point of the midrib", limits, warnings);
+    check_midrib(midrib);
+  });
   return midribs;
 }
 
@@ -208,7 +247,9 @@ std::vector<MeasuredCurve> read_widths(std::string_view text, const Limits& limi
   std::vector<Diagnostic> faults;
   std::vector<MeasuredCurve> all =
       curves_of(columns, {.rank = rank, .lindex = 2, .age = 3, .first = 4, .second = 5}, faults);
+  const auto distance = [](glm::dvec2 a, glm::dvec2 b) { return std::abs(a.x - b.x); };
   check_all(all, limits, faults, [&](MeasuredCurve& widths) {
+    leave_out_repeats(widths, nearest_of_widths(widths), distance, "the position s", limits, warnings);
     check_widths(widths);
     const int line = widths.lines.front();
     if (turn_to_base(widths)) {

@@ -24,13 +24,13 @@ struct MeasuredCurve {
 };
 
 /// Reads a text with the columns x and y (away from the stem and up, of any unit) and, if there, rank, lindex and age;
-/// a midrib is what stands together with equal ones of these. Throws an InputError with all faults, also those of
-/// check_midrib, by their lines.
-std::vector<MeasuredCurve> read_midribs(std::string_view text, const Limits& limits);
+/// a midrib is what stands together with equal ones of these. Points that repeat the one before are left out, with a
+/// warning each. Throws an InputError with all other faults, also those of check_midrib, by their lines.
+std::vector<MeasuredCurve> read_midribs(std::string_view text, const Limits& limits, std::vector<Diagnostic>& warnings);
 
 /// The same with the columns s (distance from the base) and r (width, or share of the widest) and, if there, rank or
-/// rankclass, and lindex; faults as of check_widths. What runs from the tip to the base is turned about, with a warning
-/// each.
+/// rankclass, and lindex; repeats and faults as of check_widths. What runs from the tip to the base is turned about,
+/// with a warning each.
 std::vector<MeasuredCurve> read_widths(std::string_view text, const Limits& limits, std::vector<Diagnostic>& warnings);
 
 /// Throws an InputError if a midrib has fewer than 3 points, two equal ones in a row (nearer than a millionth of its

@@ -24,8 +24,25 @@ Faults faults_by(const Read& read) {
   return {};
 }
 
+std::vector<MeasuredCurve> midribs_in(std::string_view text) {
+  Faults warnings;
+  return read_midribs(text, {}, warnings);
+}
+
 Faults midrib_faults(std::string_view text) {
-  return faults_by([&] { read_midribs(text, {}); });
+  return faults_by([&] { midribs_in(text); });
+}
+
+Faults midrib_warnings(std::string_view text) {
+  Faults warnings;
+  read_midribs(text, {}, warnings);
+  return warnings;
+}
+
+Faults width_warnings(std::string_view text) {
+  Faults warnings;
+  read_widths(text, {}, warnings);
+  return warnings;
 }
 
 Faults width_faults(std::string_view text) {
@@ -43,10 +60,9 @@ testing::AssertionResult is_one(const Faults& faults, int line, std::string_view
 MeasuredCurve curve(std::vector<glm::dvec2> points) { return {.points = std::move(points)}; }
 
 TEST(MeasuredLeaves, MidribsArePartedByRankLindexAndAge) {
-  const auto midribs = read_midribs(
+  const auto midribs = midribs_in(
       "rank,lindex,age,x,y\n1,1,0.5,0,0\n1,1,0.5,1,2\n1,1,0.5,2,3\n1,1,1,0,0\n1,1,1,3,4\n1,1,1,9,9\n1,2,1,-1,0\n"
-      "1,2,1,1,5\n1,2,1,2,5\n",
-      {});
+      "1,2,1,1,5\n1,2,1,2,5\n");
   ASSERT_EQ(midribs.size(), 3U);
   EXPECT_EQ(midribs[0].rank, 1);
   EXPECT_EQ(midribs[0].age, 0.5);
@@ -58,7 +74,7 @@ TEST(MeasuredLeaves, MidribsArePartedByRankLindexAndAge) {
 }
 
 TEST(MeasuredLeaves, ATextWithoutNamesIsOneLeaf) {
-  const auto midribs = read_midribs("x;y\n0;0\n1,5;2\n2;2,5\n", {});
+  const auto midribs = midribs_in("x;y\n0;0\n1,5;2\n2;2,5\n");
   ASSERT_EQ(midribs.size(), 1U);
   EXPECT_EQ(midribs[0].rank, std::nullopt);
   EXPECT_EQ(midribs[0].points[1], glm::dvec2(1.5, 2));
@@ -87,15 +103,30 @@ TEST(MeasuredLeaves, RejectsMidribsOfTooFewPoints) {
   EXPECT_TRUE(is_one(midrib_faults("rank,x,y\n1,0,0\n1,1,1\n1,2,1\n2,0,0\n2,1,1\n"), 5, "2 points"));
 }
 
-TEST(MeasuredLeaves, RejectsPointsThatAreRepeated) {
-  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1,1\n1,1\n2,1\n"), 4, "the one in the row before"));
-  EXPECT_TRUE(midrib_faults("x,y\n0,0\n1,1\n2,1\n1,1\n").empty()) << "a midrib may come back";
+TEST(MeasuredLeaves, PointsThatAreRepeatedAreLeftOutWithAWarningThatNamesLeafAndLine) {
+  const std::string text = "rank,lindex,x,y\n1,7,0,0\n1,7,1,1\n1,7,1,1\n1,7,1,1\n1,7,2,1\n2,1,0,0\n2,1,1,1\n2,1,2,3\n";
+  const Faults warnings = midrib_warnings(text);
+  ASSERT_EQ(warnings.size(), 2U);
+  EXPECT_EQ(warnings[0].severity, Severity::warning);
+  EXPECT_EQ(warnings[0].line, 4);
+  EXPECT_EQ(warnings[1].line, 5);
+  EXPECT_EQ(warnings[0].message, "rank 1, lindex 7: the point of the midrib repeats the one before it and is left out");
+  const auto midribs = midribs_in(text);
+  ASSERT_EQ(midribs.size(), 2U) << "the other leaf is there";
+  EXPECT_EQ(midribs[0].points, (std::vector<glm::dvec2>{{0, 0}, {1, 1}, {2, 1}}));
+  EXPECT_EQ(midribs[0].lines, (std::vector<int>{2, 3, 6}));
+  EXPECT_TRUE(midrib_warnings("x,y\n0,0\n1,1\n2,1\n1,1\n").empty()) << "a midrib may come back";
 }
 
-TEST(MeasuredLeaves, RejectsPointsNearerThanNumbersTellApart) {
-  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1,1\n1.0000000001,1\n2,1\n"), 4, "the one in the row before"));
-  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1e-300,0\n1,1\n2,1\n"), 3, "the one in the row before"));
-  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n0.5,1\n0.5000000001,1\n1,0\n"), 4, "the one in the row before"));
+TEST(MeasuredLeaves, PointsNearerThanNumbersTellApartAreRepeated) {
+  const std::string_view repeats = "repeats the one before it";
+  EXPECT_TRUE(is_one(midrib_warnings("x,y\n0,0\n1,1\n1.0000000001,1\n2,1\n"), 4, repeats));
+  EXPECT_TRUE(is_one(midrib_warnings("x,y\n0,0\n1e-300,0\n1,1\n2,1\n"), 3, repeats));
+  EXPECT_TRUE(is_one(width_warnings("s,r\n0,1\n0.5,1\n0.5000000001,1\n1,0\n"), 4, repeats));
+}
+
+TEST(MeasuredLeaves, RejectsRepeatedPointsWhereTooFewAreLeft) {
+  EXPECT_TRUE(is_one(midrib_faults("x,y\n0,0\n1,1\n1,1\n"), 4, "the one in the row before"));
 }
 
 TEST(MeasuredLeaves, RejectsNumbersBeyondAnyUnit) {
@@ -103,8 +134,12 @@ TEST(MeasuredLeaves, RejectsNumbersBeyondAnyUnit) {
   EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n1,1\n2,1e200\n"), 4, "far"));
 }
 
-TEST(MeasuredLeaves, RejectsWidthsAtAPlaceThatIsRepeated) {
-  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n0.5,1\n0.5,0.9\n1,0\n"), 4, "s = 0.5 repeats the one in the row before"));
+TEST(MeasuredLeaves, OfWidthsAtAPositionThatIsRepeatedTheFirstHolds) {
+  const std::string text = "rank,s,r\n3,0,1\n3,0.5,1\n3,0.5,0.9\n3,1,0\n";
+  EXPECT_TRUE(is_one(width_warnings(text), 4, "rank 3: the position s repeats the one before it and is left out"));
+  Faults warnings;
+  EXPECT_EQ(read_widths(text, {}, warnings)[0].points, (std::vector<glm::dvec2>{{0, 1}, {0.5, 1}, {1, 0}}));
+  EXPECT_TRUE(is_one(width_faults("s,r\n0,1\n0.5,1\n0.5,0.9\n"), 4, "s = 0.5 repeats the one in the row before"));
 }
 
 TEST(MeasuredLeaves, RejectsPlacesThatAreNotSorted) {

@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
+
+#include "meristem/base/vec.h"
 
 namespace meristem {
 
 namespace {
 
-constexpr double kLeastShare = 1e-6;  // of the length, that can be seen
+constexpr double kSharp = 2 * kPi / 3;  // radians: a turn that may be a fold to either side
+constexpr double kLeastShare = 1e-6;    // of the length, that can be seen
 
 /// From a list with a number for the middle of each equal piece: the number at `place`, the same beyond the ends.
 double at_middles(const std::vector<double>& list, double place) {
@@ -18,6 +22,34 @@ double at_middles(const std::vector<double>& list, double place) {
   const auto k = static_cast<std::size_t>(at);
   if (k + 1 >= list.size()) return list.back();
   return list[k] + (at - static_cast<double>(k)) * (list[k + 1] - list[k]);
+}
+
+/// The turn at a piece, over it or the one before it as well, where a fold may lie between the ends of pieces.
+double turn_into(const std::vector<double>& angles, std::size_t k) {
+  const double here = angles[k] - angles[k - 1], wide = k > 1 ? angles[k] - angles[k - 2] : here;
+  return std::max(std::abs(here), std::abs(wide));
+}
+
+/// A fold by nearly half a turn may be read as one to either side: 175° at one age and 185°, which is -175°, at the
+/// next. What lies beyond a fold counts as turned the way that is nearer to the earlier midrib, as whole turns away;
+/// else the leaf would stand up between both ages. Gentle bends say themselves which way they go, and are left alone.
+void fold_like(const std::vector<double>& earlier, std::vector<double>& angles) {
+  const std::size_t count = angles.size();
+  std::vector<std::size_t> folds;
+  for (std::size_t k = 1; k < count; ++k) {
+    const bool goes_on = !folds.empty() && k == folds.back() + 1;
+    if (turn_into(angles, k) > kSharp && !goes_on) folds.push_back(k);
+  }
+  for (std::size_t fold = 0; fold < folds.size(); ++fold) {
+    // The fold itself takes up to two pieces; what hangs on it tells.
+    const std::size_t begin = folds[fold], end = fold + 1 < folds.size() ? folds[fold + 1] : count;
+    const std::size_t first = std::min(begin + 1, end - 1);
+    double apart = 0;
+    for (std::size_t k = first; k < end; ++k) apart += angles[k] - earlier[k];
+    const double turns = std::floor(apart / static_cast<double>(end - first) / (2 * kPi) + 0.5);
+    if (turns == 0) continue;
+    for (std::size_t k = begin; k < count; ++k) angles[k] -= 2 * kPi * turns;
+  }
 }
 
 GrassLeaf unseen(const GrassLeaf& leaf) {
@@ -38,7 +70,9 @@ MidribFamily::MidribFamily(const std::vector<std::pair<double, GrassLeaf>>& midr
   for (const auto& [age, leaf] : midribs) {
     if (!ages_.empty() && !(age > ages_.back())) throw std::invalid_argument("the ages of a family rise");
     ages_.push_back(age);
-    angles_.push_back(piece_angles(resampled(leaf, pieces)));
+    std::vector<double> angles = piece_angles(resampled(leaf, pieces));
+    if (!angles_.empty()) fold_like(angles_.back(), angles);
+    angles_.push_back(std::move(angles));
   }
 }
 

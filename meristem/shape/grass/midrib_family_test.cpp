@@ -62,6 +62,38 @@ TEST(MidribFamily, AtTheAgesGivenItIsTheMidribsGiven) {
   EXPECT_LT(largest_shift(aged(kLeaf, family, 99), midribs.back().second), 1e-12) << "older than all";
 }
 
+/// Upright, and from `fold` of its length on turned by `angle` degrees, so that it hangs down.
+GrassLeaf folded_leaf(std::size_t pieces, double fold, double angle) {
+  GrassLeaf leaf = arching_leaf(pieces, 0, 0);
+  std::vector<double> angles(pieces, 0);
+  for (std::size_t k = 0; k < pieces; ++k) {
+    if (static_cast<double>(k) >= fold * static_cast<double>(pieces)) angles[k] = radians(angle);
+  }
+  set_piece_angles(leaf, angles);
+  return leaf;
+}
+
+TEST(MidribFamily, AFoldRemainsAFoldBetweenAges) {
+  // By turns on either side of half a turn, which is one of the other way about; and the fold wanders.
+  for (const double second : {165.0, 178.0, 184.0, 195.0}) {
+    for (const double place : {0.5, 0.55}) {
+      const MidribFamily family(AgedMidribs{
+          {0, folded_leaf(40, 0.5, 172)}, {1, folded_leaf(40, place, second)}, {2, folded_leaf(40, 0.5, 170)}});
+      for (const double age : {0.25, 0.5, 0.75, 1.25, 1.5}) {
+        const GrassLeaf between = aged(kLeaf, family, age, 0.01);
+        EXPECT_LT(between.y.back(), 0.25) << second << " at " << age << ": the tip hangs beside the base";
+        EXPECT_LT(std::cos(family.angles(age).back()), -0.9) << second << " at " << age;
+      }
+    }
+  }
+}
+
+TEST(MidribFamily, ACurlIsUnrolledAndNotWoundTheOtherWay) {
+  const MidribFamily family(AgedMidribs{{0, arching_leaf(40, 0, 0)}, {1, arching_leaf(40, 0, 3 * kPi)}});
+  EXPECT_NEAR(family.angles(1).back(), 3 * kPi * 39.5 / 40, 1e-6);
+  EXPECT_NEAR(family.angles(0.5).back(), 1.5 * kPi * 39.5 / 40, 1e-6);
+}
+
 TEST(MidribFamily, MidribsOfOtherPieceCountsAreBroughtToThoseOfTheFirst) {
   const MidribFamily family(AgedMidribs{{0, arching_leaf(30, 0, 0)}, {1, arching_leaf(90, 0, 2)}});
   EXPECT_EQ(family.piece_count(), 30U);

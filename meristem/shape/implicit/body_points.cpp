@@ -75,12 +75,12 @@ class BodyFiller {
     }
   }
 
-  /// Takes the place of a cell, whose solids are near `origin`, if it lies in the body.
+  /// Takes the position of a cell, whose solids are near `origin`, if it lies in the body.
   void place(glm::ivec3 cell, std::span<const FieldStep> steps, DVec3 origin) {
     const RandomKey key = key_of(cell);
     const DVec3 share(key.uniform(0), key.uniform(1), key.uniform(2));
     const DVec3 position = grid_.origin + grid_.spacing * (DVec3(cell) + share);
-    // The place itself, and four about it for the gradient.
+    // The position itself, and four about it for the gradient.
     const Vec3 local(position - origin);
     std::array<float, 5> x, y, z, values;
     x.fill(local.x);

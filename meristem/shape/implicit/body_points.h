@@ -16,12 +16,12 @@ namespace meristem {
 /// Along one side of a grid, at most.
 inline constexpr double kMostBodyCells = 1 << 29;
 
-/// Where in a body to take places.
+/// Where in a body to take points.
 struct BodyGrid {
   DVec3 origin{0};                   ///< a corner of the grid's cells
   double spacing = 1;                ///< metres along a cell's side
-  double depth = 1e9;                ///< metres below the surface to which places go
-  std::uint64_t most = 0xffffffffU;  ///< places; one more than that is the last
+  double depth = 1e9;                ///< metres below the surface down to which points lie
+  std::uint64_t most = 0xffffffffU;  ///< points; one more than that is the last
 };
 
 struct BodyPoint {
@@ -30,8 +30,8 @@ struct BodyPoint {
   glm::ivec3 cell{0};     ///< counted from the grid's origin
 };
 
-/// One place in each cell of a grid, anywhere in it by `key`, of those that lie in the body: as dense everywhere.
-/// Whether a cell has one does not depend on what else there is. Cost by places and by the body's surface, not by the
+/// One point in each cell of a grid, anywhere in it by `key`, of those that lie in the body: as dense everywhere.
+/// Whether a cell has one does not depend on what else there is. Cost by points and by the body's surface, not by the
 /// size of its box. Throws Cancelled;
 /// std::invalid_argument for more than kMostBodyCells along the body's box.
 std::vector<BodyPoint> places_in(const ImplicitBody& body, const BodyGrid& grid, RandomKey key, Progress& progress);

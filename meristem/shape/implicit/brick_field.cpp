@@ -35,7 +35,7 @@ struct Region {
 
 glm::ivec3 corner_of(int k, int side) { return {k % side, k / side % side, k / (side * side)}; }
 
-/// The places of the corners of a brick's blocks about its middle.
+/// The positions of the corners of a brick's blocks about its middle.
 struct BlockPlaces {
   std::array<float, kBrickSize> x, y, z;  // block after block
 
@@ -123,7 +123,7 @@ class Descent {
       if (level.holds_surface(k)) open |= 1U << k;
     }
     if (open == 0) return level;
-    // Of the cubes of single blocks only the places of corners are sampled, a cell within them.
+    // Of the cubes of single blocks only the positions of corners are sampled, a cell within them.
     pruner_.keep(open, side == 2 ? kHalfDiagonal * 2 * cell : 0, level.steps);
     return level;
   }

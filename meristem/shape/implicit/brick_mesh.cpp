@@ -277,8 +277,8 @@ class BrickMesher {
     return cell_surface(pattern, values);
   }
 
-  /// The place of a cell's inner point: the mean of its edges' points, or beside it where that lies in line with two of
-  /// them, as among values that are alike.
+  /// The position of a cell's inner point: the mean of its edges' points, or beside it where that lies in line with two
+  /// of them, as among values that are alike.
   Vec3 inner_point(const Neighbourhood& around, glm::ivec3 place, glm::ivec3 cell, const CellSurface& surface,
                    std::size_t which) const {
     std::array<DVec3, 12> points;

@@ -23,7 +23,7 @@
 namespace meristem {
 namespace {
 
-/// Values at n x n x n places, x fastest.
+/// Values at n x n x n positions, x fastest.
 struct Grid {
   std::size_t n;
   std::vector<float> values;

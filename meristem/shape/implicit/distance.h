@@ -104,7 +104,7 @@ struct Ellipsoid {
   V3<T> radii{1};
 
   /// The nearest point is r²p / (t + r²), with the t that brings it onto the surface: a convex function's root, which
-  /// Newton's steps reach from below. They count u = t + the least r², so that places near the plane across the
+  /// Newton's steps reach from below. They count u = t + the least r², so that positions near the plane across the
   /// thinnest axis lose no digits.
   T distance(T x, T y, T z) const {
     const V3<T> d = V3<T>(x, y, z) - origin;

@@ -22,7 +22,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 bool is_union(Kind kind) { return kind != Kind::intersect && kind != Kind::subtract; }
 
 distance::RoundCone<float> moved(const distance::RoundCone<double>& cone, DVec3 origin) {
-  // From the place on the axis that is nearest to the origin, as what lies far along the axis would lose digits.
+  // From the position on the axis that is nearest to the origin, as what lies far along the axis would lose digits.
   const double shift = std::clamp(glm::dot(origin - cone.origin, cone.axis), cone.low, cone.high);
   const DVec3 at = cone.origin + shift * cone.axis - origin;
   return {.origin = glm::vec3(at),
@@ -47,7 +47,7 @@ distance::Ellipsoid<float> moved(const distance::Ellipsoid<double>& ellipsoid, D
   return {glm::vec3(ellipsoid.origin - origin), glm::mat3(ellipsoid.axes), glm::vec3(ellipsoid.radii)};
 }
 
-/// `a` becomes the operation's value for `a` and `b`, all places at once.
+/// `a` becomes the operation's value for `a` and `b`, all positions at once.
 void combine(Kind kind, float width, std::size_t count, float* a, const float* b) {
   const auto each = [&](auto operation) {
     for (std::size_t k = 0; k < count; ++k) a[k] = operation(a[k], b[k]);

@@ -26,7 +26,7 @@ double nearest_of(const std::vector<DVec3>& surface, DVec3 position) {
   return std::sqrt(nearest);
 }
 
-/// Expects that values at random places are distances to points of the surface `step` metres apart at most, negative
+/// Expects that values at random positions are distances to points of the surface `step` metres apart at most, negative
 /// inside.
 void expect_distances(const ImplicitBody& body, const std::vector<DVec3>& surface, double step, double reach,
                       const std::function<bool(DVec3)>& is_inside) {

@@ -22,7 +22,7 @@ constexpr int kLeastResolution = 10;
 constexpr int kMostResolution = 1024;
 constexpr double kGradientStep = 0.25;  // of a cell
 
-/// Takes the normals of places from a body's function, at four places about each.
+/// Takes the normals of positions from a body's function, at four positions about each.
 class NormalSampler {
  public:
   NormalSampler(const ImplicitBody& body, const BodyBricks& bricks)

@@ -220,7 +220,7 @@ double facing_cost(const CellLoop& inner, const CellLoop& outer, const std::vect
 Facing find_facing(const CellLoop& inner, const CellLoop& outer) {
   Facing best;
   for (std::size_t first = 0; first < outer.size(); ++first) {
-    // The other starts, in rising order: all subsets of the places between.
+    // The other starts, in rising order: all subsets of the positions between.
     const std::size_t between = outer.size() - 1;
     for (unsigned chosen = 0; chosen < 1U << between; ++chosen) {
       if (static_cast<std::size_t>(std::popcount(chosen)) + 1 != inner.size()) continue;

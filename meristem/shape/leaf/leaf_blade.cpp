@@ -51,7 +51,7 @@ void check(const LeafBlade& blade) {
   require(blade.across >= 2 && blade.across % 2 == 0, "a leaf blade has an even number of quads across");
 }
 
-/// Places on the flat half blade, x metres from the midrib and y shares of the length from the joint, to the surface.
+/// Points on the flat half blade, x metres from the midrib and y shares of the length from the joint, to the surface.
 class BladeSurface {
  public:
   explicit BladeSurface(const LeafBlade& blade) : blade_(blade) {}
@@ -196,7 +196,7 @@ class BladeMesher {
     }
   }
 
-  /// The first place along the midrib where the blade is wide enough on both sides of it.
+  /// The first position along the midrib where the blade is wide enough on both sides of it.
   double picture_of_stalk() const {
     const bool is_hull = blade_.edge == LeafBlade::Edge::picture;
     const std::vector<Point> edge = is_hull ? full_outline(blade_).edge : outline_.edge;

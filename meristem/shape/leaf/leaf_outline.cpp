@@ -24,7 +24,7 @@ namespace {
 using Point = glm::dvec2;
 using Chain = std::vector<Point>;
 
-constexpr int kCandidates = 128;      // even places along the midrib where a row may stand
+constexpr int kCandidates = 128;      // even positions along the midrib where a row may stand
 constexpr double kNearest = 1e-3;     // shares of the length: candidates closer than this count as one
 constexpr double kLobe = 0.05;        // shares of half the width: smaller turns of the outline are not lobes
 constexpr double kPointed = 1e-3;     // shares of half the width: narrower rows are one point
@@ -39,12 +39,12 @@ constexpr double kFullDepth = 1.5;    // 1 over the half width from which teeth 
 constexpr double kThinnest = 0.35;    // of the half width that teeth leave
 constexpr double kParallel = 1e-12;   // cross product of edges
 
-/// A place along the midrib and the outline's half width there, both as shares.
+/// A position along the midrib and the outline's half width there, both as shares.
 struct Station {
   double along, half_width;
 };
 
-/// Where rows may stand: the outline's own points and even places between.
+/// Where rows may stand: the outline's own points and even positions between.
 std::vector<Station> candidates(const Curve& outline) {
   std::vector<double> places;
   for (const Vec2 point : outline.points()) {
@@ -181,7 +181,7 @@ Chain rounded(Chain chain) {
     append(next, chain.back());
     chain = std::move(next);
   }
-  // What was the widest place is so again.
+  // What was the widest position is so again.
   double widest = 0;
   for (const Point point : chain) widest = std::max(widest, point.x);
   for (Point& point : chain) point.x /= widest;

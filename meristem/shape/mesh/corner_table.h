@@ -11,7 +11,8 @@
 namespace meristem {
 
 /// Who is whose neighbour in a mesh, while its edges collapse. Corner 3t + k is triangle t at its k-th vertex; each
-/// knows the corner that looks at it across the edge opposite. Two whole numbers a corner and one a vertex, no lists.
+/// knows the corner that looks at it across the edge opposite. Two whole numbers per corner and one per vertex, no
+/// lists.
 ///
 /// Based on: J. Rossignac, A. Safonova, A. Szymczak: 3D Compression Made Simple: Edgebreaker on a Corner-Table (2001).
 class CornerTable {

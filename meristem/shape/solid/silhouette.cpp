@@ -20,14 +20,14 @@ using Point = glm::dvec2;
 using Chain = std::vector<SilhouetteCorner>;
 
 constexpr std::size_t kMostPoints = 500;
-constexpr double kNearest = 1e-5;        // of the silhouette's length: what is nearer counts as the same place
+constexpr double kNearest = 1e-5;        // of the silhouette's length: what is nearer counts as the same point
 constexpr double kCreaseCosine = 0.766;  // of 40°: lines that bend by more make a sharp edge
 constexpr double kSteepest = 0.2;   // cosine between a smooth direction and its edge, below which the edge's counts
 constexpr double kStraight = 1e-6;  // of the silhouette's length: edges that miss the spline by less are not cut
 
 Point direction(Point from, Point to) { return glm::normalize(to - from); }
 
-/// Below this distance two places are one.
+/// Below this distance two points are one.
 double resolution(const std::vector<Vec2>& silhouette) {
   double length = 0, farthest = 0;
   for (std::size_t k = 0; k < silhouette.size(); ++k) {

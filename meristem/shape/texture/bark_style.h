@@ -16,15 +16,17 @@ namespace meristem {
 
 /// A recipe made ready for painting.
 struct BarkPaints {
-  BarkPaints(const BarkRecipe& recipe, Vec3 colour, int pixels_a_side);
+  /// `work` outlives it.
+  BarkPaints(const BarkRecipe& recipe, Vec3 colour, int pixels_a_side, const Progress& work);
 
   /// How many features stand in a row, at least `least`, where there are `usual` at scale 1.
   int count(double usual, int least = 1) const;
   int even_count(double usual) const { return std::max(2, 2 * count(usual / 2)); }
   /// How many features there are on the tile's area.
   int area_count(double usual) const;
-  /// A noise of its own for each name.
+  /// A noise of its own for each name. Throws Cancelled.
   std::vector<float> noise(std::string_view name, const NoiseParameters& form) const {
+    progress.check();
     return noise_field(key.child(name), form, pixels);
   }
   /// From one linear colour to another as far as the contrast wants it.
@@ -35,6 +37,7 @@ struct BarkPaints {
   float tone(float lighter) const { return std::max(0.05F, 1 + contrast * lighter); }
 
   int pixels;
+  const Progress& progress;
   RandomKey key;
   float scale;
   float contrast;

@@ -6,8 +6,9 @@
 
 namespace meristem {
 
-BarkPaints::BarkPaints(const BarkRecipe& recipe, Vec3 colour, int pixels_a_side)
+BarkPaints::BarkPaints(const BarkRecipe& recipe, Vec3 colour, int pixels_a_side, const Progress& work)
     : pixels(pixels_a_side),
+      progress(work),
       key(RandomKey(recipe.seed).child("bark")),
       scale(static_cast<float>(recipe.scale)),
       contrast(static_cast<float>(recipe.contrast)),
@@ -25,8 +26,8 @@ int BarkPaints::area_count(double usual) const {
                     100'000);
 }
 
-Texture make_bark_texture(const BarkRecipe& recipe, Vec3 colour, int pixels) {
-  const BarkPaints paints(recipe, colour, pixels);
+Texture make_bark_texture(const BarkRecipe& recipe, Vec3 colour, int pixels, const Progress& progress) {
+  const BarkPaints paints(recipe, colour, pixels, progress);
   Finish finish{.name = {}, .colour = colour, .form = {.relief = recipe.relief, .wraps = true}};
   switch (recipe.style) {
     case BarkRecipe::Style::smooth:

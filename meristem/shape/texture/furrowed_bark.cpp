@@ -21,7 +21,7 @@ Canvas paint_furrowed_bark(const BarkPaints& paints) {
   const auto broad = paints.noise("broad", {.across = 3, .along = 2});
   const auto crusts = paints.noise("crusts", {.across = 4, .along = 3, .octaves = 5, .gain = 0.65F});
 
-  Canvas canvas(paints.pixels);
+  Canvas canvas(paints.pixels, paints.progress);
   paint(canvas, [&](float u, float v, std::size_t i) {
     // Slip the ridges along each other, so that their ends do not stand in rows.
     const float bent_u = u + 0.33F * ridge * bend[i];

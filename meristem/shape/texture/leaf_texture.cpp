@@ -30,7 +30,8 @@ struct LeafPaints {
 
 }  // namespace
 
-Texture make_leaf_texture(const LeafRecipe& recipe, const TextureShape& shape, Vec3 colour, int pixels) {
+Texture make_leaf_texture(const LeafRecipe& recipe, const TextureShape& shape, Vec3 colour, int pixels,
+                          const Progress& progress) {
   const BladeMap map(shape, pixels);
   const LeafVeins veins(recipe, shape, map, pixels);
   const LeafPaints paints(recipe, colour);
@@ -39,7 +40,7 @@ Texture make_leaf_texture(const LeafRecipe& recipe, const TextureShape& shape, V
   const auto mottle = noise_field(key.child("mottle"), {.across = 5, .along = 5, .octaves = 5, .gain = 0.6F}, pixels);
   const TileableCells net(key.child("net"), 44, 54, 0.38F);
 
-  Canvas canvas(pixels);
+  Canvas canvas(pixels, progress);
   paint(canvas, [&](float u, float v, std::size_t i) {
     const LeafVeins::Spot spot = veins.at(u, v, i / static_cast<std::size_t>(pixels), wobble[i]);
     const float mesh = 1 - rise(0, 0.006F, net.at(u, v).border);

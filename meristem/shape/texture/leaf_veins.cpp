@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places are in heights of the leaf, from the middle of its base. A side vein that leaves its main vein at y0 passes,
-// at distance s from it, through y0 + lean s + arch s^2; solved for y0 this tells at any position which side veins are
-// next to it and how far they are, without following any of them.
+// Positions are in heights of the leaf, from the middle of its base. A side vein that leaves its main vein at y0
+// passes, at distance s from it, through y0 + lean s + arch s^2; solved for y0 this tells at any position which side
+// veins are next to it and how far they are, without following any of them.
 #include "meristem/shape/texture/leaf_veins.h"
 
 #include <algorithm>

@@ -37,7 +37,7 @@ MarkMap tears_of(const BarkPaints& paints) {
   return scattered_marks(paints.pixels, paints.area_count(13), paints.key.child("tears"), draw);
 }
 
-/// Black places, 1 in their middle and 0 at their edge: lozenges, and the two-winged beards over old branches.
+/// Black marks, 1 in their middle and 0 at their edge: lozenges, and the two-winged beards over old branches.
 MarkMap scars_of(const BarkPaints& paints) {
   const auto draw = [&](MarkMap& map, Vec2 centre, RandomKey own, int k) {
     const Vec2 reach = paints.scale * Vec2(own.uniform(2, 0.04, 0.15), own.uniform(3, 0.025, 0.07));
@@ -69,7 +69,7 @@ Canvas paint_peeling_bark(const BarkPaints& paints) {
       paints.noise("rough", {.across = paints.count(36), .along = paints.count(18), .octaves = 4, .gain = 0.7F});
   const Vec3 open = paints.marks.value_or(Vec3(0.95F, 0.74F, 0.56F) * paints.bark);
 
-  Canvas canvas(paints.pixels);
+  Canvas canvas(paints.pixels, paints.progress);
   paint(canvas, [&](float u, float v, std::size_t i) {
     const float wandering = paints.scale * 0.022F * wander[i];
     Vec3 light = paints.tone(0.07F * bands[i] + 0.06F * streaks[i]) * paints.bark;
@@ -81,7 +81,7 @@ Canvas paint_peeling_bark(const BarkPaints& paints) {
     light = paints.toward(light, open, 0.7F * rise(0, 0.5F, tear));
     light = paints.toward(light, paints.seams, 0.8F * rise(0.72F, 0.95F, tear));
 
-    // Burst it into rough black places with grey about them.
+    // Burst it into rough black patches with grey about them.
     const float scar = scars.at(u + wandering, v - wandering);
     const float black = scar > 0 ? rise(0.12F, 0.34F, scar + 0.26F * rough[i]) : 0.0F;
     light =

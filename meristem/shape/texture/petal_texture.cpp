@@ -29,7 +29,8 @@ std::vector<Line> make_lines(RandomKey key) {
 
 }  // namespace
 
-Texture make_petal_texture(const PetalRecipe& recipe, const TextureShape& shape, Vec3 colour, int pixels) {
+Texture make_petal_texture(const PetalRecipe& recipe, const TextureShape& shape, Vec3 colour, int pixels,
+                           const Progress& progress) {
   const BladeMap map(shape, pixels);
   const Vec3 petal = linear_from_srgb(colour);
   const Vec3 throat = recipe.throat ? linear_from_srgb(*recipe.throat) : petal;
@@ -41,7 +42,7 @@ Texture make_petal_texture(const PetalRecipe& recipe, const TextureShape& shape,
   const auto waver = noise_field(key.child("waver"), {.across = 4, .along = 2}, pixels);
   const float length = map.midrib.high - map.midrib.low;
 
-  Canvas canvas(pixels);
+  Canvas canvas(pixels, progress);
   paint(canvas, [&](float u, float v, std::size_t i) {
     const BladeMap::Reach& reach = map.rows[i / static_cast<std::size_t>(pixels)];
     const float half_width = std::max(u < 0.5F ? 0.5F - reach.low : reach.high - 0.5F, 1e-3F);

@@ -20,13 +20,13 @@ Canvas paint_plated_bark(const BarkPaints& paints) {
   const auto crusts = paints.noise("crusts", {.across = 4, .along = 3, .octaves = 5, .gain = 0.65F});
   const Vec3 fresh = Vec3(1.25F, 0.93F, 0.68F) * paints.bark;  // scales that lay covered until lately
 
-  Canvas canvas(paints.pixels);
+  Canvas canvas(paints.pixels, paints.progress);
   paint(canvas, [&](float u, float v, std::size_t i) {
     const float du = plate * bend[i];
     const float dv = plate * slip[i];
     const TileableCells::Spot spot = plates.at(u + 0.2F * du, v + 0.45F * dv);
 
-    // Rise steeply from the cracks, which nearly close in places.
+    // Rise steeply from the cracks, which nearly close here and there.
     const float edge = spot.border / plate;
     const float gap = 0.035F + 0.045F * gaps[i];
     const float crest = rise(gap - 0.02F, gap + 0.07F, edge);

@@ -31,7 +31,7 @@ Canvas paint_smooth_bark(const BarkPaints& paints) {
   const auto wrinkles = paints.noise("wrinkles", {.across = paints.count(9), .along = paints.count(40)});
   const auto grain = paints.noise("grain", {.across = paints.count(64), .along = paints.count(64), .octaves = 2});
 
-  Canvas canvas(paints.pixels);
+  Canvas canvas(paints.pixels, paints.progress);
   paint(canvas, [&](float, float, std::size_t i) {
     const float wart = lenticels.at(i);
     const float shade = 0.2F * clouds[i] + 0.04F * wrinkles[i] + 0.06F * grain[i];

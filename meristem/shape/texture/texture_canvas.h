@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "meristem/base/parallel.h"
+#include "meristem/base/progress.h"
 #include "meristem/base/vec.h"
 #include "meristem/plant/texture.h"
 #include "meristem/shape/texture/texture_normals.h"
@@ -21,19 +22,23 @@ struct Dab {
 
 /// A square, rows from top to bottom.
 struct Canvas {
-  explicit Canvas(int pixels_a_side) : pixels(pixels_a_side), dabs(static_cast<std::size_t>(pixels) * pixels) {}
+  /// `work` outlives it.
+  Canvas(int pixels_a_side, const Progress& work)
+      : pixels(pixels_a_side), progress(work), dabs(static_cast<std::size_t>(pixels) * pixels) {}
 
   int pixels;
+  const Progress& progress;
   std::vector<Dab> dabs;
   std::vector<float> cover;  ///< share of each pixel that is not cut out; empty where nothing is
 };
 
-/// Calls `dab_at(u, v, index)` for the middle of each pixel, v up.
+/// Calls `dab_at(u, v, index)` for the middle of each pixel, v up. Throws Cancelled.
 template <class DabAt>
 void paint(Canvas& canvas, const DabAt& dab_at) {
   const auto pixels = static_cast<std::size_t>(canvas.pixels);
   const float step = 1 / static_cast<float>(canvas.pixels);
   parallel_for(pixels, 8, [&](std::size_t begin, std::size_t end) {
+    canvas.progress.check();
     for (std::size_t y = begin; y < end; ++y) {
       const float v = 1 - (static_cast<float>(y) + 0.5F) * step;
       for (std::size_t x = 0; x < pixels; ++x) {

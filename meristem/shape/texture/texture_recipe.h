@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "meristem/base/progress.h"
 #include "meristem/base/vec.h"
 #include "meristem/plant/texture.h"
 
@@ -22,7 +23,7 @@ struct BarkRecipe {
   double relief = 1;          ///< depth of its normals; 0 is flat
   double contrast = 1;        ///< of colours; 0 is even
   std::optional<Vec3> seams;  ///< sRGB, colour of furrows, gaps and lenticels; dark bark if unset
-  std::optional<Vec3> marks;  ///< sRGB, colour of lichen and peeled places; little of them if unset
+  std::optional<Vec3> marks;  ///< sRGB, colour of lichen and peeled patches; little of them if unset
   std::uint64_t seed = 1;     ///< another tile of the same kind
 
   bool operator==(const BarkRecipe&) const = default;
@@ -65,8 +66,11 @@ struct TextureShape {
 
 /// The textures themselves: `pixels` a side, the same bytes on every machine and any number of threads. `colour` (sRGB)
 /// is the mean that comes out. Bark's opposite edges join. What lies outside a masked shape has the margin's colours.
-Texture make_bark_texture(const BarkRecipe& recipe, Vec3 colour, int pixels);
-Texture make_leaf_texture(const LeafRecipe& recipe, const TextureShape& shape, Vec3 colour, int pixels);
-Texture make_petal_texture(const PetalRecipe& recipe, const TextureShape& shape, Vec3 colour, int pixels);
+/// Throw Cancelled.
+Texture make_bark_texture(const BarkRecipe& recipe, Vec3 colour, int pixels, const Progress& progress = Progress());
+Texture make_leaf_texture(const LeafRecipe& recipe, const TextureShape& shape, Vec3 colour, int pixels,
+                          const Progress& progress = Progress());
+Texture make_petal_texture(const PetalRecipe& recipe, const TextureShape& shape, Vec3 colour, int pixels,
+                           const Progress& progress = Progress());
 
 }  // namespace meristem

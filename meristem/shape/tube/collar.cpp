@@ -11,7 +11,7 @@ constexpr float kLeastFillet = 0.2F;
 constexpr int kBisections = 10;
 constexpr int kTraceSteps = 32;
 
-/// A place on a path: at a share of the way from a point to the next.
+/// A position on a path: at a share of the way from a point to the next.
 struct Stop {
   std::size_t point = 0;
   float share = 0;
@@ -25,14 +25,14 @@ Vec3 place_at(const AxisPath& path, Stop stop) {
   return glm::mix(path.position(stop.point), path.position(stop.point + 1), stop.share);
 }
 
-/// Metres from a place to the path's end.
+/// Metres from a position to the path's end.
 float way_left(const AxisPath& path, Stop from) {
   float way = (1 - from.share) * gap_after(path, from.point);
   for (std::size_t i = from.point + 1; i + 1 < path.size(); ++i) way += gap_after(path, i);
   return way;
 }
 
-/// The place so many metres on; the path goes at least that far.
+/// The position so many metres on; the path goes at least that far.
 Stop walk(const AxisPath& path, Stop from, float metres) {
   metres += from.share * gap_after(path, from.point);
   while (from.point + 2 < path.size() && metres > gap_after(path, from.point)) {

@@ -29,8 +29,8 @@ struct AxisPlan {
   std::uint64_t first_vertex = 0;  ///< of that mesh
   std::uint64_t first_triangle = 0;
 
-  // A lateral's start is one hidden point; a root's is a flat disc with vertices of its own. A tip has a point a side,
-  // a flat one a disc.
+  // A lateral's start is one hidden point; a root's is a flat disc with vertices of its own. A tip has a point per
+  // side, a flat one a disc.
   std::uint64_t start_vertices(bool is_lateral) const { return is_lateral ? 1 : sides + 1; }
   std::uint64_t vertices(bool is_lateral, Surface::Cap cap) const {
     const std::uint64_t end = cap == Surface::Cap::flat ? sides + 1 : sides;

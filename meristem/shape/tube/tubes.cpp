@@ -87,7 +87,7 @@ struct Mitre {
   }
 };
 
-/// Writes one axis into its place.
+/// Writes one axis into its part of the mesh.
 class AxisMesher {
  public:
   AxisMesher(const TubePlan& tubes, AxisIndex axis, std::span<const Turn> corners, Mesh& mesh)
@@ -342,7 +342,8 @@ class AxisMesher {
     }
   }
 
-  /// Triangles from the last ring to a tip `metres` farther along the surface: a vertex a side, as each has its own u.
+  /// Triangles from the last ring to a tip `metres` farther along the surface: a vertex per side, as each has its own
+  /// u.
   void close_tip(Vec3 tip, Vec3 direction, float metres) {
     const std::uint32_t rim = next_vertex_ - plan_.sides - 1;
     const float tip_v = v_ + metres * tiles_per_metre(radius(path_.size() - 1));
@@ -461,7 +462,7 @@ std::vector<Mesh> make_tubes(const TubePlan& plan, Progress& progress) {
     meshes[k].uvs.resize(size.vertices);
     meshes[k].triangles.resize(size.triangles);
   }
-  // Let every axis fill its place.
+  // Let every axis fill its part of the mesh.
   const CornerTable corners(plan.most_sides());
   parallel_for(plan.axis_count(), kAxesPerBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t axis = begin; axis < end; ++axis) {

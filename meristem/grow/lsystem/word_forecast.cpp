@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/lsystem/word_forecast.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "meristem/grow/lsystem/rule_faults.h"
+
+namespace meristem {
+
+namespace {
+
+/// Bounds the work of a forecast, in letters of successors: some milliseconds.
+constexpr std::size_t kMostWork = 4'000'000;
+
+using Counts = std::vector<double>;  // by letter
+
+/// So many of one letter.
+struct LetterCount {
+  LetterIndex letter = kNoLetter;
+  double count = 0;
+};
+
+/// How many there are of each letter, in the order of the letters.
+std::vector<LetterCount> counted(std::vector<LetterIndex> letters) {
+  std::ranges::sort(letters);
+  std::vector<LetterCount> counts;
+  for (const LetterIndex letter : letters) {
+    if (counts.empty() || counts.back().letter != letter) counts.push_back({letter, 0});
+    counts.back().count += 1;
+  }
+  return counts;
+}
+
+std::vector<LetterCount> counted(const std::vector<ModuleTemplate>& modules) {
+  std::vector<LetterIndex> letters;
+  for (const ModuleTemplate& module : modules) letters.push_back(module.letter);
+  return counted(std::move(letters));
+}
+
+/// Lowers `counts` to what `others` have, too.
+void keep_common(std::vector<LetterCount>& counts, const std::vector<LetterCount>& others) {
+  auto other = others.begin();
+  for (LetterCount& own : counts) {
+    while (other != others.end() && other->letter < own.letter) ++other;
+    const bool is_shared = other != others.end() && other->letter == own.letter;
+    own.count = is_shared ? std::min(own.count, other->count) : 0;
+  }
+  std::erase_if(counts, [](const LetterCount& own) { return own.count == 0; });
+}
+
+/// What at least becomes of a letter: what its rule writes, or what all of its rules and its being copied share.
+std::vector<LetterCount> least_successor(const RewritePlan& production, LetterIndex letter) {
+  const RuleChoice choice = production.by_letter[letter];
+  if (choice != kCopied && choice != kUndecided) return counted(production.rules[choice - 1].letters);
+  std::vector<LetterCount> least{{letter, 1}};
+  if (choice == kCopied) return least;
+  for (const std::uint32_t rule : production.set->of_letter[letter]) {
+    keep_common(least, counted(production.set->rules[rule].successor));
+  }
+  return least;
+}
+
+double sum_of(const Counts& counts) {
+  double sum = 0;
+  for (const double count : counts) sum += count;
+  return sum;
+}
+
+/// Of the letters that a word has, the rule whose successors add most.
+const Rule& longest_rule(const RewritePlan& production, const Counts& counts) {
+  const Rule* longest = nullptr;
+  double most = 0;
+  for (std::size_t letter = 0; letter < counts.size(); ++letter) {
+    const RuleChoice choice = production.by_letter[letter];
+    if (choice == kCopied || choice == kUndecided) continue;
+    const double added = counts[letter] * static_cast<double>(production.added_modules[choice]);
+    if (added > most) {
+      most = added;
+      longest = production.rules[choice - 1].rule;
+    }
+  }
+  return *longest;
+}
+
+bool has_cut(const Grammar& grammar) {
+  const auto cuts = [&](const ModuleTemplate& module) { return module.letter == grammar.cut; };
+  if (std::ranges::any_of(grammar.axiom, cuts)) return true;
+  return std::ranges::any_of(grammar.production.rules,
+                             [&](const Rule& rule) { return std::ranges::any_of(rule.successor, cuts); });
+}
+
+}  // namespace
+
+void require_bounded_words(const Grammar& grammar, const RewritePlan& production, int steps, const Limits& limits) {
+  if (!grammar.decomposition.rules.empty() || has_cut(grammar)) return;
+  const std::size_t alphabet_size = production.by_letter.size();
+  std::vector<std::vector<LetterCount>> successors;
+  std::size_t work_per_step = alphabet_size;
+  for (std::size_t letter = 0; letter < alphabet_size; ++letter) {
+    successors.push_back(least_successor(production, static_cast<LetterIndex>(letter)));
+    work_per_step += successors.back().size();
+  }
+
+  Counts counts(alphabet_size);
+  for (const LetterCount& of_axiom : counted(grammar.axiom)) counts[of_axiom.letter] = of_axiom.count;
+  const auto most_steps = static_cast<int>(std::min<std::size_t>(kMostWork / work_per_step, kMostSteps));
+  for (int step = 0; step < std::min(steps, most_steps); ++step) {
+    Counts next(alphabet_size);
+    for (std::size_t letter = 0; letter < alphabet_size; ++letter) {
+      if (counts[letter] == 0) continue;
+      for (const LetterCount& made : successors[letter]) next[made.letter] += counts[letter] * made.count;
+    }
+    const double modules = sum_of(next);
+    if (modules > static_cast<double>(limits.modules)) {
+      throw_word_too_long("modules of a word", modules, limits.modules, longest_rule(production, counts));
+    }
+    if (next == counts) return;
+    counts = std::move(next);
+  }
+}
+
+}  // namespace meristem

@@ -15,15 +15,9 @@ from pathlib import Path
 from statistics import median
 from typing import Sequence
 
-try:
-    import meristem  # noqa: F401
-except ModuleNotFoundError as missing:
-    if missing.name != "meristem":
-        raise
-    sys.exit(
-        "The Python module 'meristem' is not found. Build it with './dev python' and run\n"
-        "PYTHONPATH=build/python/python /usr/bin/python3 studies/fit_plants.py"
-    )
+from common.needs import need_modules
+
+need_modules("studies/fit_plants.py")
 
 from common.tables import Finding, print_findings, write_findings, write_table
 from fit_study.problems import PLANTINGS, PROBLEMS, QUICK, Found, ends_of, solve

@@ -230,8 +230,8 @@ ShapeNumbers shape_numbers(const Grassleaf& grass, const Site& site, const Choic
   if (grass.stages.bend) {
     if (grass.inclination) {
       const double inclination = *grass.inclination * grass.inclination_factor;
-      const bool is_rounded = round.varies(*grass.inclination) || round.varies(grass.inclination_factor);
-      numbers.inclination = is_rounded ? round.step(inclination, kShapeAngleStep) : inclination;
+      const bool is_drawn = round.varies(*grass.inclination) || round.varies(grass.inclination_factor);
+      numbers.inclination = is_drawn ? round.step(inclination, kShapeAngleStep) : inclination;
     } else {
       numbers.inclination_factor = round.own(grass.inclination_factor, kFactorStep);
     }

@@ -158,7 +158,7 @@ const GrownDocument& PlantInPython::up_to(GrownPart part, Progress& progress) {
 Value DocumentInPython::tree() const {
   Value tree = document.source.tree;
   if (!seed) return tree;
-  const double number = seed_in_document(*seed);
+  const auto number = static_cast<double>(*seed);  // at most 2^53, so exact
   if (Value* member = tree.find("seed")) {
     *member = number;
   } else {
@@ -186,15 +186,6 @@ void write_file(const std::string& path, const std::string& text) {
   AtomicFile file(path);
   file.write(text.data(), text.size());
   file.commit();
-}
-
-double seed_in_document(std::uint64_t seed) {
-  const auto number = static_cast<double>(seed);
-  if (seed > (std::uint64_t{1} << 53)) {
-    throw InputError(Diagnostic{.message = fmt::format("the seed {} cannot be written in a document", seed),
-                                .expected = "at most 2^53"});
-  }
-  return number;
 }
 
 void bind_document(py::module_& module) {

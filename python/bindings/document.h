@@ -60,9 +60,6 @@ void check_named_files(const Document& document, const std::string& file, const 
 /// The text as a file, whole or not at all. Throws MachineError.
 void write_file(const std::string& path, const std::string& text);
 
-/// The number that documents have for a seed. Throws InputError beyond 2^53, to which they have all.
-double seed_in_document(std::uint64_t seed);
-
 /// A document that has grown. Its meshes and the pictures on them are made when they are first asked for.
 class PlantInPython {
  public:

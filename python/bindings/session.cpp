@@ -54,7 +54,7 @@ SessionPointer session_of_document(const DocumentInPython& document, const py::o
                                                 std::nullopt);
   std::vector<Edit> edits;
   for (const Override& set : document.overrides) edits.emplace_back(SetValue{set.path, set.value});
-  if (document.seed) edits.emplace_back(SetValue{"seed", seed_in_document(*document.seed)});
+  if (document.seed) edits.emplace_back(SetValue{"seed", static_cast<double>(*document.seed)});
   if (!edits.empty()) made->session.edit(edits);
   return made;
 }

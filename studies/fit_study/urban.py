@@ -35,7 +35,7 @@ QUANTITIES = {
 @dataclass(frozen=True)
 class Species:
     model: str
-    name: str  #: of the model's plant
+    name: str  #: of the plant, as its document describes it
     measured: str | None  #: the species of the file, the model's own or its nearest kin; None for all broad-leaved trees
 
 
@@ -43,7 +43,7 @@ SPECIES = (
     Species("apple", "Malus domestica", "Malus sp."),
     Species("birch", "Betula pendula", "Betula pendula"),
     Species("chestnut", "Aesculus hippocastanum", None),
-    Species("elm", "Ulmus americana", "Ulmus americana"),
+    Species("elm", "American elm", "Ulmus americana"),
     Species("hawthorn", "Crataegus monogyna", "Crataegus x lavallei"),
     Species("large-maple", "Acer pseudoplatanus", "Acer platanoides"),
     Species("lime", "Tilia cordata", "Tilia cordata"),

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <initializer_list>
 #include <string_view>
 #include <utility>
@@ -234,21 +235,27 @@ void require_same() {
   std::exit(1);
 }
 
+double clock_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+/// Of the processor, which hold on a machine that has other things to do, too.
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
 template <typename Work>
-double seconds(Work work) {
-  const auto start = std::chrono::steady_clock::now();
+double seconds(Work work, double (*now)()) {
+  const double start = now();
   benchmark::DoNotOptimize(work());
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return now() - start;
 }
 
 /// Least time of `work` as a multiple of the least of `reference`, in turns.
 template <typename Work, typename Reference>
-double ratio(Work work, Reference reference) {
+double ratio(Work work, Reference reference, double (*now)() = clock_seconds) {
   double least = 1e9;
   double least_reference = 1e9;
   for (int run = 0; run < bench::sized(20, 1); ++run) {
-    least = std::min(least, seconds(work));
-    least_reference = std::min(least_reference, seconds(reference));
+    least = std::min(least, seconds(work, now));
+    least_reference = std::min(least_reference, seconds(reference, now));
   }
   return least / least_reference;
 }
@@ -286,6 +293,16 @@ void drawn(benchmark::State& state) {
       ratio([&] { return draw_tree(grammar, word); }, [&] { return draw_hard_coded(hard_coded); });
 }
 
+/// From the grammar to the skeleton, one thread.
+void derived_and_drawn(benchmark::State& state) {
+  const Grammar grammar = honda_tree();
+  const auto ours = [&] { return draw_tree(grammar, derive_tree(grammar, 1)); };
+  while (state.KeepRunning()) benchmark::DoNotOptimize(ours());
+  count_modules(state);
+  state.counters["to_hard_coded"] = ratio(
+      ours, [] { return draw_hard_coded(derive_hard_coded()); }, processor_seconds);
+}
+
 /// A word of over a hundred million modules; its counters are the process's, from this benchmark on.
 void hundred_million(benchmark::State& state) {
   const Grammar grammar = build_grammar({"F", {"F -> F[+F]F[-F]F"}});
@@ -304,11 +321,12 @@ BENCHMARK(derived_hard_coded)->Unit(benchmark::kMillisecond);
 BENCHMARK(derived)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(drawn_hard_coded)->Unit(benchmark::kMillisecond);
 BENCHMARK(drawn)->Unit(benchmark::kMillisecond);
+BENCHMARK(derived_and_drawn)->Unit(benchmark::kMillisecond);
 BENCHMARK(hundred_million)->Iterations(1)->Unit(benchmark::kSecond)->UseRealTime();
 
 }  // namespace
 
 int main(int count, char** arguments) {
   require_same();
-  return bench::run(count, arguments);
+  return bench::run(count, arguments, {{"derived_and_drawn", "to_hard_coded", bench::Asked::at_most, 1.5}});
 }

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// The natural cubic spline by its second derivatives at the points, from one tridiagonal system.
-//
-// Based on: J. Stoer, R. Bulirsch: Introduction to Numerical Analysis, section 2.4 (moments of a cubic spline).
 #include "meristem/base/curve.h"
 
 #include <algorithm>
@@ -9,32 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "meristem/base/curve_values.h"
+
 namespace meristem {
-
-namespace {
-
-/// Second derivatives of the natural spline at the points, by elimination without pivoting (Thomas), which is stable
-/// here because the diagonal dominates.
-std::vector<double> natural_moments(const std::vector<Vec2>& points) {
-  const std::size_t count = points.size();
-  std::vector<double> second(count, 0.0);
-  if (count < 3) return second;
-  const auto width = [&](std::size_t k) { return double{points[k + 1].x} - double{points[k].x}; };
-  const auto slope = [&](std::size_t k) { return (double{points[k + 1].y} - double{points[k].y}) / width(k); };
-
-  // Eliminate downwards: row k then reads second[k] + ratio[k] * second[k + 1] = second[k] as stored.
-  std::vector<double> ratio(count, 0.0);
-  for (std::size_t k = 1; k + 1 < count; ++k) {
-    const double diagonal = 2 * (width(k - 1) + width(k)) - width(k - 1) * ratio[k - 1];
-    ratio[k] = width(k) / diagonal;
-    second[k] = (6 * (slope(k) - slope(k - 1)) - width(k - 1) * second[k - 1]) / diagonal;
-  }
-  // Substitute upwards.
-  for (std::size_t k = count - 1; k-- > 1;) second[k] -= ratio[k] * second[k + 1];
-  return second;
-}
-
-}  // namespace
 
 Curve::Curve(std::vector<Vec2> points, CurveKind kind) : points_(std::move(points)), kind_(kind) {
   if (points_.empty()) throw std::invalid_argument("a curve needs a point");

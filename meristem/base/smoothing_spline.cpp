@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Among all functions f with a given sum of squares from the data, the natural cubic spline that minimises
 //   sum of w (y - f(x))^2  +  roughness * integral of f''^2
-// is the one with the least integral, for the right roughness, which is found by bisection: the distance rises with it.
-// For one roughness the second derivatives c at the inner points solve a system of five bands,
+// is the one with the least integral, for the right roughness. For one roughness the second derivatives c at the inner
+// points solve a system of five bands,
 //   (R + roughness * Q' W^-1 Q) c = Q' y,   and   f = y - roughness * W^-1 Q c.
+// The distance rises with the roughness, and its logarithm nearly evenly with that of the roughness: the secant rule
+// finds the right one in a few solutions. Taken is the first number of the bisection of all roughnesses that meets the
+// distance, so that the values do not hang on the last digits of the search.
 // Based on: C. H. Reinsch: Smoothing by spline functions (1967); P. J. Green, B. W. Silverman: Nonparametric regression
 // and generalized linear models (1994), section 2.3.
 #include "meristem/base/smoothing_spline.h"
@@ -11,7 +14,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
+
+#include "meristem/base/math.h"
 
 namespace meristem {
 
@@ -21,6 +28,11 @@ constexpr int kHalvings = 50;
 constexpr double kNear = 1e-3;    // of the distance, to which it is met
 constexpr double kLeast = 1e-12;  // roughness, over that of the unit: all but the values themselves
 constexpr double kMost = 1e12;    // all but straight lines
+constexpr double kFirst = 1e-3;   // tried first
+constexpr int kSecants = 12;      // more are not needed but where numbers lose their digits
+constexpr double kStride = 12;    // of the roughness's logarithm that one may go
+constexpr double kFlat = 0.05;    // of squares by roughness, both as logarithms: less may be the end of their rise
+constexpr double kMargin = 0.25;  // of the width of a range of logarithms, by which it may be off on either side
 
 void check(std::span<const double> x, const std::vector<std::vector<double>>& values, double distance,
            std::span<const double> weights) {
@@ -44,102 +56,157 @@ void check(std::span<const double> x, const std::vector<std::vector<double>>& va
 
 class Smoother {
  public:
-  Smoother(std::span<const double> x, std::span<const double> weights) : inner_(x.size() - 2) {
-    for (std::size_t i = 0; i + 1 < x.size(); ++i) steps_.push_back(x[i + 1] - x[i]);
-    inverse_weights_.assign(x.size(), 1);
-    weights_ = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      if (!weights.empty()) inverse_weights_[i] = 1 / weights[i];
-      weights_ += 1 / inverse_weights_[i];
-    }
+  Smoother(std::span<const double> x, std::span<const double> weights, const std::vector<std::vector<double>>& given)
+      : given_(given),
+        points_(x.size()),
+        inner_(x.size() - 2),
+        weights_(points_, 1),
+        inverse_weights_(points_),
+        rows_(inner_) {
+    if (!weights.empty()) weights_.assign(weights.begin(), weights.end());
+    for (std::size_t i = 0; i < points_; ++i) inverse_weights_[i] = 1 / weights_[i];
     const double length = x.back() - x.front();
-    unit_ = length * length * length / static_cast<double>(x.size());
-    bands_.resize(inner_);
-    factors_.resize(inner_);
+    unit_ = length * length * length / static_cast<double>(points_);
     for (std::size_t i = 0; i < inner_; ++i) {
-      // Row i of Q': the second difference about the inner point i + 1.
-      const double left = 1 / steps_[i], right = 1 / steps_[i + 1];
-      differences_.push_back({left, -left - right, right});
+      const double left = x[i + 1] - x[i], right = x[i + 2] - x[i + 1];
+      rows_[i].difference = {1 / left, -(1 / left) - 1 / right, 1 / right};
+      rows_[i].stiffness = {(left + right) / 3, i + 1 < inner_ ? right / 6 : 0};
     }
-  }
-
-  /// Sets the roughness, in multiples of one that suits the length.
-  void set(double roughness) {
-    roughness_ = roughness * unit_;
     for (std::size_t i = 0; i < inner_; ++i) {
-      bands_[i] = {(steps_[i] + steps_[i + 1]) / 3, i + 1 < inner_ ? steps_[i + 1] / 6 : 0, 0};
       for (std::size_t band = 0; band < 3 && i + band < inner_; ++band) {
-        double product = 0;
         for (std::size_t k = band; k < 3; ++k) {
-          product += differences_[i][k] * differences_[i + band][k - band] * inverse_weights_[i + k];
+          rows_[i].penalty[band] +=
+              rows_[i].difference[k] * rows_[i + band].difference[k - band] * inverse_weights_[i + k];
         }
-        bands_[i][band] += roughness_ * product;
       }
     }
+    second_.resize(inner_ * given.size());
+    differences_.reserve(second_.size());
+    for (const std::vector<double>& of_one : given) {
+      for (std::size_t i = 0; i < inner_; ++i) {
+        const Bands& q = rows_[i].difference;
+        differences_.push_back(q[0] * of_one[i] + q[1] * of_one[i + 1] + q[2] * of_one[i + 2]);
+      }
+    }
+  }
+
+  /// The weighted squares of how far the smoothed values are from the given ones, for a roughness in multiples of one
+  /// that suits the length.
+  double squares(double roughness) {
+    roughness_ = roughness * unit_;
     factorize();
-  }
-
-  /// The smoothed values, and the weighted squares of how far they are from the given ones.
-  double apply(const std::vector<double>& given, std::vector<double>& smooth) {
-    second_.resize(inner_);
-    for (std::size_t i = 0; i < inner_; ++i) {
-      second_[i] =
-          differences_[i][0] * given[i] + differences_[i][1] * given[i + 1] + differences_[i][2] * given[i + 2];
-    }
-    solve(second_);
-    smooth = given;
-    double squares = 0;
-    for (std::size_t i = 0; i < given.size(); ++i) {
-      double bend = 0;
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (i >= k && i - k < inner_) bend += differences_[i - k][k] * second_[i - k];
+    std::copy(differences_.begin(), differences_.end(), second_.begin());
+    double sum = 0;
+    for (std::size_t k = 0; k < given_.size(); ++k) {
+      solve(second_.data() + k * inner_);
+      double of_one = 0;
+      for (std::size_t i = 0; i < points_; ++i) {
+        const double off = shift(k, i);
+        of_one += off * off * weights_[i];
       }
-      const double shift = roughness_ * inverse_weights_[i] * bend;
-      smooth[i] -= shift;
-      squares += shift * shift / inverse_weights_[i];
+      sum += of_one;
     }
-    return squares;
+    return sum;
   }
 
-  double weights() const { return weights_; }
+  /// The smoothed values for the last roughness.
+  std::vector<std::vector<double>> values() const {
+    std::vector<std::vector<double>> smooth = given_;
+    for (std::size_t k = 0; k < smooth.size(); ++k) {
+      for (std::size_t i = 0; i < points_; ++i) smooth[k][i] -= shift(k, i);
+    }
+    return smooth;
+  }
+
+  double weights() const { return std::accumulate(weights_.begin(), weights_.end(), 0.0); }
 
  private:
+  using Bands = std::array<double, 3>;
+  struct Row {                          // by inner point
+    Bands difference{};                 // of Q': the second difference, on the points before, at and after it
+    std::array<double, 2> stiffness{};  // of R, the diagonal and the band above it
+    Bands penalty{};                    // of Q' W^-1 Q, the diagonal and the two bands above it
+    Bands factors{};                    // 1 / D, and the two columns of L below each diagonal
+  };
+
   /// L D L' of the banded matrix.
   void factorize() {
-    for (std::size_t i = 0; i < inner_; ++i) {
-      double diagonal = bands_[i][0], next = bands_[i][1];
-      if (i >= 1) {
-        diagonal -= factors_[i - 1][0] * factors_[i - 1][1] * factors_[i - 1][1];
-        next -= factors_[i - 1][0] * factors_[i - 1][1] * factors_[i - 1][2];
-      }
-      if (i >= 2) diagonal -= factors_[i - 2][0] * factors_[i - 2][2] * factors_[i - 2][2];
-      factors_[i] = {diagonal, next / diagonal, bands_[i][2] / diagonal};
+    struct Pivot {
+      double diagonal = 0, near = 0, far = 0;  // D, and the two of L below it
+    };
+    Pivot before, before_that;
+    for (Row& row : rows_) {
+      Pivot pivot;
+      pivot.diagonal = row.stiffness[0] + roughness_ * row.penalty[0] - before.diagonal * before.near * before.near -
+                       before_that.diagonal * before_that.far * before_that.far;
+      const double next = row.stiffness[1] + roughness_ * row.penalty[1] - before.diagonal * before.near * before.far;
+      // One division a row, on which the next one waits.
+      const double inverse = 1 / pivot.diagonal;
+      pivot.near = next * inverse;
+      pivot.far = roughness_ * row.penalty[2] * inverse;
+      row.factors = {inverse, pivot.near, pivot.far};
+      before_that = before;
+      before = pivot;
     }
   }
 
-  void solve(std::vector<double>& column) const {
+  void solve(double* column) const {
     for (std::size_t i = 0; i < inner_; ++i) {
-      if (i >= 1) column[i] -= factors_[i - 1][1] * column[i - 1];
-      if (i >= 2) column[i] -= factors_[i - 2][2] * column[i - 2];
+      if (i >= 1) column[i] -= rows_[i - 1].factors[1] * column[i - 1];
+      if (i >= 2) column[i] -= rows_[i - 2].factors[2] * column[i - 2];
     }
     for (std::size_t i = inner_; i-- > 0;) {
-      column[i] /= factors_[i][0];
-      if (i + 1 < inner_) column[i] -= factors_[i][1] * column[i + 1];
-      if (i + 2 < inner_) column[i] -= factors_[i][2] * column[i + 2];
+      column[i] *= rows_[i].factors[0];
+      if (i + 1 < inner_) column[i] -= rows_[i].factors[1] * column[i + 1];
+      if (i + 2 < inner_) column[i] -= rows_[i].factors[2] * column[i + 2];
     }
   }
 
-  using Bands = std::array<double, 3>;
+  /// By how much the last roughness lowers the k-th function's value at point i.
+  double shift(std::size_t k, std::size_t i) const {
+    const double* const second = second_.data() + k * inner_;
+    double bend = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (i >= j && i - j < inner_) bend += rows_[i - j].difference[j] * second[i - j];
+    }
+    return roughness_ * inverse_weights_[i] * bend;
+  }
 
-  std::size_t inner_;
-  std::vector<double> steps_;
-  std::vector<double> inverse_weights_;
-  std::vector<Bands> differences_;  // of Q', by inner point: on the points before, at and after it
-  std::vector<Bands> bands_;        // diagonal and the two above it
-  std::vector<Bands> factors_;      // D, and the two columns of L below each diagonal
-  std::vector<double> second_;
-  double roughness_ = 0, unit_ = 1, weights_ = 0;
+  const std::vector<std::vector<double>>& given_;
+  std::size_t points_, inner_;
+  std::vector<double> weights_, inverse_weights_;
+  std::vector<Row> rows_;
+  std::vector<double> differences_;  // Q' y, function after function
+  std::vector<double> second_;       // c, likewise
+  double roughness_ = 0, unit_ = 1;
 };
+
+/// A range of roughness.
+struct Range {
+  double least = 0, most = std::numeric_limits<double>::infinity();
+  bool rises = false;  ///< the squares go on rising beyond it
+};
+
+/// One that holds all roughnesses whose squares are `most` or up to 2 * kNear less; all numbers where the secant rule
+/// does not find it.
+Range find_roughness(Smoother& smoother, double most) {
+  const double wanted = math::log(most * (1 - kNear));
+  double logarithm = math::log(kFirst), found = math::log(smoother.squares(kFirst));
+  double slope = 1;
+  for (int k = 0; k < kSecants; ++k) {
+    const double step = std::clamp((wanted - found) / slope, -kStride, kStride);
+    const double next = math::log(smoother.squares(math::exp(logarithm + step)));
+    slope = (next - found) / step;
+    logarithm += step;
+    found = next;
+    if (!(slope > 0)) break;
+    if (std::abs(wanted - found) > kNear) continue;
+    const double middle = logarithm + (wanted - found) / slope;
+    const double reach = (1 + 2 * kMargin) * kNear / slope;
+    return {math::exp(middle - reach), math::exp(middle + reach), slope > kFlat};
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -147,25 +214,23 @@ std::vector<std::vector<double>> smooth_values(std::span<const double> x, std::v
                                                double distance, std::span<const double> weights) {
   check(x, values, distance, weights);
   if (x.size() < 3 || distance == 0) return values;
-  Smoother smoother(x, weights);
-  std::vector<std::vector<double>> smooth(values.size());
+  Smoother smoother(x, weights, values);
   const double wanted = distance * distance * smoother.weights();
-  const auto squares_at = [&](double roughness) {
-    smoother.set(roughness);
-    double squares = 0;
-    for (std::size_t k = 0; k < values.size(); ++k) squares += smoother.apply(values[k], smooth[k]);
-    return squares;
-  };
+  const Range likely = find_roughness(smoother, wanted);
+  // Straight lines may be near enough.
+  if (!likely.rises && smoother.squares(kMost) <= wanted) return smoother.values();
   double low = kLeast, high = kMost;
-  if (squares_at(high) <= wanted) return smooth;
   for (int k = 0; k < kHalvings; ++k) {
     const double middle = std::sqrt(low * high);
-    const double squares = squares_at(middle);
-    if (squares <= wanted && squares >= (1 - 2 * kNear) * wanted) return smooth;
+    double squares = middle < likely.least ? 0 : std::numeric_limits<double>::infinity();
+    if (middle >= likely.least && middle <= likely.most) {
+      squares = smoother.squares(middle);
+      if (squares <= wanted && squares >= (1 - 2 * kNear) * wanted) return smoother.values();
+    }
     (squares > wanted ? high : low) = middle;
   }
-  squares_at(low);
-  return smooth;
+  smoother.squares(low);
+  return smoother.values();
 }
 
 }  // namespace meristem

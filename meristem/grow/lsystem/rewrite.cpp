@@ -169,6 +169,9 @@ void Rewriter::write_letters(const RewritePlan& plan, const OldWord& old, std::s
   const Chunk& chunk = chunks_[begin / kChunk];
   const LetterIndex* const letters = old.word.letters.data();
   const double* const parameters = old.word.parameters.data();
+  const RuleChoice* const choices = choices_.data();
+  const std::uint16_t* const arities = arities_.data();
+  double* const parameters_out = next.parameters.data();
   LetterIndex* letters_out = next.letters.data() + chunk.modules;
   std::size_t out = chunk.parameters;
   std::size_t in = old.places.of_chunk(begin / kChunk);
@@ -176,20 +179,20 @@ void Rewriter::write_letters(const RewritePlan& plan, const OldWord& old, std::s
   std::size_t written = 0;
   for (std::size_t k = begin; k < end;) {
     // Copy the modules up to the next one that is replaced.
-    const std::size_t first = k;
     const std::size_t first_in = in;
-    for (; k < end && choices_[k] == kCopied; ++k) in += arities_[letters[k]];
-    copy_items(letters + first, k - first, letters_out);
-    copy_items(parameters + first_in, in - first_in, next.parameters.data() + out);
-    letters_out += k - first;
+    for (; k < end && choices[k] == kCopied; ++k) {
+      *letters_out++ = letters[k];
+      in += arities[letters[k]];
+    }
+    copy_items(parameters + first_in, in - first_in, parameters_out + out);
     out += in - first_in;
     if (k == end) break;
 
     // Replace it; its expressions are left for later, to be evaluated together.
-    const RuleChoice choice = choices_[k];
+    const RuleChoice choice = choices[k];
     const RulePlan& rule = plan.rules[choice - 1];
     copy_items(rule.letters.data(), rule.letters.size(), letters_out);
-    copy_items(rule.parameters.data(), rule.parameters.size(), next.parameters.data() + out);
+    copy_items(rule.parameters.data(), rule.parameters.size(), parameters_out + out);
     if (!rule.is_constant()) {
       std::vector<Lane>& lanes = scratch.lanes[choice];
       if (lanes.empty()) scratch.rules.push_back(choice);
@@ -197,7 +200,7 @@ void Rewriter::write_letters(const RewritePlan& plan, const OldWord& old, std::s
     }
     letters_out += rule.letters.size();
     out += rule.parameters.size();
-    in += arities_[letters[k]];
+    in += arities[letters[k]];
     ++k;
     written += rule.letters.size();
     if (written >= kModulesBetweenChecks) {

@@ -28,9 +28,14 @@ bool RuleChooser::choose(const RewritePlan& plan, const OldWord& old, std::span<
   for (const LetterIndex letter : letters_) candidates_[letter].clear();
   letters_.clear();
   candidates_.resize(plan.by_letter.size());
+  const LetterIndex* const letters = old.word.letters.data();
+  if (plan.is_decided) {
+    for (std::size_t k = begin; k < end; ++k) choices[k] = plan.by_letter[letters[k]];
+    return false;
+  }
   std::size_t in = old.places.of_chunk(begin / kChunk);
   for (std::size_t k = begin; k < end; ++k) {
-    const LetterIndex letter = old.word.letters[k];
+    const LetterIndex letter = letters[k];
     choices[k] = plan.by_letter[letter];
     if (choices[k] == kUndecided) {
       choices[k] = kCopied;

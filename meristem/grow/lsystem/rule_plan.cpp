@@ -145,6 +145,7 @@ RewritePlan::RewritePlan(const Grammar& grammar, const RuleSet& rule_set)
   for (LetterIndex letter = 0; letter < grammar.alphabet.size(); ++letter) {
     const bool has_rules = letter < rule_set.of_letter.size();
     by_letter.push_back(has_rules ? choice_of_letter(rules, rule_set.of_letter[letter]) : kCopied);
+    is_decided = is_decided && by_letter.back() != kUndecided;
   }
 }
 

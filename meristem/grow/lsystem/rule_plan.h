@@ -66,6 +66,7 @@ struct RewritePlan {
   std::vector<std::int64_t> added_modules;     ///< by choice
   std::vector<std::int64_t> added_parameters;  ///< by choice
   ContextNeeds needs;
+  bool is_decided = true;  ///< all letters tell what becomes of them
   bool is_random = false;  ///< chance decides which rule applies
 };
 

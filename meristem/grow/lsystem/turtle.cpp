@@ -67,12 +67,7 @@ class Turtle {
     state_.up = glm::cross(state_.heading, state_.left);
     base_ = glm::dmat3(-state_.left, state_.heading, state_.up);
     state_.width = parameters.width;
-    for (const LetterIndex letter : word.letters) {
-      const LetterMeaning& meaning = meanings_[letter];
-      if (meaning.action == TurtleAction::draw) ++segments_;
-      if (meaning.action == TurtleAction::place || meaning.action == TurtleAction::begin_polygon) ++instances_;
-      if (meaning.action == TurtleAction::width) decays_ = false;
-    }
+    count_modules();
     if (is_polar_) aim();
   }
 
@@ -80,9 +75,7 @@ class Turtle {
   std::uint64_t instances() const { return instances_; }
 
   Drawing run(Progress& progress) {
-    drawing_.skeleton.reserve(segments_ + 1);
-    begins_branch_.reserve(segments_ + 1);
-    ends_.reserve(segments_ + 1);
+    make_room(segments_ + 1);
     const std::size_t count = word_.module_count();
     progress.begin("drawing", count);
     const double* parameter = word_.parameters.data();
@@ -96,12 +89,42 @@ class Turtle {
       progress.advance(at_ - begin);
     }
     if (!open_.empty()) throw_fault("the word leaves a polygon open", "a } for each {");
+    make_room(nodes_);
     assign_apical_axes(drawing_.skeleton, begins_branch_);
     drawing_.skeleton.extra.emplace(kEndColumn, std::move(ends_));
     return std::move(drawing_);
   }
 
  private:
+  /// What limits are asked about before anything is drawn. Few letters matter, and a word is quickly searched for one.
+  void count_modules() {
+    for (std::size_t k = 0; k < meanings_.size(); ++k) {
+      const auto letter = static_cast<LetterIndex>(k);
+      const auto count = [&] {
+        return static_cast<std::uint64_t>(std::count(word_.letters.begin(), word_.letters.end(), letter));
+      };
+      const TurtleAction action = meanings_[k].action;
+      if (action == TurtleAction::draw) segments_ += count();
+      if (action == TurtleAction::place || action == TurtleAction::begin_polygon) instances_ += count();
+      if (action == TurtleAction::width && std::ranges::find(word_.letters, letter) != word_.letters.end()) {
+        decays_ = false;
+      }
+    }
+  }
+
+  /// Makes all columns that long: nodes are written where they belong and not appended to one column after the other.
+  void make_room(std::size_t nodes) {
+    Skeleton& skeleton = drawing_.skeleton;
+    skeleton.parent.resize(nodes);
+    skeleton.position.resize(nodes);
+    skeleton.radius.resize(nodes);
+    skeleton.axis.resize(nodes);
+    skeleton.order.resize(nodes);
+    skeleton.birth.resize(nodes);
+    begins_branch_.resize(nodes);
+    ends_.resize(nodes);
+  }
+
   /// `parameter` is the module's first; it moves on where the next module is read, too.
   void act(LetterMeaning& meaning, const double*& parameter) {
     const auto value = [&](double otherwise) { return meaning.arity > 0 ? parameter[0] : otherwise; };
@@ -274,7 +297,7 @@ class Turtle {
     if (state_.node == kNoNode) state_.node = root(begin_width);
     go(length);
     state_.node = add_node(state_.node, state_.width);
-    begins_branch_.back() = state_.begins_branch ? 1 : 0;
+    begins_branch_[state_.node] = state_.begins_branch ? 1 : 0;
     state_.begins_branch = false;
     if (!is_polar_ && parameters_.elasticity != 0) bend();
   }
@@ -290,24 +313,27 @@ class Turtle {
     if (!(scale_ * width <= kFarthest)) {
       fail("is wider than the world", fmt::format("a radius of at most {:.0f} m", kFarthest));
     }
-    const NodeIndex node = drawing_.skeleton.add_node(parent, Vec3(state_.position), 0);
+    // Roots stand beside the segments.
+    if (nodes_ == begins_branch_.size()) make_room(nodes_ + nodes_ / 4 + 16);
+    const NodeIndex node = nodes_++;
+    drawing_.skeleton.parent[node] = parent;
+    drawing_.skeleton.position[node] = Vec3(state_.position);
     drawing_.skeleton.radius[node] = static_cast<float>(scale_ * width);
-    begins_branch_.push_back(0);
-    ends_.push_back(0);
     return node;
   }
 
   /// Grammars are read only with balanced brackets, and % cuts to the branch's end: no ] is without its [.
   void pop() {
     if (stack_.empty()) return;
-    const State before = state_;
-    const NodeIndex end = before.node == kNoNode ? root_after_gap_[before.gap] : before.node;
+    const NodeIndex end = state_.node == kNoNode ? root_after_gap_[state_.gap] : state_.node;
     if (end != kNoNode) ends_[end] = 1;
+    const double elevation = state_.elevation;
+    const double azimuth = state_.azimuth;
     state_ = stack_.back();
     stack_.pop_back();
     if (is_polar_ && !parameters_.stack_angles) {
-      state_.elevation = before.elevation;
-      state_.azimuth = before.azimuth;
+      state_.elevation = elevation;
+      state_.azimuth = azimuth;
       aim();
     }
   }
@@ -375,6 +401,7 @@ class Turtle {
   std::vector<State> stack_;
   std::vector<OpenPolygon> open_;
   std::vector<NodeIndex> root_after_gap_{kNoNode};  // by gap; the first is the start
+  NodeIndex nodes_ = 0;                             // drawn so far
   std::vector<std::uint8_t> begins_branch_;         // by node
   std::vector<float> ends_;                         // by node: 1 where a branch ends
   std::size_t at_ = 0;                              // module
@@ -390,7 +417,8 @@ Drawing draw(const Word& word, const Alphabet& alphabet, const TurtleParameters&
     throw_limit("nodes", static_cast<double>(turtle.segments()), limits.nodes, "nodes", path);
   }
   if (turtle.instances() > limits.instances) {
-    throw_limit("polygons and components", static_cast<double>(turtle.instances()), limits.instances, "instances", path);
+    throw_limit("polygons and components", static_cast<double>(turtle.instances()), limits.instances, "instances",
+                path);
   }
   return turtle.run(progress);
 }

@@ -10,13 +10,13 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
-#include "meristem/base/curve.h"
+#include "meristem/base/curve_values.h"
 #include "meristem/base/smoothing_spline.h"
 #include "meristem/base/vec.h"
-#include "meristem/shape/flat/segment.h"
 
 namespace meristem {
 
@@ -28,17 +28,32 @@ constexpr int kEvenings = 20;         // rounds at most that make chords equally
 constexpr double kEven = 1e-7;        // of the length: a position that moves by less stays
 constexpr double kWhole = 1e-6;       // of the last position: nearer to 0 than that it is 0
 constexpr double kMostExcess = 0.01;  // of the area of widths that are joined by lines
+constexpr int kAreaPlaces = 512;      // at which such areas are summed
 constexpr double kLeastShares = 0.9,
                  kMostShares = 1.001;  // where positions of widths end that are shares of the length
 
 using Points = std::vector<glm::dvec2>;
 
-/// The length of the chords up to each point.
+/// Sets `lengths` to those of the chords up to each point.
+void measure_chords(const Points& points, std::vector<double>& lengths) {
+  lengths.resize(points.size());
+  lengths[0] = 0;
+  // All roots first, which then need not wait for the sum.
+  for (std::size_t k = 1; k < points.size(); ++k) lengths[k] = glm::distance(points[k - 1], points[k]);
+  for (std::size_t k = 1; k < points.size(); ++k) lengths[k] += lengths[k - 1];
+}
+
 std::vector<double> chord_lengths(const Points& points) {
-  std::vector<double> lengths{0};
-  for (std::size_t k = 1; k < points.size(); ++k)
-    lengths.push_back(lengths.back() + glm::distance(points[k - 1], points[k]));
+  std::vector<double> lengths;
+  measure_chords(points, lengths);
   return lengths;
+}
+
+/// From 0 to 1 in equal steps.
+std::vector<double> shares_of(int steps) {
+  std::vector<double> shares(static_cast<std::size_t>(steps) + 1);
+  for (int k = 0; k <= steps; ++k) shares[static_cast<std::size_t>(k)] = static_cast<double>(k) / steps;
+  return shares;
 }
 
 /// The distance of smooth_values that lets points be `distance` off in the mean, if heavy ones are not.
@@ -47,133 +62,190 @@ double weighted(double distance, const std::vector<double>& weights) {
   return distance * std::sqrt(static_cast<double>(weights.size()) / sum);
 }
 
-Curve through(const std::vector<double>& x, const std::vector<double>& y, CurveKind kind) {
-  std::vector<Vec2> points;
-  for (std::size_t k = 0; k < x.size(); ++k) points.emplace_back(static_cast<float>(x[k]), static_cast<float>(y[k]));
-  return Curve(std::move(points), kind);
+std::vector<Vec2> curve_points(const std::vector<double>& x, const std::vector<double>& y) {
+  std::vector<Vec2> points(x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) points[k] = {static_cast<float>(x[k]), static_cast<float>(y[k])};
+  return points;
 }
 
 /// Points along the fitted midrib, close together; the whole digitised one is 1 long.
 Points follow_midrib(const Points& points, const std::vector<double>& lengths, const FitOptions& options) {
   const double length = lengths.back();
-  std::vector<double> places, x, y, weights(points.size(), 1);
+  std::vector<double> places(points.size()), weights(points.size(), 1);
+  std::vector<std::vector<double>> coordinates(2, std::vector<double>(points.size()));
   for (std::size_t k = 0; k < points.size(); ++k) {
-    places.push_back(lengths[k] / length);
-    x.push_back((points[k].x - points[0].x) / length);
-    y.push_back((points[k].y - points[0].y) / length);
+    places[k] = lengths[k] / length;
+    coordinates[0][k] = (points[k].x - points[0].x) / length;
+    coordinates[1][k] = (points[k].y - points[0].y) / length;
   }
   weights.front() = kEndWeight;
-  const auto smooth = smooth_values(places, {x, y}, weighted(options.smoothing, weights), weights);
+  const auto smooth = smooth_values(places, std::move(coordinates), weighted(options.smoothing, weights), weights);
   const CurveKind kind = options.smoothing > 0 ? CurveKind::spline : CurveKind::linear;
-  const Curve fitted_x = through(places, smooth[0], kind), fitted_y = through(places, smooth[1], kind);
-  Points followed;
-  const int steps = std::max(options.pieces, static_cast<int>(points.size())) * kSteps;
-  for (int k = 0; k <= steps; ++k) {
-    const double place = static_cast<double>(k) / steps;
-    followed.emplace_back(fitted_x(place), fitted_y(place));
-  }
+  const std::vector<double> shares = shares_of(std::max(options.pieces, static_cast<int>(points.size())) * kSteps);
+  const std::vector<Vec2> points_x = curve_points(places, smooth[0]);
+  const CurvePositions positions(points_x, shares);
+  const std::vector<double> followed_x = positions.values(points_x, kind);
+  const std::vector<double> followed_y = positions.values(curve_points(places, smooth[1]), kind);
+  Points followed(shares.size());
+  for (std::size_t k = 0; k < shares.size(); ++k) followed[k] = {followed_x[k], followed_y[k]};
   return followed;
 }
 
 /// Root mean square over `points` of the distance to the nearest point on `curve`.
 double mean_distance(const Points& points, const Points& curve) {
-  double squares = 0;
+  // Columns, of which a processor takes several pieces at once.
+  const std::size_t pieces = curve.size() - 1;
+  std::vector<double> x(pieces), y(pieces), along_x(pieces), along_y(pieces), inverse(pieces), shares(pieces);
+  for (std::size_t k = 0; k < pieces; ++k) {
+    x[k] = curve[k].x;
+    y[k] = curve[k].y;
+    along_x[k] = curve[k + 1].x - curve[k].x;
+    along_y[k] = curve[k + 1].y - curve[k].y;
+    const double square = along_x[k] * along_x[k] + along_y[k] * along_y[k];
+    inverse[k] = square > 0 ? 1 / square : 0;
+  }
+  double sum = 0;
   for (const glm::dvec2 point : points) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k + 1 < curve.size(); ++k) {
-      nearest = std::min(nearest, glm::length(from_segment(point - curve[k], curve[k + 1] - curve[k])));
+    for (std::size_t k = 0; k < pieces; ++k) {
+      shares[k] = ((point.x - x[k]) * along_x[k] + (point.y - y[k]) * along_y[k]) * inverse[k];
     }
-    squares += nearest * nearest;
+    for (double& share : shares) share = std::max(share, 0.0);
+    for (double& share : shares) share = std::min(share, 1.0);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < pieces; ++k) {
+      const double off_x = point.x - x[k] - shares[k] * along_x[k];
+      const double off_y = point.y - y[k] - shares[k] * along_y[k];
+      nearest = std::min(nearest, off_x * off_x + off_y * off_y);
+    }
+    sum += nearest;
   }
-  return std::sqrt(squares / static_cast<double>(points.size()));
+  return std::sqrt(sum / static_cast<double>(points.size()));
 }
 
-/// Moves `k` on to the piece of rising `places` in which `place` lies, and gives its share there.
-double share_in_piece(const std::vector<double>& places, double place, std::size_t& k) {
-  while (k + 2 < places.size() && places[k + 1] < place) ++k;
-  const double step = places[k + 1] - places[k];
-  return step > 0 ? std::clamp((place - places[k]) / step, 0.0, 1.0) : 0;
+/// The share of the k-th piece of rising `lengths` up to `length`.
+double share_in_piece(const std::vector<double>& lengths, double length, std::size_t k) {
+  const double step = lengths[k + 1] - lengths[k];
+  return step > 0 ? std::min(std::max((length - lengths[k]) / step, 0.0), 1.0) : 0;
 }
 
-/// The points at rising positions along others.
-Points points_at(const Points& followed, const std::vector<double>& lengths, const std::vector<double>& places) {
-  Points points;
-  std::size_t k = 0;
-  for (const double place : places) {
-    const double share = share_in_piece(lengths, place, k);
-    points.push_back(glm::mix(followed[k], followed[k + 1], share));
+/// Positions along a line of points that come to lie in equal chords.
+class EvenPositions {
+ public:
+  EvenPositions(const Points& followed, int pieces)
+      : followed_(followed),
+        lengths_(chord_lengths(followed)),
+        shares_(shares_of(pieces)),
+        positions_(shares_.size()),
+        pieces_(shares_.size()),
+        points_(shares_.size()) {
+    for (std::size_t i = 0; i < positions_.size(); ++i) positions_[i] = shares_[i] * lengths_.back();
+    moved_ = positions_;
+    find_points();
   }
-  return points;
-}
 
-/// `pieces` chords of equal length along the points: where the way is bent within one, it is shorter than the way.
-Points equal_chords(const Points& followed, std::size_t pieces) {
-  const std::vector<double> lengths = chord_lengths(followed);
-  const auto share = [&](std::size_t i) { return static_cast<double>(i) / static_cast<double>(pieces); };
-  std::vector<double> places;
-  for (std::size_t i = 0; i < pieces; ++i) places.push_back(share(i) * lengths.back());
-  places.push_back(lengths.back());
-  for (int round = 0; round < kEvenings; ++round) {
-    const std::vector<double> chords = chord_lengths(points_at(followed, lengths, places));
-    const std::vector<double> last = places;
+  double length() const { return lengths_.back(); }
+  const Points& points() const { return points_; }
+
+  /// Brings the chords nearer to equal lengths; the largest way that a position has gone.
+  double even() {
+    measure_chords(points_, chords_);
     double farthest = 0;
     std::size_t k = 0;
-    for (std::size_t i = 1; i < pieces; ++i) {
-      const double within = share_in_piece(chords, share(i) * chords.back(), k);
+    for (std::size_t i = 1; i + 1 < positions_.size(); ++i) {
+      const double wanted = shares_[i] * chords_.back();
+      while (k + 2 < chords_.size() && chords_[k + 1] < wanted) ++k;
+      const double within = share_in_piece(chords_, wanted, k);
       // Half of the way: where the midrib turns back, all of it leads to and fro.
-      const double step = 0.5 * (last[k] + within * (last[k + 1] - last[k]) - last[i]);
-      places[i] += step;
+      const double step = 0.5 * (positions_[k] + within * (positions_[k + 1] - positions_[k]) - positions_[i]);
+      moved_[i] = positions_[i] + step;
       farthest = std::max(farthest, std::abs(step));
     }
-    if (farthest <= kEven * lengths.back()) break;
+    positions_.swap(moved_);
+    find_points();
+    return farthest;
   }
-  return points_at(followed, lengths, places);
-}
 
-/// The leaf with these points, whose pieces are made as long as each other to the last digit.
-GrassLeaf leaf_through(const Points& points) {
-  const std::size_t pieces = points.size() - 1;
-  GrassLeaf leaf{.s = {}, .x = {}, .y = {}, .r = std::vector<double>(points.size(), 1)};
-  for (std::size_t k = 0; k <= pieces; ++k) {
-    leaf.s.push_back(k == pieces ? 1 : static_cast<double>(k) / static_cast<double>(pieces));
-    leaf.x.push_back(points[k].x - points[0].x);
-    leaf.y.push_back(points[k].y - points[0].y);
+ private:
+  void find_points() {
+    for (std::size_t i = 0; i < positions_.size(); ++i) {
+      // Positions rise, and go a short way in a round: the piece in which one lies is near the one of before.
+      std::size_t& k = pieces_[i];
+      if (i > 0) k = std::max(k, pieces_[i - 1]);
+      while (k > 0 && lengths_[k] >= positions_[i]) --k;
+      while (k + 2 < lengths_.size() && lengths_[k + 1] < positions_[i]) ++k;
+      points_[i] = glm::mix(followed_[k], followed_[k + 1], share_in_piece(lengths_, positions_[i], k));
+    }
   }
-  return resampled(leaf, pieces);
-}
 
-/// Smoothed widths as shares of the largest measured one, over the share of the length.
-struct WidthCurve {
-  Curve spline{};
-  Curve lines{};            // through the same points
-  double straightness = 0;  // the share that the lines have
-  double widest = 0;        // the share of the length where the smoothed ones are largest
-  double largest = 0;       // measured one
-
-  double operator()(double place) const {
-    const double smooth = std::max(0.0, spline(place));
-    return straightness > 0 ? smooth + straightness * (std::max(0.0, lines(place)) - smooth) : smooth;
-  }
+  const Points& followed_;
+  std::vector<double> lengths_;  // of the chords of `followed_`
+  std::vector<double> shares_;   // of all chords up to each point
+  std::vector<double> positions_, moved_;
+  std::vector<std::size_t> pieces_;  // of `followed_`, in which the positions lie
+  Points points_;
+  std::vector<double> chords_;  // between them
 };
 
-double area_under(const Curve& curve) {
-  constexpr int kPlaces = 512;
+/// `pieces` chords of equal length along the points: where the way is bent within one, it is shorter than the way.
+Points equal_chords(const Points& followed, int pieces) {
+  EvenPositions positions(followed, pieces);
+  for (int round = 0; round < kEvenings; ++round) {
+    if (positions.even() <= kEven * positions.length()) break;
+  }
+  return positions.points();
+}
+
+/// The leaf with pieces in the directions of these chords, as long as each other to the last digit.
+GrassLeaf leaf_through(const Points& points) {
+  const std::size_t count = points.size();
+  const double piece = 1 / static_cast<double>(count - 1);
+  GrassLeaf leaf{.s = std::vector<double>(count),
+                 .x = std::vector<double>(count),
+                 .y = std::vector<double>(count),
+                 .r = std::vector<double>(count, 1)};
+  for (std::size_t k = 1; k < count; ++k) {
+    const glm::dvec2 chord = points[k] - points[k - 1];
+    const double length = glm::length(chord);
+    const glm::dvec2 step = length > 0 ? piece / length * chord : glm::dvec2(0, piece);
+    leaf.s[k] = piece * static_cast<double>(k);
+    leaf.x[k] = leaf.x[k - 1] + step.x;
+    leaf.y[k] = leaf.y[k - 1] + step.y;
+  }
+  leaf.s.back() = 1;
+  return leaf;
+}
+
+/// Of a curve, where it is above 0.
+double area_under(const CurvePositions& positions, std::span<const Vec2> curve, CurveKind kind) {
   double sum = 0;
-  for (int k = 0; k < kPlaces; ++k) sum += std::max(0.0, curve((k + 0.5) / kPlaces));
-  return sum / kPlaces;
+  for (const double value : positions.values(curve, kind)) sum += std::max(0.0, value);
+  return sum / kAreaPlaces;
 }
 
 /// Between few rows a spline bulges: it may have 6 % more area than the widths that were measured. So much of it is
 /// given up for the straight lines that the area keeps to theirs.
-double straightness_for_area(const Curve& spline, const Curve& lines) {
-  const double wanted = area_under(lines);
-  const double excess = std::abs(area_under(spline) - wanted);
+double straightness_for_area(std::span<const Vec2> curve) {
+  static const std::vector<double> places = [] {
+    std::vector<double> middles;
+    for (int k = 0; k < kAreaPlaces; ++k) middles.push_back((k + 0.5) / kAreaPlaces);
+    return middles;
+  }();
+  const CurvePositions positions(curve, places);
+  const double wanted = area_under(positions, curve, CurveKind::linear);
+  const double excess = std::abs(area_under(positions, curve, CurveKind::spline) - wanted);
   const double allowed = kMostExcess * wanted;
   return excess > allowed ? 1 - allowed / excess : 0;
 }
 
-WidthCurve smooth_widths(const Points& points, double smoothing) {
-  WidthCurve smoothed;
+/// Smoothed widths as shares of the largest measured one, over the share of the length.
+struct SmoothWidths {
+  std::vector<double> shares;  // at equal steps
+  double widest = 0;           // the share of the length where the smoothed ones are largest
+  double largest = 0;          // measured one
+};
+
+SmoothWidths smooth_widths(const Points& points, const FitOptions& options) {
+  SmoothWidths smoothed;
   std::vector<double> places, widths;
   // A position that is not measured has the width of the next one.
   if (points.front().x > kWhole * points.back().x) {
@@ -187,13 +259,22 @@ WidthCurve smooth_widths(const Points& points, double smoothing) {
   }
   std::vector<double> weights(places.size(), 1);
   weights.front() = weights.back() = kEndWeight;
-  const double distance = weighted(smoothing * smoothed.largest, weights);
+  const double distance = weighted(options.width_smoothing * smoothed.largest, weights);
   std::vector<double> smooth = smooth_values(places, {widths}, distance, weights)[0];
   for (double& width : smooth) width = std::max(0.0, width / smoothed.largest);
   smoothed.widest = places[static_cast<std::size_t>(std::ranges::max_element(smooth) - smooth.begin())];
-  smoothed.lines = through(places, smooth, CurveKind::linear);
-  smoothed.spline = smoothing > 0 ? through(places, smooth, CurveKind::spline) : smoothed.lines;
-  smoothed.straightness = straightness_for_area(smoothed.spline, smoothed.lines);
+  const CurveKind kind = options.width_smoothing > 0 ? CurveKind::spline : CurveKind::linear;
+  const std::vector<Vec2> curve = curve_points(places, smooth);
+  const CurvePositions positions(curve, shares_of(options.pieces));
+  smoothed.shares = positions.values(curve, kind);
+  for (double& share : smoothed.shares) share = std::max(0.0, share);
+  const double straightness = kind == CurveKind::spline ? straightness_for_area(curve) : 0;
+  if (straightness > 0) {
+    const std::vector<double> lines = positions.values(curve, CurveKind::linear);
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      smoothed.shares[k] += straightness * (std::max(0.0, lines[k]) - smoothed.shares[k]);
+    }
+  }
   return smoothed;
 }
 
@@ -213,8 +294,7 @@ FittedMidrib fit_midrib(const MeasuredCurve& midrib, const FitOptions& options) 
   FittedMidrib fitted;
   const std::vector<double> lengths = chord_lengths(midrib.points);
   fitted.polyline_length = lengths.back();
-  Points points =
-      equal_chords(follow_midrib(midrib.points, lengths, options), static_cast<std::size_t>(options.pieces));
+  Points points = equal_chords(follow_midrib(midrib.points, lengths, options), options.pieces);
   for (glm::dvec2& point : points) point = midrib.points[0] + fitted.polyline_length * point;
   fitted.length = chord_lengths(points).back();
   fitted.distance = mean_distance(midrib.points, points);
@@ -230,12 +310,10 @@ FittedWidths fit_widths(const MeasuredCurve& widths, const FitOptions& options) 
   fitted.was_turned = turn_to_base(from_base);
   fitted.length = from_base.points.back().x;
   fitted.are_shares = fitted.length > kLeastShares && fitted.length < kMostShares;
-  const WidthCurve smooth = smooth_widths(from_base.points, options.width_smoothing);
+  SmoothWidths smooth = smooth_widths(from_base.points, options);
+  fitted.r = std::move(smooth.shares);
   double largest = 0;
-  for (int k = 0; k <= options.pieces; ++k) {
-    fitted.r.push_back(smooth(static_cast<double>(k) / options.pieces));
-    largest = std::max(largest, fitted.r.back());
-  }
+  for (const double share : fitted.r) largest = std::max(largest, share);
   if (largest == 0) {
     // A blade that is narrower than a piece and lies between two points.
     fitted.r[static_cast<std::size_t>(smooth.widest * options.pieces + 0.5)] = largest = 1;

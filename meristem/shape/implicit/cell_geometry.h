@@ -23,14 +23,19 @@ constexpr std::array<int, 2> edge_corners(int edge) {
   return {low, low | (1 << axis)};
 }
 
-/// The edge between two neighbouring corners.
-constexpr int edge_between(int a, int b) {
+/// By two corners: the edge between them, -1 where they are no neighbours.
+inline constexpr std::array<std::array<std::int8_t, 8>, 8> kEdgesBetween = [] {
+  std::array<std::array<std::int8_t, 8>, 8> edges{};
+  for (auto& of_corner : edges) of_corner.fill(-1);
   for (int edge = 0; edge < kCellEdges; ++edge) {
     const auto [low, high] = edge_corners(edge);
-    if ((a == low && b == high) || (a == high && b == low)) return edge;
+    edges[low][high] = edges[high][low] = static_cast<std::int8_t>(edge);
   }
-  return -1;
-}
+  return edges;
+}();
+
+/// The edge between two neighbouring corners.
+constexpr int edge_between(int a, int b) { return kEdgesBetween[a][b]; }
 
 /// Counter-clockwise, seen from outside of the cube.
 constexpr std::array<int, 4> face_corners(int face) {

@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -222,6 +223,26 @@ TEST(CellSurface, UsesThePointsOnCrossedEdgesAndNoOthers) {
     EXPECT_EQ(used, crossed);
     for (const std::uint16_t edges : surface.inner) EXPECT_EQ(edges & ~crossed, 0);
   }
+}
+
+TEST(CellSurface, IsMadeOnceHoweverManyThreadsMeetItFirst) {
+  constexpr std::size_t kCells = 500;
+  const RandomKey key(11);
+  std::array<std::array<const CellSurface*, kCells>, 4> found{};
+  std::vector<std::thread> threads;
+  for (auto& surfaces : found) {
+    threads.emplace_back([&] {
+      for (std::size_t cell = 0; cell < kCells; ++cell) {
+        Corners values;
+        for (std::size_t c = 0; c < values.size(); ++c) {
+          values[c] = static_cast<float>(key.uniform(values.size() * cell + c, -1, 1));
+        }
+        surfaces[cell] = &cell_surface(values);
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const auto& surfaces : found) EXPECT_EQ(surfaces, found[0]);
 }
 
 TEST(CellSurface, TakesInfiniteValuesForTheLargest) {

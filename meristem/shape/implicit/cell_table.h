@@ -2,10 +2,14 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
+#include <deque>
+#include <mutex>
 #include <vector>
 
 #include "meristem/shape/implicit/cell_surface.h"
+#include "meristem/shape/implicit/loop_triangles.h"
 
 namespace meristem {
 
@@ -16,16 +20,19 @@ enum class Tunnel : std::uint8_t {
   between_odd_columns,   ///< inside are those at x != y
 };
 
-/// Every surface that a cell can have, made once.
+/// Every surface that a cell can have, each made when a cell has it for the first time: a body has few of the 1,712.
 class CellTable {
  public:
-  /// The one table; the first call makes it, in about 20 ms.
+  /// The one table.
   static const CellTable& instance();
 
   /// `joined` has the bits of those ambiguous faces on which the two inside corners are joined, and no others.
   const CellSurface& surface(std::uint8_t pattern, std::uint8_t joined, Tunnel tunnel) const;
   /// The surface of a pattern that is not ambiguous.
-  const CellSurface& surface(std::uint8_t pattern) const { return surfaces_[first_[pattern]]; }
+  const CellSurface& surface(std::uint8_t pattern) const {
+    const CellSurface* const made = surfaces_[first_[pattern]].load(std::memory_order_acquire);
+    return made != nullptr ? *made : make(first_[pattern], pattern, 0, Tunnel::none);
+  }
   /// More than one surface for these signs.
   bool is_ambiguous(std::uint8_t pattern) const { return first_[pattern + 1] > first_[pattern] + 1; }
   std::uint8_t ambiguous_faces(std::uint8_t pattern) const { return faces_[pattern]; }
@@ -35,14 +42,20 @@ class CellTable {
   CellTable& operator=(const CellTable&) = delete;
 
  private:
-  CellTable();
+  struct Made {
+    CellPieces pieces;
+    CellSurface surface;  ///< spans of the pieces
+  };
 
-  std::vector<std::array<std::uint8_t, 3>> triangles_;
-  std::vector<std::uint16_t> inner_;
-  std::vector<CellSurface> surfaces_;       ///< spans of the two above
+  CellTable();
+  const CellSurface& make(std::size_t index, std::uint8_t pattern, std::uint8_t joined, Tunnel tunnel) const;
+
   std::array<std::uint16_t, 257> first_{};  ///< of a pattern's surfaces: one, or one for each joining and tunnel
   std::array<std::uint8_t, 256> faces_{};
   std::array<std::uint16_t, 256> edges_{};
+  mutable std::vector<std::atomic<const CellSurface*>> surfaces_;  ///< null until made
+  mutable std::mutex making_;
+  mutable std::deque<Made> made_;
 };
 
 }  // namespace meristem

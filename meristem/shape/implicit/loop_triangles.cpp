@@ -70,9 +70,7 @@ DVec3 outward(std::uint8_t edge, std::uint8_t pattern) {
   return (pattern >> low & 1) != 0 ? along : -along;
 }
 
-/// What each diagonal costs, by the edges that it joins.
-using DiagonalCosts = std::array<std::array<double, kCellEdges>, kCellEdges>;
-
+/// What the diagonal between two edges' points costs.
 double diagonal_cost(std::uint8_t a, std::uint8_t b, std::uint8_t pattern, bool by_length) {
   if (a == b || share_a_face(1U << a | 1U << b)) return kForbidden;
   if (is_listed(pattern, a, b)) return 0;
@@ -84,14 +82,6 @@ double diagonal_cost(std::uint8_t a, std::uint8_t b, std::uint8_t pattern, bool 
   return (by_length ? glm::dot(way, way) : a / 4 == b / 4 ? 1 : 2) + ties;
 }
 
-DiagonalCosts diagonal_costs(std::uint8_t pattern, bool by_length) {
-  DiagonalCosts costs{};
-  for (std::uint8_t a = 0; a < kCellEdges; ++a) {
-    for (std::uint8_t b = 0; b < kCellEdges; ++b) costs[a][b] = diagonal_cost(a, b, pattern, by_length);
-  }
-  return costs;
-}
-
 struct Dissection {
   double cost = kForbidden;
   CellPieces pieces;
@@ -100,8 +90,12 @@ struct Dissection {
 /// The cheapest dissection of a polygon into triangles, and polygons around an inner point.
 class PolygonParts {
  public:
-  PolygonParts(std::span<const std::uint8_t> polygon, const DiagonalCosts& costs)
-      : polygon_(polygon), costs_(costs), size_(polygon.size()), parts_(size_ * size_) {}
+  PolygonParts(std::span<const std::uint8_t> polygon, std::uint8_t pattern)
+      : polygon_(polygon),
+        pattern_(pattern),
+        by_length_(find_ambiguous_faces(pattern) != 0),
+        size_(polygon.size()),
+        parts_(size_ * size_) {}
 
   Dissection best() {
     for (std::size_t length = 1; length < size_; ++length) {
@@ -117,6 +111,7 @@ class PolygonParts {
   /// The polygon from one point to a later one, closed by the side between them.
   struct Part {
     double cost = 0;               ///< of the diagonals and inner points within
+    double closed = 0;             ///< the same with the closing side, which costs nothing if the polygon has it
     std::size_t apex = 0;          ///< of the triangle at the closing side; 0 if an inner point is there instead
     double chain = 0;              ///< of sides from the first to the last, each with its part and a spoke
     std::size_t before_last = 0;   ///< in that chain
@@ -124,11 +119,7 @@ class PolygonParts {
   };
   Part& part(std::size_t first, std::size_t last) { return parts_[first * size_ + last]; }
 
-  /// A part with its closing side.
-  double closed(std::size_t first, std::size_t last) {
-    if (last == first + 1) return 0;
-    return part(first, last).cost + costs_[polygon_[first]][polygon_[last]];
-  }
+  double closed(std::size_t first, std::size_t last) { return part(first, last).closed; }
 
   void find(std::size_t first, std::size_t last) {
     Part best{.chain = kForbidden};
@@ -141,6 +132,7 @@ class PolygonParts {
         if (chain < best.chain) best.chain = chain, best.before_last = best.around_inner = k;
       }
       if (best.chain + kInnerPoint < best.cost) best.cost = best.chain + kInnerPoint, best.apex = 0;
+      best.closed = best.cost + diagonal_cost(polygon_[first], polygon_[last], pattern_, by_length_);
     }
     part(first, last) = best;
     const double side = closed(first, last) + kSpoke;
@@ -179,7 +171,8 @@ class PolygonParts {
   }
 
   std::span<const std::uint8_t> polygon_;
-  const DiagonalCosts& costs_;
+  std::uint8_t pattern_;
+  bool by_length_;
   std::size_t size_;
   std::vector<Part> parts_;
 };
@@ -251,7 +244,7 @@ void append(CellPieces& pieces, const CellPieces& more) {
 
 CellPieces triangulate_loop(const CellLoop& loop, std::uint8_t pattern) {
   if (loop.size() == 3) return {.triangles = {{loop[0], loop[1], loop[2]}}, .inner = {}};
-  return PolygonParts(loop, diagonal_costs(pattern, find_ambiguous_faces(pattern) != 0)).best().pieces;
+  return PolygonParts(loop, pattern).best().pieces;
 }
 
 CellPieces triangulate_tunnel(const CellLoop& a, const CellLoop& b) {

@@ -46,56 +46,83 @@ Stop walk(const AxisPath& path, Stop from, float metres) {
 }  // namespace
 
 Bark::Bark(const AxisPath& parent, std::size_t point, float reach) : radius_(parent.radius(point)) {
-  const auto add = [&](std::size_t from) {
-    Cone& cone = cones_[count_++];
-    cone.base = parent.position(from);
-    cone.axis = parent.position(from + 1) - cone.base;
-    const float length2 = glm::dot(cone.axis, cone.axis);
-    cone.inverse_length2 = length2 > 0 ? 1 / length2 : 0;
-    cone.base_radius = parent.radius(from);
-    cone.widening = parent.radius(from + 1) - cone.base_radius;
+  base_radius_.fill(-kNever);
+  const auto add_from = [&](std::size_t from) {
+    add(parent.position(from), parent.position(from + 1), parent.radius(from), parent.radius(from + 1));
   };
   // Half of the cones before the point, half after it.
   float way = 0;
   for (std::size_t i = point; i > 0 && way < reach && count_ < kMostCones / 2; --i) {
-    add(i - 1);
+    add_from(i - 1);
     way += glm::distance(parent.position(i - 1), parent.position(i));
   }
   way = 0;
   for (std::size_t i = point; i + 1 < parent.size() && way < reach && count_ < kMostCones; ++i) {
-    add(i);
+    add_from(i);
     way += glm::distance(parent.position(i), parent.position(i + 1));
   }
 }
 
-Bark::Nearest Bark::nearest(Vec3 position) const {
-  Nearest best{1e30F, kUp};
-  for (std::size_t k = 0; k < count_; ++k) {
-    const Cone& cone = cones_[k];
-    const Vec3 offset = position - cone.base;
-    const float share = glm::clamp(glm::dot(offset, cone.axis) * cone.inverse_length2, 0.0F, 1.0F);
-    const Vec3 outward = offset - share * cone.axis;
-    const float distance = std::sqrt(glm::dot(outward, outward)) - (cone.base_radius + share * cone.widening);
-    if (distance < best.distance) best = {distance, outward};
+void Bark::add(Vec3 base, Vec3 end, float base_radius, float end_radius) {
+  const Vec3 axis = end - base;
+  const float length2 = glm::dot(axis, axis);
+  for (int k = 0; k < 3; ++k) {
+    base_[k][count_] = base[k];
+    axis_[k][count_] = axis[k];
   }
-  return best;
+  inverse_length2_[count_] = length2 > 0 ? 1 / length2 : 0;
+  base_radius_[count_] = base_radius;
+  widening_[count_] = end_radius - base_radius;
+  ++count_;
 }
 
-float Bark::distance(Vec3 position) const { return nearest(position).distance; }
+Bark::Column Bark::shares(Vec3 position) const {
+  Column shares;
+  for (std::size_t k = 0; k < kMostCones; ++k) shares[k] = glm::dot(offset(position, k), axis(k)) * inverse_length2_[k];
+  for (float& share : shares) share = std::max(share, 0.0F);
+  for (float& share : shares) share = std::min(share, 1.0F);
+  return shares;
+}
 
-Vec3 Bark::normal(Vec3 position) const { return unit_or(nearest(position).outward, Vec3(0, 1, 0)); }
+Bark::Column Bark::distances(Vec3 position, const Column& shares) const {
+  Column distances;
+  for (std::size_t k = 0; k < kMostCones; ++k) {
+    const Vec3 outward = offset(position, k) - shares[k] * axis(k);
+    distances[k] = std::sqrt(glm::dot(outward, outward)) - (base_radius_[k] + shares[k] * widening_[k]);
+  }
+  return distances;
+}
+
+float Bark::distance(Vec3 position) const {
+  Column least = distances(position, shares(position));
+  // Halves against each other, as a processor takes them.
+  for (std::size_t k = 0; k < kMostCones / 2; ++k) least[k] = std::min(least[k], least[k + kMostCones / 2]);
+  for (std::size_t k = 0; k < kMostCones / 4; ++k) least[k] = std::min(least[k], least[k + kMostCones / 4]);
+  return std::min(std::min(least[0], least[1]), std::min(least[2], kNever));
+}
+
+Bark::Nearest Bark::nearest(Vec3 position) const {
+  const Column along = shares(position);
+  const Column all = distances(position, along);
+  const auto* const least = std::min_element(all.begin(), all.end());
+  if (!(*least < kNever)) return {kNever, kUp};
+  const auto k = static_cast<std::size_t>(least - all.begin());
+  return {*least, offset(position, k) - along[k] * axis(k)};
+}
 
 float Bark::trace(Vec3 from, Vec3 direction, float farthest) const {
   float way = 0;
   float nearest_way = 0;
-  float least = distance(from);
-  for (int step = 0; step < kTraceSteps && way < farthest && least > 1e-4F * farthest; ++step) {
-    const float gap = distance(from + way * direction);
+  float gap = distance(from);
+  float least = gap;
+  for (int step = 1; step < kTraceSteps && least > 1e-4F * farthest; ++step) {
+    way += std::max(gap, 1e-3F * farthest);
+    if (!(way < farthest)) break;
+    gap = distance(from + way * direction);
     if (gap < least) {
       least = gap;
       nearest_way = way;
     }
-    way += std::max(gap, 1e-3F * farthest);
   }
   return nearest_way;
 }
@@ -113,7 +140,7 @@ std::optional<Collar> plan_collar(const AxisPath& path, const Bark& bark, float 
   }
   const Stop exit{point, high};
   const Vec3 direction = path.direction(point, kUp);
-  const float sine = std::abs(glm::dot(direction, bark.normal(place_at(path, exit))));
+  const float sine = std::abs(glm::dot(direction, bark.nearest(place_at(path, exit)).normal()));
   if (sine < kLeastSine) return std::nullopt;
   // Its side toward the crotch leaves later; there it is free, and a fillet's height on.
   const float radius = path.radius(point + 1);

@@ -46,7 +46,7 @@ TEST(Bark, IsTheSurfaceOfItsCones) {
   const Bark bark = plan.bark_below(plan.path(1));
   EXPECT_NEAR(bark.distance({0.5F, 0.1F, 0}), 0.3F, 1e-6F);
   EXPECT_NEAR(bark.distance({0, 0.1F, 0.05F}), -0.15F, 1e-6F);
-  EXPECT_NEAR(glm::distance(bark.normal({0, 0.3F, -2}), Vec3(0, 0, -1)), 0, 1e-6F);
+  EXPECT_NEAR(glm::distance(bark.nearest({0, 0.3F, -2}).normal(), Vec3(0, 0, -1)), 0, 1e-6F);
   EXPECT_NEAR(bark.trace({1, 0.2F, 0}, {-1, 0, 0}, 2), 0.8F, 1e-3F);
   // Rays that miss it stop where they are nearest.
   EXPECT_EQ(bark.trace({1, 0.2F, 0}, {1, 0, 0}, 2), 0);

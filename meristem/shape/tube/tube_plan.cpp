@@ -46,15 +46,23 @@ TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::v
   radii_.resize(skeleton.node_count());
   kept_.resize(skeleton.node_count());
   kept_count_.resize(axes_.count());
+  is_tip_.resize(skeleton.node_count());
+  goes_on_.resize(axes_.count());
+  base_radius_.resize(axes_.count());
   parallel_for(plans_.size(), kAxesPerBlock, [this](std::size_t begin, std::size_t end) {
     for (std::size_t axis = begin; axis < end; ++axis) {
       smooth_radii(static_cast<AxisIndex>(axis));
       choose_rings(static_cast<AxisIndex>(axis));
+      const std::span<const NodeIndex> nodes = axes_.of(static_cast<AxisIndex>(axis));
+      if (!nodes.empty()) is_tip_[nodes.back()] = 1;
     }
   });
   // Sides first: how much of a lateral its parent hides depends on the parent's.
   parallel_for(plans_.size(), kAxesPerBlock, [this](std::size_t begin, std::size_t end) {
-    for (std::size_t axis = begin; axis < end; ++axis) choose_sides(static_cast<AxisIndex>(axis));
+    for (std::size_t axis = begin; axis < end; ++axis) {
+      find_start(static_cast<AxisIndex>(axis));
+      choose_sides(static_cast<AxisIndex>(axis));
+    }
   });
   parallel_for(plans_.size(), kAxesPerBlock, [this](std::size_t begin, std::size_t end) {
     for (std::size_t axis = begin; axis < end; ++axis) count_rings(static_cast<AxisIndex>(axis));
@@ -74,16 +82,23 @@ TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::v
 AxisPath TubePlan::path(AxisIndex axis) const {
   const auto nodes = std::span(kept_).subspan(axes_.first[axis], kept_count_[axis]);
   if (nodes.empty()) return {skeleton_, radii_, nodes};
-  return {skeleton_, radii_, nodes, skeleton_->parent[nodes[0]], base_radius(axis)};
+  return {skeleton_, radii_, nodes, skeleton_->parent[nodes[0]], base_radius_[axis]};
+}
+
+void TubePlan::find_start(AxisIndex axis) {
+  if (axes_.of(axis).empty()) return;
+  const bool goes_on = find_whether_it_goes_on(axis);
+  goes_on_[axis] = goes_on ? 1 : 0;
+  base_radius_[axis] = base_radius(axis, goes_on);
 }
 
 /// A lateral begins with its own first node's radius, for its base lies within its parent. One that goes on where that
 /// ends shows it, and begins as thick as its taper says, but no thicker than the parent's tip.
-float TubePlan::base_radius(AxisIndex axis) const {
+float TubePlan::base_radius(AxisIndex axis, bool goes_on) const {
   const std::span<const NodeIndex> nodes = axes_.of(axis);
   const float first = radii_[nodes[0]];
   const NodeIndex parent = skeleton_->parent[nodes[0]];
-  if (nodes.size() < 2 || !goes_on(axis)) return first;
+  if (nodes.size() < 2 || !goes_on) return first;
   const float before = glm::distance(skeleton_->position[nodes[0]], skeleton_->position[parent]);
   const float after = glm::distance(skeleton_->position[nodes[1]], skeleton_->position[nodes[0]]);
   const float fallen = after > 0 ? (skeleton_->radius[nodes[0]] - skeleton_->radius[nodes[1]]) * before / after : 0;
@@ -91,10 +106,10 @@ float TubePlan::base_radius(AxisIndex axis) const {
 }
 
 /// Whether an axis begins at the tip of another and runs on in its direction, or nearly so.
-bool TubePlan::goes_on(AxisIndex axis) const {
+bool TubePlan::find_whether_it_goes_on(AxisIndex axis) const {
   const NodeIndex first = axes_.of(axis)[0];
   const NodeIndex parent = skeleton_->parent[first];
-  if (parent == kNoNode || axes_.of(skeleton_->axis[parent]).back() != parent) return false;
+  if (parent == kNoNode || is_tip_[parent] == 0) return false;
   const NodeIndex before = skeleton_->parent[parent];
   if (before == kNoNode) return false;
   const Vec3 theirs = unit_or(skeleton_->position[parent] - skeleton_->position[before], Vec3(0));
@@ -221,7 +236,7 @@ void TubePlan::plan_start(const AxisPath& points, AxisPlan& plan, AxisIndex axis
     return;
   }
   // What goes on where its parent ends, and is no thicker than that is there, needs no room inside it.
-  if (goes_on(axis) && plan.start_radius <= radii_[points.parent]) return;
+  if (goes_on_[axis] != 0 && plan.start_radius <= radii_[points.parent]) return;
   const float hollow = roundness(skeleton_->axis[points.parent]);
   const bool is_round = plan.sides >= kRoundCollar;
   if (surface(axis).collar > 0 && is_round && kLeastCollar * plan.start_radius > hollow) {

@@ -75,8 +75,9 @@ class TubePlan {
   std::size_t wear(std::size_t axis) const { return wear_of_axis_.empty() ? 0 : wear_of_axis_[axis]; }
   /// How far the flats of an axis's tube may lie below its bark, at most.
   float roundness(std::size_t axis) const;
-  float base_radius(AxisIndex axis) const;
-  bool goes_on(AxisIndex axis) const;
+  void find_start(AxisIndex axis);
+  float base_radius(AxisIndex axis, bool goes_on) const;
+  bool find_whether_it_goes_on(AxisIndex axis) const;
   void smooth_radii(AxisIndex axis);
   void choose_rings(AxisIndex axis);
   bool is_straight(std::span<const NodeIndex> nodes, std::size_t from, std::size_t to, float error) const;
@@ -91,6 +92,10 @@ class TubePlan {
   Axes axes_;
   std::vector<NodeIndex> kept_;            // nodes of the axes that get rings, each axis's where axes_ has all of its
   std::vector<std::uint32_t> kept_count_;  // of each axis
+  std::vector<std::uint8_t> is_tip_;       // by node: the last of its axis
+  // Of each axis, found once: both look at the parent, which may lie anywhere in memory.
+  std::vector<std::uint8_t> goes_on_;
+  std::vector<float> base_radius_;
   int most_sides_ = 3;
   std::vector<float> thickest_;  // of each wear
   std::vector<float> radii_;     // by node

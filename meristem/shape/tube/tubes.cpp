@@ -27,6 +27,7 @@
 #include <vector>
 
 #include "meristem/base/frame.h"
+#include "meristem/base/large_memory.h"
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
 #include "meristem/shape/tube/tube_plan.h"
@@ -198,15 +199,16 @@ class AxisMesher {
     const std::uint32_t first = next_vertex_;
     close_start(point);
     Vec3 middle(0);
-    for (std::uint32_t k = 0; k <= plan_.sides; ++k) {
+    for (std::uint32_t k = 0; k < plan_.sides; ++k) {
       const Vec3 out = corners_[k].cosine * x_ + corners_[k].sine * y;
       const Vec3 top = collar.centre + collar.radius * out;
       const Vec3 foot = top - bark.trace(top, -collar.direction, farthest) * collar.direction;
-      const Vec3 up = bark.normal(foot);
+      const Vec3 up = bark.nearest(foot).normal();
       const Vec3 away = unit_or(out - glm::dot(out, up) * up, out);
       Vec3 low = foot + collar.fillet * away;
-      const Vec3 outward = bark.normal(low);
-      low -= (bark.distance(low) + plan_.sink) * outward;
+      const Bark::Nearest at_low = bark.nearest(low);
+      const Vec3 outward = at_low.normal();
+      low -= (at_low.distance + plan_.sink) * outward;
       const Vec3 hidden = low + kHiddenFillet * collar.fillet * (away - outward);
       middle += hidden;
       put_collar_vertex(first + k, hidden, unit_or(away - 0.3F * outward, -outward), k);
@@ -219,9 +221,15 @@ class AxisMesher {
         put_collar_vertex(first + j * stride + k, position, normal, k);
       }
     }
+    // The last corner is the first once more.
+    for (std::uint32_t j = 0; j < AxisPlan::kCollarRings; ++j) {
+      const std::uint32_t vertex = first + j * stride;
+      put_collar_vertex(vertex + plan_.sides, mesh_.positions[vertex], mesh_.normals[vertex], plan_.sides);
+    }
+    middle += mesh_.positions[first];
     // The hidden point lies deeper than the ring about it.
     middle /= static_cast<float>(stride);
-    mesh_.positions[point] = middle - kHiddenFillet * collar.fillet * bark.normal(middle);
+    mesh_.positions[point] = middle - kHiddenFillet * collar.fillet * bark.nearest(middle).normal();
     mesh_.normals[point] = -collar.direction;
     mesh_.uvs[point] = {0.5F, 0};
     finish_collar(first);
@@ -457,10 +465,10 @@ std::vector<Mesh> make_tubes(const TubePlan& plan, Progress& progress) {
     if (size.vertices > std::numeric_limits<std::uint32_t>::max()) {
       throw std::invalid_argument("a mesh has at most 2^32 vertices");
     }
-    meshes[k].positions.resize(size.vertices);
-    meshes[k].normals.resize(size.vertices);
-    meshes[k].uvs.resize(size.vertices);
-    meshes[k].triangles.resize(size.triangles);
+    resize_large(meshes[k].positions, size.vertices);
+    resize_large(meshes[k].normals, size.vertices);
+    resize_large(meshes[k].uvs, size.vertices);
+    resize_large(meshes[k].triangles, size.triangles);
   }
   // Let every axis fill its part of the mesh.
   const CornerTable corners(plan.most_sides());

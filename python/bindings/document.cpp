@@ -23,8 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using DocumentPointer = std::shared_ptr<DocumentInPython>;
 
-constexpr const char* kFromPython = "<python>";
-
 std::optional<std::uint64_t> optional_seed(const py::object& seed) {
   if (seed.is_none()) return {};
   return seed_of(seed);
@@ -63,28 +61,10 @@ DocumentPointer with_values(const DocumentPointer& document, const py::object& v
   return made;
 }
 
-/// Files that the document names must be found from where it is written.
-void check_named_files(const DocumentInPython& document, const fs::path& target) {
-  const fs::path from = fs::absolute(fs::path(document.file).parent_path() / ".");
-  const fs::path to = fs::absolute(target.parent_path() / ".");
-  std::error_code ignored;
-  for (const std::string& named : document.document.source.named_files) {
-    if (fs::path(named).is_absolute() && document.file == kFromPython) continue;
-    const fs::path relative = fs::absolute(named).lexically_normal().lexically_relative(from.lexically_normal());
-    if (fs::equivalent(to / relative, named, ignored)) continue;
-    throw InputError(
-        Diagnostic{.message = fmt::format("'{}' would not find '{}' from there", target.string(), relative.string()),
-                   .expected = fmt::format("a file in {}, or that file copied along", from.string())});
-  }
-}
-
 void save(const DocumentPointer& document, const py::object& path) {
   const std::string target = file_of(path);
-  check_named_files(*document, target);
-  const std::string text = write_json(document->tree());
-  AtomicFile file(target);
-  file.write(text.data(), text.size());
-  file.commit();
+  check_named_files(document->document, document->file, target);
+  write_file(target, write_json(document->tree()));
 }
 
 py::list variables_of(const DocumentPointer& document) {
@@ -178,17 +158,34 @@ const GrownDocument& PlantInPython::up_to(GrownPart part, Progress& progress) {
 Value DocumentInPython::tree() const {
   Value tree = document.source.tree;
   if (!seed) return tree;
-  const auto number = static_cast<double>(*seed);
-  if (static_cast<std::uint64_t>(number) != *seed || *seed > (std::uint64_t{1} << 53)) {
-    throw InputError(Diagnostic{.message = fmt::format("the seed {} cannot be written in a document", *seed),
-                                .expected = "at most 2^53"});
-  }
+  const auto number = static_cast<double>(*seed);  // at most 2^53, so exact
   if (Value* member = tree.find("seed")) {
     *member = number;
   } else {
     tree.object()->emplace_back("seed", number);
   }
   return tree;
+}
+
+void check_named_files(const Document& document, const std::string& file, const std::string& target_path) {
+  const fs::path target = target_path;
+  const fs::path from = fs::absolute(fs::path(file).parent_path() / ".");
+  const fs::path to = fs::absolute(target.parent_path() / ".");
+  std::error_code ignored;
+  for (const std::string& named : document.source.named_files) {
+    if (fs::path(named).is_absolute() && file == kFromPython) continue;
+    const fs::path relative = fs::absolute(named).lexically_normal().lexically_relative(from.lexically_normal());
+    if (fs::equivalent(to / relative, named, ignored)) continue;
+    throw InputError(
+        Diagnostic{.message = fmt::format("'{}' would not find '{}' from there", target.string(), relative.string()),
+                   .expected = fmt::format("a file in {}, or that file copied along", from.string())});
+  }
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  AtomicFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
 }
 
 void bind_document(py::module_& module) {

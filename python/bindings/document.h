@@ -51,6 +51,15 @@ struct DocumentInPython {
   Value tree() const;
 };
 
+/// The file of a document that was made in Python.
+inline constexpr const char* kFromPython = "<python>";
+
+/// Throws InputError unless files that the document, read from `file`, names are found from `target` as well.
+void check_named_files(const Document& document, const std::string& file, const std::string& target);
+
+/// The text as a file, whole or not at all. Throws MachineError.
+void write_file(const std::string& path, const std::string& text);
+
 /// A document that has grown. Its meshes and the pictures on them are made when they are first asked for.
 class PlantInPython {
  public:

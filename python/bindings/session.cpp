@@ -47,12 +47,31 @@ SessionPointer make_session(std::string text, std::string file, const py::object
   return std::make_shared<SessionInPython>(std::move(session), options.seed);
 }
 
+/// The text that a document was read from, with the values that were set edited in.
+SessionPointer session_of_document(const DocumentInPython& document, const py::object& root) {
+  SessionOptions options{.root = path_of(root)};
+  auto made = std::make_shared<SessionInPython>(Session(document.text, document.file, builtin_components(), options),
+                                                std::nullopt);
+  std::vector<Edit> edits;
+  for (const Override& set : document.overrides) edits.emplace_back(SetValue{set.path, set.value});
+  if (document.seed) edits.emplace_back(SetValue{"seed", static_cast<double>(*document.seed)});
+  if (!edits.empty()) made->session.edit(edits);
+  return made;
+}
+
 SessionPointer session_of(const py::object& content, const py::object& file, const py::object& set,
                           const py::object& seed, const py::object& root) {
+  if (py::isinstance<DocumentInPython>(content)) {
+    if (!set.is_none() || !seed.is_none() || !path_of(file).empty()) {
+      throw py::type_error("a Document has its own file, values and seed; give others with its set()");
+    }
+    return session_of_document(content.cast<const DocumentInPython&>(), root);
+  }
   const Value value = to_value(content);
   const std::string* const text = value.text();
   const std::string named = path_of(file);
-  return make_session(text != nullptr ? *text : write_json(value), named.empty() ? "<python>" : named, set, seed, root);
+  return make_session(text != nullptr ? *text : write_json(value), named.empty() ? kFromPython : named, set, seed,
+                      root);
 }
 
 SessionPointer open(const py::object& path, const py::object& set, const py::object& seed, const py::object& root) {
@@ -113,6 +132,14 @@ std::shared_ptr<PlantInPython> grow(const SessionPointer& self, double time, int
     GrownDocument grown = self->session.grow(inner, {.time = time});
     return std::make_shared<PlantInPython>(document, std::move(grown));
   });
+}
+
+void save(const SessionPointer& self, const py::object& path) {
+  const std::string target = file_of(path);
+  const auto lock = self->lock();
+  if (!self->session.is_good()) throw InputError(self->session.faults());
+  check_named_files(*self->session.document(), self->session.file(), target);
+  write_file(target, self->session.text());
 }
 
 /// "leaf[0]", "leaf[1]", ... of the batches at these places.
@@ -208,8 +235,9 @@ void bind_session(py::module_& module) {
 
 Edits change the text where they must and nowhere else, and can be undone. Where the text is faulty it is kept with its
 faults, and document and growth stay those of the last text without. Growing makes only what has changed. `content`,
-`file`, `set` and `seed` are as those of Document; nothing that the document names is read outside of the folder `root`,
-if one is given. One thread at a time; another one that comes meanwhile gets a RuntimeError.)");
+`file`, `set` and `seed` are as those of Document; or `content` is a Document, of which the session has the text as it was
+written, with the values that set() gave it edited in. Nothing that the document names is read outside of the folder
+`root`, if one is given. One thread at a time; another one that comes meanwhile gets a RuntimeError.)");
   session.def(py::init(&session_of), py::arg("content"), py::kw_only(), py::arg("file") = "",
               py::arg("set") = py::none(), py::arg("seed") = py::none(), py::arg("root") = "");
   bind_edits(session);
@@ -248,6 +276,9 @@ if one is given. One thread at a time; another one that comes meanwhile gets a R
             s->session.reload();
           },
           "Reads the files that have changed since they were read, and the document with them.")
+      .def("save", &save, py::arg("path"),
+           "Writes the text as it is. Raises InputError where it has faults or would not find a file that it names, "
+           "MachineError where it cannot be written.")
       .def("grow", &grow, py::arg("time") = 0.0, py::kw_only(), py::arg("threads") = 0,
            py::arg("progress") = py::none(),
            R"(Grows the document of the last text without faults and gives a Plant, as Document.grow does.

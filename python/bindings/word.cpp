@@ -17,8 +17,6 @@ namespace meristem::python {
 
 namespace {
 
-constexpr const char* kFromPython = "<python>";
-
 /// A word and what its letters are.
 struct WordInPython {
   Word word;

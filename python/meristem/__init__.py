@@ -47,7 +47,9 @@ from ._core import (
     unit_vector,
 )
 from ._errors import Cancelled, Diagnostic, Error, InputError, MachineError
+from ._fit import FitPoint, FitProgress, FitResult, fit
 from ._show import describe, make_preview, show
+from ._target import Target
 from ._variable import Variable
 
 # Methods of compiled classes that are written here
@@ -62,6 +64,9 @@ __all__ = [
     "Diagnostic",
     "Document",
     "Error",
+    "FitPoint",
+    "FitProgress",
+    "FitResult",
     "InputError",
     "MachineError",
     "Material",
@@ -75,6 +80,7 @@ __all__ = [
     "Session",
     "Skeleton",
     "Stem",
+    "Target",
     "Variable",
     "Word",
     "__version__",
@@ -86,6 +92,7 @@ __all__ = [
     "daylight",
     "declination",
     "derive",
+    "fit",
     "grass",
     "models",
     "parameter_tables",

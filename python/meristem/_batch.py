@@ -16,7 +16,8 @@ from typing import Any, Optional
 
 from ._core import Document, Plant, Skeleton
 from ._job import Job, Measure, Task, refuse_seed
-from ._pool import Pool, refuse_unguarded_program
+from ._pool import refuse_unguarded_program
+from ._runner import Runner
 
 Values = Mapping[str, Any]
 _ProgressCallback = Callable[[int, Optional[int]], object]
@@ -67,30 +68,24 @@ def batch(
     if set is not None:
         document = document.set(set)
         refuse_seed(set)
-    count = _count_processes(processes)
+    count = count_processes(processes)
     sets = _sets_of_values(grid, samples)
     total = _total(seeds, sets)
     if (grid is not None or samples is not None) and iter(seeds) is seeds:
         raise ValueError("beside grid or samples, seeds must be a list or range: they are gone through for every set")
-    job = Job(document, _checked_measure(measure))
+    job = Job(document, check_measure(measure))
     tasks = _checked_tasks(job, (Task(seed, values) for values in map(_values_of, sets) for seed in seeds))
-    if count > 1:
-        return _grow_on_pool(_pickle_job(job), count if total is None else min(count, total), tasks, total, progress)
-    return _grow_here(job, tasks, total, progress)
+    pickled = pickle_job(job) if count > 1 else None
+    return _grow(job, pickled, count if total is None else min(count, total), tasks, total, progress)
 
 
-def _grow_here(
-    job: Job, tasks: Iterable[Task], total: int | None, progress: _ProgressCallback | None
-) -> Generator[BatchResult, None, None]:
-    for done, task in enumerate(tasks, 1):
-        result = job.run(task)
-        if progress is not None:
-            progress(done, total)
-        yield BatchResult(task.seed, dict(task.values), pickle.loads(result))
-
-
-def _grow_on_pool(
-    job: bytes, count: int, tasks: Iterable[Task], total: int | None, progress: _ProgressCallback | None
+def _grow(
+    job: Job,
+    pickled: bytes | None,
+    count: int,
+    tasks: Iterable[Task],
+    total: int | None,
+    progress: _ProgressCallback | None,
 ) -> Generator[BatchResult, None, None]:
     done = itertools.count(1)
 
@@ -98,15 +93,13 @@ def _grow_on_pool(
         if progress is not None:
             progress(next(done), total)
 
-    pool = Pool(job, count)
-    try:
-        for task, result in pool.run(tasks, tell):
-            yield BatchResult(task.seed, dict(task.values), pickle.loads(result))
-    finally:
-        pool.stop()
+    with Runner(job, pickled, count) as runner:
+        for task, result in runner.run(tasks, tell):
+            yield BatchResult(task.seed, dict(task.values), result)
 
 
-def _count_processes(processes: int | None) -> int:
+def count_processes(processes: int | None) -> int:
+    """How many processes grow at once: all cores if None. Raises ValueError below 1."""
     if processes is not None:
         count = operator.index(processes)
         if count < 1:
@@ -171,7 +164,8 @@ def _checked_tasks(job: Job, tasks: Iterator[Task]) -> Iterator[Task]:
     return tasks
 
 
-def _checked_measure(measure: str | Iterable[str] | Callable[[Plant], Any] | None) -> Measure:
+def check_measure(measure: str | Iterable[str] | Callable[[Plant], Any] | None) -> Measure:
+    """The measure for a Job. Raises ValueError for names that are no measures."""
     if measure is None or callable(measure):
         return measure
     if not isinstance(measure, Iterable):
@@ -184,7 +178,7 @@ def _checked_measure(measure: str | Iterable[str] | Callable[[Plant], Any] | Non
     return names
 
 
-def _pickle_job(job: Job) -> bytes:
+def pickle_job(job: Job) -> bytes:
     """The job for the workers. Raises RuntimeError and TypeError for programs and functions they cannot import."""
     program = getattr(sys.modules["__main__"], "__file__", None)
     if program == "<stdin>":

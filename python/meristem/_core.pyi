@@ -366,7 +366,7 @@ class Document:
 class Session:
     def __init__(
         self,
-        content: str | Mapping[str, Any],
+        content: str | Mapping[str, Any] | Document,
         *,
         file: str | os.PathLike[str] = "",
         set: Mapping[str, Any] | None = None,
@@ -393,6 +393,7 @@ class Session:
     def redo(self) -> Change | None: ...
     def preview(self, values: Mapping[str, Any] | None = None) -> None: ...
     def reload(self) -> None: ...
+    def save(self, path: str | os.PathLike[str]) -> None: ...
     def grow(
         self,
         time: float = 0.0,

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any, Union
 
 from ._core import Document, Plant, Progress
+from ._errors import InputError
 
 #: Names of measures; None for all that need no light on leaves; or a function of the plant.
 Measure = Union[None, "tuple[str, ...]", Callable[[Plant], Any]]
@@ -28,11 +29,22 @@ class Task:
 
 
 @dataclass(frozen=True)
+class Failure:
+    """The result of a plant that could not be grown."""
+
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
+
+
+@dataclass(frozen=True)
 class Job:
     """What is done for every plant of a batch."""
 
     document: Document
     measure: Measure
+    keeps_failures: bool = False  #: whether values that a plant cannot grow from give a Failure and raise nothing
 
     def document_of(self, task: Task) -> Document:
         refuse_seed(task.values)
@@ -46,6 +58,11 @@ class Job:
         try:
             plant = self.document_of(task).grow(threads=1, progress=progress)
             return _pickle_result(_measure(plant, self.measure, progress))
+        except InputError as error:
+            if self.keeps_failures:
+                return pickle.dumps(Failure(f"seed {task.seed}: {error}"))
+            add_note(error, f"in the batch's plant of {task}")
+            raise
         except Exception as error:
             add_note(error, f"in the batch's plant of {task}")
             raise

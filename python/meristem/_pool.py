@@ -11,6 +11,7 @@ they do not tell which task a killed worker had.
 
 from __future__ import annotations
 
+import itertools
 import multiprocessing
 import os
 import pickle
@@ -51,6 +52,7 @@ class Pool:
     def __init__(self, job: bytes, count: int) -> None:
         """Starts `count` processes. `job` is a pickled Job."""
         self._workers: list[_Worker] = []
+        self._numbers = itertools.count()  #: of tasks, over all runs
         # Not "fork": a forked child has the locks of the library's threads as they were, but not the threads.
         context: ForkServerContext | SpawnContext
         if "forkserver" in multiprocessing.get_all_start_methods():
@@ -74,9 +76,11 @@ class Pool:
         """The tasks with their pickled results, in order. Calls `tell` whenever a plant is done.
 
         Takes from `tasks` only as many as are grown ahead. Raises what the job raises, at the plant's turn, and
-        MachineError where a worker dies.
+        MachineError where a worker dies. May be called again; what an earlier run that was left before its end has
+        given to the workers is dropped.
         """
-        source = enumerate(tasks)
+        first = next(self._numbers)
+        source = zip(self._numbers, tasks)
         due: deque[tuple[int, Task]] = deque()
         answers: dict[int, _Answer] = {}
         while True:
@@ -85,8 +89,9 @@ class Pool:
                 return
             number, task = due[0]
             for answer in self._receive(may_wait=number not in answers):
-                answers[answer[0]] = answer
-                tell()
+                if answer[0] > first:
+                    answers[answer[0]] = answer
+                    tell()
             if number in answers:
                 self._give(source, due)
                 due.popleft()

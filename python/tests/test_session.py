@@ -129,3 +129,24 @@ def test_a_document_that_is_set_grows_the_same_as_one_read_anew() -> None:
     alone = meristem.Document(BUSH, set={"leaf.length": 0.2, "many": 9, "stem.length": 0.6}).grow()
     assert (again.organs.frame == alone.organs.frame).all()
     assert (again.stems[0].skeleton.position == alone.stems[0].skeleton.position).all()
+
+
+def test_a_session_of_a_document_has_its_text_with_the_values_that_were_set() -> None:
+    document = meristem.Document(BUSH).set({"many": 8, "leaf.curl": 20}, seed=9)
+    session = meristem.Session(document)
+    assert session.text.startswith("// A bush.") and '"many": 8' in session.text and '"curl": 20' in session.text
+    assert session.document is not None and session.document.seed == 9
+    assert meristem.Session(meristem.Document(BUSH)).text == BUSH
+    with pytest.raises(TypeError, match="has its own file, values and seed"):
+        meristem.Session(document, seed=3)
+
+
+def test_a_session_saves_its_text_as_it_is(tmp_path: Path) -> None:
+    session = meristem.Session(BUSH)
+    session.set("many", 6)
+    session.save(tmp_path / "bush.json")
+    assert (tmp_path / "bush.json").read_text(encoding="utf-8") == session.text
+    session.edit_text([(0, 0, "{")])
+    with pytest.raises(meristem.InputError):
+        session.save(tmp_path / "faulty.json")
+    assert not (tmp_path / "faulty.json").exists()

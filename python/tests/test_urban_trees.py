@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Shipped broad-leaved trees have the height, diameter and crown of measured trees of their species."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import meristem
+import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "studies"))
+
+from fit_study.urban import FILE, SPECIES, Species, breast_diameter, measure_tree, outside, read_bands  # noqa: E402
+
+needs_measured = pytest.mark.skipif(
+    not FILE.is_file(), reason="the measured data is not here; MERISTEM_SHARED_DATA may name its folder"
+)
+
+
+@needs_measured
+@pytest.mark.parametrize("species", SPECIES, ids=[species.model for species in SPECIES])
+def test_trees_are_within_the_bands_of_their_species(species: Species) -> None:
+    found = measure_tree(meristem.read(species.model).grow())
+    assert outside(found, read_bands(species.measured)) == []
+
+
+def test_models_are_of_the_species_that_they_are_compared_with() -> None:
+    for species in SPECIES:
+        assert species.name in meristem.read(species.model).description
+
+
+def test_the_diameter_is_that_of_the_thickest_stem_at_breast_height() -> None:
+    # A trunk of 10 to 20 cm in radius that tapers, and a stem beside it that bends below 1.3 m and up again.
+    skeleton = meristem.Skeleton(
+        [-1, 0, 1, 0, 3, 4],
+        [[0, 1, 0], [0, 2, 0], [0, 3, 0], [1, 3, 0], [1, 2, 0], [1, 4, 0]],
+        radius=[0.2, 0.16, 0.1, 0.05, 0.05, 0.05],
+    )
+    assert breast_diameter(skeleton) == pytest.approx(2 * (0.16 - 0.3 * 0.06))

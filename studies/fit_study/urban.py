@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Shipped broad-leaved trees beside measured urban trees of their species.
+
+The bands hold from the 5th to the 95th percentile of height, diameter at 1.3 m, crown diameter and their ratios, over
+trees of all ages. They are no part of the project: `shared/data` beside it, or the folder that MERISTEM_SHARED_DATA names,
+has them in `trees/urban_tree_ranges.csv`.
+Based on: E. G. McPherson, N. S. van Doorn, P. J. Peper: Urban tree database (Forest Service Research Data Archive 2016).
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+import meristem
+
+BESIDE_THE_PROJECT = Path(__file__).resolve().parents[3] / "shared" / "data"
+FILE = Path(os.environ.get("MERISTEM_SHARED_DATA", BESIDE_THE_PROJECT)) / "trees" / "urban_tree_ranges.csv"
+BREAST_HEIGHT = 1.3  #: metres
+
+#: Names of the file's columns by our quantities, and what brings them to metres
+QUANTITIES = {
+    "height": ("height_m", 1.0),
+    "diameter": ("DBH_cm", 0.01),
+    "crown": ("crown_diam_m", 1.0),
+    "height_over_diameter": ("H_over_D", 1.0),
+    "crown_over_height": ("crown_over_H", 1.0),
+    "crown_over_diameter": ("crown_over_D", 1.0),
+}
+
+
+@dataclass(frozen=True)
+class Species:
+    model: str
+    name: str  #: of the plant, as its document describes it
+    measured: str | None  #: the species of the file, the model's own or its nearest kin; None for all broad-leaved trees
+
+
+SPECIES = (
+    Species("apple", "Malus domestica", "Malus sp."),
+    Species("birch", "Betula pendula", "Betula pendula"),
+    Species("chestnut", "Aesculus hippocastanum", None),
+    Species("elm", "American elm", "Ulmus americana"),
+    Species("hawthorn", "Crataegus monogyna", "Crataegus x lavallei"),
+    Species("large-maple", "Acer pseudoplatanus", "Acer platanoides"),
+    Species("lime", "Tilia cordata", "Tilia cordata"),
+    Species("maple", "Acer platanoides", "Acer platanoides"),
+    Species("oak", "Quercus robur", "Quercus lobata"),
+    Species("old-oak", "Quercus robur", "Quercus lobata"),
+    Species("weeping-beech", "Fagus sylvatica", None),
+)
+#: Ratios of open-grown broad-leaved trees of all species
+ALL_BROAD_LEAVED = {"height_over_diameter": (16.0, 31.0, 64.0), "crown_over_height": (0.39, 0.80, 1.30)}
+
+Bands = dict[str, tuple[float, float, float]]  #: 5th, 50th and 95th percentile of each quantity
+
+
+def read_bands(measured: str | None) -> Bands:
+    """The bands of a species of the file."""
+    if measured is None:
+        return dict(ALL_BROAD_LEAVED)
+    with open(FILE, newline="", encoding="utf-8") as file:
+        [row] = [row for row in csv.DictReader(file) if row["species"] == measured]
+    bands: Bands = {}
+    for quantity, (column, factor) in QUANTITIES.items():
+        low, middle, high = (factor * float(row[f"{column}_{percentile}"]) for percentile in ("p5", "p50", "p95"))
+        bands[quantity] = (low, middle, high)
+    return bands
+
+
+def breast_diameter(skeleton: meristem.Skeleton) -> float:
+    """Diameter of the thickest stem 1.3 m above the root."""
+    rise = skeleton.position[:, 1] - skeleton.position[0, 1]
+    diameter = math.nan
+    for node, parent in enumerate(skeleton.parent):
+        if parent >= 0 and min(rise[node], rise[parent]) <= BREAST_HEIGHT < max(rise[node], rise[parent]):
+            share = (BREAST_HEIGHT - rise[parent]) / (rise[node] - rise[parent])
+            radius = float(skeleton.radius[parent] + share * (skeleton.radius[node] - skeleton.radius[parent]))
+            diameter = max(2 * radius, diameter) if not math.isnan(diameter) else 2 * radius
+    return diameter
+
+
+def measure_tree(plant: meristem.Plant) -> dict[str, float]:
+    """The quantities of a tree, by its tallest skeleton."""
+    skeleton = max((stem.skeleton for stem in plant.stems), key=lambda one: float(one.position[:, 1].max()))
+    measures = skeleton.measure(threads=1, crown_rays=1000)
+    height, crown, diameter = measures["height"], measures["crown_mean_width"], breast_diameter(skeleton)
+    return {
+        "height": height,
+        "diameter": diameter,
+        "crown": crown,
+        "height_over_diameter": height / diameter,
+        "crown_over_height": crown / height,
+        "crown_over_diameter": crown / diameter,
+    }
+
+
+def outside(found: dict[str, float], bands: Bands) -> list[str]:
+    """What lies outside of its band, in words."""
+    return [
+        f"{quantity} is {found[quantity]:.3g}, beyond {low:.3g} to {high:.3g}"
+        for quantity, (low, _, high) in bands.items()
+        if not low <= found[quantity] <= high
+    ]

@@ -269,7 +269,8 @@ void write_table(const Document& document, Progress& progress) {
   write_skeleton_csv(grow_document(document, progress, {.up_to = GrownPart::plant}).plant, target(), progress);
 }
 void measure(const Document& document, Progress& progress) {
-  const GrownDocument grown = grow_document(document, progress, {.up_to = GrownPart::meshes});
+  GrownDocument grown = grow_document(document, progress, {.up_to = GrownPart::meshes});
+  if (has_holes(grown.plant)) complete_growth(document, grown, progress);
   benchmark::DoNotOptimize(measure_plant(grown.plant, grown.meshes, document.scene, {}, progress));
 }
 void write(const Document& document, Progress& progress) {

@@ -13,6 +13,7 @@ using Run = std::function<void()>;
 void add_grow(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
 void add_measure(CLI::App& app, Run& run);
+void add_shade(CLI::App& app, Run& run);
 void add_derive(CLI::App& app, Run& run);
 void add_check(CLI::App& app, Run& run);
 void add_components(CLI::App& app, Run& run);

@@ -15,6 +15,18 @@ namespace meristem::cli {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr const char* kSun = "--sun";
+
+std::vector<Override> overrides_of(const DocumentOptions& options) {
+  std::vector<Override> overrides;
+  for (const std::string& set : options.sets) overrides.push_back(parse_override(set));
+  return overrides;
+}
+
+}  // namespace
+
 void add_run_options(CLI::App& command, int& threads, bool& quiet) {
   command.add_option("--threads", threads, "Number of threads to use; all cores if not given")
       ->type_name("N")
@@ -51,14 +63,24 @@ void DocumentOptions::add_to(CLI::App& command) {
 }
 
 Document open_document(const DocumentOptions& options) {
-  std::vector<Override> overrides;
-  for (const std::string& set : options.sets) overrides.push_back(parse_override(set));
   const bool from_input = options.path == "-";
   const std::string path = from_input ? "-" : find_document(options.path, models_folder());
   Document document = read_document(read_text_file(path), from_input ? "<standard input>" : path, builtin_components(),
-                                    {.overrides = std::move(overrides), .seed = options.seed});
+                                    {.overrides = overrides_of(options), .seed = options.seed});
   if (!options.quiet) print_diagnostics(document.warnings);
   return document;
+}
+
+Scene scene_under(const Document& document, const DocumentOptions& options, const std::string& sun) {
+  std::vector<Override> overrides = overrides_of(options);
+  std::erase_if(overrides, [](const Override& override) { return override.path.starts_with("scene.sun"); });
+  overrides.push_back(parse_override("scene.sun=" + sun));
+  overrides.back().name = kSun;
+  Document other = read_document(document.source.text, document.source.file, builtin_components(),
+                                 {.overrides = std::move(overrides), .seed = options.seed});
+  std::erase_if(other.warnings, [](const Diagnostic& warning) { return warning.file != kSun; });
+  if (!options.quiet) print_diagnostics(other.warnings);
+  return std::move(other.scene);
 }
 
 std::string models_folder() {

@@ -38,6 +38,10 @@ struct DocumentOptions {
 /// warnings unless quiet.
 Document open_document(const DocumentOptions& options);
 
+/// The scene of a document that was opened with these options, with another sun: `sun` is the JSON of a "scene.sun".
+/// Prints what is odd about it unless quiet.
+Scene scene_under(const Document& document, const DocumentOptions& options, const std::string& sun);
+
 /// The folder of shipped models: beside the program where it is installed, else the source tree's.
 std::string models_folder();
 

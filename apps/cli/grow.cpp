@@ -27,6 +27,7 @@ struct GrowOptions {
   std::optional<int> lod;  // coarser levels
   bool instanced = false;  // leaves are rows of arrays
   bool nodes = false;      // never, but nodes where there are many
+  bool obstacles = false;  // stand in files with meshes as well
 
   GltfInstances instances() const {
     if (instanced) return GltfInstances::rows;
@@ -57,6 +58,10 @@ void check_options(const GrowOptions& options, const std::vector<const Format*>&
     if (std::none_of(formats.begin(), formats.end(), has_meshes)) {
       throw wrong_lod("--lod changes none of the files", "a file that ends in .glb, .obj or .ply");
     }
+  }
+  if (options.obstacles && std::none_of(formats.begin(), formats.end(), has_meshes)) {
+    throw InputError(Diagnostic{.message = "--obstacles changes none of the files",
+                                .expected = "a file that ends in .glb, .obj or .ply"});
   }
   const auto can_instance = [](const Format* format) { return format->can_instance; };
   if (options.instances() == GltfInstances::automatic) return;
@@ -132,7 +137,7 @@ void grow(const GrowOptions& options) {
     warnings = grown.warnings;
     EncodedPictures pictures;
     FileSet files;
-    const FormatOptions format{.instances = options.instances(), .pictures = &pictures};
+    const FormatOptions format{.instances = options.instances(), .pictures = &pictures, .obstacles = options.obstacles};
     const std::string written = write_level(document, grown, levels[0], format, progress);
     summary.push_back(fmt::format("{}: {}", written, sizes_of(grown)));
     for (std::size_t level = 1; level < levels.size() && !levels[level].empty(); ++level) {
@@ -176,6 +181,8 @@ void add_grow(CLI::App& app, Run& run) {
                  "Beyond 5 million triangles, write leaves to .glb as nodes instead: large files, that every program "
                  "reads")
       ->excludes(instanced);
+  command->add_flag("--obstacles", options->obstacles,
+                    "Write the scene's obstacles into .glb, .obj and .ply as well, but those that are hidden");
   std::string endings;
   for (const Format& format : formats()) endings += fmt::format("  {:<14} {}\n", format.ending, format.doc);
   command->footer("Files end in:\n" + endings +

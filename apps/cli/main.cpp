@@ -111,6 +111,7 @@ int main(int argc, char** argv) {
   cli::add_grow(app, run);
   cli::add_render(app, run);
   cli::add_measure(app, run);
+  cli::add_shade(app, run);
   cli::add_derive(app, run);
   cli::add_check(app, run);
   cli::add_components(app, run);

@@ -7,11 +7,13 @@
 
 #include "commands.h"
 #include "documents.h"
+#include "frames.h"
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/parallel.h"
 #include "meristem/base/read_file.h"
 #include "meristem/document/grow.h"
 #include "meristem/document/json.h"
+#include "meristem/measure/foliage.h"
 #include "meristem/measure/measures.h"
 #include "meristem/output/measure_report.h"
 #include "meristem/output/mtg/mtg_skeleton.h"
@@ -37,6 +39,8 @@ struct MeasureCommand {
   MeasureOptions measures;
   std::string output = "-";
   std::string organs;  // a file for them; empty: none
+  std::string sun;     // JSON; empty: the document's
+  double time = 0;
   bool json = false;
   bool each = false;
   bool list = false;
@@ -62,6 +66,9 @@ void check_kind(const MeasureCommand& command) {
     require(!command.document.seed, "--seed", "a document");
     require(!command.measures.organ_light, "--light", "a document");
     require(command.organs.empty(), "--organs", "a document");
+    require(command.sun.empty(), "--sun", "a document");
+    require(command.time == 0, "--time", "a document");
+    require(command.measures.layer_height == 0, "--layers", "a document");
   } else {
     require(command.coordinates.empty(), "--coordinates", "an .mtg file");
     require(command.diameter.empty(), "--diameter", "an .mtg file");
@@ -83,7 +90,10 @@ void check_organs(const MeasureCommand& command, std::span<const std::string> in
 }
 
 StandMeasures measure_document(const MeasureCommand& command) {
+  const double time = checked_time(command.time);
   const Document document = open_document(command.document);
+  // The light that is measured need not be that of growth.
+  const Scene scene = command.sun.empty() ? document.scene : scene_under(document, command.document, command.sun);
   const std::vector<std::string> inputs = input_files(document);
   check_output(command.output, inputs);
   if (!command.organs.empty()) check_organs(command, inputs);
@@ -94,11 +104,11 @@ StandMeasures measure_document(const MeasureCommand& command) {
     TerminalProgress terminal(command.document.quiet);
     MeasureOptions options = command.measures;
     options.organ_light |= !command.organs.empty();
-    // Light falls through the holes of textures.
-    const GrownPart up_to = options.organ_light ? GrownPart::textures : GrownPart::meshes;
-    const GrownDocument grown = grow_document(document, terminal.progress(), {.up_to = up_to});
+    GrownDocument grown = grow_document(document, terminal.progress(), {.time = time, .up_to = GrownPart::meshes});
+    // Holes of textures are no leaf, and light falls through them.
+    if (has_holes(grown.plant)) complete_growth(document, grown, terminal.progress(), {.time = time});
     warnings = grown.warnings;
-    stand = measure_plant(grown.plant, grown.meshes, document.scene, options, terminal.progress());
+    stand = measure_plant(grown.plant, grown.meshes, scene, options, terminal.progress());
     if (!command.organs.empty()) write_organ_csv(grown.plant, stand.organs, command.organs, terminal.progress());
   }
   if (!command.document.quiet) print_diagnostics(warnings);
@@ -206,6 +216,18 @@ void add_measure(CLI::App& app, Run& run) {
   command->add_flag("--light", options->measures.organ_light,
                     "Measure the light on the leaves, which may take seconds");
   command
+      ->add_option("--sun", options->sun,
+                   "Measure under this sun, which need not be the one of growth: {\"day\": 172, \"hour\": 15}, or "
+                   "another value of scene.sun")
+      ->type_name("JSON");
+  command
+      ->add_option("--layers", options->measures.layer_height,
+                   "Tell the leaf area by height as well, in layers so high")
+      ->type_name("METRES")
+      ->check(CLI::Range(0.001, 1000.0));
+  command->add_option("--time", options->time, "Measure the document as it stands at this time, its t, in seconds")
+      ->type_name("T");
+  command
       ->add_option("--organs", options->organs,
                    "Table in CSV to write, with the light on every organ; - for standard output")
       ->type_name("FILE");
@@ -215,7 +237,7 @@ void add_measure(CLI::App& app, Run& run) {
   add_mtg_options(*command, *options);
   command->footer(
       "Example: meristem measure models/oak.json --seed 3 --json -o oak-measures.json\n"
-      "         meristem measure oak --set scene.sun.hour=12 --organs leaves.csv\n"
+      "         meristem measure avenue --sun '{\"day\": 172, \"hour\": 15}' --organs leaves.csv\n"
       "         meristem measure walnut.mtg --unit cm --diameter-unit mm");
   command->callback([options, &run] {
     const bool is_listing = options->list || options->markdown;

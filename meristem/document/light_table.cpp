@@ -40,9 +40,32 @@ void check_positions(const SunParameters& sun, const DocumentPath& path, Paramet
                fmt::format("at most {}: a longer '{}'", kMostPositions, name));
 }
 
+/// The one day of the year that a day or a date gives.
+std::optional<double> day_of(const SunParameters& sun) {
+  if (sun.day || sun.date.empty()) return sun.day;
+  const std::optional<Date> date = parse_date(sun.date);
+  return date ? std::optional<double>(day_of_year(*date)) : std::nullopt;
+}
+
+bool has_days(const SunParameters& sun) { return sun.day || !sun.days.empty() || !sun.date.empty(); }
+
+void check_clock(const SunParameters& sun, const DocumentPath& path, ParameterReader& reader) {
+  if (!sun.date.empty() && !parse_date(sun.date)) {
+    reader.fault(DocumentPath(path, "date"), fmt::format("'{}' is no date", sun.date),
+                 "a day from 1900 to 2100, such as \"2026-06-21\"");
+  }
+  if (!sun.time || (sun.longitude && sun.utc_offset)) return;
+  reader.fault(DocumentPath(path, "time"),
+               fmt::format("clock time needs {}", sun.longitude    ? "a 'utc_offset'"
+                                                  : sun.utc_offset ? "a 'longitude'"
+                                                                   : "a 'longitude' and a 'utc_offset'"),
+               R"(such as {"date": "2026-06-21", "time": "15:30", "longitude": 13.4, "utc_offset": 2})");
+}
+
 void check_sun(const SunParameters& sun, const DocumentPath& path, ParameterReader& reader) {
+  check_clock(sun, path, reader);
   const bool by_place = sun.azimuth || sun.altitude;
-  const bool by_day = sun.day || !sun.days.empty();
+  const bool by_day = has_days(sun);
   if (by_place == by_day) {
     return reader.fault(path,
                         by_place ? "the sun is given both by its position and by a day" : "the sun has no position",
@@ -79,9 +102,20 @@ const ParameterTable& sun_table() {
           .number("hour", &SunParameters::hour, {.unit = Unit::hour, .min = 0, .max = 24},
                   "Hour of the day in true solar time, with the sun highest at 12; for a whole day or season, the hour "
                   "of pictures.")
-          .never_with("day", {"days"})
+          .text("date", &SunParameters::date, "Date of the day, such as \"2026-06-21\", in place of its number.")
+          .number("time", &SunParameters::time, {.unit = Unit::hour, .min = 0, .max = 24},
+                  "Time of the day as a clock shows it, such as \"15:30\", in place of the solar hour.")
+          .number("longitude", &SunParameters::longitude, {.unit = Unit::degree, .min = -180, .max = 180},
+                  "Longitude of the scene, east positive, from which clock time is worked out.")
+          .number("utc_offset", &SunParameters::utc_offset, {.unit = Unit::hour, .min = -14, .max = 14},
+                  "Hours by which the clock is ahead of universal time: 1 in central Europe, 2 in its summer time.")
+          .never_with("day", {"days", "date"})
+          .never_with("days", {"date"})
           .only_with("days", {"every_days"})
           .never_with("azimuth", {"every_hours", "hour"})
+          .only_with("date", {"time"})
+          .never_with("time", {"hour"})
+          .only_with("time", {"longitude", "utc_offset"})
           .check(check_sun);
   return table;
 }
@@ -98,18 +132,23 @@ const ParameterTable& lamp_table() {
   return table;
 }
 
+/// The hour of pictures, in words.
+std::string shown_time(const SunParameters& sun) {
+  return sun.time ? clock_hour_text(*sun.time) : fmt::format("{:.6g} h", sun.hour);
+}
+
 /// What the sun does wrong if it gives no light, in words.
 std::string reason_without_sun(const LightParameters& settings) {
   const SunParameters& sun = *settings.sun;
-  if (!sun.day && sun.days.empty()) return "the sun is below the horizon";
+  if (!has_days(sun)) return "the sun is below the horizon";
   const double latitude = degrees(*settings.latitude);
   if (!sun.days.empty()) {
     return fmt::format("the sun does not rise from day {} to {} at latitude {:.6g}", sun.days[0], sun.days[1],
                        latitude);
   }
-  if (sun.every_hours) return fmt::format("the sun does not rise on day {:.6g} at latitude {:.6g}", *sun.day, latitude);
-  return fmt::format("the sun is below the horizon at {:.6g} h on day {:.6g} at latitude {:.6g}", sun.hour, *sun.day,
-                     latitude);
+  const std::string day = sun.day ? fmt::format("day {:.6g}", *sun.day) : sun.date;
+  if (sun.every_hours) return fmt::format("the sun does not rise on {} at latitude {:.6g}", day, latitude);
+  return fmt::format("the sun is below the horizon at {} on {} at latitude {:.6g}", shown_time(sun), day, latitude);
 }
 
 std::string_view consequence_without_sun(const LightParameters& settings) {
@@ -127,7 +166,7 @@ void warn_of_night(const LightParameters& settings, const DocumentPath& path, Pa
   if (scene.light.sun.empty() && (has_hours || !has_lamps)) {
     reader.warn(path, fmt::format("{}, so {}", reason_without_sun(settings), consequence_without_sun(settings)));
   } else if (!scene.light.sun.empty() && scene.sun.altitude <= 0 && !has_lamps) {
-    reader.warn(path, fmt::format("in pictures, at {:.6g} h, the sun is below the horizon", sun.hour));
+    reader.warn(path, fmt::format("in pictures, at {}, the sun is below the horizon", shown_time(sun)));
   }
 }
 
@@ -135,7 +174,11 @@ void warn_of_night(const LightParameters& settings, const DocumentPath& path, Pa
 SkyDirection shown_sun(const LightParameters& settings) {
   const SunParameters& sun = *settings.sun;
   if (sun.azimuth) return {*sun.azimuth, *sun.altitude};
-  if (sun.day) return sun_position(*settings.latitude, *sun.day, sun.hour);
+  if (sun.time) {
+    const ClockZone zone{*sun.longitude, *sun.utc_offset};
+    return sun_by_clock(*settings.latitude, zone, *parse_date(sun.date), *sun.time).position;
+  }
+  if (const auto day = day_of(sun)) return sun_position(*settings.latitude, *day, sun.hour);
   const std::vector<double> days = season_days(sun);
   return sun_position(*settings.latitude, days[days.size() / 2], sun.hour);
 }
@@ -146,7 +189,7 @@ std::vector<FarLight> sun_positions(const LightParameters& settings, SkyDirectio
   if (!sun.days.empty()) {
     return sun_of_days(*settings.latitude, season_days(sun), sun.every_hours.value_or(kSeasonHours));
   }
-  if (sun.day && sun.every_hours) return sun_of_days(*settings.latitude, {*sun.day}, *sun.every_hours);
+  if (day_of(sun) && sun.every_hours) return sun_of_days(*settings.latitude, {*day_of(sun)}, *sun.every_hours);
   if (shown.altitude <= 0) return {};
   return {FarLight{.toward = unit_vector(shown)}};
 }
@@ -164,13 +207,13 @@ const ParameterTable& light_table() {
                   "Share of the far light that comes from the whole sky, the rest being the sun's; raised, sides and "
                   "shade get more light.")
           .list("lamps", &LightParameters::lamps, lamp_table, "Lamps within the scene.")
-          .only_where({{"sun.day"}, {"sun.days"}}, {"latitude"});
+          .only_where({{"sun.day"}, {"sun.days"}, {"sun.date"}}, {"latitude"});
   return table;
 }
 
 void check_light(const LightParameters& settings, const DocumentPath& path, ParameterReader& reader) {
   const std::optional<SunParameters>& sun = settings.sun;
-  if (sun && (sun->day || !sun->days.empty()) && !settings.latitude) {
+  if (sun && has_days(*sun) && !settings.latitude) {
     reader.fault(DocumentPath(path, "sun"), "a sun with a day needs a latitude", R"("latitude" in the scene)");
   }
   if (settings.lamps.size() > kMostLamps) {
@@ -181,7 +224,9 @@ void check_light(const LightParameters& settings, const DocumentPath& path, Para
 
 void light_scene(const LightParameters& settings, const DocumentPath& path, ParameterReader& reader, Scene& scene) {
   Light& light = scene.light;
+  scene.latitude = settings.latitude;
   if (settings.sun) {
+    if (settings.sun->time) scene.clock = ClockZone{*settings.sun->longitude, *settings.sun->utc_offset};
     scene.sun = shown_sun(settings);
     light.sun = sun_positions(settings, scene.sun);
     warn_of_night(settings, DocumentPath(path, "sun"), reader, scene);

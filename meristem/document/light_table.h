@@ -10,7 +10,7 @@
 
 namespace meristem {
 
-/// Where the sun stands: at a position on the sky, at an hour of a day, over a day, or over a season.
+/// Where the sun stands: at a position on the sky, at an hour of a day or of a clock, over a day, or over a season.
 struct SunParameters {
   std::optional<double> azimuth;      // radians
   std::optional<double> altitude;     // radians
@@ -19,6 +19,10 @@ struct SunParameters {
   double every_days = 30;             // in a season
   std::optional<double> every_hours;  // over a day; always over a season
   double hour = 12;                   // of a day without every_hours, and of pictures
+  std::string date;                   // in place of a day; empty if there is none
+  std::optional<double> time;         // of a clock, hours; in place of an hour
+  std::optional<double> longitude;    // radians
+  std::optional<double> utc_offset;   // hours
 };
 
 struct LightParameters {

@@ -55,6 +55,58 @@ TEST(SceneLight, ComesFromTheZenithUnlessSaid) {
   EXPECT_TRUE(scene.light.lamps.empty());
 }
 
+TEST(SceneLight, ComesFromWhereAClockSaysTheSunStands) {
+  const Scene scene = read_in(
+                          R"({"latitude": 39.742476,
+          "sun": {"date": "2003-10-17", "time": "12:30:30", "longitude": -105.1786, "utc_offset": -7}})")
+                          .scene;
+  EXPECT_NEAR(degrees(scene.sun.altitude), 39.872, 0.012);
+  EXPECT_NEAR(degrees(scene.sun.azimuth), 194.340, 0.012);
+  expect_alike(scene.light.sun, {FarLight{.toward = unit_vector(scene.sun)}});
+  ASSERT_TRUE(scene.clock);
+  EXPECT_NEAR(degrees(scene.clock->longitude), -105.1786, 1e-9);
+  EXPECT_EQ(scene.clock->utc_offset, -7);
+  EXPECT_NEAR(degrees(*scene.latitude), 39.742476, 1e-9);
+}
+
+TEST(SceneLight, ADateIsADayAndATimeAnHour) {
+  const Scene by_date = read_in(R"({"latitude": 50, "sun": {"date": "2026-06-21", "hour": "9:30"}})").scene;
+  const Scene by_day = read_in(R"({"latitude": 50, "sun": {"day": 172, "hour": 9.5}})").scene;
+  EXPECT_EQ(by_date.sun.altitude, by_day.sun.altitude);
+  EXPECT_FALSE(by_date.clock);
+  expect_alike(read_in(R"({"latitude": 50, "sun": {"date": "2026-06-21", "every_hours": 1}})").scene.light.sun,
+               read_in(R"({"latitude": 50, "sun": {"day": 172, "every_hours": 1}})").scene.light.sun);
+}
+
+TEST(SceneLight, SaysWhatIsWrongWithAClock) {
+  const auto fault = [](const std::string& sun) {
+    return faults_of(fmt::format("{{\"latitude\": 50, \"sun\": {}}}", sun));
+  };
+  EXPECT_NE(fault(R"({"date": "2026-06-31"})").find("scene.sun.date: '2026-06-31' is no date"), std::string::npos);
+  EXPECT_NE(fault(R"({"date": "2026-06-21", "time": "15:30"})").find("needs a 'longitude' and a 'utc_offset'"),
+            std::string::npos);
+  EXPECT_NE(fault(R"({"date": "2026-06-21", "time": "15:30", "longitude": 7})").find("needs a 'utc_offset'"),
+            std::string::npos);
+  EXPECT_NE(fault(R"({"date": "2026-06-21", "time": "15:70", "longitude": 7, "utc_offset": 1})")
+                .find("scene.sun.time: '15:70' is no time"),
+            std::string::npos);
+  EXPECT_NE(fault(R"({"date": "2026-06-21", "time": 25, "longitude": 7, "utc_offset": 1})").find("scene.sun.time"),
+            std::string::npos);
+  EXPECT_NE(
+      fault(R"({"date": "2026-06-21", "time": 9, "longitude": 181, "utc_offset": 1})").find("scene.sun.longitude"),
+      std::string::npos);
+  for (const char* wrong : {R"({"day": 172, "time": 9, "longitude": 7, "utc_offset": 1})",
+                            R"({"date": "2026-06-21", "day": 172})", R"({"date": "2026-06-21", "days": [1, 9]})",
+                            R"({"day": 172, "longitude": 7})", R"({"azimuth": 1, "altitude": 1, "date": "2026-06-21"})",
+                            R"({"date": "2026-06-21", "time": 9, "hour": 9, "longitude": 7, "utc_offset": 1})"}) {
+    EXPECT_NE(fault(wrong), "no fault") << wrong;
+  }
+  EXPECT_NE(warnings_of(R"({"latitude": 50, "sun": {"date": "2026-06-21", "time": "23:30", "longitude": 7,
+                                                     "utc_offset": 1}})")
+                .find("the sun is below the horizon at 23:30 on 2026-06-21 at latitude 50"),
+            std::string::npos);
+}
+
 TEST(SceneLight, ComesFromAPlaceOrAnHour) {
   const Scene placed = read_in(R"({"sun": {"azimuth": 180, "altitude": 61}})").scene;
   expect_alike(placed.light.sun, {FarLight{.toward = unit_vector({kPi, radians(61)})}});

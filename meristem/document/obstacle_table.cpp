@@ -88,6 +88,8 @@ const ParameterTable& obstacle_table() {
           .colour("colour", &ObstacleParameters::colour, "Colour of the obstacle in pictures; its surface is matt.")
           .boolean("hidden", &ObstacleParameters::hidden,
                    "Whether pictures leave the obstacle out; it still blocks growth and light.")
+          .text("name", &ObstacleParameters::name,
+                "Name of the obstacle, by which `meristem shade` asks for its walls.")
           .one_of({"box", "mesh"})
           .only_with("mesh", {"up", "broken"})
           .check(check_obstacle);
@@ -114,7 +116,8 @@ Obstacles build_obstacles(const std::vector<ObstacleParameters>& forms) {
     bodies.push_back({.mesh = placed_mesh(form),
                       .colour = form.colour,
                       .is_broken = form.broken && !form.mesh->is_sound(),
-                      .is_hidden = form.hidden});
+                      .is_hidden = form.hidden,
+                      .name = form.name});
   }
   return Obstacles(std::move(bodies));
 }

@@ -30,6 +30,7 @@ struct ObstacleParameters {
   bool broken = false;
   bool hidden = false;
   Vec3 colour = Obstacle{}.colour;
+  std::string name;
 };
 
 const ParameterTable& obstacle_table();  ///< of ObstacleParameters

@@ -36,24 +36,21 @@ TEST(ObstacleWarnings, ATreeThatIsToldIntoAWallIsNamedWithThePlace) {
   EXPECT_NE(warnings[0].message.find(", 1, "), std::string::npos) << "at a height of 1 m: " << warnings[0].message;
 }
 
+// Along x at the height of 0.
+constexpr const char* kWeed =
+    R"j("weed": {"type": "lsystem", "steps": 1, "grammar": "F(2)", "frame": {"rotate": [0, 0, -90]}})j";
+
 TEST(ObstacleWarnings, AHornAndAGrammarAreNamedToo) {
   const auto horn = warnings_of(fmt::format(R"("cob": {{"type": "horn", {}}})", kLeaning));
   ASSERT_FALSE(horn.empty());
   EXPECT_EQ(horn[0].path, "components.cob");
-  const auto grammar = warnings_of(
-      R"("weed": {"type": "lsystem", "steps": 1, "grammar": "F(2)", "frame": {
-    "rotate" : [ 0, 0, -90 ]}
-})");
+  const auto grammar = warnings_of(kWeed);
   ASSERT_EQ(grammar.size(), 1U);
-EXPECT_EQ(grammar[0].path, "components.weed");
+  EXPECT_EQ(grammar[0].path, "components.weed");
 }
 
 TEST(ObstacleWarnings, AWallThatIsThinnerThanASegmentIsNotMissed) {
-  const auto warnings = warnings_of(
-      R"("weed": {"type": "lsystem", "steps": 1, "grammar": "F(2)", "frame": {
-  "rotate" : [ 0, 0, -90 ]}})", "[]",
-      "[[1, -1, -5], [1.001, 9, 5]]");
-EXPECT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings_of(kWeed, "[]", "[[1, -1, -5], [1.001, 9, 5]]").size(), 1U);
 }
 
 TEST(ObstacleWarnings, WhatStaysOutsideIsNotNamed) {

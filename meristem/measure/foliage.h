@@ -13,17 +13,42 @@ namespace meristem {
 /// `leaf` makes them (petals made so count as well); closed organs such as fruits are none.
 struct Foliage {
   std::uint64_t leaves = 0;
-  double area = 0;  ///< square metres, one side, the surface of the stalks included
+  double area = 0;          ///< square metres of blades, one side, without the holes of their textures
+  double petiole_area = 0;  ///< square metres of their petioles' surface
+};
+
+/// Leaf area by height, in layers of equal height that count from y = 0.
+struct LeafLayers {
+  double height = 0;         ///< metres, of each layer
+  std::int64_t first = 0;    ///< number of the lowest layer, which begins at `first` times `height`
+  std::vector<double> area;  ///< square metres of leaf blades in each, from below; empty without leaves
+
+  double low(std::size_t layer) const { return height * static_cast<double>(first + static_cast<std::int64_t>(layer)); }
+  double high(std::size_t layer) const { return low(layer + 1); }
+};
+
+/// What of an organ's surface is there.
+struct OrganArea {
+  double blade = 0;    ///< square metres of its triangles that no hole of its texture takes; of blades one side
+  double petiole = 0;  ///< of its petiole's triangles
 };
 
 /// Whether organs of this prototype are leaves.
 bool is_leaf(const Plant& plant, const OrganPrototype& prototype);
 
-/// Square metres of each organ's triangles, so of blades one side. Begins one stage of `progress`, which counts organs.
-/// The same numbers on any number of threads.
-std::vector<double> organ_areas(const Plant& plant, Progress& progress);
+/// Whether textures of the plant cut holes: then they must be painted before leaves are measured and rays are asked.
+bool has_holes(const Plant& plant);
 
-/// Begins one stage of `progress`, which counts organs. The same sums on any number of threads.
+/// Of each organ. Begins one stage of `progress`, which counts organs. The same numbers on any number of threads.
+/// Throws std::invalid_argument where a texture with holes is a sketch.
+std::vector<OrganArea> organ_areas(const Plant& plant, Progress& progress);
+
+/// Begins one stage of `progress`, which counts organs. The same sums on any number of threads. Throws as organ_areas.
 Foliage measure_foliage(const Plant& plant, Progress& progress);
+
+/// Leaf area in layers so high, metres above 0: triangles are cut at the layers' borders, and share their holes out
+/// evenly. The sum is Foliage::area. Begins two stages of `progress`, which count organs. The same on any number of
+/// threads. Throws as organ_areas, and InputError for more than 100,000 layers.
+LeafLayers measure_leaf_layers(const Plant& plant, double layer_height, Progress& progress);
 
 }  // namespace meristem

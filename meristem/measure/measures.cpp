@@ -2,11 +2,11 @@
 #include "meristem/measure/measures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
-#include "meristem/measure/foliage.h"
 #include "meristem/measure/forks.h"
 #include "meristem/measure/strahler.h"
 #include "meristem/measure/tree_form.h"
@@ -21,12 +21,14 @@ struct TreeRecord {
   ForkSamples forks;
   std::vector<std::uint64_t> streams;
   std::optional<double> lit_share;
+  TreeOrigin origin;
 };
 
 TreeRecord record_tree(const Skeleton& skeleton, const Scene* scene, const MeasureOptions& options,
                        const Progress& progress) {
   const Children children(skeleton);
   TreeRecord record;
+  if (skeleton.node_count() > 0) record.origin.position = skeleton.position[0];
   record.form = measure_form(skeleton, children, &progress);
   if (scene != nullptr && !record.form.crown_hull.triangles.empty()) {
     record.lit_share = measure_crown_light(record.form.crown_hull, *scene, options.crown_rays, &progress).lit_share;
@@ -63,6 +65,8 @@ void add_sums(const TreeForm& form, Measures& sums) {
   sums.crown_ground_area += form.crown_ground_area;
   sums.crown_hull_area += form.crown_hull_area;
   sums.crown_hull_volume += form.crown_hull_volume;
+  sums.stem_count += form.stems;
+  sums.basal_area += kPi / 4 * form.diameter_squares;
   add_columns(sums.axes_by_order, form.axes_by_order);
   add_columns(sums.length_by_order, form.length_by_order);
 }
@@ -72,7 +76,9 @@ void copy_size(const TreeForm& tallest, Measures& measures) {
   measures.crown_height = tallest.crown_height;
   measures.crown_width = tallest.crown_width;
   measures.crown_mean_width = tallest.crown_mean_width;
+  if (tallest.base_diameter > 0) measures.base_diameter = tallest.base_diameter;
   measures.stem_diameter = tallest.diameter;
+  if (tallest.stems > 0) measures.stem_equivalent_diameter = std::sqrt(tallest.diameter_squares);
   if (tallest.diameter) measures.slenderness = tallest.height / *tallest.diameter;
 }
 
@@ -155,9 +161,18 @@ StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, cons
     }
   });
   std::vector<TreeRecord> records;
-  for (auto& some : of_skeleton) std::move(some.begin(), some.end(), std::back_inserter(records));
-  StandMeasures stand{summarise(records), {}, {}};
-  for (const TreeRecord& record : records) stand.trees.push_back(summarise(std::span(&record, 1)));
+  for (std::size_t k = 0; k < skeletons.size(); ++k) {
+    for (TreeRecord& record : of_skeleton[k]) {
+      record.origin.skeleton = k;
+      records.push_back(std::move(record));
+    }
+  }
+  StandMeasures stand;
+  stand.whole = summarise(records);
+  for (const TreeRecord& record : records) {
+    stand.trees.push_back(summarise(std::span(&record, 1)));
+    stand.origins.push_back(record.origin);
+  }
   return stand;
 }
 
@@ -166,10 +181,17 @@ StandMeasures measure_plant(const Plant& plant, const MeshScene& meshes, const S
   std::vector<const Skeleton*> skeletons;
   for (const Stem& stem : plant.stems) skeletons.push_back(&stem.skeleton);
   StandMeasures stand = measure_skeletons(skeletons, &scene, options, progress);
+  for (TreeOrigin& origin : stand.origins) {
+    const StemPart& root = plant.stems[origin.skeleton].parts.front();
+    origin.component = root.component;
+    origin.instance = root.instance;
+  }
   const Foliage foliage = measure_foliage(plant, progress);
   Measures& whole = stand.whole;
   whole.leaf_count = foliage.leaves;
   whole.leaf_area = foliage.area;
+  whole.petiole_area = foliage.petiole_area;
+  if (options.layer_height > 0) stand.layers = measure_leaf_layers(plant, options.layer_height, progress);
   if (whole.crown_ground_area > 0) whole.leaf_area_index = foliage.area / whole.crown_ground_area;
   const Thickening thickening = find_thickening(plant);
   if (thickening.length > 0) {

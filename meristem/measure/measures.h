@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "meristem/base/progress.h"
 #include "meristem/measure/crown_light.h"
+#include "meristem/measure/foliage.h"
 #include "meristem/measure/organ_light.h"
 #include "meristem/measure/samples.h"
 #include "meristem/plant/plant.h"
@@ -38,8 +40,12 @@ struct Measures {
   double crown_ground_area = 0;
   double crown_hull_area = 0;
   double crown_hull_volume = 0;
-  std::optional<double> lit_share;  ///< of the hull; of several trees, of all their hulls together
-  std::optional<double> stem_diameter;
+  std::optional<double> lit_share;                 ///< of the hull; of several trees, of all their hulls together
+  std::optional<double> stem_diameter;             ///< of the tallest tree, as the next one
+  std::optional<double> stem_equivalent_diameter;  ///< of one stem with the cross-section of all at breast height
+  std::uint64_t stem_count = 0;                    ///< at breast height, see kStemShare
+  double basal_area = 0;                           ///< of these stems, square metres
+  std::optional<double> base_diameter;
   std::optional<double> slenderness;
   std::optional<double> inclination_azimuth;
   std::optional<double> inclination_altitude;
@@ -56,6 +62,7 @@ struct Measures {
   // Of whole plants only: organs and meshes do not say which tree they belong to.
   std::optional<std::uint64_t> leaf_count;
   std::optional<double> leaf_area;
+  std::optional<double> petiole_area;
   std::optional<double> leaf_area_index;
   std::optional<double> leaf_exposure;  ///< only where options ask for the light on organs; the same below
   std::optional<double> leaf_irradiance;
@@ -67,11 +74,21 @@ struct Measures {
   std::optional<std::uint64_t> bytes;
 };
 
+/// What a tree is of.
+struct TreeOrigin {
+  std::size_t skeleton = 0;    ///< index of its skeleton, in a plant that of its stem
+  Vec3 position{0};            ///< of its root, metres
+  std::string component;       ///< id of what made its root; empty for skeletons that are of no plant
+  std::uint32_t instance = 0;  ///< number among those of the component, from 0
+};
+
 /// A stand and its trees: each root of each skeleton is a tree.
 struct StandMeasures {
   Measures whole;
   std::vector<Measures> trees;
-  std::vector<LitOrgan> organs;  ///< in the plant's order; empty unless options ask for them
+  std::vector<TreeOrigin> origins;   ///< of each tree
+  std::vector<LitOrgan> organs;      ///< in the plant's order; empty unless options ask for them
+  std::optional<LeafLayers> layers;  ///< the same
 };
 
 /// What is measured besides, and how finely.
@@ -79,6 +96,7 @@ struct MeasureOptions {
   double fork_diameter = 0.02;            ///< metres: area ratios count from forks at least that thick
   std::uint64_t crown_rays = kCrownRays;  ///< for the lit share of each tree, see crown_light.h
   bool organ_light = false;               ///< measures the light on every organ, which takes longer than all else
+  double layer_height = 0;                ///< metres: of the layers by which leaf area is told; 0: none
 };
 
 /// Measures skeletons alone. Without a `scene` (null) no light is measured. Begins one stage of `progress`, which
@@ -86,7 +104,8 @@ struct MeasureOptions {
 StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, const Scene* scene,
                                 const MeasureOptions& options, Progress& progress);
 
-/// Measures a plant with its leaves and meshes, where it stands.
+/// Measures a plant with its leaves and meshes, where it stands; `scene` is that of the light, which need not be the
+/// one that it grew in. Where leaves have textures with holes, these must be painted (has_holes, foliage.h).
 StandMeasures measure_plant(const Plant& plant, const MeshScene& meshes, const Scene& scene,
                             const MeasureOptions& options, Progress& progress);
 

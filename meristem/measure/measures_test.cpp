@@ -97,6 +97,22 @@ TEST(Measures, AStandSumsItsTreesAndIsAsHighAsTheTallest) {
   EXPECT_EQ(stand.whole.strahler_streams[0], a.strahler_streams[0] + b.strahler_streams[0]);
 }
 
+TEST(Measures, StemsOfAStandAddUpAndTheTallestTellsTheDiameter) {
+  const StandMeasures stand =
+      measure({chain({0, 0, 0}, {0, 1, 0}, 3), chain({5, 2, 0}, {0, 1, 0}, 2), chain({9, 0, 0}, {0, 0.1F, 0}, 3)});
+  EXPECT_EQ(stand.whole.stem_count, 2U);
+  EXPECT_NEAR(stand.whole.basal_area, 2 * kPi / 4 * 0.01, 1e-8);
+  EXPECT_NEAR(*stand.whole.stem_diameter, 0.1, 1e-8);
+  EXPECT_NEAR(*stand.trees[1].stem_equivalent_diameter, 0.1, 1e-8);
+  EXPECT_FALSE(stand.trees[2].stem_diameter);
+  EXPECT_FALSE(stand.trees[2].stem_equivalent_diameter);
+  EXPECT_NEAR(*stand.trees[2].base_diameter, 0.1, 1e-8);
+  ASSERT_EQ(stand.origins.size(), 3U);
+  EXPECT_EQ(stand.origins[1].skeleton, 1U);
+  EXPECT_EQ(stand.origins[1].position, Vec3(5, 2, 0));
+  EXPECT_TRUE(stand.origins[1].component.empty());
+}
+
 TEST(Measures, RootsOfOneSkeletonAreTrees) {
   const Skeleton left = random_tree(3, {0, 0, 0}, 50);
   const Skeleton right = random_tree(4, {3, 0, 0}, 70);
@@ -151,6 +167,7 @@ TEST(Measures, PlantsAddTheirLeavesAndMeshes) {
   plant.materials[1].two_sided = true;
   Stem stem;
   stem.parts[0].component = "tree";
+  stem.parts[0].instance = 3;
   stem.skeleton = random_tree(6, {0, 0, 0}, 200);
   plant.stems = {stem};
   Mesh blade;
@@ -160,7 +177,13 @@ TEST(Measures, PlantsAddTheirLeavesAndMeshes) {
   plant.organs.resize(40);
   Progress progress;
   const MeshScene meshes = make_mesh_scene(plant, {}, progress);
-  const Measures whole = measure_plant(plant, meshes, {}, {}, progress).whole;
+  const StandMeasures stand = measure_plant(plant, meshes, {}, {.layer_height = 0.4}, progress);
+  const Measures& whole = stand.whole;
+  EXPECT_EQ(stand.origins[0].component, "tree");
+  EXPECT_EQ(stand.origins[0].instance, 3U);
+  ASSERT_TRUE(stand.layers);
+  EXPECT_EQ(stand.layers->area.size(), 3U);
+  EXPECT_EQ(whole.petiole_area, 0.0);
   EXPECT_EQ(whole.leaf_count, 40U);
   EXPECT_DOUBLE_EQ(*whole.leaf_area, 20);
   EXPECT_DOUBLE_EQ(*whole.leaf_area_index, 20 / whole.crown_ground_area);

@@ -31,7 +31,8 @@ using Point = SurfacePoints::Point;
 /// The surface that the organs of a prototype share.
 class OrganSurface {
  public:
-  OrganSurface(const Mesh& mesh, const AlphaMask* mask) : mesh_(mesh), places_(mesh), mask_(mask) {}
+  OrganSurface(const Mesh& mesh, const AlphaMask* mask)
+      : mesh_(mesh), places_(mesh, mesh.stalk_triangles), mask_(mask) {}
 
   bool is_empty() const { return !(places_.area() > 0); }
 
@@ -144,7 +145,7 @@ LightSum light_on(const Organ& organ, const OrganSurface& surface, int places, s
 
 std::vector<LitOrgan> measure_organ_light(const Plant& plant, const MeshScene& meshes, const Scene& scene,
                                           Progress& progress) {
-  const std::vector<double> areas = organ_areas(plant, progress);
+  const std::vector<OrganArea> areas = organ_areas(plant, progress);
   std::vector<LitOrgan> lit(areas.size());
   if (areas.empty()) return lit;
   const OrganSurfaces surfaces(plant);
@@ -155,10 +156,10 @@ std::vector<LitOrgan> measure_organ_light(const Plant& plant, const MeshScene& m
   const std::size_t grain = std::max<std::size_t>(1, kRaysPerBlock / std::max<std::size_t>(rays, 1));
   parallel_for(areas.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      lit[k].area = areas[k];
+      lit[k].area = areas[k].blade;
       const OrganSurface& surface = surfaces.of(plant.organs[k]);
       if (surface.is_empty()) continue;
-      const LightSum sum = light_on(plant.organs[k], surface, place_count(areas[k]), k, shade, progress);
+      const LightSum sum = light_on(plant.organs[k], surface, place_count(areas[k].blade), k, shade, progress);
       if (!(sum.sent > 0)) continue;
       lit[k].exposure = sum.arrived / sum.sent;
       lit[k].irradiance = sum.taken_up / sum.sent;

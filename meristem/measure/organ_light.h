@@ -13,7 +13,7 @@ namespace meristem {
 /// One organ and the share of the scene's light that it gets, sun, sky and lamps by their strengths. Both shares are
 /// means over its surface, in [0, 1], and 0 where the scene has no light.
 struct LitOrgan {
-  double area = 0;        ///< square metres of its triangles, so of a blade one side
+  double area = 0;        ///< square metres, of a blade one side, as organ_areas has it (foliage.h)
   double exposure = 0;    ///< of the light's rays, those that arrive
   double irradiance = 0;  ///< the same times |cosine| between ray and face normal: what a matt surface takes up,
                           ///< against one that faces all light unshaded
@@ -22,9 +22,10 @@ struct LitOrgan {
 /// The light on each organ, in the plant's order. Organs, itself included, stems and obstacles shade it; holes of
 /// masked textures let light through. `meshes` is what make_mesh_scene makes of the plant.
 ///
-/// Each organ is asked at one position in 10 cm² of its surface, at least 4 and at most 64; a closed one at positions
-/// on its dark side too. About a microsecond per position and light. The same on any number of threads. Begins two
-/// stages of `progress`, which count organs. Throws Cancelled, MachineError (memory).
+/// Each organ is asked at one position in 10 cm² of its surface, at least 4 and at most 64, and not on its petiole; a
+/// closed one at positions on its dark side too. The scene need not be the one that the plant grew in. About a
+/// microsecond per position and light. The same on any number of threads. Begins two stages of `progress`, which count
+/// organs. Throws Cancelled, MachineError (memory).
 std::vector<LitOrgan> measure_organ_light(const Plant& plant, const MeshScene& meshes, const Scene& scene,
                                           Progress& progress);
 

@@ -15,8 +15,8 @@ DVec3 double_area(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle
 
 }  // namespace
 
-SurfacePoints::SurfacePoints(const Mesh& mesh) : mesh_(mesh) {
-  for (std::uint32_t k = 0; k < mesh.triangle_count(); ++k) {
+SurfacePoints::SurfacePoints(const Mesh& mesh, std::uint32_t first) : mesh_(mesh) {
+  for (std::uint32_t k = first; k < mesh.triangle_count(); ++k) {
     add(k, glm::length(double_area(mesh, mesh.triangles[k])) / 2);
   }
 }

@@ -18,8 +18,8 @@ class SurfacePoints {
     Vec3 weights{1, 0, 0};       ///< of the triangle's three vertices
   };
 
-  /// `mesh` must outlive this.
-  explicit SurfacePoints(const Mesh& mesh);
+  /// On all triangles but the `first` ones. `mesh` must outlive this.
+  explicit SurfacePoints(const Mesh& mesh, std::uint32_t first = 0);
   /// On those triangles alone that face toward a direction.
   SurfacePoints(const Mesh& mesh, DVec3 toward);
 

@@ -48,18 +48,40 @@ std::uint64_t count_metamers(const Skeleton& skeleton) {
   return count;
 }
 
-/// Where the main axis first passes breast height, its diameter there, linear between the nodes.
-std::optional<double> breast_height_diameter(const Skeleton& skeleton) {
+/// The diameters of all that rises past breast height: where a way from the root does so first. What comes down again
+/// from above, as in a weeping crown, is no stem.
+std::vector<double> diameters_at_breast_height(const Skeleton& skeleton) {
   const double level = double{skeleton.position[0].y} + kBreastHeight;
+  std::vector<double> diameters;
+  std::vector<bool> is_below(skeleton.node_count(), false);  // with all of the way from the root
+  is_below[0] = true;
   for (NodeIndex node = 1; node < skeleton.node_count(); ++node) {
-    if (skeleton.axis[node] != skeleton.axis[0] || skeleton.position[node].y < level) continue;
     const NodeIndex parent = skeleton.parent[node];
+    if (!is_below[parent]) continue;
+    if (skeleton.position[node].y < level) {
+      is_below[node] = true;
+      continue;
+    }
+    // A lateral begins as thick as its own first node, within its parent.
+    const bool goes_on = skeleton.axis[node] == skeleton.axis[parent];
     const double below = skeleton.position[parent].y;
-    const double share = (level - below) / (skeleton.position[node].y - below);
+    const double share = goes_on ? (level - below) / (skeleton.position[node].y - below) : 1;
     const double radius = skeleton.radius[parent] + share * (skeleton.radius[node] - skeleton.radius[parent]);
-    return radius > 0 ? std::optional(2 * radius) : std::nullopt;
+    if (radius > 0) diameters.push_back(2 * radius);
   }
-  return {};
+  return diameters;
+}
+
+void measure_stems(const Skeleton& skeleton, TreeForm& form) {
+  form.base_diameter = 2 * skeleton.radius[0];
+  const std::vector<double> diameters = diameters_at_breast_height(skeleton);
+  if (diameters.empty()) return;
+  form.diameter = *std::max_element(diameters.begin(), diameters.end());
+  for (const double diameter : diameters) {
+    if (diameter < kStemShare * *form.diameter) continue;
+    ++form.stems;
+    form.diameter_squares += diameter * diameter;
+  }
 }
 
 /// The first fork, and whether each node belongs to the crown past it.
@@ -135,7 +157,7 @@ TreeForm measure_form(const Skeleton& skeleton, const Children& children, const 
   if (skeleton.node_count() == 0) return form;
   count_nodes(skeleton, children, form);
   form.metamers = count_metamers(skeleton);
-  form.diameter = breast_height_diameter(skeleton);
+  measure_stems(skeleton, form);
   measure_crown(skeleton, children, progress, form);
   return form;
 }

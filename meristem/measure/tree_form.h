@@ -32,12 +32,20 @@ struct TreeForm {
   double crown_hull_area = 0;      ///< of the convex hull of the crown's nodes, square metres
   double crown_hull_volume = 0;    ///< cubic metres
   Mesh crown_hull;                 ///< convex_hull of the crown's nodes: empty where they are flat or there is no crown
-  std::optional<double> diameter;  ///< of the main axis at breast height (1.3 m) above the root, if it reaches it
+  double base_diameter = 0;        ///< at the root, the collar; 0 where not known
+  std::optional<double> diameter;  ///< of the thickest stem at breast height above the root, if one reaches it
+  std::uint64_t stems = 0;         ///< at breast height: the thickest, and those at least a third as thick
+  double diameter_squares = 0;     ///< the sum over these stems, square metres
   DVec3 segment_sum{0};            ///< of all vectors from parent to node
   DVec3 node_sum{0};               ///< of all nodes, relative to the root
 };
 
 inline constexpr double kBreastHeight = 1.3;  ///< metres above the root
+/// What reaches breast height and is at least so thick there, against the thickest, is a stem; thinner is a branch.
+///
+/// Based on: USDA Forest Service, Forest Inventory and Analysis National Core Field Guide, section 5.9.2 (forked
+/// trees).
+inline constexpr double kStemShare = 1.0 / 3;
 
 /// `skeleton` has one root, its first node. The crown is what lies past the first fork on the way from the root.
 /// Throws Cancelled if `progress`, where given, says so.

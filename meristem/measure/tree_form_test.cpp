@@ -75,7 +75,54 @@ TEST(TreeForm, AStemWithoutAForkHasNoCrown) {
   EXPECT_FALSE(form.fork);
   EXPECT_EQ(form.crown_width + form.crown_height + form.crown_hull_volume, 0);
   EXPECT_FALSE(form.diameter) << "below breast height";
+  EXPECT_EQ(form.stems, 0U);
   EXPECT_EQ(form_of({}).nodes, 0U);
+}
+
+/// A line of two segments to a height, of one radius; of its own axis where it leaves another one.
+void add_stem(Skeleton& skeleton, NodeIndex parent, Vec3 base, Vec3 end, float radius) {
+  const AxisIndex axis = skeleton.node_count() == 0 ? 0 : skeleton.axis.back() + 1;
+  for (const Vec3 position : {base, end}) {
+    parent = skeleton.add_node(parent, position, 0);
+    skeleton.axis[parent] = axis;
+    skeleton.radius[parent] = radius;
+  }
+}
+
+TEST(TreeForm, TheThickestStemCountsAndNotTheFirstAxis) {
+  Skeleton bush;
+  add_stem(bush, kNoNode, {0, 0, 0}, {0.1F, 2, 0}, 0.002F);  // the main axis is a twig
+  add_stem(bush, 0, {0.1F, 0.1F, 0}, {0.2F, 3, 0}, 0.04F);
+  add_stem(bush, 0, {-0.1F, 0.1F, 0}, {-0.2F, 3, 0}, 0.03F);
+  const TreeForm form = form_of(bush);
+  EXPECT_NEAR(*form.diameter, 0.08, 1e-7);
+  EXPECT_EQ(form.stems, 2U) << "the twig is thinner than a third of the thickest";
+  EXPECT_NEAR(std::sqrt(form.diameter_squares), 0.1, 1e-7);  // 8 and 6 cm together are as one of 10
+  EXPECT_NEAR(form.base_diameter, 0.004, 1e-7);
+}
+
+TEST(TreeForm, WhatHangsDownPastBreastHeightIsNoStem) {
+  Skeleton weeping;
+  add_stem(weeping, kNoNode, {0, 0, 0}, {0, 4, 0}, 0.1F);
+  add_stem(weeping, 1, {0.5F, 4, 0}, {0.5F, 0.2F, 0}, 0.09F);
+  add_stem(weeping, 3, {0.6F, 0.2F, 0}, {0.7F, 2, 0}, 0.09F);  // and up again
+  const TreeForm form = form_of(weeping);
+  EXPECT_EQ(form.stems, 1U);
+  EXPECT_NEAR(*form.diameter, 0.2, 1e-7);
+}
+
+TEST(TreeForm, ALateralIsAsThickAsItselfAndNotAsItsParent) {
+  Skeleton skeleton;
+  add_stem(skeleton, kNoNode, {0, 0, 0}, {0, 1.2F, 0}, 0.1F);
+  add_stem(skeleton, 1, {0.2F, 1.4F, 0}, {0.3F, 2, 0}, 0.02F);
+  EXPECT_NEAR(*form_of(skeleton).diameter, 0.04, 1e-7);
+}
+
+TEST(TreeForm, BreastHeightIsAboveTheRootWhereverThatStands) {
+  Skeleton skeleton = candelabra();
+  const double on_a_hill = *form_of(skeleton).diameter;
+  for (Vec3& position : skeleton.position) position.y -= 10;
+  EXPECT_NEAR(*form_of(skeleton).diameter, on_a_hill, 1e-6);
 }
 
 TEST(TreeForm, WithoutRadiiThereIsNoDiameter) {

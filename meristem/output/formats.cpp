@@ -6,6 +6,7 @@
 #include "meristem/base/version.h"
 #include "meristem/output/mesh/obj.h"
 #include "meristem/output/mesh/ply.h"
+#include "meristem/output/picture/obstacle_meshes.h"
 #include "meristem/output/skeleton/skeleton_csv.h"
 #include "meristem/output/skeleton/skeleton_mtg.h"
 #include "meristem/output/write/names.h"
@@ -31,24 +32,40 @@ std::vector<std::string> obj_companions(const Document& document, const std::str
   return paths;
 }
 
+/// Calls `write` with the meshes, or with those of the scene's obstacles as well.
+template <class Write>
+void write_meshes(const Document& document, const GrownDocument& grown, const FormatOptions& options, Write write) {
+  if (!options.obstacles || !has_visible(document.scene.obstacles)) return write(grown.meshes);
+  write(with_obstacles(grown.meshes, document.scene.obstacles));
+}
+
 constexpr Format kFormats[] = {
     {".glb", "glTF 2.0 binary, for Blender, Godot, three.js and most others",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions& options,
         Progress& progress) {
-       write_glb(grown.meshes, path,
-                 {.instances = options.instances, .provenance = provenance_of(document), .pictures = options.pictures},
-                 progress);
+       write_meshes(document, grown, options, [&](const MeshScene& meshes) {
+         write_glb(
+             meshes, path,
+             {.instances = options.instances, .provenance = provenance_of(document), .pictures = options.pictures},
+             progress);
+       });
      },
      GrownPart::textures, true},
     {".obj", "Wavefront OBJ with its MTL file and pictures beside it",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions& options,
         Progress& progress) {
-       write_obj(grown.meshes, path, {provenance_of(document), options.pictures}, progress);
+       write_meshes(document, grown, options, [&](const MeshScene& meshes) {
+         write_obj(meshes, path, {provenance_of(document), options.pictures}, progress);
+       });
      },
      GrownPart::textures, false, obj_companions},
     {".ply", "the mesh as binary PLY, for MeshLab, Open3D and Blender",
-     [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
-        Progress& progress) { write_mesh_ply(grown.meshes, path, {provenance_of(document)}, progress); },
+     [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions& options,
+        Progress& progress) {
+       write_meshes(document, grown, options, [&](const MeshScene& meshes) {
+         write_mesh_ply(meshes, path, {provenance_of(document)}, progress);
+       });
+     },
      GrownPart::meshes},
     {".skeleton.ply", "the skeletons as points with radius, and edges, in binary PLY",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,

@@ -16,6 +16,7 @@ namespace meristem {
 struct FormatOptions {
   GltfInstances instances = GltfInstances::automatic;  ///< of formats that can: how organs share a mesh
   EncodedPictures* pictures = nullptr;                 ///< shared with other files; null: none
+  bool obstacles = false;                              ///< of formats with meshes: the scene's stand in them as well
 };
 
 /// A kind of file that a grown document can be written to.

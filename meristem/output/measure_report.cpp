@@ -55,13 +55,53 @@ std::string as_lines(const Measures& measures, std::span<const MeasureRow> rows)
   return lines;
 }
 
+/// What a tree is of: null where that is not known.
+Value::Object as_object(const TreeOrigin& origin) {
+  Value::Object object;
+  const bool is_known = !origin.component.empty();
+  object.emplace_back("component", is_known ? Value(origin.component) : Value());
+  object.emplace_back("instance", is_known ? Value(static_cast<double>(origin.instance)) : Value());
+  object.emplace_back("position", Value::List{origin.position.x, origin.position.y, origin.position.z});
+  return object;
+}
+
+Value::List as_list(const LeafLayers& layers) {
+  Value::List list;
+  for (std::size_t k = 0; k < layers.area.size(); ++k) {
+    list.emplace_back(Value::Object{{"low", layers.low(k)}, {"high", layers.high(k)}, {"leaf_area", layers.area[k]}});
+  }
+  return list;
+}
+
+/// From the highest layer to the lowest, as they stand.
+std::string as_lines(const LeafLayers& layers) {
+  std::string lines = "\nleaf area by height\n";
+  for (std::size_t k = layers.area.size(); k-- > 0;) {
+    const std::string name = fmt::format("{:.4g} to {:.4g} m", layers.low(k), layers.high(k));
+    fmt::format_to(std::back_inserter(lines), "{:<{}} {} m²\n", name, kNameWidth, as_text(layers.area[k]));
+  }
+  return lines;
+}
+
+std::string heading_of(const TreeOrigin& origin, std::size_t number) {
+  const Vec3 position = origin.position;
+  const std::string standing = fmt::format("at {:.4g}, {:.4g}, {:.4g}", position.x, position.y, position.z);
+  if (origin.component.empty()) return fmt::format("tree {}, {}", number, standing);
+  return fmt::format("tree {}: {} {}, {}", number, origin.component, origin.instance, standing);
+}
+
 }  // namespace
 
 Value measures_value(const StandMeasures& measures, bool each) {
   Value::Object object = as_object(measures.whole, measure_rows());
+  if (measures.layers) object.emplace_back("layers", as_list(*measures.layers));
   if (each) {
     Value::List trees;
-    for (const Measures& tree : measures.trees) trees.emplace_back(as_object(tree, tree_measure_rows()));
+    for (std::size_t k = 0; k < measures.trees.size(); ++k) {
+      Value::Object tree = as_object(measures.origins.at(k));
+      for (auto& member : as_object(measures.trees[k], tree_measure_rows())) tree.push_back(std::move(member));
+      trees.emplace_back(std::move(tree));
+    }
     object.emplace_back("each", std::move(trees));
   }
   return object;
@@ -69,9 +109,11 @@ Value measures_value(const StandMeasures& measures, bool each) {
 
 std::string measures_text(const StandMeasures& measures, bool each) {
   std::string text = as_lines(measures.whole, measure_rows());
+  if (measures.layers) text += as_lines(*measures.layers);
   if (!each) return text;
   for (std::size_t k = 0; k < measures.trees.size(); ++k) {
-    fmt::format_to(std::back_inserter(text), "\ntree {}\n{}", k + 1, as_lines(measures.trees[k], tree_measure_rows()));
+    fmt::format_to(std::back_inserter(text), "\n{}\n{}", heading_of(measures.origins.at(k), k + 1),
+                   as_lines(measures.trees[k], tree_measure_rows()));
   }
   return text;
 }

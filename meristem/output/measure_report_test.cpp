@@ -16,6 +16,7 @@ StandMeasures two_trees() {
   stand.whole.inclination_altitude = kPi / 4;
   stand.whole.leaf_count = 7;
   stand.trees.resize(2);
+  stand.origins = {{}, {.skeleton = 1, .position = {1, 0, -2.5F}, .component = "lime", .instance = 4}};
   stand.trees[1].height = 3;
   return stand;
 }
@@ -38,6 +39,10 @@ TEST(MeasureReport, EachTreeFollowsWithoutWhatOnlyTheWholeHas) {
   EXPECT_EQ(*trees[1].find("height"), Value(3));
   EXPECT_EQ(trees[1].find("leaf_count"), nullptr);
   EXPECT_NE(trees[1].find("nodes"), nullptr);
+  EXPECT_EQ(*trees[1].find("component"), Value("lime"));
+  EXPECT_EQ(*trees[1].find("instance"), Value(4));
+  EXPECT_EQ(*trees[1].find("position"), Value(Value::List{1, 0, -2.5}));
+  EXPECT_TRUE(trees[0].find("component")->is_null());
 }
 
 TEST(MeasureReport, TextHasALineForEachRow) {
@@ -47,8 +52,25 @@ TEST(MeasureReport, TextHasALineForEachRow) {
   EXPECT_NE(text.find("\nlength_by_order          1, 2.5 m\n"), std::string::npos) << text;
   EXPECT_NE(text.find("\nstem_diameter            -\n"), std::string::npos) << text;
   EXPECT_NE(text.find("\ninclination_altitude     45 °\n"), std::string::npos) << text;
-  EXPECT_EQ(text.find("\ntree 1\n"), std::string::npos);
-  EXPECT_NE(measures_text(two_trees(), true).find("\n\ntree 2\n"), std::string::npos);
+  EXPECT_EQ(text.find("\ntree 1"), std::string::npos);
+  const std::string each = measures_text(two_trees(), true);
+  EXPECT_NE(each.find("\n\ntree 1, at 0, 0, 0\n"), std::string::npos) << each;
+  EXPECT_NE(each.find("\n\ntree 2: lime 4, at 1, 0, -2.5\n"), std::string::npos) << each;
+}
+
+TEST(MeasureReport, LayersFollowTheMeasures) {
+  StandMeasures stand = two_trees();
+  stand.layers = LeafLayers{.height = 0.5, .first = -1, .area = {0.25, 2}};
+  const Value value = measures_value(stand, false);
+  const Value::List& layers = *value.find("layers")->list();
+  ASSERT_EQ(layers.size(), 2U);
+  EXPECT_EQ(*layers[0].find("low"), Value(-0.5));
+  EXPECT_EQ(*layers[1].find("high"), Value(0.5));
+  EXPECT_EQ(*layers[1].find("leaf_area"), Value(2));
+  const std::string text = measures_text(stand, false);
+  EXPECT_TRUE(
+      text.ends_with("\nleaf area by height\n0 to 0.5 m               2 m²\n-0.5 to 0 m              0.25 m²\n"))
+      << text;
 }
 
 TEST(MeasureReport, ReferenceNamesEveryMeasure) {

@@ -6,6 +6,7 @@
 
 #include "meristem/base/vec.h"
 #include "meristem/scene/directions.h"
+#include "meristem/scene/light/clock.h"
 #include "meristem/scene/light/light.h"
 #include "meristem/scene/light/sun.h"
 #include "meristem/scene/obstacle/obstacles.h"
@@ -16,13 +17,15 @@ namespace meristem {
 struct Scene {
   Light light;                              ///< that plants grow in
   Obstacles obstacles;                      ///< that shade them and that they do not enter
-  SkyDirection sun{0, kPi / 2};             ///< in pictures, and what plants turn to; unless named, in the zenith
+  SkyDirection sun{0, kPi / 2};             ///< in pictures; unless named, in the zenith
   Vec3 ground_colour{0.50F, 0.54F, 0.37F};  ///< sRGB
+  std::optional<double> latitude{};         ///< radians, north positive, where it is said
+  std::optional<ClockZone> clock{};         ///< where the sun is given by a clock
   /// Hash of all that it was made of, if that is known: what grew in a scene with the same one need not grow again.
   std::optional<std::uint64_t> fingerprint{};
 
   /// Which ways plants feel in it. To be asked once, and then at every position.
-  Directions directions() const { return Directions(unit_vector(sun)); }
+  Directions directions() const { return Directions(light, sun); }
 };
 
 }  // namespace meristem

@@ -90,6 +90,7 @@ void bind_skeleton(py::module_& module);
 void bind_mesh(py::module_& module);
 void bind_plant(py::module_& module);
 void bind_session(py::module_& module);
+void bind_shade(py::module_& module);
 void bind_word(py::module_& module);
 
 }  // namespace meristem::python

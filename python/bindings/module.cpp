@@ -21,6 +21,7 @@ PYBIND11_MODULE(_core, module) {
   bind_scene(module);
   bind_colonize(module);
   bind_plant(module);
+  bind_shade(module);
   bind_document(module);
   bind_session(module);
   bind_word(module);

@@ -8,10 +8,12 @@
 #include "errors.h"
 #include "meristem/components/camera.h"
 #include "meristem/measure/counts.h"
+#include "meristem/measure/foliage.h"
 #include "meristem/measure/measures.h"
 #include "meristem/output/formats.h"
 #include "meristem/output/output_files.h"
 #include "meristem/output/picture/picture.h"
+#include "meristem/output/skeleton/organ_csv.h"
 #include "meristem/output/skeleton/skeleton_table.h"
 #include "meristem/output/write/names.h"
 #include "meristem/output/write/picture_file.h"
@@ -52,6 +54,13 @@ struct Organs {
 
   const std::vector<Organ>& rows() const { return plant->plant().organs; }
 
+  py::object position() const {
+    static const Organ kNone;
+    const Organ* const first = rows().empty() ? &kNone : rows().data();
+    return view(plant, &first->frame.origin.x, {static_cast<py::ssize_t>(rows().size()), 3},
+                {sizeof(Organ), sizeof(float)});
+  }
+
   template <class T, class Member>
   py::object column(Member Organ::*member, std::vector<py::ssize_t> inner) const {
     std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(rows().size())};
@@ -66,10 +75,25 @@ struct Organs {
   }
 };
 
-py::dict organ_light(const PlantPointer& plant, int threads, const py::object& progress) {
+/// The ids of the organs' components, as fixed-width texts.
+py::object components_of_organs(const PlantPointer& plant) {
+  py::list names;
+  for (const OrganPrototype& prototype : plant->plant().prototypes) names.append(prototype.component);
+  const py::object array = py::module_::import("numpy").attr("array")(names, "str");
+  std::vector<std::int64_t> numbers;
+  for (const Organ& organ : plant->plant().organs) numbers.push_back(organ.prototype);
+  return array.attr("take")(array_of(std::move(numbers)));
+}
+
+const Scene& measured_scene(const PlantPointer& plant, const std::shared_ptr<Scene>& other) {
+  return other != nullptr ? *other : plant->origin->document.scene;
+}
+
+py::dict organ_light(const PlantPointer& plant, const std::shared_ptr<Scene>& scene, int threads,
+                     const py::object& progress) {
   std::vector<LitOrgan> organs = run_call(progress, threads, [&](Progress& inner) {
     const GrownDocument& grown = plant->up_to(GrownPart::textures, inner);
-    return measure_organ_light(grown.plant, grown.meshes, plant->origin->document.scene, inner);
+    return measure_organ_light(grown.plant, grown.meshes, measured_scene(plant, scene), inner);
   });
   const auto owner = std::make_shared<const std::vector<LitOrgan>>(std::move(organs));
   const auto column = [&](double LitOrgan::*member) -> py::object {
@@ -77,11 +101,20 @@ py::dict organ_light(const PlantPointer& plant, int threads, const py::object& p
     const LitOrgan* const first = owner->empty() ? &kNone : owner->data();
     return view(owner, &(first->*member), {static_cast<py::ssize_t>(owner->size())}, {sizeof(LitOrgan)});
   };
+  const Organs organs_of_plant{plant};
   py::dict columns;
+  columns["component"] = components_of_organs(plant);
+  columns["instance"] = array_of(organ_instances(plant->plant()));
+  columns["position"] = organs_of_plant.position();
   columns["area"] = column(&LitOrgan::area);
   columns["exposure"] = column(&LitOrgan::exposure);
   columns["irradiance"] = column(&LitOrgan::irradiance);
   return columns;
+}
+
+/// Holes of textures are no leaf, so those are painted where there are any.
+GrownPart measured_part(const PlantPointer& plant) {
+  return has_holes(plant->plant()) ? GrownPart::textures : GrownPart::meshes;
 }
 
 void check_options(double fork_diameter, std::uint64_t crown_rays) {
@@ -97,25 +130,56 @@ py::dict measures_in_python(const Measures& measures, std::span<const MeasureRow
   return values;
 }
 
+py::dict origin_in_python(const TreeOrigin& origin) {
+  const bool is_known = !origin.component.empty();
+  py::dict values;
+  values["component"] = is_known ? py::object(py::str(origin.component)) : py::none();
+  values["instance"] = is_known ? py::object(py::int_(origin.instance)) : py::none();
+  values["position"] = array_of(std::vector<float>{origin.position.x, origin.position.y, origin.position.z});
+  return values;
+}
+
 py::dict measures_in_python(const StandMeasures& measures, bool each) {
   py::dict values = measures_in_python(measures.whole, measure_rows());
   if (each) {
     py::list trees;
-    for (const Measures& tree : measures.trees) trees.append(measures_in_python(tree, tree_measure_rows()));
+    for (std::size_t k = 0; k < measures.trees.size(); ++k) {
+      py::dict tree = origin_in_python(measures.origins.at(k));
+      tree.attr("update")(measures_in_python(measures.trees[k], tree_measure_rows()));
+      trees.append(tree);
+    }
     values["each"] = trees;
   }
   return values;
 }
 
-py::object measures_of(const PlantPointer& plant, bool light, bool each, double fork_diameter, std::uint64_t crown_rays,
-                       int threads, const py::object& progress) {
+py::object measures_of(const PlantPointer& plant, bool light, bool each, const std::shared_ptr<Scene>& scene,
+                       double fork_diameter, std::uint64_t crown_rays, int threads, const py::object& progress) {
   check_options(fork_diameter, crown_rays);
   const MeasureOptions options{.fork_diameter = fork_diameter, .crown_rays = crown_rays, .organ_light = light};
   const StandMeasures measures = run_call(progress, threads, [&](Progress& inner) {
-    const GrownDocument& grown = plant->up_to(light ? GrownPart::textures : GrownPart::meshes, inner);
-    return measure_plant(grown.plant, grown.meshes, plant->origin->document.scene, options, inner);
+    const GrownDocument& grown = plant->up_to(measured_part(plant), inner);
+    return measure_plant(grown.plant, grown.meshes, measured_scene(plant, scene), options, inner);
   });
   return measures_in_python(measures, each);
+}
+
+py::dict leaf_layers(const PlantPointer& plant, double height, int threads, const py::object& progress) {
+  if (!(height > 0)) throw py::value_error("height must be above 0 metres");
+  const LeafLayers layers = run_call(progress, threads, [&](Progress& inner) {
+    return measure_leaf_layers(plant->up_to(measured_part(plant), inner).plant, height, inner);
+  });
+  std::vector<double> low;
+  std::vector<double> high;
+  for (std::size_t k = 0; k < layers.area.size(); ++k) {
+    low.push_back(layers.low(k));
+    high.push_back(layers.high(k));
+  }
+  py::dict columns;
+  columns["low"] = array_of(std::move(low));
+  columns["high"] = array_of(std::move(high));
+  columns["leaf_area"] = array_of(layers.area);
+  return columns;
 }
 
 py::object measures_of_skeleton(const std::shared_ptr<Skeleton>& skeleton, const std::shared_ptr<Scene>& scene,
@@ -244,6 +308,15 @@ Columns are read-only arrays over the plant's own memory, one entry an organ.)")
           "(n, 4, 3) float32: where x, y (the heading) and z (the upper face) point, and the origin. "
           "A point p of the prototype is at p @ frame[:3] + frame[3].")
       .def_property_readonly(
+          "position", [](const Organs& o) { return o.position(); },
+          "(n, 3) float32: where it is attached, metres: the origin of its frame.")
+      .def_property_readonly(
+          "component", [](const Organs& o) { return components_of_organs(o.plant); },
+          "(n,) texts: the id of the component that made it.")
+      .def_property_readonly(
+          "instance", [](const Organs& o) { return array_of(organ_instances(o.plant->plant())); },
+          "(n,) uint32: its number among the organs of its component, from 0.")
+      .def_property_readonly(
           "prototype", [](const Organs& o) { return o.column<std::uint32_t>(&Organ::prototype, {}); },
           "(n,) uint32: index in Plant.prototypes.")
       .def_property_readonly(
@@ -351,17 +424,24 @@ pictures on them, are made when something first asks for them, which then raises
            "All nodes of all stems as columns by name, the same as in .csv files: a dict of arrays of one length, as "
            "pandas.DataFrame takes it.")
       .def("measure", &measures_of, py::kw_only(), py::arg("light") = false, py::arg("each") = false,
-           py::arg("fork_diameter") = 0.02, py::arg("crown_rays") = kCrownRays, py::arg("threads") = 0,
-           py::arg("progress") = py::none(),
+           py::arg("scene") = py::none(), py::arg("fork_diameter") = 0.02, py::arg("crown_rays") = kCrownRays,
+           py::arg("threads") = 0, py::arg("progress") = py::none(),
            R"(Measures the plant: a dict of numbers, lists and None by the names that the manual lists; metres, degrees.
 
 `light` measures the light on leaves too, which may take seconds. `each` adds a list "each" with the measures of each
-tree. Area ratios count from forks of `fork_diameter` metres; the lit share takes `crown_rays` rays.)")
-      .def("organ_light", &organ_light, py::kw_only(), py::arg("threads") = 0, py::arg("progress") = py::none(),
-           R"(The light on each organ, in their order: a dict of float64 arrays (n,).
+tree, its "component", "instance" and "position". The light is that of `scene`, or of growth if not given. Area ratios count from forks of `fork_diameter` metres; the lit share takes `crown_rays` rays.)")
+      .def("organ_light", &organ_light, py::kw_only(), py::arg("scene") = py::none(), py::arg("threads") = 0,
+           py::arg("progress") = py::none(),
+           R"(The light on each organ, in their order: a dict of arrays.
 
-"area" (m², of a blade one side), "exposure" (the share of the light's rays that arrive) and "irradiance" (that times
-the cosine to the surface), both 0 to 1.)")
+"component", "instance" and "position" as in Organs; (n,) float64 "area" (m², of a blade one side), "exposure" (the share
+of the light's rays that arrive) and "irradiance" (that times the cosine to the surface), both 0 to 1. The light is that
+of `scene`, or of growth if not given.)")
+      .def("leaf_layers", &leaf_layers, py::arg("height") = 1.0, py::kw_only(), py::arg("threads") = 0,
+           py::arg("progress") = py::none(),
+           R"(Leaf area by height: a dict of float64 arrays, from the lowest layer up.
+
+"low" and "high" of each layer above y = 0 (metres, `height` apart) and the "leaf_area" between them (m²).)")
       .def("save", &save, py::arg("path"), py::kw_only(), py::arg("instanced") = false, py::arg("nodes") = false,
            py::arg("lod") = 0, py::arg("threads") = 0, py::arg("progress") = py::none(),
            R"(Writes the plant to a file, its format by its ending: .glb, .obj, .ply, .skeleton.ply, .csv, .mtg.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
 #include <cstring>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include <pybind11/stl.h>
 
@@ -48,7 +50,7 @@ std::vector<FarLight> far_lights_from(const py::handle& states) {
 
 py::tuple state_of(const Obstacle& body) {
   return py::make_tuple(bytes_of(body.mesh.positions), bytes_of(body.mesh.triangles), numbers_of(body.colour),
-                        body.is_broken, body.is_hidden);
+                        body.is_broken, body.is_hidden, body.name);
 }
 
 Obstacle obstacle_from(const py::tuple& state) {
@@ -56,7 +58,8 @@ Obstacle obstacle_from(const py::tuple& state) {
       .mesh = {.positions = items_of<DVec3>(state[0]), .triangles = items_of<std::array<std::uint32_t, 3>>(state[1])},
       .colour = vector_of(state[2]),
       .is_broken = state[3].cast<bool>(),
-      .is_hidden = state[4].cast<bool>()};
+      .is_hidden = state[4].cast<bool>(),
+      .name = state[5].cast<std::string>()};
 }
 
 }  // namespace
@@ -66,12 +69,14 @@ py::tuple state_of(const Scene& scene) {
   for (const Lamp& lamp : scene.light.lamps) lamps.append(py::make_tuple(numbers_of(lamp.position), lamp.strength));
   py::list bodies;
   for (const Obstacle& body : scene.obstacles.bodies()) bodies.append(state_of(body));
-  return py::make_tuple(state_of(scene.light.sun), state_of(scene.light.sky), lamps, bodies, scene.sun.azimuth,
-                        scene.sun.altitude, numbers_of(scene.ground_colour));
+  return py::make_tuple(
+      state_of(scene.light.sun), state_of(scene.light.sky), lamps, bodies, scene.sun.azimuth, scene.sun.altitude,
+      numbers_of(scene.ground_colour), scene.latitude,
+      scene.clock ? std::optional(std::pair(scene.clock->longitude, scene.clock->utc_offset)) : std::nullopt);
 }
 
 Scene scene_from(const py::tuple& state) {
-  if (state.size() != 7) throw py::value_error("the state of a Scene has seven parts");
+  if (state.size() != 9) throw py::value_error("the state of a Scene has nine parts");
   Scene scene;
   scene.light = {.sun = far_lights_from(state[0]), .sky = far_lights_from(state[1])};
   for (const py::handle each : state[2]) {
@@ -83,6 +88,10 @@ Scene scene_from(const py::tuple& state) {
   if (!bodies.empty()) scene.obstacles = Obstacles(std::move(bodies));
   scene.sun = {state[4].cast<double>(), state[5].cast<double>()};
   scene.ground_colour = vector_of(state[6]);
+  scene.latitude = state[7].cast<std::optional<double>>();
+  if (const auto clock = state[8].cast<std::optional<std::pair<double, double>>>()) {
+    scene.clock = ClockZone{clock->first, clock->second};
+  }
   return scene;
 }
 

@@ -188,6 +188,12 @@ class Organs:
     @property
     def frame(self) -> NDArray[np.float32]: ...
     @property
+    def position(self) -> NDArray[np.float32]: ...
+    @property
+    def component(self) -> NDArray[np.str_]: ...
+    @property
+    def instance(self) -> NDArray[np.uint32]: ...
+    @property
     def prototype(self) -> NDArray[np.uint32]: ...
     @property
     def tint(self) -> NDArray[np.float32]: ...
@@ -240,13 +246,21 @@ class Plant:
         *,
         light: bool = False,
         each: bool = False,
+        scene: Scene | None = None,
         fork_diameter: float = 0.02,
         crown_rays: int = 100000,
         threads: int = 0,
         progress: Progress | _ProgressCallback | None = None,
     ) -> dict[str, Any]: ...
     def organ_light(
-        self, *, threads: int = 0, progress: Progress | _ProgressCallback | None = None
+        self,
+        *,
+        scene: Scene | None = None,
+        threads: int = 0,
+        progress: Progress | _ProgressCallback | None = None,
+    ) -> dict[str, NDArray[Any]]: ...
+    def leaf_layers(
+        self, height: float = 1.0, *, threads: int = 0, progress: Progress | _ProgressCallback | None = None
     ) -> dict[str, NDArray[np.float64]]: ...
     def save(
         self,
@@ -625,6 +639,21 @@ def make_grass_blade(
 ) -> Mesh: ...
 def make_sheath(open: float) -> Mesh: ...
 def make_ligule() -> Mesh: ...
+def shade(
+    plant: Plant,
+    *,
+    facade: str | int | Mapping[str, Any] | None = None,
+    panels: Mapping[str, Any] | None = None,
+    ground: Sequence[Any] | Mapping[str, Any] | None = None,
+    days: Any,
+    hours: Any = "0:23:1",
+    spacing: float = 0.25,
+    latitude: float | None = None,
+    longitude: float | None = None,
+    utc_offset: float | None = None,
+    threads: int = 0,
+    progress: Progress | _ProgressCallback | None = None,
+) -> dict[str, Any]: ...
 
 # Numbers give numbers and arrays arrays; mypy warns because a number is an ArrayLike too.
 @overload

@@ -85,6 +85,38 @@ def test_light_on_organs_is_what_measures_average() -> None:
     assert light["area"].sum() == pytest.approx(measures["leaf_area"], rel=1e-9)
 
 
+def test_organs_tell_what_made_them_and_where_they_stand() -> None:
+    plant = grown_small_tree()
+    light, organs = plant.organ_light(), plant.organs
+    assert set(organs.component) == {"leaf"}
+    np.testing.assert_array_equal(organs.instance, np.arange(len(organs)))
+    np.testing.assert_array_equal(organs.position, organs.frame[:, 3])
+    for name in ("component", "instance", "position"):
+        np.testing.assert_array_equal(light[name], getattr(organs, name))
+    [tree] = plant.measure(each=True)["each"]
+    assert (tree["component"], tree["instance"]) == ("tree", 0)
+    np.testing.assert_array_equal(tree["position"], plant.stems[0].skeleton.position[0])
+    assert plant.stems[0].skeleton.measure(each=True)["each"][0]["component"] is None
+
+
+def test_light_is_measured_under_another_scene() -> None:
+    plant = grown_small_tree()
+    dark = meristem.Scene({"obstacles": [{"box": [[-50, 50, -50], [50, 51, 50]]}]})
+    assert plant.organ_light(scene=dark)["exposure"].max() == 0
+    assert plant.organ_light()["exposure"].max() > 0
+    assert plant.measure(scene=dark, light=True)["leaf_exposure"] == 0
+
+
+def test_leaf_layers_sum_up_to_the_leaf_area() -> None:
+    plant = grown_small_tree()
+    layers = plant.leaf_layers(0.1)
+    assert layers["leaf_area"].sum() == pytest.approx(plant.measure()["leaf_area"])
+    np.testing.assert_allclose(layers["high"] - layers["low"], 0.1)
+    assert len(plant.leaf_layers()["low"]) < len(layers["low"])
+    with pytest.raises(ValueError, match="height must be above 0"):
+        plant.leaf_layers(0)
+
+
 def test_skeleton_table_has_the_rows_of_the_file(tmp_path: Path) -> None:
     plant = grown_small_tree()
     table = plant.skeleton_table()

@@ -643,7 +643,9 @@ class Measuring(Case):
         self.assertEqual(sum(tree["nodes"] for tree in measures["each"]), measures["nodes"])
         self.assertEqual(max(tree["height"] for tree in measures["each"]), measures["height"])
         self.assertNotIn("leaf_count", measures["each"][0])
-        self.assertIn(b"\ntree 2\n", self.run_program("measure", "stand.json", "--each").stdout)
+        self.assertEqual([(tree["component"], tree["instance"], tree["position"]) for tree in measures["each"]],
+                         [("left", 0, [-3, 0, 0]), ("right", 0, [3, 0, 0])])
+        self.assertIn(b"\ntree 2: right 0, at 3, 0, 0\n", self.run_program("measure", "stand.json", "--each").stdout)
 
     def test_light_on_leaves_only_if_asked(self):
         self.assertEqual(self.measured("tree.json")["leaf_exposure"], None)

@@ -48,10 +48,12 @@ void add(Fingerprint& hash, const Scene& scene) {
     hash.add(lamp.strength);
   }
   hash.add(scene.sun.azimuth).add(scene.sun.altitude);
+  hash.add(scene.latitude.value_or(100));
+  if (scene.clock) hash.add(scene.clock->longitude).add(scene.clock->utc_offset);
   add(hash, scene.ground_colour);
   for (const Obstacle& body : scene.obstacles.bodies()) {
     for (const DVec3 position : body.mesh.positions) hash.add(position.x).add(position.y).add(position.z);
-    hash.add_array(body.mesh.triangles).add(body.is_hidden).add(body.is_broken);
+    hash.add_array(body.mesh.triangles).add(body.is_hidden).add(body.is_broken).add_text(body.name);
     add(hash, body.colour);
   }
 }

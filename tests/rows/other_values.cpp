@@ -18,6 +18,8 @@ const std::map<std::string, std::vector<std::string>>& values_by_name() {
       {"an lsystem.grammar", {R"("#axiom\nF(0.4) +(30) F")"}},
       {"an operation.shoot", {R"("main.2")", R"("main.3")", R"("main.4")", R"("main.5")", R"("main.7")"}},
       {"an operation.do", {}},
+      {"a sun.date", {R"("2026-08-03")"}},
+      {"an obstacle.name", {R"("wall")"}},
       {"a resource model.lambda_curve", {R"({"curve": [[0, 1], [1, 0.9]]})"}},
       {"a leaf.polygon", {"[[0.4, 0.2], [1, 0.5], [0.3, 0.8]]"}},
       {"a leaf.profile", {R"({"curve": [[0, 0], [1, 0.5]]})"}},

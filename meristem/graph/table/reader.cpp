@@ -10,6 +10,7 @@
 #include "meristem/base/hash.h"
 #include "meristem/base/read_file.h"
 #include "meristem/graph/table/meaning.h"
+#include "meristem/scene/light/clock.h"
 
 namespace meristem {
 
@@ -256,6 +257,14 @@ std::optional<double> ParameterReader::number(const Parameter& parameter, const 
   if (value.text() == nullptr) {
     wrong_kind(parameter, value, path);
     return std::nullopt;
+  }
+  if (parameter.form.unit == Unit::hour && value.text()->find(':') != std::string::npos) {
+    const std::optional<double> hours = parse_clock_hour(*value.text());
+    if (!hours) {
+      fault(path, fmt::format("'{}' is no time", *value.text()), "hours and minutes such as \"15:30\", or a number");
+      return std::nullopt;
+    }
+    return check_range(parameter, *hours, path, "the time") ? hours : std::nullopt;
   }
   const std::optional<Expression> compiled = expression(value, path, site_variables());
   if (!compiled) return std::nullopt;

@@ -34,7 +34,8 @@ MeshScene with_obstacles(const MeshScene& plants, const Obstacles& obstacles) {
   for (const Obstacle& body : obstacles.bodies()) {
     if (body.is_hidden || body.mesh.triangles.empty()) continue;
     const auto material = static_cast<std::uint32_t>(scene.materials.size());
-    scene.materials.push_back({.name = "obstacle", .colour = body.colour, .roughness = 1});
+    scene.materials.push_back(
+        {.name = body.name.empty() ? "obstacle" : body.name, .colour = body.colour, .roughness = 1});
     scene.meshes.push_back(instances_of(body, material));
   }
   return scene;

@@ -19,17 +19,6 @@ namespace {
 constexpr std::string_view kHeader = "component,instance,x,y,z,area,exposure,irradiance\n";
 constexpr std::size_t kNumbers = 7;  // of a row
 
-/// The number of each organ among those of its component.
-std::vector<std::uint32_t> instances(const Plant& plant) {
-  std::map<std::string_view, std::uint32_t> of_component;
-  std::vector<std::uint32_t*> next;  // of each prototype
-  for (const OrganPrototype& prototype : plant.prototypes) next.push_back(&of_component[prototype.component]);
-  std::vector<std::uint32_t> numbers;
-  numbers.reserve(plant.organs.size());
-  for (const Organ& organ : plant.organs) numbers.push_back((*next[organ.prototype])++);
-  return numbers;
-}
-
 void append_row(const std::string& component, std::uint32_t instance, Vec3 position, const LitOrgan& lit,
                 std::string& out) {
   out += component;
@@ -45,6 +34,16 @@ void append_row(const std::string& component, std::uint32_t instance, Vec3 posit
 
 }  // namespace
 
+std::vector<std::uint32_t> organ_instances(const Plant& plant) {
+  std::map<std::string_view, std::uint32_t> of_component;
+  std::vector<std::uint32_t*> next;  // of each prototype
+  for (const OrganPrototype& prototype : plant.prototypes) next.push_back(&of_component[prototype.component]);
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(plant.organs.size());
+  for (const Organ& organ : plant.organs) numbers.push_back((*next[organ.prototype])++);
+  return numbers;
+}
+
 void write_organ_csv(const Plant& plant, std::span<const LitOrgan> lit, const std::string& path, Progress& progress) {
   if (lit.size() != plant.organs.size()) throw std::invalid_argument("each organ has its light");
   std::vector<std::string> components;  // of each prototype, as fields
@@ -53,7 +52,7 @@ void write_organ_csv(const Plant& plant, std::span<const LitOrgan> lit, const st
     components.push_back(csv_field(prototype.component));
     longest = std::max(longest, components.back().size());
   }
-  const std::vector<std::uint32_t> numbers = instances(plant);
+  const std::vector<std::uint32_t> numbers = organ_instances(plant);
   progress.begin("writing CSV", lit.size());
   AtomicFile file(path);
   file.write(kHeader);

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "meristem/base/progress.h"
 #include "meristem/measure/organ_light.h"
 #include "meristem/plant/plant.h"
 
 namespace meristem {
+
+/// The number of each organ among those of its component, from 0 in the plant's order.
+std::vector<std::uint32_t> organ_instances(const Plant& plant);
 
 /// Writes a table in CSV as write_skeleton_csv does, one row per organ in the plant's order: `component` (id),
 /// `instance` (number among the component's organs, from 0), `x`, `y`, `z` (where it is attached, metres), `area`

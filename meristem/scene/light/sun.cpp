@@ -9,8 +9,7 @@ namespace meristem {
 namespace {
 
 // The direction in doubles: x east, y up, z south.
-DVec3 sun_vector(double latitude, double day, double hour) {
-  const double sun_declination = declination(day);
+DVec3 sun_vector(double latitude, double sun_declination, double hour) {
   const double hour_angle = radians(15 * (hour - 12));
   const double along = math::cos(sun_declination) * math::cos(hour_angle);
   const double north = math::sin(sun_declination) * math::cos(latitude) - along * math::sin(latitude);
@@ -32,7 +31,11 @@ double declination(double day) {
 }
 
 SkyDirection sun_position(double latitude, double day, double hour) {
-  const DVec3 sun = sun_vector(latitude, day, hour);
+  return sun_at_hour(latitude, declination(day), hour);
+}
+
+SkyDirection sun_at_hour(double latitude, double declination, double hour) {
+  const DVec3 sun = sun_vector(latitude, declination, hour);
   const double altitude = math::asin(sun.y);
   // Equation 4.7b takes an arc cosine, which is blind to the side and loses digits near noon; the arc tangent of the
   // horizontal components gives the same angle without either fault.

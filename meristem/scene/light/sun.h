@@ -26,6 +26,8 @@ double declination(double day);
 /// Exactly overhead, where no azimuth is defined, it is south (north in the southern hemisphere). At a pole it is the
 /// limit of latitudes toward it: 180° at noon at the north pole, and it turns by 15° an hour.
 SkyDirection sun_position(double latitude, double day, double hour);
+/// The same for a sun of this declination (radians).
+SkyDirection sun_at_hour(double latitude, double declination, double hour);
 
 /// Hours of sunrise and sunset; nothing in the polar night, {0, 24} on the polar day.
 std::optional<std::pair<double, double>> daylight(double latitude, double day);

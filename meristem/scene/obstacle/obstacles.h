@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "meristem/base/progress.h"
@@ -23,6 +24,7 @@ struct Obstacle {
   Vec3 colour{0.76F, 0.73F, 0.68F};  ///< sRGB, in pictures
   bool is_broken = false;            ///< not closed, yet to be used as well as can be
   bool is_hidden = false;            ///< left out of pictures
+  std::string name{};                ///< by which measures find it; may be empty
 };
 
 /// The twelve triangles of a box, facing outward; `low` lies below `high` along each axis.

@@ -194,6 +194,7 @@ class BladeMesher {
       mesh_.triangles.push_back({k, 3 + next, 3 + k});
       mesh_.triangles.push_back({3 + k, 3 + next, 6 + k});
     }
+    mesh_.stalk_triangles = static_cast<std::uint32_t>(mesh_.triangle_count());
   }
 
   /// The first position along the midrib where the blade is wide enough on both sides of it.

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the doors ask of shade: which surface, on which days, at which hours.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meristem/graph/table/parameter.h"
+#include "meristem/graph/table/value.h"
+#include "meristem/measure/shade.h"
+#include "meristem/scene/light/clock.h"
+#include "meristem/scene/scene.h"
+
+namespace meristem {
+
+/// Shade as a command line or Python asks for it. Exactly one of the surfaces is not null; facade_table, panels_table
+/// and ground_table say what is in them.
+struct ShadeRequest {
+  Value facade{};
+  Value panels{};
+  Value ground{};
+  double spacing = 0.25;  ///< metres between points; lowered, shares are finer and take longer by its square
+  /// Days between commas: numbers of days of the year, dates (2026-06-21), and FROM:TO:STEP of either.
+  std::string days{};
+  /// Hours between commas: numbers, times (15:30), and FROM:TO:STEP of numbers.
+  std::string hours = "0:23:1";
+  std::optional<double> latitude{};    ///< degrees; unset: the scene's
+  std::optional<double> longitude{};   ///< degrees; with `utc_offset` hours are clock time; unset: the scene's
+  std::optional<double> utc_offset{};  ///< hours
+};
+
+/// A day of a request; without a date any year's.
+struct ShadeDay {
+  int day = 1;  ///< of the year
+  std::optional<Date> date{};
+
+  std::string text() const { return date ? date_text(*date) : std::to_string(day); }
+};
+
+/// What a request means in a scene.
+struct ShadePlan {
+  ShadeSurface surface;
+  std::vector<ShadeDay> days;
+  std::vector<double> hours;
+  bool is_clock_time = false;  ///< else true solar time
+  /// Of each day all hours, one day after another; with the true solar hours.
+  std::vector<SkyDirection> sun;
+  std::vector<double> solar_hours;
+};
+
+const ParameterTable& facade_table();
+const ParameterTable& panels_table();
+const ParameterTable& ground_table();
+
+/// The days and hours of such texts, in their order. Throw InputError.
+std::vector<ShadeDay> parse_shade_days(std::string_view text);
+std::vector<double> parse_shade_hours(std::string_view text);
+
+/// The plan of a request. Throws one InputError with its faults, each at a path that begins with facade, panels,
+/// ground, spacing, days, hours, latitude, longitude or utc_offset.
+ShadePlan plan_shade(const ShadeRequest& request, const Scene& scene);
+
+}  // namespace meristem

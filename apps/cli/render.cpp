@@ -209,7 +209,8 @@ void add_render(CLI::App& app, Run& run) {
                    "Lower the quality of a JPEG until the file has at most this many kilobytes")
       ->type_name("KB");
   command->add_option("--size", options->size, "Pixels; the document's output.size if not given")->type_name("WxH");
-  command->add_option("--samples", options->samples, "Paths per pixel: more are slower and less noisy")->type_name("N");
+  command->add_option("--samples", options->samples, "Most paths per pixel: more are slower and less noisy")
+      ->type_name("N");
   command
       ->add_option("--view", options->view,
                    "Where the camera stands, degrees from north over east and over the horizon")

@@ -17,8 +17,8 @@ namespace meristem {
 namespace {
 
 constexpr double kStalkStep = 0.05;
-constexpr double kProportionSteps = 8;   // an octave
-constexpr double kStalkRadiusSteps = 2;  // an octave
+constexpr double kLeafProportionSteps = 8;  // an octave
+constexpr double kStalkRadiusSteps = 2;     // an octave
 constexpr std::size_t kMostCorners = 500;
 
 /// What of a leaf's shape varies from instance to instance, rounded; for a length of 1.
@@ -27,7 +27,7 @@ struct SharedNumbers {
   double petiole_radius = 1;  // without a stalk it must not tell shapes apart
 
   explicit SharedNumbers(const LeafBlade& exact)
-      : width(to_octaves(exact.width / exact.length, kProportionSteps)),
+      : width(to_octaves(exact.width / exact.length, kLeafProportionSteps)),
         curl(to_step(exact.curl, kShapeAngleStep)),
         curl_across(to_step(exact.curl_across, kShapeAngleStep)),
         fold(to_step(exact.fold, kShapeAngleStep)),
@@ -165,7 +165,7 @@ Table<LeafBlade> with_bends(Table<LeafBlade> table) {
       .only_with("petiole", {"petiole_radius"});
 }
 
-const ParameterTable& blade_table() {
+const ParameterTable& leaf_blade_table() {
   static const ParameterTable table =
       with_bends(with_outline(Table<LeafBlade>("a leaf", "A leaf blade with its stalk.")))
           .integer("rows", &LeafBlade::rows, {.min = 1, .max = 256, .usual = {1, 32}, .fixed = true},
@@ -188,8 +188,9 @@ ComponentType leaf_component() {
            .material = {.colour = {0.33F, 0.46F, 0.20F}, .roughness = 0.6F, .translucency = 0.35F, .two_sided = true},
            .variety = 0.12,
            .tropism = Tropism::face},
-      .parameters =
-          Table<Leaf>("a leaf", "A leaf blade with its stalk.").members(&Leaf::blade, blade_table()).check(check_leaf),
+      .parameters = Table<Leaf>("a leaf", "A leaf blade with its stalk.")
+                        .members(&Leaf::blade, leaf_blade_table())
+                        .check(check_leaf),
       .expand = expand,
       .texture_shape = [](const Leaf& leaf) { return leaf_texture_shape(leaf.blade); },
   });

@@ -16,8 +16,6 @@ namespace meristem {
 
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
 /// Four hexadecimal digits at `at`; 0 where there are none.

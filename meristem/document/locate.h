@@ -10,6 +10,9 @@
 
 namespace meristem {
 
+/// With which some programs begin a text.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 struct TextPosition {
   int line = 1;    ///< from 1
   int column = 1;  ///< in characters, from 1

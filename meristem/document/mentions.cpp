@@ -10,9 +10,10 @@ namespace meristem {
 namespace {
 
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
-bool is_of_name(char c) { return c == '_' || is_digit(c) || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); }
 
 }  // namespace
+
+bool is_of_name(char c) { return c == '_' || is_digit(c) || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); }
 
 void for_each_name(std::string_view text, FunctionRef<void(std::string_view name)> take) {
   std::size_t at = 0;

@@ -9,6 +9,9 @@
 
 namespace meristem {
 
+/// Whether names may have this character.
+bool is_of_name(char c);
+
 /// Calls `take` for each word in the text that could be a name, in order; what is part of a number is none.
 void for_each_name(std::string_view text, FunctionRef<void(std::string_view name)> take);
 /// The same for all texts of a value; names of members are none of them.

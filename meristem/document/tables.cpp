@@ -38,7 +38,8 @@ const ParameterTable& output_table() {
           .integers("size", &OutputParameters::size, 2, {.min = 1, .max = 16384, .usual = {256, 4096}},
                     "Width and height of pictures in pixels.")
           .integer("samples", &OutputParameters::samples, {.min = 1, .max = 65536, .usual = {1, 512}},
-                   "Number of light paths per pixel; raised, less noise and slower pictures.")
+                   "Most light paths per pixel, of which even sky and ground take fewer; raised, less noise and slower "
+                   "pictures.")
           .integer("lod", &OutputParameters::lod, {.min = 0, .max = kCoarsestDetail},
                    "Number of coarser levels of detail that `grow` writes beside each file with meshes.");
   return table;

@@ -27,11 +27,6 @@ constexpr std::size_t kMostVariables = 1000;
 /// Grammars are shorter; what is longer, such as a mesh, is not searched for names.
 constexpr std::uint64_t kLongestGrammar = 1'000'000;
 
-bool has_meaning(const std::string& name) {
-  const auto is_in = [&name](const auto& names) { return std::find(names.begin(), names.end(), name) != names.end(); };
-  return is_builtin_name(name) || is_in(site_variables()) || is_in(node_variables());
-}
-
 /// Expressions can only be compiled with names that a variable may have.
 bool is_free_name(const std::string& name) { return is_identifier(name) && !has_meaning(name); }
 
@@ -189,6 +184,11 @@ std::string text_of_grammar(const std::string& file) {
 }
 
 }  // namespace
+
+bool has_meaning(const std::string& name) {
+  const auto is_in = [&name](const auto& names) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  return is_builtin_name(name) || is_in(site_variables()) || is_in(node_variables());
+}
 
 VariableValues solve_variables(const Value* given, const Limits& limits) {
   return given == nullptr || given->object() == nullptr ? VariableValues{} : Solver(*given->object(), limits).run();

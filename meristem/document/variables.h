@@ -18,6 +18,9 @@ struct VariableValues {
   std::vector<std::vector<std::size_t>> circles;  ///< constants that need each other: each the next, the last the first
 };
 
+/// Whether expressions know a name by themselves: of a function, a constant, or what a site or a node has.
+bool has_meaning(const std::string& name);
+
 /// Works out each variable after those that it uses. `given` is the document's object of variables or null; what is
 /// wrong with it, read_variables tells.
 VariableValues solve_variables(const Value* given, const Limits& limits);

@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 13> kLooks = {
     "colour", "colours", "colour_at",           "variety",  "texture", "roughness", "translucency", "place", "omit",
     "only",   "hidden",  "omit_keeps_children", "recursion"};
 
-bool is_any_of(std::string_view name, const auto& names) { return std::ranges::find(names, name) != names.end(); }
+bool is_among(std::string_view name, const auto& names) { return std::ranges::find(names, name) != names.end(); }
 
 const ParameterTable& transform_table() {
   static const ParameterTable table =
@@ -134,7 +134,7 @@ void set_fingerprints(Prototype& prototype, const Value& value, std::span<const 
   if (!prototype.type->grow || value.object() == nullptr) return;
   Value::Object of_growth = *value.object();
   const std::vector<std::string> after = rows_after_growth(*prototype.type);
-  std::erase_if(of_growth, [&](const Value::Member& member) { return is_any_of(member.first, after); });
+  std::erase_if(of_growth, [&](const Value::Member& member) { return is_among(member.first, after); });
   prototype.growth_fingerprint = fingerprint_of(Value(std::move(of_growth)), constants, files, limits.file_bytes);
 }
 

@@ -20,7 +20,7 @@
 namespace meristem {
 namespace {
 
-constexpr std::size_t kRaysPerBlock = 2048;
+constexpr std::size_t kCrownRaysPerBlock = 2048;
 
 /// The share of some positions' area from which a far light is seen. Each of the sun's positions has its own `turn`, so
 /// that those with few rays do not use the same positions.
@@ -28,15 +28,15 @@ double unshaded_share(const SurfacePoints& places, Vec3 toward, const Obstacles&
                       std::size_t turn, const Progress* progress) {
   const double first = fraction(0.5 + static_cast<double>(turn) * kSquareSteps[0]);
   const double start = fraction(static_cast<double>(turn) * kSquareSteps[1]);
-  std::vector<std::uint64_t> unshaded((rays + kRaysPerBlock - 1) / kRaysPerBlock, 0);
-  parallel_for(rays, kRaysPerBlock, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::uint64_t> unshaded((rays + kCrownRaysPerBlock - 1) / kCrownRaysPerBlock, 0);
+  parallel_for(rays, kCrownRaysPerBlock, [&](std::size_t begin, std::size_t end) {
     if (progress != nullptr) progress->check();
     for (std::size_t k = begin; k < end; ++k) {
       const double along = (static_cast<double>(k) + first) / static_cast<double>(rays);
       const double across = fraction(start + static_cast<double>(k) * kGoldenStep);
       const Vec3 position = places.position(places.at(along, across));
       const bool is_shaded = obstacles.block(position, toward, std::numeric_limits<double>::infinity());
-      if (!is_shaded) ++unshaded[begin / kRaysPerBlock];
+      if (!is_shaded) ++unshaded[begin / kCrownRaysPerBlock];
     }
   });
   const std::uint64_t sum = std::accumulate(unshaded.begin(), unshaded.end(), std::uint64_t{0});

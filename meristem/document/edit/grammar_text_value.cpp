@@ -8,6 +8,7 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/document/edit/part_edit.h"
 #include "meristem/document/locate.h"
+#include "meristem/document/mentions.h"
 
 namespace meristem {
 
@@ -34,10 +35,6 @@ std::vector<std::string> renamed(const std::vector<GrammarWord>& words, const st
   std::vector<std::string> texts;
   for (const GrammarWord& word : words) texts.push_back(word.text == from ? to : word.text);
   return texts;
-}
-
-bool is_of_name(char c) {
-  return c == '_' || ('0' <= c && c <= '9') || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
 }
 
 [[noreturn]] void refuse(const std::string& path, const std::string& name) {

@@ -4,12 +4,11 @@
 #include <algorithm>
 
 #include "meristem/document/json.h"
+#include "meristem/document/locate.h"
 
 namespace meristem {
 
 namespace {
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 /// Finds the values of a text that is known to be JSON, without recursion.
 class NodeScanner {

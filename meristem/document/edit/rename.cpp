@@ -12,16 +12,14 @@
 #include "meristem/document/edit/text_edit.h"
 #include "meristem/document/json.h"
 #include "meristem/document/locate.h"
+#include "meristem/document/mentions.h"
+#include "meristem/document/variables.h"
 #include "meristem/graph/table/node_condition.h"
 #include "meristem/graph/table/site.h"
 
 namespace meristem {
 
 namespace {
-
-bool is_of_name(char c) {
-  return c == '_' || ('0' <= c && c <= '9') || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
-}
 
 [[noreturn]] void refuse(const std::string& path, std::string message, std::string expected) {
   throw InputError(Diagnostic{.message = std::move(message), .expected = std::move(expected), .path = path});
@@ -109,11 +107,6 @@ void rename_in_expression(const LocatedTree& tree, LocatedValue value, const std
     }
     at = std::max(end, at + 1);
   }
-}
-
-bool has_meaning(const std::string& name) {
-  const auto is_in = [&](const auto& names) { return std::find(names.begin(), names.end(), name) != names.end(); };
-  return is_builtin_name(name) || is_in(site_variables()) || is_in(node_variables());
 }
 
 Patch in_order(Patch patch) {

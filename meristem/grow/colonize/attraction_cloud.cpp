@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kUnit = 274'877'906'944;  // 2^38: sums of up to 2^25 unit vectors fit into 64 bits
 
-constexpr std::size_t kTreesAtOnce = 64;
+constexpr std::size_t kTreesPerBlock = 64;
 
 std::int64_t in_units(double component) { return static_cast<std::int64_t>(component * kUnit); }
 
@@ -206,7 +206,7 @@ void AttractionCloud::hand_over_pulls() {
     trees_[node.tree].pulls.push_back({node.index, units / kUnit});
   }
   sums_.clear();
-  parallel_for(trees_.size(), kTreesAtOnce, [&](std::size_t begin, std::size_t end) {
+  parallel_for(trees_.size(), kTreesPerBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       std::sort(trees_[k].pulls.begin(), trees_[k].pulls.end(),
                 [](const Pull& a, const Pull& b) { return a.node < b.node; });

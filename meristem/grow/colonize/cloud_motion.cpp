@@ -11,7 +11,7 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kNodesPerBlock = 16;
-constexpr std::size_t kPointsPerBlock = 1024;
+constexpr std::size_t kMovingPointsPerBlock = 1024;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ void CloudMotion::move(MovingPoints& points, const Progress& progress) {
   const std::vector<DVec3> shift = shifts(pulled);
   const std::vector<double> factors = height_factors(points, shift);
   const bool has_obstacles = !scene_.obstacles.empty();
-  parallel_for(points.living(), kPointsPerBlock, [&](std::size_t begin, std::size_t end) {
+  parallel_for(points.living(), kMovingPointsPerBlock, [&](std::size_t begin, std::size_t end) {
     progress.check();
     for (std::size_t k = begin; k < end; ++k) {
       const MovingPoint& point = points.points()[k];

@@ -7,7 +7,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kModulesBetweenChecks = 65'536;
+constexpr std::size_t kSightsBetweenChecks = 65'536;
 
 std::uint32_t take_last(std::vector<std::uint32_t>& stack) {
   if (stack.empty()) return kNoModule;
@@ -42,7 +42,7 @@ void WordContext::find_left(const Grammar& grammar, const Progress& progress) {
   std::vector<std::uint32_t> branches;
   std::uint32_t last = kNoModule;
   for (std::size_t k = 0; k < letters_.size(); ++k) {
-    if (k % kModulesBetweenChecks == 0) progress.check();
+    if (k % kSightsBetweenChecks == 0) progress.check();
     const LetterIndex letter = letters_[k];
     left_[k] = last;
     if (letter == grammar.open) {
@@ -60,7 +60,7 @@ void WordContext::find_right(const Grammar& grammar, const Progress& progress) {
   std::vector<std::uint32_t> after_branches;
   std::uint32_t next = kNoModule;
   for (std::size_t k = letters_.size(); k-- > 0;) {
-    if (k % kModulesBetweenChecks == 0) progress.check();
+    if (k % kSightsBetweenChecks == 0) progress.check();
     const LetterIndex letter = letters_[k];
     right_[k] = next;
     if (letter == grammar.close) {
@@ -79,7 +79,7 @@ void WordContext::find_symbols(const Grammar& grammar, const Progress& progress)
   std::vector<std::uint32_t> ends;
   std::uint32_t next = kNoModule;
   for (std::size_t k = letters_.size(); k-- > 0;) {
-    if (k % kModulesBetweenChecks == 0) progress.check();
+    if (k % kSightsBetweenChecks == 0) progress.check();
     const LetterIndex letter = letters_[k];
     const bool is_bracket = letter == grammar.open || letter == grammar.close;
     symbol_[k] = letter == grammar.open ? take_last(ends) : next;

@@ -12,7 +12,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kGrain = 2048;  // metamers
+constexpr std::size_t kSensingPerBlock = 2048;  // metamers
 
 /// Whether there are no lamps, and sun and sky have all of their strength, as they do unless the sun never rises.
 bool is_full_everywhere(const Light& light) {
@@ -39,7 +39,7 @@ class ShadeSense : public BudSense {
         shade_(space.shade(form_of(species, root), species.limits.mesh_bytes, species.path("light.voxel"))) {}
 
   void sense(BudLight& found, const Progress& progress) override {
-    parallel_for(metamers_.count(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(metamers_.count(), kSensingPerBlock, [&](std::size_t begin, std::size_t end) {
       progress.check();
       std::vector<MetamerIndex> asked;
       std::vector<Vec3> places;
@@ -127,7 +127,7 @@ class RoomSense : public BudSense, public RoomSeeker {
     first_room_.assign(metamers_.count(), 0);
     std::uint32_t next = 0;
     for_each_bud([&](MetamerIndex metamer, bool is_lateral) {
-      if (next % kGrain == 0) progress.check();
+      if (next % kSensingPerBlock == 0) progress.check();
       if (!is_lateral || !metamers_.competes(metamer, false)) first_room_[metamer] = next;
       const std::uint32_t markers = rooms_[next++].count;
       const double share = model.counts ? markers : (markers > 0 ? 1 : 0);

@@ -16,10 +16,10 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kGrain = 2048;         // metamers
-constexpr std::size_t kSproutsAtOnce = 128;  // that look for light
-constexpr int kTries = 4;                    // headings that a bud tries where obstacles stand in its way
-constexpr double kTryTurn = 0.5;             // radians from the one it wants, more with each of them
+constexpr std::size_t kMetamersPerBlock = 2048;  // metamers
+constexpr std::size_t kSproutsAtOnce = 128;      // that look for light
+constexpr int kTries = 4;                        // headings that a bud tries where obstacles stand in its way
+constexpr double kTryTurn = 0.5;                 // radians from the one it wants, more with each of them
 // Opposite buds are two metamers, of which the second has this share of the length of both.
 constexpr float kPairGap = 0.04F;
 
@@ -91,7 +91,7 @@ void OrganizedTree::iterate(int iteration, const Progress& progress) {
   for (const Sprout& sprout : sprouts) more += static_cast<std::uint64_t>(sprout.metamers);
   tree_.reserve(metamers_.count() + more);
   for (std::size_t k = 0; k < sprouts.size(); ++k) {
-    if (k % kGrain == 0) progress.check();
+    if (k % kMetamersPerBlock == 0) progress.check();
     grow(sprouts[k], iteration);
   }
   progress.check();
@@ -224,7 +224,7 @@ Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
   skeleton.position.resize(count);
   std::vector<float>& angle = skeleton.extra["bud_angle"];
   angle.resize(count);
-  parallel_for(count, kGrain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(count, kMetamersPerBlock, [&](std::size_t begin, std::size_t end) {
     progress.check();
     for (auto metamer = static_cast<MetamerIndex>(begin); metamer < end; ++metamer) {
       skeleton.position[metamer] = root_ + metamers.tip[metamer];

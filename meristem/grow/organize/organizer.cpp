@@ -22,7 +22,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kMostBlocks = 256;  // of trees that a thread takes at once
+constexpr std::size_t kMostTreeBlocks = 256;  // of trees that a thread takes at once
 
 void require(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(what);
@@ -92,7 +92,7 @@ class Organizer : public Grower {
   /// Trees stand side by side and feel each other only through the stand.
   template <class Visit>
   void for_each_tree(Visit visit) {
-    parallel_for(trees_.size(), 1 + trees_.size() / kMostBlocks, [&](std::size_t begin, std::size_t end) {
+    parallel_for(trees_.size(), 1 + trees_.size() / kMostTreeBlocks, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) visit(k);
     });
   }

@@ -2,6 +2,7 @@
 #include "meristem/output/picture/sampling.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "meristem/base/math.h"
@@ -30,47 +31,56 @@ Vec2 circle_point(float turns) {
   return glm::mix(table.points[below], table.points[below + 1], at - static_cast<float>(below));
 }
 
-}  // namespace
-
-std::uint32_t permuted(std::uint32_t index, std::uint32_t count, std::uint32_t seed) {
-  std::uint32_t mask = count - 1;
-  mask |= mask >> 1;
-  mask |= mask >> 2;
-  mask |= mask >> 4;
-  mask |= mask >> 8;
-  mask |= mask >> 16;
-  // Each round is a bijection on the next power of two; those that fall outside walk on along their cycle.
-  do {
-    index ^= seed;
-    index *= 0xe170893dU;
-    index ^= seed >> 16;
-    index ^= (index & mask) >> 4;
-    index ^= seed >> 8;
-    index *= 0x0929eb3fU;
-    index ^= seed >> 23;
-    index ^= (index & mask) >> 1;
-    index *= 1 | seed >> 27;
-    index *= 0x6935fa69U;
-    index ^= (index & mask) >> 11;
-    index *= 0x74dcb303U;
-    index ^= (index & mask) >> 2;
-    index *= 0x9e501cc3U;
-    index ^= (index & mask) >> 2;
-    index *= 0xc860a3dfU;
-    index &= mask;
-    index ^= index >> 5;
-  } while (index >= count);
-  // A turn by a share of the count that the seed chooses; a division would take as long as all of the rounds.
-  const std::uint32_t turned = index + static_cast<std::uint32_t>((std::uint64_t{seed} * count) >> 32);
-  return turned < count ? turned : turned - count;
+constexpr std::uint32_t reversed_bits(std::uint32_t x) {
+  x = (x & 0x55555555U) << 1 | (x >> 1 & 0x55555555U);
+  x = (x & 0x33333333U) << 2 | (x >> 2 & 0x33333333U);
+  x = (x & 0x0f0f0f0fU) << 4 | (x >> 4 & 0x0f0f0f0fU);
+  return __builtin_bswap32(x);
 }
 
+/// Flips each bit by a coin that depends on the bits below it: Owen's scrambling of a fraction whose bits are reversed.
+constexpr std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
+  x ^= x * 0x3d20adeaU;
+  x += seed;
+  x *= seed >> 16 | 1;
+  x ^= x * 0x05526c56U;
+  return x ^ x * 0x53a22864U;
+}
+
+/// Sobol's second dimension of an index, with its bits reversed: its matrix is Pascal's triangle of odd and even, in
+/// which bit j counts all bits whose number has the bits of j.
+constexpr std::uint32_t second_dimension(std::uint32_t x) {
+  x ^= x >> 1 & 0x55555555U;
+  x ^= x >> 2 & 0x33333333U;
+  x ^= x >> 4 & 0x0f0f0f0fU;
+  x ^= x >> 8 & 0x00ff00ffU;
+  return x ^ x >> 16;
+}
+
+/// The lower 16 bits at the even places.
+constexpr std::uint32_t spread_bits(std::uint32_t x) {
+  x = (x | x << 8) & 0x00ff00ffU;
+  x = (x | x << 4) & 0x0f0f0f0fU;
+  x = (x | x << 2) & 0x33333333U;
+  return (x | x << 1) & 0x55555555U;
+}
+
+}  // namespace
+
+std::uint32_t pixel_number(int x, int y) {
+  return spread_bits(static_cast<std::uint32_t>(x)) | spread_bits(static_cast<std::uint32_t>(y)) << 1;
+}
+
+SampleStream::SampleStream(std::uint32_t pixel, std::uint32_t sample, std::uint32_t samples)
+    : reversed_index_(reversed_bits(pixel * std::bit_ceil(samples) + sample)) {}
+
 Vec2 SampleStream::next() {
-  const std::uint32_t seed = mixed_bits(seed_ + 0x85ebca6bU * ++pair_);
-  const std::uint32_t index = permuted(sample_, samples_, seed);
-  // The R2 sequence in 32-bit fixed point: 1/g and 1/g^2 with g^3 = g + 1.
-  const std::uint32_t x = index * 3242174889U + mixed_bits(seed ^ 0x68bc21ebU);
-  const std::uint32_t y = index * 2447445414U + mixed_bits(seed ^ 0x02e5be93U);
+  const std::uint32_t seed = mixed_bits(0x9e3779b9U * ++pair_);
+  // Another order of the sequence: blocks of 2^k indices stay blocks.
+  const std::uint32_t index = reversed_bits(scrambled(reversed_index_, seed));
+  // Sobol's first dimension is the index with its bits reversed, and scrambling takes reversed bits.
+  const std::uint32_t x = reversed_bits(scrambled(index, mixed_bits(seed ^ 0x68bc21ebU)));
+  const std::uint32_t y = reversed_bits(scrambled(second_dimension(index), mixed_bits(seed ^ 0x02e5be93U)));
   return {unit_float(x), unit_float(y)};
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the samples of a pixel lie: well-spread points that are a function of pixel, sample and dimension alone, so a
-// picture does not depend on threads. Every pair of dimensions takes the same low-discrepancy points, in its own order
-// and shifted by its own offset.
+// Where the samples of a pixel lie: a function of pixel, sample and dimension alone, so a picture does not depend on
+// threads. All pixels share one sequence, of which each takes a block, neighbours neighbouring blocks; every pair of
+// dimensions runs through it in its own order. So the samples of a pixel are spread evenly, the first 1, 2, 4, 8... of
+// them too, and those of neighbours fill each other's gaps, which makes a fine grain of the noise that is left.
 //
-// Based on: M. Roberts: The unreasonable effectiveness of quasirandom sequences (2018), the R2 sequence; A. Kensler:
-// Correlated multi-jittered sampling (2013), the permutation; R. Cranley and T. Patterson (1976), the shift.
+// Based on: B. Burley: Practical hash-based Owen scrambling (2020), of the sequence of I. Sobol; N. Vegdahl: Building a
+// better LK hash (2021); A. Ahmed and P. Wonka: Screen-space blue-noise diffusion of Monte Carlo sampling error via
+// hierarchical ordering of pixels (2020).
 #pragma once
 
 #include <cstdint>
@@ -25,22 +27,19 @@ constexpr std::uint32_t mixed_bits(std::uint32_t x) {
 /// The number in [0, 1) of the upper 24 bits.
 constexpr float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24F; }
 
-/// The position of `index` in a permutation of [0, count) chosen by `seed`.
-std::uint32_t permuted(std::uint32_t index, std::uint32_t count, std::uint32_t seed);
+/// The number of a pixel along a curve that keeps neighbours together: the bits of x and y (below 2^16) in turn.
+std::uint32_t pixel_number(int x, int y);
 
-/// The numbers of one path: the `sample`-th of `samples` through `pixel`.
+/// The numbers of one path: the `sample`-th of `samples` through the pixel of this number.
 class SampleStream {
  public:
-  SampleStream(std::uint32_t pixel, std::uint32_t sample, std::uint32_t samples)
-      : seed_(mixed_bits(pixel + 0x9e3779b9U)), sample_(sample), samples_(samples) {}
+  SampleStream(std::uint32_t pixel, std::uint32_t sample, std::uint32_t samples);
 
   /// The next two dimensions, each uniform in [0, 1).
   Vec2 next();
 
  private:
-  std::uint32_t seed_;
-  std::uint32_t sample_;
-  std::uint32_t samples_;
+  std::uint32_t reversed_index_;
   std::uint32_t pair_ = 0;
 };
 

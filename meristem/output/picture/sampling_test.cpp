@@ -2,37 +2,74 @@
 #include "meristem/output/picture/sampling.h"
 
 #include <cmath>
-#include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 namespace meristem {
 namespace {
 
-TEST(Sampling, PermutationTakesEveryPlaceOnce) {
-  for (const std::uint32_t count : {1U, 2U, 7U, 64U, 100U}) {
-    std::set<std::uint32_t> places;
-    for (std::uint32_t i = 0; i < count; ++i) places.insert(permuted(i, count, 12345));
-    EXPECT_EQ(places.size(), count);
-    EXPECT_LT(*places.rbegin(), count);
+/// How many points of the third pair of dimensions lie in each of `columns` x `rows` equal cells.
+std::vector<int> counts_by_cell(std::uint32_t pixel, std::uint32_t begin, std::uint32_t end, int columns, int rows) {
+  std::vector<int> counts(static_cast<std::size_t>(columns) * rows);
+  for (std::uint32_t s = begin; s < end; ++s) {
+    SampleStream stream(pixel, s, 64);
+    stream.next();
+    stream.next();
+    const Vec2 point = stream.next();
+    ++counts[static_cast<int>(static_cast<float>(rows) * point.y) * columns +
+             static_cast<int>(static_cast<float>(columns) * point.x)];
+  }
+  return counts;
+}
+
+TEST(Sampling, EveryCellOfEveryShapeHasOnePointOfAPixel) {
+  for (std::uint32_t pixel = 0; pixel < 20; ++pixel) {
+    for (const int columns : {1, 2, 4, 8, 16, 32, 64}) {
+      for (const int count : counts_by_cell(pixel, 0, 64, columns, 64 / columns)) ASSERT_EQ(count, 1);
+    }
   }
 }
 
-TEST(Sampling, ThePairsOfAPixelSpreadEvenly) {
-  // Of 64 points each eighth of either axis holds 8 on average; random points would often miss by 4 and more.
+TEST(Sampling, SoDoTheFirstSamplesOfAPixelAndThoseThatFollow) {
   for (std::uint32_t pixel = 0; pixel < 20; ++pixel) {
-    int columns[8] = {};
-    int rows[8] = {};
-    for (std::uint32_t s = 0; s < 64; ++s) {
-      SampleStream stream(pixel, s, 64);
-      stream.next();
-      const Vec2 point = stream.next();
-      ++columns[static_cast<int>(8 * point.x)];
-      ++rows[static_cast<int>(8 * point.y)];
+    for (const std::uint32_t begin : {0U, 8U, 16U}) {
+      for (const int columns : {1, 2, 4, 8}) {
+        for (const int count : counts_by_cell(pixel, begin, begin + 8, columns, 8 / columns)) ASSERT_EQ(count, 1);
+      }
     }
-    for (const int count : columns) EXPECT_NEAR(count, 8, 2);
-    for (const int count : rows) EXPECT_NEAR(count, 8, 2);
   }
+}
+
+TEST(Sampling, FourPixelsShareTheirCells) {
+  for (const std::uint32_t first : {0U, 4U, 40U}) {
+    std::vector<int> counts(256);
+    for (std::uint32_t pixel = first; pixel < first + 4; ++pixel) {
+      const std::vector<int> more = counts_by_cell(pixel, 0, 64, 16, 16);
+      for (std::size_t k = 0; k < counts.size(); ++k) counts[k] += more[k];
+    }
+    for (const int count : counts) ASSERT_EQ(count, 1);
+  }
+}
+
+TEST(Sampling, DimensionsAreUnrelated) {
+  double product = 0;
+  constexpr int kCount = 4096;
+  for (std::uint32_t s = 0; s < kCount; ++s) {
+    SampleStream stream(3, s, kCount);
+    const Vec2 a = stream.next();
+    const Vec2 b = stream.next();
+    product += (a.x - 0.5) * (b.x - 0.5) / kCount;
+  }
+  EXPECT_NEAR(product, 0, 0.005);  // 1/12 if they were one; random pairs stray by 0.0013
+}
+
+TEST(Sampling, PixelsThatAreNumberedNextToEachOtherAreNeighbours) {
+  EXPECT_EQ(pixel_number(0, 0), 0U);
+  EXPECT_EQ(pixel_number(1, 0), 1U);
+  EXPECT_EQ(pixel_number(0, 1), 2U);
+  EXPECT_EQ(pixel_number(3, 5), 39U);
+  EXPECT_EQ(pixel_number(16383, 16383), (1U << 28) - 1);
 }
 
 TEST(Sampling, DiscPointsLieOnTheDiscEvenly) {

@@ -13,14 +13,14 @@
 #include "meristem/output/picture/camera.h"
 #include "meristem/output/picture/obstacle_meshes.h"
 #include "meristem/output/picture/path_tracer.h"
+#include "meristem/output/picture/photographer.h"
 #include "meristem/output/picture/tone_map.h"
 
 namespace meristem {
 
 namespace {
 
-constexpr int kTile = 16;
-constexpr float kSharpness = 0.6F;  // width of textures' means over a pixel's; samples smooth what is left
+constexpr int kTile = 64;
 
 /// Numbers too small to matter count as 0 while it lives, in this thread; Embree asks for that.
 class FlushToZero {
@@ -92,9 +92,6 @@ class Developer {
   bool keeps_alpha_;
 };
 
-/// An offset in [-1, 1] whose density is a tent, which smooths edges better than the pixel's square.
-float tent(float sample) { return sample < 0.5F ? std::sqrt(2 * sample) - 1 : 1 - std::sqrt(2 - 2 * sample); }
-
 /// How brightly lamps light what stands in the picture, half of it turned away or in the shade. The mean is that of the
 /// roots, so that a bright spot beside a lamp leaves the rest to be seen.
 float metered(const Lamplight& lamps, const RayScene& rays, const Camera& camera) {
@@ -112,42 +109,6 @@ float metered(const Lamplight& lamps, const RayScene& rays, const Camera& camera
   const double root = hits > 0 ? sum / hits : 0;
   return static_cast<float>(0.5 * root * root);
 }
-
-class Photographer {
- public:
-  Photographer(const PathTracer& tracer, const Camera& camera, const Developer& developer, const StillOptions& options)
-      : tracer_(tracer), camera_(camera), developer_(developer), options_(options) {
-    const float half_pixel = 1 / static_cast<float>(options.height);
-    spread_ = kSharpness * glm::distance(camera.direction({0, half_pixel}), camera.direction({0, -half_pixel}));
-  }
-
-  void expose(int x, int y, Progress& progress, std::uint8_t* rgba) const {
-    Vec3 light(0);
-    float cover = 0;
-    const auto pixel = static_cast<std::uint32_t>(y * options_.width + x);
-    for (int s = 0; s < options_.samples; ++s) {
-      if (s % 256 == 0) progress.check();
-      SampleStream samples(pixel, static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(options_.samples));
-      const Vec2 jitter = samples.next();
-      const Vec2 film(2 * (static_cast<float>(x) + 0.5F + tent(jitter.x)) / static_cast<float>(options_.width) - 1,
-                      1 - 2 * (static_cast<float>(y) + 0.5F + tent(jitter.y)) / static_cast<float>(options_.height));
-      const Ray ray{camera_.position(), camera_.direction(film), spread_};
-      const Seen seen = tracer_.trace(ray, samples);
-      light += seen.light;
-      cover += seen.cover;
-      if (developer_.shows_sky() && seen.cover < 1) light += (1 - seen.cover) * tracer_.light().seen(ray.direction);
-    }
-    const auto count = static_cast<float>(options_.samples);
-    developer_.develop(light / count, developer_.shows_sky() ? 1 : cover / count, dither(x, y), rgba);
-  }
-
- private:
-  const PathTracer& tracer_;
-  const Camera& camera_;
-  const Developer& developer_;
-  const StillOptions& options_;
-  float spread_;  // of camera rays
-};
 
 }  // namespace
 
@@ -177,8 +138,15 @@ Image render_still(const MeshScene& meshes, const Scene& scene, const View& view
   const PathTracer tracer(shown, rays, Daylight(sky, ground.colour),
                           shows_ground ? std::optional(ground) : std::nullopt, lamps);
   const Camera camera = place_camera(framed, view, static_cast<double>(options.width) / options.height);
-  const Developer developer(view, options, exposure(sky, lamps.empty() ? 0 : metered(lamps, rays, camera)));
-  const Photographer photographer(tracer, camera, developer, options);
+  const float brightness = exposure(sky, lamps.empty() ? 0 : metered(lamps, rays, camera));
+  const Developer developer(view, options, brightness);
+  const Photographer photographer(tracer, camera,
+                                  {.width = options.width,
+                                   .height = options.height,
+                                   .samples = options.samples,
+                                   .exposure = brightness,
+                                   .shows_sky = developer.shows_sky(),
+                                   .is_even = options.even});
 
   // Expose tile by tile.
   const int columns = (options.width + kTile - 1) / kTile;
@@ -189,9 +157,14 @@ Image render_still(const MeshScene& meshes, const Scene& scene, const View& view
     const int top = static_cast<int>(tile / columns) * kTile;
     const int right = std::min(left + kTile, options.width);
     const int bottom = std::min(top + kTile, options.height);
+    const std::vector<PixelLight> pixels = photographer.expose({left, top, right, bottom}, progress);
+    const PixelLight* pixel = pixels.data();
     for (int y = top; y < bottom; ++y) {
       for (int x = left; x < right; ++x) {
-        photographer.expose(x, y, progress, image.rgba.data() + 4 * (std::size_t{1} * y * options.width + x));
+        const float cover = developer.shows_sky() ? 1 : pixel->cover;
+        std::uint8_t* rgba = image.rgba.data() + 4 * (std::size_t{1} * y * options.width + x);
+        developer.develop(pixel->light, cover, dither(x, y), rgba);
+        ++pixel;
       }
     }
     progress.advance(static_cast<std::uint64_t>(right - left) * (bottom - top));

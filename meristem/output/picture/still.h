@@ -16,9 +16,11 @@ namespace meristem {
 struct StillOptions {
   int width = 1200;  ///< pixels, 1 to 16384; the same for the height
   int height = 1200;
-  int samples = 64;          ///< paths per pixel; noise falls with its root, time grows with it
+  /// Most paths per pixel. Noise falls with its root; even sky and ground, where no more is seen, take an eighth.
+  int samples = 64;
   bool transparent = false;  ///< no background, ground and obstacles; only the plant, with alpha
   bool ground = true;        ///< a plane under the plant that takes its shade
+  bool even = false;         ///< every pixel takes all samples: slower, with less noise
 };
 
 /// Throws InputError for sizes outside 1 to 16384 or samples outside 1 to 65536; before growing, say.

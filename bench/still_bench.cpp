@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts of pictures of shipped models, at the size of pixels that a whole picture has. Counters: the noise that is
+// left, as the root of the mean square of what bytes differ from a picture with eight times as many samples; the same
+// of a picture in which every pixel takes all samples; and `to_even`, the time of that one over ours in the same run,
+// on one thread.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
+
+#include <benchmark/benchmark.h>
+
+#include "bench/harness.h"
+#include "meristem/base/parallel.h"
+#include "meristem/components/camera.h"
+#include "meristem/components/registry.h"
+#include "meristem/document/grow.h"
+#include "meristem/output/picture/camera.h"
+#include "meristem/output/picture/still.h"
+
+namespace {
+
+using meristem::Document;
+using meristem::GrownDocument;
+using meristem::Image;
+using meristem::Progress;
+using meristem::StillOptions;
+using meristem::View;
+using meristem::bench::sized;
+
+const int kWholePixels = sized(1000, 40);  // of the whole picture
+const int kPixels = sized(120, 8);
+const int kSamples = sized(64, 4);
+
+/// What of a model is looked at: the middle of the part in film coordinates.
+struct Motive {
+  const char* model;
+  meristem::Vec2 middle;
+};
+const Motive kMotives[] = {{"oak", {-0.2F, -0.35F}},
+                           {"chestnut", {0.1F, 0.3F}},
+                           {"wheat", {0, 0.2F}},
+                           {"low-poly-oak", {0.2F, 0.2F}},
+                           {"lime-row", {-0.2F, 0}}};
+
+/// A model that has grown, and the view of a part of it.
+class Sitter {
+ public:
+  explicit Sitter(const Motive& motive) : document_(read(motive.model)), grown_(grow_document(document_, progress_)) {
+    view_ = meristem::placed_view(grown_.meshes, meristem::camera_view(document_.graph), 1);
+    const meristem::Camera camera(*view_.position, *view_.target, view_.field_of_view, 1);
+    const float distance = glm::distance(*view_.position, *view_.target);
+    view_.target = *view_.position + distance * camera.direction(motive.middle);
+    view_.field_of_view = 2 * std::atan(std::tan(view_.field_of_view / 2) * kPixels / kWholePixels);
+  }
+
+  Image picture(int samples, bool even) {
+    const StillOptions options{.width = kPixels, .height = kPixels, .samples = samples, .even = even};
+    return render_still(grown_.meshes, document_.scene, view_, options, progress_);
+  }
+
+ private:
+  static Document read(const std::string& model) {
+    const std::string file = std::string(MERISTEM_SOURCE_DIR) + "/models/" + model + ".json";
+    return meristem::read_document(meristem::read_text_file(file), file, meristem::builtin_components());
+  }
+
+  Progress progress_;
+  Document document_;
+  GrownDocument grown_;
+  View view_;
+};
+
+template <class Call>
+double seconds_of(const Call& call) {
+  const auto begin = std::chrono::steady_clock::now();
+  call();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// The root of the mean square of the difference in red, green and blue.
+double noise(const Image& picture, const Image& truth) {
+  double sum = 0;
+  for (std::size_t i = 0; i < picture.rgba.size(); ++i) {
+    const double difference = picture.rgba[i] - truth.rgba[i];
+    sum += difference * difference;
+  }
+  return std::sqrt(sum / (0.75 * static_cast<double>(picture.rgba.size())));
+}
+
+void still(benchmark::State& state) {
+  const meristem::ThreadLimit limit(1);
+  const Motive& motive = kMotives[state.range(0)];
+  Sitter sitter(motive);
+  const Image truth = sitter.picture(8 * kSamples, true);
+  Image ours;
+  Image even;
+  double our_time = 1e9;
+  double even_time = 1e9;
+  for (auto _ : state) {
+    our_time = std::min(our_time, seconds_of([&] { ours = sitter.picture(kSamples, false); }));
+    state.PauseTiming();
+    even_time = std::min(even_time, seconds_of([&] { even = sitter.picture(kSamples, true); }));
+    state.ResumeTiming();
+  }
+  state.counters["noise"] = noise(ours, truth);
+  state.counters["even_noise"] = noise(even, truth);
+  state.counters["to_even"] = even_time / our_time;
+  state.SetLabel(motive.model);
+}
+BENCHMARK(still)->ArgName("motive")->DenseRange(0, 4)->Unit(benchmark::kMillisecond)->Iterations(2);
+
+}  // namespace
+
+int main(int count, char** arguments) { return meristem::bench::run(count, arguments); }

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/picture/photographer.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "meristem/base/colour.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr float kSharpness = 0.6F;  // width of textures' means over a pixel's; samples smooth what is left
+constexpr int kNeighbours = 2;      // squares to each side that decide
+constexpr int kFirstRound = 8;      // the share of the samples that all squares take
+constexpr int kLeastSamples = 4;
+// The noise that is borne where 64 samples are asked for: variance of brightness from 0 to 1 as it is shown. Grain
+// shows on plain ground and not among leaves, so more is borne where brightness varies from pixel to pixel. Against 64
+// even samples that count in one pixel each, the oak takes half the rays and its crown has a quarter less noise; the
+// wheat takes a sixth of the rays and has a quarter more noise.
+constexpr float kNoiseOfPlain = 0.015F * 0.015F;
+constexpr float kNoiseByContrast = 0.2F;  // of the variance among squares
+constexpr float kMostNoise = 0.045F * 0.045F;
+
+struct Mean {
+  float sum = 0;
+  int count = 0;
+  void add(float value) { sum += value, ++count; }
+  float value() const { return count > 0 ? sum / static_cast<float>(count) : 0; }
+};
+
+}  // namespace
+
+/// The square of the film that is nearer to the middle of one pixel than to others.
+struct Photographer::Square {
+  /// What its samples add to a pixel, as the sum over them.
+  struct Share {
+    Vec3 light{0};
+    float cover = 0;
+    float weight = 0;
+  };
+  std::array<Share, 9> shares;  // for its own pixel and those around it, row by row
+  // Sums over the samples, and over the first half of them.
+  Vec3 light{0};
+  Vec3 first_light{0};
+  float cover = 0;
+  float first_cover = 0;
+  int samples = 0;
+  float brightness = 0;  // as it is shown
+  float noise = 0;       // variance of the brightness
+  bool goes_on = true;
+};
+
+Photographer::Photographer(const PathTracer& tracer, const Camera& camera, const Settings& settings)
+    : tracer_(tracer), camera_(camera), settings_(settings) {
+  const float half_pixel = 1 / static_cast<float>(settings.height);
+  spread_ = kSharpness * glm::distance(camera.direction({0, half_pixel}), camera.direction({0, -half_pixel}));
+}
+
+void Photographer::sample(int x, int y, int sample, Square& square) const {
+  // Squares begin beyond the picture, by one.
+  SampleStream samples(pixel_number(x + 1, y + 1), static_cast<std::uint32_t>(sample),
+                       static_cast<std::uint32_t>(settings_.samples));
+  const Vec2 at = samples.next();
+  const Vec2 film(2 * (static_cast<float>(x) + at.x) / static_cast<float>(settings_.width) - 1,
+                  1 - 2 * (static_cast<float>(y) + at.y) / static_cast<float>(settings_.height));
+  const Ray ray{camera_.position(), camera_.direction(film), spread_};
+  Seen seen = tracer_.trace(ray, samples);
+  if (settings_.shows_sky) {
+    if (seen.cover < 1) seen.light += (1 - seen.cover) * tracer_.light().seen(ray.direction);
+    seen.cover = 1;
+  }
+  square.light += seen.light;
+  square.cover += seen.cover;
+  // Share it out among the four pixels whose middles lie around it.
+  const Vec2 away(std::abs(at.x - 0.5F), std::abs(at.y - 0.5F));
+  const int beside = at.x < 0.5F ? -1 : 1;
+  const int below = at.y < 0.5F ? -3 : 3;
+  const auto add = [&](int pixel, float weight) {
+    Square::Share& share = square.shares[pixel];
+    share.light += weight * seen.light;
+    share.cover += weight * seen.cover;
+    share.weight += weight;
+  };
+  add(4, (1 - away.x) * (1 - away.y));
+  add(4 + beside, away.x * (1 - away.y));
+  add(4 + below, (1 - away.x) * away.y);
+  add(4 + beside + below, away.x * away.y);
+}
+
+/// Adds the samples [begin, end) to the squares that go on.
+void Photographer::sample(const Tile& tile, std::vector<Square>& squares, int begin, int end,
+                          Progress& progress) const {
+  Square* square = squares.data();
+  for (int y = tile.top; y < tile.bottom; ++y) {
+    progress.check();
+    for (int x = tile.left; x < tile.right; ++x, ++square) {
+      if (!square->goes_on) continue;
+      for (int s = begin; s < end; ++s) {
+        if (s % 256 == 0) progress.check();
+        sample(x, y, s, *square);
+      }
+      square->samples = end;
+    }
+  }
+}
+
+/// Brightness about as it is shown, quick to work out.
+float Photographer::shown(Vec3 light, int samples) const {
+  const float bright = std::max(0.0F, settings_.exposure * luminance(light) / static_cast<float>(samples));
+  return std::sqrt(bright / (1 + bright));
+}
+
+/// Brightness, and its variance by the difference of the halves, which knows how evenly the samples are spread.
+void Photographer::judge(Square& square) const {
+  const int half = square.samples / 2;
+  const float brightness = shown(square.first_light, half) - shown(square.light - square.first_light, half);
+  const float cover = (2 * square.first_cover - square.cover) / static_cast<float>(half);
+  square.noise = 0.25F * (brightness * brightness + cover * cover);
+  square.brightness = shown(square.light, square.samples);
+}
+
+/// Stops the squares whose neighbours bear the noise; returns whether any goes on.
+bool Photographer::stop_squares(int width, std::vector<Square>& squares) const {
+  for (Square& square : squares) {
+    if (square.goes_on) judge(square);
+  }
+  const int height = static_cast<int>(squares.size()) / width;
+  const float scale = 64 / static_cast<float>(settings_.samples);
+  bool any_goes_on = false;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      Square& square = squares[y * width + x];
+      if (!square.goes_on) continue;
+      // The mean noise of the squares around it, and how much they differ.
+      Mean noise;
+      Mean brightness;
+      Mean squared_brightness;
+      for (int v = std::max(0, y - kNeighbours); v <= std::min(height - 1, y + kNeighbours); ++v) {
+        for (int u = std::max(0, x - kNeighbours); u <= std::min(width - 1, x + kNeighbours); ++u) {
+          if (u == x && v == y) continue;
+          const Square& other = squares[v * width + u];
+          noise.add(other.noise);
+          brightness.add(other.brightness);
+          squared_brightness.add(other.brightness * other.brightness);
+        }
+      }
+      const float contrast =
+          std::max(0.0F, squared_brightness.value() - brightness.value() * brightness.value() - noise.value());
+      const float bearable = std::min(kNoiseOfPlain + kNoiseByContrast * contrast, kMostNoise);
+      square.goes_on = noise.value() > scale * bearable;
+      any_goes_on = any_goes_on || square.goes_on;
+    }
+  }
+  return any_goes_on;
+}
+
+std::vector<PixelLight> Photographer::expose(const Tile& tile, Progress& progress) const {
+  // The pixels at the tile's border take light from squares beyond it.
+  const Tile around{tile.left - 1, tile.top - 1, tile.right + 1, tile.bottom + 1};
+  const int width = around.right - around.left;
+  std::vector<Square> squares(static_cast<std::size_t>(width) * (around.bottom - around.top));
+
+  // Take the samples in rounds. Powers of 2 are spread evenly. The first round is taken in halves; each later one is
+  // the second half of all.
+  const int most = settings_.samples;
+  const int share = static_cast<int>(std::bit_floor(static_cast<unsigned>(most / kFirstRound)));
+  int end = settings_.is_even ? most : std::min(most, std::max(kLeastSamples, share));
+  int begin = end / 2;
+  sample(around, squares, 0, begin, progress);
+  for (;;) {
+    for (Square& square : squares) {
+      if (!square.goes_on) continue;
+      square.first_light = square.light;
+      square.first_cover = square.cover;
+    }
+    sample(around, squares, begin, end, progress);
+    if (end == most || !stop_squares(width, squares)) break;
+    begin = end;
+    end = std::min(2 * end, most);
+  }
+
+  // Gather what each pixel has of its square and those around it.
+  std::vector<PixelLight> pixels;
+  pixels.reserve(static_cast<std::size_t>(tile.right - tile.left) * (tile.bottom - tile.top));
+  for (int y = 1; y <= tile.bottom - tile.top; ++y) {
+    for (int x = 1; x <= tile.right - tile.left; ++x) {
+      PixelLight pixel;
+      float weight = 0;
+      for (int k = 0; k < 9; ++k) {
+        const Square& square = squares[(y + k / 3 - 1) * width + x + k % 3 - 1];
+        const Square::Share& seen = square.shares[8 - k];
+        const float scale = 1 / static_cast<float>(square.samples);
+        pixel.light += scale * seen.light;
+        pixel.cover += scale * seen.cover;
+        weight += scale * seen.weight;
+      }
+      pixels.push_back({pixel.light / weight, pixel.cover / weight, squares[y * width + x].samples});
+    }
+  }
+  return pixels;
+}
+
+}  // namespace meristem

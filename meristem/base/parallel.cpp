@@ -31,9 +31,9 @@ namespace {
 // Of the loops that this thread begins; 0 for none.
 thread_local int thread_limit = 0;
 
-/// How many of `wanted` threads the system starts: all, or half of those that it did, since what else the program needs
-/// takes memory from them. Each takes what threads take later, its stack and its share of the allocator. TBB does not
-/// survive a thread that cannot be started.
+/// How many of `wanted` threads the system starts. As many again must start, since what else the program needs takes
+/// memory from them later. Each takes what threads take, its stack and its share of the allocator. TBB does not survive
+/// a thread that cannot be started.
 int startable_threads(int wanted) {
   std::atomic<bool> all_asked{false};
   std::vector<std::jthread> started;
@@ -43,15 +43,14 @@ int startable_threads(int wanted) {
     all_asked.wait(false);
   };
   try {
-    while (static_cast<int>(started.size()) + 1 < wanted) started.emplace_back(stay);
+    while (static_cast<int>(started.size()) + 1 < 2 * wanted) started.emplace_back(stay);
   } catch (const std::system_error&) {
     // As many as there are.
   } catch (const std::bad_alloc&) {
   }
   all_asked = true;
   all_asked.notify_all();
-  const int count = static_cast<int>(started.size()) + 1;
-  return count == wanted ? wanted : std::max(1, count / 2);
+  return std::max(1, (static_cast<int>(started.size()) + 1) / 2);
 }
 
 int machine_cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }

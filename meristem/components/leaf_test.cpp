@@ -157,6 +157,7 @@ TEST(LeafComponent, FaultyBladesAreRejected) {
 TEST(Leaf, PhototropismTurnsItsUpperFaceAndGravitropismItsHeading) {
   Scene scene;
   scene.sun = {kPi / 2, radians(40)};
+  scene.light.sun = {{.toward = unit_vector(scene.sun)}};
   const auto frame = [&](const Value::Object& parameters) {
     GraphBuilder builder(builtin_components());
     builder.component("view", "camera").component("leaf", "leaf", parameters).link("view", "leaf");

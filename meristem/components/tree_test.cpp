@@ -56,6 +56,7 @@ TEST(Tree, GravitropismClosesItsShareOfTheAngleHoweverManySegments) {
 TEST(Tree, PhototropismTurnsToTheSun) {
   Scene scene;
   scene.sun = {kPi / 2, radians(30)};
+  scene.light.sun = {{.toward = unit_vector(scene.sun)}};
   const Plant plant = trunk({{"phototropism", 1}}).grow(0, scene);
   EXPECT_GT(glm::dot(tip_heading(plant.stems.at(0).skeleton), unit_vector(scene.sun)), 0.999F);
 }

@@ -34,7 +34,7 @@ std::string listed(const py::object& given, const char* name) {
     }
     if (py::hasattr(one, "isoformat")) return one.attr("isoformat")().cast<std::string>();
     if (!is_number) return one.cast<std::string>();
-    return fmt::format("{}", py::float_(one).cast<double>());
+    return fmt::format("{}", one.attr("__float__")().cast<double>());
   };
   if (py::isinstance<py::str>(given) || !py::hasattr(given, "__iter__")) return text_of(given);
   std::string all;

@@ -293,7 +293,7 @@ def test_results_can_be_pickled() -> None:
         ({"progress": 3}, TypeError, "progress must be a function of two numbers, not int"),
         ({"seeds": 3}, TypeError, "seeds must be several numbers, such as .* not int"),
         ({"seeds": ["one"]}, TypeError, "seed must be a whole number"),
-        ({"seeds": [-1]}, ValueError, "seed must be from 0"),
+        ({"seeds": [-1]}, ValueError, "seed must be a whole number from 0"),
     ],
 )
 def test_wrong_arguments_are_refused_at_once(arguments: dict[str, Any], error: type, message: str) -> None:

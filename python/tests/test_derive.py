@@ -155,7 +155,7 @@ def test_rules_that_never_match_are_warned_of() -> None:
     ({"steps": -1}, ValueError, "steps must be from 0 to 1000000"),
     ({"steps": 1_000_001}, ValueError, "steps must be from 0 to 1000000"),
     ({"steps": 1.5}, TypeError, "steps"),
-    ({"seed": -1}, ValueError, "seed must be from 0"),
+    ({"seed": -1}, ValueError, "seed must be a whole number from 0"),
     ({"seed": 0.5}, TypeError, "seed must be a whole number"),
     ({"constants": [1]}, TypeError, "constants must be a dict"),
     ({"constants": {"angle": "wide"}}, TypeError, "must be a number"),

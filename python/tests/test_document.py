@@ -155,9 +155,9 @@ def test_saving_where_named_files_would_not_be_found_is_refused(tmp_path: Path) 
 
 
 def test_pickled_documents_grow_the_same() -> None:
-    document = meristem.Document(small_tree()).set({"tree.points": 90}, seed=2**63)
+    document = meristem.Document(small_tree()).set({"tree.points": 90}, seed=2**53)
     copied = pickle.loads(pickle.dumps(document))
-    assert copied.seed == 2**63
+    assert copied.seed == 2**53
     assert copied.grow().stems[0].skeleton.hash == document.grow().stems[0].skeleton.hash
 
 

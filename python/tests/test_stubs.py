@@ -203,8 +203,13 @@ def is_of_type(value: Any, annotation: ast.expr) -> bool:
 
 
 def is_of_container(value: Any, name: str, parts: list[ast.expr]) -> bool:
+    if name == "NDArray" and not isinstance(value, np.ndarray):
+        return False
     if name == "NDArray":
-        return isinstance(value, np.ndarray) and value.dtype == np.dtype(ast.unparse(parts[0]).removeprefix("np."))
+        wanted = np.dtype(ast.unparse(parts[0]).removeprefix("np."))
+        # Texts are as wide as the longest one.
+        same = value.dtype.kind == wanted.kind if wanted.kind == "U" else value.dtype == wanted
+        return same
     if name == "dict":
         return isinstance(value, dict) and all(is_of_type(key, parts[0]) for key in value)
     if name == "list" or ast.unparse(parts[-1]) == "...":

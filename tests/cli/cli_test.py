@@ -11,6 +11,7 @@ import json
 import os
 import pty
 import re
+import resource
 import select
 import signal
 import struct
@@ -270,6 +271,29 @@ class Output(Case):
         first = self.grown("--threads", "1")
         for threads in ("2", "3", "8"):
             self.assertEqual(self.grown("--threads", threads), first)
+
+    def test_threads_that_the_system_does_not_start_are_done_without(self):
+        for megabytes, threads in ((1024, "64"), (2048, "1024"), (600, "8")):
+            limit = megabytes << 20
+            bounded = lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit))  # noqa: E731
+            done = self.run_program("grow", "tree.json", "-o", "out.csv", "--threads", threads, preexec_fn=bounded)
+            with self.subTest(megabytes=megabytes, threads=threads):
+                self.assertEqual(done.returncode, DONE, done.stderr)
+                self.assertIn(f"{threads} threads take turns on", done.stderr.decode())
+
+    def test_files_of_one_call_appear_together(self):
+        self.write("out.glb", "before")
+        os.symlink("/dev/full", self.path("full.csv"))
+        self.assertEqual(self.run_program("grow", "tree.json", "-o", "out.glb", "-o", "full.csv").returncode, FAILED)
+        self.assertEqual(self.read("out.glb"), b"before")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["box.json", "full.csv", "out.glb", "tree.json"])
+
+    def test_seeds_are_whole_numbers_that_json_can_say(self):
+        for seed in ("-1", " 1", "1 ", "1.5", "9007199254740993", "1e3"):
+            with self.subTest(seed=seed):
+                errors = self.assert_ends(WRONG_INPUT, "grow", "tree.json", "-o", "out.csv", f"--seed={seed}")
+                self.assertIn("a whole number from 0 to 9007199254740992", errors)
+        self.assert_ends(DONE, "check", "tree.json", "--quick", "--seed", "9007199254740992")
 
     def test_seed_and_set_change_the_plant(self):
         plain = self.grown()

@@ -86,7 +86,7 @@ class Derive(cli_test.Case):
         first = self.derive("chance.txt", "--steps", "15", "--drawn", "--threads", "1")
         self.assertGreater(len(first), 500_000)
         for threads in ("2", "3", "8"):
-            self.assertEqual(self.derive("chance.txt", "--steps", "15", "--drawn", "--threads", threads), first)
+            self.assertEqual(self.derive("chance.txt", "--steps", "15", "--drawn", "--quiet", "--threads", threads), first)
 
     def test_definitions_take_other_values(self):
         self.assertEqual(self.derive("koch.txt", "--steps", "1", "--define", "angle=45"), "F+(45)F-(90)F+(45)F\n")

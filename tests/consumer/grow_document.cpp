@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
   }
   const std::string file = argv[1];
   try {
-    // Read, with the change. All that is wrong comes as one InputError, each fault with its place.
+    // Read, with the change. All that is wrong comes as one InputError, each fault with its path.
     const meristem::Document document =
         meristem::read_document(meristem::read_text_file(file), file, meristem::builtin_components(),
                                 {.overrides = {meristem::parse_override(argv[2])}});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Self-organizing trees for tests: the sets of parameters that the specification gives figures for, a metre per metamer.
+// Self-organizing trees for tests: the sets of parameters that the specification gives figures for, a metre per
+// metamer.
 #pragma once
 
 #include <cstdint>

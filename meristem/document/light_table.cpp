@@ -126,9 +126,10 @@ const ParameterTable& lamp_table() {
           .vector("position", &Lamp::position, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-10, 10}},
                   "Position of the lamp.")
           .required()
-          .number("strength", &Lamp::strength, {.min = 0, .max = 1e6, .usual = {0.05, 10}, .above_min = true},
-                  "Strength of the lamp at a distance of one metre, relative to all far light; it falls with the "
-                  "square of the distance.");
+          .number(
+              "strength", &Lamp::strength, {.min = 0, .max = 1e6, .usual = {0.05, 10}, .above_min = true},
+              "Strength of the lamp at a distance of one metre, relative to all directional light; it falls with the "
+              "square of the distance.");
   return table;
 }
 
@@ -204,7 +205,8 @@ const ParameterTable& light_table() {
           .object("sun", &LightParameters::sun, sun_table,
                   "Position of the sun; by default, light comes from the zenith.")
           .number("sky", &LightParameters::sky, {.min = 0, .max = 1},
-                  "Share of the far light that comes from the whole sky, the rest being the sun's; raised, sides and "
+                  "Share of the directional light that comes from the whole sky, the rest being the sun's; raised, "
+                  "sides and "
                   "shade get more light.")
           .list("lamps", &LightParameters::lamps, lamp_table, "Lamps within the scene.")
           .only_where({{"sun.day"}, {"sun.days"}, {"sun.date"}}, {"latitude"});

@@ -43,6 +43,8 @@ const std::map<std::string, std::string>& circumstances() {
   static const std::map<std::string, std::string> reasons = {
       {"a component.alone", "there may be nobody to compete with"},
       {"an organize.every", "as alone"},
+      {"a cloud.roots", "points of a file are all of one tree"},
+      {"a cloud.removed_colour", "no point may be removed"},
       {"a component.variety", "a body of many stems has one colour"},
       {"a surface.collar", "a stem may have no branches"},
       {"a surface.flare", "a stem may stand on another"},
@@ -196,7 +198,7 @@ class RowWalk {
     if (path.starts_with("limits.")) return Outcome::changes;
     const bool is_refused = says("no meaning") || says("more than one of") || says("both a density and a count") ||
                             says("belongs to branch links") || says("given both by") || says("has no 'crown'") ||
-                            says("only one of");
+                            says("only one of") || says("there is no colonize");
     return is_refused ? Outcome::refused : Outcome::unfit;
   }
 

@@ -18,6 +18,7 @@ const std::map<std::string, std::vector<std::string>>& values_by_name() {
       {"an lsystem.grammar", {R"("#axiom\nF(0.4) +(30) F")"}},
       {"an operation.shoot", {R"("main.2")", R"("main.3")", R"("main.4")", R"("main.5")", R"("main.7")"}},
       {"an operation.do", {}},
+      {"a cloud.of", {R"("other")"}},
       {"a sun.date", {R"("2026-08-03")"}},
       {"an obstacle.name", {R"("wall")"}},
       {"a resource model.lambda_curve", {R"({"curve": [[0, 1], [1, 0.9]]})"}},

@@ -253,6 +253,12 @@ TEST(Derive, TellsOfExplosionsBeforeTheFirstWord) {
   EXPECT_TRUE(has(outcome({"A", {"A : : 0.5 -> BA", "A : : 0.5 -> AB", "B -> BBB"}, ""}, 60), "cancelled"));
 }
 
+TEST(Derive, TellsOfAnAxiomThatIsTooLong) {
+  Limits limits;
+  limits.modules = 1;
+  EXPECT_TRUE(has(fault_of({"AB", {"A -> B"}}, 3, limits), "2 modules of an axiom are too many"));
+}
+
 TEST(Derive, BoundsParametersToo) {
   Limits limits;
   limits.modules = 10;

@@ -69,8 +69,8 @@ double sum_of(const Counts& counts) {
   return sum;
 }
 
-/// Of the letters that a word has, the rule whose successors add most.
-const Rule& longest_rule(const RewritePlan& production, const Counts& counts) {
+/// Of the letters that a word has, the rule whose successors add most; null where none adds any.
+const Rule* longest_rule(const RewritePlan& production, const Counts& counts) {
   const Rule* longest = nullptr;
   double most = 0;
   for (std::size_t letter = 0; letter < counts.size(); ++letter) {
@@ -82,7 +82,7 @@ const Rule& longest_rule(const RewritePlan& production, const Counts& counts) {
       longest = production.rules[choice - 1].rule;
     }
   }
-  return *longest;
+  return longest;
 }
 
 bool has_cut(const Grammar& grammar) {
@@ -115,7 +115,9 @@ void require_bounded_words(const Grammar& grammar, const RewritePlan& production
     }
     const double modules = sum_of(next);
     if (modules > static_cast<double>(limits.modules)) {
-      throw_word_too_long("modules of a word", modules, limits.modules, longest_rule(production, counts));
+      const Rule* longest = longest_rule(production, counts);
+      if (longest == nullptr) return;  // the axiom is too long
+      throw_word_too_long("modules of a word", modules, limits.modules, *longest);
     }
     if (next == counts) return;
     counts = std::move(next);

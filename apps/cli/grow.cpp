@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,8 +13,10 @@
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/parallel.h"
 #include "meristem/measure/counts.h"
+#include "meristem/output/detail_levels.h"
 #include "meristem/output/formats.h"
 #include "meristem/output/output_files.h"
+#include "meristem/output/picture/cards.h"
 #include "terminal.h"
 
 namespace meristem::cli {
@@ -24,10 +27,11 @@ struct GrowOptions {
   DocumentOptions document;
   std::vector<std::string> outputs;
   double time = 0;
-  std::optional<int> lod;  // coarser levels
-  bool instanced = false;  // leaves are rows of arrays
-  bool nodes = false;      // never, but nodes where there are many
-  bool obstacles = false;  // stand in files with meshes as well
+  std::optional<int> lod;    // coarser levels
+  std::optional<int> cards;  // upright ones of a last level
+  bool instanced = false;    // leaves are rows of arrays
+  bool nodes = false;        // never, but nodes where there are many
+  bool obstacles = false;    // stand in files with meshes as well
 
   GltfInstances instances() const {
     if (instanced) return GltfInstances::rows;
@@ -57,6 +61,18 @@ void check_options(const GrowOptions& options, const std::vector<const Format*>&
     }
     if (std::none_of(formats.begin(), formats.end(), has_meshes)) {
       throw wrong_lod("--lod changes none of the files", "a file that ends in .glb, .obj or .ply");
+    }
+  }
+  const auto has_textures = [](const Format* format) { return format->has_textures(); };
+  if (options.cards && (*options.cards < 0 || *options.cards > kMostCards)) {
+    throw wrong_lod(fmt::format("--cards cannot be {}", *options.cards), fmt::format("0 to {} cards", kMostCards));
+  }
+  if (options.cards.value_or(0) > 0) {
+    if (std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end()) {
+      throw wrong_lod("cards cannot be written to standard output", "a file name such as oak.glb");
+    }
+    if (std::none_of(formats.begin(), formats.end(), has_textures)) {
+      throw wrong_lod("--cards changes none of the files", "a file that ends in .glb or .obj");
     }
   }
   if (options.obstacles && std::none_of(formats.begin(), formats.end(), has_meshes)) {
@@ -90,15 +106,53 @@ std::vector<std::vector<PlannedFile>> planned_files(const GrowOptions& options,
   return levels;
 }
 
+/// The files of a last level of crossed cards.
+std::vector<PlannedFile> planned_cards(const GrowOptions& options, const std::vector<const Format*>& formats) {
+  std::vector<PlannedFile> files;
+  for (std::size_t k = 0; k < formats.size(); ++k) {
+    const std::string& output = options.outputs[k];
+    if (!formats[k]->has_textures() || output == "-") continue;
+    files.push_back({formats[k], cards_path(*formats[k], output)});
+    if (std::find(options.outputs.begin(), options.outputs.end(), files.back().path) == options.outputs.end()) continue;
+    throw wrong_lod(fmt::format("'{}' would be written twice, with cards too", files.back().path), "another name");
+  }
+  return files;
+}
+
+std::string listed(const std::vector<PlannedFile>& files) {
+  std::vector<std::string> paths;
+  for (const PlannedFile& file : files) paths.push_back(file.path);
+  return fmt::format("{}", fmt::join(paths, ", "));
+}
+
 /// Writes the files of one level and says what they hold.
 std::string write_level(const Document& document, const GrownDocument& grown, const std::vector<PlannedFile>& files,
                         const FormatOptions& options, Progress& progress) {
-  std::vector<std::string> paths;
-  for (const PlannedFile& file : files) {
-    file.format->write(document, grown, file.path, options, progress);
-    paths.push_back(file.path);
+  for (const PlannedFile& file : files) file.format->write(document, grown, file.path, options, progress);
+  return listed(files);
+}
+
+/// Writes the coarser levels of what has grown, as far as they are worth a file, and says what they hold.
+std::vector<std::string> write_coarser(const Document& document, GrownDocument& grown,
+                                       const std::vector<std::vector<PlannedFile>>& levels,
+                                       const FormatOptions& options, Progress& progress) {
+  std::vector<std::string> summary;
+  MeshScene whole = std::move(grown.meshes);
+  std::uint64_t before = whole.triangle_count();
+  for (std::size_t level = 1; level < levels.size() && !levels[level].empty(); ++level) {
+    grown.meshes = {};
+    grown.meshes = mesh_detail(document, grown.plant, {.level = static_cast<int>(level)}, progress);
+    if (const std::string fault = fault_of_level(whole, before, grown.meshes, static_cast<int>(level), progress);
+        !fault.empty()) {
+      summary.push_back(fmt::format("{} and coarser ones are not written: {}", listed(levels[level]), fault));
+      break;
+    }
+    before = grown.meshes.triangle_count();
+    summary.push_back(
+        fmt::format("{}: {} triangles", write_level(document, grown, levels[level], options, progress), before));
   }
-  return fmt::format("{}", fmt::join(paths, ", "));
+  grown.meshes = std::move(whole);
+  return summary;
 }
 
 /// What all of the files need.
@@ -123,6 +177,9 @@ void grow(const GrowOptions& options) {
   check_options(options, formats);
   const Document document = open_document(options.document);
   const auto levels = planned_files(options, formats, options.lod.value_or(document.output.lod));
+  const int card_count = options.cards.value_or(document.output.cards);
+  const std::vector<PlannedFile> cards = card_count > 0 ? planned_cards(options, formats) : std::vector<PlannedFile>();
+  for (const PlannedFile& file : cards) check_grown_output(document, file.path);
   for (const std::vector<PlannedFile>& files : levels) {
     for (const PlannedFile& file : files) check_grown_output(document, file.path);
   }
@@ -140,11 +197,12 @@ void grow(const GrowOptions& options) {
     const FormatOptions format{.instances = options.instances(), .pictures = &pictures, .obstacles = options.obstacles};
     const std::string written = write_level(document, grown, levels[0], format, progress);
     summary.push_back(fmt::format("{}: {}", written, sizes_of(grown)));
-    for (std::size_t level = 1; level < levels.size() && !levels[level].empty(); ++level) {
-      grown.meshes = {};
-      grown.meshes = mesh_detail(document, grown.plant, {.level = static_cast<int>(level)}, progress);
-      const std::string coarser = write_level(document, grown, levels[level], format, progress);
-      summary.push_back(fmt::format("{}: {} triangles", coarser, grown.meshes.triangle_count()));
+    const std::vector<std::string> coarser = write_coarser(document, grown, levels, format, progress);
+    summary.insert(summary.end(), coarser.begin(), coarser.end());
+    if (!cards.empty()) {
+      grown.meshes = make_cards(grown.meshes, {.cards = card_count}, progress);
+      const std::string shown = write_level(document, grown, cards, format, progress);
+      summary.push_back(fmt::format("{}: {} triangles", shown, grown.meshes.triangle_count()));
     }
     files.commit();
   }
@@ -171,6 +229,11 @@ void add_grow(CLI::App& app, Run& run) {
       ->add_option("--lod", options->lod,
                    "Number of coarser levels of detail to write too, oak_lod1.glb, oak_lod2.glb, ...; the document's "
                    "output.lod if not given")
+      ->type_name("N");
+  command
+      ->add_option("--cards", options->cards,
+                   "Number of upright crossed cards, pictures of the plant, to write as a last level, oak_cards.glb; "
+                   "the document's output.cards if not given")
       ->type_name("N");
   CLI::Option* const instanced = command->add_flag(
       "--instanced", options->instanced,

@@ -14,6 +14,7 @@
 #include "meristem/document/grow.h"
 #include "meristem/output/output_files.h"
 #include "meristem/output/picture/camera.h"
+#include "meristem/output/picture/cards.h"
 #include "meristem/output/picture/picture.h"
 #include "meristem/output/picture/picture_fingerprint.h"
 #include "meristem/output/write/picture_file.h"
@@ -37,6 +38,7 @@ struct RenderOptions {
   std::optional<int> quality;
   std::optional<double> max_kilobytes;
   Detail detail;
+  std::optional<int> cards;  // the plant is shown as so many
 };
 
 /// A picture to make.
@@ -127,11 +129,15 @@ PictureOptions chosen_picture(const RenderOptions& options, const Document& docu
 /// growth: it stands where it shows the last picture's plant as a whole. Returns what is odd about that plant.
 std::vector<Diagnostic> take_pictures(const Document& document, const std::vector<Picture>& pictures,
                                       PictureOptions options, const RenderOptions& chosen, Progress& progress) {
-  const Detail& detail = chosen.detail;
   const PictureFileOptions file = chosen_file(chosen);
   double grown_time = pictures.back().time;
   GrowthCache cache;  // what does not change with time is made once
-  GrownDocument grown = grow_document(document, progress, {.time = grown_time, .detail = detail, .cache = &cache});
+  const auto grown_at = [&](double time) {
+    GrownDocument plants = grow_document(document, progress, {.time = time, .detail = chosen.detail, .cache = &cache});
+    if (chosen.cards) plants.meshes = make_cards(plants.meshes, {.cards = *chosen.cards}, progress);
+    return plants;
+  };
+  GrownDocument grown = grown_at(grown_time);
   std::vector<Diagnostic> warnings = grown.warnings;
   const Vec3 middle = grown.meshes.bounds().centre();
   if (pictures.front().time != grown_time) {
@@ -142,7 +148,7 @@ std::vector<Diagnostic> take_pictures(const Document& document, const std::vecto
   for (const Picture& picture : pictures) {
     if (picture.time != grown_time) {
       grown_time = picture.time;
-      grown = grow_document(document, progress, {.time = grown_time, .detail = detail, .cache = &cache});
+      grown = grown_at(grown_time);
     }
     options.view = turned(view, middle, picture.turn);
     if (chosen.fingerprint) {
@@ -163,6 +169,10 @@ void render(const RenderOptions& options) {
   if (options.detail.level < 0 || options.detail.level > kCoarsestDetail) {
     throw InputError(Diagnostic{.message = fmt::format("--lod cannot be {}", options.detail.level),
                                 .expected = fmt::format("a level from 0 to {}", kCoarsestDetail)});
+  }
+  if (options.cards && (*options.cards < 1 || *options.cards > kMostCards)) {
+    throw InputError(Diagnostic{.message = fmt::format("--cards cannot be {}", *options.cards),
+                                .expected = fmt::format("1 to {} cards", kMostCards)});
   }
   const std::vector<Picture> pictures = planned_pictures(options);
   const Document document = open_document(options.document);
@@ -225,6 +235,9 @@ void add_render(CLI::App& app, Run& run) {
       ->type_name("T|FROM:TO:STEP");
   command->add_option("--lod", options->detail.level, "Show this level of detail, 0 if not given: see grow --lod")
       ->type_name("LEVEL");
+  command
+      ->add_option("--cards", options->cards, "Show the plant as this many crossed cards, as grow --cards writes them")
+      ->type_name("N");
   command->add_flag("--transparent", options->transparent, "No sky and no ground, with an alpha channel");
   command->add_flag("--hull", options->hull,
                     "Draw the convex hull of each tree's crown as wires: what lit_share is measured of");

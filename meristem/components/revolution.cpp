@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "meristem/shape/mesh/shading.h"
+
 namespace meristem {
 
 namespace {
@@ -11,7 +13,10 @@ namespace {
 /// Nothing that shapes the body varies from instance to instance, so one key will do.
 void expand(const Revolution& component, const Site&, Emitter& out) {
   const std::vector<Vec2>& silhouette = component.body.silhouette;
-  out.organ(Frame{}, 0, [&] { return make_revolution(component.body); });
+  out.organ(Frame{}, 0, [&] {
+    Mesh body = make_revolution(component.body);
+    return component.shading == Revolution::Shading::flat ? flat_shaded(body, out.progress()) : body;
+  });
   float widest = 0;
   for (const Vec2 point : silhouette) widest = std::max(widest, point.x);
   const float tip = silhouette.back().y;
@@ -57,9 +62,13 @@ ComponentType revolution_component() {
                  .doc = "A body of revolution about y: a cone, nut, fruit or pot; children stand at its tip.",
                  .material = {.colour = {0.48F, 0.33F, 0.2F}, .roughness = 0.6F},
                  .variety = 0.05},
-      .parameters = Table<Revolution>("a revolution", "A body of revolution.")
-                        .members(&Revolution::body, body_table())
-                        .check(check_silhouette),
+      .parameters =
+          Table<Revolution>("a revolution", "A body of revolution.")
+              .members(&Revolution::body, body_table())
+              .choice("shading", &Revolution::shading, {"smooth", "flat"},
+                      "How light falls on triangles: 'smooth' over their edges, 'flat' with a plane for each, "
+                      "the low-poly look.")
+              .check(check_silhouette),
       .expand = expand,
   });
 }

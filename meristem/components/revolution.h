@@ -9,6 +9,7 @@ namespace meristem {
 /// A silhouette turned about y: cones, nuts, fruits, pots. All instances share one mesh; their frames scale it.
 struct Revolution : ComponentBase {
   SolidOfRevolution body;
+  enum class Shading { smooth, flat } shading = Shading::smooth;
 };
 
 ComponentType revolution_component();

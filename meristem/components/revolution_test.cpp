@@ -26,6 +26,16 @@ TEST(RevolutionComponent, IsABodyAlsoByItsDefaults) {
   EXPECT_TRUE(check_mesh(*plant.prototypes.at(0).mesh));
 }
 
+TEST(RevolutionComponent, FlatBodiesHaveOneNormalPerFace) {
+  const Plant plant = one({{"shading", "flat"}}).grow();
+  const Mesh& mesh = *plant.prototypes.at(0).mesh;
+  EXPECT_EQ(mesh.vertex_count(), 3 * mesh.triangle_count());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    EXPECT_EQ(mesh.normals[a], mesh.normals[b]);
+    EXPECT_EQ(mesh.normals[a], mesh.normals[c]);
+  }
+}
+
 TEST(RevolutionComponent, ChildrenStandAtTheTip) {
   auto builder = one({{"silhouette", pairs({{0, 0.5}, {1, 1}, {0, 3}})}, {"kind", "linear"}});
   const Plant plant = builder.component("child", "simple").link("body", "child").grow();

@@ -5,6 +5,7 @@
 
 #include "meristem/base/math.h"
 #include "meristem/components/parts/unit_shape.h"
+#include "meristem/shape/mesh/shading.h"
 #include "meristem/shape/tube/loft.h"
 
 namespace meristem {
@@ -54,9 +55,15 @@ void emit_section(const Simple& simple, Emitter& out) {
 /// The enumerators of primitives are those of UnitShape, in its order.
 void emit_primitive(const Simple& simple, Emitter& out) {
   const auto shape = static_cast<UnitShape>(simple.shape);
-  out.organ(unit_shape_frame(shape, simple.size),
-            shape_key({static_cast<double>(simple.shape), static_cast<double>(simple.segments)}),
-            [&] { return make_unit_shape(shape, simple.segments); });
+  const bool is_flat = simple.shading == Simple::Shading::flat;
+  // Those that are shaded smoothly keep the key that they had before there was a choice.
+  const auto number = static_cast<double>(simple.shape);
+  const double segments = simple.segments;
+  const std::uint64_t key = is_flat ? shape_key({number, segments, 1}) : shape_key({number, segments});
+  out.organ(unit_shape_frame(shape, simple.size), key, [&] {
+    const Mesh mesh = make_unit_shape(shape, simple.segments);
+    return is_flat ? flat_shaded(mesh, out.progress()) : mesh;
+  });
 }
 
 void expand(const Simple& simple, const Site&, Emitter& out) {
@@ -101,12 +108,16 @@ ComponentType simple_component() {
                       "Width (x), height (y) and depth (z).")
               .integer("segments", &Simple::segments, {.min = 3, .max = 512, .usual = {3, 64}},
                        "Number of corners around; raised, rounder and heavier.")
+              .choice("shading", &Simple::shading, {"smooth", "flat"},
+                      "How light falls on a primitive's triangles: 'smooth' over their edges, 'flat' with a plane for "
+                      "each, the low-poly look.")
               .points("outline", &Simple::outline, {.unit = Unit::metre, .min = -1e4, .max = 1e4},
                       "Points [x, z] of an area or tube across the heading, one for a tip; by default a line over the "
                       "width, or an ellipse over width and depth.")
               .boolean("cap", &Simple::cap, "Whether a tube is closed where its surface ends.")
               .only_where({{"shape", {"area", "tube"}}}, {"outline"})
               .only_where({{"shape", {"sphere", "cylinder", "cone", "torus", "tube"}}}, {"segments"})
+              .only_where({{"shape", {"sphere", "cylinder", "cone", "torus"}}}, {"shading"})
               .never_with("outline", {"segments"})
               .only_where({{"shape", {"tube"}}}, {"cap"})
               .only_where({{"shape", {"box", "sphere", "cylinder", "cone", "torus", "area", "tube"}}}, look_names())

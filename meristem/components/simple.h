@@ -12,7 +12,8 @@ struct Simple : ComponentBase {
   Vec3 size{0.1F};  ///< metres: width, height, depth
   int segments = 24;
   std::vector<Vec2> outline;  ///< x and z of an area or tube, metres; empty: a row across, an ellipse
-  bool cap = true;            ///< of a tube, where its surface ends
+  enum class Shading { smooth, flat } shading = Shading::smooth;  ///< of primitives
+  bool cap = true;                                                ///< of a tube, where its surface ends
 };
 
 ComponentType simple_component();

@@ -42,6 +42,7 @@ struct OutputParameters {
   std::vector<int> size{1200, 1200};  ///< width and height, pixels
   int samples = 64;                   ///< paths per pixel
   int lod = 0;                        ///< coarser levels of detail that files with meshes are written in as well
+  int cards = 0;                      ///< upright crossed cards of a last level; 0: none is written
 };
 
 /// One `--set PATH=VALUE`: a variable's name ("age"), a component's parameter ("stem.length"), or a key

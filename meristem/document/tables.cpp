@@ -41,7 +41,10 @@ const ParameterTable& output_table() {
                    "Most light paths per pixel, of which even sky and ground take fewer; raised, less noise and slower "
                    "pictures.")
           .integer("lod", &OutputParameters::lod, {.min = 0, .max = kCoarsestDetail},
-                   "Number of coarser levels of detail that `grow` writes beside each file with meshes.");
+                   "Number of coarser levels of detail that `grow` writes beside each file with meshes.")
+          .integer("cards", &OutputParameters::cards, {.min = 0, .max = kMostCards, .usual = {0, 4}},
+                   "Number of upright crossed cards, pictures of the plant, that `grow` writes as a last level; 0 "
+                   "writes none.");
   return table;
 }
 

@@ -108,6 +108,11 @@ std::string detail_path(const Format& format, const std::string& path, int level
   return fmt::format("{}_lod{}{}", path.substr(0, stem), level, path.substr(stem));
 }
 
+std::string cards_path(const Format& format, const std::string& path) {
+  const std::size_t stem = path.size() - format.ending.size();
+  return fmt::format("{}_cards{}", path.substr(0, stem), path.substr(stem));
+}
+
 const Format& format_of(const std::string& path) {
   if (path == "-") return kFormats[0];
   const std::string name = lower_case(path.substr(path.find_last_of('/') + 1));

@@ -30,12 +30,16 @@ struct Format {
   /// The files that may be written beside it; null where there are none.
   std::vector<std::string> (*companions)(const Document& document, const std::string& path) = nullptr;
 
-  bool has_meshes() const { return needs >= GrownPart::meshes; }  ///< so that levels of detail differ
+  bool has_meshes() const { return needs >= GrownPart::meshes; }      ///< so that levels of detail differ
+  bool has_textures() const { return needs >= GrownPart::textures; }  ///< so that it can show cards
 };
 
 /// Where a level of detail is written beside `path`, which is of that format: `oak_lod2.glb` for `oak.glb`; `path`
 /// itself for level 0.
 std::string detail_path(const Format& format, const std::string& path, int level);
+
+/// Where crossed cards of the plant are written beside `path`, which is of that format: `oak_cards.glb` for `oak.glb`.
+std::string cards_path(const Format& format, const std::string& path);
 
 /// All formats, the default first.
 std::span<const Format> formats();

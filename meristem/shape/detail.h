@@ -6,6 +6,9 @@ namespace meristem {
 /// The last level of detail.
 inline constexpr int kCoarsestDetail = 8;
 
+/// The most upright cards that may stand for a plant, crossed pictures of it, after its last level.
+inline constexpr int kMostCards = 16;
+
 /// How coarse the meshes of a plant are.
 struct Detail {
   int level = 0;  ///< 0: all there is; raised, fewer triangles; at most kCoarsestDetail

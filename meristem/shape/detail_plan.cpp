@@ -23,6 +23,7 @@ constexpr float kLeastError = 0.03F;    // radii; from here on errors are double
 constexpr float kMostError = 0.5F;      // radii; beyond, bends would be lost that are longer than the branch is thick
 constexpr std::size_t kFewOrgans = 16;  // of a component: so many are always shown, as they may be a tree's fruits
 constexpr float kMostEnlarged = 3;      // raised, crowns stay full farther, of leaves that are plainly too large
+constexpr float kLargest = 0.15F;       // of the plant's size: no leaf is enlarged beyond it, as it would be a sheet
 
 std::uint64_t triangle_count(const TubePlan& plan) {
   std::uint64_t count = 0;
@@ -107,6 +108,32 @@ OrganSums sums_of(const Plant& plant, const std::vector<std::uint32_t>& members,
   return sums;
 }
 
+/// The box around all nodes and the feet of all organs.
+Box box_of(const Plant& plant) {
+  Box box;
+  for (const Stem& stem : plant.stems) {
+    for (const Vec3 position : stem.skeleton.position) box.add(position);
+  }
+  for (const Organ& organ : plant.organs) box.add(organ.frame.origin);
+  return box;
+}
+
+/// The size of the largest organ of each prototype, metres.
+std::vector<float> largest_organs(const Plant& plant, const std::vector<std::shared_ptr<const Mesh>>& meshes) {
+  std::vector<float> size(meshes.size());
+  std::vector<float> factor(meshes.size());
+  for (const Organ& organ : plant.organs) {
+    float& largest = factor[organ.prototype];
+    for (int k = 0; k < 3; ++k) largest = std::max(largest, glm::length(organ.frame.axes[k]));
+  }
+  for (std::size_t k = 0; k < meshes.size(); ++k) {
+    Box box;
+    for (const Vec3 position : meshes[k]->positions) box.add(position);
+    size[k] = std::max(factor[k] * glm::length(box.size()), 1e-9F);
+  }
+  return size;
+}
+
 void coarsen_all(std::vector<std::shared_ptr<const Mesh>>& meshes, double share) {
   parallel_for(meshes.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
@@ -154,6 +181,8 @@ OrganDetail plan_organs(const Plant& plant, const Detail& detail) {
       share = std::min(share, detail.kept(level) * sums.triangles_before / std::max(1.0, sums.triangles));
     }
   }
+  const float size = glm::length(box_of(plant).size());
+  const std::vector<float> largest = largest_organs(plant, organs.meshes);
   const RandomKey key = RandomKey().child("detail");
   for (const auto& [component, members] : groups) {
     const auto all = static_cast<double>(members.size());
@@ -167,7 +196,10 @@ OrganDetail plan_organs(const Plant& plant, const Detail& detail) {
     if (!(sums.area > 0)) continue;
     const double lost = sums.area_before * all / (sums.area * static_cast<double>(shown));
     const float scale = std::clamp(static_cast<float>(std::sqrt(lost)), 1.0F, kMostEnlarged);
-    for (const std::uint32_t organ : members) organs.scale[plant.organs[organ].prototype] = scale;
+    for (const std::uint32_t organ : members) {
+      const std::uint32_t prototype = plant.organs[organ].prototype;
+      organs.scale[prototype] = std::min(scale, std::max(1.0F, kLargest * size / largest[prototype]));
+    }
   }
   return organs;
 }

@@ -23,7 +23,7 @@ TubePlan plan_tubes(const Skeleton& skeleton, const std::vector<TubeWear>& wears
 struct OrganDetail {
   std::vector<std::shared_ptr<const Mesh>> meshes;  ///< of each prototype
   std::vector<std::uint8_t> shown;                  ///< 1 or 0 of each organ; empty: all are
-  std::vector<float> scale;                         ///< of each prototype's organs, from their origin; empty: 1
+  std::vector<float> scale;                         ///< of each prototype's organs, about their middle; empty: 1
 
   bool shows(std::size_t organ) const { return shown.empty() || shown[organ] != 0; }
 };

@@ -20,6 +20,7 @@
 #include "meristem/shape/cached_meshes.h"
 #include "meristem/shape/detail_plan.h"
 #include "meristem/shape/mesh/tangents.h"
+#include "meristem/shape/small_detail.h"
 #include "meristem/shape/stem_looks.h"
 #include "meristem/shape/tube/tube_plan.h"
 
@@ -224,16 +225,23 @@ std::shared_ptr<const Mesh> with_cached_tangents(const std::shared_ptr<const Mes
   return found->mesh;
 }
 
+/// Enlarges about a point: about an organ's base the crown's outline would grow by all that leaves become longer.
+Frame enlarged(float scale, Vec3 about) { return {Mat3(scale), (1 - scale) * about}; }
+
 /// The frames of each prototype's organs, in the order of the organs.
 std::vector<MeshInstances> place_organs(const Plant& plant, const ScenePlan& scene, CacheRun& results,
                                         Progress& progress) {
   std::vector<MeshInstances> placed(plant.prototypes.size());
+  std::vector<Vec3> centres(placed.size());
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const OrganPrototype& prototype = plant.prototypes[i];
     auto mesh = with_cached_tangents(scene.organs.meshes[i], plant.materials[prototype.material], results);
     placed[i] = {prototype.component, std::move(mesh), prototype.material, {}, {}};
     placed[i].frames.reserve(scene.organ_counts[i]);
     placed[i].tints.reserve(scene.organ_counts[i]);
+    Box box;
+    for (const Vec3 position : placed[i].mesh->positions) box.add(position);
+    centres[i] = box.is_empty() ? Vec3(0) : box.centre();
   }
   for (std::size_t begin = 0; begin < plant.organs.size(); begin += kOrgansPerBlock) {
     const std::size_t end = std::min(begin + kOrgansPerBlock, plant.organs.size());
@@ -242,7 +250,9 @@ std::vector<MeshInstances> place_organs(const Plant& plant, const ScenePlan& sce
       const Organ& organ = plant.organs[i];
       MeshInstances& instances = placed[organ.prototype];
       instances.frames.push_back(organ.frame);
-      if (!scene.organs.scale.empty()) instances.frames.back().axes *= scene.organs.scale[organ.prototype];
+      if (!scene.organs.scale.empty()) {
+        instances.frames.back() = organ.frame * enlarged(scene.organs.scale[organ.prototype], centres[organ.prototype]);
+      }
       instances.tints.push_back(organ.tint);
     }
     progress.advance(end - begin);
@@ -310,10 +320,21 @@ Box MeshScene::bounds() const {
   return box;
 }
 
-MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& progress, const Detail& detail,
-                          Cache* cache) {
-  check_references(plant);
-  check_detail(detail);
+namespace {
+
+/// Whether a plant's tubes and organs have few triangles; what its bodies will have, nobody knows yet.
+bool may_be_small(const Plant& plant) {
+  std::uint64_t triangles = 0;
+  std::size_t nodes = 0;
+  for (const Organ& organ : plant.organs) {
+    triangles += plant.prototypes[organ.prototype].mesh->triangle_count();
+    if (triangles > kSmallPlant) return false;
+  }
+  for (const Stem& stem : plant.stems) nodes += stem.skeleton.node_count();
+  return nodes <= kSmallPlant;
+}
+
+MeshScene clothe(const Plant& plant, const Limits& limits, Progress& progress, const Detail& detail, Cache* cache) {
   CacheRun results(cache, {typeid(StemTubes), typeid(BodyMesh), typeid(TangentMesh)});
   const ScenePlan plan(plant, detail, results);
   check_limits(plant, {}, plan, limits);
@@ -327,6 +348,19 @@ MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& pr
   std::move(placed.begin(), placed.end(), std::back_inserter(meshes));
   results.end();
   return {std::move(materials), grouped(std::move(meshes))};
+}
+
+}  // namespace
+
+MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& progress, const Detail& detail,
+                          Cache* cache) {
+  check_references(plant);
+  check_detail(detail);
+  if (detail.level > 0 && may_be_small(plant)) {
+    const MeshScene whole = clothe(plant, limits, progress, {}, cache);
+    if (whole.triangle_count() <= kSmallPlant) return small_detail(whole, detail, progress);
+  }
+  return clothe(plant, limits, progress, detail, cache);
 }
 
 }  // namespace meristem

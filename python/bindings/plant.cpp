@@ -10,8 +10,10 @@
 #include "meristem/measure/counts.h"
 #include "meristem/measure/foliage.h"
 #include "meristem/measure/measures.h"
+#include "meristem/output/detail_levels.h"
 #include "meristem/output/formats.h"
 #include "meristem/output/output_files.h"
+#include "meristem/output/picture/cards.h"
 #include "meristem/output/picture/picture.h"
 #include "meristem/output/skeleton/organ_csv.h"
 #include "meristem/output/skeleton/skeleton_table.h"
@@ -217,8 +219,8 @@ py::dict table_of(const PlantInPython& plant) {
   return columns;
 }
 
-void save(const PlantPointer& plant, const py::object& path, bool instanced, bool nodes, int lod, int threads,
-          const py::object& progress) {
+void save(const PlantPointer& plant, const py::object& path, bool instanced, bool nodes, int lod, int cards,
+          int threads, const py::object& progress) {
   const std::string target = file_of(path);
   const Format& format = format_of(target);
   if ((instanced || nodes) && !format.can_instance) throw py::value_error("only .glb can be instanced");
@@ -229,14 +231,30 @@ void save(const PlantPointer& plant, const py::object& path, bool instanced, boo
   if (lod < 0 || lod > kCoarsestDetail) {
     throw py::value_error(fmt::format("lod is {}; expected 0 to {}", lod, kCoarsestDetail));
   }
+  if (cards < 0 || cards > kMostCards) {
+    throw py::value_error(fmt::format("cards is {}; expected 0 to {}", cards, kMostCards));
+  }
+  if (cards > 0 && !format.has_textures()) throw py::value_error("only files with textures show cards");
+  if (cards > 0 && lod > 0) throw py::value_error("a file holds a level of detail or cards, not both");
   if (lod > 0 && !format.has_meshes()) throw py::value_error("only files with meshes have levels of detail");
   check_grown_output(plant->origin->document, target);
   watch_of(progress)->run(threads, [&](Progress& inner) {
     const Document& document = plant->origin->document;
+    if (cards > 0) {
+      const GrownDocument& whole = plant->up_to(GrownPart::textures, inner);
+      const GrownDocument shown{whole.plant, make_cards(whole.meshes, {.cards = cards}, inner), GrownPart::textures};
+      return format.write(document, shown, target, options, inner);
+    }
     if (lod == 0) return format.write(document, plant->up_to(format.needs, inner), target, options, inner);
     // Finer meshes are not needed, but textures are.
     const Plant& whole = plant->up_to(GrownPart::textures, inner).plant;
+    const MeshScene& finest = plant->up_to(GrownPart::textures, inner).meshes;
     const GrownDocument coarse{whole, mesh_detail(document, whole, {.level = lod}, inner)};
+    const std::uint64_t before =
+        lod == 1 ? finest.triangle_count() : mesh_detail(document, whole, {.level = lod - 1}, inner).triangle_count();
+    if (const std::string fault = fault_of_level(finest, before, coarse.meshes, lod, inner); !fault.empty()) {
+      throw py::value_error(fmt::format("level {} of detail is not worth a file: {}", lod, fault));
+    }
     format.write(document, coarse, target, options, inner);
   });
 }
@@ -443,12 +461,14 @@ of `scene`, or of growth if not given.)")
 
 "low" and "high" of each layer above y = 0 (metres, `height` apart) and the "leaf_area" between them (m²).)")
       .def("save", &save, py::arg("path"), py::kw_only(), py::arg("instanced") = false, py::arg("nodes") = false,
-           py::arg("lod") = 0, py::arg("threads") = 0, py::arg("progress") = py::none(),
+           py::arg("lod") = 0, py::arg("cards") = 0, py::arg("threads") = 0, py::arg("progress") = py::none(),
            R"(Writes the plant to a file, its format by its ending: .glb, .obj, .ply, .skeleton.ply, .csv, .mtg.
 
 `instanced` writes leaves to .glb as instances of one mesh, as is done by itself beyond 5 million triangles: small files,
 which not every program reads; `nodes` writes them as nodes there, which every program reads. `lod` (0 to 8) is the level
-of detail: each has about a quarter of the triangles of the one before. The file is there whole or not at all.
+of detail: each has about a quarter of the triangles of the one before. `cards` (0 to 16) writes so many upright crossed
+cards, pictures of the plant, instead. The file is there whole or not at all. Raises ValueError for a level that is not
+worth a file, as it has hardly fewer triangles than the one before or would lose the plant's outline.
 Raises InputError for endings that are not known and files that were read, MachineError.)")
       .def("render", &render, py::kw_only(), py::arg("size") = py::none(), py::arg("samples") = py::none(),
            py::arg("view") = py::none(), py::arg("transparent") = false, py::arg("hull") = false,

@@ -269,6 +269,7 @@ class Plant:
         instanced: bool = False,
         nodes: bool = False,
         lod: int = 0,
+        cards: int = 0,
         threads: int = 0,
         progress: Progress | _ProgressCallback | None = None,
     ) -> None: ...

@@ -151,10 +151,13 @@ def test_instanced_files_are_smaller(tmp_path: Path) -> None:
 
 def test_levels_of_detail_are_smaller_files(tmp_path: Path) -> None:
     plant = grown_small_tree()
-    for level in range(3):
+    for level in range(2):
         plant.save(tmp_path / f"{level}.ply", lod=level)
-    sizes = [(tmp_path / f"{level}.ply").stat().st_size for level in range(3)]
-    assert sizes[2] < sizes[1] < 0.6 * sizes[0]
+    sizes = [(tmp_path / f"{level}.ply").stat().st_size for level in range(2)]
+    assert sizes[1] < 0.6 * sizes[0]
+    with pytest.raises(ValueError, match="level 8 of detail is not worth a file"):
+        plant.save(tmp_path / "8.ply", lod=8)
+    assert not (tmp_path / "8.ply").exists()
     with pytest.raises(ValueError, match="lod is 9; expected 0 to 8"):
         plant.save(tmp_path / "tree.ply", lod=9)
     with pytest.raises(ValueError, match="only files with meshes have levels of detail"):

@@ -79,7 +79,7 @@ std::uint64_t hash_of_result(const Document& document) {
   }
   add(hash, document.scene);
   add(hash, camera_view(document.graph));
-  hash.add_array(document.output.size).add(document.output.samples).add(document.output.lod);
+  hash.add_array(document.output.size).add(document.output.samples).add(document.output.lod).add(document.output.cards);
   return hash.hash();
 }
 

@@ -194,6 +194,18 @@ TEST(PolarTurtle, StepsOfBothAnglesMayDiffer) {
   expect_near(tip_of("+F", polar), {0, 0, -1});
 }
 
+TEST(PolarTurtle, TheShootsOfTheDichasiumStandAt45DegreesToBothSides) {
+  const Grammar grammar = read_grammar("#axiom\nA\n#rules\nA -> ^^FB\nB -> C+++C---\nC -> [^F&B]\n");
+  const TurtleParameters polar{.reading = TurtleParameters::Reading::polar, .angle = 45, .azimuth = 60, .length = 1};
+  Progress progress;
+  const Word word = derive(grammar, 3, RandomKey(1), Limits(), progress);
+  const Skeleton plant = draw(word, grammar.alphabet, polar, {}, Limits(), "", progress).skeleton;
+  ASSERT_EQ(plant.node_count(), 4U);
+  expect_near(plant.position[1], {0, 1, 0});
+  expect_near(plant.position[2], Vec3(0, 1, 0) + Vec3(-1, 1, 0) * std::sqrt(0.5F));
+  expect_near(plant.position[3], Vec3(0, 1, 0) + Vec3(1, 1, 0) * std::sqrt(0.5F));
+}
+
 TEST(PolarTurtle, ABracketMayKeepTheAngles) {
   TurtleParameters polar{.reading = TurtleParameters::Reading::polar, .angle = 90, .length = 1};
   expect_near(tip_of("[^F]F", polar), {1, 0, 0});

@@ -18,6 +18,7 @@
 #include "meristem/base/vec.h"
 #include "meristem/shape/mesh/even_order.h"
 #include "meristem/shape/mesh/quadric.h"
+#include "meristem/shape/mesh/shading.h"
 
 namespace meristem {
 namespace {
@@ -26,8 +27,9 @@ constexpr std::size_t kMostTriangles = 2000;
 constexpr std::size_t kManyPieces = 4;
 constexpr double kSmallPiece = 0.1;  // of the mean area: a leaf's stalk, which goes first
 constexpr double kWidest = 4;
-constexpr double kLeastCosine = 0.2;  // by which a triangle may turn
-constexpr double kFlat = 0.5;         // of its area, that a piece which is no tube shows from one side
+constexpr double kLeastCosine = 0.2;   // by which a triangle may turn
+constexpr double kFlatNormal = 0.999;  // cosine between the normals of a triangle and its vertices
+constexpr double kFlat = 0.5;          // of its area, that a piece which is no tube shows from one side
 
 using Triangle = std::array<std::uint32_t, 3>;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
@@ -42,14 +44,27 @@ bool has(const Triangle& triangle, std::uint32_t vertex) {
   return triangle[0] == vertex || triangle[1] == vertex || triangle[2] == vertex;
 }
 
-/// Collapses half-edges of a mesh.
+/// The first vertex at the position of each: vertices of a seam share a point.
+std::vector<std::uint32_t> points_of(const Mesh& mesh) {
+  std::map<std::tuple<float, float, float>, std::uint32_t> first;
+  std::vector<std::uint32_t> point(mesh.vertex_count());
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    const Vec3 p = mesh.positions[v];
+    point[v] = first.try_emplace({p.x, p.y, p.z}, v).first->second;
+  }
+  return point;
+}
+
+/// Collapses half-edges of a mesh. A seam collapses along itself: where several vertices share a point, all of them
+/// must meet one on their own side.
 class HalfEdgeCollapse {
  public:
-  explicit HalfEdgeCollapse(Mesh& mesh) : mesh_(mesh), around_(mesh.vertex_count()), quadrics_(mesh.vertex_count()) {
+  explicit HalfEdgeCollapse(Mesh& mesh)
+      : mesh_(mesh), point_of_(points_of(mesh)), around_(mesh.vertex_count()), quadrics_(mesh.vertex_count()) {
+    for (const Triangle& triangle : mesh.triangles) corners_.push_back(points(triangle));
     for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
-      for (const std::uint32_t vertex : mesh.triangles[t]) around_[vertex].push_back(t);
+      for (const std::uint32_t point : corners_[t]) around_[point].push_back(t);
     }
-    lock_seams();
     add_planes();
     left_ = mesh.triangle_count();
     gone_.resize(left_, false);
@@ -69,18 +84,12 @@ class HalfEdgeCollapse {
   }
 
  private:
-  void lock_seams() {
-    std::map<std::tuple<float, float, float>, std::uint32_t> first;
-    is_locked_.resize(mesh_.vertex_count(), false);
-    for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
-      const Vec3 p = mesh_.positions[v];
-      const auto [known, is_new] = first.try_emplace({p.x, p.y, p.z}, v);
-      if (!is_new) is_locked_[v] = is_locked_[known->second] = true;
-    }
+  Triangle points(const Triangle& triangle) const {
+    return {point_of_[triangle[0]], point_of_[triangle[1]], point_of_[triangle[2]]};
   }
 
   void add_planes() {
-    for (const Triangle& triangle : mesh_.triangles) {
+    for (const Triangle& triangle : corners_) {
       const DVec3 doubled = area_vector(mesh_, triangle);
       const double length = glm::length(doubled);
       if (!(length > 0)) continue;
@@ -102,15 +111,15 @@ class HalfEdgeCollapse {
   }
 
   std::size_t triangles_at(std::uint32_t a, std::uint32_t b) const {
-    return static_cast<std::size_t>(std::count_if(around_[a].begin(), around_[a].end(),
-                                                  [&](std::uint32_t t) { return has(mesh_.triangles[t], b); }));
+    return static_cast<std::size_t>(
+        std::count_if(around_[a].begin(), around_[a].end(), [&](std::uint32_t t) { return has(corners_[t], b); }));
   }
 
-  std::vector<std::uint32_t> neighbours(std::uint32_t vertex) const {
+  std::vector<std::uint32_t> neighbours(std::uint32_t point) const {
     std::vector<std::uint32_t> found;
-    for (const std::uint32_t t : around_[vertex]) {
-      for (const std::uint32_t other : mesh_.triangles[t]) {
-        if (other != vertex) found.push_back(other);
+    for (const std::uint32_t t : around_[point]) {
+      for (const std::uint32_t other : corners_[t]) {
+        if (other != point) found.push_back(other);
       }
     }
     std::sort(found.begin(), found.end());
@@ -118,11 +127,11 @@ class HalfEdgeCollapse {
     return found;
   }
 
-  /// The cheapest collapse of all: its cost, infinite if there is none, and the vertices from and to. Ties: the first.
+  /// The cheapest collapse of all: its cost, infinite if there is none, and the points from and to. Ties: the first.
   std::tuple<double, std::uint32_t, std::uint32_t> cheapest() const {
     std::tuple<double, std::uint32_t, std::uint32_t> best(std::numeric_limits<double>::infinity(), 0, 0);
     for (std::uint32_t from = 0; from < mesh_.vertex_count(); ++from) {
-      if (is_locked_[from] || around_[from].empty()) continue;
+      if (around_[from].empty()) continue;
       const std::vector<std::uint32_t> near = neighbours(from);
       const bool is_border =
           std::any_of(near.begin(), near.end(), [&](std::uint32_t other) { return triangles_at(from, other) == 1; });
@@ -136,6 +145,22 @@ class HalfEdgeCollapse {
     return best;
   }
 
+  /// Which vertex of `to` takes the place of each vertex of `from`: the one beside it in a triangle that goes.
+  std::map<std::uint32_t, std::uint32_t> replacements(std::uint32_t from, std::uint32_t to) const {
+    std::map<std::uint32_t, std::uint32_t> beside;
+    for (const std::uint32_t t : around_[from]) {
+      if (!has(corners_[t], to)) continue;
+      const Triangle& triangle = mesh_.triangles[t];
+      beside.try_emplace(vertex_at(triangle, from), vertex_at(triangle, to));
+    }
+    return beside;
+  }
+
+  std::uint32_t vertex_at(const Triangle& triangle, std::uint32_t point) const {
+    return *std::find_if(triangle.begin(), triangle.end(),
+                         [&](std::uint32_t vertex) { return point_of_[vertex] == point; });
+  }
+
   /// Whether the surface stays a surface, no triangle turns over, and something is left of the piece.
   bool may_collapse(std::uint32_t from, std::uint32_t to, const std::vector<std::uint32_t>& near,
                     bool is_border) const {
@@ -146,11 +171,14 @@ class HalfEdgeCollapse {
     const std::vector<std::uint32_t> others = neighbours(to);
     std::set_intersection(near.begin(), near.end(), others.begin(), others.end(), std::back_inserter(common));
     if (common.size() != shared) return false;
+    const std::map<std::uint32_t, std::uint32_t> beside = replacements(from, to);
     for (const std::uint32_t t : around_[from]) {
+      if (has(corners_[t], to)) continue;
       Triangle triangle = mesh_.triangles[t];
-      if (has(triangle, to)) continue;
+      const auto takes = beside.find(vertex_at(triangle, from));
+      if (takes == beside.end()) return false;
       const DVec3 before = area_vector(mesh_, triangle);
-      std::replace(triangle.begin(), triangle.end(), from, to);
+      std::replace(triangle.begin(), triangle.end(), takes->first, takes->second);
       const DVec3 after = area_vector(mesh_, triangle);
       if (!(glm::dot(before, after) > kLeastCosine * glm::length(before) * glm::length(after))) return false;
       if (!faces_its_normals(triangle, after)) return false;
@@ -167,16 +195,19 @@ class HalfEdgeCollapse {
   }
 
   void collapse(std::uint32_t from, std::uint32_t to) {
+    const std::map<std::uint32_t, std::uint32_t> beside = replacements(from, to);
     for (const std::uint32_t t : around_[from]) {
       Triangle& triangle = mesh_.triangles[t];
-      if (has(triangle, to)) {
+      if (has(corners_[t], to)) {
         gone_[t] = true;
         --left_;
-        for (const std::uint32_t vertex : triangle) {
-          if (vertex != from) std::erase(around_[vertex], t);
+        for (const std::uint32_t point : corners_[t]) {
+          if (point != from) std::erase(around_[point], t);
         }
       } else {
-        std::replace(triangle.begin(), triangle.end(), from, to);
+        const std::uint32_t vertex = vertex_at(triangle, from);
+        std::replace(triangle.begin(), triangle.end(), vertex, beside.at(vertex));
+        corners_[t] = points(triangle);
         around_[to].push_back(t);
       }
     }
@@ -185,14 +216,15 @@ class HalfEdgeCollapse {
   }
 
   Mesh& mesh_;
-  std::vector<std::vector<std::uint32_t>> around_;  // triangles of each vertex
+  std::vector<std::uint32_t> point_of_;             // of each vertex
+  std::vector<Triangle> corners_;                   // the points of each triangle
+  std::vector<std::vector<std::uint32_t>> around_;  // triangles of each point
   std::vector<Quadric> quadrics_;
-  std::vector<bool> is_locked_;
   std::vector<bool> gone_;  // triangles
   std::size_t left_ = 0;
 };
 
-/// Triangles that hang together by their vertices.
+/// Triangles that hang together, by their vertices or by edges in the same place.
 struct Piece {
   std::vector<Triangle> triangles;
   double area = 0;
@@ -206,11 +238,18 @@ std::vector<Piece> pieces_of(const Mesh& mesh) {
     while (root[vertex] != vertex) vertex = root[vertex] = root[root[vertex]];
     return vertex;
   };
+  const auto join = [&](std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t first = find(a);
+    const std::uint32_t other = find(b);
+    root[std::max(first, other)] = std::min(first, other);
+  };
+  const std::vector<std::uint32_t> point = points_of(mesh);
+  std::map<Edge, std::uint32_t> beside;
   for (const Triangle& triangle : mesh.triangles) {
-    for (const std::uint32_t vertex : triangle) {
-      const std::uint32_t first = find(triangle[0]);
-      const std::uint32_t other = find(vertex);
-      root[std::max(first, other)] = std::min(first, other);
+    for (std::size_t k = 0; k < 3; ++k) {
+      join(triangle[0], triangle[k]);
+      const Edge edge = std::minmax(point[triangle[k]], point[triangle[(k + 1) % 3]]);
+      join(beside.try_emplace(edge, triangle[0]).first->second, triangle[0]);
     }
   }
   std::map<std::uint32_t, Piece> pieces;
@@ -283,6 +322,37 @@ void widen(Mesh& mesh, const Piece& piece, double factor) {
   }
 }
 
+/// Whether all vertices have the normals of their triangles, which some have for themselves: the low-poly look.
+bool is_flat(const Mesh& mesh) {
+  if (mesh.normals.empty()) return false;
+  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& triangle) {
+    const DVec3 area = area_vector(mesh, triangle);
+    return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t vertex) {
+      return glm::dot(area, DVec3(mesh.normals[vertex])) > kFlatNormal * glm::length(area);
+    });
+  });
+}
+
+/// A flat-shaded mesh whose triangles share their vertices where uvs agree.
+Mesh joined(const Mesh& mesh) {
+  Mesh whole;
+  std::map<std::tuple<float, float, float, float, float>, std::uint32_t> known;
+  for (const Triangle& triangle : mesh.triangles) {
+    Triangle& shared = whole.triangles.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 p = mesh.positions[triangle[k]];
+      const Vec2 uv = mesh.uvs.empty() ? Vec2(0) : mesh.uvs[triangle[k]];
+      const auto next = static_cast<std::uint32_t>(whole.vertex_count());
+      const auto [vertex, is_new] = known.try_emplace({p.x, p.y, p.z, uv.x, uv.y}, next);
+      shared[k] = vertex->second;
+      if (!is_new) continue;
+      whole.positions.push_back(p);
+      if (!mesh.uvs.empty()) whole.uvs.push_back(uv);
+    }
+  }
+  return whole;
+}
+
 /// The mesh without vertices that no triangle has.
 Mesh without_loose_vertices(const Mesh& mesh) {
   constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
@@ -307,6 +377,12 @@ Mesh without_loose_vertices(const Mesh& mesh) {
 Mesh coarsened(const Mesh& mesh, std::size_t triangles) {
   if (mesh.triangle_count() <= std::max<std::size_t>(triangles, 2) || mesh.triangle_count() > kMostTriangles)
     return mesh;
+  if (is_flat(mesh)) {
+    // A vertex per corner leaves nothing to collapse.
+    const Mesh whole = joined(mesh);
+    Progress progress;
+    if (whole.vertex_count() < mesh.vertex_count()) return flat_shaded(coarsened(whole, triangles), progress);
+  }
   std::vector<Piece> pieces = pieces_of(mesh);
   const double area = area_of(pieces);
   pieces = without_small(std::move(pieces));

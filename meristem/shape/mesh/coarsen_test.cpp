@@ -8,6 +8,7 @@
 #include "meristem/shape/leaf/leaf_blade.h"
 #include "meristem/shape/leaf/needles.h"
 #include "meristem/shape/mesh/even_order.h"
+#include "meristem/shape/mesh/shading.h"
 #include "meristem/shape/solid/primitives.h"
 #include "tests/support/check_mesh.h"
 
@@ -53,7 +54,16 @@ TEST(Coarsened, FewerNeedlesAreWider) {
 TEST(Coarsened, ClosedMeshesStayClosed) {
   const Mesh ball = make_sphere(0.1, 12);
   const Mesh coarse = coarsened(ball, ball.triangle_count() / 4);
-  EXPECT_LT(coarse.triangle_count(), 0.6 * static_cast<double>(ball.triangle_count())) << "its seam stays";
+  EXPECT_LE(coarse.triangle_count(), ball.triangle_count() / 4 + 2);
+  EXPECT_TRUE(check_mesh(coarse, {.closed = true}));
+}
+
+TEST(Coarsened, FlatBodiesStayFlatAndClosed) {
+  Progress progress;
+  const Mesh ball = flat_shaded(make_sphere(0.1, 12), progress);
+  const Mesh coarse = coarsened(ball, ball.triangle_count() / 4);
+  EXPECT_LE(coarse.triangle_count(), ball.triangle_count() / 4 + 2);
+  EXPECT_EQ(coarse.vertex_count(), 3 * coarse.triangle_count());
   EXPECT_TRUE(check_mesh(coarse, {.closed = true}));
 }
 

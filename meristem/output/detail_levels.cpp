@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/detail_levels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "meristem/shape/outline.h"
+#include "meristem/shape/small_detail.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr int kPixelsOfTheWhole = 256;
+constexpr int kFewestPixels = 16;
+constexpr int kDirections = 26;
+
+}  // namespace
+
+int pixels_of_level(int number) { return std::max(kPixelsOfTheWhole >> number, kFewestPixels); }
+
+std::string fault_of_level(const MeshScene& whole, std::uint64_t before, const MeshScene& level, int number,
+                           Progress& progress) {
+  const std::uint64_t triangles = level.triangle_count();
+  if (static_cast<double>(triangles) > kMostOfTheLevelBefore * static_cast<double>(before)) {
+    return fmt::format("it would have {} triangles, too near to the {} of the level before", triangles, before);
+  }
+  if (whole.triangle_count() > kSmallPlant) return {};
+  const double shared =
+      outline_overlap(whole, level, {.directions = kDirections, .size = pixels_of_level(number)}, progress).least();
+  if (shared < kLeastOutlineShared) {
+    return fmt::format(
+        "with {} triangles it would share {:.0f} % of the plant's outline from some side; {:.0f} % are wanted",
+        triangles, std::floor(100 * shared), 100 * kLeastOutlineShared);
+  }
+  return {};
+}
+
+}  // namespace meristem

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which levels of detail of a plant are worth a file.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "meristem/base/progress.h"
+#include "meristem/shape/mesh_scene.h"
+
+namespace meristem {
+
+/// A level has at most this share of the triangles of the level before it, or it is none.
+inline constexpr double kMostOfTheLevelBefore = 0.35;
+/// What a level and the whole plant cover of a picture alike, from each of 26 sides, or a small plant's level is none.
+inline constexpr double kLeastOutlineShared = 0.9;
+
+/// How many pixels high a plant is shown at most as level `number`: half as many as the level before, 256 as a whole.
+int pixels_of_level(int number);
+
+/// Why `level`, the one of that `number`, which comes after a level of `before` triangles, is not worth a file: it has
+/// hardly fewer triangles, or it would lose the outline of a plant of at most kSmallPlant triangles. Larger plants are
+/// thinned out, and their crowns change wherever the sky is seen between leaves: of them outlines are not asked. Empty
+/// for a level that is worth a file. Levels coarser than one that is not are not worth one either.
+std::string fault_of_level(const MeshScene& whole, std::uint64_t before, const MeshScene& level, int number,
+                           Progress& progress);
+
+}  // namespace meristem

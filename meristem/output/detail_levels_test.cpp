@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/output/detail_levels.h"
+
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "meristem/components/registry.h"
+#include "meristem/document/document.h"
+#include "meristem/document/grow.h"
+#include "meristem/document/models.h"
+#include "meristem/shape/outline.h"
+
+namespace meristem {
+namespace {
+
+/// A shipped model.
+struct Model {
+  Document document;
+  GrownDocument grown;
+
+  explicit Model(const std::string& name) : document(read(name)) {
+    Progress progress;
+    grown = grow_document(document, progress, {.up_to = GrownPart::meshes});
+  }
+
+  MeshScene level(int number) const {
+    Progress progress;
+    return mesh_detail(document, grown.plant, {.level = number}, progress);
+  }
+
+  static Document read(const std::string& name) {
+    const std::string file = model_path(std::string(MERISTEM_SOURCE_DIR) + "/models", name);
+    return read_document(read_text_file(file), file, builtin_components());
+  }
+};
+
+/// The directions are those of outline.h; a level is drawn as large as it is meant to be seen.
+OutlineOverlap overlap_of(const Model& model, const MeshScene& scene, int level) {
+  Progress progress;
+  return outline_overlap(model.grown.meshes, scene, {.directions = 50, .size = pixels_of_level(level)}, progress);
+}
+
+std::string fault_of(const Model& model, std::uint64_t before, const MeshScene& scene, int level) {
+  Progress progress;
+  return fault_of_level(model.grown.meshes, before, scene, level, progress);
+}
+
+class LevelsOfModels : public testing::TestWithParam<const char*> {};
+
+// What grow writes: a level that is not worth a file ends the levels.
+TEST_P(LevelsOfModels, ThatAreWrittenHaveFewTrianglesAndKeepTheOutline) {
+  // The program looks from 26 other directions: between two of them an outline may be a little worse.
+  constexpr double kBetweenDirections = 0.01;
+  const Model model(GetParam());
+  const Box box = model.grown.meshes.bounds();
+  const float tolerance = 0.02F * glm::length(box.size());
+  std::uint64_t before = model.grown.meshes.triangle_count();
+  for (int level = 1; level <= 2; ++level) {
+    const MeshScene scene = model.level(level);
+    if (!fault_of(model, before, scene, level).empty()) break;
+    EXPECT_LE(static_cast<double>(scene.triangle_count()), 0.35 * static_cast<double>(before)) << level;
+    EXPECT_GE(overlap_of(model, scene, level).least(), 0.9 - kBetweenDirections) << level;
+    const Box coarse = scene.bounds();
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_GE(coarse.low[k], box.low[k] - tolerance) << level;
+      EXPECT_LE(coarse.high[k], box.high[k] + tolerance) << level;
+    }
+    before = scene.triangle_count();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, LevelsOfModels,
+                         testing::Values("low-poly-birch", "low-poly-fir", "low-poly-oak", "low-poly-palm",
+                                         "low-poly-poplar", "low-poly-shrub", "low-poly-spruce", "low-poly-willow",
+                                         "tulip"),
+                         [](const auto& model) {
+                           std::string name = model.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(FaultOfLevel, IsTooManyTrianglesOrAnotherOutline) {
+  const Model model("low-poly-birch");
+  const MeshScene level = model.level(1);
+  EXPECT_EQ(fault_of(model, model.grown.meshes.triangle_count(), level, 1), "");
+  EXPECT_NE(fault_of(model, 2 * level.triangle_count(), level, 1), "");
+  MeshScene bare = level;
+  bare.meshes.resize(1);
+  EXPECT_NE(fault_of(model, model.grown.meshes.triangle_count(), bare, 1).find("outline"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace meristem

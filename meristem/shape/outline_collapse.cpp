@@ -1,0 +1,529 @@
+// SPDX-License-Identifier: Apache-2.0
+// In: triangles between shared points, few thousand. Out: fewer of them, whose outlines from all around cover the same
+// pixels as far as can be. A point collapses onto a neighbour, or a small piece goes, whichever costs least: pixels of
+// the plant's outlines and of its groups' own, and a little for the distance from the planes of the first faces, so
+// that of two equal outlines the rounder body stays. Pixels count against the outlines of the beginning, not those of
+// the step before, so errors do not add up. How many faces cover a pixel is counted, so a step costs what it touches.
+// Based on: P. Lindstrom, G. Turk: Image-driven simplification (2000); here outlines take the place of shaded pictures,
+// as a level of detail keeps its materials.
+#include "meristem/shape/outline_collapse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "meristem/base/frame.h"
+#include "meristem/base/parallel.h"
+#include "meristem/shape/mesh/quadric.h"
+#include "meristem/shape/outline.h"
+#include "meristem/shape/outline_raster.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr int kViews = 20;
+constexpr int kSize = 96;              // pixels
+constexpr double kGroupWeight = 0.15;  // of the outline of a group, of which others may hide much
+constexpr double kShapeWeight = 0.15;  // of the volume between old and new faces; raised, rounder, and outlines suffer
+constexpr double kLeastCosine = 0.2;   // by which a face may turn at once
+constexpr std::size_t kTriedTargets = 5;  // of a point's neighbours, those nearest to its planes
+constexpr std::size_t kSmallPiece = 8;    // faces, that may go at once
+constexpr int kFitRounds = 4;
+constexpr double kStage = 0.6;       // of the faces, that a stage leaves: points move between stages, too
+constexpr double kLeastGain = 1e-7;  // of the whole outline, for which a point moves
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// Pixels that a step would change, of one view.
+struct Scratch {
+  std::vector<std::int16_t> delta = std::vector<std::int16_t>(kSize * kSize);
+  std::vector<std::uint32_t> touched;
+};
+
+struct Step {
+  double cost = kNever;
+  std::uint32_t to = kNone;  // none: the whole piece goes
+  bool is_stale = false;
+};
+
+}  // namespace
+
+class OutlineCollapse::State {
+ public:
+  State(FaceSoup soup, Progress& progress) : soup_(std::move(soup)) {
+    find_neighbours();
+    choose_views();
+    draw_reference(progress);
+    add_planes();
+    left_ = soup_.faces.size();
+    is_gone_.resize(left_);
+    steps_.resize(soup_.points.size());
+    parallel_for(steps_.size(), 64, [&](std::size_t begin, std::size_t end) {
+      progress.check();
+      Scratch scratch;
+      for (std::size_t k = begin; k < end; ++k) steps_[k] = best_step(static_cast<std::uint32_t>(k), scratch);
+    });
+  }
+
+  void run(std::size_t faces, Progress& progress) {
+    bool can_go_on = true;
+    while (left_ > faces && can_go_on) {
+      const auto stage = std::max(faces, static_cast<std::size_t>(kStage * static_cast<double>(left_)));
+      while (left_ > stage) {
+        progress.check();
+        const std::uint32_t point = cheapest();
+        can_go_on = point != kNone;
+        if (!can_go_on) break;
+        take(point);
+      }
+      fit(progress);
+    }
+  }
+
+  std::size_t face_count() const { return left_; }
+
+  FaceSoup left() const {
+    FaceSoup soup = soup_;
+    soup.faces.clear();
+    for (std::size_t k = 0; k < soup_.faces.size(); ++k) {
+      if (is_gone_[k] == 0) soup.faces.push_back(soup_.faces[k]);
+    }
+    return soup;
+  }
+
+ private:
+  using Face = FaceSoup::Face;
+
+  void find_neighbours() {
+    around_.resize(soup_.points.size());
+    std::uint32_t groups = 0;
+    for (std::uint32_t f = 0; f < soup_.faces.size(); ++f) {
+      for (const std::uint32_t point : soup_.faces[f].points) around_[point].push_back(f);
+      groups = std::max(groups, soup_.faces[f].group + 1);
+    }
+    planes_ = 1 + std::size_t{groups};
+  }
+
+  void choose_views() {
+    for (const Face& face : soup_.faces) {
+      for (const std::uint32_t point : face.points) box_.add(soup_.points[point]);
+    }
+    radius_ = std::max(0.5 * static_cast<double>(glm::length(box_.size())), 1e-9);
+    for (const Vec3 direction : outline_directions(kViews)) {
+      views_.push_back(view_along(direction, DVec3(box_.centre()), 0.5 * kSize / (1.05 * radius_), kSize));
+    }
+  }
+
+  std::uint16_t& count(std::size_t view, std::size_t plane, std::uint32_t pixel) {
+    return counts_[(view * planes_ + plane) * kSize * kSize + pixel];
+  }
+  std::uint16_t count(std::size_t view, std::size_t plane, std::uint32_t pixel) const {
+    return counts_[(view * planes_ + plane) * kSize * kSize + pixel];
+  }
+
+  void add_face(std::size_t view, const Face& face, int by) {
+    glm::dvec2 corners[3];
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = views_[view].pixel(soup_.points[face.points[k]]);
+    cover_triangle(corners[0], corners[1], corners[2], kSize, [&](int row, int first, int end) {
+      for (int x = first; x < end; ++x) {
+        const auto pixel = static_cast<std::uint32_t>(row * kSize + x);
+        for (const std::size_t plane : {std::size_t{0}, 1 + std::size_t{face.group}}) {
+          std::uint16_t& covered = count(view, plane, pixel);
+          covered = static_cast<std::uint16_t>(covered + by);
+        }
+      }
+    });
+  }
+
+  void draw_reference(Progress& progress) {
+    counts_.resize(views_.size() * planes_ * kSize * kSize);
+    parallel_for(views_.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t view = begin; view < end; ++view) {
+        progress.check();
+        for (const Face& face : soup_.faces) add_face(view, face, 1);
+      }
+    });
+    is_wanted_.resize(counts_.size());
+    std::vector<std::uint64_t> covered(views_.size());
+    std::uint64_t all = 0;
+    for (std::size_t k = 0; k < counts_.size(); ++k) {
+      is_wanted_[k] = counts_[k] > 0 ? 1 : 0;
+      const std::size_t picture = k / (kSize * kSize);
+      if (picture % planes_ == 0) covered[picture / planes_] += is_wanted_[k];
+    }
+    for (const std::uint64_t pixels : covered) {
+      const double whole = std::max<double>(1, static_cast<double>(pixels));
+      pixel_share_.push_back(1 / (whole * static_cast<double>(views_.size())));
+      all += pixels;
+    }
+    const double across = 2 * 1.05 * radius_ / kSize;
+    area_ = std::max<double>(1, static_cast<double>(all)) / static_cast<double>(views_.size()) * across * across;
+  }
+
+  DVec3 area_vector(const Face& face) const { return area_vector(face.points, kNone, Vec3(0)); }
+
+  /// Twice the area along the normal, of a face of which one point stands elsewhere.
+  DVec3 area_vector(const std::array<std::uint32_t, 3>& points, std::uint32_t moved, Vec3 elsewhere) const {
+    DVec3 at[3];
+    for (std::size_t k = 0; k < 3; ++k) at[k] = DVec3(points[k] == moved ? elsewhere : soup_.points[points[k]]);
+    return glm::cross(at[1] - at[0], at[2] - at[0]);
+  }
+
+  void add_planes() {
+    quadrics_.resize(soup_.points.size());
+    for (const Face& face : soup_.faces) {
+      const DVec3 doubled = area_vector(face);
+      const double length = glm::length(doubled);
+      if (!(length > 0)) continue;
+      const DVec3 normal = (1 / length) * doubled;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t from = face.points[k];
+        const std::uint32_t to = face.points[(k + 1) % 3];
+        const DVec3 position(soup_.points[from]);
+        quadrics_[from].add_plane(normal, position, length);
+        if (shared_faces(from, to) != 1) continue;
+        const DVec3 along = DVec3(soup_.points[to]) - position;
+        const double square = glm::dot(along, along);
+        if (!(square > 0)) continue;
+        const DVec3 outward = glm::cross(along, normal) * (1 / std::sqrt(square));
+        quadrics_[from].add_plane(outward, position, 0.25 * square);
+        quadrics_[to].add_plane(outward, position, 0.25 * square);
+      }
+    }
+  }
+
+  static bool has(const Face& face, std::uint32_t point) {
+    return face.points[0] == point || face.points[1] == point || face.points[2] == point;
+  }
+
+  std::size_t shared_faces(std::uint32_t a, std::uint32_t b) const {
+    return static_cast<std::size_t>(
+        std::count_if(around_[a].begin(), around_[a].end(), [&](std::uint32_t f) { return has(soup_.faces[f], b); }));
+  }
+
+  std::vector<std::uint32_t> neighbours(std::uint32_t point) const {
+    std::vector<std::uint32_t> found;
+    for (const std::uint32_t f : around_[point]) {
+      for (const std::uint32_t other : soup_.faces[f].points) {
+        if (other != point) found.push_back(other);
+      }
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+
+  /// The faces that hang together with a point, if they are few.
+  std::vector<std::uint32_t> small_piece(std::uint32_t point) const {
+    std::vector<std::uint32_t> faces;
+    std::vector<std::uint32_t> points{point};
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      for (const std::uint32_t f : around_[points[k]]) {
+        if (std::find(faces.begin(), faces.end(), f) != faces.end()) continue;
+        if (faces.size() == kSmallPiece) return {};
+        faces.push_back(f);
+        for (const std::uint32_t other : soup_.faces[f].points) {
+          if (std::find(points.begin(), points.end(), other) == points.end()) points.push_back(other);
+        }
+      }
+    }
+    return faces;
+  }
+
+  /// The volume between faces, as a share of the plant's.
+  double shape_cost(double volume) const { return kShapeWeight * volume / (area_ * radius_); }
+
+  double volume_of(const Quadric& quadric, Vec3 at) const {
+    return std::sqrt(quadric.at(DVec3(at)) * quadric.weight()) / 6;
+  }
+
+  /// By how much the outlines become worse, as a share of the whole outline, if those of `faces` that keep three points
+  /// have `moved` at `target`, where the point `onto` is, and the others go.
+  double outline_cost(const std::vector<std::uint32_t>& faces, std::uint32_t moved, std::uint32_t onto, Vec3 target,
+                      Scratch& scratch) const {
+    if (faces.empty()) return 0;
+    const std::size_t group = 1 + std::size_t{soup_.faces[faces[0]].group};
+    double worse = 0;
+    for (std::size_t view = 0; view < views_.size(); ++view) {
+      scratch.touched.clear();
+      for (const std::uint32_t f : faces) {
+        const Face& face = soup_.faces[f];
+        mark(view, face, kNone, target, -1, scratch);
+        if (moved != kNone && (onto == kNone || !has(face, onto))) mark(view, face, moved, target, 1, scratch);
+      }
+      int whole = 0;
+      int own = 0;
+      for (const std::uint32_t pixel : scratch.touched) {
+        const int delta = scratch.delta[pixel];
+        scratch.delta[pixel] = 0;
+        if (delta == 0) continue;
+        whole += change(view, 0, pixel, delta);
+        own += change(view, group, pixel, delta);
+      }
+      worse += pixel_share_[view] * (whole + kGroupWeight * own);
+    }
+    return worse;
+  }
+
+  /// 1 if a pixel that is as it was in the beginning would no longer be so, -1 if it would be so again, else 0.
+  int change(std::size_t view, std::size_t plane, std::uint32_t pixel, int delta) const {
+    const int covered = count(view, plane, pixel);
+    const bool is_covered = covered > 0;
+    const bool would_be = covered + delta > 0;
+    if (is_covered == would_be) return 0;
+    const bool is_wanted = is_wanted_[(view * planes_ + plane) * kSize * kSize + pixel] != 0;
+    return would_be == is_wanted ? -1 : 1;
+  }
+
+  void mark(std::size_t view, const Face& face, std::uint32_t moved, Vec3 target, int by, Scratch& scratch) const {
+    glm::dvec2 corners[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t point = face.points[k];
+      corners[k] = views_[view].pixel(point == moved ? target : soup_.points[point]);
+    }
+    cover_triangle(corners[0], corners[1], corners[2], kSize, [&](int row, int first, int end) {
+      for (int x = first; x < end; ++x) {
+        const auto pixel = static_cast<std::uint32_t>(row * kSize + x);
+        scratch.touched.push_back(pixel);
+        scratch.delta[pixel] = static_cast<std::int16_t>(scratch.delta[pixel] + by);
+      }
+    });
+  }
+
+  /// Whether no face turns over or becomes a line if a point moves; those with `onto` go.
+  bool keeps_facing(std::uint32_t point, std::uint32_t onto, Vec3 target) const {
+    return std::all_of(around_[point].begin(), around_[point].end(), [&](std::uint32_t f) {
+      const Face& face = soup_.faces[f];
+      if (onto != kNone && has(face, onto)) return true;
+      const DVec3 before = area_vector(face);
+      const DVec3 after = area_vector(face.points, point, target);
+      const double square = glm::length(after);
+      if (!(square > 1e-6 * longest_edge(face, point, target))) return false;
+      return glm::dot(before, after) > kLeastCosine * glm::length(before) * square;
+    });
+  }
+
+  /// Squared.
+  double longest_edge(const Face& face, std::uint32_t moved, Vec3 target) const {
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = face.points[k];
+      const std::uint32_t b = face.points[(k + 1) % 3];
+      const DVec3 along = DVec3(a == moved ? target : soup_.points[a]) - DVec3(b == moved ? target : soup_.points[b]);
+      longest = std::max(longest, glm::dot(along, along));
+    }
+    return longest;
+  }
+
+  bool may_collapse(std::uint32_t from, std::uint32_t to, const std::vector<std::uint32_t>& near) const {
+    std::vector<std::uint32_t> common;
+    const std::vector<std::uint32_t> others = neighbours(to);
+    std::set_intersection(near.begin(), near.end(), others.begin(), others.end(), std::back_inserter(common));
+    if (common.size() != shared_faces(from, to)) return false;
+    return keeps_facing(from, to, soup_.points[to]);
+  }
+
+  Step best_step(std::uint32_t from, Scratch& scratch) const {
+    Step best;
+    if (around_[from].empty()) return best;
+    const std::vector<std::uint32_t> near = neighbours(from);
+    std::vector<std::pair<double, std::uint32_t>> targets;
+    for (const std::uint32_t to : near) {
+      Quadric sum = quadrics_[from];
+      sum += quadrics_[to];
+      targets.emplace_back(volume_of(sum, soup_.points[to]), to);
+    }
+    std::sort(targets.begin(), targets.end());
+    std::size_t tried = 0;
+    for (const auto& [volume, to] : targets) {
+      if (tried == kTriedTargets) break;
+      if (!may_collapse(from, to, near)) continue;
+      ++tried;
+      const double cost = shape_cost(volume) + outline_cost(around_[from], from, to, soup_.points[to], scratch);
+      if (cost < best.cost) best = {cost, to, false};
+    }
+    const std::vector<std::uint32_t> piece = small_piece(from);
+    if (!piece.empty()) {
+      double area = 0;
+      for (const std::uint32_t f : piece) area += 0.5 * glm::length(area_vector(soup_.faces[f]));
+      const double cost = shape_cost(area * std::sqrt(area)) + outline_cost(piece, kNone, kNone, Vec3(0), scratch);
+      if (cost < best.cost) best = {cost, kNone, false};
+    }
+    return best;
+  }
+
+  /// The point with the cheapest step of all; none: nothing can go. Ties: the first. Nothing changes between the rounds
+  /// but the step of the point that looked cheapest, and a step just found is good: so there are no more rounds than
+  /// points, and one.
+  std::uint32_t cheapest() {
+    for (std::size_t round = 0; round <= steps_.size(); ++round) {
+      std::uint32_t best = kNone;
+      double cost = kNever;
+      for (std::uint32_t k = 0; k < steps_.size(); ++k) {
+        if (steps_[k].cost < cost) {
+          cost = steps_[k].cost;
+          best = k;
+        }
+      }
+      if (best == kNone || is_good(best)) return best;
+      steps_[best] = best_step(best, scratch_);
+    }
+    return kNone;
+  }
+
+  /// Whether a point's step is as it was found: nothing near has changed, and the neighbour is one still.
+  bool is_good(std::uint32_t point) const {
+    const Step& step = steps_[point];
+    if (step.is_stale) return false;
+    return step.to == kNone ? !small_piece(point).empty() : shared_faces(point, step.to) > 0;
+  }
+
+  /// Takes a face out of the pictures, or puts it there.
+  void redraw(std::uint32_t f, int by) {
+    for (std::size_t view = 0; view < views_.size(); ++view) add_face(view, soup_.faces[f], by);
+  }
+
+  void remove(std::uint32_t f) {
+    is_gone_[f] = 1;
+    --left_;
+    for (const std::uint32_t point : soup_.faces[f].points) std::erase(around_[point], f);
+  }
+
+  /// Takes the step of a point, which is good: at least one face goes, so there are no more steps than faces.
+  void take(std::uint32_t from) {
+    const std::uint32_t to = steps_[from].to;
+    if (to == kNone) {
+      for (const std::uint32_t f : small_piece(from)) {
+        redraw(f, -1);
+        const auto points = soup_.faces[f].points;
+        remove(f);
+        for (const std::uint32_t point : points) steps_[point] = {};
+      }
+      return;
+    }
+    const std::vector<std::uint32_t> faces = around_[from];
+    const std::vector<std::uint32_t> wearing = around_[to];
+    for (const std::uint32_t near : neighbours(from)) steps_[near].is_stale = true;
+    for (const std::uint32_t f : faces) {
+      redraw(f, -1);
+      if (has(soup_.faces[f], to)) {
+        remove(f);
+        continue;
+      }
+      Face& face = soup_.faces[f];
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (face.points[k] != from) continue;
+        face.points[k] = to;
+        face.corners[k] = corner_like(face.corners[k], to, wearing);
+      }
+      around_[to].push_back(f);
+      redraw(f, 1);
+    }
+    around_[from].clear();
+    steps_[from] = {};
+    quadrics_[to] += quadrics_[from];
+    steps_[to] = best_step(to, scratch_);
+    for (const std::uint32_t near : neighbours(to)) {
+      // A neighbour that had no step may have one now.
+      if (std::isfinite(steps_[near].cost)) {
+        steps_[near].is_stale = true;
+      } else {
+        steps_[near] = best_step(near, scratch_);
+      }
+    }
+  }
+
+  /// What a corner wears that comes to another point: of all that is worn there, what is most like it.
+  std::uint32_t corner_like(std::uint32_t corner, std::uint32_t point, const std::vector<std::uint32_t>& faces) const {
+    std::uint32_t best = corner;
+    float nearest = std::numeric_limits<float>::infinity();
+    for (const std::uint32_t f : faces) {
+      const Face& face = soup_.faces[f];
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (face.points[k] != point) continue;
+        const std::uint32_t other = face.corners[k];
+        const float turned = 1 - glm::dot(soup_.corner_normals[corner], soup_.corner_normals[other]);
+        const float apart = turned + glm::distance(soup_.corner_uvs[corner], soup_.corner_uvs[other]);
+        if (apart < nearest) {
+          nearest = apart;
+          best = other;
+        }
+      }
+    }
+    return best;
+  }
+
+  /// Moves points, one after the other, to where the outlines fit better.
+  void fit(Progress& progress) {
+    double reach = 0.35;
+    for (int round = 0; round < kFitRounds; ++round, reach *= 0.6) {
+      for (std::uint32_t point = 0; point < soup_.points.size(); ++point) {
+        if (around_[point].empty()) continue;
+        progress.check();
+        fit_point(point, reach);
+      }
+    }
+    for (Step& step : steps_) step.is_stale = true;
+  }
+
+  void fit_point(std::uint32_t point, double reach) {
+    const Vec3 home = soup_.points[point];
+    const std::vector<std::uint32_t> near = neighbours(point);
+    double edges = 0;
+    for (const std::uint32_t other : near) edges += static_cast<double>(glm::distance(home, soup_.points[other]));
+    const auto step = static_cast<float>(reach * edges / static_cast<double>(near.size()));
+    DVec3 outward(0);
+    for (const std::uint32_t f : around_[point]) outward += area_vector(soup_.faces[f]);
+    const Vec3 normal = normalized_or(Vec3(outward), Vec3(0, 1, 0));
+    const Vec3 aside = any_perpendicular(normal);
+    const Vec3 across = glm::cross(normal, aside);
+    const double volume = volume_of(quadrics_[point], home);
+    double best = -kLeastGain;
+    Vec3 target = home;
+    for (const Vec3 way : {normal, -normal, aside, -aside, across, -across, kUp, -kUp}) {
+      const Vec3 there = glm::clamp(home + step * way, box_.low, box_.high);
+      if (there == home || !keeps_facing(point, kNone, there)) continue;
+      const double cost = shape_cost(volume_of(quadrics_[point], there) - volume) +
+                          outline_cost(around_[point], point, kNone, there, scratch_);
+      if (cost < best) {
+        best = cost;
+        target = there;
+      }
+    }
+    if (target == home) return;
+    for (const std::uint32_t f : around_[point]) redraw(f, -1);
+    soup_.points[point] = target;
+    for (const std::uint32_t f : around_[point]) redraw(f, 1);
+  }
+
+  FaceSoup soup_;
+  std::vector<std::vector<std::uint32_t>> around_;  // faces of each point
+  std::vector<Quadric> quadrics_;
+  std::vector<std::uint8_t> is_gone_;  // 1 or 0 of each face
+  std::vector<Step> steps_;            // the best of each point
+  std::vector<OutlineView> views_;
+  std::size_t planes_ = 1;               // pictures of a view: of all faces, then of each group
+  std::vector<std::uint16_t> counts_;    // faces over each pixel, by view, picture, pixel
+  std::vector<std::uint8_t> is_wanted_;  // 1 or 0: whether there was a face in the beginning
+  Box box_;
+  double radius_ = 1;                // metres
+  std::vector<double> pixel_share_;  // of a view, what a pixel is of all outlines, each of which counts alike
+  double area_ = 1;                  // square metres of the whole outline, in the mean
+  std::size_t left_ = 0;
+  Scratch scratch_;
+};
+
+OutlineCollapse::OutlineCollapse(FaceSoup soup, Progress& progress)
+    : state_(std::make_unique<State>(std::move(soup), progress)) {}
+
+OutlineCollapse::~OutlineCollapse() = default;
+
+void OutlineCollapse::run(std::size_t faces, Progress& progress) { state_->run(faces, progress); }
+
+std::size_t OutlineCollapse::face_count() const { return state_->face_count(); }
+
+FaceSoup OutlineCollapse::soup() const { return state_->left(); }
+
+}  // namespace meristem

@@ -81,6 +81,14 @@ Value component_counts(const MeshScene& scene) {
 
 }  // namespace
 
+void Grower::leave() {
+  const std::lock_guard lock(mutex_);
+  if (running_ != nullptr) running_->cancel();
+  is_other_ = true;
+  grown_ = nullptr;
+  done_ = wished_;
+}
+
 void Grower::open(Wish wish) {
   const std::lock_guard lock(mutex_);
   if (running_ != nullptr) running_->cancel();
@@ -298,7 +306,7 @@ void Grower::show() {
     told.emplace_back("reuse", Value::List{});  // the stages say it: what was reused does not begin
     for (auto& member : counts_value(*sight.grown)) told.push_back(std::move(member));
     const std::lock_guard lock(mutex_);
-    if (is_closed_) return;
+    if (is_closed_ || is_other_) return;
     awaited_ = packets_.number();
     outbox_->send_text(write_json_line(told));
     outbox_->send_packet(std::move(packet));

@@ -55,7 +55,9 @@ class Grower : public std::enable_shared_from_this<Grower> {
   /// `host` outlives it.
   Grower(Host& host, std::shared_ptr<Outbox> outbox) : host_(host), outbox_(std::move(outbox)) {}
 
-  /// Another document: what is in hand is dropped, and the page forgets what it shows.
+  /// Another document will be opened: what is in hand is dropped, and nothing of this one is sent any more.
+  void leave();
+  /// The other document; the page has been told of it, and forgets what it shows.
   void open(Wish wish);
   /// `at_once` where the hand has let go: what is in hand is dropped.
   void want(Wish wish, bool at_once = false);

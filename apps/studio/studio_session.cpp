@@ -119,6 +119,8 @@ void StudioSession::receive(std::string_view message) {
     id = request.id;
     std::optional<Answer> done = std::visit([&](const auto& asked) { return act(request.id, asked); }, request.request);
     if (done) answer(request.id, std::move(*done));
+    // Only now, so that no packet of a document comes before the answer that opens it.
+    if (std::exchange(is_opened_, false)) grower_->open({.document = document_, .hash = hash_});
     return;
   } catch (const Refusal& refusal) {
     refuse(id ? id : request_id(message.substr(0, host_.limits.message_bytes)), refusal.what(), refusal.members());
@@ -214,6 +216,7 @@ StudioSession::Opened StudioSession::opened(const OpenRequest& request) const {
 std::optional<StudioSession::Answer> StudioSession::act(double, const OpenRequest& request) {
   Opened found = opened(request);
   jobs_->cancel();
+  grower_->leave();
   root_ = found.root;
   path_ = found.path;
   model_ = request.model;
@@ -221,7 +224,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const OpenReques
   session_.emplace(std::move(found.text), found.file, host_.registry, SessionOptions{.root = root_, .most_undone = 0});
   hash_ = text_hash(session_->text());
   document_ = session_->is_good() ? std::make_shared<const Document>(*session_->document()) : nullptr;
-  grower_->open({.document = document_, .hash = hash_});
+  is_opened_ = true;
   Answer answer{{"path", text_or_null(path_)},
                 {"model", text_or_null(model_)},
                 {"name", title_},

@@ -101,6 +101,7 @@ class StudioSession {
   std::optional<std::string> model_;                            // the shipped model that was opened
   std::string title_;                                           // of the file or the model
   std::string hash_;                                            // of the session's text
+  bool is_opened_ = false;                                      // a document has been, and its growth has not begun
   std::shared_ptr<const Document> document_;                    // what was shown last
   std::deque<std::chrono::steady_clock::time_point> received_;  // within the last second
 };

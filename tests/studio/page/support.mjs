@@ -96,6 +96,7 @@ export async function ready(page) {
 
 /// When the server knows the text, and what is shown is what the text says, at rest.
 export async function settled(page) {
+  const state = () => page.evaluate(() => JSON.stringify([window.studio.document.state.get().hash, window.studio.growth.get(), window.studio.server.get().link]));
   await page.waitForFunction(
     () => {
       const { studio } = window;
@@ -105,7 +106,9 @@ export async function settled(page) {
     },
     null,
     { timeout: 60000 },
-  );
+  ).catch(async (fault) => {
+    throw new Error(`the page does not settle: ${await state()}`, { cause: fault });
+  });
 }
 
 export const text_of = (page) => page.evaluate(() => window.studio.document.state.get().text);

@@ -17,7 +17,6 @@ namespace {
 constexpr int kMapSize = 720;  // pixels of a map's longer side, about
 constexpr int kMargin = 20;
 constexpr int kScale = 2;  // pixels of a dot of the letters
-constexpr Pixel kPaper = {255, 255, 255};
 constexpr Pixel kInk = {40, 40, 40};
 constexpr Pixel kNone = {190, 190, 190};  // night, and where an obstacle stands
 

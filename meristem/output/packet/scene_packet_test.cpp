@@ -29,6 +29,7 @@ template <class Number>
 std::vector<Number> array(const ReadPacket& packet, const Value& part, std::string_view name) {
   const Value::List& place = *part.find(name)->list();
   std::vector<Number> numbers(static_cast<std::size_t>(*place[1].number()));
+  if (numbers.empty()) return numbers;
   std::memcpy(numbers.data(), packet.arrays.data() + static_cast<std::size_t>(*place[0].number()),
               numbers.size() * sizeof(Number));
   return numbers;

@@ -32,14 +32,13 @@ function(meristem_compile_options target)
   endif()
 endfunction()
 
-# meristem_room(NAME [IN_BATCHES] SOURCES ... HEADERS ... TESTS ... PUBLIC ... PRIVATE ... TESTED_WITH ...)
+# meristem_room(NAME SOURCES ... HEADERS ... TESTS ... PUBLIC ... PRIVATE ... TESTED_WITH ...)
 #
 # One static library `meristem_NAME`, alias `meristem::NAME`, and one test program `meristem_NAME_tests` from the files
 # in TESTS. PUBLIC and PRIVATE are the link lists: the rooms whose headers this room's headers and sources include, so
-# that the links between the targets are the architecture. TESTED_WITH names what only the tests link. IN_BATCHES: its
-# sources may be compiled eight at once (MERISTEM_BATCHES), so no two of them may give one name to different things.
+# that the links between the targets are the architecture. TESTED_WITH names what only the tests link.
 function(meristem_room name)
-  cmake_parse_arguments(ROOM "IN_BATCHES" "" "SOURCES;HEADERS;TESTS;PUBLIC;PRIVATE;TESTED_WITH" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "SOURCES;HEADERS;TESTS;PUBLIC;PRIVATE;TESTED_WITH" ${ARGN})
   set(target meristem_${name})
   if(ROOM_SOURCES)
     add_library(${target} STATIC ${ROOM_SOURCES})
@@ -54,9 +53,6 @@ function(meristem_room name)
       else()
         target_precompile_headers(${target} REUSE_FROM meristem_base)
       endif()
-    endif()
-    if(MERISTEM_BATCHES AND ROOM_IN_BATCHES)
-      set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
     endif()
     set(scope PUBLIC)
     target_link_libraries(${target} PRIVATE ${ROOM_PRIVATE})

@@ -11,18 +11,18 @@ Directions::Directions(const Light& light, SkyDirection shown) {
     toward_light_ = light.sun[0].toward;  // to the last bit
   } else if (!light.sun.empty()) {
     DVec3 sum(0);
-    for (const FarLight& sun : light.sun) sum += sun.strength * DVec3(sun.toward);
+    for (const DirectionalLight& sun : light.sun) sum += sun.strength * DVec3(sun.toward);
     toward_light_ = normalized_or(Vec3(sum), kUp);
   } else if (shown.altitude > 0) {
     toward_light_ = unit_vector(shown);
   }
-  for (const FarLight& far : light.sun) far_strength_ += far.strength;
-  for (const FarLight& far : light.sky) far_strength_ += far.strength;
+  for (const DirectionalLight& directional : light.sun) directional_strength_ += directional.strength;
+  for (const DirectionalLight& directional : light.sky) directional_strength_ += directional.strength;
   if (!light.lamps.empty()) lamps_ = std::make_shared<const std::vector<Lamp>>(light.lamps);
 }
 
 Vec3 Directions::toward_all(Vec3 position) const {
-  DVec3 sum = far_strength_ * DVec3(toward_light_);
+  DVec3 sum = directional_strength_ * DVec3(toward_light_);
   for (const Lamp& lamp : *lamps_) {
     const LightRay ray = Light::ray_to(lamp, position);
     sum += ray.strength * DVec3(ray.toward);

@@ -20,7 +20,7 @@ class Directions {
   explicit Directions(Vec3 toward_light, Vec3 down = -kUp) : toward_light_(toward_light), down_(down) {}
   /// Toward the middle of the sun's positions, each by its strength; where the sun gives no light (under a sky without
   /// a sun) toward the one in pictures, `shown`, and up where that is below the horizon, as all light comes from the
-  /// sky then. Lamps pull as strongly as they shine, against the strength of all far light.
+  /// sky then. Lamps pull as strongly as they shine, against the strength of all directional light.
   Directions(const Light& light, SkyDirection shown);
 
   Vec3 toward_light(Vec3 position) const { return lamps_ == nullptr ? toward_light_ : toward_all(position); }
@@ -31,9 +31,9 @@ class Directions {
  private:
   Vec3 toward_all(Vec3 position) const;
 
-  Vec3 toward_light_ = kUp;  // of far light
+  Vec3 toward_light_ = kUp;  // direction to the directional light
   Vec3 down_ = -kUp;
-  double far_strength_ = 0;
+  double directional_strength_ = 0;
   std::shared_ptr<const std::vector<Lamp>> lamps_;  // null where there are none
 };
 

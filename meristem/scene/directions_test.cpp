@@ -14,7 +14,7 @@ void expect_near(Vec3 found, Vec3 expected) {
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(found[k], expected[k], 1e-5) << k;
 }
 
-Scene scene_under(std::vector<FarLight> sun, SkyDirection shown) {
+Scene scene_under(std::vector<DirectionalLight> sun, SkyDirection shown) {
   Scene scene;
   scene.light.sun = std::move(sun);
   scene.sun = shown;
@@ -22,13 +22,13 @@ Scene scene_under(std::vector<FarLight> sun, SkyDirection shown) {
 }
 
 TEST(Directions, OnePositionOfTheSunIsTheWayToTheLastBit) {
-  const Scene scene = scene_under({FarLight{unit_vector(kMorning)}}, kMorning);
+  const Scene scene = scene_under({DirectionalLight{unit_vector(kMorning)}}, kMorning);
   EXPECT_EQ(scene.directions().toward_light({1, 2, 3}), unit_vector(kMorning));
   EXPECT_EQ(Scene().directions().toward_light({1, 2, 3}), kUp);
 }
 
 TEST(Directions, OverADayItIsTheMiddleOfTheSunsPositions) {
-  const std::vector<FarLight> day = sun_of_day(radians(50), 172, 1);
+  const std::vector<DirectionalLight> day = sun_of_day(radians(50), 172, 1);
   const Vec3 found = scene_under(day, kMorning).directions().toward_light(Vec3(0));
   EXPECT_NEAR(found.x, 0, 1e-6);  // as much morning as evening
   EXPECT_GT(found.z, 0.1);        // toward the south

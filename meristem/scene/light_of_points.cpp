@@ -24,7 +24,7 @@ constexpr std::size_t kLightsAtOnce = 16;
 constexpr std::size_t kPointsPerBlock = 64;
 constexpr std::uint32_t kPointsPerCheck = 1024;
 
-/// Of the rows of a disc, from its middle outward.
+/// The half widths of the rows of a disc, from its middle outward.
 using HalfWidths = std::array<int, kCellsPerRadius + 1>;
 
 /// Counters in a plane, cell by cell, kept in bricks where there are any.
@@ -81,7 +81,7 @@ HalfWidths disc_half_widths() {
   return half_widths;
 }
 
-/// For each point how many others lie between it and a light far away toward `toward`, within `radius` to the side.
+/// For each point how many others lie between it and a directional light toward `toward`, within `radius` to the side.
 std::vector<std::uint32_t> count_before(const std::vector<Vec3>& points, Vec3 toward, double radius,
                                         const Progress& progress) {
   const auto half_widths = disc_half_widths();
@@ -126,21 +126,21 @@ std::vector<double> light_of_points(const std::vector<Vec3>& points, const Scene
   const auto is_shaded = [&](Vec3 point, const LightRay& ray) {
     return scene.obstacles.block(point, ray.toward, ray.distance);
   };
-  std::vector<FarLight> far = scene.light.sun;
-  far.insert(far.end(), scene.light.sky.begin(), scene.light.sky.end());
+  std::vector<DirectionalLight> lights = scene.light.sun;
+  lights.insert(lights.end(), scene.light.sky.begin(), scene.light.sky.end());
   std::vector<std::vector<std::uint32_t>> before(kLightsAtOnce);
-  for (std::size_t first = 0; first < far.size(); first += kLightsAtOnce) {
-    const std::size_t count = std::min(kLightsAtOnce, far.size() - first);
+  for (std::size_t first = 0; first < lights.size(); first += kLightsAtOnce) {
+    const std::size_t count = std::min(kLightsAtOnce, lights.size() - first);
     parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
-        before[f] = count_before(points, far[first + f].toward, radius, progress);
+        before[f] = count_before(points, lights[first + f].toward, radius, progress);
       }
     });
     parallel_for(points.size(), kPointsPerBlock, [&](std::size_t begin, std::size_t end) {
       progress.check();
       for (std::size_t p = begin; p < end; ++p) {
         for (std::size_t f = 0; f < count; ++f) {
-          const FarLight& one = far[first + f];
+          const DirectionalLight& one = lights[first + f];
           if (!is_shaded(points[p], {.toward = one.toward})) light[p] += one.strength * math::exp(-k * before[f][p]);
         }
       }

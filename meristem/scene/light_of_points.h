@@ -12,7 +12,7 @@
 namespace meristem {
 
 /// Which points are left, by rising index, when `share` (0 to 1) of all, rounded down, is removed, the darkest first;
-/// of equally dark ones the lot decides.
+/// among equally dark points the lot decides.
 std::vector<std::uint32_t> brightest(std::span<const double> light, double share);
 
 /// The light of each of `points` (world space), 0 to 1 without lamps: over the scene's lights, weighted by strength,

@@ -10,12 +10,14 @@ namespace meristem {
 
 /// From where and how the scene is seen. What is unset is chosen so that the whole plant is in the picture.
 struct View {
-  std::optional<Vec3> position;    ///< of the camera, metres
+  std::optional<Vec3> position;    ///< position of the camera, metres
   std::optional<Vec3> target;      ///< what it looks at, metres; the middle of the plant
-  double azimuth = 2.6;            ///< of the camera as seen from the target where it has no position; radians
-  double altitude = 0.1;           ///< and its height over the horizon, radians
+  double azimuth = 2.6;            ///< azimuth of the camera as seen from the target where it has no position; radians
+  double altitude = 0.1;           ///< altitude of the camera over the horizon as seen from the target, radians
   double field_of_view = 0.6;      ///< vertical, radians; larger: wider and more perspective
   std::optional<Vec3> background;  ///< sRGB; the sky if unset
+  std::optional<double> haze;      ///< metres over which haze hides two thirds of what is seen; unset: none
+  double clouds = 0;               ///< share of the sky that clouds cover, where it is seen
 };
 
 /// The sides that seen_from knows, in words for messages.

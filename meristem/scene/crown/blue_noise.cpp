@@ -15,7 +15,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffU;
+constexpr std::uint32_t kNoPoint = 0xffffffffU;
 constexpr double kFilled = 0.3;
 constexpr int kMostMisses = 40;  // in a row
 constexpr float kShrink = 0.97F;
@@ -86,7 +86,7 @@ bool BlueNoise::append(CrownSampler& sampler, std::uint64_t count, Progress& pro
 void BlueNoise::begin_group(double spacing, std::size_t expected) {
   present_spacing_ = static_cast<float>(spacing);
   cell_size_ = std::max(spacing, 1e-9);
-  first_.assign(std::bit_ceil(std::max<std::size_t>(2 * (kept_.size() + expected), 16)), kNone);
+  first_.assign(std::bit_ceil(std::max<std::size_t>(2 * (kept_.size() + expected), 16)), kNoPoint);
   std::vector<Kept> before;
   before.swap(kept_);
   for (const Kept& each : before) insert(each.point, each.spacing);
@@ -118,7 +118,7 @@ bool BlueNoise::is_free(Vec3 point) const {
     std::uint32_t other =
         first_[bucket(static_cast<std::int64_t>(cell.x) + step[0], static_cast<std::int64_t>(cell.y) + step[1],
                       static_cast<std::int64_t>(cell.z) + step[2])];
-    for (; other != kNone; other = kept_[other].next) {
+    for (; other != kNoPoint; other = kept_[other].next) {
       const Vec3 between = kept_[other].point - point;
       const float apart = std::min(present_spacing_, kept_[other].spacing);
       if (glm::dot(between, between) < apart * apart) return false;

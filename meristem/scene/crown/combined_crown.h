@@ -21,13 +21,13 @@ class CombinedCrown : public Crown {
   CombinedCrown(CombineKind kind, std::vector<CrownPointer> crowns);
   bool contains(Vec3 point) const override;
   Box bounds() const override { return bounds_; }
-  /// Of what remains after a subtraction: the first crown's.
+  /// The axis of the first crown, also of what remains of it after a subtraction.
   Vec2 axis() const override;
 
  private:
   CombineKind kind_;
   std::vector<CrownPointer> crowns_;
-  std::vector<Box> boxes_;  // of each crown
+  std::vector<Box> boxes_;  // box of each crown
   Box bounds_;
 };
 

@@ -13,7 +13,7 @@ class Crown {
  public:
   virtual ~Crown() = default;
 
-  /// The same on every machine; may be called from many threads at once.
+  /// Whether the position is in the crown: the same answer on every machine. May be called from many threads at once.
   virtual bool contains(Vec3 point) const = 0;
   /// A box that holds all of it; empty only where the crown is.
   virtual Box bounds() const = 0;

@@ -16,7 +16,7 @@ namespace meristem {
 /// How points are spread over a crown.
 struct PointDistribution {
   struct Share {
-    double share = 0;  ///< of the points, in (0, 1]; all shares together at most 1
+    double share = 0;  ///< share of the points, in (0, 1]; all shares together at most 1
     CrownZone zone;
   };
   std::uint64_t count = 0;

@@ -31,7 +31,7 @@ std::vector<Vec3> place(const Crown& crown, const PointDistribution& distributio
 // Coordinates in [0, 1] in which equal volumes are equal.
 using EqualVolume = std::function<DVec3(Vec3)>;
 
-// Points fall evenly into 10 x 10 x 10 cells of equal volume. With 100 points a cell on average the statistic has 999
+// Points fall evenly into 10 x 10 x 10 cells of equal volume. With 100 points per cell on average the statistic has 999
 // degrees of freedom: it exceeds 999 + 3.29 sqrt(2 * 999) = 1146, or stays below 852, by chance once in two thousand.
 void expect_uniform(const std::vector<Vec3>& points, const EqualVolume& cell_of) {
   constexpr int kParts = 10;

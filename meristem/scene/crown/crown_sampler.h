@@ -32,8 +32,8 @@ class ZonedCrown : public Crown {
   Vec2 axis_;
 };
 
-/// Whether so much of a crown's bounds is filled that points can be placed: about a two-thousandth. Quick for crowns
-/// that fill more.
+/// Whether a crown fills enough of its bounds, about a two-thousandth, that points can be placed. Quick for crowns that
+/// fill more.
 bool is_fillable(const Crown& crown);
 
 /// Points uniform in a crown's volume, one after another: the k-th is the k-th trial in the crown's bounds that the
@@ -59,7 +59,7 @@ class CrownSampler {
   std::uint64_t trials_ = 0;
   std::uint64_t accepted_ = 0;
   std::vector<Vec3> waiting_;  // accepted but not given out
-  std::size_t given_ = 0;      // of these
+  std::size_t given_ = 0;      // points of `waiting_` that were given out
 };
 
 }  // namespace meristem

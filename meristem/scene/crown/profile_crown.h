@@ -35,7 +35,7 @@ class ProfileCrown : public Crown {
  private:
   struct Side {
     double azimuth;  // in [0, 2 pi)
-    Curve radius;    // of height
+    Curve radius;    // radius over height
   };
   std::vector<Side> sides_;  // by azimuth
   double lowest_ = 0;

@@ -170,7 +170,7 @@ GltfNumbers GlbFile::numbers(std::uint64_t accessor, std::string_view type, std:
   result.type_bytes = component_bytes(result.type, place);
   if (const Json* normalized = find(said, "normalized", place)) result.is_normalized = *normalized == true;
 
-  // Where its view has the bytes, all of which have to be there.
+  // Where its view has the bytes; all bytes have to be there.
   const std::string view_place = fmt::format("bufferViews[{}]", *view_index);
   const Json& view = element("bufferViews", *view_index, place);
   const std::string_view bytes = view_bytes(view, view_place);

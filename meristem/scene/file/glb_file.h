@@ -68,7 +68,7 @@ class GlbFile {
     return true;
   }
 
-  /// An accessor of a type with so many components, "VEC3" with 3, all of which lies in the binary chunk.
+  /// An accessor of a type with this number of components, "VEC3" with 3; all of it lies in the binary chunk.
   GltfNumbers numbers(std::uint64_t accessor, std::string_view type, std::uint64_t components) const;
 
  private:

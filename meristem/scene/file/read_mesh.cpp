@@ -19,7 +19,7 @@ namespace meristem {
 
 namespace {
 
-constexpr double kMostVertices = 4294967295.0;
+constexpr double kLastIndex = 4294967295.0;
 
 /// Adds a polygon as a fan around its first vertex.
 void add_polygon(const std::vector<std::uint32_t>& corners, const std::string& file, const Limits& limits,
@@ -83,7 +83,7 @@ class ObjReader {
     std::int64_t number = 0;
     const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     if (parsed.ec != std::errc() || parsed.ptr != digits.data() + digits.size() || number == 0 ||
-        number > static_cast<std::int64_t>(kMostVertices)) {
+        number > static_cast<std::int64_t>(kLastIndex)) {
       text_.fail(fmt::format("{} is not a vertex", in_quotes(word)), "a number from 1, or from -1 down");
     }
     const auto count = static_cast<std::int64_t>(mesh_.positions.size());
@@ -133,7 +133,7 @@ TriangleMesh parse_ply(std::string_view bytes, const std::string& file, const Li
     } else if (&element == faces) {
       corners.clear();
       for (const double index : row.lists[list]) {
-        if (!(index >= 0 && index < static_cast<double>(vertices->count) && index < kMostVertices)) {
+        if (!(index >= 0 && index < static_cast<double>(vertices->count) && index < kLastIndex)) {
           ply.fail(element, row, fmt::format("there is not a vertex {:.12g}", index),
                    fmt::format("0 to {}", vertices->count - 1));
         }

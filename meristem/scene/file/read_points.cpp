@@ -25,7 +25,7 @@ constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
   throw InputError(std::move(diagnostic));
 }
 
-PointCloud parse_ply(std::string_view bytes, const std::string& file, const Limits& limits) {
+PointCloud parse_ply_points(std::string_view bytes, const std::string& file, const Limits& limits) {
   const PlyFile ply(bytes, file);
   const PlyElement* vertices = ply.find("vertex");
   if (vertices == nullptr) {
@@ -83,7 +83,7 @@ PointCloud parse_text(std::string_view bytes, const std::string& file, const Lim
 }  // namespace
 
 PointCloud parse_points(std::string_view bytes, const std::string& file, const Limits& limits) {
-  PointCloud points = PlyFile::begins(bytes) ? parse_ply(bytes, file, limits) : parse_text(bytes, file, limits);
+  PointCloud points = PlyFile::begins(bytes) ? parse_ply_points(bytes, file, limits) : parse_text(bytes, file, limits);
   if (points.empty()) {
     throw InputError(Diagnostic{.message = "the file has no points", .expected = "a point or more", .file = file});
   }

@@ -17,7 +17,7 @@ using PointCloud = std::vector<DVec3>;
 /// first three numbers, between blanks, commas or semicolons. In a text, lines that begin with # or // are comments,
 /// and the first other line may be a heading. Throws InputError with file and line or row.
 PointCloud read_points(const std::string& path, const Limits& limits);
-/// The same of a file's bytes; `file` is its name in messages.
+/// The points of a file's bytes, as `read_points` gives them; `file` is the file's name in messages.
 PointCloud parse_points(std::string_view bytes, const std::string& file, const Limits& limits);
 
 }  // namespace meristem

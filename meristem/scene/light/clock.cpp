@@ -22,7 +22,7 @@ int days_of_month(int year, int month) {
   return kDays[static_cast<std::size_t>(month - 1)] + (month == 2 && is_leap(year) ? 1 : 0);
 }
 
-/// A whole number of exactly `digits` digits, or at most so many; nothing for other texts.
+/// A whole number of exactly `digits` digits, or of at most that number of digits; nothing for other texts.
 std::optional<int> whole_number(std::string_view text, std::size_t least, std::size_t most) {
   if (text.size() < least || text.size() > most) return std::nullopt;
   int number = 0;

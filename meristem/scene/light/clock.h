@@ -16,7 +16,7 @@ namespace meristem {
 struct Date {
   int year = 2000;
   int month = 1;  ///< from 1
-  int day = 1;    ///< of the month, from 1
+  int day = 1;    ///< day of the month, from 1
 
   bool operator==(const Date&) const = default;
 };
@@ -26,7 +26,7 @@ std::optional<Date> parse_date(std::string_view text);
 std::string date_text(const Date& date);  ///< "2026-06-21"
 /// From 1 for 1 January.
 int day_of_year(const Date& date);
-/// The date so many days later, or earlier.
+/// The date this number of days later, or earlier.
 Date later(const Date& date, int days);
 /// Days from one date to another.
 int days_between(const Date& from, const Date& to);
@@ -38,17 +38,17 @@ std::string clock_hour_text(double hour);  ///< "15:30", to the nearest minute
 /// What a clock needs to know of its position on the earth.
 struct ClockZone {
   double longitude = 0;   ///< radians, east positive
-  double utc_offset = 0;  ///< hours by which the clock is ahead of universal time: 1 in central Europe, 2 in its summer
+  double utc_offset = 0;  ///< hours that the clock is ahead of universal time: 1 in central Europe, 2 in its summer
 
   bool operator==(const ClockZone&) const = default;
 };
 
 /// The sun as a clock's time gives it.
 struct ClockSun {
-  SkyDirection position;        ///< of its centre, without the air's refraction
+  SkyDirection position;        ///< position of the sun's centre, without the air's refraction
   double solar_hour = 12;       ///< true solar time, [0, 24)
   double declination = 0;       ///< radians
-  double equation_of_time = 0;  ///< minutes by which a sundial is ahead of a clock that runs evenly
+  double equation_of_time = 0;  ///< minutes that a sundial is ahead of a clock that runs evenly
 };
 
 /// Where the sun stands at `latitude` (radians, north positive) on a date at a clock's hour.

@@ -18,8 +18,8 @@ constexpr double kNearest = 0.1;  // metres: a lamp is no point, so nearer to it
 
 Vec3 Light::mean_direction() const {
   DVec3 sum(0);
-  for (const FarLight& far : sun) sum += far.strength * DVec3(far.toward);
-  for (const FarLight& far : sky) sum += far.strength * DVec3(far.toward);
+  for (const DirectionalLight& directional : sun) sum += directional.strength * DVec3(directional.toward);
+  for (const DirectionalLight& directional : sky) sum += directional.strength * DVec3(directional.toward);
   return normalized_or(Vec3(sum), kUp);
 }
 
@@ -32,12 +32,12 @@ LightRay Light::ray_to(const Lamp& lamp, Vec3 point) {
           .strength = lamp.strength / (near * near)};
 }
 
-std::vector<FarLight> sun_of_day(double latitude, double day, double every_hours) {
+std::vector<DirectionalLight> sun_of_day(double latitude, double day, double every_hours) {
   return sun_of_days(latitude, {day}, every_hours);
 }
 
-std::vector<FarLight> sun_of_days(double latitude, const std::vector<double>& days, double every_hours) {
-  std::vector<FarLight> positions;
+std::vector<DirectionalLight> sun_of_days(double latitude, const std::vector<double>& days, double every_hours) {
+  std::vector<DirectionalLight> positions;
   double sum = 0;
   // From midnight to midnight, the second one left out: on the polar day it is the first one again.
   const auto steps = static_cast<int>(std::floor(12 / every_hours));
@@ -51,15 +51,15 @@ std::vector<FarLight> sun_of_days(double latitude, const std::vector<double>& da
       sum += sun.altitude;
     }
   }
-  for (FarLight& position : positions) position.strength /= sum;
+  for (DirectionalLight& position : positions) position.strength /= sum;
   return positions;
 }
 
-std::vector<FarLight> even_sky(double strength) {
+std::vector<DirectionalLight> even_sky(double strength) {
   // Rings of equal solid angle a patch, which on a sphere is equal height; the patches are about as high as wide.
   constexpr std::array<int, 4> kPatches = {16, 12, 8, 4};
   constexpr int kCount = 40;
-  std::vector<FarLight> sky;
+  std::vector<DirectionalLight> sky;
   double low = 0;  // sine of the altitude at the ring's lower edge
   for (const int patches : kPatches) {
     const double high = low + static_cast<double>(patches) / kCount;

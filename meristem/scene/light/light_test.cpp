@@ -10,16 +10,16 @@ namespace {
 
 constexpr double kDortmund = 51.51494;  // degrees north
 
-double sum_of(const std::vector<FarLight>& lights) {
+double sum_of(const std::vector<DirectionalLight>& lights) {
   double sum = 0;
-  for (const FarLight& light : lights) sum += light.strength;
+  for (const DirectionalLight& light : lights) sum += light.strength;
   return sum;
 }
 
-double altitude_deg(const FarLight& light) { return degrees(sky_direction(light.toward).altitude); }
+double altitude_deg(const DirectionalLight& light) { return degrees(sky_direction(light.toward).altitude); }
 
 TEST(SunOfDay, HasFifteenWholeHoursOnDay126InDortmund) {
-  const std::vector<FarLight> sun = sun_of_day(radians(kDortmund), 126, 1);
+  const std::vector<DirectionalLight> sun = sun_of_day(radians(kDortmund), 126, 1);
   ASSERT_EQ(sun.size(), 15U);
   for (std::size_t k = 0; k < sun.size(); ++k) {
     const SkyDirection expected = sun_position(radians(kDortmund), 126, 5 + static_cast<double>(k));
@@ -32,10 +32,10 @@ TEST(SunOfDay, HasFifteenWholeHoursOnDay126InDortmund) {
 }
 
 TEST(SunOfDay, IsSymmetricAboutNoon) {
-  const std::vector<FarLight> sun = sun_of_day(radians(-20), 300, 0.7);
+  const std::vector<DirectionalLight> sun = sun_of_day(radians(-20), 300, 0.7);
   ASSERT_EQ(sun.size() % 2, 1U);
   for (std::size_t k = 0; k < sun.size(); ++k) {
-    const FarLight& other = sun[sun.size() - 1 - k];
+    const DirectionalLight& other = sun[sun.size() - 1 - k];
     EXPECT_LT(glm::distance(sun[k].toward, Vec3(-1, 1, 1) * other.toward), 1e-6F);
     EXPECT_NEAR(sun[k].strength, other.strength, 1e-12);
   }
@@ -49,9 +49,9 @@ TEST(SunOfDay, HasEveryHourOfThePolarDayOnceAndNoneOfThePolarNight) {
 }
 
 TEST(SunOfDays, WeighsAllDaysByAltitudeTogether) {
-  const std::vector<FarLight> year = sun_of_days(radians(70), {172, 355, 265}, 2);
-  const std::vector<FarLight> summer = sun_of_day(radians(70), 172, 2);
-  const std::vector<FarLight> autumn = sun_of_day(radians(70), 265, 2);
+  const std::vector<DirectionalLight> year = sun_of_days(radians(70), {172, 355, 265}, 2);
+  const std::vector<DirectionalLight> summer = sun_of_day(radians(70), 172, 2);
+  const std::vector<DirectionalLight> autumn = sun_of_day(radians(70), 265, 2);
   ASSERT_EQ(year.size(), summer.size() + autumn.size()) << "the polar night gives none";
   EXPECT_NEAR(sum_of(year), 1, 1e-12);
   const double a_degree = year[0].strength / altitude_deg(year[0]);
@@ -62,12 +62,12 @@ TEST(SunOfDays, WeighsAllDaysByAltitudeTogether) {
 }
 
 TEST(EvenSky, LightsLevelGroundAsADomeDoes) {
-  const std::vector<FarLight> sky = even_sky(0.4);
+  const std::vector<DirectionalLight> sky = even_sky(0.4);
   EXPECT_EQ(sky.size(), 40U);
   EXPECT_NEAR(sum_of(sky), 0.4, 1e-12);
   // Under a dome of even brightness the light below a height of sine s is s squared of all.
   double low = 0;
-  for (const FarLight& patch : sky) {
+  for (const DirectionalLight& patch : sky) {
     EXPECT_NEAR(glm::length(patch.toward), 1, 1e-6);
     EXPECT_GT(patch.toward.y, 0);
     if (patch.toward.y < 0.7) low += patch.strength;
@@ -76,11 +76,11 @@ TEST(EvenSky, LightsLevelGroundAsADomeDoes) {
 }
 
 TEST(EvenSky, IsTheSameFromAllFourSides) {
-  const std::vector<FarLight> sky = even_sky(1);
-  for (const FarLight& patch : sky) {
+  const std::vector<DirectionalLight> sky = even_sky(1);
+  for (const DirectionalLight& patch : sky) {
     const Vec3 turned(patch.toward.z, patch.toward.y, -patch.toward.x);
     bool has_turned = false;
-    for (const FarLight& other : sky) {
+    for (const DirectionalLight& other : sky) {
       has_turned = has_turned || (glm::distance(other.toward, turned) < 1e-6F && other.strength == patch.strength);
     }
     EXPECT_TRUE(has_turned);

@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <stdexcept>
 #include <utility>
 
 #include "meristem/base/parallel.h"
+#include "meristem/base/require.h"
 
 namespace meristem {
 
 namespace {
 
-constexpr double kOne = 4294967296;  // one shade as a whole number
+constexpr double kFullShade = 4294967296;  // one shade as a whole number
 constexpr double kMostShade = 1e6;
 constexpr double kFarthest = 1e10;  // voxels
 constexpr int kDeepest = 64;
@@ -39,10 +39,6 @@ std::size_t index_in_brick(std::int64_t x, std::int64_t y, std::int64_t z) {
 }
 
 double as_number(std::uint64_t shade) { return static_cast<double>(static_cast<std::int64_t>(shade)); }
-
-void require(bool holds, const char* what) {
-  if (!holds) throw std::invalid_argument(what);
-}
 
 void check(const ShadowParameters& form) {
   require(form.voxel > 0 && std::isfinite(form.voxel), "ShadowParameters::voxel is not above 0");
@@ -329,7 +325,7 @@ void ShadowGrid::cast_together(std::span<const Shader> shaders, const Progress& 
     }
     std::uint64_t* const amounts = together.amounts.data() + together.amounts.size() - layers_.size();
     for (std::size_t q = 0; q < layers_.size(); ++q) {
-      amounts[q] += static_cast<std::uint64_t>(rounded(shaders[placed.shader].weight * layers_[q].shade * kOne));
+      amounts[q] += static_cast<std::uint64_t>(rounded(shaders[placed.shader].weight * layers_[q].shade * kFullShade));
     }
   }
   for (std::uint32_t k = 0; k < together.groups.size(); ++k) {
@@ -404,7 +400,7 @@ void ShadowGrid::shade(std::span<const Vec3> places, std::span<double> found, Re
       __builtin_prefetch(voxels[k]);
     }
     for (std::size_t k = 0; k < count; ++k) {
-      found[first + k] = voxels[k] == nullptr ? 0 : as_number(*voxels[k]) / kOne;
+      found[first + k] = voxels[k] == nullptr ? 0 : as_number(*voxels[k]) / kFullShade;
     }
   }
 }

@@ -52,7 +52,7 @@ class ShadowGrid {
   };
 
  public:
-  /// Bricks that were asked for before, of which all neighbours fit. For one thread, as long as nothing is cast.
+  /// Bricks that were asked for before and whose neighbours all fit. For one thread, as long as nothing is cast.
   class Recent {
    public:
     Recent() { places_.fill({std::numeric_limits<std::int32_t>::min(), 0, 0}); }
@@ -71,8 +71,8 @@ class ShadowGrid {
   /// or more than 10^10 voxels away, and for weights that are not finite or cast over 10^6 shades.
   void add(Vec3 position, double weight = 1);
   void remove(Vec3 position, double weight = 1) { add(position, -weight); }
-  /// The same of many, on all threads. Throws TooMuchMemory before it takes more than `most_bytes`, and Cancelled; then
-  /// some of them are cast.
+  /// Adds what many shaders cast, on all threads. Throws TooMuchMemory before it takes more than `most_bytes`, and
+  /// Cancelled; then some of the shaders are cast.
   void cast(std::span<const Shader> shaders, const Progress& progress,
             std::uint64_t most_bytes = std::numeric_limits<std::uint64_t>::max());
   struct TooMuchMemory {};
@@ -81,7 +81,8 @@ class ShadowGrid {
 
   /// The sum of what was cast on the position's voxel. From many threads at once, as brighter_way.
   double shade(Vec3 position) const;
-  /// The same of some positions, as many as `found`; many positions far apart are asked sooner than one by one.
+  /// Writes the shade at each of `places` to `found`, which is as long; many positions far apart are asked sooner
+  /// together than one by one.
   void shade(std::span<const Vec3> places, std::span<double> found, Recent& recent) const;
   /// The way out of the shade: minus the mean of the unit vectors to the voxels around, weighted by their shade. The
   /// more one-sided the shade, the longer, up to 1; zero where there is none or as much on every side.
@@ -90,7 +91,7 @@ class ShadowGrid {
 
   const ShadowParameters& form() const { return form_; }
   bool empty() const { return brick_count() == 0; }
-  std::size_t bytes() const;  ///< of shaded space
+  std::size_t bytes() const;  ///< heap memory of shaded space
 
  private:
   /// Bricks by their positions. A small table leads to them, so that looking one up costs one look into memory.
@@ -123,7 +124,7 @@ class ShadowGrid {
 
     std::vector<Entry> table_;  // linear probing, at most half in use; as many as a power of two, or none
     std::deque<Brick> bricks_;
-    std::vector<std::uint32_t> free_;  // of them, for those that come next
+    std::vector<std::uint32_t> free_;  // unused bricks, for bricks that come next
   };
   static constexpr std::size_t kBrickBytes = sizeof(Brick) + 64;  // with what leads to it
   /// Voxels from `low` to `high`, both included; counted from a shader's own, or from a brick's first.
@@ -171,7 +172,7 @@ class ShadowGrid {
 
   ShadowParameters form_;
   std::vector<Layer> layers_;
-  Block bounds_;  // of the layers
+  Block bounds_;  // bounds of the layers
   std::vector<Neighbour> neighbours_;
   std::array<Bricks, kSlabs> bricks_;
 };

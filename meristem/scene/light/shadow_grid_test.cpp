@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kVoxel = 0.5F;  // exact in binary, so that positions are
 
-/// The middle of the voxel so many voxels from the origin's.
+/// The middle of the voxel that lies this number of voxels from the origin's.
 Vec3 voxel(int x, int y, int z) {
   return kVoxel * (Vec3(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)) + 0.5F);
 }
@@ -38,7 +38,7 @@ std::vector<Shader> crowd(int count, Vec3 middle) {
   return shaders;
 }
 
-/// The sum over a cube of so many voxels on each side of the origin's.
+/// The sum over a cube with this number of voxels on each side of the origin's.
 double sum_around(const ShadowGrid& grid, int half) {
   double sum = 0;
   for (int x = -half; x <= half; ++x) {

@@ -20,11 +20,12 @@ class Sky {
   /// `sun` may stand below the horizon: then only a dim dome is left.
   explicit Sky(SkyDirection sun);
 
-  Vec3 radiance(Vec3 direction) const;  ///< of the dome, without the disc; below the horizon the horizon's
+  Vec3 radiance(
+      Vec3 direction) const;  ///< radiance of the dome without the sun's disc; below the horizon, the horizon's
   Vec3 sun_direction() const { return sun_direction_; }
   Vec3 sun_irradiance() const { return sun_irradiance_; }            ///< on a surface facing the sun
   double sun_angular_radius() const { return sun_angular_radius_; }  ///< radians; the real one is 0.0047
-  /// Of the dome on level ground, without the sun.
+  /// The irradiance of the dome on level ground, without the sun.
   Vec3 dome_irradiance() const { return dome_irradiance_; }
 
  private:
@@ -32,7 +33,7 @@ class Sky {
 
   Vec3 sun_direction_;
   Vec3 sun_irradiance_;
-  Vec3 sun_tint_;  // of light that comes through the air from where the sun stands; luminance 1
+  Vec3 sun_tint_;  // tint of light that comes through the air from where the sun stands; luminance 1
   Vec3 dome_irradiance_;
   float scale_ = 1;                    // from relative to true radiance
   float warmth_ = 0;                   // 0 by day, 1 with the sun on the horizon

@@ -22,11 +22,11 @@ struct SkyDirection {
 /// The sun's declination (radians) on a day of the year.
 double declination(double day);
 
-/// Where the sun stands at `latitude` (radians, north positive) on `day` at `hour`; below the horizon at night.
-/// Exactly overhead, where no azimuth is defined, it is south (north in the southern hemisphere). At a pole it is the
-/// limit of latitudes toward it: 180° at noon at the north pole, and it turns by 15° an hour.
+/// Where the sun stands at `latitude` (radians, north positive) on `day` at `hour`; below the horizon at night. Exactly
+/// overhead, where no azimuth is defined, it is south (north in the southern hemisphere). At a pole it is the limit of
+/// latitudes toward it: 180° at noon at the north pole, and it turns by 15° per hour.
 SkyDirection sun_position(double latitude, double day, double hour);
-/// The same for a sun of this declination (radians).
+/// Where a sun of this declination (radians) stands at `latitude` at `hour`.
 SkyDirection sun_at_hour(double latitude, double declination, double hour);
 
 /// Hours of sunrise and sunset; nothing in the polar night, {0, 24} on the polar day.

@@ -5,17 +5,14 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <stdexcept>
+
+#include "meristem/base/require.h"
 
 namespace meristem {
 
 namespace {
 
 constexpr std::size_t kPatterns = 64;
-
-void require(bool holds, const char* what) {
-  if (!holds) throw std::invalid_argument(what);
-}
 
 /// Bytes that are 0 or 1 as bits.
 std::uint64_t bits(const std::array<std::uint8_t, MarkerBricks::kInBrick>& bytes) {

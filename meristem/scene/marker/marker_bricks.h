@@ -87,12 +87,12 @@ class MarkerBricks {
   static std::uint32_t number(const Cell& cell) {
     return static_cast<std::uint32_t>((cell[0] & 3) | (cell[1] & 3) << 2 | (cell[2] & 3) << 4);
   }
-  /// Its holder's 64, by their numbers.
+  /// One of the 64 cells that a cell holds, by its number.
   static Cell held(const Cell& holder, std::uint32_t number) {
     const auto part = [&](int k) { return kSide * holder[k] + static_cast<std::int32_t>(number >> 2 * k & 3); };
     return {part(0), part(1), part(2)};
   }
-  /// Those of them that are in a range, which is to meet the holder, as bits.
+  /// Which of the 64 cells are in a range, which must meet the holder, as bits.
   static std::uint64_t held(const Cell& holder, const Range& range);
   /// Voxels from a brick's low corner to a position, exact up to 256.
   static Vec3 from_corner(const Cell& brick, const FinePosition& position);
@@ -120,7 +120,7 @@ class MarkerBricks {
   std::size_t bytes() const;
 
  private:
-  static constexpr int kVoxelBits = 16;             // of a fine position within its voxel
+  static constexpr int kVoxelBits = 16;             // bits of a fine position within its voxel
   static constexpr int kBrickBits = 18;             // within its brick
   static constexpr float kFine = 65536;             // a voxel's side
   static constexpr double kFarthest = 4e6 * 65536;  // past it 32-bit positions do not tell voxels apart

@@ -26,13 +26,13 @@ struct LookedAt {
 /// Makes the bricks that are not there yet. Throws Cancelled.
 LookedAt looked_at(MarkerBricks& bricks, std::vector<LookAround> around, const Progress& progress);
 
-/// The markers of one brick, and the nearest looker to each so far. Of equally near ones that with the lower number of
-/// its seeker.
+/// The markers of one brick, and the nearest looker to each so far. Of equally near lookers the one whose seeker has
+/// the lower number counts.
 class BrickContest {
  public:
   /// Begins anew, with the markers that are to be had.
   void begin(const MarkerBricks::Pattern& pattern, std::uint64_t markers);
-  /// Of them the next lookers see these.
+  /// Shows these markers of the brick to the next lookers.
   void show(const MarkerBricks::Pattern& pattern, std::uint64_t markers);
   /// `position`: the looker's in voxels from the brick's corner; `layer`: the brick's first layer of voxels; `looker`:
   /// a number that for_each_owner gives back.

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint32_t kInBrick = MarkerBricks::kInBrick;
 constexpr std::uint32_t kNone = MarkerBricks::kNone;
-constexpr float kOne = 4294967296;  // a unit vector's length as a whole number
+constexpr float kUnitLength = 4294967296;  // a unit vector's length as a whole number
 constexpr std::size_t kBrickGrain = 32;
 constexpr std::uint64_t kBytesASighting = 16;          // of a brick by a seeker, in a round
 constexpr std::uint64_t kMostSightings = 0xffffffffU;  // that whole numbers of 32 bits count
@@ -134,22 +134,30 @@ void MarkerField::share_out_brick(const MarkerBricks::Brick& brick, const Looked
   if ((brick.free & brick.within) == 0) return;
   const MarkerBricks::Cell cell = bricks_.place_of(brick);
   const MarkerBricks::Pattern& pattern = bricks_.pattern(brick.pattern);
-  BrickContest contest;
-  contest.begin(pattern, brick.free & brick.within);
-  std::uint32_t volume = kNone;
-  for (std::uint32_t k = 0; k < lookers.size(); ++k) {
-    const Look& look = looked.looks[lookers[k]];
-    if (look.volume != std::exchange(volume, look.volume)) contest.show(pattern, seen_by(brick, volume));
-    contest.compete(look, MarkerBricks::from_corner(cell, look.position), MarkerBricks::kSide * cell[2], k);
-  }
-  contest.for_each_owner([&](std::uint32_t owner, std::uint32_t marker, float square) {
-    ++got[owner].count;
-    if (square == 0) return;
-    const Vec3 from = MarkerBricks::from_corner(cell, looked.looks[lookers[owner]].position);
-    const Vec3 way = Vec3(pattern.x[marker], pattern.y[marker], pattern.z[marker]) - from;
-    const Vec3 unit = way / std::sqrt(square);
-    for (int k = 0; k < 3; ++k) got[owner].way[k] += static_cast<std::int64_t>(kOne * unit[k]);
-  });
+  const auto share = [&](std::uint64_t markers, bool among_yielding) {
+    BrickContest contest;
+    contest.begin(pattern, markers);
+    std::uint32_t volume = kNone;
+    for (std::uint32_t k = 0; k < lookers.size(); ++k) {
+      const Look& look = looked.looks[lookers[k]];
+      if (look.yields != among_yielding) continue;
+      if (look.volume != std::exchange(volume, look.volume)) contest.show(pattern, seen_by(brick, volume));
+      contest.compete(look, MarkerBricks::from_corner(cell, look.position), MarkerBricks::kSide * cell[2], k);
+    }
+    contest.for_each_owner([&](std::uint32_t owner, std::uint32_t marker, float square) {
+      markers &= ~(1ULL << marker);
+      ++got[owner].count;
+      if (square == 0) return;
+      const Vec3 from = MarkerBricks::from_corner(cell, looked.looks[lookers[owner]].position);
+      const Vec3 way = Vec3(pattern.x[marker], pattern.y[marker], pattern.z[marker]) - from;
+      const Vec3 unit = way / std::sqrt(square);
+      for (int k = 0; k < 3; ++k) got[owner].way[k] += static_cast<std::int64_t>(kUnitLength * unit[k]);
+    });
+    return markers;
+  };
+  const std::uint64_t left = share(brick.free & brick.within, false);
+  const auto yields = [&](std::uint32_t looker) { return looked.looks[looker].yields; };
+  if (left != 0 && std::ranges::any_of(lookers, yields)) share(left, true);
 }
 
 void MarkerField::share_out(std::span<const Seeker> seekers, std::span<Room> rooms, const Progress& progress,
@@ -179,7 +187,7 @@ void MarkerField::share_out(std::span<const Seeker> seekers, std::span<Room> roo
     const Tally& tally = tallies[k];
     const DVec3 way(static_cast<double>(tally.way[0]), static_cast<double>(tally.way[1]),
                     static_cast<double>(tally.way[2]));
-    rooms[looked.looks[k].seeker] = {.count = tally.count, .way = Vec3(way / double{kOne})};
+    rooms[looked.looks[k].seeker] = {.count = tally.count, .way = Vec3(way / double{kUnitLength})};
   }
 }
 

@@ -32,15 +32,16 @@ struct MarkerParameters {
 /// A bud that looks for room.
 struct Seeker {
   Vec3 position{0};
-  Vec3 direction{kUp};         ///< unit; of the cone's axis
+  Vec3 direction{kUp};         ///< unit vector along the cone's axis
   std::uint32_t volume = 0;    ///< by add_volume; it sees the markers of this volume alone
   float radius = 0.4F;         ///< metres, up to 32 spacings
-  float cosine = 0.70710678F;  ///< of half the cone's full angle; -1 sees all around
+  float cosine = 0.70710678F;  ///< cosine of half the cone's full angle; -1 sees all around
+  bool yields = false;         ///< true: the seeker gets only what no other seeker sees
 };
 
 /// What it found.
 struct Room {
-  std::uint32_t count = 0;  ///< of markers
+  std::uint32_t count = 0;  ///< number of markers
   Vec3 way{0};              ///< sum of the unit vectors to them
 };
 
@@ -62,10 +63,10 @@ class MarkerField {
   void occupy(Vec3 position) { bricks_.occupy(position); }
   void vacate(Vec3 position) { bricks_.vacate(position); }
 
-  /// Gives each free marker to the nearest seeker that sees it, of equally near ones the first, and writes to `rooms`,
-  /// as many as seekers, what each got. The same on any number of threads. Throws std::invalid_argument for seekers out
-  /// of range, TooMuchMemory where that would take more than `most_bytes` beside the field's own, and Cancelled; then
-  /// `rooms` is untouched.
+  /// Gives each free marker to the nearest seeker that sees it, and among equally near seekers to the first; seekers
+  /// that yield come after all others. Writes to `rooms`, one per seeker, what each got. The same on any number of
+  /// threads. Throws std::invalid_argument for seekers out of range, TooMuchMemory where that would take more than
+  /// `most_bytes` beside the field's own, and Cancelled; then `rooms` is untouched.
   void share_out(std::span<const Seeker> seekers, std::span<Room> rooms, const Progress& progress,
                  std::uint64_t most_bytes = ~std::uint64_t{0});
   struct TooMuchMemory {};
@@ -88,7 +89,7 @@ class MarkerField {
   struct Claim {
     std::uint64_t markers;
     std::uint32_t volume;
-    std::uint32_t next;  // of the same brick
+    std::uint32_t next;  // next marker of the brick
   };
   struct Tally;
 

@@ -272,7 +272,7 @@ TEST(MarkerField, EachMarkerGoesToOneBud) {
   const Seeker bud{Vec3(0.2F), kUp, 0, 0.4F, -1};
   const std::vector<Room> alone = share_out(field, {bud});
   ASSERT_GT(alone[0].count, 100U);
-  // Of two at the same position the first gets all.
+  // The first of two seekers at one position gets all.
   const std::vector<Room> twins = share_out(field, {bud, bud});
   expect_same({twins[0]}, alone);
   EXPECT_EQ(twins[1].count, 0U);

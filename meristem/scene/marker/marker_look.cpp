@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
-#include <stdexcept>
 #include <utility>
 
 #include "meristem/base/parallel.h"
+#include "meristem/base/require.h"
 
 namespace meristem {
 
@@ -15,16 +15,13 @@ namespace {
 
 constexpr std::size_t kGrain = 1024;
 constexpr std::size_t kAtOnce = 16;  // seekers that are fetched
-// Up to so many bricks in the box around a cone it takes longer to test each against the cone than its markers.
+// Up to this number of bricks in the box around a cone, testing each brick against the cone takes longer than testing
+// its markers.
 constexpr int kMostUntested = 48;
 constexpr float kMargin = 0.125F;  // voxels, more than any rounding here
 
 using Cell = MarkerBricks::Cell;
 using Range = MarkerBricks::Range;
-
-void require(bool holds, const char* what) {
-  if (!holds) throw std::invalid_argument(what);
-}
 
 void check(const Seeker& seeker, double spacing, std::size_t volume_count) {
   require(seeker.volume < volume_count, "Seeker::volume is none that was added");
@@ -149,7 +146,7 @@ class Looker {
     });
     if (around.sightings.size() + missing.size() == before) return;
     around.looks.push_back({place, seeker.direction, radius * radius, seeker.cosine * std::abs(seeker.cosine),
-                            cone.voxels().low[2], cone.voxels().high[2], seeker.volume, index});
+                            cone.voxels().low[2], cone.voxels().high[2], seeker.volume, index, seeker.yields});
   }
 
   /// The sightings in a block.

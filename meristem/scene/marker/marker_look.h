@@ -26,6 +26,7 @@ struct Look {
   std::int32_t high;
   std::uint32_t volume;
   std::uint32_t seeker;
+  bool yields;
 };
 
 /// That a look may see markers of a brick.

@@ -20,9 +20,9 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-constexpr int kBits = 26;
+constexpr int kGridBits = 26;
 constexpr int kMostLevels = 12;
-constexpr double kSteps = 1 << kBits;
+constexpr double kSteps = 1 << kGridBits;
 
 template <class T>
 int sign(T value) {
@@ -40,7 +40,7 @@ int side_of(const std::array<std::int32_t, 3>& a, const std::array<std::int32_t,
 }
 
 std::int32_t cell_of(std::int32_t coordinate, int level) {
-  return std::min(coordinate >> (kBits - level), (1 << level) - 1);
+  return std::min(coordinate >> (kGridBits - level), (1 << level) - 1);
 }
 
 std::size_t cell_index(std::int32_t x, std::int32_t z, int level) {
@@ -91,7 +91,7 @@ void ClosedMesh::build_levels() {
     const auto [z_low, z_high] = std::minmax({a[2], b[2], c[2]});
     const std::int32_t extent = std::max(x_high - x_low, z_high - z_low);
     int level = finest;
-    while (level > 0 && (1 << (kBits - level)) < extent) --level;
+    while (level > 0 && (1 << (kGridBits - level)) < extent) --level;
     for (std::int32_t z = cell_of(z_low, level); z <= cell_of(z_high, level); ++z) {
       for (std::int32_t x = cell_of(x_low, level); x <= cell_of(x_high, level); ++x) {
         see(levels_[static_cast<std::size_t>(level)], cell_index(x, z, level));

@@ -47,7 +47,7 @@ class ClosedMesh {
  private:
   using Grid3 = std::array<std::int32_t, 3>;
   struct Level {
-    std::vector<std::uint32_t> begin;      // of each cell's part of `triangles`, and one more
+    std::vector<std::uint32_t> begin;      // beginning of each cell's part of `triangles`, and one more
     std::vector<std::uint32_t> triangles;  // by cell
   };
 

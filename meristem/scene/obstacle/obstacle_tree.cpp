@@ -22,7 +22,7 @@ namespace meristem {
 
 namespace {
 
-constexpr double kMargin = 1e-6;      // of the bounds' extent
+constexpr double kBoxMargin = 1e-6;   // of the bounds' extent
 constexpr double kFarMargin = 1e-12;  // of the distance from the origin, where doubles are coarser
 
 struct Facet {
@@ -36,7 +36,7 @@ struct Facets {
   DVec3 low{std::numeric_limits<double>::infinity()};  ///< less the margin
   DVec3 high{-std::numeric_limits<double>::infinity()};
   DVec3 middle{0};
-  double margin = 0;  ///< metres by which boxes are wider than what is in them
+  double margin = 0;  ///< metres that boxes are wider than what is in them
 
   explicit Facets(const std::vector<const TriangleMesh*>& bodies) {
     for (std::size_t body = 0; body < bodies.size(); ++body) {
@@ -54,7 +54,7 @@ struct Facets {
     if (all.empty()) return;
     middle = 0.5 * (low + high);
     const DVec3 farthest = glm::max(glm::abs(low), glm::abs(high));
-    margin = kMargin * glm::length(high - low) + kFarMargin * glm::length(farthest) +
+    margin = kBoxMargin * glm::length(high - low) + kFarMargin * glm::length(farthest) +
              double{std::numeric_limits<float>::min()};
     low -= margin;
     high += margin;
@@ -101,7 +101,7 @@ struct Query : RTCIntersectContext {
     rtcInitIntersectContext(this);
   }
 
-  /// What the tree counts where so many metres are gone; never too little.
+  /// What the tree counts where a ray has gone this number of metres; never too little.
   float in_tree_distance(double metres) const { return static_cast<float>(metres - skipped + margin); }
 
   WatertightRay ray;
@@ -135,6 +135,68 @@ std::optional<Query> begin_query(const Facets& facets, DVec3 origin, DVec3 direc
   ray.tfar = query->in_tree_distance(part->end);
   ray.mask = ~0U;
   return query;
+}
+
+/// The position on a segment that is nearest to a position.
+DVec3 nearest_on_edge(DVec3 position, DVec3 from, DVec3 to) {
+  const DVec3 along = to - from;
+  const double length2 = glm::dot(along, along);
+  const double share = length2 > 0 ? std::clamp(glm::dot(position - from, along) / length2, 0.0, 1.0) : 0;
+  return from + share * along;
+}
+
+/// The position on a triangle that is nearest to a position: below it where it lies within all edges, else on the
+/// nearest edge.
+ObstacleTree::Near nearest_on(const Facet& facet, DVec3 position) {
+  std::array<DVec3, 3> corner;
+  for (std::size_t k = 0; k < 3; ++k) corner[k] = {facet.corners[k][0], facet.corners[k][1], facet.corners[k][2]};
+  const DVec3 across = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+  const double area = glm::length(across);
+  ObstacleTree::Near near;
+  if (area > 0) {
+    near.normal = across / area;
+    bool is_within = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const DVec3 edge = corner[(k + 1) % 3] - corner[k];
+      is_within = is_within && glm::dot(glm::cross(edge, position - corner[k]), near.normal) >= 0;
+    }
+    if (is_within) {
+      near.position = position - glm::dot(position - corner[0], near.normal) * near.normal;
+      return near;
+    }
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const DVec3 found = nearest_on_edge(position, corner[k], corner[(k + 1) % 3]);
+    const double distance = glm::distance(found, position);
+    if (distance >= least) continue;
+    least = distance;
+    near.position = found;
+  }
+  return near;
+}
+
+/// A search for the nearest triangle on its way through the tree, whose distances are those of floats.
+struct NearQuery {
+  const Facets* facets = nullptr;
+  DVec3 position{0};
+  double distance = std::numeric_limits<double>::infinity();
+  std::uint32_t facet = 0;
+  ObstacleTree::Near best;
+};
+
+bool look_nearer(RTCPointQueryFunctionArguments* arguments) {
+  auto& query = *static_cast<NearQuery*>(arguments->userPtr);
+  const std::uint32_t index = arguments->primID;
+  const ObstacleTree::Near found = nearest_on(query.facets->all[index], query.position);
+  const double distance = glm::distance(found.position, query.position);
+  if (distance > query.distance || (distance == query.distance && index >= query.facet)) return false;
+  query.distance = distance;
+  query.facet = index;
+  query.best = found;
+  // Wider than the boxes are off, so that an equally near triangle is looked at too.
+  arguments->query->radius = static_cast<float>(distance * (1 + kBoxMargin) + 2 * query.facets->margin);
+  return true;
 }
 
 void give_bounds(const RTCBoundsFunctionArguments* arguments) {
@@ -209,6 +271,23 @@ std::optional<ObstacleTree::Hit> ObstacleTree::first_hit(DVec3 origin, DVec3 dir
   asked.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(tree_->scene.get(), &*query, &asked);
   return query->is_met ? std::optional(Hit{query->within, query->body}) : std::nullopt;
+}
+
+std::optional<ObstacleTree::Near> ObstacleTree::nearest(DVec3 position) const {
+  const Facets& facets = tree_->facets;
+  if (facets.all.empty() || !std::isfinite(glm::dot(position, position))) return std::nullopt;
+  NearQuery query{.facets = &facets, .position = position};
+  const DVec3 from = position - facets.middle;
+  RTCPointQuery asked{};
+  asked.x = static_cast<float>(from.x);
+  asked.y = static_cast<float>(from.y);
+  asked.z = static_cast<float>(from.z);
+  // Far away floats are too coarse for the tree; all triangles lie in the radius then.
+  asked.radius = std::numeric_limits<float>::infinity();
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  rtcPointQuery(tree_->scene.get(), &asked, &context, look_nearer, &query);
+  return query.best;
 }
 
 bool ObstacleTree::is_met(DVec3 origin, DVec3 direction, double within) const {

@@ -20,6 +20,12 @@ class ObstacleTree {
     std::size_t body = 0;  ///< the lowest of those met there
   };
 
+  /// A position on a triangle.
+  struct Near {
+    DVec3 position{0};
+    DVec3 normal{0};  ///< unit vector out of the triangle's front; 0 where it has no area
+  };
+
   /// Bodies with finite positions and indices in range, which need not outlive this. Throws MachineError.
   explicit ObstacleTree(const std::vector<const TriangleMesh*>& bodies);
   ~ObstacleTree();
@@ -30,6 +36,9 @@ class ObstacleTree {
   std::optional<Hit> first_hit(DVec3 origin, DVec3 direction, double within) const;
   /// Whether there is any.
   bool is_met(DVec3 origin, DVec3 direction, double within) const;
+  /// The nearest position on any triangle; of equally near ones that of the first in the bodies' order. Nothing where
+  /// there are no triangles, or for a position that is not finite.
+  std::optional<Near> nearest(DVec3 position) const;
 
  private:
   struct Tree;

@@ -90,7 +90,7 @@ class Inside {
 
   const Box& box() const { return box_; }
 
-  /// Of a position in its box.
+  /// Whether the body contains a position that lies in its box.
   bool contains(Vec3 point) const {
     const DVec3 at(point);
     if (views_.size() == 1) return views_[0].contains(at);
@@ -176,6 +176,19 @@ std::optional<Obstacles::Hit> Obstacles::first_hit(Vec3 origin, Vec3 direction, 
 
 bool Obstacles::block(Vec3 origin, Vec3 direction, double within) const {
   return !empty() && content_->tree->is_met(DVec3(origin), DVec3(direction), within);
+}
+
+std::optional<Vec3> Obstacles::away_from_surface(Vec3 position) const {
+  if (empty()) return std::nullopt;
+  const auto near = content_->tree->nearest(DVec3(position));
+  if (!near) return std::nullopt;
+  constexpr double kOnSurface = 1e-6;  // metres, about what floats tell apart
+  const DVec3 way = DVec3(position) - near->position;
+  const double distance = glm::length(way);
+  if (distance < kOnSurface) {
+    return near->normal != DVec3(0) ? std::optional(Vec3(near->normal)) : std::nullopt;
+  }
+  return Vec3((contain(position) ? -1.0 : 1.0) / distance * way);
 }
 
 Vec3 Obstacles::ground_centroid(std::size_t obstacle) const { return content_->centroids[obstacle]; }

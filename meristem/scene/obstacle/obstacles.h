@@ -24,7 +24,7 @@ struct Obstacle {
   Vec3 colour{0.76F, 0.73F, 0.68F};  ///< sRGB, in pictures
   bool is_broken = false;            ///< not closed, yet to be used as well as can be
   bool is_hidden = false;            ///< left out of pictures
-  std::string name{};                ///< by which measures find it; may be empty
+  std::string name{};                ///< how measures find it; may be empty
 };
 
 /// The twelve triangles of a box, facing outward; `low` lies below `high` along each axis.
@@ -45,9 +45,9 @@ class Obstacles {
 
   bool empty() const { return bodies().empty(); }
   const std::vector<Obstacle>& bodies() const;
-  Box bounds() const;  ///< of all; empty where there are none
+  Box bounds() const;  ///< box around all obstacles; empty where there are none
 
-  /// Whether a position is inside one. Of a broken one most of three views decide, along x, y and z.
+  /// Whether a position is inside an obstacle. For a broken mesh the majority of three views decides, along x, y and z.
   bool contain(Vec3 position) const;
   /// Whether the way from one position to another meets a surface, be it only at an end or an edge. However short, a
   /// way from outside to inside does; one without length does not.
@@ -57,6 +57,9 @@ class Obstacles {
   std::optional<Hit> first_hit(Vec3 origin, Vec3 direction, double within) const;
   /// Whether there is any, which costs less.
   bool block(Vec3 origin, Vec3 direction, double within) const;
+  /// The way from the nearest surface to a position, a unit vector: out of that surface where the position lies on it,
+  /// and toward the surface where it is inside a body. Nothing where there are no obstacles.
+  std::optional<Vec3> away_from_surface(Vec3 position) const;
   /// The centroid of an obstacle's volume, of a broken one's surface, put down on the ground (y = 0).
   Vec3 ground_centroid(std::size_t obstacle) const;
 

@@ -212,7 +212,7 @@ TEST(Obstacles, WhatTouchesIsMet) {
   EXPECT_EQ(box.first_hit({-1, 2, 2}, {1, 0, 0}, kFar)->distance, 1);     // along an edge
   EXPECT_EQ(box.first_hit({0.5F, 2, 2}, {1, 0, 0}, kFar)->distance, 0);   // from upon it
   EXPECT_EQ(box.first_hit({-1, 2, 1}, {1, 0, 0}, kFar)->distance, 1);     // along a face
-  EXPECT_EQ(box.first_hit({-1, 2, 0.7F}, {1, 0, 0}, kFar)->distance, 1);  // the same, past its diagonal
+  EXPECT_EQ(box.first_hit({-1, 2, 0.7F}, {1, 0, 0}, kFar)->distance, 1);  // along a face, past its diagonal
   EXPECT_EQ(box.first_hit({2, 2, 5}, {0, 0, -1}, kFar)->distance, 3);     // a vertex first
   EXPECT_NEAR(box.first_hit({-1, 1, 2}, toward({-1, 1, 2}, {0, 2, 2}), kFar)->distance, std::sqrt(2.0), 1e-6);
   EXPECT_TRUE(box.cross({-1, 1, 1}, {0, 1, 1}));  // ends upon a face
@@ -389,6 +389,56 @@ TEST(Obstacles, RejectMeshesThatPointNowhere) {
   EXPECT_THROW(obstacles_of({endless}), std::invalid_argument);
   endless.positions[3].y = 1e300;
   EXPECT_THROW(obstacles_of({endless}), std::invalid_argument);
+}
+
+// The plain way: each triangle cut into a fine net of points.
+double brute_force_distance(const TriangleMesh& mesh, Vec3 position) {
+  constexpr int kSteps = 60;
+  double least = kFar;
+  for (const auto& [p, q, r] : mesh.triangles) {
+    for (int i = 0; i <= kSteps; ++i) {
+      for (int j = 0; i + j <= kSteps; ++j) {
+        const DVec3 at = mesh.positions[p] + (mesh.positions[q] - mesh.positions[p]) * (double(i) / kSteps) +
+                         (mesh.positions[r] - mesh.positions[p]) * (double(j) / kSteps);
+        least = std::min(least, glm::distance(at, DVec3(position)));
+      }
+    }
+  }
+  return least;
+}
+
+TEST(Obstacles, TheWayFromASurfaceIsAcrossItsFacesAndSlantedAtItsEdges) {
+  const Obstacles box = obstacles_of({box_mesh({-1, 0, -1}, {1, 2, 1})});
+  EXPECT_EQ(box.away_from_surface({1.5F, 1, 0.2F}), Vec3(1, 0, 0));
+  EXPECT_EQ(box.away_from_surface({0.1F, 1, -1.01F}).value(), Vec3(0, 0, -1));
+  const Vec3 at_edge = box.away_from_surface({1.3F, 2.4F, 0}).value();
+  EXPECT_LT(glm::distance(at_edge, Vec3(0.6F, 0.8F, 0)), 1e-6F);
+  const Vec3 inside = box.away_from_surface({0.9F, 1, 0}).value();
+  EXPECT_EQ(inside, Vec3(1, 0, 0)) << "out of the body";
+  EXPECT_EQ(box.away_from_surface({1, 1, 0.3F}), Vec3(1, 0, 0)) << "on the surface: its normal";
+  EXPECT_FALSE(Obstacles().away_from_surface({0, 0, 0}).has_value());
+}
+
+TEST(Obstacles, TheNearestSurfaceIsThatOfAllTriangles) {
+  const TriangleMesh mesh = l_shape();
+  const Obstacles obstacles = obstacles_of({mesh, box_mesh({20, 0, 20}, {21, 1, 21})});
+  for (std::uint64_t k = 0; k < 200; ++k) {
+    const Vec3 position = random_position(k, 4);
+    const Vec3 way = obstacles.away_from_surface(position).value();
+    EXPECT_NEAR(glm::length(way), 1, 1e-6) << k;
+    const double distance = brute_force_distance(mesh, position);
+    // Along the way to the surface and no farther it is met.
+    const double sign = obstacles.contain(position) ? -1 : 1;
+    const DVec3 met = DVec3(position) - sign * distance * DVec3(way);
+    EXPECT_LT(brute_force_distance(mesh, Vec3(met)), 0.06) << k;
+  }
+}
+
+TEST(Obstacles, TheNearestSurfaceIsFoundFarFromTheOriginAndFromAll) {
+  const Obstacles far = obstacles_of({box_mesh({1e6, 0, 1e6}, {1e6 + 2, 2, 1e6 + 2})});
+  EXPECT_EQ(far.away_from_surface({1e6F + 3, 1, 1e6F + 1}), Vec3(1, 0, 0));
+  EXPECT_GT(far.away_from_surface({0, 1, 0})->y, -0.1F);
+  EXPECT_LT(far.away_from_surface({0, 1, 0})->x, -0.7F);
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ TEST(StandSpace, ShootsCastShadeByTheirLengthInVoxels) {
 }
 
 RC_GTEST_PROP(StandSpace, WhatIsLostIsAsIfItHadNeverBeen, ()) {
-  // Of shoots that grow in several rounds some are lost, in any order; the others stay.
+  // Some of the shoots that grow in several rounds are lost, in any order; the others stay.
   const RandomKey key(*rc::gen::arbitrary<std::uint64_t>());
   StandSpace space;
   const ShadowParameters form{.voxel = 1, .amount = 0.3, .base = 1.7, .depth = 5};

@@ -85,7 +85,7 @@ void AttractionCloud::gather_still(NodeIndex first_new, bool kills) {
   still_->sweep(keeps, [&](NodeIndex node) { __builtin_prefetch(&nodes_[node]); });
 }
 
-/// The same of points that move in between: they pull from where they go to.
+/// Gathers the pulls of points that move in between: they pull from where they go to.
 void AttractionCloud::gather_moving(bool kills, const Progress& progress) {
   moving_->sweep([&](Vec3 point, NodeIndex node, float distance2) {
     const bool goes = kills && distance2 <= nodes_[node].kill2;

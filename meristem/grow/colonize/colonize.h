@@ -16,23 +16,17 @@
 #include "meristem/base/random.h"
 #include "meristem/grow/colonize/light_response.h"
 #include "meristem/grow/stand.h"
+#include "meristem/plant/finish.h"
 #include "meristem/plant/pipe_radii.h"
 #include "meristem/scene/scene.h"
 
 namespace meristem {
 
-/// Post-processing after growth, in this order; each step is optional.
-struct Finish {
-  double decimate = 0;   ///< removes nodes over this many steps of length; 0 for none. 4 keeps about every fourth
-  bool relax = true;     ///< softens fork angles
-  double subdivide = 0;  ///< spacing of the final nodes in steps; 0 keeps the nodes as they are
-};
-
 struct ColonizeParameters {
   double step = 0.05;      ///< metres between nodes; smaller: finer and slower
   double influence = 0.6;  ///< metres within which a point pulls, may be infinite; larger: smoother, sparser branches
   double kill = 0.3;       ///< metres within which a node uses up a point that it pulls; smaller: denser twigs
-  int iterations = 1000;   ///< at most so many steps
+  int iterations = 1000;   ///< largest number of steps
   Vec3 bias{0};            ///< added to each growth direction: (0, 0.2, 0) makes all grow upward a little
   LightResponse light;
   Finish finish;

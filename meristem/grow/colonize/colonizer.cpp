@@ -27,6 +27,7 @@
 #include "meristem/grow/stand_space.h"
 #include "meristem/plant/finish.h"
 #include "meristem/plant/join_skeletons.h"
+#include "meristem/scene/obstacle/open_way.h"
 
 namespace meristem {
 namespace {
@@ -45,14 +46,6 @@ void check_parameters(const ColonizeParameters& parameters) {
       !is_positive(parameters.kill) || parameters.iterations < 0) {
     throw std::invalid_argument("colonize: step, influence and kill distance must be above 0, iterations at least 0");
   }
-}
-
-/// Whether no obstacle is at `to` or on the way there, both relative to a tree's root. A root may stand on one's
-/// surface.
-bool is_open(const Obstacles& obstacles, Vec3 root, Vec3 from, Vec3 to) {
-  if (obstacles.empty()) return true;
-  const Vec3 begin = from == Vec3(0) ? 0.001F * to : from;
-  return !(obstacles.cross(root + begin, root + to) || obstacles.contain(root + to));
 }
 
 /// What all trees of one component have in common.
@@ -107,7 +100,7 @@ class Tree {
   bool grow_toward_cloud();
   bool grow_into_cloud(std::span<const Pull> pulls);
   std::optional<Vec3> place_child(const Pull& pull);
-  bool is_open(Vec3 from, Vec3 to) const { return meristem::is_open(species_->scene.obstacles, root_, from, to); }
+  bool is_open(Vec3 from, Vec3 to) const { return is_way_open(species_->scene.obstacles, root_, from, to); }
   void add_node(NodeIndex parent, Vec3 position);
   void note_node(NodeIndex parent, Vec3 position);
 
@@ -118,7 +111,7 @@ class Tree {
   AttractionCloud::Tree member_;
   Vec3 root_;
   Skeleton skeleton_;
-  NodeIndex told_ = 1;  // so many nodes are known to cloud and space; the root is from the start
+  NodeIndex told_ = 1;  // number of nodes that cloud and space know; they know the root from the start
   ChildPositions places_;
   std::vector<std::uint8_t> turns_;  // by node
   Approach approach_;
@@ -300,15 +293,6 @@ void Colonizer::leave_out_inner_points(std::vector<Seedling>& seedlings, const P
   }
 }
 
-double total_length(const Skeleton& skeleton) {
-  double length = 0;
-  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
-    if (skeleton.is_root(node)) continue;
-    length += glm::distance(skeleton.position[node], skeleton.position[skeleton.parent[node]]);
-  }
-  return length;
-}
-
 Skeleton Colonizer::take_skeleton(Progress& progress) {
   std::vector<Skeleton> finished(trees_.size());
   parallel_for(trees_.size(), kTreesAtOnce, [&](std::size_t begin, std::size_t end) {
@@ -322,21 +306,10 @@ Skeleton Colonizer::take_skeleton(Progress& progress) {
 }
 
 Skeleton Colonizer::finish(Skeleton skeleton, Vec3 root, Progress& progress) const {
-  const auto is_free = [&](Vec3 from, Vec3 to) { return is_open(species_.scene.obstacles, root, from, to); };
-  const double step = species_.parameters.step;
-  const Finish& wanted = species_.parameters.finish;
-  if (wanted.decimate > 0) {
-    skeleton = decimate(skeleton, wanted.decimate * step, step, is_free);
-    progress.check();
-  }
-  if (wanted.relax) relax_angles(skeleton, is_free);
-  if (wanted.subdivide > 0) {
-    const double spacing = wanted.subdivide * step;
-    const double nodes = static_cast<double>(skeleton.node_count()) + total_length(skeleton) / spacing;
-    species_.require_nodes(static_cast<std::uint64_t>(std::min(nodes, 1e18)), "finish.subdivide");
-    skeleton = subdivide(skeleton, spacing, is_free);
-    progress.check();
-  }
+  const auto is_free = [&](Vec3 from, Vec3 to) { return is_way_open(species_.scene.obstacles, root, from, to); };
+  const auto require_nodes = [&](std::uint64_t nodes) { species_.require_nodes(nodes, "finish.subdivide"); };
+  const FinishContext context{species_.parameters.step, is_free, require_nodes, progress};
+  skeleton = meristem::finish(std::move(skeleton), species_.parameters.finish, context);
   assign_pipe_radii(skeleton, species_.parameters.radii);
   assign_axes(skeleton);
   return skeleton;

@@ -78,7 +78,7 @@ void MovingPoints::find_influence(MovingPoint& point, const NearestFew& nearest)
     point.node = nearest.node(0);
     point.distance2 = nearest.distance2(0);
   } else if (!are_alike_) {
-    // Of trees that reach farther one may influence it past a nearer node that does not.
+    // A tree that reaches farther may influence the point past a nearer node that does not.
     float within2 = widest_ * widest_;
     for (const NodeTree& tree : forest_.trees()) {
       tree.visit(point.position, within2, [&](NodeIndex node, float square) {

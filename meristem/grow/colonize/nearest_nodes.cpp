@@ -30,7 +30,7 @@ template <class Vector, class Element>
 Vector load(const Element* from, std::uint32_t count) {
   Vector lanes{};
   if (count == kLanes) {
-    std::memcpy(&lanes, from, sizeof(lanes));  // a constant size is one instruction, a variable one a call
+    std::memcpy(&lanes, from, sizeof(lanes));  // a constant size is one instruction, a variable one is a call
   } else {
     std::memcpy(&lanes, from, count * sizeof(Element));
   }

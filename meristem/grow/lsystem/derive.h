@@ -17,7 +17,7 @@ namespace meristem {
 /// Cancelled.
 Word derive(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress);
 
-/// The word as it is drawn: with the grammar's interpretation rules applied. The same errors.
+/// The word as it is drawn: with the grammar's interpretation rules applied. Throws what `derive` throws.
 Word interpreted(const Grammar& grammar, const Word& word, RandomKey key, const Limits& limits, Progress& progress);
 
 /// Both: the word after `steps` steps as it is drawn.

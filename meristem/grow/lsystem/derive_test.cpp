@@ -247,7 +247,7 @@ TEST(Derive, TellsOfExplosionsBeforeTheFirstWord) {
   };
   EXPECT_TRUE(has(outcome({"A", {"A -> AA"}}, 28), "268435456 modules of a word are too many"));
   EXPECT_EQ(outcome({"A", {"A -> AA"}}, 27), "cancelled");
-  // Of a letter whose rule depends on more than the letter only what all rules share is counted on.
+  // Where a letter's rule depends on more than the letter, the forecast counts only on what all rules share.
   EXPECT_EQ(outcome({"A(1)", {"A(x) : x > 2 -> A(x)A(x)"}}, 60), "cancelled");
   EXPECT_TRUE(has(outcome({"BA(1)", {"A(x) : x > 2 -> A(x)A(x)", "B -> BB"}}, 60), "'B -> BB' adds most"));
   EXPECT_TRUE(has(outcome({"A", {"A : : 0.5 -> BA", "A : : 0.5 -> AB", "B -> BBB"}, ""}, 60), "cancelled"));

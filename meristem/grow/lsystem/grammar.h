@@ -15,7 +15,7 @@
 
 namespace meristem {
 
-/// Of one rule, in both contexts and the predecessor together, and so of one letter.
+/// The most parameters that both contexts and the predecessor of one rule have together, and so the most of one letter.
 inline constexpr std::size_t kMostVariables = 64;
 /// More steps than this are refused where they are asked for.
 inline constexpr int kMostSteps = 1'000'000;
@@ -37,12 +37,13 @@ struct Rule {
   std::string text;  ///< as written, for messages
   int line = 0;      ///< in the grammar's text, from 1
   LetterIndex predecessor = kNoLetter;
-  std::uint32_t first_variable = 0;  ///< of the predecessor's parameters
-  std::uint32_t variable_count = 0;  ///< of left context, predecessor and right context together
+  std::uint32_t first_variable = 0;  ///< index of the predecessor's first parameter
+  std::uint32_t variable_count = 0;  ///< parameters of left context, predecessor and right context together
   std::vector<ContextModule> left;   ///< from the root toward the predecessor; no brackets
   std::vector<ContextModule> right;  ///< away from it; may hold brackets, whose modules have the letters of [ and ]
   std::optional<Expression> condition;
-  std::optional<Expression> weight;  ///< of stochastic rules: one of those that match is drawn in proportion
+  /// Weight of a stochastic rule: one of the rules that match is drawn in proportion to their weights.
+  std::optional<Expression> weight;
   std::vector<ModuleTemplate> successor;
 };
 
@@ -53,12 +54,12 @@ struct RuleSet {
 };
 
 struct Grammar {
-  std::string file;  ///< its name in messages
+  std::string file;  ///< the grammar's name in messages
   Alphabet alphabet;
   LetterIndex open = kNoLetter;          ///< [
   LetterIndex close = kNoLetter;         ///< ]
   LetterIndex cut = kNoLetter;           ///< %
-  std::vector<ModuleTemplate> axiom;     ///< its expressions are constants
+  std::vector<ModuleTemplate> axiom;     ///< the word that derivation begins with; its expressions are constants
   RuleSet production;                    ///< one step
   RuleSet decomposition;                 ///< after each step, until none applies
   RuleSet interpretation;                ///< before drawing, until none applies; never changes the word that is derived

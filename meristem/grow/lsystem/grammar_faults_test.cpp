@@ -226,6 +226,11 @@ TEST(GrammarFaults, MissesTheArrowOfARule) {
   EXPECT_EQ(faults_of("A\nA -> B\nB C\nB => C\n"),
             (Texts{"3:1: 'B C' has no arrow; expected predecessor -> successor",
                    "4:1: 'B => C' has no arrow; expected predecessor -> successor; did you mean '->'?"}));
+  EXPECT_EQ(fault_of("F: FF"), "2:1: 'F: FF' has no arrow; expected predecessor -> successor; did you mean '->'?");
+  EXPECT_EQ(faults_of("F\n#rules\nF(l) = F(l*2)\nF: FF\n"),
+            (Texts{"3:1: 'F(l) = F(l*2)' has no arrow; expected predecessor -> successor; did you mean '->'?",
+                   "4:1: 'F: FF' has no arrow; expected predecessor -> successor; did you mean '->'?"}));
+  EXPECT_EQ(fault_of("F(l) : l > 2 F"), "2:1: 'F(l) : l > 2 F' has no arrow; expected predecessor -> successor");
 }
 
 TEST(GrammarFaults, MissesTheAxiom) {

@@ -30,7 +30,7 @@ class NumberExpressions {
 
 std::vector<ModuleTemplate> included_word(const Grammar& included, int steps, const Limits& limits,
                                           Alphabet& alphabet) {
-  // The same on every reading: an included word is a part of the grammar and not of the plant.
+  // Every reading draws with the same key: an included word is a part of the grammar and not of the plant.
   const RandomKey key = RandomKey().child("include");
   Progress progress;
   Limits bounded = limits;

@@ -10,8 +10,8 @@
 //   #ignore +-                 symbols that contexts do not see; after "#ignore:" too
 //   #steps 5   #angle 22.5     a constant expression each
 //   #include fir.txt as T for 6 steps
-//                              T is drawn as the word of that grammar after so many steps; without them as its #steps;
-//                              sought from the folder of the grammar that includes it
+//                              T is drawn as the word of that grammar after this number of steps; without them as its
+//                              #steps; sought from the folder of the grammar that includes it
 //
 // Directives stand at the beginning of a line. Before the first of #axiom and #rules lines are the axiom, and a line
 // with an arrow begins the rules, there and behind #axiom. Arrows are -> and →, and --> behind a symbol. Blanks
@@ -44,14 +44,14 @@ struct GrammarWord {
   bool operator==(const GrammarWord&) const = default;
 };
 
-/// The words of a grammar by which other things are called, in their order.
+/// The words of a grammar that call other things, in their order.
 struct GrammarWords {
   std::vector<GrammarWord> symbols;  ///< wherever one stands, also behind #symbols and in contexts
   std::vector<GrammarWord> names;    ///< in expressions, but for parameters of the rule; and those that #define gives
 };
 
 struct GrammarOptions {
-  std::string file;  ///< its name in messages
+  std::string file;  ///< the grammar's name in messages
   /// Names that its expressions may use, and those of included grammars; a `#define` of one is a default that gives
   /// way.
   std::vector<ExpressionNames::Constant> constants;
@@ -61,7 +61,7 @@ struct GrammarOptions {
   std::function<std::string(const std::string&)> read;  ///< the text of an included grammar; unset: none can be
   std::vector<Diagnostic>* warnings = nullptr;          ///< takes what is odd but not wrong; may be null
   GrammarWords* words = nullptr;                        ///< takes the words of the text; may be null
-  Limits limits;                                        ///< of faults, of the text's and an expression's bytes
+  Limits limits;  ///< limits of faults, of the text's bytes and of an expression's bytes
 };
 
 /// Reads a grammar's text. Throws one InputError with all faults (up to the limit), each with line, column, the

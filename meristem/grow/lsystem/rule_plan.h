@@ -17,7 +17,7 @@ namespace meristem {
 /// What becomes of a module: 0 where it is copied, else the rule's index + 1.
 using RuleChoice = std::uint16_t;
 inline constexpr RuleChoice kCopied = 0;
-/// Of letters whose rules have to be tried module by module.
+/// The choice for letters whose rules have to be tried module by module.
 inline constexpr RuleChoice kUndecided = std::numeric_limits<RuleChoice>::max();
 
 /// Where the values of a variable come from.

@@ -27,6 +27,20 @@ std::vector<std::size_t> find_outside_parentheses(std::string_view text, char ch
   return found;
 }
 
+/// Where another sign stands for the arrow, as in "F: FF", "F = FF" or "F => FF": the arrow. Else nothing.
+std::string arrow_instead(std::string_view line) {
+  for (const std::string_view other : {"=>", "\u21D2", "\u27F6"}) {
+    if (line.find(other) != std::string_view::npos) return "->";
+  }
+  for (const char other : {':', '='}) {
+    const std::vector<std::size_t> found = find_outside_parentheses(line, other);
+    // With a condition the colon has its own meaning, and what lacks is the arrow behind it.
+    if (found.size() != 1 || line.find_first_of("<>!") != std::string_view::npos) continue;
+    if (!trimmed(line.substr(0, found[0])).empty() && !trimmed(line.substr(found[0] + 1)).empty()) return "->";
+  }
+  return {};
+}
+
 /// A condition as the book writes it (= & |) in the spelling of expressions (== && ||).
 struct Condition {
   std::string text;
@@ -154,6 +168,12 @@ void RuleReader::read_axiom(std::string_view text, std::vector<std::string_view>
     const std::string_view name = trimmed(text.substr(0, colon));
     if (name == "\u03C9" || (name.size() > 1 && is_identifier(name))) text.remove_prefix(colon + 1);
   }
+  // No word has a colon, so this is meant for a rule.
+  if (!find_outside_parentheses(text, ':').empty()) {
+    faults_.add(trimmed(text), fmt::format("{} has no arrow", in_quotes(trimmed(text))), "predecessor -> successor",
+                arrow_instead(text));
+    return;
+  }
   const std::size_t first = axiom.size();
   if (!read_modules(text, open, axiom)) return;
   for (std::size_t k = first; k < axiom.size(); ++k) {
@@ -259,10 +279,7 @@ std::optional<Rule> RuleReader::read_rule(std::string_view line) {
 bool RuleReader::split_rule(std::string_view line, Parts& parts) {
   const auto arrow = find_arrow(line);
   if (!arrow) {
-    const bool has_other = line.find("=>") != std::string_view::npos || line.find("\u21D2") != std::string_view::npos ||
-                           line.find("\u27F6") != std::string_view::npos;
-    faults_.add(line, fmt::format("{} has no arrow", in_quotes(line)), "predecessor -> successor",
-                has_other ? "->" : "");
+    faults_.add(line, fmt::format("{} has no arrow", in_quotes(line)), "predecessor -> successor", arrow_instead(line));
     return false;
   }
   const std::string_view left_side = trimmed(line.substr(0, arrow->begin));

@@ -35,7 +35,7 @@ class GrammarConstants {
   void set(const std::string& name, double value);
   bool has(const std::string& name) const { return index_.count(name) > 0; }
   const std::vector<ExpressionNames::Constant>& all() const { return constants_; }
-  /// Those that `text` names, so that compiling it does not depend on how many there are.
+  /// The constants that `text` names, so that the cost of compiling it does not depend on how many constants there are.
   std::vector<ExpressionNames::Constant> used_in(std::string_view text) const;
 
  private:

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kBlock = 65'536;       // modules between two looks at the progress
 constexpr double kParallel = 1e-9;           // sine of an angle below which directions count as parallel
-constexpr double kStraightUp = 1e-6;         // the same for headings that `$` finds no level for
+constexpr double kStraightUp = 1e-6;         // sine of the angle to straight up below which `$` finds no level
 constexpr double kFarthest = 1e9;            // metres; beyond, squares of floats lose themselves
 constexpr std::size_t kDeepest = 1'000'000;  // brackets in one another
 constexpr double kShortest = 1e-9;           // metres; shorter segments make no node
@@ -325,7 +325,7 @@ class Turtle {
   /// Grammars are read only with balanced brackets, and % cuts to the branch's end: no ] is without its [.
   void pop() {
     if (stack_.empty()) return;
-    const NodeIndex end = state_.node == kNoNode ? root_after_gap_[state_.gap] : state_.node;
+    const NodeIndex end = node_here();
     if (end != kNoNode) ends_[end] = 1;
     const double elevation = state_.elevation;
     const double azimuth = state_.azimuth;
@@ -342,7 +342,10 @@ class Turtle {
 
   Frame frame() const { return {Mat3(glm::dmat3(-state_.left, state_.heading, state_.up)), Vec3(state_.position)}; }
 
-  void begin_polygon() { open_.push_back({.frame = frame(), .colour = state_.colour}); }
+  /// The node where the turtle is, kNoNode where nothing has been drawn there.
+  NodeIndex node_here() const { return state_.node == kNoNode ? root_after_gap_[state_.gap] : state_.node; }
+
+  void begin_polygon() { open_.push_back({.frame = frame(), .colour = state_.colour, .node = node_here()}); }
 
   void corner() {
     if (open_.empty()) return;
@@ -358,7 +361,8 @@ class Turtle {
       drawing_.polygons.push_back({.first = static_cast<std::uint32_t>(drawing_.corners.size()),
                                    .count = static_cast<std::uint32_t>(open.corners.size()),
                                    .frame = open.frame,
-                                   .colour = open.colour});
+                                   .colour = open.colour,
+                                   .node = open.node});
       drawing_.corners.insert(drawing_.corners.end(), open.corners.begin(), open.corners.end());
     }
     open_.pop_back();
@@ -376,7 +380,7 @@ class Turtle {
     position.frame = frame();
     position.frame.axes *= static_cast<float>(scale_ * size);
     position.radius = static_cast<float>(scale_ * state_.width);
-    position.node = state_.node == kNoNode ? root_after_gap_[state_.gap] : state_.node;
+    position.node = node_here();
     at_ = next;
     return meanings_[letter].arity;
   }
@@ -384,6 +388,7 @@ class Turtle {
   struct OpenPolygon {
     Frame frame;
     std::uint32_t colour = 0;
+    NodeIndex node = kNoNode;
     std::vector<Vec3> corners{};
   };
 

@@ -38,33 +38,35 @@ struct TurtleParameters {
     polar,  ///< & and ^ change an elevation, + and - an azimuth; rolls mean nothing. Begins level, along x
   };
   Reading reading = Reading::frame;
-  double angle = 22.5;     ///< turns without a parameter; in polar reading of the elevation
-  double azimuth = 22.5;   ///< the same of the azimuth in polar reading
-  double length = 0.1;     ///< of F, G, f and g without a parameter
-  double width = 0.01;     ///< radius at the root
-  double thinner = 0.7;    ///< by which `!` without a parameter multiplies the radius, and `#` divides it
-  double trunk_decay = 1;  ///< from a segment's beginning to its end, outside all brackets; where words have no ! and #
-  double branch_decay = 1;      ///< the same within brackets
+  double angle = 22.5;    ///< turn without a parameter; in polar reading, turn of the elevation
+  double azimuth = 22.5;  ///< turn of the azimuth without a parameter, in polar reading
+  double length = 0.1;    ///< length of F, G, f and g without a parameter
+  double width = 0.01;    ///< radius at the root
+  double thinner = 0.7;   ///< factor of `!` without a parameter on the radius; `#` divides by it
+  double trunk_decay =
+      1;  ///< radius at a segment's end over its beginning, outside all brackets, where words have no ! and #
+  double branch_decay = 1;      ///< radius at a segment's end over its beginning, within brackets
   std::optional<Vec3> tropism;  ///< what segments bend toward; unset: down, as it is where they end
-  Directions directions;        ///< of the scene: which way is down, for that and for $
+  Directions directions;        ///< the scene's directions: which way is down, for tropism and for $
   double elasticity = 0;        ///< after each segment it turns by this times |heading x tropism|, radians
   bool stack_angles = true;     ///< a ] of the polar reading brings the angles back, and not the position alone
 };
 
 /// The corners of a filled shape, which need not lie in a plane.
 struct TurtlePolygon {
-  std::uint32_t first = 0;  ///< of Drawing::corners
+  std::uint32_t first = 0;  ///< index of the first corner in Drawing::corners
   std::uint32_t count = 0;  ///< at least 3
-  Frame frame;              ///< of the turtle where it began
+  Frame frame;              ///< frame of the turtle where the polygon begins
   std::uint32_t colour = 0;
+  NodeIndex node = kNoNode;  ///< node that the polygon begins on; kNoNode where nothing has been drawn there
 };
 
 /// Where a `~` places a component.
 struct TurtleSite {
-  LetterIndex letter = kNoLetter;  ///< that names it
+  LetterIndex letter = kNoLetter;  ///< letter that names the component
   Frame frame;                     ///< heading along y, up along z; scaled by the letter's first parameter
-  float radius = 0;                ///< of the stem there
-  NodeIndex node = kNoNode;        ///< on which it stands, kNoNode where nothing has been drawn there
+  float radius = 0;                ///< radius of the stem at the site
+  NodeIndex node = kNoNode;        ///< node that the site stands on; kNoNode where nothing has been drawn there
 };
 
 struct Drawing {

@@ -17,7 +17,7 @@ constexpr std::size_t kMostWork = 4'000'000;
 
 using Counts = std::vector<double>;  // by letter
 
-/// So many of one letter.
+/// A number of modules of one letter.
 struct LetterCount {
   LetterIndex letter = kNoLetter;
   double count = 0;
@@ -69,7 +69,7 @@ double sum_of(const Counts& counts) {
   return sum;
 }
 
-/// Of the letters that a word has, the rule whose successors add most; null where none adds any.
+/// The rule, among those of the letters that a word has, whose successors add most; null where no rule adds any.
 const Rule* longest_rule(const RewritePlan& production, const Counts& counts) {
   const Rule* longest = nullptr;
   double most = 0;

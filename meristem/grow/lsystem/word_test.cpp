@@ -66,7 +66,7 @@ TEST(WordText, ComesInPiecesOfWholeModulesWithTheSameText) {
   std::size_t modules = 0;
   std::size_t pieces = 0;
   write_word_text(word, alphabet, [&](std::string_view piece, std::size_t count) {
-    // Of three modules that repeat, each begins with a capital of its own.
+    // Each of three modules that repeat begins with a capital of its own.
     EXPECT_EQ(std::count_if(piece.begin(), piece.end(), [](char c) { return c == 'L' || c == 'F'; }),
               static_cast<std::ptrdiff_t>(count));
     EXPECT_LT(piece.size(), 70'000U);

@@ -17,8 +17,8 @@ constexpr std::size_t kSensingPerBlock = 2048;  // metamers
 /// Whether there are no lamps, and sun and sky have all of their strength, as they do unless the sun never rises.
 bool is_full_everywhere(const Light& light) {
   double strength = 0;
-  for (const FarLight& far : light.sun) strength += far.strength;
-  for (const FarLight& far : light.sky) strength += far.strength;
+  for (const DirectionalLight& directional : light.sun) strength += directional.strength;
+  for (const DirectionalLight& directional : light.sky) strength += directional.strength;
   return light.lamps.empty() && std::abs(strength - 1) < 1e-6;
 }
 
@@ -77,7 +77,7 @@ class ShadeSense : public BudSense {
             .reach = model.reach};
   }
   Vec3 position(MetamerIndex metamer) const { return root_ + metamers_.tip[metamer]; }
-  /// The light of a metamer's buds in so much shade, of which its own does not count.
+  /// The light of a metamer's buds in a given shade, without the shade of the metamer itself.
   void tell(MetamerIndex metamer, double shade, BudLight& found) const {
     const BudLightModel& model = species_.parameters.light;
     const double own_per_metre = model.a / shade_.form().voxel;
@@ -116,7 +116,9 @@ class RoomSense : public BudSense, public RoomSeeker {
     const auto cosine = static_cast<float>(math::cos(0.5 * model.cone));
     for_each_bud([&](MetamerIndex metamer, bool is_lateral) {
       const Vec3 heading = metamers_.bud_heading(metamer, is_lateral, species_.parameters.phyllotaxis.branching_angle);
-      seekers.push_back({root_ + metamers_.tip[metamer], heading, volume_, radius, cosine});
+      // What a cut bud sees goes to living ones first; else the stump would win against the lateral beside it.
+      const bool is_damaged = !is_lateral && metamers_.terminal[metamer].is_damaged();
+      seekers.push_back({root_ + metamers_.tip[metamer], heading, volume_, radius, cosine, is_damaged});
     });
   }
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "meristem/base/progress.h"
-#include "meristem/grow/organize/metamers.h"
-#include "meristem/grow/organize/resource.h"
+#include "meristem/grow/metamer/metamers.h"
+#include "meristem/grow/metamer/resource.h"
 #include "meristem/grow/organize/species.h"
 #include "meristem/grow/stand_space.h"
 
@@ -46,7 +46,7 @@ class BudSense {
   virtual bool reaches(Vec3 position) const = 0;
 };
 
-/// That of one tree, whose `metamers` and `light` outlive it. To be called before the first round.
+/// The sense of one tree's buds; the tree's `metamers` and `light` outlive it. To be called before the first round.
 std::unique_ptr<BudSense> make_bud_sense(const OrganizedSpecies& species, StandSpace& space, const OrganizeSeed& seed,
                                          RandomKey key, const Metamers& metamers, const SceneLight& light);
 

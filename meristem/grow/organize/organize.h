@@ -15,9 +15,9 @@
 #include "meristem/base/frame.h"
 #include "meristem/base/limits.h"
 #include "meristem/base/random.h"
-#include "meristem/grow/organize/operation.h"
-#include "meristem/grow/organize/resource.h"
+#include "meristem/grow/metamer/resource.h"
 #include "meristem/grow/organize/sag.h"
+#include "meristem/grow/prune/operation.h"
 #include "meristem/grow/stand.h"
 #include "meristem/plant/pipe_radii.h"
 #include "meristem/scene/crown/crown.h"
@@ -32,12 +32,12 @@ struct BudLightModel {
     markers,  ///< the free room that a bud sees
   };
   Kind kind = Kind::shadow;
-  double full = 1;  ///< C: light of a bud without any shade; of the marker model: that of a bud with room
+  double full = 1;  ///< C: light of a bud without any shade; in the marker model, light of a bud with room
 
   // Shade.
   double voxel = 0;  ///< metres; 0: the length of a metamer
   double a = 0.2;    ///< shade that a metamer casts where it is; raised, sparser crowns
-  double b = 2;      ///< by which shade fades from voxel to voxel
+  double b = 2;      ///< divisor of the shade from voxel to voxel
   int depth = 3;     ///< voxels below a metamer that it shades
   int reach = 2;     ///< voxels around a bud in which it feels where it gets brighter
   double lean = 1;   ///< 0 to 1: from shade that falls straight down to shade that falls as the scene's light does
@@ -52,12 +52,12 @@ struct BudLightModel {
 
 /// How a metamer's direction is made of several: each a unit vector times its weight.
 struct DirectionWeights {
-  double persistence = 0.6;  ///< of the direction so far, or that of the lateral bud
-  double light = 0.4;        ///< of the way to light or room
-  double up = 0;             ///< of straight up; negative: down
-  double up_later = 0;       ///< what that weight comes to with the iterations or orders
-  double up_fade = 0.9;      ///< 0 to 1: what is left of the difference after each
-  bool fades_by_order = false;
+  double persistence = 0.6;     ///< weight of the direction so far, or of the lateral bud's direction
+  double light = 0.4;           ///< weight of the direction to light or room
+  double up = 0;                ///< weight of straight up; negative: down
+  double up_later = 0;          ///< what that weight comes to with the iterations or orders
+  double up_fade = 0.9;         ///< 0 to 1: what is left of the difference after each
+  bool fades_by_order = false;  ///< from leader to branch to twig, by rank (see leads.h)
 };
 
 /// Where lateral buds stand.
@@ -65,14 +65,14 @@ struct Phyllotaxis {
   enum class Kind { spiral, alternate, decussate };
   Kind kind = Kind::spiral;
   double branching_angle = radians(55);          ///< between axis and lateral bud
-  double divergence = radians(kGoldenAngleDeg);  ///< of the spiral
+  double divergence = radians(kGoldenAngleDeg);  ///< divergence angle of the spiral
   double jitter = radians(4);  ///< standard deviation of each new metamer's direction and of its lateral bud
 };
 
 /// Branches without light are shed.
 struct Shedding {
   double below = 0;  ///< mean light a metamer below which a shoot is shed; 0: none is
-  int after = 3;     ///< only shoots older than so many iterations are
+  int after = 3;     ///< only shoots older than this number of iterations are
 };
 
 struct OrganizeParameters {
@@ -85,12 +85,12 @@ struct OrganizeParameters {
   BudLightModel light;
   ResourceModel resource;
   double terminal_threshold = 1;   ///< resource at which a terminal bud grows
-  double lateral_threshold = 1.8;  ///< the same for lateral ones
+  double lateral_threshold = 1.8;  ///< resource at which a lateral bud grows
   bool laterals_wait = true;       ///< a lateral bud opens with or after its terminal only
   bool damage = true;              ///< a cut bud is damaged for ever; else it may grow again
   double takeover = 0.5;           ///< weight of a cut terminal's direction in the first metamer of a lateral beside it
   DirectionWeights direction;
-  std::optional<DirectionWeights> stem;  ///< of the stem, where it differs
+  std::optional<DirectionWeights> stem;  ///< weights of the stem and of what leads after it, where they differ
   Phyllotaxis phyllotaxis;
   Shedding shedding;
   std::optional<Sag> sag;
@@ -98,10 +98,11 @@ struct OrganizeParameters {
   std::vector<Operation> operations;  ///< that act in this order
 };
 
-/// Where one tree begins. Its room is a crown over its root, or all space where there is none.
+/// Where one tree begins. Its room is a crown over its root, or all space where there is none: markers exist in it
+/// alone, and shoots of the shadow model end at its surface.
 struct OrganizeSeed {
-  Frame frame;        ///< heads where the stem begins to grow
-  CrownPointer room;  ///< of the marker model
+  Frame frame;  ///< heads where the stem begins to grow
+  CrownPointer room;
 };
 
 /// Self-organizing trees in a stand, together one member of it and one skeleton: a node per metamer after the seeds'.
@@ -110,11 +111,12 @@ struct OrganizeSeed {
 /// Columns of the skeleton: `metamer` (number on the axis, 0 for seeds), `light` and `resource` as they would be in the
 /// next iteration, `lateral_resource` (what of it and of what is passed back the lateral bud or branch would get),
 /// `terminal_bud` and `lateral_bud` (states: 0 open, 1 grown, 2 damaged, 3 dead), `bud_angle` (radians about the axis
-/// from its upper side to the lateral bud, see bud_side), `shed` (tips lost).
+/// from its upper side to the lateral bud, see bud_side), `shed` (tips lost); for trees with operations also `rank`
+/// (see leads.h) and `cut_at` (the last iteration in which something was cut off at its tip, 0 for never).
 ///
 /// Growth throws InputError where nodes exceed the limits, before it makes them; where an operation names a shoot that
-/// is not there; where a seed stands in an obstacle; and where nothing has grown at all. std::invalid_argument for
-/// parameters out of their ranges. `scene` must outlive the growth.
+/// none of its trees has; where a seed stands in an obstacle; and where nothing has grown at all. std::invalid_argument
+/// for parameters out of their ranges. `scene` must outlive the growth.
 std::unique_ptr<Grower> make_organizer(Stand& stand, std::vector<OrganizeSeed> seeds,
                                        const OrganizeParameters& parameters, RandomKey key, const Scene& scene,
                                        const Limits& limits, std::string component);

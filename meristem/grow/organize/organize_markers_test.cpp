@@ -114,7 +114,7 @@ TEST(OrganizeAmongMarkers, WhatIsCutGivesItsRoomBack) {
   // With its leader cut low and never to grow again, the branches below find the leader's room.
   OrganizeParameters parameters = among_markers(12);
   const Skeleton whole = grow_organized(parameters, 3);
-  parameters.operations = {Cut{.when = {7}, .shoot = "main", .above = 5}};
+  parameters.operations = {cut_above(7, "main", 5)};
   const Skeleton cut = grow_organized(parameters, 3);
   const auto above_the_cut = [](const Skeleton& tree) {
     return std::ranges::count_if(tree.position,

@@ -110,8 +110,7 @@ TEST(OrganizeInAStand, ShadeIsThatOfTheMetamersThatAreThere) {
   const Scene scene;
   for (const double stiffness : {0.05, 500.0}) {
     OrganizeParameters parameters = full(18);
-    parameters.operations = {Cut{.when = {8}, .shoot = "main", .above = 9},
-                             Cut{.when = {13}, .shoot = "main", .above = 6}};
+    parameters.operations = {cut_above(8, "main", 9), cut_above(13, "main", 6)};
     parameters.shedding.below = 0.2;
     parameters.sag = Sag{.stiffness = stiffness};
     Stand stand;

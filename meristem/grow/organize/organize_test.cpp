@@ -376,7 +376,7 @@ TEST(Organize, RejectsParametersOutOfTheirRanges) {
   rejects([](OrganizeParameters& p) { p.length = 0; });
   rejects([](OrganizeParameters& p) { p.length = std::numeric_limits<double>::quiet_NaN(); });
   rejects([](OrganizeParameters& p) { p.light.full = -1; });
-  rejects([](OrganizeParameters& p) { p.operations = {Cut{.when = {1}, .shoot = "main", .above = -1}}; });
+  rejects([](OrganizeParameters& p) { p.operations = {cut_above(1, "main", -1)}; });
   rejects([](OrganizeParameters& p) { p.light.a = -1; });
   rejects([](OrganizeParameters& p) { p.light.b = 0.5; });
 }

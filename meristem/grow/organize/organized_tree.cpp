@@ -9,7 +9,6 @@
 
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
-#include "meristem/grow/organize/cut.h"
 #include "meristem/plant/further_columns.h"
 
 namespace meristem {
@@ -20,21 +19,26 @@ constexpr std::size_t kMetamersPerBlock = 2048;  // metamers
 constexpr std::size_t kSproutsAtOnce = 128;      // that look for light
 constexpr int kTries = 4;                        // headings that a bud tries where obstacles stand in its way
 constexpr double kTryTurn = 0.5;                 // radians from the one it wants, more with each of them
-// Opposite buds are two metamers, of which the second has this share of the length of both.
+// Opposite buds are two metamers; the second has this share of the length of both.
 constexpr float kPairGap = 0.04F;
 
 }  // namespace
 
 OrganizedTree::OrganizedTree(const OrganizedSpecies& species, StandSpace& space, const OrganizeSeed& seed,
-                             RandomKey key)
+                             RandomKey key, int number)
     : species_(&species),
       root_(seed.frame.origin),
+      key_(key),
+      number_(number),
+      room_(species.parameters.light.kind == BudLightModel::Kind::shadow ? seed.room : nullptr),
       tree_(species.scene, space, root_,
             Metamers(normalized_or(seed.frame.heading(), -species.directions.down(root_)),
                      normalized_or(seed.frame.right(), Vec3(1, 0, 0)), key),
             species.parameters.sag, species.parameters.radii),
       metamers_(tree_.metamers()),
-      senses_(make_bud_sense(species, space, seed, key, metamers_, tree_.scene_light())) {
+      senses_(make_bud_sense(species, space, seed, key, metamers_, tree_.scene_light())),
+      ties_(species.parameters),
+      is_done_(species.parameters.operations.size(), 0) {
   if (!senses_->reaches(root_)) {
     species.refuse("roots", "a root is too far away from the origin for metamers so short",
                    "a position nearer to the origin, or a larger 'length'");
@@ -49,7 +53,7 @@ void OrganizedTree::sense(int iteration, const Progress& progress) {
   progress.check();
   const OrganizeParameters& parameters = species_->parameters;
   const double age = std::min(1.0, static_cast<double>(iteration - 1) / parameters.maturity);
-  divide_resource(metamers_, light_, parameters.resource, iteration, age, flow_);
+  divide_resource(metamers_, light_, parameters.resource, iteration, age, flow_, ringed(iteration));
 }
 
 std::uint64_t OrganizedTree::plan() {
@@ -87,6 +91,7 @@ void OrganizedTree::iterate(int iteration, const Progress& progress) {
       sprouts[k].way = senses_->way(sprouts[k].from, sprouts[k].is_lateral, recent);
     }
   });
+  if (is_pruned()) tie_shoots(iteration);
   std::uint64_t more = 0;
   for (const Sprout& sprout : sprouts) more += static_cast<std::uint64_t>(sprout.metamers);
   tree_.reserve(metamers_.count() + more);
@@ -98,13 +103,19 @@ void OrganizedTree::iterate(int iteration, const Progress& progress) {
   tree_.sag(iteration);
   progress.check();
   shed(iteration);
-  operate(iteration, progress);
+  if (is_pruned()) operate(iteration, progress);
 }
 
 /// Grows the metamers of one bud, as far as nothing stands in their way.
 void OrganizedTree::grow(const Sprout& sprout, int iteration) {
   const Phyllotaxis& phyllotaxis = species_->parameters.phyllotaxis;
   MetamerIndex from = sprout.from;
+  Growth growth{sprout, iteration, metamers_.order[from] + (sprout.is_lateral ? 1 : 0), 0};
+  if (is_pruned()) {
+    growth.rank = leads_.rank_of_bud(metamers_, from, sprout.is_lateral);
+    growth.tie = ties_.of_bud(metamers_, leads_, from, sprout.is_lateral);
+  }
+  const double jitter = phyllotaxis.jitter / (1 + (growth.tie == 0 ? 0 : ties_.weight(growth.tie)));
   Vec3 bud = metamers_.bud_heading(from, sprout.is_lateral, phyllotaxis.branching_angle);
   for (int k = 0; k < sprout.metamers; ++k) {
     const bool is_lateral = sprout.is_lateral && k == 0;
@@ -113,38 +124,40 @@ void OrganizedTree::grow(const Sprout& sprout, int iteration) {
     if (phyllotaxis.kind == Phyllotaxis::Kind::decussate) length *= 2 * (number % 2 == 0 ? kPairGap : 1 - kPairGap);
     const RandomKey shoot = metamers_.key_of_shoot(from, is_lateral);
     const RandomKey key = shoot.child("metamer").child(number);
-    const auto heading = free_heading(from, wanted_heading(sprout, from, bud, iteration), length, key);
+    const auto heading = free_heading(from, wanted_heading(growth, from, bud), length, key, jitter);
     if (!heading) return;
 
     const Vec3 side = next_side(from, is_lateral, number, *heading, key);
     from = tree_.grow(from, is_lateral, iteration, metamers_.tip[from] + length * *heading, side);
+    if (is_lateral && growth.tie != 0) tree_.tie(metamers_.axis[from], growth.tie);
     has_grown_ = true;
     bud = *heading;
   }
 }
 
 /// The unit vector in which a metamer wants to grow from a bud that points to `bud`.
-Vec3 OrganizedTree::wanted_heading(const Sprout& sprout, MetamerIndex from, Vec3 bud, int iteration) const {
+Vec3 OrganizedTree::wanted_heading(const Growth& growth, MetamerIndex from, Vec3 bud) const {
   const OrganizeParameters& parameters = species_->parameters;
-  const bool is_first_of_lateral = sprout.is_lateral && from == sprout.from;
-  const int order = metamers_.order[from] + (is_first_of_lateral ? 1 : 0);
-  const DirectionWeights& weights = order == 0 && parameters.stem ? *parameters.stem : parameters.direction;
-  const double steps = weights.fades_by_order ? order : iteration - 1;
+  const bool is_first_of_lateral = growth.sprout.is_lateral && from == growth.sprout.from;
+  const DirectionWeights& weights = growth.rank == 0 && parameters.stem ? *parameters.stem : parameters.direction;
+  const double steps = weights.fades_by_order ? growth.rank : growth.iteration - 1;
   const double up = weights.up_later + (weights.up - weights.up_later) * math::pow(weights.up_fade, steps);
   const Vec3 straight_up = -species_->directions.down(root_ + metamers_.tip[from]);
-  DVec3 sum = weights.persistence * DVec3(bud) + weights.light * DVec3(sprout.way) + up * DVec3(straight_up);
+  DVec3 sum = weights.persistence * DVec3(bud) + weights.light * DVec3(growth.sprout.way) + up * DVec3(straight_up);
   if (is_first_of_lateral && metamers_.terminal[from].is_damaged()) {
     sum += parameters.takeover * DVec3(metamers_.heading(from));
   }
+  if (growth.tie != 0) sum += ties_.weight(growth.tie) * DVec3(ties_.way(growth.tie, metamers_.tip[from]));
   return normalized_or(Vec3(sum), bud);
 }
 
 /// The wanted heading with its jitter, or where that leads into an obstacle another one near it; none if all do, nor
 /// where it leads into the ground: there shoots end.
-std::optional<Vec3> OrganizedTree::free_heading(MetamerIndex from, Vec3 wanted, float length, RandomKey key) const {
+std::optional<Vec3> OrganizedTree::free_heading(MetamerIndex from, Vec3 wanted, float length, RandomKey key,
+                                                double jitter) const {
   const Vec3 across = any_perpendicular(wanted);
   for (int k = 0; k < kTries; ++k) {
-    const double turn = k == 0 ? species_->parameters.phyllotaxis.jitter * key.normal(0) : kTryTurn * k;
+    const double turn = k == 0 ? jitter * key.normal(0) : kTryTurn * k;
     const double about = 2 * kPi * key.uniform(1 + static_cast<std::uint64_t>(k));
     const Vec3 heading = rotation(rotation(wanted, about) * across, turn) * wanted;
     const Vec3 to = metamers_.tip[from] + length * heading;
@@ -175,9 +188,9 @@ Vec3 OrganizedTree::next_side(MetamerIndex from, bool is_lateral, std::uint32_t 
   return rotation(heading, turn + phyllotaxis.jitter * key.child("side").normal(0)) * side;
 }
 
-/// Whether no obstacle stands at `to` or on the way there, both relative to the root, and buds can live there.
+/// Whether no obstacle stands at `to` or on the way there, both relative to the root, and buds can and may live there.
 bool OrganizedTree::is_open(Vec3 from, Vec3 to) const {
-  if (!senses_->reaches(root_ + to)) return false;
+  if (!senses_->reaches(root_ + to) || (room_ && !room_->contains(to))) return false;
   const Obstacles& obstacles = species_->scene.obstacles;
   if (obstacles.empty()) return true;
   const Vec3 begin = from == Vec3(0) ? 0.001F * to : from;
@@ -199,25 +212,31 @@ void OrganizedTree::shed(int iteration) {
     gone[metamer] = 1;
     any = true;
   }
-  if (any) tree_.remove(gone, Bud::dead());
+  if (any) remove(gone, Bud::dead());
 }
 
-/// Performs the operations of this iteration, in the document's order.
-void OrganizedTree::operate(int iteration, const Progress& progress) {
-  for (const Operation& operation : species_->parameters.operations) {
-    if (!schedule_of(operation).holds(iteration)) continue;
-    progress.check();
-    std::visit([&](const auto& what) { perform(what, iteration); }, operation);
+/// Takes metamers away, here and in what is told of the iteration's metamers.
+void OrganizedTree::remove(std::vector<std::uint8_t>& gone, const BudsLeft& after) {
+  tree_.remove(gone, after);
+  if (!is_pruned()) return;
+  bows_.remove(gone);
+  if (!ringed_.empty()) {
+    ringed_.resize(gone.size(), 0);
+    ringed_until_.resize(gone.size(), 0);
+    erase_marked(ringed_, gone);
+    erase_marked(ringed_until_, gone);
   }
-}
-
-void OrganizedTree::perform(const Cut& cut, int iteration) {
-  std::vector<std::uint8_t> gone(metamers_.count(), 0);
-  gone[find_cut(metamers_, cut, iteration)] = 1;
-  tree_.remove(gone, species_->parameters.damage ? Bud::damaged() : Bud());
+  cut_at_.resize(gone.size(), 0);
+  erase_marked(cut_at_, gone);
+  erase_marked(flow_.light, gone);
+  erase_marked(flow_.buds, gone);
+  erase_marked(flow_.resource, gone);
+  erase_marked(flow_.to_lateral, gone);
+  erase_marked(flow_.passed_back, gone);
 }
 
 Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
+  const std::vector<std::uint16_t> ranks = is_pruned() ? find_leads(metamers_).rank : std::vector<std::uint16_t>();
   Metamers metamers = tree_.take_metamers();
   const std::size_t count = metamers.count();
   Skeleton skeleton;
@@ -254,6 +273,13 @@ Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
   skeleton.extra["terminal_bud"] = states(metamers.terminal);
   skeleton.extra["lateral_bud"] = states(metamers.lateral);
   skeleton.extra[std::string(kShedColumn)] = std::move(metamers.lost_tips);
+  if (is_pruned()) {
+    cut_at_.resize(count, 0);
+    skeleton.extra["cut_at"].assign(cut_at_.begin(), cut_at_.end());
+    std::vector<float>& rank = skeleton.extra["rank"];
+    rank.resize(count);
+    for (MetamerIndex metamer = 0; metamer < count; ++metamer) rank[metamer] = ranks.at(skeleton.axis[metamer]);
+  }
   progress.check();
   assign_pipe_radii(skeleton, species_->parameters.radii);
   return skeleton;

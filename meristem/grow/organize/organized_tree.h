@@ -6,12 +6,17 @@
 #include <optional>
 #include <vector>
 
+#include "meristem/base/diagnostic.h"
 #include "meristem/base/progress.h"
+#include "meristem/grow/metamer/metamers.h"
+#include "meristem/grow/metamer/resource.h"
 #include "meristem/grow/organize/bud_sense.h"
-#include "meristem/grow/organize/metamers.h"
-#include "meristem/grow/organize/resource.h"
 #include "meristem/grow/organize/species.h"
 #include "meristem/grow/organize/standing_tree.h"
+#include "meristem/grow/organize/tree_bows.h"
+#include "meristem/grow/organize/tree_ties.h"
+#include "meristem/grow/prune/leads.h"
+#include "meristem/grow/prune/work.h"
 #include "meristem/grow/stand_space.h"
 
 namespace meristem {
@@ -19,7 +24,9 @@ namespace meristem {
 /// One self-organizing tree as it grows. `species` and `space` outlive it.
 class OrganizedTree {
  public:
-  OrganizedTree(const OrganizedSpecies& species, StandSpace& space, const OrganizeSeed& seed, RandomKey key);
+  /// `number` is that of its root.
+  OrganizedTree(const OrganizedSpecies& species, StandSpace& space, const OrganizeSeed& seed, RandomKey key,
+                int number);
   OrganizedTree(const OrganizedTree&) = delete;
   OrganizedTree& operator=(const OrganizedTree&) = delete;
 
@@ -35,6 +42,12 @@ class OrganizedTree {
   const Metamers& metamers() const { return tree_.metamers(); }
   bool has_grown() const { return has_grown_; }
   const ResourceFlow& flow() const { return flow_; }  ///< of the last sense()
+  /// An operation that has found no shoot of the name it asks for, or nothing there to take.
+  struct Miss {
+    std::size_t operation = 0;
+    InputError error;
+  };
+  const std::vector<Miss>& misses() const { return misses_; }  ///< of the last iterate()
   /// In world space; to be called once.
   Skeleton take_skeleton(const Progress& progress);
 
@@ -48,23 +61,52 @@ class OrganizedTree {
     Vec3 way{0};       // to light or room: a unit vector, or 0
   };
 
+  /// What the metamers of a sprout have in common.
+  struct Growth {
+    const Sprout& sprout;
+    int iteration = 1;
+    int rank = 0;
+    std::uint32_t tie = 0;
+  };
+
+  bool is_pruned() const { return !species_->parameters.operations.empty(); }
   void grow(const Sprout& sprout, int iteration);
-  Vec3 wanted_heading(const Sprout& sprout, MetamerIndex from, Vec3 bud, int iteration) const;
-  std::optional<Vec3> free_heading(MetamerIndex from, Vec3 wanted, float length, RandomKey key) const;
+  Vec3 wanted_heading(const Growth& growth, MetamerIndex from, Vec3 bud) const;
+  std::optional<Vec3> free_heading(MetamerIndex from, Vec3 wanted, float length, RandomKey key, double jitter) const;
   Vec3 next_side(MetamerIndex from, bool is_lateral, std::uint32_t number, Vec3 heading, RandomKey key) const;
   bool is_open(Vec3 from, Vec3 to) const;
   void shed(int iteration);
+  void remove(std::vector<std::uint8_t>& gone, const BudsLeft& after);
+  /// What an operation sees of the tree in an iteration.
+  TreeState state_for(std::size_t operation, int iteration) const;
+  void tie_shoots(int iteration);
   void operate(int iteration, const Progress& progress);
-  void perform(const Cut& cut, int iteration);
+  void apply(const Work& work, int iteration, std::size_t operation);
+  void ring(const Ring& ring, int iteration);
+  void bend(const Bow& bow, std::size_t operation);
+  /// What rings keep in an iteration, by metamer; empty where there is none.
+  const std::vector<float>& ringed(int iteration);
 
   const OrganizedSpecies* species_;
   Vec3 root_;
+  RandomKey key_;
+  int number_ = 0;
+  CrownPointer room_;  // that shoots do not leave; null: all space
   StandingTree tree_;
   const Metamers& metamers_;  // of the tree
   std::unique_ptr<BudSense> senses_;
   BudLight light_;
   ResourceFlow flow_;
   std::vector<Sprout> sprouts_;  // of the iteration
+  // For trees with operations alone.
+  Leads leads_;
+  TreeTies ties_;
+  std::vector<std::uint8_t> is_done_;  // by operation
+  std::vector<std::uint16_t> cut_at_;  // iteration, by metamer; 0: never
+  TreeBows bows_;
+  std::vector<float> ringed_;                // share that a ring at its base keeps, by metamer; empty: no rings
+  std::vector<std::uint16_t> ringed_until_;  // iteration
+  std::vector<Miss> misses_;
   bool has_grown_ = false;
 };
 

@@ -7,13 +7,13 @@
 #include <cstdint>
 #include <deque>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
+#include "meristem/base/require.h"
 #include "meristem/grow/organize/organize.h"
 #include "meristem/grow/organize/organized_tree.h"
 #include "meristem/plant/join_skeletons.h"
@@ -24,19 +24,27 @@ namespace {
 
 constexpr std::size_t kMostTreeBlocks = 256;  // of trees that a thread takes at once
 
-void require(bool holds, const char* what) {
-  if (!holds) throw std::invalid_argument(what);
-}
-
 void check_parameters(const OrganizeParameters& parameters) {
   require(parameters.iterations >= 0 && parameters.iterations < 65536, "organize: iterations are 0 to 65535");
   require(parameters.every >= 1 && parameters.longest_shoot >= 1 && parameters.maturity >= 1,
           "organize: every, longest_shoot and maturity are at least 1");
   require(parameters.length > 0 && std::isfinite(parameters.length), "organize: length is above 0");
   for (const Operation& operation : parameters.operations) {
-    require(schedule_of(operation).first() >= 1, "organize: operations act from iteration 1 on");
-    const Cut* const cut = std::get_if<Cut>(&operation);
+    require(operation.when.from >= 1 && operation.when.every >= 1, "organize: operations act from iteration 1 on");
+    const Cut* const cut = std::get_if<Cut>(&operation.what);
     require(cut == nullptr || cut->above >= 0, "organize: a cut has negative numbers");
+    require(cut == nullptr || cut->place != Cut::Place::outside || cut->outside, "organize: a cut has no body");
+    const Layers* const layers = std::get_if<Layers>(&operation.what);
+    require(layers == nullptr || (layers->metamers >= 3 && layers->count >= 1), "organize: layers are too short");
+    const Support* const support = std::get_if<Support>(&operation.what);
+    require(support == nullptr || support->line.size() >= 2, "organize: a support has no length");
+    const Girdle* const girdle = std::get_if<Girdle>(&operation.what);
+    require(girdle == nullptr ||
+                (girdle->below >= 0 && girdle->iterations >= 1 && girdle->share >= 0 && girdle->share <= 1),
+            "organize: a ring is out of its ranges");
+    const Bend* const bend = std::get_if<Bend>(&operation.what);
+    require(bend == nullptr || (bend->below >= 0 && bend->iterations >= 1 && bend->metamers >= 1),
+            "organize: a bend is out of its ranges");
   }
   require(parameters.light.voxel >= 0 && parameters.light.full >= 0, "organize: light has no negative numbers");
 }
@@ -49,7 +57,7 @@ class Organizer : public Grower {
         space_(stand.commons<StandSpace>()) {
     for (std::size_t k = 0; k < seeds.size(); ++k) {
       require_open(seeds[k].frame.origin);
-      trees_.emplace_back(species_, space_, seeds[k], key.child(k));
+      trees_.emplace_back(species_, space_, seeds[k], key.child(k), static_cast<int>(k));
     }
   }
 
@@ -75,6 +83,7 @@ class Organizer : public Grower {
     }
     require_nodes(planned, iteration);
     for_each_tree([&](std::size_t k) { trees_[k].iterate(iteration, progress); });
+    require_shoots();
     return true;
   }
 
@@ -95,6 +104,17 @@ class Organizer : public Grower {
     parallel_for(trees_.size(), 1 + trees_.size() / kMostTreeBlocks, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) visit(k);
     });
+  }
+
+  /// An operation without a number of a tree is for each that has such a shoot; one must.
+  void require_shoots() const {
+    std::vector<std::size_t> misses(species_.parameters.operations.size(), 0);
+    for (const OrganizedTree& tree : trees_) {
+      for (const OrganizedTree::Miss& miss : tree.misses()) {
+        const bool is_for_one = species_.parameters.operations[miss.operation].tree.has_value();
+        if (++misses[miss.operation] == (is_for_one ? 1 : trees_.size())) throw InputError(miss.error);
+      }
+    }
   }
 
   /// Counts what will grow before any of it is made.
@@ -127,7 +147,8 @@ class Organizer : public Grower {
       species_.refuse("light", "nothing grows: the seed's bud has no light", "more light or room at the roots");
     }
     if (most >= species_.parameters.terminal_threshold) {
-      species_.refuse("roots", "nothing grows: obstacles or the ground stand in the way of every stem",
+      species_.refuse("roots",
+                      "nothing grows: obstacles, the ground or the end of the room stand in the way of every stem",
                       "roots with room above them, or shorter metamers");
     }
     species_.refuse("resource.alpha",

@@ -15,6 +15,8 @@ constexpr double kGravity = 9.81;
 // An internode turns by no more in one iteration: beyond that it would break, and beam theory does not hold.
 constexpr double kMostTurn = 0.35;
 
+bool is_tied(const Metamers& metamers, MetamerIndex metamer) { return metamers.axes[metamers.axis[metamer]].tie != 0; }
+
 }  // namespace
 
 Pose BranchLoad::bend(const Metamers& metamers, int iteration) const {
@@ -31,6 +33,7 @@ Pose BranchLoad::bend(const Metamers& metamers, int iteration) const {
     mass[metamer] += wood + leaves;
     first[metamer] += wood * 0.5 * DVec3(metamers.tip[metamer] + metamers.tip[parent]);
     first[metamer] += leaves * DVec3(metamers.tip[metamer]);
+    if (is_tied(metamers, metamer)) continue;
     mass[parent] += mass[metamer];
     first[parent] += first[metamer];
   }
@@ -41,6 +44,10 @@ Pose BranchLoad::bend(const Metamers& metamers, int iteration) const {
   pose.moment.resize(count, Vec3(0));
   for (MetamerIndex metamer = 1; metamer < count; ++metamer) {
     const MetamerIndex parent = metamers.parent[metamer];
+    if (is_tied(metamers, metamer)) {
+      pose.tip[metamer] = pose.tip[parent] + (metamers.tip[metamer] - metamers.tip[parent]);
+      continue;
+    }
     const DVec3 lever = first[metamer] - mass[metamer] * DVec3(metamers.tip[parent]);
     // The moment of weights m at a lever r is r x g m.
     const DVec3 down(directions_.down(root_ + metamers.tip[parent]));

@@ -39,8 +39,8 @@ double fall(const Metamers& rod) { return 0.1 * static_cast<double>(rod.count() 
 
 double rigidity(const Sag& sag, double radius) { return sag.stiffness * 1e9 * kPi / 4 * std::pow(radius, 4); }
 
-/// The same by beam theory: each internode turns by M L / (E I), where M is the moment about its base of all that is
-/// beyond. Small angles; the lever of weights and the fall of what turns both have the cosine of the slope.
+/// The deflection by beam theory: each internode turns by M L / (E I), where M is the moment about its base of all that
+/// is beyond. Small angles; the lever of weights and the fall of what turns both have the cosine of the slope.
 double deflection(const Sag& sag, int metamers, double leaf_at_tip = 0) {
   constexpr double kLength = 0.1;
   const double mass = sag.density * kPi * kRod.tip_radius * kRod.tip_radius * kLength;
@@ -60,7 +60,7 @@ void bend(BranchLoad& load, Metamers& rod, int iteration) {
   load.take(pose.moment);
 }
 
-/// The same of a load that comes for the first time.
+/// Bends a rod under a load that comes for the first time.
 void bend(const Sag& sag, Metamers& rod, int iteration) {
   BranchLoad load(sag, kRod);
   bend(load, rod, iteration);
@@ -120,7 +120,7 @@ TEST(Sag, WithoutMoreLoadNothingBendsFurther) {
 }
 
 TEST(Sag, LoadThatComesBitByBitBendsByItsIncrements) {
-  // The same even rod, loaded as it grows: each internode has turned by the moments that came after it.
+  // An even rod, loaded as it grows: each internode has turned by the moments that came after it.
   Metamers rod = rod_of(1);
   BranchLoad load(kWood, kRod);
   bend(load, rod, 1000);

@@ -17,7 +17,7 @@ struct OrganizedSpecies {
   std::string component;
   Directions directions;  ///< of the scene
 
-  /// Of a parameter in the document.
+  /// The path of a parameter in the document.
   std::string path(const std::string& parameter) const;
   /// Throws an InputError at a parameter.
   [[noreturn]] void refuse(const std::string& parameter, std::string message, std::string expected,

@@ -23,7 +23,7 @@ MetamerIndex StandingTree::grow(MetamerIndex from, bool is_lateral, int iteratio
 void StandingTree::move(Pose pose) {
   const std::vector<Vec3> before = std::exchange(metamers_.tip, std::move(pose.tip));
   metamers_.side = std::move(pose.side);
-  if (load_) load_->take(std::move(pose.moment));
+  if (load_ && !pose.moment.empty()) load_->take(std::move(pose.moment));
   for (MetamerIndex metamer = 1; metamer < metamers_.count(); ++metamer) {
     const MetamerIndex parent = metamers_.parent[metamer];
     if (metamers_.tip[metamer] == before[metamer] && metamers_.tip[parent] == before[parent]) continue;
@@ -38,7 +38,12 @@ void StandingTree::sag(int iteration) {
   if (load_) move(load_->bend(metamers_, iteration));
 }
 
-void StandingTree::remove(std::vector<std::uint8_t>& gone, Bud after) {
+void StandingTree::damage(MetamerIndex metamer, bool is_lateral) {
+  Bud& bud = (is_lateral ? metamers_.lateral : metamers_.terminal)[metamer];
+  if (bud.is_open()) bud = Bud::damaged();
+}
+
+void StandingTree::remove(std::vector<std::uint8_t>& gone, const BudsLeft& after) {
   for (MetamerIndex metamer = 1; metamer < metamers_.count(); ++metamer) {
     if (gone[metamers_.parent[metamer]] != 0) gone[metamer] = 1;
     if (gone[metamer] != 0 && space_.is_felt()) changes_.lose(world(metamer), metamers_.length(metamer));

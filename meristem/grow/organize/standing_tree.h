@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "meristem/grow/metamer/metamers.h"
 #include "meristem/grow/organize/bud_sense.h"
-#include "meristem/grow/organize/metamers.h"
 #include "meristem/grow/organize/sag.h"
 #include "meristem/grow/stand_space.h"
 
@@ -35,12 +35,19 @@ class StandingTree {
   /// Grows an open bud into a metamer that ends at `tip` (metres from the root) with its lateral bud on `side`.
   MetamerIndex grow(MetamerIndex from, bool is_lateral, int iteration, Vec3 tip, Vec3 side);
   /// Brings all metamers to where `pose` has them; afterwards everything is as if they had grown there. Those that stay
-  /// where they are cost nothing but a look.
+  /// where they are cost nothing but a look. Without moments the load stays as it was taken last.
   void move(Pose pose);
   /// Bends the branches by what their load has grown; see BranchLoad.
   void sag(int iteration);
   /// Takes metamers away as Metamers::remove().
-  void remove(std::vector<std::uint8_t>& gone, Bud after);
+  void remove(std::vector<std::uint8_t>& gone, const BudsLeft& after);
+  /// Damages a metamer's terminal or lateral bud if that is open.
+  void damage(MetamerIndex metamer, bool is_lateral);
+  /// Ties a shoot to a line by its number, 0 to none.
+  void tie(AxisIndex axis, std::uint32_t line) { metamers_.axes[axis].tie = line; }
+  /// Lets no other shoot succeed this one.
+  void deny_heir(AxisIndex axis) { metamers_.axes[axis].has_no_heir = true; }
+  void mark(AxisIndex axis) { metamers_.axes[axis].is_marked = true; }
   /// Tells the stand's space what was grown, moved and removed since the last time.
   void tell() { space_.take(changes_); }
   /// What has grown; then nothing is left.

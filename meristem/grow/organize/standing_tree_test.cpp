@@ -56,7 +56,7 @@ struct Grown {
   std::uint32_t volume;
   std::unique_ptr<StandingTree> tree;
 
-  /// Of the form of `like`, with its metamers where `pose` has them.
+  /// A tree of the form of `like`, with its metamers where `pose` has them.
   Grown(const Scene& scene, const Metamers& like, const Pose& pose, RandomKey key) {
     grid = &space.shade({.voxel = 0.3, .depth = 4}, kMuch, "shade");
     field = &space.markers({.spacing = 0.2, .occupancy = 0.5}, RandomKey(1), scene.obstacles, seeker, kMuch, "markers");

@@ -8,10 +8,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "meristem/base/curve.h"
-#include "meristem/grow/organize/metamers.h"
+#include "meristem/grow/metamer/metamers.h"
 
 namespace meristem {
 
@@ -33,14 +34,14 @@ struct ResourceModel {
   double lambda = 0.52;  ///< 0 to 1: what the terminal side of a fork has before the lateral; raised, more upright
   Curve lambda_curve{{{0, 1}}};  ///< factor on it over the age
   PriorityWeights weights;
-  int until = 0;           ///< the priority model holds in so many iterations alone; 0: in all
-  int laterals = 0;        ///< and on axes with at most so many laterals; 0: on all
+  int until = 0;           ///< the priority model holds in this number of first iterations; 0: in all
+  int laterals = 0;        ///< buds grow only on axes with at most this number of laterals; 0: on all
   double pass_back = 0.5;  ///< share that each lateral takes of what a damaged terminal bud passes back down its axis
 };
 
 /// The light of the buds, by metamer.
 struct BudLight {
-  std::vector<float> terminal;  ///< of a damaged bud what it would have
+  std::vector<float> terminal;  ///< light of the terminal bud; for a damaged bud, the light that it would have
   std::vector<float> lateral;
 
   void resize(std::size_t metamers);
@@ -48,11 +49,12 @@ struct BudLight {
 
 /// What all metamers of a tree have in one iteration, by metamer.
 struct ResourceFlow {
-  std::vector<double> light;        ///< of the open buds at its tip and beyond
-  std::vector<std::uint32_t> buds;  ///< open ones, there and beyond
-  std::vector<double> resource;     ///< that comes to it from below
-  std::vector<double> to_lateral;   ///< the share of it that its lateral bud or branch gets, ...
-  std::vector<double> passed_back;  ///< ... and what that gets besides from above, as a share of the same
+  std::vector<double> light;        ///< light of the open buds at the metamer's tip and beyond
+  std::vector<std::uint32_t> buds;  ///< open buds at the metamer's tip and beyond
+  std::vector<double> resource;     ///< resource that comes to the metamer from below
+  std::vector<double> to_lateral;   ///< share of the resource that the metamer's lateral bud or branch gets
+  std::vector<double>
+      passed_back;  ///< what the lateral bud or branch gets besides from above, as a share of `resource`
   double lost = 0;  ///< what damaged buds passed back and nobody took, and what came to forks without light
 
   double terminal(MetamerIndex metamer) const { return resource[metamer] - resource[metamer] * to_lateral[metamer]; }
@@ -67,7 +69,11 @@ void gather_light(const Metamers& metamers, const BudLight& light, ResourceFlow&
 /// Divides the resource of a tree whose light was gathered. `iteration` counts from 1; `age` is its share of maturity,
 /// 0 to 1. At every metamer what its two sides get is what came, with what was passed back; cost is linear, with a sort
 /// for each axis in the priority model.
+///
+/// `ringed`, by metamer, is the share of what leaves make from there on that a ring in the bark below the metamer keeps
+/// from going down: it is not counted at the root, but comes to the metamer besides what comes from below. Empty: there
+/// are no rings.
 void divide_resource(const Metamers& metamers, const BudLight& light, const ResourceModel& model, int iteration,
-                     double age, ResourceFlow& flow);
+                     double age, ResourceFlow& flow, std::span<const float> ringed = {});
 
 }  // namespace meristem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "meristem/grow/organize/metamers.h"
+#include "meristem/grow/metamer/metamers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 Metamers seed() { return {kUp, Vec3(1, 0, 0), RandomKey(1)}; }
 
-/// Grows so many metamers one on the other, the first from the given bud; returns the last.
+/// Grows a number of metamers one on the other, the first from the given bud; returns the last.
 MetamerIndex grow_chain(Metamers& metamers, MetamerIndex from, bool is_lateral, int count) {
   for (int k = 0; k < count; ++k) from = metamers.grow(from, is_lateral && k == 0, k + 1);
   return from;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "meristem/grow/organize/metamers.h"
+#include "meristem/grow/metamer/metamers.h"
 
 #include <algorithm>
 #include <charconv>
@@ -137,7 +137,7 @@ std::vector<std::string> Metamers::shoots_on(AxisIndex on) const {
   }
 }
 
-void Metamers::remove(std::vector<std::uint8_t>& gone, Bud after) {
+void Metamers::remove(std::vector<std::uint8_t>& gone, const BudsLeft& after) {
   const std::size_t before = count();
   // What stands on what goes, goes.
   std::vector<MetamerIndex> place(before);
@@ -153,8 +153,8 @@ void Metamers::remove(std::vector<std::uint8_t>& gone, Bud after) {
     if (gone[metamer] == 0 || gone[parent[metamer]] != 0) continue;
     lost_tips[parent[metamer]] += static_cast<float>(tips[metamer]);
   }
-  const auto renumber = [&](Bud& bud) {
-    if (bud.is_grown()) bud = gone[bud.metamer()] != 0 ? after : Bud::grown(place[bud.metamer()]);
+  const auto renumber = [&](Bud& bud, Bud left) {
+    if (bud.is_grown()) bud = gone[bud.metamer()] != 0 ? left : Bud::grown(place[bud.metamer()]);
   };
   std::vector<AxisIndex> axis_place(axes.size());
   std::vector<Axis> axes_kept;
@@ -163,12 +163,14 @@ void Metamers::remove(std::vector<std::uint8_t>& gone, Bud after) {
     if (gone[axes[k].first] != 0) continue;
     Axis own = axes[k];
     while (gone[own.last] != 0) own.last = parent[own.last];
-    axes_kept.push_back({own.key, place[own.first], place[own.last]});
+    own.first = place[own.first];
+    own.last = place[own.last];
+    axes_kept.push_back(own);
   }
   for (MetamerIndex metamer = 0; metamer < before; ++metamer) {
     if (gone[metamer] != 0) continue;
-    renumber(terminal[metamer]);
-    renumber(lateral[metamer]);
+    renumber(terminal[metamer], after.terminal);
+    renumber(lateral[metamer], after.lateral);
     if (metamer != 0) parent[metamer] = place[parent[metamer]];
     axis[metamer] = axis_place[axis[metamer]];
   }

@@ -2,7 +2,7 @@
 // Both models first become one number per metamer: the share of what comes to it that goes to its lateral side. So one
 // pass from the root on divides the resource by either of them, and along any axis by another one. What damaged
 // terminal buds pass back is a share of the same, since it rises in proportion to what comes to the axis.
-#include "meristem/grow/organize/resource.h"
+#include "meristem/grow/metamer/resource.h"
 
 #include <algorithm>
 
@@ -100,7 +100,10 @@ bool has_priority(const Metamers& metamers, const ResourceModel& model, const Me
 
 /// Lets the laterals of an axis whose terminal bud is damaged take their shares of what it claims, from the top down.
 /// Returns what of it nobody takes, as a share of what comes to the axis.
-double pass_back(const Metamers& metamers, const Metamers::Axis& axis, double share, ResourceFlow& flow) {
+/// Nothing passes a ring: what the terminal claims of the resource that is kept above one, `kept` by metamer, is taken
+/// above it or lost.
+double pass_back(const Metamers& metamers, const Metamers::Axis& axis, double share, const std::vector<double>& kept,
+                 ResourceFlow& flow) {
   double claim = 1 - flow.to_lateral[axis.last];  // as a share of what comes to the metamer
   double rest = 1;
   for (MetamerIndex metamer = axis.last;; metamer = metamers.parent[metamer]) {
@@ -110,8 +113,24 @@ double pass_back(const Metamers& metamers, const Metamers::Axis& axis, double sh
       rest -= share * rest;
     }
     if (metamer == axis.first) return rest * claim;
+    if (!kept.empty()) flow.lost += rest * claim * kept[metamer];
     claim *= 1 - flow.to_lateral[metamers.parent[metamer]];
   }
+}
+
+/// What the rings keep above them, by metamer, and at metamer 0 what all of them do.
+std::vector<double> keep_above_rings(const Metamers& metamers, const ResourceModel& model, const ResourceFlow& flow,
+                                     std::span<const float> ringed) {
+  if (ringed.empty()) return {};
+  std::vector<double> kept(metamers.count(), 0);
+  std::vector<double> above(metamers.count(), 0);  // what rings keep there and beyond
+  for (auto metamer = static_cast<MetamerIndex>(metamers.count()); metamer-- > 1;) {
+    // Rounding must not make it negative.
+    kept[metamer] = ringed[metamer] * std::max(0.0, model.alpha * flow.light[metamer] - above[metamer]);
+    above[metamers.parent[metamer]] += above[metamer] + kept[metamer];
+  }
+  kept[0] = above[0];
+  return kept;
 }
 
 }  // namespace
@@ -147,7 +166,7 @@ void gather_light(const Metamers& metamers, const BudLight& light, ResourceFlow&
 }
 
 void divide_resource(const Metamers& metamers, const BudLight& light, const ResourceModel& model, int iteration,
-                     double age, ResourceFlow& flow) {
+                     double age, ResourceFlow& flow, std::span<const float> ringed) {
   const std::size_t count = metamers.count();
   flow.resource.assign(count, 0);
   flow.to_lateral.assign(count, 0);
@@ -166,7 +185,9 @@ void divide_resource(const Metamers& metamers, const BudLight& light, const Reso
   }
 
   // Where nobody has light, nothing can be divided.
-  const double root = model.alpha0 + model.alpha * flow.light[0];
+  const std::vector<double> kept = keep_above_rings(metamers, model, flow, ringed);
+  double root = model.alpha0 + model.alpha * flow.light[0];
+  if (!kept.empty()) root = std::max(model.alpha0, root - kept[0]);
   std::vector<std::pair<MetamerIndex, double>> lost_shares;
   for (MetamerIndex metamer = 0; metamer < count; ++metamer) {
     if (flow.to_lateral[metamer] != kNoLight) continue;
@@ -176,10 +197,11 @@ void divide_resource(const Metamers& metamers, const BudLight& light, const Reso
   }
   for (const Metamers::Axis& axis : metamers.axes) {
     if (!metamers.terminal[axis.last].is_damaged()) continue;
-    lost_shares.emplace_back(axis.first, pass_back(metamers, axis, model.pass_back, flow));
+    lost_shares.emplace_back(axis.first, pass_back(metamers, axis, model.pass_back, kept, flow));
   }
   flow.resource[0] = root;
   for (MetamerIndex metamer = 0; metamer < count; ++metamer) {
+    if (metamer != 0 && !kept.empty()) flow.resource[metamer] += kept[metamer];
     if (metamers.terminal[metamer].is_grown()) {
       flow.resource[metamers.terminal[metamer].metamer()] = flow.terminal(metamer);
     }

@@ -40,12 +40,21 @@ class Bud {
   constexpr bool is_grown() const { return bits_ < kOpen - 2; }
   constexpr bool is_open() const { return bits_ == kOpen; }
   constexpr bool is_damaged() const { return bits_ == kOpen - 1; }
-  constexpr MetamerIndex metamer() const { return bits_; }  ///< of grown ones
+  constexpr MetamerIndex metamer() const { return bits_; }  ///< the metamer that a grown bud has become
 
  private:
   static constexpr std::uint32_t kOpen = 0xffffffffU;
   explicit constexpr Bud(std::uint32_t bits) : bits_(bits) {}
   std::uint32_t bits_ = kOpen;
+};
+
+/// What becomes of the buds that had grown what is taken away.
+struct BudsLeft {
+  Bud terminal;
+  Bud lateral;
+
+  BudsLeft(Bud both) : terminal(both), lateral(both) {}  // NOLINT(google-explicit-constructor): mostly equal
+  BudsLeft(Bud of_terminal, Bud of_lateral) : terminal(of_terminal), lateral(of_lateral) {}
 };
 
 /// Keeps those elements of a column by metamer whose mark is 0.
@@ -80,6 +89,9 @@ struct Metamers {
     RandomKey key;  ///< made of the shoot's name
     MetamerIndex first = 0;
     MetamerIndex last = 0;
+    std::uint32_t tie = 0;     ///< number of the line that the shoot is tied to, from 1; 0: none
+    bool has_no_heir = false;  ///< no other shoot succeeds it where its terminal bud is damaged
+    bool is_marked = false;
   };
   std::vector<Axis> axes;
 
@@ -91,7 +103,7 @@ struct Metamers {
   /// Grows the terminal or lateral bud of a metamer, which is open. Side and tip are yet to be set.
   MetamerIndex grow(MetamerIndex from, bool is_lateral, int iteration);
 
-  /// Unit vector from a metamer's base to its tip; of the seed the way in which it will grow.
+  /// Unit vector from a metamer's base to its tip; for the seed, the direction in which it will grow.
   Vec3 heading(MetamerIndex metamer) const;
   float length(MetamerIndex metamer) const;
   /// Unit vector in which a metamer's terminal or lateral bud points; lateral ones stand off by `branching_angle`.
@@ -114,10 +126,10 @@ struct Metamers {
   /// The names of the shoots on an axis, from its base on.
   std::vector<std::string> shoots_on(AxisIndex on) const;
 
-  /// Takes metamers away with all that they bear: those whose entry in `gone`, one per metamer, is not 0. The buds that
-  /// had grown them become `after`. Tells the metamer that bore them how many tips it has lost. `gone` then marks all
-  /// that are no more. Indices change; order stays.
-  void remove(std::vector<std::uint8_t>& gone, Bud after);
+  /// Takes away the metamers whose entry in `gone`, one per metamer, is not 0, with all that they bear. The buds that
+  /// had grown them become what `after` says. Tells the metamer that bore them how many tips it has lost. `gone` then
+  /// marks all that are no more. Indices change; order stays.
+  void remove(std::vector<std::uint8_t>& gone, const BudsLeft& after);
 
  private:
   Vec3 seed_heading_;

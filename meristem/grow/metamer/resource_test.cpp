@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "meristem/grow/organize/resource.h"
+#include "meristem/grow/metamer/resource.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ ResourceFlow divided(const Metamers& metamers, const BudLight& light, const Reso
 
 ResourceModel priority_model() { return {.division = ResourceModel::Division::priority}; }
 
-/// A stem of so many metamers on its seed.
+/// A stem of a number of metamers on its seed.
 Metamers stem(int count) {
   Metamers metamers(kUp, Vec3(1, 0, 0), RandomKey(1));
   for (MetamerIndex k = 0; k < static_cast<MetamerIndex>(count); ++k) metamers.grow(k, false, 1);
@@ -133,6 +133,61 @@ RC_GTEST_PROP(DivideResource, AllThatIsDividedGoesToOpenBudsOrIsLost, ()) {
   RC_ASSERT(std::isfinite(flow.lost));
   RC_ASSERT(flow.lost >= 0);
   RC_ASSERT(std::abs(given(any.metamers, any.light, flow) + flow.lost - flow.resource[0]) <= 1e-9 * flow.resource[0]);
+}
+
+RC_GTEST_PROP(DivideResource, RingsKeepAllThatWouldBeDividedWithoutThem, ()) {
+  const RandomKey key(*rc::gen::arbitrary<std::uint64_t>());
+  const AnyCase any{key};
+  ResourceFlow flow = divided(any.metamers, any.light, any.model);
+  const double whole = flow.resource[0];
+  std::vector<float> ringed(any.metamers.count(), 0);
+  for (std::size_t metamer = 1; metamer < ringed.size(); ++metamer) {
+    if (key.child("ring").uniform(metamer) < 0.2)
+      ringed[metamer] = static_cast<float>(key.child("share").uniform(metamer));
+  }
+  divide_resource(any.metamers, any.light, any.model, 1, 0, flow, ringed);
+  RC_ASSERT(flow.lost >= 0);
+  RC_ASSERT(flow.resource[0] >= any.model.alpha0);
+  RC_ASSERT(std::abs(given(any.metamers, any.light, flow) + flow.lost - whole) <= 1e-9 * whole);
+}
+
+TEST(DivideResource, ARingKeepsAboveItWhatLeavesAboveItMake) {
+  const Metamers metamers = stem(4);
+  const BudLight light = even_light(metamers);
+  const ResourceModel model{.alpha = 2, .lambda = 0.5};
+  ResourceFlow flow = divided(metamers, light, model);
+  std::vector<float> ringed(metamers.count(), 0);
+  // Open buds: one at each of metamers 1 to 4, and the terminal of 4; above the ring three.
+  ringed[3] = 1;
+  divide_resource(metamers, light, model, 1, 0, flow, ringed);
+  EXPECT_DOUBLE_EQ(flow.resource[0], 2 * 2);
+  EXPECT_DOUBLE_EQ(flow.resource[3], flow.terminal(2) + 2 * 3);
+  // Two rings: nothing is kept twice.
+  ringed = {0, 0, 1, 0.5F, 0};
+  divide_resource(metamers, light, model, 1, 0, flow, ringed);
+  EXPECT_DOUBLE_EQ(flow.resource[0], 2);
+  EXPECT_DOUBLE_EQ(flow.resource[2], flow.terminal(1) + 2 * 4 - 3);
+  EXPECT_DOUBLE_EQ(flow.resource[3], flow.terminal(2) + 3);
+  // A ring through which all passes is none.
+  const ResourceFlow without = divided(metamers, light, model);
+  divide_resource(metamers, light, model, 1, 0, flow, std::vector<float>(metamers.count(), 0));
+  EXPECT_EQ(flow.resource, without.resource);
+}
+
+TEST(DivideResource, WhatADamagedTerminalPassesBackStaysAboveTheRing) {
+  Metamers metamers = stem(3);
+  metamers.terminal[3] = Bud::damaged();
+  metamers.lateral[3] = Bud::dead();
+  metamers.lateral[2] = Bud::dead();
+  const BudLight light = even_light(metamers);
+  const ResourceModel model{.alpha = 2, .lambda = 0.5};
+  const std::vector<float> ringed{0, 0, 1, 0};
+  ResourceFlow flow = divided(metamers, light, model);
+  const ResourceFlow without = flow;
+  divide_resource(metamers, light, model, 1, 0, flow, ringed);
+  // Nothing above the ring makes anything, so nothing changes.
+  EXPECT_EQ(flow.resource, without.resource);
+  EXPECT_EQ(flow.lost, without.lost);
 }
 
 RC_GTEST_PROP(DivideResource, DamagedAndDeadLateralsGetNothing, ()) {

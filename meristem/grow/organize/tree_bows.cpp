@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/organize/tree_bows.h"
+
+#include <algorithm>
+
+#include "meristem/base/frame.h"
+#include "meristem/base/math.h"
+
+namespace meristem {
+
+namespace {
+
+/// By how much each metamer of a bow turns, about one axis.
+struct Turn {
+  Vec3 axis{0};
+  double angle = 0;
+};
+
+/// The turn of one of `count` metamers that brings `heading` to an inclination in `iterations` such turns.
+Turn turn_to(Vec3 heading, double inclination, int count, int iterations) {
+  const Vec3 level = normalized_or(Vec3(heading.x, 0, heading.z), Vec3(1, 0, 0));
+  const Vec3 wanted =
+      static_cast<float>(math::cos(inclination)) * level + static_cast<float>(math::sin(inclination)) * kUp;
+  const Vec3 across = glm::cross(heading, wanted);
+  const double sine = glm::length(across);
+  if (sine < 1e-6) return {};
+  return {normalized_or(across, kUp), math::atan2(sine, glm::dot(heading, wanted)) / (count * iterations)};
+}
+
+}  // namespace
+
+void TreeBows::add(const Bow& bow) {
+  std::erase_if(bows_, [&](const Bow& other) { return other.first == bow.first; });
+  bows_.push_back(bow);
+}
+
+Pose TreeBows::bend(const Metamers& metamers) {
+  const std::size_t count = metamers.count();
+  std::vector<std::uint32_t> bow_of(count, 0);  // from 1; 0: none
+  std::vector<int> lengths;
+  for (const Bow& bow : bows_) {
+    lengths.push_back(0);
+    for (MetamerIndex metamer = bow.last;; metamer = metamers.parent[metamer]) {
+      bow_of[metamer] = static_cast<std::uint32_t>(lengths.size());
+      ++lengths.back();
+      if (metamer == bow.first) break;
+    }
+  }
+  std::vector<Turn> turns(bows_.size());
+  std::vector<Mat3> turned(count, Mat3(1));
+  Pose pose{std::vector<Vec3>(count, Vec3(0)), metamers.side, {}};
+  pose.tip[0] = metamers.tip[0];
+  for (MetamerIndex metamer = 1; metamer < count; ++metamer) {
+    const MetamerIndex parent = metamers.parent[metamer];
+    turned[metamer] = turned[parent];
+    if (const std::uint32_t number = bow_of[metamer]; number != 0) {
+      const Bow& bow = bows_[number - 1];
+      Turn& turn = turns[number - 1];
+      if (metamer == bow.first) {
+        const Vec3 heading = turned[parent] * metamers.heading(bow.last);
+        turn = turn_to(heading, bow.inclination, lengths[number - 1], bow.iterations);
+      }
+      if (turn.angle != 0) turned[metamer] = rotation(turn.axis, turn.angle) * turned[parent];
+    }
+    const Vec3 internode = metamers.tip[metamer] - metamers.tip[parent];
+    // What nothing has turned keeps its bytes where nothing has moved it.
+    if (pose.tip[parent] == metamers.tip[parent] && turned[metamer] == Mat3(1)) {
+      pose.tip[metamer] = metamers.tip[metamer];
+      continue;
+    }
+    pose.tip[metamer] = pose.tip[parent] + turned[metamer] * internode;
+    pose.tip[metamer].y = std::max(pose.tip[metamer].y, std::min(0.0F, metamers.tip[metamer].y));
+    pose.side[metamer] = turned[metamer] * metamers.side[metamer];
+  }
+  for (Bow& bow : bows_) --bow.iterations;
+  std::erase_if(bows_, [](const Bow& bow) { return bow.iterations <= 0; });
+  return pose;
+}
+
+void TreeBows::remove(const std::vector<std::uint8_t>& gone) {
+  if (bows_.empty()) return;
+  std::vector<MetamerIndex> place(gone.size());
+  MetamerIndex kept = 0;
+  for (std::size_t metamer = 0; metamer < gone.size(); ++metamer) {
+    place[metamer] = kept;
+    if (gone[metamer] == 0) ++kept;
+  }
+  std::erase_if(bows_, [&](const Bow& bow) { return gone[bow.last] != 0; });
+  for (Bow& bow : bows_) {
+    bow.first = place[bow.first];
+    bow.last = place[bow.last];
+  }
+}
+
+}  // namespace meristem

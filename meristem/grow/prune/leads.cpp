@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/prune/leads.h"
+
+#include <algorithm>
+
+namespace meristem {
+
+namespace {
+
+/// Looks down an axis from a metamer on for the lateral that leads it on, and notes it. Returns whether there is one.
+bool find_heir(const Metamers& metamers, AxisIndex axis, MetamerIndex top, Leads& leads) {
+  leads.heir[axis] = kNoAxis;
+  leads.from[axis] = kNoNode;
+  for (MetamerIndex metamer = top;; metamer = metamers.parent[metamer]) {
+    const Bud bud = metamers.lateral[metamer];
+    if (bud.is_grown() || bud.is_open()) {
+      leads.from[axis] = metamer;
+      if (bud.is_grown()) leads.heir[axis] = metamers.axis[bud.metamer()];
+      return true;
+    }
+    if (metamer == metamers.axes[axis].first) return false;
+  }
+}
+
+bool needs_heir(const Metamers& metamers, AxisIndex axis) {
+  const Metamers::Axis& own = metamers.axes[axis];
+  return !own.has_no_heir && metamers.terminal[own.last].is_damaged();
+}
+
+/// Follows the leader of the tree. Where a successor has nothing left that could lead on, the next below it does.
+void find_leader(const Metamers& metamers, Leads& leads) {
+  AxisIndex axis = 0;
+  while (needs_heir(metamers, axis)) {
+    bool found = leads.from[axis] != kNoNode;
+    while (!found && axis != 0) {
+      const MetamerIndex bearer = metamers.parent[metamers.axes[axis].first];
+      axis = metamers.axis[bearer];
+      if (bearer == metamers.axes[axis].first) {
+        leads.heir[axis] = kNoAxis;
+        leads.from[axis] = kNoNode;
+      } else {
+        found = find_heir(metamers, axis, metamers.parent[bearer], leads);
+      }
+    }
+    if (leads.heir[axis] == kNoAxis) return;  // its bud sleeps, or nothing is left
+    axis = leads.heir[axis];
+  }
+  if (!metamers.axes[axis].has_no_heir) leads.leader = axis;
+}
+
+}  // namespace
+
+Leads find_leads(const Metamers& metamers) {
+  const std::size_t count = metamers.axes.size();
+  Leads leads;
+  leads.rank.assign(count, 0);
+  leads.heir.assign(count, kNoAxis);
+  leads.from.assign(count, kNoNode);
+  leads.is_heir.assign(count, 0);
+  for (AxisIndex axis = 0; axis < count; ++axis) {
+    if (needs_heir(metamers, axis)) find_heir(metamers, axis, metamers.axes[axis].last, leads);
+  }
+  find_leader(metamers, leads);
+  for (AxisIndex axis = 0; axis < count; ++axis) {
+    if (leads.heir[axis] != kNoAxis) leads.is_heir[leads.heir[axis]] = 1;
+    if (axis == 0) continue;
+    const AxisIndex bearer = metamers.axis[metamers.parent[metamers.axes[axis].first]];
+    leads.rank[axis] = static_cast<std::uint16_t>(leads.rank[bearer] + (leads.heir[bearer] == axis ? 0 : 1));
+  }
+  return leads;
+}
+
+std::vector<MetamerIndex> lead_path(const Metamers& metamers, const Leads& leads, AxisIndex head) {
+  AxisIndex end = head;
+  while (leads.heir[end] != kNoAxis) end = leads.heir[end];
+  // A lead whose heir sleeps, or has gone to a lower one, still ends where its own axis does.
+  std::vector<MetamerIndex> path;
+  const MetamerIndex first = metamers.axes[head].first;
+  for (MetamerIndex metamer = metamers.axes[end].last; metamer != 0; metamer = metamers.parent[metamer]) {
+    path.push_back(metamer);
+    if (metamer == first) break;
+  }
+  std::ranges::reverse(path);
+  return path;
+}
+
+}  // namespace meristem

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: Apache-2.0
+// What each operation does to small trees that are made by hand.
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/grow/prune/choose_shoots.h"
+#include "meristem/grow/prune/layers.h"
+#include "meristem/grow/prune/support_line.h"
+#include "meristem/grow/prune/work.h"
+#include "meristem/scene/crown/solid_crowns.h"
+
+namespace meristem {
+namespace {
+
+/// A stem straight up, one metre per metamer, its lateral buds to +x and -x by turns.
+class HandMade {
+ public:
+  explicit HandMade(int stem) : metamers(kUp, Vec3(1, 0, 0), RandomKey(1)) { grow(0, false, stem, kUp); }
+
+  /// Grows a number of metamers from a bud; returns the last.
+  MetamerIndex grow(MetamerIndex from, bool is_lateral, int count, Vec3 way) {
+    for (int k = 0; k < count; ++k) {
+      const MetamerIndex made = metamers.grow(from, is_lateral && k == 0, 1);
+      metamers.tip[made] = metamers.tip[from] + way;
+      const Vec3 across = way.y != 0 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+      metamers.side[made] = metamers.number[made] % 2 == 0 ? across : -across;
+      from = made;
+    }
+    return from;
+  }
+  MetamerIndex branch(MetamerIndex from, int count, Vec3 way = Vec3(1, 0, 0)) { return grow(from, true, count, way); }
+  /// Cuts the stem above a metamer: what stands there goes.
+  void cut_above(MetamerIndex metamer) {
+    std::vector<std::uint8_t> gone(metamers.count(), 0);
+    gone[metamers.terminal[metamer].metamer()] = 1;
+    metamers.remove(gone, Bud::damaged());
+  }
+
+  Leads leads() const { return find_leads(metamers); }
+  AxisIndex axis(const char* name) const { return metamers.find_shoot(name).value(); }
+  Work work(const Operation& operation) const {
+    const Leads found = leads();
+    return find_work({metamers, found, flow, radii, 5, RandomKey(7), in_pairs}, operation);
+  }
+  /// What an operation takes: shoots and numbers of the first metamers that go, in their order.
+  std::string taken(const Operation& operation) const {
+    std::vector<MetamerIndex> gone = work(operation).gone;
+    std::ranges::sort(gone);
+    std::string text;
+    for (const MetamerIndex metamer : gone) {
+      text += (text.empty() ? "" : " ") + metamers.name_of(metamers.axis[metamer]) + ":" +
+              std::to_string(metamers.number[metamer]);
+    }
+    return text;
+  }
+
+  Metamers metamers;
+  ResourceFlow flow;
+  PipeModel radii;
+  bool in_pairs = false;
+};
+
+ShootChoice condition(const std::string& text) {
+  return {ShootChoice::Kind::condition, text, Expression::compile(text, {shoot_variables(), {}})};
+}
+
+template <class What>
+Operation operation(ShootChoice shoots, What what) {
+  Operation made;
+  made.shoots = std::move(shoots);
+  made.path = "components.tree.operations[0]";
+  made.what = std::move(what);
+  return made;
+}
+
+Cut above(int metamers) {
+  Cut cut;
+  cut.above = metamers;
+  return cut;
+}
+
+Cut to_bud(Cut::Toward toward, int window = 0) {
+  Cut cut;
+  cut.place = Cut::Place::to_bud;
+  cut.toward = toward;
+  cut.window = window;
+  return cut;
+}
+
+TEST(Leads, RanksCountFromTheStem) {
+  HandMade tree(4);
+  tree.branch(2, 2);
+  tree.branch(6, 1, kUp);
+  const Leads leads = tree.leads();
+  EXPECT_EQ(leads.leader, 0U);
+  EXPECT_EQ(leads.rank, (std::vector<std::uint16_t>{0, 1, 2}));
+}
+
+TEST(Leads, TheShootAtTheCutLeadsOn) {
+  HandMade tree(6);
+  tree.branch(2, 3);
+  tree.branch(4, 3);
+  tree.cut_above(4);
+  const Leads leads = tree.leads();
+  EXPECT_EQ(leads.leader, tree.axis("main.4"));
+  EXPECT_EQ(leads.rank[tree.axis("main.4")], 0);
+  EXPECT_EQ(leads.rank[tree.axis("main.2")], 1);
+  EXPECT_EQ(lead_path(tree.metamers, leads, 0).size(), 7U);
+}
+
+TEST(Leads, WhileTheBudAtTheCutSleepsNobodyLeads) {
+  HandMade tree(6);
+  tree.branch(2, 3);
+  tree.cut_above(4);
+  const Leads leads = tree.leads();
+  EXPECT_EQ(leads.leader, kNoAxis);
+  EXPECT_EQ(leads.rank_of_bud(tree.metamers, 4, true), 0);
+  EXPECT_EQ(leads.rank_of_bud(tree.metamers, 3, true), 1);
+}
+
+TEST(Leads, WhereNothingIsLeftAtTheCutTheNextBelowLeads) {
+  HandMade tree(6);
+  tree.branch(2, 3);
+  tree.metamers.lateral[4] = Bud::damaged();
+  tree.metamers.lateral[3] = Bud::dead();
+  tree.cut_above(4);
+  EXPECT_EQ(tree.leads().leader, tree.axis("main.2"));
+  // Also where a successor has lost all.
+  HandMade other(6);
+  other.branch(2, 3);
+  other.branch(4, 1);
+  other.cut_above(4);
+  const MetamerIndex end = other.metamers.axes[other.axis("main.4")].last;
+  other.metamers.terminal[end] = Bud::damaged();
+  other.metamers.lateral[end] = Bud::dead();
+  other.metamers.lateral[3] = Bud::dead();
+  EXPECT_EQ(other.leads().leader, other.axis("main.2"));
+}
+
+TEST(Leads, AShootWithoutHeirsIsNotSucceeded) {
+  HandMade tree(6);
+  tree.branch(4, 3);
+  tree.cut_above(4);
+  tree.metamers.axes[0].has_no_heir = true;
+  const Leads leads = tree.leads();
+  EXPECT_EQ(leads.leader, kNoAxis);
+  EXPECT_EQ(leads.rank[tree.axis("main.4")], 1);
+}
+
+TEST(Prune, ALabelIsOneShootAndALeaderAllThatLed) {
+  HandMade tree(6);
+  tree.branch(4, 3);
+  tree.cut_above(4);
+  EXPECT_EQ(tree.taken(operation(ShootChoice::leader(), above(5))), "main.4:2");
+  EXPECT_EQ(tree.taken(operation(ShootChoice::label("main.4"), above(2))), "main.4:3");
+  EXPECT_EQ(tree.taken(operation(ShootChoice::label("main"), above(3))), "main:4");
+}
+
+TEST(Prune, AConditionFindsShootsByWhatTheyAre) {
+  HandMade tree(6);
+  tree.branch(2, 4);
+  tree.branch(4, 1, Vec3(0, 0, -1));
+  tree.metamers.axes[tree.axis("main.4")].is_marked = true;
+  const auto found = [&](const char* text) { return tree.taken(operation(condition(text), above(0))); };
+  EXPECT_EQ(found("rank == 1 && length > 2"), "main.2:1");
+  EXPECT_EQ(found("rank == 1 && length < 2"), "main.4:1");
+  EXPECT_EQ(found("rank == 1 && abs(azimuth - 90) < 1"), "main.2:1");
+  EXPECT_EQ(found("rank == 1 && azimuth < 1"), "main.4:1");
+  EXPECT_EQ(found("marked"), "main.4:1");
+  EXPECT_EQ(found("rank == 1 && height > 3"), "main.4:1");
+  EXPECT_EQ(found("rank == 1 && inclination > 10"), "");
+  EXPECT_EQ(found("rank == 1 && age == 4 && radius > 0 && light == 0 && resource == 0 && inward == 0"),
+            "main.2:1 main.4:1");
+  // The middles of the branches lie at (3, 2, 0) and (0, 4, -1), the stem's at (0, 4, 0).
+  EXPECT_EQ(found("rank == 1 && clearance < 1.5"), "main.4:1");
+}
+
+TEST(Prune, ATreeWithoutShootsHasNoneToChoose) {
+  const HandMade seed(0);
+  EXPECT_EQ(seed.taken(operation(condition("rank == 0 && clearance > 1"), above(1))), "");
+  EXPECT_EQ(seed.taken(operation(ShootChoice::leader(), to_bud(Cut::Toward::up))), "");
+  EXPECT_EQ(seed.taken(operation(ShootChoice::leader(), Layers{})), "");
+}
+
+TEST(Prune, ACutMovesDownToALivingBud) {
+  HandMade tree(6);
+  tree.metamers.lateral[4] = Bud::damaged();
+  tree.metamers.lateral[3] = Bud::dead();
+  EXPECT_EQ(tree.taken(operation(ShootChoice::leader(), above(5))), "main:6");
+  EXPECT_EQ(tree.taken(operation(ShootChoice::leader(), above(4))), "main:3");
+  EXPECT_EQ(tree.taken(operation(ShootChoice::leader(), above(6))), "");
+  EXPECT_EQ(tree.taken(operation(condition("rank == 0"), above(0))), "") << "something must stay";
+}
+
+TEST(Prune, ACutKeepsPairsWhole) {
+  HandMade tree(6);
+  tree.in_pairs = true;
+  EXPECT_EQ(tree.taken(operation(ShootChoice::leader(), above(3))), "main:5");
+  EXPECT_EQ(tree.taken(operation(ShootChoice::leader(), above(4))), "main:5");
+}
+
+TEST(Prune, ACutAboveALateralCountsThemFromTheBase) {
+  HandMade tree(8);
+  for (const MetamerIndex at : {2U, 4U, 5U}) tree.branch(at, 2);
+  Cut cut;
+  cut.place = Cut::Place::above_lateral;
+  const auto taken = [&](const char* number) {
+    cut.lateral = Expression::compile(number, {});
+    return tree.taken(operation(ShootChoice::leader(), cut));
+  };
+  EXPECT_EQ(taken("1"), "main:3");
+  EXPECT_EQ(taken("3"), "main:6");
+  EXPECT_EQ(taken("4"), "");
+  cut.lateral = Expression::compile("4", {});
+  EXPECT_THROW(tree.taken(operation(ShootChoice::label("main"), cut)), InputError);
+}
+
+TEST(Prune, ACutToABudTakesTheNearestToTheMiddleThatFacesThere) {
+  HandMade tree(3);
+  tree.branch(3, 9);
+  const auto taken = [&](const Cut& cut) { return tree.taken(operation(condition("rank == 1"), cut)); };
+  // Buds of odd numbers face down; the middle is the fifth.
+  EXPECT_EQ(taken(to_bud(Cut::Toward::down)), "main.3:6");
+  EXPECT_EQ(taken(to_bud(Cut::Toward::up)), "main.3:7");
+  const MetamerIndex fifth = tree.metamers.find(1, 5).value();
+  tree.metamers.lateral[fifth] = Bud::damaged();
+  EXPECT_EQ(taken(to_bud(Cut::Toward::down)), "main.3:8");
+  // Within a window the one that faces best.
+  tree.metamers.side[tree.metamers.find(1, 7).value()] = Vec3(0, -0.6F, 0.8F);
+  EXPECT_EQ(taken(to_bud(Cut::Toward::down, 2)), "main.3:4");
+}
+
+TEST(Prune, ACutOutsideABodyFollowsItsSurface) {
+  HandMade tree(6);
+  tree.branch(2, 4);
+  tree.branch(3, 1);
+  Cut cut;
+  cut.place = Cut::Place::outside;
+  cut.outside = std::make_shared<BoxCrown>(Box{Vec3(-2.5F, -1, -1), Vec3(2.5F, 4.5F, 1)});
+  EXPECT_EQ(tree.taken(operation(condition("rank >= 0"), cut)), "main:5 main.2:3");
+  // Pairs go whole, also the last of a shoot.
+  tree.in_pairs = true;
+  cut.outside = std::make_shared<BoxCrown>(Box{Vec3(-9, -1, -1), Vec3(9, 5.5F, 1)});
+  EXPECT_EQ(tree.taken(operation(condition("rank >= 0"), cut)), "main:5");
+}
+
+TEST(Prune, SpursKeepSoManyMetamersAndNoBranches) {
+  HandMade tree(3);
+  tree.branch(2, 4);
+  tree.branch(4, 3, kUp);
+  tree.branch(8, 1);
+  const Operation rule = operation(condition("rank >= 2"), Spur{2});
+  EXPECT_EQ(tree.taken(rule), "main.2.1:3 main.2.1.1:1");
+  EXPECT_TRUE(tree.work(rule).renews);
+}
+
+TEST(Prune, ALimitHoldsOverSuccessions) {
+  HandMade tree(6);
+  tree.branch(4, 3);
+  tree.cut_above(4);
+  EXPECT_EQ(tree.taken(operation(condition("rank == 0"), Limit{5})), "main.4:2");
+  EXPECT_EQ(tree.taken(operation(condition("rank == 0"), Limit{7})), "");
+}
+
+TEST(Prune, LayersKeepTwoArmsAndALeader) {
+  HandMade tree(8);
+  for (const MetamerIndex at : {1U, 3U, 4U, 5U}) tree.branch(at, 2);
+  const Operation rule = operation(ShootChoice::leader(), Layers{.count = 2});
+  EXPECT_EQ(tree.taken(rule), "main:7 main.1:1 main.3:1");
+  const std::vector<ArmBud> arms = find_arms(tree.metamers, tree.leads(), {});
+  ASSERT_EQ(arms.size(), 2U);
+  EXPECT_EQ(arms[0].metamer, 4U);
+  EXPECT_EQ(arms[1].wire, 1U);
+  const auto wires = arm_wires({.count = 2}, 0.5);
+  ASSERT_EQ(wires.size(), 4U);
+  EXPECT_FLOAT_EQ(wires[2][0].y, 5.25F);
+  EXPECT_LT(wires[2][1].x, 0);
+  EXPECT_GT(wires[3][1].x, 0);
+}
+
+TEST(Prune, TheTopLayerEndsTheLeader) {
+  HandMade tree(6);
+  const Work work = tree.work(operation(ShootChoice::leader(), Layers{.count = 1}));
+  EXPECT_EQ(work.pinched, std::vector<MetamerIndex>{6});
+  EXPECT_EQ(work.lifted, std::vector<MetamerIndex>{6});
+  EXPECT_EQ(work.headless, std::vector<AxisIndex>{0});
+}
+
+TEST(Prune, RingsStandWhereTheyAreAskedFor) {
+  HandMade tree(3);
+  tree.branch(2, 4);
+  tree.branch(3, 1);
+  const std::vector<Ring> rings = tree.work(operation(condition("rank == 1"), Girdle{1, 0.5, 3})).rings;
+  ASSERT_EQ(rings.size(), 1U) << "the short shoot has nothing above a metamer";
+  EXPECT_EQ(rings[0].metamer, tree.metamers.find(tree.axis("main.2"), 2));
+  EXPECT_EQ(rings[0].share, 0.5);
+  EXPECT_EQ(rings[0].iterations, 3);
+  const auto named = [&](int below) { return tree.work(operation(ShootChoice::label("main.3"), Girdle{below})); };
+  EXPECT_EQ(named(0).rings.size(), 1U);
+  try {
+    named(1);
+    ADD_FAILURE() << "no InputError";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.diagnostics()[0].path, "components.tree.operations[0].below");
+    EXPECT_EQ(error.diagnostics()[0].message, "'main.3' has 1 metamers, and none above that");
+  }
+}
+
+TEST(Prune, ABendGoesOverItsMetamers) {
+  HandMade tree(3);
+  tree.branch(2, 6);
+  const std::vector<Bow> bows = tree.work(operation(condition("rank == 1"), Bend{1, 3, -0.5, 4})).bows;
+  ASSERT_EQ(bows.size(), 1U);
+  const AxisIndex axis = tree.axis("main.2");
+  EXPECT_EQ(bows[0].first, tree.metamers.find(axis, 2));
+  EXPECT_EQ(bows[0].last, tree.metamers.find(axis, 4));
+  EXPECT_EQ(bows[0].tip, tree.metamers.find(axis, 6));
+  EXPECT_EQ(bows[0].iterations, 4);
+  // It ends with the shoot.
+  EXPECT_EQ(tree.work(operation(condition("rank == 1"), Bend{1, 9})).bows[0].last, bows[0].tip);
+}
+
+TEST(Prune, ThickWoodDoesNotBend) {
+  HandMade tree(3);
+  tree.branch(2, 6);
+  tree.radii.tip_radius = 2;
+  const Bend down{0, 1, -kPi / 2, 1};
+  EXPECT_TRUE(tree.work(operation(condition("rank == 1"), down)).bows.empty());
+  try {
+    tree.work(operation(ShootChoice::label("main.2"), down));
+    ADD_FAILURE() << "no InputError";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.diagnostics()[0].path, "components.tree.operations[0].metamers");
+    EXPECT_NE(error.diagnostics()[0].message.find("radius of 2 m"), std::string::npos);
+  }
+  EXPECT_EQ(tree.work(operation(ShootChoice::label("main.2"), Bend{0, 4, -kPi / 2})).bows.size(), 1U);
+}
+
+TEST(Prune, MarksAreByChance) {
+  HandMade tree(60);
+  for (MetamerIndex at = 1; at <= 50; ++at) tree.branch(at, 1);
+  const auto marked = [&](double chance) { return tree.work(operation(condition("rank == 1"), Mark{chance})).marked; };
+  EXPECT_EQ(marked(1).size(), 50U);
+  EXPECT_EQ(marked(0).size(), 0U);
+  EXPECT_NEAR(static_cast<double>(marked(0.5).size()), 25, 14);  // four standard deviations
+}
+
+TEST(Prune, ASchedulesConditionSeesTheTree) {
+  HandMade tree(6);
+  tree.branch(2, 3);
+  const Leads leads = tree.leads();
+  const TreeState state{tree.metamers, leads, tree.flow, tree.radii, 5, RandomKey(7)};
+  const auto met = [&](const char* text) {
+    Schedule when;
+    when.when = Expression::compile(text, {tree_variables(), {}});
+    return holds(state, when);
+  };
+  EXPECT_TRUE(met("iteration == 5 && height == 6 && width == 3 && metamers == 9 && laterals == 1"));
+  EXPECT_TRUE(met("leader_length == 6"));
+  EXPECT_FALSE(met("height > 6"));
+  EXPECT_TRUE((Schedule{3, 4, 12}.is_in_turn(11)));
+  EXPECT_FALSE((Schedule{3, 4, 12}.is_in_turn(12)));
+  EXPECT_FALSE((Schedule{3, 4, 10}.is_in_turn(11)));
+}
+
+TEST(SupportLine, LeadsBackToItsPole) {
+  const std::vector<Vec3> pole{Vec3(0), Vec3(0, 2, 0)};
+  EXPECT_LT(glm::distance(way_along(pole, Vec3(0, 1, 0), 1), kUp), 1e-6F);
+  EXPECT_LT(glm::distance(way_along(pole, Vec3(1, 0.5F, 0), 1), glm::normalize(Vec3(-1, 1, 0))), 1e-6F);
+  // It goes on beyond its end, and around its corners.
+  EXPECT_LT(glm::distance(way_along(pole, Vec3(0, 9, 0), 1), kUp), 1e-6F);
+  const std::vector<Vec3> bent{Vec3(0), Vec3(0, 2, 0), Vec3(5, 2, 0)};
+  EXPECT_LT(glm::distance(way_along(bent, Vec3(0, 1, 0), 2), glm::normalize(Vec3(1, 1, 0))), 1e-6F);
+}
+
+}  // namespace
+}  // namespace meristem

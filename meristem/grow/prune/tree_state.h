@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "meristem/base/random.h"
+#include "meristem/grow/metamer/metamers.h"
+#include "meristem/grow/metamer/resource.h"
+#include "meristem/grow/prune/leads.h"
+#include "meristem/plant/pipe_radii.h"
+
+namespace meristem {
+
+/// A tree as an operation finds it, after the growth of `iteration`. All that it refers to outlives it.
+struct TreeState {
+  const Metamers& metamers;
+  const Leads& leads;
+  const ResourceFlow& flow;  ///< of the iteration's begin: of the metamers that there were
+  const PipeModel& radii;
+  int iteration = 1;
+  RandomKey key;          ///< of the operation in this iteration
+  bool in_pairs = false;  ///< opposite buds: metamers come in pairs
+};
+
+/// A shoot that was chosen.
+struct Shoot {
+  AxisIndex axis = 0;
+  std::vector<MetamerIndex> path;  ///< from its base to its tip, without the seed
+};
+
+}  // namespace meristem

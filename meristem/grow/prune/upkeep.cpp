@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rules that keep a trained tree as it is, year after year: spurs that stay short, arms that stay in their room.
+//
+// Based on: J. Stevens: Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, section 4.3.3. A
+// deviation: what is cut back at a lateral bud may grow from there again, as the ring of buds at its base lets it;
+// damaged for good, all spurs would starve in a few years.
+#include "meristem/grow/prune/work.h"
+
+namespace meristem {
+
+Work spur(const TreeState& tree, const Spur& what, const std::vector<Shoot>& shoots) {
+  const auto most = static_cast<std::size_t>(what.metamers);
+  Work work;
+  work.renews = true;
+  for (const Shoot& shoot : shoots) {
+    for (std::size_t k = 0; k < shoot.path.size(); ++k) {
+      if (k == most) {
+        work.gone.push_back(shoot.path[k]);
+        break;
+      }
+      // Branches go, and so does what the lead has left behind; its next metamer stays.
+      const MetamerIndex metamer = shoot.path[k];
+      for (const Bud bud : {tree.metamers.terminal[metamer], tree.metamers.lateral[metamer]}) {
+        const bool leads_on = k + 1 < shoot.path.size() && bud.is_grown() && bud.metamer() == shoot.path[k + 1];
+        if (bud.is_grown() && !leads_on) work.gone.push_back(bud.metamer());
+      }
+    }
+  }
+  return work;
+}
+
+Work limit(const Limit& what, const std::vector<Shoot>& shoots) {
+  const auto most = static_cast<std::size_t>(what.metamers);
+  Work work;
+  work.renews = true;
+  for (const Shoot& shoot : shoots) {
+    if (shoot.path.size() > most && (most > 0 || shoot.axis != 0)) work.gone.push_back(shoot.path[most]);
+  }
+  return work;
+}
+
+}  // namespace meristem

@@ -23,7 +23,7 @@ extern "C" {
 namespace meristem {
 namespace {
 
-constexpr std::size_t kPointsPerBlock = 8192;
+constexpr std::size_t kPointsPerHullBlock = 8192;
 constexpr double kFlat = 1e-5;  // of the longest edge of the box around the points: thinner hulls count as flat
 
 /// A qhull computation and its memory, without output.
@@ -119,12 +119,12 @@ Mesh hull_by_qhull(std::span<const Vec3> points) {
 
 /// The points that are on the hull of their block, in their order; all of a flat block.
 std::vector<Vec3> thinned(std::span<const Vec3> points, const Progress* progress) {
-  std::vector<std::vector<Vec3>> blocks((points.size() + kPointsPerBlock - 1) / kPointsPerBlock);
-  parallel_for(points.size(), kPointsPerBlock, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::vector<Vec3>> blocks((points.size() + kPointsPerHullBlock - 1) / kPointsPerHullBlock);
+  parallel_for(points.size(), kPointsPerHullBlock, [&](std::size_t begin, std::size_t end) {
     if (progress != nullptr) progress->check();
     const auto block = points.subspan(begin, end - begin);
     Mesh hull = hull_by_qhull(block);
-    std::vector<Vec3>& kept = blocks[begin / kPointsPerBlock];
+    std::vector<Vec3>& kept = blocks[begin / kPointsPerHullBlock];
     if (hull.positions.empty()) {
       kept.assign(block.begin(), block.end());
     } else {
@@ -145,7 +145,7 @@ double cross(Vec2 origin, Vec2 a, Vec2 b) {
 Mesh convex_hull(std::span<const Vec3> points, const Progress* progress) {
   std::vector<Vec3> fewer;
   // Until thinning takes no longer half of them away.
-  while (points.size() > 2 * kPointsPerBlock) {
+  while (points.size() > 2 * kPointsPerHullBlock) {
     std::vector<Vec3> next = thinned(points, progress);
     const bool is_worthwhile = next.size() <= points.size() / 2;
     fewer = std::move(next);

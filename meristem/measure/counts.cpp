@@ -3,17 +3,31 @@
 
 #include <algorithm>
 
+#include "meristem/plant/plant_variant.h"
+
 namespace meristem {
 
-Counts count(const Plant& plant, const MeshScene& meshes) {
-  Counts counts;
-  counts.nodes = plant.node_count();
+namespace {
+
+std::uint64_t axes_of(const Plant& plant) {
+  std::uint64_t count = 0;
   for (const Stem& stem : plant.stems) {
     // Axes are numbered from 0 without gaps.
     const auto& axes = stem.skeleton.axis;
-    if (!axes.empty()) counts.axes += std::uint64_t{*std::max_element(axes.begin(), axes.end())} + 1;
+    if (!axes.empty()) count += std::uint64_t{*std::max_element(axes.begin(), axes.end())} + 1;
   }
-  counts.organs = plant.organs.size();
+  for (const Planting& planting : plant.plantings) count += planting.places.size() * axes_of(*planting.variant->plant);
+  return count;
+}
+
+}  // namespace
+
+Counts count(const Plant& plant, const MeshScene& meshes) {
+  const PlantTotals totals = totals_of(plant);
+  Counts counts;
+  counts.nodes = totals.nodes;
+  counts.axes = axes_of(plant);
+  counts.organs = totals.organs;
   counts.triangles = meshes.triangle_count();
   counts.instances = meshes.instance_count();
   counts.height = meshes.bounds().size().y;

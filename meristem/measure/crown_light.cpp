@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kCrownRaysPerBlock = 2048;
 
-/// The share of some positions' area from which a far light is seen. Each of the sun's positions has its own `turn`, so
+/// The share of some positions' area that a directional light reaches. Each position of the sun has its own `turn`, so
 /// that those with few rays do not use the same positions.
 double unshaded_share(const SurfacePoints& places, Vec3 toward, const Obstacles& obstacles, std::uint64_t rays,
                       std::size_t turn, const Progress* progress) {
@@ -47,7 +47,7 @@ double unshaded_share(const SurfacePoints& places, Vec3 toward, const Obstacles&
 
 CrownLight measure_crown_light(const Mesh& hull, const Scene& scene, std::uint64_t rays, const Progress* progress) {
   CrownLight light;
-  const std::vector<FarLight>& sun = scene.light.sun;
+  const std::vector<DirectionalLight>& sun = scene.light.sun;
   const double area = surface_area_of(hull);
   light.lit_shares.resize(sun.size(), 0);
   if (sun.empty() || !(area > 0)) return light;

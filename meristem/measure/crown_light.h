@@ -13,11 +13,11 @@ namespace meristem {
 /// How much of a crown's hull the sun lights, as shares of the hull's area in [0, 1].
 struct CrownLight {
   std::vector<double> lit_shares;  ///< under each of the sun's positions
-  double lit_share = 0;            ///< their plain mean; 0 where the sun never rises
+  double lit_share = 0;            ///< plain mean of the shares; 0 where the sun never rises
 };
 
 /// Rays for a crown's lit share, over all positions of the sun together. Raised, shadow edges are finer and the time
-/// longer. So many random ones would leave a standard error of up to 0.16 points (hundredths of the hull); these are
+/// longer. As many random ones would leave a standard error of up to 0.16 points (hundredths of the hull); these are
 /// spread evenly and leave about 0.01 (measured among ten boxes).
 inline constexpr std::uint64_t kCrownRays = 100'000;
 

@@ -35,11 +35,11 @@ Mesh ball_hull() {
 
 Obstacle box_obstacle(DVec3 low, DVec3 high) { return {.mesh = box_mesh(low, high)}; }
 
-FarLight sun_at(double azimuth_deg, double altitude_deg) {
+DirectionalLight sun_at(double azimuth_deg, double altitude_deg) {
   return {.toward = unit_vector({radians(azimuth_deg), radians(altitude_deg)})};
 }
 
-Scene scene_with(std::vector<FarLight> sun, std::vector<Obstacle> obstacles = {}) {
+Scene scene_with(std::vector<DirectionalLight> sun, std::vector<Obstacle> obstacles = {}) {
   Scene scene;
   scene.light.sun = std::move(sun);
   scene.obstacles = Obstacles(std::move(obstacles));
@@ -78,7 +78,7 @@ TEST(CrownLight, HalfOfABallIsLitFromAnywhere) {
 }
 
 TEST(CrownLight, TheZenithLightsABoxOnItsTop) {
-  EXPECT_NEAR(measure_crown_light(box_hull(), scene_with({FarLight{}})).lit_share, 2.0 / 10, 1e-9);
+  EXPECT_NEAR(measure_crown_light(box_hull(), scene_with({DirectionalLight{}})).lit_share, 2.0 / 10, 1e-9);
 }
 
 TEST(CrownLight, ALowSunLightsTheSidesThatItSees) {

@@ -7,12 +7,14 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <unordered_set>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
+#include "meristem/plant/plant_variant.h"
 #include "meristem/shape/texture/alpha_mask.h"
 
 namespace meristem {
@@ -176,10 +178,24 @@ bool is_leaf(const Plant& plant, const OrganPrototype& prototype) {
   return plant.materials[prototype.material].two_sided;
 }
 
-bool has_holes(const Plant& plant) {
-  return std::any_of(plant.materials.begin(), plant.materials.end(), [](const Material& material) {
+namespace {
+
+/// `known` holds the plants that have been looked at.
+bool has_holes(const Plant& plant, std::unordered_set<const Plant*>& known) {
+  const bool has_own = std::any_of(plant.materials.begin(), plant.materials.end(), [](const Material& material) {
     return material.texture != nullptr && material.texture->masked && !material.texture->colour.is_empty();
   });
+  return has_own || std::any_of(plant.plantings.begin(), plant.plantings.end(), [&known](const Planting& planting) {
+           const Plant* placed = planting.variant->plant.get();
+           return known.insert(placed).second && has_holes(*placed, known);
+         });
+}
+
+}  // namespace
+
+bool has_holes(const Plant& plant) {
+  std::unordered_set<const Plant*> known;
+  return has_holes(plant, known);
 }
 
 std::vector<OrganArea> organ_areas(const Plant& plant, Progress& progress) {
@@ -195,7 +211,9 @@ std::vector<OrganArea> organ_areas(const Plant& plant, Progress& progress) {
   return areas;
 }
 
-Foliage measure_foliage(const Plant& plant, Progress& progress) {
+Foliage measure_foliage(const Plant& grown, Progress& progress) {
+  const ExpandedPlant expanded(grown, progress);
+  const Plant& plant = *expanded;
   const std::vector<OrganArea> areas = organ_areas(plant, progress);
   Foliage foliage;
   for (std::size_t k = 0; k < areas.size(); ++k) {
@@ -207,7 +225,9 @@ Foliage measure_foliage(const Plant& plant, Progress& progress) {
   return foliage;
 }
 
-LeafLayers measure_leaf_layers(const Plant& plant, double layer_height, Progress& progress) {
+LeafLayers measure_leaf_layers(const Plant& grown, double layer_height, Progress& progress) {
+  const ExpandedPlant expanded(grown, progress);
+  const Plant& plant = *expanded;
   const std::vector<MaskedSurface> surfaces = surfaces_of(plant);
   const auto leaf = [&](std::size_t k) { return is_leaf(plant, plant.prototypes[plant.organs[k].prototype]); };
   const std::size_t blocks = (plant.organs.size() + kOrgansPerBlock - 1) / kOrgansPerBlock;

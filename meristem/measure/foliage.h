@@ -29,18 +29,19 @@ struct LeafLayers {
 
 /// What of an organ's surface is there.
 struct OrganArea {
-  double blade = 0;    ///< square metres of its triangles that no hole of its texture takes; of blades one side
-  double petiole = 0;  ///< of its petiole's triangles
+  double blade = 0;    ///< square metres of the organ's triangles outside its texture's holes; one side of blades
+  double petiole = 0;  ///< square metres of its petiole's triangles
 };
 
 /// Whether organs of this prototype are leaves.
 bool is_leaf(const Plant& plant, const OrganPrototype& prototype);
 
-/// Whether textures of the plant cut holes: then they must be painted before leaves are measured and rays are asked.
+/// Whether textures of the plant, or of plants placed in it, cut holes: then they must be painted before leaves are
+/// measured and rays are asked.
 bool has_holes(const Plant& plant);
 
-/// Of each organ. Begins one stage of `progress`, which counts organs. The same numbers on any number of threads.
-/// Throws std::invalid_argument where a texture with holes is a sketch.
+/// The areas of each organ. Begins one stage of `progress`, which counts organs. The same numbers on any number of
+/// threads. Throws std::invalid_argument where a texture with holes is a sketch.
 std::vector<OrganArea> organ_areas(const Plant& plant, Progress& progress);
 
 /// Begins one stage of `progress`, which counts organs. The same sums on any number of threads. Throws as organ_areas.

@@ -10,6 +10,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/parallel.h"
+#include "meristem/plant/plant_variant.h"
 #include "meristem/shape/leaf/leaf_blade.h"
 #include "meristem/shape/solid/primitives.h"
 
@@ -91,6 +92,19 @@ TEST(Foliage, HolesOfAPictureAreNoLeaf) {
   EXPECT_TRUE(has_holes(plant));
   EXPECT_NEAR(measured(plant).area, kPi * 0.16, 0.003);
   EXPECT_FALSE(has_holes(leaves_and_fruits()));
+}
+
+TEST(Foliage, PlacedPlantsMayHaveHoles) {
+  const auto garden_of = [](Plant plant) {
+    auto variant = std::make_shared<PlantVariant>();
+    variant->plant = std::make_shared<const Plant>(std::move(plant));
+    Plant garden;
+    garden.plantings.push_back({"plant", std::move(variant), {{}, {}}});
+    return garden;
+  };
+  EXPECT_TRUE(has_holes(garden_of(masked_leaf(disc(16, 0.4)))));
+  EXPECT_TRUE(has_holes(garden_of(garden_of(masked_leaf(disc(16, 0.4))))));
+  EXPECT_FALSE(has_holes(garden_of(leaves_and_fruits())));
 }
 
 TEST(Foliage, ASketchOfAPictureIsNotMeasured) {

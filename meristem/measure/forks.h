@@ -13,7 +13,7 @@ namespace meristem {
 /// One number for each fork or lateral that has it, in the order of the nodes.
 struct ForkSamples {
   /// Radians between the parent's segment that ends at the fork and the lateral's first one. Laterals on a root, and
-  /// those of which either segment has no length, have none.
+  /// those with a segment of no length, have none.
   std::vector<double> branching_angles;
   /// The children's cross-sections over the parent's.
   std::vector<double> area_ratios;

@@ -25,7 +25,7 @@ std::vector<Evaluation> shifted(const Scene& scene) {
   return means;
 }
 
-/// Of a straight line through values at equal distances.
+/// The slope of a straight line through values at equal distances.
 double explained_by_a_line(const std::vector<Evaluation>& means, double Evaluation::*value) {
   const auto count = static_cast<double>(means.size());
   double x_mean = (count - 1) / 2;

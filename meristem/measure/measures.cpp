@@ -10,6 +10,7 @@
 #include "meristem/measure/forks.h"
 #include "meristem/measure/strahler.h"
 #include "meristem/measure/tree_form.h"
+#include "meristem/plant/plant_variant.h"
 #include "meristem/shape/body_meshes.h"
 
 namespace meristem {
@@ -176,8 +177,10 @@ StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, cons
   return stand;
 }
 
-StandMeasures measure_plant(const Plant& plant, const MeshScene& meshes, const Scene& scene,
+StandMeasures measure_plant(const Plant& grown, const MeshScene& meshes, const Scene& scene,
                             const MeasureOptions& options, Progress& progress) {
+  const ExpandedPlant expanded(grown, progress);
+  const Plant& plant = *expanded;
   std::vector<const Skeleton*> skeletons;
   for (const Stem& stem : plant.stems) skeletons.push_back(&stem.skeleton);
   StandMeasures stand = measure_skeletons(skeletons, &scene, options, progress);
@@ -202,7 +205,9 @@ StandMeasures measure_plant(const Plant& plant, const MeshScene& meshes, const S
   whole.triangles = meshes.triangle_count();
   whole.instances = meshes.instance_count();
   std::uint64_t bytes = 0;
-  for (const MeshInstances& mesh : meshes.meshes) bytes += mesh.mesh->bytes() + mesh.frames.size() * sizeof(Frame);
+  for (const MeshInstances& mesh : meshes.meshes)
+    bytes +=
+        mesh.mesh->bytes() + (mesh.frames.size() + (mesh.places == nullptr ? 0 : mesh.places->size())) * sizeof(Frame);
   whole.bytes = bytes;
   if (!options.organ_light) return stand;
   stand.organs = measure_organ_light(plant, meshes, scene, progress);

@@ -40,11 +40,12 @@ struct Measures {
   double crown_ground_area = 0;
   double crown_hull_area = 0;
   double crown_hull_volume = 0;
-  std::optional<double> lit_share;                 ///< of the hull; of several trees, of all their hulls together
-  std::optional<double> stem_diameter;             ///< of the tallest tree, as the next one
-  std::optional<double> stem_equivalent_diameter;  ///< of one stem with the cross-section of all at breast height
-  std::uint64_t stem_count = 0;                    ///< at breast height, see kStemShare
-  double basal_area = 0;                           ///< of these stems, square metres
+  std::optional<double> lit_share;      ///< lit share of the hull; for several trees, of all their hulls together
+  std::optional<double> stem_diameter;  ///< diameter of the tallest tree's stem
+  /// Diameter of one stem with the cross-section that all stems of the tallest tree have at breast height.
+  std::optional<double> stem_equivalent_diameter;
+  std::uint64_t stem_count = 0;  ///< at breast height, see kStemShare
+  double basal_area = 0;         ///< square metres of cross-section at breast height
   std::optional<double> base_diameter;
   std::optional<double> slenderness;
   std::optional<double> inclination_azimuth;
@@ -59,14 +60,14 @@ struct Measures {
   std::uint64_t pipe_unsolved = 0;
   Distribution area_ratio;
 
-  // Of whole plants only: organs and meshes do not say which tree they belong to.
+  // Whole plants only: organs and meshes do not say which tree they belong to.
   std::optional<std::uint64_t> leaf_count;
   std::optional<double> leaf_area;
   std::optional<double> petiole_area;
   std::optional<double> leaf_area_index;
-  std::optional<double> leaf_exposure;  ///< only where options ask for the light on organs; the same below
+  std::optional<double> leaf_exposure;  ///< this and the next only where options ask for the light on organs
   std::optional<double> leaf_irradiance;
-  std::optional<double> thickened_below;  ///< of blended stems; none without any, the same below
+  std::optional<double> thickened_below;  ///< this and the next two for blended stems alone
   std::optional<double> thickened_length;
   std::optional<double> thickened_volume;
   std::optional<std::uint64_t> triangles;
@@ -76,19 +77,19 @@ struct Measures {
 
 /// What a tree is of.
 struct TreeOrigin {
-  std::size_t skeleton = 0;    ///< index of its skeleton, in a plant that of its stem
-  Vec3 position{0};            ///< of its root, metres
+  std::size_t skeleton = 0;    ///< index of the tree's skeleton; in a plant, index of its stem
+  Vec3 position{0};            ///< position of the tree's root, metres
   std::string component;       ///< id of what made its root; empty for skeletons that are of no plant
-  std::uint32_t instance = 0;  ///< number among those of the component, from 0
+  std::uint32_t instance = 0;  ///< number among the component's instances, from 0
 };
 
 /// A stand and its trees: each root of each skeleton is a tree.
 struct StandMeasures {
   Measures whole;
   std::vector<Measures> trees;
-  std::vector<TreeOrigin> origins;   ///< of each tree
+  std::vector<TreeOrigin> origins;   ///< origin of each tree
   std::vector<LitOrgan> organs;      ///< in the plant's order; empty unless options ask for them
-  std::optional<LeafLayers> layers;  ///< the same
+  std::optional<LeafLayers> layers;  ///< unset unless options ask for them
 };
 
 /// What is measured besides, and how finely.
@@ -96,7 +97,7 @@ struct MeasureOptions {
   double fork_diameter = 0.02;            ///< metres: area ratios count from forks at least that thick
   std::uint64_t crown_rays = kCrownRays;  ///< for the lit share of each tree, see crown_light.h
   bool organ_light = false;               ///< measures the light on every organ, which takes longer than all else
-  double layer_height = 0;                ///< metres: of the layers by which leaf area is told; 0: none
+  double layer_height = 0;                ///< metres: height of the layers for leaf area by height; 0: none
 };
 
 /// Measures skeletons alone. Without a `scene` (null) no light is measured. Begins one stage of `progress`, which
@@ -125,7 +126,7 @@ struct MeasureRow {
 /// All measures in the order in which they are shown: the one table behind text, JSON, Python and manual.
 std::span<const MeasureRow> measure_rows();
 
-/// Those that are known of each tree: the first of them all.
+/// The measures that are known of each tree: the first rows of all.
 std::span<const MeasureRow> tree_measure_rows();
 
 }  // namespace meristem

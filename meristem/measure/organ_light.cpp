@@ -14,6 +14,7 @@
 #include "meristem/base/parallel.h"
 #include "meristem/measure/foliage.h"
 #include "meristem/measure/surface_points.h"
+#include "meristem/plant/plant_variant.h"
 #include "meristem/shape/ray_scene.h"
 #include "meristem/shape/texture/alpha_mask.h"
 
@@ -143,8 +144,10 @@ LightSum light_on(const Organ& organ, const OrganSurface& surface, int places, s
 
 }  // namespace
 
-std::vector<LitOrgan> measure_organ_light(const Plant& plant, const MeshScene& meshes, const Scene& scene,
+std::vector<LitOrgan> measure_organ_light(const Plant& grown, const MeshScene& meshes, const Scene& scene,
                                           Progress& progress) {
+  const ExpandedPlant expanded(grown, progress);
+  const Plant& plant = *expanded;
   const std::vector<OrganArea> areas = organ_areas(plant, progress);
   std::vector<LitOrgan> lit(areas.size());
   if (areas.empty()) return lit;

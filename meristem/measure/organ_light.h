@@ -14,9 +14,9 @@ namespace meristem {
 /// means over its surface, in [0, 1], and 0 where the scene has no light.
 struct LitOrgan {
   double area = 0;        ///< square metres, of a blade one side, as organ_areas has it (foliage.h)
-  double exposure = 0;    ///< of the light's rays, those that arrive
-  double irradiance = 0;  ///< the same times |cosine| between ray and face normal: what a matt surface takes up,
-                          ///< against one that faces all light unshaded
+  double exposure = 0;    ///< share of the light's rays that arrives
+  double irradiance = 0;  ///< share of the rays, each times |cosine| between ray and face normal: what a matt surface
+                          ///< takes up, against one that faces all light unshaded
 };
 
 /// The light on each organ, in the plant's order. Organs, itself included, stems and obstacles shade it; holes of

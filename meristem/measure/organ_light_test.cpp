@@ -102,7 +102,7 @@ TEST(OrganLight, ABallShadesItsOwnHalf) {
   add_organ(plant, 2, {3, 1, 4});
   const std::vector<LitOrgan> lit = measured(plant);
   EXPECT_NEAR(lit[0].exposure, 0.5, 0.04);
-  // Of a ball's surface a quarter is the disc that it shows to the light.
+  // The disc that a ball shows to the light is a quarter of its surface.
   EXPECT_NEAR(lit[0].irradiance, 0.25, 0.02);
 }
 
@@ -252,7 +252,7 @@ TEST(OrganLight, ATurnedPlantUnderATurnedSunGetsTheSame) {
   const LitOrgan before = mean_leaf_light(plant, measured(plant, scene));
   const Mat3 turn = rotation(kUp, 1.0);
   for (Organ& organ : plant.organs) organ.frame = Frame{.axes = turn} * organ.frame;
-  for (FarLight& sun : scene.light.sun) sun.toward = turn * sun.toward;
+  for (DirectionalLight& sun : scene.light.sun) sun.toward = turn * sun.toward;
   const LitOrgan after = mean_leaf_light(plant, measured(plant, scene));
   EXPECT_NEAR(after.exposure, before.exposure, 1e-3);
   EXPECT_NEAR(after.irradiance, before.irradiance, 1e-3);

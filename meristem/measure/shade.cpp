@@ -84,7 +84,7 @@ int cells(double length, double spacing) { return std::max(1, static_cast<int>(s
 /// What blocks of positions and points add up.
 struct BlockSums {
   std::vector<std::uint32_t> shaded;          // of each position in the block: points
-  std::vector<std::uint32_t> shaded_without;  // the same without plants
+  std::vector<std::uint32_t> shaded_without;  // without plants
   std::vector<double> cosine;
   std::vector<double> direct;
   std::vector<std::uint32_t> point_shaded;  // of each point in the block: positions

@@ -19,10 +19,12 @@ struct ShadeSurface {
   std::vector<Vec3> positions{};  ///< metres
   std::vector<Vec3> normals{};    ///< unit, of the side that is meant
   double area = 0;                ///< square metres, of all points together
-  /// Of a grid: its points stand row by row, the first row last in a picture; 0 where the points form none.
+  /// Columns of a grid, whose points stand row by row, the first row last in a picture; 0 where the points form no
+  /// grid.
   int columns = 0;
   int rows = 0;
-  /// Of a grid, 1 where a cell has a point, 0 where an obstacle stands on it; `positions` has those with 1 only.
+  /// For each cell of a grid, 1 where the cell has a point, 0 where an obstacle stands on it; `positions` has the cells
+  /// with 1 only.
   std::vector<std::uint8_t> has_point{};
 };
 
@@ -42,7 +44,7 @@ ShadeSurface joined(const std::vector<ShadeSurface>& surfaces);
 
 /// A flat rectangle, such as a field of solar panels. Angles in radians.
 struct PanelField {
-  Vec3 position{0};      ///< of its middle, metres
+  Vec3 position{0};      ///< position of the surface's middle, metres
   double width = 1;      ///< along the horizontal, metres
   double length = 1;     ///< up its slope, metres
   double tilt = 0;       ///< from the horizontal: 0 lies flat, a quarter turn stands upright
@@ -61,7 +63,7 @@ ShadeSurface ground_surface(Vec2 from, Vec2 to, double height, const Obstacles& 
 struct ShadeMoment {
   double cosine = 0;                ///< mean of the cosine between its normals and the sun, 0 where it looks away
   double shade = 1;                 ///< share that the sun does not reach; what looks away from it lies in shade
-  double shade_without_plants = 1;  ///< the same with the obstacles alone
+  double shade_without_plants = 1;  ///< share of shade with the obstacles alone
   double direct = 0;                ///< mean of the cosine where the sun arrives: direct light against full
 };
 
@@ -77,7 +79,7 @@ inline constexpr std::uint64_t kMostShadeRays = 200'000'000;
 
 /// Rays go from every point to every position of the sun above the horizon (altitude above 0; below it all is shade).
 /// Obstacles and all that `plants` shows stop them; the holes of masked textures let them pass, so those must be
-/// painted. `plants` is what make_mesh_scene makes. About a microsecond a ray. The same on any number of threads.
+/// painted. `plants` is what make_mesh_scene makes. About a microsecond per ray. The same on any number of threads.
 /// Begins a stage of `progress`, which counts rays. Throws Cancelled, MachineError (memory), and std::invalid_argument
 /// beyond kMostShadeRays.
 ShadeOfSurface measure_shade(const ShadeSurface& surface, const std::vector<SkyDirection>& sun, const MeshScene& plants,

@@ -11,33 +11,34 @@
 
 namespace meristem {
 
-/// One skeleton for each root, in the order of the roots; axes are numbered anew from 0, all else stays. Of a skeleton
-/// with one root it is a copy.
+/// One skeleton for each root, in the order of the roots; axes are numbered anew from 0, all else stays. A skeleton
+/// with one root comes back as a copy.
 std::vector<Skeleton> split_trees(const Skeleton& skeleton);
 
 /// Size, shape and order of one tree. Lengths in metres.
 struct TreeForm {
   std::uint64_t nodes = 0;
-  std::uint64_t metamers = 0;  ///< those that the column "metamer" numbers on each axis if there is one, else segments
+  std::uint64_t metamers =
+      0;  ///< metamers that the column "metamer" numbers on each axis if there is one, else segments
   std::uint64_t tips = 0;
   std::uint64_t forks = 0;
   std::vector<std::uint64_t> axes_by_order;
   std::vector<double> length_by_order;
-  double height = 0;               ///< of the highest node above the root
+  double height = 0;               ///< height of the highest node above the root
   std::optional<NodeIndex> fork;   ///< the first: where the crown begins
-  double crown_height = 0;         ///< of the highest node above the first fork
+  double crown_height = 0;         ///< height of the highest node above the first fork
   double crown_width = 0;          ///< the largest horizontal distance between crown nodes
   double crown_mean_width = 0;     ///< mean over all horizontal directions of the crown's extent
-  double crown_ground_area = 0;    ///< of the convex hull of the crown's nodes projected on the ground
-  double crown_hull_area = 0;      ///< of the convex hull of the crown's nodes, square metres
+  double crown_ground_area = 0;    ///< area of the convex hull of the crown's nodes projected on the ground
+  double crown_hull_area = 0;      ///< surface of the convex hull of the crown's nodes, square metres
   double crown_hull_volume = 0;    ///< cubic metres
   Mesh crown_hull;                 ///< convex_hull of the crown's nodes: empty where they are flat or there is no crown
   double base_diameter = 0;        ///< at the root, the collar; 0 where not known
-  std::optional<double> diameter;  ///< of the thickest stem at breast height above the root, if one reaches it
+  std::optional<double> diameter;  ///< diameter of the thickest stem at breast height above the root, if one reaches it
   std::uint64_t stems = 0;         ///< at breast height: the thickest, and those at least a third as thick
   double diameter_squares = 0;     ///< the sum over these stems, square metres
-  DVec3 segment_sum{0};            ///< of all vectors from parent to node
-  DVec3 node_sum{0};               ///< of all nodes, relative to the root
+  DVec3 segment_sum{0};            ///< sum of all vectors from parent to node
+  DVec3 node_sum{0};               ///< sum of the positions of all nodes, relative to the root
 };
 
 inline constexpr double kBreastHeight = 1.3;  ///< metres above the root

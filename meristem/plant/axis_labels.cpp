@@ -8,7 +8,7 @@
 namespace meristem {
 namespace {
 
-constexpr float kMostMetamers = 16'777'216;  // the last whole number up to which floats hold all
+constexpr float kLastExactFloat = 16'777'216;  // the last whole number up to which floats hold all
 
 /// Nothing for the first of several, then b to z, aa, ab, ...
 std::string letters(std::uint32_t earlier) {
@@ -28,7 +28,7 @@ std::vector<std::uint32_t> axis_numbers(const Skeleton& skeleton) {
   const float* const metamer = column == skeleton.extra.end() ? nullptr : column->second.data();
   std::vector<std::uint32_t> numbers(skeleton.node_count(), 0);
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
-    if (metamer != nullptr && metamer[node] >= 1 && metamer[node] <= kMostMetamers &&
+    if (metamer != nullptr && metamer[node] >= 1 && metamer[node] <= kLastExactFloat &&
         std::floor(metamer[node]) == metamer[node]) {
       numbers[node] = static_cast<std::uint32_t>(metamer[node]);
     } else if (!skeleton.is_root(node)) {

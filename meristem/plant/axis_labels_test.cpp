@@ -21,7 +21,7 @@ using Numbers = std::vector<std::uint32_t>;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// A node on `axis`, a metre from its parent.
+/// A node on `axis`, one metre from its parent.
 NodeIndex grow(Skeleton& skeleton, NodeIndex parent, AxisIndex axis) {
   const Vec3 base = parent == kNoNode ? Vec3(0) : skeleton.position[parent];
   const NodeIndex node = skeleton.add_node(parent, base + Vec3(axis, 1, 0), 0);

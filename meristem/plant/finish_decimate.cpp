@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/plant/finish.h"
+#include "meristem/plant/further_columns.h"
 
 namespace meristem {
 namespace {
@@ -23,17 +24,23 @@ Skeleton decimate(const Skeleton& skeleton, double tolerance, double step) {
   return decimate(skeleton, tolerance, step, [](Vec3, Vec3) { return true; });
 }
 
-Skeleton decimate(const Skeleton& skeleton, double tolerance, double step, IsOpen is_open) {
+Skeleton decimate(const Skeleton& skeleton, double tolerance, double step, IsOpen is_open, TrackedNodes* tracked) {
   const double limit = tolerance - step / 2;
   const std::vector<NodeIndex> only_child = only_children(skeleton);
   std::vector<double> removed_length(skeleton.node_count(), 0);  // since the last kept node, this one included
   std::vector<NodeIndex> kept(skeleton.node_count());            // new index of the nearest kept node toward the root
+  const auto end = skeleton.extra.find(kEndColumn);
+  const auto stays = [&](NodeIndex node) {
+    return (end != skeleton.extra.end() && end->second[node] != 0) ||
+           (tracked != nullptr && !tracked->stays.empty() && tracked->stays[node] != 0);
+  };
+  if (tracked != nullptr) tracked->now.assign(skeleton.node_count(), kNoNode);
   Skeleton result;
   for (const auto& [name, values] : skeleton.extra) result.extra[name];
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     const NodeIndex parent = skeleton.parent[node];
     // Drop an inner node while its stretch of removed nodes stays short and the next one can be reached without it.
-    if (parent != kNoNode && only_child[node] != kNoNode) {
+    if (parent != kNoNode && only_child[node] != kNoNode && !stays(node)) {
       const double length = removed_length[parent] + glm::distance(skeleton.position[parent], skeleton.position[node]);
       if (length < limit && is_open(result.position[kept[parent]], skeleton.position[only_child[node]])) {
         removed_length[node] = length;
@@ -44,7 +51,11 @@ Skeleton decimate(const Skeleton& skeleton, double tolerance, double step, IsOpe
     // Keep all others, under the nearest kept node before them.
     kept[node] =
         result.add_node(parent == kNoNode ? kNoNode : kept[parent], skeleton.position[node], skeleton.birth[node]);
+    result.radius.back() = skeleton.radius[node];
+    result.axis.back() = skeleton.axis[node];
+    result.order.back() = skeleton.order[node];
     for (auto& [name, values] : result.extra) values.back() = skeleton.extra.find(name)->second[node];
+    if (tracked != nullptr) tracked->now[node] = kept[node];
   }
   return result;
 }

@@ -19,14 +19,27 @@ struct Branch {
   float length() const { return chord.back(); }
 };
 
-constexpr int kSamplesPerPiece = 8;  // straight pieces by which the arc between two nodes is measured
+constexpr int kSamplesPerPiece = 8;  // straight pieces that the arc between two nodes is measured in
 
-Branch trace_branch(const Skeleton& skeleton, const Children& children, NodeIndex first) {
+/// Which nodes end the branches that they lie on: forks and tips, and those that are marked or stay.
+std::vector<std::uint8_t> find_ends(const Skeleton& skeleton, const Children& children, const TrackedNodes* tracked) {
+  std::vector<std::uint8_t> ends(skeleton.node_count(), 0);
+  const auto marks = skeleton.extra.find(kEndColumn);
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    const bool is_marked = marks != skeleton.extra.end() && marks->second[node] != 0;
+    const bool stays = tracked != nullptr && !tracked->stays.empty() && tracked->stays[node] != 0;
+    ends[node] = children.of(node).size() != 1 || is_marked || stays ? 1 : 0;
+  }
+  return ends;
+}
+
+Branch trace_branch(const Skeleton& skeleton, const Children& children, const std::vector<std::uint8_t>& ends,
+                    NodeIndex first) {
   Branch branch{{skeleton.parent[first]}, {0}};
   for (NodeIndex node = first;; node = children.of(node)[0]) {
     const Vec3 from = skeleton.position[branch.node.back()];
     const float chord = branch.length() + glm::distance(from, skeleton.position[node]);
-    const bool is_end = children.of(node).size() != 1;
+    const bool is_end = ends[node] != 0;
     if (chord > branch.length()) {
       branch.node.push_back(node);
       branch.chord.push_back(chord);
@@ -90,11 +103,16 @@ struct Subdivision {
   Skeleton result;
   std::vector<NodeIndex> renumbered;
 
-  // A node between two old ones of which it takes `share` of the second.
+  // A node between two old ones; it takes `share` of the second.
   NodeIndex add_between(NodeIndex parent, Vec3 position, NodeIndex low, NodeIndex high, float share) {
     const auto [least, most] = std::minmax(old.birth[low], old.birth[high]);
     const float birth = std::clamp(old.birth[low] + share * (old.birth[high] - old.birth[low]), least, most);
     const NodeIndex node = result.add_node(parent, position, birth);
+    // A lateral starts with its own first node's radius.
+    const bool is_start = old.axis[low] != old.axis[high];
+    result.radius[node] = is_start ? old.radius[high] : glm::mix(old.radius[low], old.radius[high], share);
+    result.axis[node] = old.axis[high];
+    result.order[node] = old.order[high];
     for (auto& [name, values] : result.extra) {
       const std::vector<float>& column = old.extra.find(name)->second;
       values.back() = low == high ? column[low] : inner_value(old, name, low, high, share);
@@ -167,9 +185,10 @@ Skeleton subdivide(const Skeleton& skeleton, double spacing) {
   return subdivide(skeleton, spacing, [](Vec3, Vec3) { return true; });
 }
 
-Skeleton subdivide(const Skeleton& skeleton, double spacing, IsOpen is_open) {
+Skeleton subdivide(const Skeleton& skeleton, double spacing, IsOpen is_open, TrackedNodes* tracked) {
   if (!(spacing > 0)) throw std::invalid_argument("subdivide: a spacing above 0 wanted");
   const Children children(skeleton);
+  const std::vector<std::uint8_t> ends = find_ends(skeleton, children, tracked);
   Subdivision subdivision{skeleton, {}, std::vector<NodeIndex>(skeleton.node_count(), kNoNode)};
   for (const auto& [name, values] : skeleton.extra) subdivision.result.extra[name];
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
@@ -178,9 +197,9 @@ Skeleton subdivide(const Skeleton& skeleton, double spacing, IsOpen is_open) {
       subdivision.add_copy(kNoNode, node);
       continue;
     }
-    // Branches begin at the children of roots and forks; both have their new index by then.
-    if (!skeleton.is_root(parent) && children.of(parent).size() == 1) continue;
-    const Branch branch = trace_branch(skeleton, children, node);
+    // Branches begin at the children of roots and of ends; both have their new index by then.
+    if (!skeleton.is_root(parent) && ends[parent] == 0) continue;
+    const Branch branch = trace_branch(skeleton, children, ends, node);
     NodeIndex last = subdivision.renumbered[parent];
     if (branch.length() > 0) {
       std::vector<InnerNode> nodes = nodes_on_curve(skeleton, branch, spacing);
@@ -191,6 +210,7 @@ Skeleton subdivide(const Skeleton& skeleton, double spacing, IsOpen is_open) {
     }
     subdivision.add_copy(last, branch.node.back());
   }
+  if (tracked != nullptr) tracked->now = std::move(subdivision.renumbered);
   return std::move(subdivision.result);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/plant/finish.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -73,6 +74,69 @@ TEST(Decimate, CarriesExtraColumns) {
   skeleton.extra["light"] = skeleton.birth;
   const Skeleton result = decimate(skeleton, 100, kStep);
   EXPECT_EQ(result.extra.at("light"), result.birth);
+}
+
+/// A forked stem with axes, and radii that fall evenly.
+Skeleton clothed_stem(int nodes) {
+  Skeleton skeleton = forked_stem(nodes);
+  assign_axes(skeleton);
+  for (std::size_t k = 0; k < skeleton.node_count(); ++k) skeleton.radius[k] = 0.1F - 0.01F * skeleton.birth[k];
+  return skeleton;
+}
+
+FinishContext free_context(double step, const Progress& progress) {
+  static const auto is_open = [](Vec3, Vec3) { return true; };
+  static const auto require_nodes = [](std::uint64_t) {};
+  return {step, is_open, require_nodes, progress};
+}
+
+TEST(Finish, CarriesAxesOrdersAndRadii) {
+  const Skeleton stem = clothed_stem(8);
+  const Progress progress;
+  const Skeleton done = finish(stem, {.decimate = 2, .relax = false, .subdivide = 0.25}, free_context(kStep, progress));
+  EXPECT_TRUE(check_skeleton(done));
+  EXPECT_EQ(*std::max_element(done.axis.begin(), done.axis.end()), 1U);
+  for (NodeIndex node = 0; node < done.node_count(); ++node) {
+    const Vec3 position = done.position[node];
+    EXPECT_EQ(done.axis[node], position.x > 0 ? 1U : 0U);
+    EXPECT_EQ(done.order[node], position.x > 0 ? 1 : 0);
+    // Along straight branches births and radii fall with the way; a lateral starts with its own first radius.
+    const double steps = (position.x + position.y) / kStep;
+    if (position.x == 0) {
+      EXPECT_NEAR(done.radius[node], 0.1 - 0.01 * steps, 1e-6);
+    } else {
+      EXPECT_LE(done.radius[node], 0.1 - 0.01 * 4);
+    }
+  }
+}
+
+TEST(Finish, KeepsAndFollowsNodesThatSomethingStandsOn) {
+  const Skeleton stem = clothed_stem(8);
+  TrackedNodes tracked;
+  tracked.stays.resize(stem.node_count(), 0);
+  tracked.stays[2] = tracked.stays[7] = 1;
+  const Progress progress;
+  const Skeleton done = finish(stem, {.decimate = 100, .relax = false}, free_context(kStep, progress), &tracked);
+  EXPECT_EQ(births(done), (std::vector<float>{0, 2, 4, 7, 8, 8}));
+  EXPECT_EQ(tracked.now[2], 1U);
+  EXPECT_EQ(tracked.now[7], 3U);
+  EXPECT_EQ(done.position[tracked.now[7]], stem.position[7]);
+
+  tracked.now.clear();
+  const Skeleton fine = finish(stem, {.relax = false, .subdivide = 0.3}, free_context(kStep, progress), &tracked);
+  EXPECT_GT(fine.node_count(), stem.node_count());
+  EXPECT_EQ(fine.position[tracked.now[2]], stem.position[2]);
+  EXPECT_EQ(fine.position[tracked.now[7]], stem.position[7]);
+}
+
+TEST(Finish, KeepsMarkedEnds) {
+  Skeleton stem = clothed_stem(8);
+  stem.extra["end"].assign(stem.node_count(), 0);
+  stem.extra["end"][2] = 1;
+  const Progress progress;
+  const Skeleton done = finish(stem, {.decimate = 100, .subdivide = 0.4}, free_context(kStep, progress));
+  const std::vector<float>& end = done.extra.find("end")->second;
+  EXPECT_EQ(std::count(end.begin(), end.end(), 1), 1);
 }
 
 TEST(Relax, MovesNodesHalfwayToTheirParentsOldPlaces) {

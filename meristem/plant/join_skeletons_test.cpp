@@ -8,7 +8,7 @@
 namespace meristem {
 namespace {
 
-/// A stem of so many nodes with a branch at its foot.
+/// A stem of a number of nodes with a branch at its foot.
 Skeleton tree(int nodes, float at, const char* column) {
   Skeleton made;
   for (int k = 0; k < nodes; ++k) {

@@ -53,6 +53,7 @@ class TreeJoiner {
     tree_.parts.reserve(members.size());
     tree_.skeleton.reserve(nodes);
     for (const std::uint32_t member : members) add_stem(member, member == members[0]);
+    tree_.individual_of_root = std::move(stems_[members[0]].individual_of_root);
     return std::move(tree_);
   }
 
@@ -81,7 +82,7 @@ class TreeJoiner {
       for (; next != grafts.end() && next->node == node; ++next) {
         const bool is_between = !from.is_root(node) && next->along < kAtEnd;
         if (!is_between) break;
-        // Those of a whorl share their node.
+        // Stems of a whorl share their node.
         if (next->along > last_along) parent = add_between(from, node, next->along, parent);
         last_along = next->along;
         joints_[next->child] = {parent, tree_.skeleton.order[parent]};
@@ -175,6 +176,7 @@ std::vector<Stem> join_stems(std::vector<LooseStem> stems, float reach) {
     Stem& stem = joined.emplace_back();
     stem.parts[0] = std::move(stems[k].part);
     stem.skeleton = *stems[k].skeleton;
+    stem.individual_of_root = std::move(stems[k].individual_of_root);
     stems[k].skeleton = nullptr;
   }
   return joined;

@@ -12,10 +12,11 @@ namespace meristem {
 /// A stem as it was made, and where on which other one it grows.
 struct LooseStem {
   StemPart part;
-  std::shared_ptr<const Skeleton> skeleton;  ///< not null
-  std::uint32_t parent = kNoStem;            ///< an earlier stem of the list
-  NodeIndex node = 0;                        ///< on its segment that ends in this node
-  float along = 1;                           ///< at this share of it
+  std::shared_ptr<const Skeleton> skeleton;         ///< not null
+  std::uint32_t parent = kNoStem;                   ///< an earlier stem of the list
+  NodeIndex node = 0;                               ///< on its segment that ends in this node
+  float along = 1;                                  ///< at this share of it
+  std::vector<std::uint32_t> individual_of_root{};  ///< as in Stem; not asked for stems that join others
 };
 
 /// Joins stems to those that they grow on: the parent gets a node where children spring, their roots give way to it,

@@ -8,7 +8,7 @@
 namespace meristem {
 namespace {
 
-/// A straight stem of so many segments of 1 m.
+/// A straight stem of a number of segments of 1 m.
 Skeleton rod(Vec3 from, Vec3 heading, int segments, float radius) {
   Skeleton skeleton;
   NodeIndex last = skeleton.add_node(kNoNode, from, 0);

@@ -8,7 +8,7 @@
 
 namespace meristem {
 
-/// How thick wood is for the tips that it bears: of all models of growth.
+/// How thick wood is for the tips that it bears, in all models of growth.
 struct PipeModel {
   double tip_radius = 0.004;  ///< metres; raised, all wood gets thicker in proportion
   double exponent = 2.4;      ///< raised, trunks get thinner; 2 keeps the cross-section's area, 3 its cube
@@ -16,7 +16,7 @@ struct PipeModel {
 };
 
 /// The tips at or beyond each node of a forest, by its parents. `lost` says how many are lost at each node, or is
-/// empty; wood remembers `memory` of them. What bears nothing is a tip itself, or all of which it remembers.
+/// empty; wood remembers `memory` of them. A node that bears nothing counts one tip, or all it remembers.
 std::vector<double> count_tips(std::span<const NodeIndex> parent, std::span<const float> lost, double memory = 1);
 
 /// The radius at each node of a forest by the pipe model, from its parents and lost tips as in count_tips(). Throws

@@ -41,7 +41,7 @@ struct Skeleton {
   void append(Skeleton more);
 };
 
-/// The children of every node, as one array: those of node k are `child[first[k] .. first[k+1])`, by rising index.
+/// The children of every node, as one array: node k has `child[first[k] .. first[k+1])`, by rising index.
 struct Children {
   std::vector<std::uint32_t> first;
   std::vector<NodeIndex> child;
@@ -52,8 +52,8 @@ struct Children {
   }
 };
 
-/// The nodes of each axis from base to tip: those of axis a are `node[first[a] .. first[a+1])`. The parent node, from
-/// which a lateral axis springs, is not among them; it is the parent of the axis's first node.
+/// The nodes of each axis from base to tip: axis a has `node[first[a] .. first[a+1])`. The parent node, from which a
+/// lateral axis springs, is not among them; it is the parent of the axis's first node.
 struct Axes {
   std::vector<std::uint32_t> first;
   std::vector<NodeIndex> node;

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/plant/file/node_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "meristem/base/diagnostic.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr double kFarthestNode = 1e6;  // metres
+
+/// For each node the child that continues its axis, or kNoNode.
+std::vector<NodeIndex> continuations(const NodeTable& table) {
+  const std::size_t count = table.node_count();
+  std::vector<NodeIndex> next(count, kNoNode);
+  if (!table.branch.empty()) {
+    for (NodeIndex node = 0; node < count; ++node) {
+      const NodeIndex parent = table.parent[node];
+      if (parent == kNoNode || next[parent] != kNoNode || table.branch[parent] != table.branch[node]) continue;
+      next[parent] = node;
+    }
+    return next;
+  }
+  bool has_radii = true;
+  for (const double radius : table.radius) has_radii = has_radii && !std::isnan(radius);
+  std::vector<double> weight = table.radius;
+  if (!has_radii) {
+    // The way along the skeleton to the farthest tip, with the segment that leads to the node.
+    weight.assign(count, 0);
+    for (NodeIndex node = static_cast<NodeIndex>(count); node-- > 0;) {
+      const NodeIndex parent = table.parent[node];
+      if (parent == kNoNode) continue;
+      weight[node] += glm::distance(table.position[node], table.position[parent]);
+      weight[parent] = std::max(weight[parent], weight[node]);
+    }
+  }
+  for (NodeIndex node = 0; node < count; ++node) {
+    const NodeIndex parent = table.parent[node];
+    if (parent == kNoNode) continue;
+    if (next[parent] == kNoNode || weight[node] > weight[next[parent]]) next[parent] = node;
+  }
+  return next;
+}
+
+/// Where a position of the file lies in the world: metres, y up, north toward -z.
+DVec3 world(DVec3 position, bool is_y_up) { return is_y_up ? position : DVec3(position.x, position.z, -position.y); }
+
+}  // namespace
+
+Skeleton skeleton_of(const NodeTable& table, const NodeTablePlacement& placement, const std::string& file) {
+  DVec3 origin(0);
+  if (placement.begins_at_origin && table.node_count() > 0) origin = table.position.front();
+  const std::vector<NodeIndex> next = continuations(table);
+  Skeleton skeleton;
+  skeleton.reserve(table.node_count());
+  AxisIndex axes = 0;
+  for (NodeIndex node = 0; node < table.node_count(); ++node) {
+    // The difference is taken before floats make it coarse, as map coordinates are large.
+    const DVec3 at = placement.unit * world(table.position[node] - origin, placement.is_y_up);
+    if (!(std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) <= kFarthestNode)) {
+      throw InputError(Diagnostic{.message = "the node is too far away",
+                                  .expected = fmt::format("coordinates within {:.0f} m", kFarthestNode),
+                                  .file = file,
+                                  .line = table.line[node]});
+    }
+    const NodeIndex parent = table.parent[node];
+    skeleton.add_node(parent, Vec3(at), table.birth.empty() ? 0 : table.birth[node]);
+    const double radius = placement.unit * table.radius[node];
+    skeleton.radius[node] = std::isnan(radius) ? 0 : static_cast<float>(radius);
+    if (parent != kNoNode && next[parent] == node) {
+      skeleton.axis[node] = skeleton.axis[parent];
+      skeleton.order[node] = skeleton.order[parent];
+      continue;
+    }
+    skeleton.axis[node] = axes++;
+    if (parent == kNoNode) continue;
+    if (skeleton.order[parent] == std::numeric_limits<std::uint16_t>::max()) {
+      throw InputError(Diagnostic{.message = "the node is of too high a branching order",
+                                  .expected = fmt::format("orders up to {}", std::numeric_limits<std::uint16_t>::max()),
+                                  .file = file,
+                                  .line = table.line[node]});
+    }
+    skeleton.order[node] = static_cast<std::uint16_t>(skeleton.order[parent] + 1);
+  }
+  return skeleton;
+}
+
+}  // namespace meristem

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "meristem/plant/mtg/mtg.h"
+#include "meristem/plant/mtg/mtg_text.h"
+
+namespace meristem {
+
+/// What an MTG file declares before its entities.
+struct MtgHeader {
+  std::vector<MtgClass> classes;  ///< the first one is the scene's
+  std::vector<MtgFeature> features;
+  std::map<std::string, std::uint32_t, std::less<>> class_by_name;
+  std::map<std::string, std::uint32_t, std::less<>> feature_by_name;
+};
+
+/// The name in a map that is nearest to one that is not; empty where there are too many to compare.
+template <class Map>
+std::string nearest_known(std::string_view name, const Map& known) {
+  constexpr std::size_t kMostCompared = 1000;
+  if (known.size() > kMostCompared) return {};
+  std::vector<std::string> names;
+  names.reserve(known.size());
+  for (const auto& [candidate, value] : known) names.push_back(candidate);
+  return nearest_name(name, names);
+}
+
+/// The deepest scale that a file may have.
+inline constexpr int kDeepestMtgScale = 32;
+
+/// Reads the sections CODE, CLASSES, DESCRIPTION and FEATURES up to the line `MTG:`, which is read as well.
+MtgHeader read_mtg_header(MtgLines& lines, MtgFaults& faults);
+
+}  // namespace meristem

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// Variants may have plantings of their own. They are walked over with a list of what is ahead, each variant with the
+// frame that leads to it; how deep they lie in each other is bounded where documents are read.
+#include "meristem/plant/plant_variant.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <glm/matrix.hpp>
+
+#include "meristem/base/math.h"
+#include "meristem/plant/plant.h"
+
+namespace meristem {
+
+namespace {
+
+/// In doubles, as plantings in plantings multiply.
+struct Totals {
+  double stems = 0;
+  double nodes = 0;
+  double organs = 0;
+};
+
+/// What a plant has when all of its plantings are copied out; `known` holds what has been counted of its variants.
+Totals totals_of(const Plant& plant, std::map<const PlantVariant*, Totals>& known) {
+  Totals sum{static_cast<double>(plant.stems.size()), static_cast<double>(plant.node_count()),
+             static_cast<double>(plant.organs.size())};
+  for (const Planting& planting : plant.plantings) {
+    auto found = known.find(planting.variant.get());
+    if (found == known.end()) {
+      const Totals own = totals_of(*planting.variant->plant, known);
+      found = known.emplace(planting.variant.get(), own).first;
+    }
+    sum.stems += static_cast<double>(planting.places.size()) * found->second.stems;
+    sum.nodes += static_cast<double>(planting.places.size()) * found->second.nodes;
+    sum.organs += static_cast<double>(planting.places.size()) * found->second.organs;
+  }
+  return sum;
+}
+
+void check_totals(const Plant& plant, const Limits& limits) {
+  std::map<const PlantVariant*, Totals> known;
+  const Totals sum = totals_of(plant, known);
+  const std::string path = "components." + plant.plantings.front().component;
+  if (sum.nodes > static_cast<double>(limits.nodes)) {
+    throw_limit("nodes, each placed plant counted,", sum.nodes, limits.nodes, "nodes", path);
+  }
+  if (sum.organs > static_cast<double>(limits.instances)) {
+    throw_limit("organs, each placed plant counted,", sum.organs, limits.instances, "instances", path);
+  }
+}
+
+void move(Skeleton& skeleton, const Frame& frame) {
+  for (Vec3& position : skeleton.position) position = frame.point(position);
+  const auto scale = static_cast<float>(math::pow(std::abs(glm::determinant(frame.axes)), 1.0 / 3));
+  for (float& radius : skeleton.radius) radius *= scale;
+}
+
+class Expander {
+ public:
+  Expander(Plant& to, const Progress& progress) : to_(to), progress_(progress) {
+    for (const Stem& stem : to.stems) {
+      for (const StemPart& part : stem.parts) count(part.component, part.instance);
+    }
+    const bool is_bare = to.stems.empty() && to.organs.empty();
+    if (to.individuals.empty() && !is_bare) to.individuals.emplace_back();  // of all that there is without plantings
+    for (std::uint32_t k = 0; k < to.individuals.size(); ++k) {
+      individuals_.emplace(std::pair(to.individuals[k].component, to.individuals[k].number), k);
+    }
+  }
+
+  /// Adds copies of all that stands on the plantings of a plant whose world lies at `frame`.
+  void add_plantings(const std::vector<Planting>& plantings, const Frame& frame, const std::string& prefix) {
+    for (const Planting& planting : plantings) {
+      const std::string own = prefix + planting.component;
+      for (const Planting::Place& place : planting.places) {
+        progress_.check();
+        individual_ = individual_at(own, place.instance, (frame * place.frame).origin);
+        add(*planting.variant, frame * place.frame, own + ".", place.birth);
+      }
+    }
+  }
+
+ private:
+  /// What a plant's materials and prototypes are called here.
+  struct Numbers {
+    std::uint32_t material = 0;
+    std::uint32_t prototype = 0;
+  };
+
+  void add(const PlantVariant& variant, const Frame& frame, const std::string& prefix, float birth) {
+    const Plant& plant = *variant.plant;
+    const std::uint32_t individual = individual_;
+    const Numbers first = numbers_of(variant, prefix);
+    std::map<std::string, std::uint32_t> next;  // instances of this place begin here
+    for (const Stem& stem : plant.stems) {
+      Stem& copy = to_.stems.emplace_back(stem);
+      move(copy.skeleton, frame);
+      const auto roots = std::ranges::count(copy.skeleton.parent, kNoNode);
+      copy.individual_of_root.assign(static_cast<std::size_t>(roots), individual);
+      for (float& own : copy.skeleton.birth) own += birth;
+      for (StemPart& part : copy.parts) {
+        part.component = prefix + part.component;
+        part.material += first.material;
+        part.instance += next.try_emplace(part.component, instances_[part.component]).first->second;
+      }
+    }
+    for (std::size_t k = to_.stems.size() - plant.stems.size(); k < to_.stems.size(); ++k) {
+      for (const StemPart& part : to_.stems[k].parts) count(part.component, part.instance);
+    }
+    for (Organ organ : plant.organs) {
+      organ.frame = frame * organ.frame;
+      organ.prototype += first.prototype;
+      organ.birth += birth;
+      organ.individual = individual;
+      to_.organs.push_back(organ);
+    }
+    add_plantings(plant.plantings, frame, prefix);
+  }
+
+  /// A variant that the same way of components leads to has its materials and prototypes once.
+  Numbers numbers_of(const PlantVariant& variant, const std::string& prefix) {
+    const auto [found, is_new] = numbers_.try_emplace({&variant, prefix});
+    if (!is_new) return found->second;
+    found->second = {static_cast<std::uint32_t>(to_.materials.size()),
+                     static_cast<std::uint32_t>(to_.prototypes.size())};
+    for (Material material : variant.materials()) {
+      material.name = prefix + material.name;
+      to_.materials.push_back(std::move(material));
+    }
+    for (OrganPrototype prototype : variant.plant->prototypes) {
+      prototype.component = prefix + prototype.component;
+      prototype.material += found->second.material;
+      to_.prototypes.push_back(std::move(prototype));
+    }
+    return found->second;
+  }
+
+  /// Each place is a plant; those of the document's own components are known as such.
+  std::uint32_t individual_at(const std::string& component, std::uint32_t instance, Vec3 foot) {
+    const auto next = static_cast<std::uint32_t>(to_.individuals.size());
+    const std::uint32_t number = component.find('.') == std::string::npos ? instance : nested_[component]++;
+    const auto [known, is_new] = individuals_.try_emplace({component, number}, next);
+    if (is_new) to_.individuals.push_back({.component = component, .number = number, .foot = foot});
+    return known->second;
+  }
+
+  void count(const std::string& component, std::uint32_t instance) {
+    std::uint32_t& next = instances_[component];
+    next = std::max(next, instance + 1);
+  }
+
+  Plant& to_;
+  const Progress& progress_;
+  std::map<std::pair<const PlantVariant*, std::string>, Numbers> numbers_;
+  std::map<std::string, std::uint32_t> instances_;                              // the next number of each component
+  std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> individuals_;  // by component and number
+  std::map<std::string, std::uint32_t> nested_;  // the next number of plants within placed plants
+  std::uint32_t individual_ = 0;                 // of what is added
+};
+
+}  // namespace
+
+const std::vector<Material>& PlantVariant::materials() const {
+  return painted != nullptr ? *painted : plant->materials;
+}
+
+std::uint64_t PlantVariant::bytes() const {
+  std::uint64_t sum = plant->organs.size() * sizeof(Organ);
+  for (const Stem& stem : plant->stems) sum += stem.skeleton.node_count() * 40;
+  return sum;
+}
+
+bool has_plantings(const Plant& plant) { return !plant.plantings.empty(); }
+
+Plant expanded(const Plant& plant, const Limits& limits, const Progress& progress) {
+  if (has_plantings(plant)) check_totals(plant, limits);
+  Plant all = plant;
+  all.plantings.clear();
+  const PlantTotals totals = totals_of(plant);
+  all.stems.reserve(totals.stems);
+  all.organs.reserve(totals.organs);
+  Expander(all, progress).add_plantings(plant.plantings, Frame{}, "");
+  return all;
+}
+
+PlantTotals totals_of(const Plant& plant) {
+  std::map<const PlantVariant*, Totals> known;
+  const Totals sum = totals_of(plant, known);
+  const auto whole = [](double count) { return count < 1e19 ? static_cast<std::uint64_t>(count) : ~std::uint64_t{0}; };
+  return {whole(sum.stems), whole(sum.nodes), whole(sum.organs)};
+}
+
+ExpandedPlant::ExpandedPlant(const Plant& plant, const Progress& progress, const Limits& limits) : plant_(&plant) {
+  if (!has_plantings(plant)) return;
+  made_ = std::make_shared<const Plant>(expanded(plant, limits, progress));
+  plant_ = made_.get();
+}
+
+}  // namespace meristem

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/plant/plant_variant.h"
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/plant/plant.h"
+
+namespace meristem {
+namespace {
+
+/// A stem of two nodes with one organ at its tip.
+std::shared_ptr<const PlantVariant> twig() {
+  auto plant = std::make_shared<Plant>();
+  plant->materials = {{.name = "stem"}, {.name = "leaf"}};
+  Stem& stem = plant->stems.emplace_back();
+  stem.parts[0].component = "stem";
+  stem.skeleton.add_node(kNoNode, Vec3(0), 0);
+  stem.skeleton.add_node(0, Vec3(0, 1, 0), 1);
+  stem.skeleton.radius = {0.1F, 0.05F};
+  plant->prototypes.push_back({.component = "leaf", .material = 1, .mesh = std::make_shared<const Mesh>()});
+  plant->organs.push_back({.frame = {.origin = {0, 1, 0}}, .birth = 1});
+  auto variant = std::make_shared<PlantVariant>();
+  variant->plant = std::move(plant);
+  return variant;
+}
+
+Frame at(Vec3 origin, float scale = 1) { return {Mat3(scale), origin}; }
+
+TEST(Planting, ExpansionCopiesStemsAndOrgansToEachPlace) {
+  Plant plant;
+  plant.plantings.push_back({"oak", twig(), {{at({2, 0, 0}), 0, 5}, {at({0, 0, 4}, 2), 1, 0}}});
+  const Plant all = expanded(plant, {}, Progress());
+  EXPECT_TRUE(all.plantings.empty());
+  ASSERT_EQ(all.stems.size(), 2U);
+  EXPECT_EQ(all.stems[0].skeleton.position[1], Vec3(2, 1, 0));
+  EXPECT_EQ(all.stems[1].skeleton.position[1], Vec3(0, 2, 4));
+  EXPECT_FLOAT_EQ(all.stems[0].skeleton.radius[0], 0.1F);
+  EXPECT_FLOAT_EQ(all.stems[1].skeleton.radius[0], 0.2F) << "a stem grows thicker as it is scaled";
+  EXPECT_FLOAT_EQ(all.stems[0].skeleton.birth[1], 6) << "a plant's steps begin when it is placed";
+  EXPECT_EQ(all.stems[0].parts[0].component, "oak.stem");
+  EXPECT_EQ(all.stems[0].parts[0].instance, 0U);
+  EXPECT_EQ(all.stems[1].parts[0].instance, 1U) << "instances are numbered on";
+  ASSERT_EQ(all.organs.size(), 2U);
+  EXPECT_EQ(all.organs[1].frame.origin, Vec3(0, 2, 4));
+  ASSERT_EQ(all.prototypes.size(), 1U) << "both places share the prototype";
+  EXPECT_EQ(all.materials[all.prototypes[0].material].name, "oak.leaf");
+}
+
+TEST(Planting, PlantingsWithinPlantingsMultiply) {
+  auto clump = std::make_shared<Plant>();
+  clump->plantings.push_back({"twig", twig(), {{at({1, 0, 0}), 0, 0}, {at({-1, 0, 0}), 1, 0}}});
+  auto variant = std::make_shared<PlantVariant>();
+  variant->plant = clump;
+  Plant plant;
+  plant.plantings.push_back({"clump", variant, {{at({0, 0, 5}), 0, 0}, {at({0, 0, 9}), 1, 0}, {at({0, 0, 13}), 2, 0}}});
+  const Plant all = expanded(plant, {}, Progress());
+  ASSERT_EQ(all.stems.size(), 6U);
+  EXPECT_EQ(all.stems[5].skeleton.position[0], Vec3(-1, 0, 13));
+  EXPECT_EQ(all.stems[5].parts[0].component, "clump.twig.stem");
+  EXPECT_EQ(all.stems[5].parts[0].instance, 5U);
+  const PlantTotals totals = totals_of(plant);
+  EXPECT_EQ(totals.stems, 6U);
+  EXPECT_EQ(totals.nodes, 12U);
+  EXPECT_EQ(totals.organs, 6U);
+}
+
+TEST(Planting, APlantWithoutPlantingsIsItsOwnExpansion) {
+  const std::shared_ptr<const PlantVariant> variant = twig();
+  const Plant& plant = *variant->plant;
+  const ExpandedPlant same(plant, Progress());
+  EXPECT_EQ(&*same, &plant);
+}
+
+TEST(Planting, ExpansionStopsAtTheLimitsBeforeItCopies) {
+  Plant plant;
+  plant.plantings.push_back({"oak", twig(), std::vector<Planting::Place>(1000)});
+  Limits limits;
+  limits.nodes = 1999;
+  try {
+    expanded(plant, limits, Progress());
+    FAIL() << "2000 nodes passed a limit of 1999";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.diagnostics().front().path, "components.oak");
+  }
+  limits.nodes = 2000;
+  EXPECT_EQ(expanded(plant, limits, Progress()).stems.size(), 1000U);
+}
+
+}  // namespace
+}  // namespace meristem

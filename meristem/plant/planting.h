@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "meristem/base/frame.h"
+
+namespace meristem {
+
+struct PlantVariant;
+
+/// The places of one variant.
+struct Planting {
+  struct Place {
+    Frame frame;                 ///< from the variant's world to the world; may scale
+    std::uint32_t instance = 0;  ///< number among the instances of the component that places the plant
+    float birth = 0;             ///< growth step at which it appeared
+  };
+  std::string component;  ///< id of the component that places it
+  std::shared_ptr<const PlantVariant> variant;
+  std::vector<Place> places;
+};
+
+}  // namespace meristem

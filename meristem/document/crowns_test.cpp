@@ -104,7 +104,7 @@ TEST(CrownDocument, EveryFaultHasItsPlaceAndSaysWhatIsWanted) {
        "d.json:2:24: components.tree.crown.profiles.north: 'north' is not an azimuth"},
       {R"({"profiles": {"22.5": [[1, 2], [1, 1]]}})",
        "d.json:2:41: components.tree.crown.profiles.22.5[1]: the height 1"},
-      {R"({"profiles": {"-90": [[1, 1], [1, 2]], "270": [[1, 1], [1, 2]]}})", "'270' is the same azimuth as '-90'"},
+      {R"({"profiles": {"-90": [[1, 1], [1, 2]], "270": [[1, 1], [1, 2]]}})", "'-90' and '270' are one azimuth"},
       {R"({"union": []})", "components.tree.crown: the crown is empty: its list has no parts"},
       {R"({"union": [{"sphere": {"centre": [0, 1, 0], "radius": -2}}]})",
        "crown.union[0].sphere.radius: the value -2 is out of range"},

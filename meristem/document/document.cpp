@@ -8,10 +8,12 @@
 
 #include <fmt/format.h>
 
+#include "meristem/document/instance_variables.h"
 #include "meristem/document/json.h"
 #include "meristem/document/locate.h"
 #include "meristem/document/override.h"
 #include "meristem/document/silent_keys.h"
+#include "meristem/document/sources.h"
 #include "meristem/document/tables.h"
 #include "meristem/document/variables.h"
 #include "meristem/graph/add_camera.h"
@@ -31,7 +33,9 @@ class DocumentReader {
         options_(options),
         access_{.folder = std::filesystem::path(file).parent_path().string(),
                 .root = options.root,
-                .store = options.store} {}
+                .store = options.store,
+                .sources = &sources_},
+        sources_(registry, options) {}
 
   /// Returns the faults and warnings.
   std::vector<Diagnostic> run(Document& document) {
@@ -69,6 +73,7 @@ class DocumentReader {
     if (!has_errors(diagnostics_)) {
       add_camera(document.graph, registry_.camera());
       analyse_structure(document.graph, diagnostics_);
+      if (!has_errors(diagnostics_)) check_given_names(root_, document.graph, diagnostics_);
       if (!has_errors(diagnostics_)) check_silent_keys(root_, document.graph, diagnostics_);
     }
     keep_first(document.graph.limits.diagnostics);
@@ -93,7 +98,7 @@ class DocumentReader {
                         std::make_move_iterator(found.end()));
   }
 
-  /// Leaves so many diagnostics, errors before warnings, and counts the errors that are left out.
+  /// Leaves at most a given number of diagnostics, errors before warnings, and counts the errors that are left out.
   void keep_first(std::size_t limit) {
     if (diagnostics_.size() > limit) {
       const auto warnings = std::stable_partition(diagnostics_.begin(), diagnostics_.end(),
@@ -145,34 +150,81 @@ class DocumentReader {
           is_missing ? "the document has no components" : fmt::format("the components are {}", given->description()),
           R"(an object such as "components": {"tree": {"type": "colonize", ...}})");
     }
-    for (const auto& [id, value] : *given->object()) read_component(reader, graph, id, value, DocumentPath(path, id));
+    graph.components.resize(given->object()->size());
+    for (std::size_t c = 0; c < graph.components.size(); ++c) graph.components[c].id = (*given->object())[c].first;
+    // What gives names comes before all that may use them.
+    const auto read_all = [&](bool gives) {
+      for (std::size_t c = 0; c < graph.components.size(); ++c) {
+        const auto& [id, value] = (*given->object())[c];
+        if (gives_names(value) != gives) continue;
+        const DocumentPath own(path, id);
+        const ComponentType* type = type_of(reader, id, value, own);
+        if (type == nullptr) continue;
+        read_component(reader, graph.components[c], *type, value, own);
+        if (gives) take_names(reader, graph, graph.components[c], own);
+      }
+    };
+    read_all(true);
+    reader.add_instance_names(graph.site_names);
+    read_instance_variables(root_.find("variables"), graph, reader);
+    read_all(false);
   }
 
-  void read_component(ParameterReader& reader, Graph& graph, const std::string& id, const Value& value,
-                      const DocumentPath& path) {
+  /// Whether a component, as the document says it, is of a type that gives its children names.
+  bool gives_names(const Value& component) const {
+    const Value* name = component.find("type");
+    const ComponentType* type = name == nullptr || name->text() == nullptr ? nullptr : registry_.find(*name->text());
+    return type != nullptr && type->gives;
+  }
+
+  /// The names that a component gives, each once in the graph.
+  void take_names(ParameterReader& reader, Graph& graph, Prototype& prototype, const DocumentPath& path) {
+    if (reader.fault_count() > 0) return;
+    GivenNames given = prototype.type->gives(prototype.parameters.get());
+    for (const std::string& name : given.names) {
+      const auto is_it = [&](const ExpressionNames::Constant& constant) { return constant.name == name; };
+      if (std::ranges::any_of(reader.constants(), is_it)) {
+        reader.fault(path, fmt::format("'{}' is a column here and a variable of the document", name),
+                     "another name for one of them");
+      }
+      const auto known = std::ranges::find(graph.site_names, name);
+      prototype.given_slots.push_back(static_cast<std::uint32_t>(known - graph.site_names.begin()));
+      if (known == graph.site_names.end()) graph.site_names.push_back(name);
+    }
+    for (auto& [name, reason] : given.refused) reader.refuse_instance_name(name, std::move(reason));
+  }
+
+  /// The type that a component names; null after a fault. Faulty components stay in the graph without a type, so that
+  /// links to them are no further fault.
+  const ComponentType* type_of(ParameterReader& reader, const std::string& id, const Value& value,
+                               const DocumentPath& path) const {
     const auto fits = [](char c) {
       return c == '_' || ('0' <= c && c <= '9') || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
     };
     if (id.empty() || !std::all_of(id.begin(), id.end(), fits)) {
       reader.fault_name(path, fmt::format("'{}' cannot name a component", id), "letters, digits and _", "");
     }
-    // Faulty components stay in the graph without a type, so that links to them are no further fault.
-    Prototype& prototype = graph.components.emplace_back();
-    prototype.id = id;
     const Value* type = value.find("type");
     if (type == nullptr || type->text() == nullptr) {
-      return reader.fault(path,
-                          value.object() == nullptr ? fmt::format("a component cannot be {}", value.description())
-                                                    : fmt::format("'{}' has no type", id),
-                          fmt::format("a \"type\": one of {}", fmt::join(registry_.names(), ", ")));
+      reader.fault(path,
+                   value.object() == nullptr ? fmt::format("a component cannot be {}", value.description())
+                                             : fmt::format("'{}' has no type", id),
+                   fmt::format("a \"type\": one of {}", fmt::join(registry_.names(), ", ")));
+      return nullptr;
     }
-    prototype.type = registry_.find(*type->text());
-    if (prototype.type == nullptr) {
+    const ComponentType* found = registry_.find(*type->text());
+    if (found == nullptr) {
       const std::vector<std::string> names = registry_.names();
       const std::string nearest = reader.nearest(*type->text(), names);
-      return reader.fault(DocumentPath(path, "type"), fmt::format("'{}' is not a type of component", *type->text()),
-                          nearest.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", nearest);
+      reader.fault(DocumentPath(path, "type"), fmt::format("'{}' is not a type of component", *type->text()),
+                   nearest.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : "", nearest);
     }
+    return found;
+  }
+
+  void read_component(ParameterReader& reader, Prototype& prototype, const ComponentType& type, const Value& value,
+                      const DocumentPath& path) {
+    prototype.type = &type;
     prototype.parameters = prototype.type->make_parameters();
     const std::size_t faults_before = reader.fault_count();
     const std::size_t files_before = reader.files().size();
@@ -227,6 +279,7 @@ class DocumentReader {
   const Registry& registry_;
   const ReadOptions& options_;
   const FileAccess access_;
+  DocumentSources sources_;
   const DocumentPath top_;
   std::vector<Diagnostic> diagnostics_;
   std::vector<ParameterReader::Meaningless> meaningless_;
@@ -255,13 +308,17 @@ Document read_document(std::string text, const std::string& file, const Registry
   Document document;
   document.source = {.file = file, .text = std::move(text)};
   std::vector<Diagnostic> diagnostics;
-  if (options.store != nullptr) options.store->begin_read();
+  const bool is_outermost = options.chain == nullptr;  // what others name is part of one read
+  if (options.store != nullptr && is_outermost) options.store->begin_read();
+  const DocumentChain outermost{.file = real_file(file), .name = file};
+  ReadOptions reading = options;
+  if (is_outermost) reading.chain = &outermost;
   try {
     Value& root = document.source.tree;
     root = parse_json(document.source.text);
     if (root.object() != nullptr) apply_overrides(root, options.overrides, document.source, diagnostics);
     for (bool again = diagnostics.empty(); again;) {
-      DocumentReader reader(root, registry, options, file);
+      DocumentReader reader(root, registry, reading, file);
       diagnostics = reader.run(document);
       // What is set goes before the document: what this says and means nothing beside it gives way.
       again = give_way(root, reader.meaningless(), document.source.overridden);
@@ -273,7 +330,7 @@ Document read_document(std::string text, const std::string& file, const Registry
   document.source.place(diagnostics);
   if (DocumentReader::has_errors(diagnostics)) throw InputError(std::move(diagnostics));
   document.warnings = std::move(diagnostics);
-  if (options.store != nullptr) options.store->end_read();
+  if (options.store != nullptr && is_outermost) options.store->end_read();
   return document;
 }
 

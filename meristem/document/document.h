@@ -26,7 +26,8 @@ struct Variable {
   double max = 1;
   std::string unit;
   std::string doc;
-  std::string expression;   ///< from which the value was worked out, or empty: "2 + 0.1*age"
+  std::string expression;   ///< the expression that gave the value, or empty: "2 + 0.1*age"
+  std::string per;          ///< id of the component whose instances each draw a value, or empty
   bool is_private = false;  ///< no handle, but a name for what several expressions share; it can be set all the same
 };
 
@@ -55,12 +56,13 @@ struct Override {
 
 /// Where a document came from, for messages and for editors that patch the text.
 struct Source {
-  std::string file;  ///< its name in messages
+  std::string file;  ///< the document's name in messages
   std::string text;
   Value tree;                               ///< what the text says, with the values that overrides have set
   std::vector<std::string> named_files;     ///< paths of the files that were read with it
   std::vector<std::string> overridden;      ///< document paths that an override has set
-  std::vector<std::string> override_names;  ///< of each, what messages call it
+  std::vector<std::string> override_names;  ///< what messages call each override
+  std::vector<std::string> sets;            ///< the overrides as they were given, the last of each path: "age=20"
   std::vector<VariableNote> variable_notes;
 
   /// Gives diagnostics with a path their file, line and column: in the text, or the override that brought the value.
@@ -86,6 +88,13 @@ struct Document {
 /// '=' or a path before it; whether that is well formed, read_document checks.
 Override parse_override(std::string_view text);
 
+/// Documents that name each other, from the last one back.
+struct DocumentChain {
+  std::string file;  ///< where it really lies
+  std::string name;  ///< as it was named
+  const DocumentChain* before = nullptr;
+};
+
 /// How a document is read.
 struct ReadOptions {
   std::vector<Override> overrides{};    ///< values that go before those of the text
@@ -95,6 +104,10 @@ struct ReadOptions {
   std::string root{};
   /// What earlier reads made of files is found there, and left for later ones; null: every file is read.
   ReadStore* store = nullptr;
+  /// Folder of the shipped models, which documents may name; empty: there are none.
+  std::string models{};
+  /// The documents that have led to this one, each naming the next; null for one that a user opens.
+  const DocumentChain* chain = nullptr;
   /// Takes the document paths of all expressions, as far as they were read; may be null.
   std::vector<std::string>* expression_paths = nullptr;
 };

@@ -14,7 +14,7 @@ namespace {
 
 Document read(const std::string& text) { return read_document(text, "d.json", builtin_components()); }
 
-/// All faults, a line each.
+/// All faults, one per line.
 std::string faults_of(const std::string& text) {
   try {
     read(text);
@@ -29,7 +29,7 @@ std::string with(const std::string& members, const std::string& components = R"(
   return "{\"meristem\": 1,\n" + members + "\n\"components\": {" + components + "}}";
 }
 
-/// The same with links; the components `tree` and `leaf` are there.
+/// A document with these links between the components `tree` and `leaf`.
 std::string linked(const std::string& links) {
   return with("\"links\": [" + links + "],",
               R"("tree": {"type": "colonize", "crown": {"profile": [[1, 1], [1, 2]]}}, "leaf": {"type": "leaf"})");

@@ -2,11 +2,15 @@
 #include "meristem/document/grow.h"
 
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 #include "meristem/document/obstacle_warnings.h"
+#include "meristem/graph/batch.h"
 #include "meristem/graph/expand.h"
 #include "meristem/graph/looks.h"
+#include "meristem/plant/plant_variant.h"
+#include "meristem/shape/cached_meshes.h"
 
 namespace meristem {
 
@@ -24,8 +28,50 @@ auto placing_faults(const Document& document, Work&& work) {
   }
 }
 
+/// Paints the textures of the variants that a plant's plantings show, at any depth.
+class VariantPainter {
+ public:
+  explicit VariantPainter(Progress& progress) : progress_(progress) {}
+
+  /// Shows painted variants in place of those with sketches.
+  void paint(std::vector<Planting>& plantings) {
+    for (Planting& planting : plantings) planting.variant = painted(planting.variant);
+  }
+  /// Paints the materials of meshes.
+  void paint(std::vector<Material>& materials) const {
+    for (Material& material : materials) {
+      const auto found = pictures_.find(material.texture.get());
+      if (found != pictures_.end()) material.texture = found->second;
+    }
+  }
+
+ private:
+  std::shared_ptr<const PlantVariant> painted(const std::shared_ptr<const PlantVariant>& variant) {
+    std::shared_ptr<const PlantVariant>& known = painted_[variant.get()];
+    if (known != nullptr) return known;
+    auto fresh = std::make_shared<PlantVariant>(*variant);
+    const std::vector<Material>& sketches = variant->plant->materials;
+    auto materials = std::make_shared<std::vector<Material>>(variant->materials());
+    if (variant->painted == nullptr && variant->paint) variant->paint(*materials, progress_, nullptr);
+    for (std::size_t m = 0; m < materials->size(); ++m) {
+      if (sketches[m].texture != nullptr) pictures_[sketches[m].texture.get()] = (*materials)[m].texture;
+    }
+    fresh->painted = std::move(materials);
+    if (has_plantings(*variant->plant)) {
+      auto plant = std::make_shared<Plant>(*variant->plant);
+      paint(plant->plantings);
+      fresh->plant = std::move(plant);
+    }
+    return known = std::move(fresh);
+  }
+
+  Progress& progress_;
+  std::unordered_map<const PlantVariant*, std::shared_ptr<const PlantVariant>> painted_;
+  std::unordered_map<const Texture*, std::shared_ptr<const Texture>> pictures_;  // by sketch
+};
+
 /// Paints the textures of the plant, which its meshes share. Nothing else changes, so others may read it meanwhile.
-void paint(const Document& document, GrownDocument& grown, Progress& progress, GrowthCache* cache) {
+void paint_variants(const Document& document, GrownDocument& grown, Progress& progress, GrowthCache* cache) {
   std::vector<Material> painted = grown.plant.materials;
   paint_textures(document.graph, painted, progress, cache);
   // The materials of meshes begin with the plant's.
@@ -33,9 +79,23 @@ void paint(const Document& document, GrownDocument& grown, Progress& progress, G
     const std::size_t count = std::min(painted.size(), materials->size());
     for (std::size_t m = 0; m < count; ++m) (*materials)[m].texture = painted[m].texture;
   }
+  if (!has_plantings(grown.plant)) return;
+  VariantPainter variants(progress);
+  variants.paint(grown.plant.plantings);
+  variants.paint(grown.meshes.materials);
 }
 
 }  // namespace
+
+std::vector<ReuseCount> reuse_of(const GrowthCache& cache) {
+  std::vector<ReuseCount> counts{{"grown skeletons", cache.reuse<GrownBatch>()},
+                                 {"instances", cache.reuse<BatchResult>()},
+                                 {"clothed stems", cache.reuse<StemTubes>()},
+                                 {"closed bodies", cache.reuse<BodyMesh>()},
+                                 {"painted textures", cache.reuse<Texture>()}};
+  std::erase_if(counts, [](const ReuseCount& one) { return one.count.made + one.count.reused == 0; });
+  return counts;
+}
 
 GrownDocument grow_document(const Document& document, Progress& progress, const GrowthOptions& options) {
   GrownDocument grown;
@@ -53,7 +113,7 @@ void complete_growth(const Document& document, GrownDocument& grown, Progress& p
     grown.up_to = GrownPart::meshes;
   }
   if (grown.up_to < GrownPart::textures && options.up_to >= GrownPart::textures) {
-    paint(document, grown, progress, options.cache);
+    paint_variants(document, grown, progress, options.cache);
     grown.up_to = GrownPart::textures;
   }
 }

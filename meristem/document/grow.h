@@ -31,6 +31,16 @@ struct GrownDocument {
 /// throws or is cancelled leaves it in order. One call at a time may use it.
 using GrowthCache = Cache;
 
+/// How much of a kind of result the last growth with a cache made anew, and how much the cache had.
+struct ReuseCount {
+  const char* what;  ///< in the plural: "instances"
+  Reuse count;
+};
+
+/// How much of each kind of result the cache gave back, in the order in which growth makes the kinds; a kind that the
+/// growth did not need is left out.
+std::vector<ReuseCount> reuse_of(const GrowthCache& cache);
+
 struct GrowthOptions {
   double time = 0;  ///< seconds: the document as it stands then
   Detail detail{};  ///< how coarse the meshes are
@@ -48,8 +58,8 @@ GrownDocument grow_document(const Document& document, Progress& progress, const 
 void complete_growth(const Document& document, GrownDocument& grown, Progress& progress,
                      const GrowthOptions& options = {});
 
-/// The meshes of a level of detail of a plant that has grown of the document: those that grow_document gives for it,
-/// without growing anew; their textures are the plant's. Throws as it does.
+/// The meshes of a level of detail of a plant that has grown from the document, without growing it anew. They equal the
+/// meshes that grow_document gives for the level, with the plant's textures. Throws what grow_document throws.
 MeshScene mesh_detail(const Document& document, const Plant& plant, const Detail& detail, Progress& progress,
                       GrowthCache* cache = nullptr);
 

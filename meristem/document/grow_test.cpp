@@ -32,7 +32,7 @@ void append(std::vector<std::byte>& bytes, const std::vector<T>& values) {
   bytes.insert(bytes.end(), more.begin(), more.end());
 }
 
-/// Of every vertex, index and placement of the mesh scene.
+/// Hash of every vertex, index and placement of the mesh scene.
 std::string hash_of(const Document& document) {
   Progress progress;
   const MeshScene meshes = grow_document(document, progress).meshes;

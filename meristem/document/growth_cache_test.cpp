@@ -43,7 +43,7 @@ void append(std::vector<std::byte>& bytes, const std::vector<T>& values) {
   bytes.insert(bytes.end(), more.begin(), more.end());
 }
 
-/// Of the plant, and of every vertex, index, placement and tint of its meshes.
+/// Hash of the plant, and of every vertex, index, placement and tint of its meshes.
 std::string hash_of(const GrownDocument& grown) {
   std::vector<std::byte> bytes;
   for (const MeshInstances& instances : grown.meshes.meshes) {
@@ -146,7 +146,7 @@ TEST(GrowthCache, WhatIsDerivedFromAVariableGrowsAnewWithIt) {
   EXPECT_EQ(hash_of(grow(lush, &cache)), hash_of(grow(lush)));
   EXPECT_EQ(cache.reuse<GrownBatch>().made, 0U);
   EXPECT_NE(hash_of(grow(lush)), hash_of(grow(far)));
-  // The same value by another expression is no change of what uses it.
+  // A variable with another expression of equal value leaves unchanged what uses it.
   const Document same = read(text, {"far=2", "reach=far*0.4", "lush=4"});
   EXPECT_EQ(hash_of(grow(same, &cache)), hash_of(grow(lush)));
   EXPECT_EQ(cache.reuse<GrownBatch>().made, 0U);

@@ -138,7 +138,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     return twice == names.end() ? nullptr : *twice;
   }
 
-  /// Of what the parser reads now; every open object but one that is between members has its key in `keys_`.
+  /// The path of what the parser reads now; every open object but one that is between members has its key in `keys_`.
   std::string present_path() const {
     std::string path;
     std::size_t key = 0;

@@ -19,7 +19,7 @@ Value parse_json(std::string_view text, const Limits& limits = {});
 /// that are not finite become null. Text must be UTF-8.
 std::string write_json(const Value& value);
 
-/// The same on one line, without a line's end: [1, {"a": 2}].
+/// Writes JSON as write_json does, on one line without a line end: [1, {"a": 2}].
 std::string write_json_line(const Value& value);
 
 }  // namespace meristem

@@ -108,7 +108,7 @@ const ParameterTable& sun_table() {
           .number("longitude", &SunParameters::longitude, {.unit = Unit::degree, .min = -180, .max = 180},
                   "Longitude of the scene, east positive, from which clock time is worked out.")
           .number("utc_offset", &SunParameters::utc_offset, {.unit = Unit::hour, .min = -14, .max = 14},
-                  "Hours by which the clock is ahead of universal time: 1 in central Europe, 2 in its summer time.")
+                  "Hours that the clock is ahead of universal time: 1 in central Europe, 2 in its summer time.")
           .never_with("day", {"days", "date"})
           .never_with("days", {"date"})
           .only_with("days", {"every_days"})
@@ -185,14 +185,14 @@ SkyDirection shown_sun(const LightParameters& settings) {
 }
 
 /// All positions of the sun, 1 in all.
-std::vector<FarLight> sun_positions(const LightParameters& settings, SkyDirection shown) {
+std::vector<DirectionalLight> sun_positions(const LightParameters& settings, SkyDirection shown) {
   const SunParameters& sun = *settings.sun;
   if (!sun.days.empty()) {
     return sun_of_days(*settings.latitude, season_days(sun), sun.every_hours.value_or(kSeasonHours));
   }
   if (day_of(sun) && sun.every_hours) return sun_of_days(*settings.latitude, {*day_of(sun)}, *sun.every_hours);
   if (shown.altitude <= 0) return {};
-  return {FarLight{.toward = unit_vector(shown)}};
+  return {DirectionalLight{.toward = unit_vector(shown)}};
 }
 
 }  // namespace
@@ -233,7 +233,7 @@ void light_scene(const LightParameters& settings, const DocumentPath& path, Para
     light.sun = sun_positions(settings, scene.sun);
     warn_of_night(settings, DocumentPath(path, "sun"), reader, scene);
   }
-  for (FarLight& position : light.sun) position.strength *= 1 - settings.sky;
+  for (DirectionalLight& position : light.sun) position.strength *= 1 - settings.sky;
   if (settings.sky == 1) light.sun.clear();
   if (settings.sky > 0) light.sky = even_sky(settings.sky);
   light.lamps = settings.lamps;

@@ -14,13 +14,13 @@ namespace meristem {
 struct SunParameters {
   std::optional<double> azimuth;      // radians
   std::optional<double> altitude;     // radians
-  std::optional<double> day;          // of the year
+  std::optional<double> day;          // day of the year
   std::vector<int> days;              // the first and the last of a season; empty if there is none
   double every_days = 30;             // in a season
   std::optional<double> every_hours;  // over a day; always over a season
-  double hour = 12;                   // of a day without every_hours, and of pictures
+  double hour = 12;                   // hour of a day without every_hours, and of pictures
   std::string date;                   // in place of a day; empty if there is none
-  std::optional<double> time;         // of a clock, hours; in place of an hour
+  std::optional<double> time;         // clock time, hours; instead of `hour`
   std::optional<double> longitude;    // radians
   std::optional<double> utc_offset;   // hours
 };
@@ -28,11 +28,11 @@ struct SunParameters {
 struct LightParameters {
   std::optional<double> latitude;  // radians
   std::optional<SunParameters> sun;
-  double sky = 0;  // share of the far light
+  double sky = 0;  // share of the directional light
   std::vector<Lamp> lamps;
 };
 
-/// Of LightParameters; check_light has its rules.
+/// The rows of LightParameters; check_light has the rules between them.
 const ParameterTable& light_table();
 void check_light(const LightParameters& settings, const DocumentPath& path, ParameterReader& reader);
 

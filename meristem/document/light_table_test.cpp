@@ -34,13 +34,13 @@ std::string warnings_of(const std::string& scene) {
   return texts;
 }
 
-double sum_of(const std::vector<FarLight>& lights) {
+double sum_of(const std::vector<DirectionalLight>& lights) {
   double sum = 0;
-  for (const FarLight& light : lights) sum += light.strength;
+  for (const DirectionalLight& light : lights) sum += light.strength;
   return sum;
 }
 
-void expect_alike(const std::vector<FarLight>& found, const std::vector<FarLight>& expected) {
+void expect_alike(const std::vector<DirectionalLight>& found, const std::vector<DirectionalLight>& expected) {
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t k = 0; k < found.size(); ++k) {
     EXPECT_EQ(found[k].toward, expected[k].toward);
@@ -50,7 +50,7 @@ void expect_alike(const std::vector<FarLight>& found, const std::vector<FarLight
 
 TEST(SceneLight, ComesFromTheZenithUnlessSaid) {
   const Scene scene = read_in("{}").scene;
-  expect_alike(scene.light.sun, {FarLight{}});
+  expect_alike(scene.light.sun, {DirectionalLight{}});
   EXPECT_TRUE(scene.light.sky.empty());
   EXPECT_TRUE(scene.light.lamps.empty());
 }
@@ -62,7 +62,7 @@ TEST(SceneLight, ComesFromWhereAClockSaysTheSunStands) {
                           .scene;
   EXPECT_NEAR(degrees(scene.sun.altitude), 39.872, 0.012);
   EXPECT_NEAR(degrees(scene.sun.azimuth), 194.340, 0.012);
-  expect_alike(scene.light.sun, {FarLight{.toward = unit_vector(scene.sun)}});
+  expect_alike(scene.light.sun, {DirectionalLight{.toward = unit_vector(scene.sun)}});
   ASSERT_TRUE(scene.clock);
   EXPECT_NEAR(degrees(scene.clock->longitude), -105.1786, 1e-9);
   EXPECT_EQ(scene.clock->utc_offset, -7);
@@ -109,11 +109,11 @@ TEST(SceneLight, SaysWhatIsWrongWithAClock) {
 
 TEST(SceneLight, ComesFromAPlaceOrAnHour) {
   const Scene placed = read_in(R"({"sun": {"azimuth": 180, "altitude": 61}})").scene;
-  expect_alike(placed.light.sun, {FarLight{.toward = unit_vector({kPi, radians(61)})}});
+  expect_alike(placed.light.sun, {DirectionalLight{.toward = unit_vector({kPi, radians(61)})}});
   const Scene morning = read_in(R"({"latitude": 51.5, "sun": {"day": 126, "hour": 9.5}})").scene;
   const SkyDirection sun = sun_position(radians(51.5), 126, 9.5);
   EXPECT_EQ(morning.sun.altitude, sun.altitude);
-  expect_alike(morning.light.sun, {FarLight{.toward = unit_vector(sun)}});
+  expect_alike(morning.light.sun, {DirectionalLight{.toward = unit_vector(sun)}});
 }
 
 TEST(SceneLight, OfADayHasAllItsHoursAndPicturesOne) {

@@ -136,6 +136,13 @@ TEST(LsystemDocument, WantsThePlacedComponentsToBeThere) {
   EXPECT_THAT(faults, HasSubstr("did you mean 'leaf'?"));
 }
 
+TEST(LsystemDocument, TellsToDeclareTheNameOfAComponentThatIsWrittenBehindATilde) {
+  const std::string faults = faults_of_text(R"json({"meristem": 1, "components": {
+    "plant": {"type": "lsystem", "steps": 0, "grammar": "F~leaf"}, "leaf": {"type": "leaf"}}})json");
+  EXPECT_THAT(faults, HasSubstr("'plant' places 'l', and there is no such component; expected a component 'l', or "
+                                "'#symbols leaf' in the grammar, since '~leaf' is '~l' without it"));
+}
+
 TEST(LsystemDocument, PlacesWhatRulesMakeOfAName) {
   const Plant plant = grown(R"json({"meristem": 1, "components": {
     "plant": {"type": "lsystem", "steps": 1, "grammar": "#symbols leaf\n#axiom F~A\n#rules\nA -> leaf\n"},

@@ -14,7 +14,7 @@ bool is_of_name(char c);
 
 /// Calls `take` for each word in the text that could be a name, in order; what is part of a number is none.
 void for_each_name(std::string_view text, FunctionRef<void(std::string_view name)> take);
-/// The same for all texts of a value; names of members are none of them.
+/// Calls `take` for each word that could be a name in all texts of a value; names of members are no texts.
 void for_each_mention(const Value& value, FunctionRef<void(std::string_view name)> take);
 
 /// The value at a document path such as "links[1].density", or of the longest part of the path that there is; null

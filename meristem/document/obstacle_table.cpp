@@ -89,7 +89,7 @@ const ParameterTable& obstacle_table() {
           .boolean("hidden", &ObstacleParameters::hidden,
                    "Whether pictures leave the obstacle out; it still blocks growth and light.")
           .text("name", &ObstacleParameters::name,
-                "Name of the obstacle, by which `meristem shade` asks for its walls.")
+                "Name of the obstacle, which the options of `meristem shade` can give.")
           .one_of({"box", "mesh"})
           .only_with("mesh", {"up", "broken"})
           .check(check_obstacle);

@@ -33,7 +33,7 @@ struct ObstacleParameters {
   std::string name;
 };
 
-const ParameterTable& obstacle_table();  ///< of ObstacleParameters
+const ParameterTable& obstacle_table();  ///< the rows of ObstacleParameters
 
 /// Reports more triangles than the limits allow; `path` is the list's.
 void check_obstacles(const std::vector<ObstacleParameters>& forms, const DocumentPath& path, ParameterReader& reader);

@@ -129,7 +129,7 @@ class Looker {
   const Box bounds_;
   const Plant& plant_;
   const Progress& progress_;
-  std::vector<Tally> tallies_;  // two a component: of its stems, and of what it draws besides
+  std::vector<Tally> tallies_;  // two per component: of its stems, and of what it draws besides
   std::unordered_map<std::string, std::size_t> by_id_;
 };
 

@@ -129,6 +129,13 @@ void remove_member(Value& root, const std::string& path, std::vector<Diagnostic>
   std::erase_if(*at->object(), [&](const Value::Member& member) { return member.first == elements.back(); });
 }
 
+/// Adds what was set as `--set` takes it, in place of an earlier value of that path.
+void note_set(const Override& override, std::vector<std::string>& sets) {
+  const std::string path = override.path + "=";
+  std::erase_if(sets, [&path](const std::string& set) { return set.starts_with(path); });
+  sets.push_back(path + write_json_line(override.value));
+}
+
 }  // namespace
 
 Override parse_override(std::string_view text) {
@@ -149,6 +156,7 @@ Override parse_override(std::string_view text) {
 void apply_overrides(Value& root, const std::vector<Override>& overrides, Source& source,
                      std::vector<Diagnostic>& diagnostics) {
   for (const Override& override : overrides) {
+    note_set(override, source.sets);
     const bool is_path = !path_elements(override.path).empty();
     const std::string path = is_path ? full_path(root, override.path) : override.path;
     source.overridden.push_back(path);

@@ -23,7 +23,7 @@ using List = Value::List;
 
 constexpr int kForm = 1;
 
-List list_of(const std::vector<std::string>& texts) { return List(texts.begin(), texts.end()); }
+List texts_of(const std::vector<std::string>& texts) { return List(texts.begin(), texts.end()); }
 
 /// The tables that were asked for and those that they nest, each once.
 class TableList {
@@ -83,7 +83,7 @@ class TableList {
     if (!table.shorthand.empty()) made.emplace_back("shorthand", table.shorthand);
     if (!table.one_of.empty()) {
       List groups;
-      for (const std::vector<std::string>& group : table.one_of) groups.emplace_back(list_of(group));
+      for (const std::vector<std::string>& group : table.one_of) groups.emplace_back(texts_of(group));
       made.emplace_back("one_of", std::move(groups));
     }
     for (const bool is_wanted : {true, false}) {
@@ -101,7 +101,7 @@ class TableList {
     List only_where, without;
     for (const ParameterTable::Meaning& meaning : table.meanings) {
       if (meaning.givers.empty()) {
-        without.emplace_back(Object{{"rows", list_of(meaning.parameters)}, {"reason", meaning.reason}});
+        without.emplace_back(Object{{"rows", texts_of(meaning.parameters)}, {"reason", meaning.reason}});
         continue;
       }
       List givers;
@@ -110,7 +110,7 @@ class TableList {
         if (!giver.values.empty()) any.emplace_back("values", giver.values);
         givers.emplace_back(std::move(any));
       }
-      only_where.emplace_back(Object{{"rows", list_of(meaning.parameters)}, {"any_of", std::move(givers)}});
+      only_where.emplace_back(Object{{"rows", texts_of(meaning.parameters)}, {"any_of", std::move(givers)}});
     }
     if (!only_where.empty()) made.emplace_back("only_where", std::move(only_where));
     if (!without.empty()) made.emplace_back("without", std::move(without));
@@ -120,8 +120,8 @@ class TableList {
     Object made{{"name", row.name}, {"kind", std::string(kind_name(row.kind))}, {"doc", row.doc}};
     if (row.form.unit != Unit::none) made.emplace_back("unit", std::string(unit_name(row.form.unit)));
     if (has_numbers(row)) add_numbers(row, fallback, made);
-    if (!row.choices.empty()) made.emplace_back("choices", list_of(row.choices));
-    if (!row.names.empty()) made.emplace_back("names", list_of(row.names));
+    if (!row.choices.empty()) made.emplace_back("choices", texts_of(row.choices));
+    if (!row.names.empty()) made.emplace_back("names", texts_of(row.names));
     if (row.count > 0) made.emplace_back("count", static_cast<double>(row.count));
     if (row.kinds != nullptr) {
       made.emplace_back("kinds", kinds(row.kinds(), table_name + "." + row.name));
@@ -159,7 +159,7 @@ Value component(const ComponentType& type, TableList& tables) {
   Object made{{"doc", type.doc}, {"table", tables.add(type.parameters, type.name, &component_base_table())}};
   if (type.is_camera) made.emplace_back("is_camera", true);
   if (type.makes_stems) made.emplace_back("makes_stems", true);
-  if (grows) made.emplace_back("after_growth", list_of(rows_after_growth(type)));
+  if (grows) made.emplace_back("after_growth", texts_of(rows_after_growth(type)));
   return made;
 }
 

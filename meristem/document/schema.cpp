@@ -129,7 +129,7 @@ class SchemaWriter {
     return rest.empty() ? *member : member_at(*member, rest);
   }
 
-  /// Of an object in which there is something at the path.
+  /// The schema of an object that has something at the path.
   static Value given_schema(const std::string& row_path) {
     const auto [name, rest] = first_of(row_path);
     Object schema = typed("object");
@@ -138,8 +138,8 @@ class SchemaWriter {
     return schema;
   }
 
-  /// Of an object whose parameter at the path has one of the values, given or by default. Where a nested object may be
-  /// written in short, the reader alone knows.
+  /// The schema of an object whose parameter at the path has one of the values, given or by default. Where a nested
+  /// object may be written in short, the reader alone knows.
   static Value value_schema(const ParameterTable& table, const std::string& row_path, const List& values) {
     const auto [name, rest] = first_of(row_path);
     const Parameter* row = table.find(name);
@@ -187,10 +187,15 @@ class SchemaWriter {
 
   Value number(const char* type, const NumberRange& form) const {
     List forms{number_schema(type, form), Object{{"type", "string"}, {"description", "An expression."}}};
-    if (varies_ && !form.fixed) {
-      const Value range = list_of(any_of({number_schema(type, form), typed("string")}), 2, 2);
+    if ((varies_ || form.per_child || form.per_site) && !form.fixed) {
+      const Value one = any_of({number_schema(type, form), typed("string")});
+      const Value range = list_of(one, 2, 2);
+      const Value file = closed_object({{"file", typed("string")}, {"column", typed("string")}}, {"file", "column"});
       forms.push_back(range);
       forms.push_back(closed_object({{"range", range}, {"apply", typed("string")}}, {}));
+      forms.push_back(closed_object(
+          {{"sample", any_of({list_of(one, 1, 0), file})}, {"smooth", typed("boolean")}, {"apply", typed("string")}},
+          {"sample"}));
     }
     return any_of(std::move(forms));
   }
@@ -221,6 +226,8 @@ class SchemaWriter {
         return list_of(any_of({number_schema("integer", row.form), typed("string")}), row.count, row.count);
       case ParameterKind::vector:
         return list_of(number("number", row.form), 3, 3);
+      case ParameterKind::facing:
+        return any_of({list_of(number("number", row.form), 3, 3), Object{{"const", "surface"}}});
       case ParameterKind::colour:
         return colour();
       case ParameterKind::colours:

@@ -66,6 +66,8 @@ TEST(Sentences, ThatLeanOnOthersAreFoundOut) {
   EXPECT_EQ(sentence_fault("depth of the largest tooth."), "does not begin with a capital");
   EXPECT_EQ(sentence_fault("Of the largest."), "names no subject: it opens with 'Of '");
   EXPECT_EQ(sentence_fault("Depth, as above."), "has 'as above'");
+  EXPECT_EQ(sentence_fault("Angle by which the stem bends."), "has 'by which'");
+  EXPECT_EQ(sentence_fault("Tile of the same kind."), "has 'the same'");
   EXPECT_EQ(sentence_fault(std::string(200, 'A') + "."), "is too long for a tooltip");
 }
 

@@ -37,9 +37,10 @@ const ParameterTable& output_table() {
       Table<OutputParameters>("an output", "Defaults for pictures and files.")
           .integers("size", &OutputParameters::size, 2, {.min = 1, .max = 16384, .usual = {256, 4096}},
                     "Width and height of pictures in pixels.")
-          .integer("samples", &OutputParameters::samples, {.min = 1, .max = 65536, .usual = {1, 512}},
-                   "Most light paths per pixel, of which even sky and ground take fewer; raised, less noise and slower "
-                   "pictures.")
+          .integer(
+              "samples", &OutputParameters::samples, {.min = 1, .max = 65536, .usual = {1, 512}},
+              "Largest number of light paths per pixel; even sky and ground take fewer. Raised, less noise and slower "
+              "pictures.")
           .integer("lod", &OutputParameters::lod, {.min = 0, .max = kCoarsestDetail},
                    "Number of coarser levels of detail that `grow` writes beside each file with meshes.")
           .integer("cards", &OutputParameters::cards, {.min = 0, .max = kMostCards, .usual = {0, 4}},
@@ -61,7 +62,7 @@ const ParameterTable& head_table() {
           .text("author", &DocumentHead::author, "Author of the document, who is named in exported files.")
           .text("licence", &DocumentHead::licence, "Licence of the document, which is named in exported files.")
           .integer("seed", &DocumentHead::seed, {.min = 0, .max = kLargestSeed, .usual = {0, 100}},
-                   "Number from which everything random comes; another one gives another plant of the same kind.")
+                   "Seed of all random numbers; another number gives another plant of this kind.")
           .object("scene", &DocumentHead::scene, scene_table, "What surrounds the plants: light, obstacles and ground.")
           .object("output", &DocumentHead::output, output_table, "Defaults for pictures and files.")
           .elsewhere({"variables", "components", "links", "limits"});
@@ -78,6 +79,9 @@ const ParameterTable& variable_table() {
           .number("max", &Variable::max, {}, "Largest sensible value of the variable.")
           .text("unit", &Variable::unit, "Unit of the variable as shown to users.")
           .text("doc", &Variable::doc, "What the variable does, in one sentence.")
+          .text(
+              "per", &Variable::per,
+              "Id of a component: the value is drawn once for each of its instances, and all that hangs on it sees it.")
           .boolean("private", &Variable::is_private,
                    "Whether the variable is only a name for what several expressions share, and no handle for users.")
           .shorthand("value");
@@ -98,7 +102,7 @@ const ParameterTable& limits_table() {
           .integer("instances", &Limits::instances, {.min = 1, .max = 4e9},
                    "Largest number of instances of all components together.")
           .integer("triangles", &Limits::triangles, {.min = 1, .max = kLargestWhole},
-                   "Largest number of triangles, each instance counted.")
+                   "Largest number of triangles, each instance counted, but a plant of another document once.")
           .integer("mesh_bytes", &Limits::mesh_bytes, {.min = 1, .max = kLargestWhole},
                    "Largest memory for distinct geometry in bytes.")
           .integer("file_bytes", &Limits::file_bytes, {.min = 1, .max = kLargestWhole},
@@ -106,7 +110,8 @@ const ParameterTable& limits_table() {
           .integer("picture_pixels", &Limits::picture_pixels, {.min = 1, .max = 1e9},
                    "Largest number of pixels in a picture that the document names.")
           .integer("texture_pixels", &Limits::texture_pixels, {.min = 1, .max = kLargestWhole},
-                   "Largest number of pixels in all textures together; components with the same texture share it.");
+                   "Largest number of pixels in all textures together; a texture that several components share counts "
+                   "once.");
   return table;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tables of a document's own keys; those of components come from the registry.
+// The tables of a document's own keys. The tables of components come from the registry.
 #pragma once
 
 #include <string>
@@ -36,8 +36,8 @@ struct DocumentHead {
   OutputParameters output;
 };
 
-const ParameterTable& head_table();      ///< of DocumentHead
-const ParameterTable& variable_table();  ///< of Variable
-const ParameterTable& limits_table();    ///< of Limits
+const ParameterTable& head_table();      ///< the rows of DocumentHead
+const ParameterTable& variable_table();  ///< the rows of Variable
+const ParameterTable& limits_table();    ///< the rows of Limits
 
 }  // namespace meristem

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "meristem/base/read_file.h"
+#include "meristem/document/instance_variables.h"
 #include "meristem/document/mentions.h"
 #include "meristem/document/tables.h"
 #include "meristem/graph/table/node_condition.h"
@@ -51,7 +52,7 @@ class Solver {
  public:
   Solver(const Value::Object& given, const Limits& limits) {
     for (const auto& [name, variable] : given) {
-      if (!is_free_name(name) || nodes_.size() == kMostVariables) continue;
+      if (!is_free_name(name) || nodes_.size() == kMostVariables || is_per_instance(variable)) continue;
       Node& node = nodes_.emplace_back();
       names_.variables.push_back(name);
       const Value* value = value_of(variable);
@@ -128,7 +129,8 @@ class Solver {
     if (std::isfinite(value)) values_[k] = value;
   }
 
-  /// Of circles that share a variable the first is told. It begins with the variable that the document has first.
+  /// Where circles share a variable, only the first circle is told. It begins with the variable that the document has
+  /// first.
   void add_circle(std::vector<std::size_t> members) {
     bool is_told = false;
     for (const std::size_t k : members) {
@@ -175,7 +177,7 @@ DocumentPath value_place(const DocumentPath& variable, const Value& said) {
   return said.object() == nullptr ? variable : DocumentPath(variable, "value");
 }
 
-/// Of a file that is no longer than grammars are.
+/// The text of a file that is no longer than grammars are.
 std::string text_of_grammar(const std::string& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return {};
@@ -209,6 +211,7 @@ std::vector<Variable> read_variables(const Value* given, const VariableValues& s
     return variables;
   }
   for (const auto& [name, value] : *given->object()) {
+    if (is_per_instance(value)) continue;  // no handle: read_instance_variables
     variables.push_back(read_variable(reader, name, value, DocumentPath(path, name)));
   }
   for (const std::vector<std::size_t>& circle : solved.circles) {

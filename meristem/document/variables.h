@@ -32,8 +32,8 @@ std::vector<Variable> read_variables(const Value* given, const VariableValues& s
 /// values beyond their own range.
 void warn_of_variables(const Value& root, const std::vector<Variable>& variables, ParameterReader& reader);
 
-/// Of each constant, what messages say of it: of those that were set from outside or lie beyond their range "age is
-/// 1000, beyond 8 to 160". Nothing where there are none such.
+/// What messages say of each constant that was set from outside or lies beyond its range: "age is 1000, beyond 8 to
+/// 160". Empty where there is no such constant.
 std::vector<VariableNote> note_variables(const std::vector<Variable>& variables, const VariableValues& solved,
                                          const std::vector<std::string>& overridden);
 

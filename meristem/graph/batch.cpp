@@ -32,8 +32,8 @@ class Packed {
 };
 
 std::uint64_t hash_of(const Site& site) {
-  const auto& [frame, key, i, n, u, length, radius, birth, order, depth, stem, node, along, section, surface, depths] =
-      site;
+  const auto& [frame, key, i, n, u, length, radius, birth, order, depth, stem, node, along, section, surface,
+               individual, depths, values] = site;
   Packed packed;
   packed.add(frame.axes);
   packed.add(frame.origin);
@@ -51,7 +51,9 @@ std::uint64_t hash_of(const Site& site) {
   packed.add(along);
   packed.add(section);
   packed.add(surface.bits());
+  packed.add(individual);
   packed.add(depths);
+  packed.add(values == nullptr ? std::uint64_t{0} : values->hash());
   return packed.hash();
 }
 
@@ -86,9 +88,10 @@ std::uint64_t BatchResult::bytes() const {
   std::uint64_t sum = bytes_of(blocks);
   for (const Emitted& block : blocks) {
     sum += bytes_of(block.prototypes) + bytes_of(block.organs) + bytes_of(block.sections) + bytes_of(block.stems) +
-           bytes_of(block.child_sites) + bytes_of(block.branch_sites) + bytes_of(block.named_sites);
+           bytes_of(block.child_sites) + bytes_of(block.branch_sites) + bytes_of(block.named_sites) +
+           bytes_of(block.founded) + bytes_of(block.individuals) + bytes_of(block.plants);
     for (const EmittedStem& stem : block.stems) {
-      sum += bytes_of(stem.skeleton) + (stem.moved ? bytes_of(*stem.moved) : 0);
+      sum += bytes_of(stem.skeleton) + (stem.moved ? bytes_of(*stem.moved) : 0) + bytes_of(stem.root_of_node);
     }
   }
   return sum;

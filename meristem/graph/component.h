@@ -50,8 +50,8 @@ struct Transform {
 
 /// What all components have.
 struct ComponentBase {
-  std::optional<Vec3> colour;       ///< of the material; unset: the component type's own
-  std::vector<Vec3> colours;        ///< in its stead: each instance has one of them, or one between two
+  std::optional<Vec3> colour;       ///< colour of the material; unset: the component type's own
+  std::vector<Vec3> colours;        ///< instead of `colour`: each instance has one of them, or one between two
   std::optional<double> colour_at;  ///< where in `colours`, 0 the first and 1 the last; unset: anywhere
   std::optional<double> variety;    ///< by how much instances differ in lightness and tone
   TextureParameters texture;
@@ -78,9 +78,9 @@ Frame instance_frame(const ComponentBase& base, const Frame& site, Tropism tropi
 
 /// The rows of ComponentBase, which follow each component's own.
 const ParameterTable& component_base_table();
-/// Those of them that say how its geometry looks and where it is.
+/// The names of the rows of ComponentBase that say how the component's geometry looks and where it is.
 const std::vector<std::string>& look_names();
-/// Those of GrowingComponent, which stand between.
+/// The rows of GrowingComponent, which stand between a component's own rows and those of ComponentBase.
 const ParameterTable& growing_component_table();
 
 struct Prototype;
@@ -91,15 +91,22 @@ struct GrowContext {
   const Directions& directions;  ///< the scene's
   const Limits& limits;
   const std::string& component;  ///< id, for errors
-  Stand& stand;                  ///< in which it will grow
+  Stand& stand;                  ///< the stand that the component will grow in
   Progress& progress;
 };
 
 /// What a component places by itself.
 struct PlacedComponent {
   std::string id;
-  bool is_needed = true;  ///< else there may be no such component
+  bool is_needed = true;  ///< false where the document may have no such component
   std::string hint;       ///< what else its author may have meant, for messages: "or longer names ..."; may be empty
+};
+
+/// What a component gives its children by name.
+struct GivenNames {
+  std::vector<std::string> names;  ///< in the order of the numbers
+  /// Names that one may look for, and why they are not given, as the end of a sentence that begins with the name.
+  std::vector<std::pair<std::string, std::string>> refused{};
 };
 
 struct ComponentType : ComponentTraits {
@@ -113,6 +120,8 @@ struct ComponentType : ComponentTraits {
   std::function<TextureShape(const void* parameters)> texture_shape;
   /// The components that it places itself, without a link of the document; empty where that is none.
   std::function<std::vector<PlacedComponent>(const void* parameters)> placed;
+  /// The names of what its children are given (Emitter::give); empty where that is nothing.
+  std::function<GivenNames(const void* parameters)> gives;
   /// Expands a block of instances.
   std::function<void(const Prototype&, std::span<const Site>, Emitter&)> expand;
   /// Whether each instance grows in a stand of its own; empty for components that compete with none.
@@ -129,9 +138,11 @@ struct Prototype {
   std::vector<Varying> varyings;
   /// Hash of all that is said of it; nothing where that is not known, and then nothing it makes can be kept.
   std::optional<std::uint64_t> fingerprint{};
-  std::optional<std::uint64_t> growth_fingerprint{};  ///< of what its growth depends on
+  std::optional<std::uint64_t> growth_fingerprint{};  ///< of everything that the component's growth depends on
   bool depends_on_time = true;                        ///< whether an expression of it may ask for t
   std::string shown{};                                ///< id of the component that it shows, or empty
+  std::vector<std::uint32_t>
+      given_slots{};  ///< slots of the values that it gives its children by name: indices into Graph::site_names
 
   /// The id that its instances draw their random numbers by.
   const std::string& drawn_as() const { return shown.empty() ? id : shown; }
@@ -165,6 +176,8 @@ struct ComponentDefinition {
   TextureShape (*texture_shape)(const P& parameters) = nullptr;
   /// The components that `expand` places by `out.named_site`, by their numbers there.
   std::vector<PlacedComponent> (*placed)(const P& parameters) = nullptr;
+  /// The names of what `expand` gives by `out.give`.
+  GivenNames (*gives)(const P& parameters) = nullptr;
 };
 
 template <class P>
@@ -177,6 +190,12 @@ ComponentType define_component(ComponentDefinition<P> definition) {
   }
   std::move(definition.parameters).template include<ComponentBase>(component_base_table()).elsewhere({"type"});
   if (!type.has_geometry) std::move(definition.parameters).without(look_names(), "it has no geometry of its own");
+  if (type.is_whole_plant) {
+    std::move(definition.parameters)
+        .without({"colour", "colours", "colour_at", "variety", "texture", "roughness", "translucency", "phototropism",
+                  "gravitropism"},
+                 "the plant has the looks and the growth of its own document");
+  }
   type.parameters = std::move(definition.parameters);
   if (definition.grow != nullptr) type.has_twigs = true;
   type.make_parameters = [] { return std::static_pointer_cast<void>(std::make_shared<P>()); };
@@ -206,6 +225,11 @@ ComponentType define_component(ComponentDefinition<P> definition) {
   if (definition.placed != nullptr) {
     type.placed = [placed = definition.placed](const void* parameters) {
       return placed(*static_cast<const P*>(parameters));
+    };
+  }
+  if (definition.gives != nullptr) {
+    type.gives = [gives = definition.gives](const void* parameters) {
+      return gives(*static_cast<const P*>(parameters));
     };
   }
   if (definition.texture_shape != nullptr) {

@@ -28,8 +28,8 @@ struct BladeLook {
 /// How a component shows another one, which its text row `of` names: what it does not say itself, it takes from there,
 /// and it draws its random numbers as the other one does where both stand on the same parent.
 struct Showing {
-  std::string type;  ///< of the other one; empty: it shows none
-  /// Its rows that it takes, and where the other one has them, as in "light.limit".
+  std::string type;  ///< type of the other component; empty: it shows none
+  /// The rows that it takes from the other component, each with the row's path there, as in "light.limit".
   std::vector<std::pair<std::string, std::string>> rows;
 };
 
@@ -37,13 +37,16 @@ struct ComponentTraits {
   std::string name;
   std::string doc;  ///< one sentence
   Material material;
-  double variety = 0;        ///< of colours, where the document does not say
-  BladeLook blades;          ///< of what it emits as blades
-  bool has_geometry = true;  ///< of its own; else it has no parameters of looks
-  bool is_camera = false;    ///< the root of every graph
-  bool makes_stems = false;  ///< branch links place children along stems
-  bool has_twigs = false;    ///< of stems: by default children stand along twigs alone; what grows has twigs anyway
-  bool has_ribs = false;     ///< branch links without placement keys stand at the branch sites, others along the stems
+  double variety = 0;           ///< variety of colours where the document gives none
+  BladeLook blades;             ///< look of what the component emits as blades
+  bool has_geometry = true;     ///< false: it has no geometry of its own and no parameters of looks
+  bool is_whole_plant = false;  ///< what it places has looks and tropisms of its own
+  bool is_camera = false;       ///< the root of every graph
+  bool bears_plants = false;    ///< each instance that stands on it directly is a plant of its own (Individual)
+  bool makes_stems = false;     ///< branch links place children along stems
+  bool has_twigs =
+      false;              ///< by default children stand along the twigs of its stems alone; what grows has twigs anyway
+  bool has_ribs = false;  ///< branch links without placement keys stand at the branch sites, others along the stems
   BranchStance stance = BranchStance::on_bark;  ///< how a branch link sets it on a stem
   Tropism tropism = Tropism::heading;
   /// Parameters that growth does not ask for, besides the looks that all components have: where only they change, what

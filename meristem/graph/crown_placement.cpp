@@ -54,7 +54,7 @@ const ParameterTable& crown_placement_table() {
           .choice("orient", &CrownPlacement::orient, {"outward", "random"},
                   "Heading of the children: 'outward', away from the crown body's surface, or 'random'.")
           .number("turn", &CrownPlacement::turn, {.unit = Unit::degree, .min = 0, .max = 180, .usual = {0, 90}},
-                  "Largest random angle by which outward children turn aside.")
+                  "Largest random turn of outward children to any side.")
           .number("droop", &CrownPlacement::droop, {.min = -1, .max = 1},
                   "How far children hang: 1 turns their heading straight down, -1 straight up.")
           .number("depth", &CrownPlacement::depth, {.unit = Unit::metre, .min = 0, .max = 1e6, .above_min = true},

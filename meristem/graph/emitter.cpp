@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -97,6 +98,9 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   first_child_ = child_sites.size();
   first_branch_ = branch_sites.size();
   first_named_ = named_sites.size();
+  if (is_individual() && !context_->prototype.type->bears_plants) {
+    founded.push_back({site_.individual, site_.frame.origin});
+  }
 }
 
 /// Completes the sites for children, drops those that no link wants, and numbers the rest.
@@ -149,7 +153,37 @@ void Emitter::add_organ(const Frame& local, std::uint64_t key, bool is_blade, Fu
   if (!visible_) return;
   const auto [found, is_new] = prototype_by_key_.try_emplace(key, static_cast<std::uint32_t>(prototypes.size()));
   if (is_new) prototypes.push_back({key, shared_mesh(key, make), is_blade});
-  organs.push_back({geometry_frame_ * local, found->second, tint, site_.birth});
+  organs.push_back({geometry_frame_ * local, found->second, tint, site_.birth, number_of_individual()});
+}
+
+/// Number within the block of the plant that the instance is part of.
+std::uint32_t Emitter::number_of_individual() {
+  if (!individuals.empty() && individuals.back() == site_.individual) {
+    return static_cast<std::uint32_t>(individuals.size() - 1);
+  }
+  const auto [found, is_new] =
+      individual_by_id_.try_emplace(site_.individual, static_cast<std::uint32_t>(individuals.size()));
+  if (is_new) individuals.push_back(site_.individual);
+  return found->second;
+}
+
+void Emitter::plant(const Frame& local, std::shared_ptr<const PlantSource> source, PlantRequest request) {
+  request.time = context_->time;
+  plants.push_back({geometry_frame_ * local, std::move(source), std::move(request), site_.birth, visible_});
+}
+
+void Emitter::give(std::span<const double> numbers, bool to_named) {
+  if (!to_named && child_sites.size() == first_child_) return;  // no link wants it
+  Site& site = to_named ? named_sites.back().second : child_sites.back();
+  const std::vector<std::uint32_t>& slots = context_->prototype.given_slots;
+  if (slots.empty()) return;  // the graph has no names for them
+  assert(numbers.size() == slots.size());
+  SiteValues values;
+  if (site_.values != nullptr) values = *site_.values;
+  values.names = context_->site_names_hash;
+  values.numbers.resize(context_->site_names, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t k = 0; k < slots.size(); ++k) values.numbers[slots[k]] = numbers[k];
+  site.values = std::make_shared<const SiteValues>(std::move(values));
 }
 
 void Emitter::section(const Frame& local, std::uint64_t key, bool is_capped, FunctionRef<LoftSection()> make) {
@@ -170,7 +204,8 @@ void Emitter::section(const Frame& local, std::uint64_t key, bool is_capped, Fun
                       .id = section_,
                       .parent = parent_section_,
                       .tint = is_first ? tint_ : context_->tinting.tint(*base_, site_.surface.child("colour")),
-                      .birth = site_.birth});
+                      .birth = site_.birth,
+                      .individual = site_.individual});
 }
 
 std::shared_ptr<const Mesh> Emitter::shared_mesh(std::uint64_t key, FunctionRef<Mesh()> make) {
@@ -197,9 +232,31 @@ void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* b
       stems.emplace_back(EmittedStem{std::move(skeleton), surface, branching_, site_, visible_, tint_, {}});
   if (stem.surface.crown) stem.surface.crown->scale(glm::length(site_.frame.heading()));
   stem.site.key = site_.key.child("stem").child(stems_of_instance_++);
+  if (is_individual()) tell_roots_apart(stem);
   if (is_placed_ && visible_) {
     stem.moved = stem.skeleton;
     stem.moved_scale = move_geometry(*stem.moved, site_.frame, geometry_frame_);
+  }
+}
+
+/// Each root of the first stem of a plant is a plant of its own; what stands on none of them stands on the first.
+void Emitter::tell_roots_apart(EmittedStem& stem) {
+  const Skeleton& skeleton = stem.skeleton;
+  if (stems_of_instance_ > 1 || std::count(skeleton.parent.begin(), skeleton.parent.end(), kNoNode) < 2) return;
+  std::uint32_t roots = 0;
+  stem.root_of_node.resize(skeleton.node_count());
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    if (!skeleton.is_root(node)) {
+      stem.root_of_node[node] = stem.root_of_node[skeleton.parent[node]];
+      continue;
+    }
+    const Vec3 foot = skeleton.position[node];
+    if (roots == 0) {
+      founded.back().foot = foot;
+    } else {
+      founded.push_back({stem.individual_of_root(roots), foot});
+    }
+    stem.root_of_node[node] = roots++;
   }
 }
 
@@ -231,6 +288,7 @@ void Emitter::branch_site_on_stem(const Frame& frame, float u, float length, flo
   add_site(branch_sites, frame, u, length, radius);
   branch_sites.back().node = node;
   branch_sites.back().along = along;
+  branch_sites.back().individual = stems.back().individual_at(node);
 }
 
 void Emitter::named_site(std::uint32_t name, const Frame& frame, float length, float radius, NodeIndex node) {
@@ -245,6 +303,7 @@ void Emitter::named_site(std::uint32_t name, const Frame& frame, float length, f
   site.stem = stems.back().id();
   site.node = node;
   site.along = 1;
+  site.individual = stems.back().individual_at(node);
 }
 
 void Emitter::add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius) {
@@ -259,6 +318,7 @@ void Emitter::add_site(std::vector<Site>& sites, const Frame& frame, float u, fl
   site.stem = stems.back().id();
   site.node = static_cast<NodeIndex>(skeleton.node_count() - 1);
   site.along = 1;
+  if (skeleton.node_count() > 0) site.individual = stems.back().individual_at(site.node);
 }
 
 std::vector<double> Emitter::per_child(const PerChild& number, std::uint32_t count) const {

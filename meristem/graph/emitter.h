@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "meristem/base/mesh.h"
 #include "meristem/base/progress.h"
 #include "meristem/graph/placement.h"
+#include "meristem/graph/table/plant_source.h"
 #include "meristem/graph/table/site.h"
 #include "meristem/graph/table/varying.h"
 #include "meristem/plant/plant.h"
@@ -34,13 +36,22 @@ struct EmittedStem {
   Skeleton skeleton;
   Surface surface;
   std::shared_ptr<const Placement> branching;  ///< where its branches stand, as far as links do not say; may be null
-  Site site;                                   ///< of the instance that made it, with a key of the stem's own
+  Site site;  ///< site of the instance that made the stem, with a key of the stem's own
   bool visible = true;
   Vec3 tint{1};
   std::optional<Skeleton> moved;  ///< what is seen instead of the skeleton where `place` moves it
-  float moved_scale = 1;          ///< by which that is larger
+  float moved_scale = 1;          ///< how many times larger it is there
+  /// Number of the root that each node stands on, where each root is a plant of its own; else empty.
+  std::vector<std::uint32_t> root_of_node{};
 
   std::uint64_t id() const { return site.key.bits(); }  ///< what Site::stem says of sites on it
+  /// What Site::individual says of sites on the root of this number, and on this node.
+  std::uint64_t individual_of_root(std::uint32_t root) const {
+    return root == 0 ? site.individual : site.key.child("root").child(root).bits();
+  }
+  std::uint64_t individual_at(NodeIndex node) const {
+    return root_of_node.empty() ? site.individual : individual_of_root(root_of_node[node]);
+  }
 };
 
 /// The points of a section, in its own frame.
@@ -53,12 +64,13 @@ struct SectionOutline {
 /// A section of a surface that is put together when all have been emitted.
 struct EmittedSection {
   std::shared_ptr<const SectionOutline> outline;
-  Frame frame;               ///< of the outline, in world space
+  Frame frame;               ///< frame of the outline, in world space
   bool is_capped = true;     ///< a ring is closed by a flat face where its surface ends
   std::uint64_t id = 0;      ///< never 0
   std::uint64_t parent = 0;  ///< id of the section that it continues, or 0
   Vec3 tint{1};
   float birth = 0;
+  std::uint64_t individual = 0;  ///< as in Site
 };
 
 /// What the instances of one block have emitted. It depends on the component, its instances and the scene alone, and
@@ -69,23 +81,39 @@ struct Emitted {
     std::shared_ptr<const Mesh> mesh;
     bool is_blade = false;
   };
+  /// A plant that begins with one of the instances, with its id.
+  struct Founded {
+    std::uint64_t id = 0;
+    Vec3 foot{0};
+  };
   std::vector<EmittedPrototype> prototypes;
-  std::vector<Organ> organs;  ///< their prototypes count within this block
+  std::vector<Organ> organs;  ///< the prototypes and individuals that organs name are numbered within this block
+  std::vector<Founded> founded;
+  std::vector<std::uint64_t> individuals;  ///< ids of those that the organs belong to
   std::vector<EmittedSection> sections;
   std::vector<EmittedStem> stems;
   std::vector<Site> child_sites;  ///< with the key and depth of the instance that offers them
   std::vector<Site> branch_sites;
   std::vector<std::pair<std::uint32_t, Site>> named_sites;  ///< with the number of the name
+  /// A whole plant that is grown of a document of its own.
+  struct PlacedPlant {
+    Frame frame;
+    std::shared_ptr<const PlantSource> source;
+    PlantRequest request;
+    float birth = 0;
+    bool is_visible = true;
+  };
+  std::vector<PlacedPlant> plants;
 };
 
-/// Of where the children stand on a stem with this key.
+/// The key for the positions of children on a stem with this key.
 inline RandomKey key_of_places(RandomKey stem) { return stem.child("branching"); }
 
 /// Takes what the instances of one block emit. One thread uses one emitter; blocks are merged in their order.
 ///
 /// An instance whose frame has shrunk to nothing emits nothing, nor does what hangs on it. Throws InputError for frames
-/// that are not finite, when the sites for children pass the limit of instances, the stems that of nodes, and the
-/// meshes that of bytes.
+/// that are not finite, when the sites for children pass the limit of instances, the stems the limit of nodes, or the
+/// meshes the limit of bytes.
 class Emitter : private Emitted {
  public:
   /// `context` outlives the emitter.
@@ -97,8 +125,11 @@ class Emitter : private Emitted {
   /// share what one of them makes, so the key and what all instances have in common must tell the whole mesh. `tint`
   /// has linear factors on the instance's colour.
   void organ(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint = Vec3(1));
-  /// The same for flat shapes that look otherwise than the rest: in the component type's material of blades.
+  /// A flat shape, given as `organ` takes it, in the component type's material of blades.
   void blade(const Frame& local, std::uint64_t key, FunctionRef<Mesh()> make, Vec3 tint = Vec3(1));
+  /// A whole plant at `local` in the instance's frame (moved by its `place`). Equal requests of equal sources are grown
+  /// once.
+  void plant(const Frame& local, std::shared_ptr<const PlantSource> source, PlantRequest request);
   /// A section of a surface at `local` in the instance's frame (moved by its `place`), once per instance. Where
   /// children by child and leaf links give sections too, their surface is one with it. Instances of one component with
   /// equal `key` share what one of them makes.
@@ -111,7 +142,7 @@ class Emitter : private Emitted {
   /// A site for children, relative to the instance's frame, as are the length and radius that they see; called n times
   /// it multiplies them. Without a call, children stand in the instance's frame, unless `no_children` was called.
   void child_site(const Frame& local, float length = 0, float radius = 0);
-  /// The same for a frame in world space.
+  /// A site for children as `child_site` offers it, with its frame in world space.
   void child_site_in_world(const Frame& frame, float length, float radius);
   /// Children stand only where `child_site` says: for components whose number of children may be 0.
   void no_children() { has_child_sites_ = true; }
@@ -124,14 +155,19 @@ class Emitter : private Emitted {
   /// A site for the children of branch links where it differs from those of child links. Without a call, and for
   /// components that make no stems, these stand where the children of child links do.
   void branch_site(const Frame& local, float u, float length, float radius);
-  /// The same in world space, on the stem emitted last: at the share `along` of the segment that ends in `node`.
+  /// A site for the children of branch links in world space, on the stem emitted last: at the share `along` of the
+  /// segment that ends in `node`.
   void branch_site_on_stem(const Frame& frame, float u, float length, float radius, NodeIndex node, float along);
 
   /// A place in world space for the component that the instance itself places, by its number in the type's `placed`;
   /// on `node` of the stem emitted last, or kNoNode.
   void named_site(std::uint32_t name, const Frame& frame, float length, float radius, NodeIndex node);
 
-  /// Of where the children stand on the stem that is emitted next, if it brings its branching.
+  /// Gives those numbers to the site that was offered last, by child_site or named_site, under the names that the
+  /// type's `gives` tells; all that hangs on it sees them.
+  void give(std::span<const double> numbers, bool to_named);
+
+  /// The key for the positions of children on the stem that is emitted next, if it brings its branching.
   RandomKey places_on_next_stem() const { return key_of_places(site_.key.child("stem").child(stems_of_instance_)); }
 
   const Scene& scene() const;
@@ -139,12 +175,12 @@ class Emitter : private Emitted {
   const Directions& directions() const;
   const Limits& limits() const;
   const std::string& component() const;  ///< id, for errors
-  /// Whether what stands so many bytes from the beginning of the component's struct, a number or a list, differs from
-  /// instance to instance.
+  /// Whether what stands at this byte offset from the beginning of the component's struct, a number or a list, differs
+  /// from instance to instance.
   bool varies(std::size_t offset) const;
   Progress& progress() const;
   double time() const;
-  /// Of the component, for what its instances have in common. Meshes that depend on it need it in their key.
+  /// The component's key, for what its instances have in common. Meshes that depend on it need it in their key.
   RandomKey component_key() const;
   /// The skeleton that this instance has grown; only for components that grow, and once per instance.
   Skeleton take_grown();
@@ -163,6 +199,9 @@ class Emitter : private Emitted {
   void end_instance();
   void add_organ(const Frame& local, std::uint64_t key, bool is_blade, FunctionRef<Mesh()> make, Vec3 tint);
   void number_named_sites();
+  bool is_individual() const { return site_.individual == site_.key.bits(); }
+  void tell_roots_apart(EmittedStem& stem);
+  std::uint32_t number_of_individual();
   void add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius);
   void count_sites();
   [[noreturn]] void throw_too_many_children() const;
@@ -171,12 +210,12 @@ class Emitter : private Emitted {
 
   EmitterContext* context_;
   std::size_t instance_ = 0;
-  Site site_;             // of the present instance, with its own frame
+  Site site_;             // site of the present instance, with the instance's own frame
   Frame geometry_frame_;  // that frame moved by `place`
   Vec3 tint_{1};
-  const ComponentBase* base_ = nullptr;  // of the present instance
-  std::uint64_t parent_section_ = 0;     // that the instance stands on
-  std::uint64_t section_ = 0;            // that it has given
+  const ComponentBase* base_ = nullptr;  // parameters of the present instance
+  std::uint64_t parent_section_ = 0;     // section that the instance stands on
+  std::uint64_t section_ = 0;            // section that the instance has given
   bool is_placed_ = false;
   bool visible_ = true;
   bool has_child_sites_ = false;
@@ -187,9 +226,11 @@ class Emitter : private Emitted {
   std::uint64_t uncounted_ = 0;  // sites not yet in the context's count
   std::uint64_t expected_ = 0;   // children of the present instance, where it has said so
   std::unordered_map<std::uint64_t, std::uint32_t> prototype_by_key_;
+  std::unordered_map<std::uint64_t, std::uint32_t> individual_by_id_;
   std::unordered_map<std::uint64_t, std::shared_ptr<const SectionOutline>> outline_by_key_;
   std::vector<Skeleton> grown_;
-  std::shared_ptr<const Placement> branching_;  // of the stem emitted last, as most have the same
+  std::shared_ptr<const Placement>
+      branching_;  // placement of the stem emitted last, since most stems have an equal one
 };
 
 }  // namespace meristem

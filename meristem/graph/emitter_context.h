@@ -29,6 +29,8 @@ struct EmitterContext {
   RandomKey key = RandomKey();   ///< of the component, for what its instances draw together
   bool wants_child_sites = true;
   bool wants_branch_sites = true;
+  std::size_t site_names = 0;  ///< of the graph
+  std::uint64_t site_names_hash = 0;
   std::uint64_t mesh_bytes = 0;             ///< of what other components have made
   std::atomic<std::uint64_t> instances{0};  ///< so far, with the sites that are offered to more
   std::atomic<std::uint64_t> nodes{0};      ///< so far, of all stems

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <deque>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <type_traits>
@@ -19,9 +20,11 @@
 #include "meristem/base/parallel.h"
 #include "meristem/graph/batch.h"
 #include "meristem/graph/emitter_context.h"
+#include "meristem/graph/grow_plantings.h"
 #include "meristem/graph/link_sites.h"
 #include "meristem/graph/plant_assembly.h"
 #include "meristem/grow/stand.h"
+#include "meristem/plant/plant_variant.h"
 
 namespace meristem {
 
@@ -51,16 +54,18 @@ class Expansion {
         directions_(scene.directions()),
         time_(time),
         progress_(progress),
-        links_(graph, directions_, progress),
+        links_(graph, scene, directions_, time, progress),
         assembly_(graph),
-        results_(cache, {typeid(BatchResult), typeid(Sites), typeid(GrownBatch), typeid(SharedMeshes)}),
+        results_(cache,
+                 {typeid(BatchResult), typeid(Sites), typeid(GrownBatch), typeid(SharedMeshes), typeid(PlantVariant)}),
         meshes_(graph.components.size()) {}
 
   Plant run() {
     surroundings_ = fingerprint_of_surroundings();
+    site_names_hash_ = hash_of_names();
     Site root;
     root.key = RandomKey(graph_.seed);
-    ready_.push_back({graph_.structure.root, places_of({root})});
+    ready_.push_back({graph_.structure.root, places_of(with_variables(graph_.structure.root, {root}))});
     while (!ready_.empty() || !growing_.empty()) {
       if (ready_.empty()) {
         grow_waiting();
@@ -71,6 +76,7 @@ class Expansion {
       }
     }
     Plant plant = assembly_.run(mesh_bytes(), progress_);
+    plant.plantings = grow_plantings(graph_, std::move(planting_), results_, progress_);
     results_.end();
     return plant;
   }
@@ -84,12 +90,45 @@ class Expansion {
     return results_.key([&] { return Fingerprint().add(*scene_.fingerprint).add_text(limits).hash(); });
   }
 
-  /// That of one component in these surroundings.
+  /// The fingerprint of one component in these surroundings.
   CacheKey fingerprint_of(ComponentIndex component, CacheKey of_document) const {
     if (!surroundings_ || !of_document) return std::nullopt;
     const Prototype& prototype = graph_.components[component];
     const double time = prototype.depends_on_time ? time_ : 0;
     return Fingerprint().add(*surroundings_).add_text(prototype.id).add(time).add(*of_document).hash();
+  }
+
+  std::uint64_t hash_of_names() const {
+    Fingerprint names;
+    for (const std::string& name : graph_.site_names) names.add_text(name);
+    return names.hash();
+  }
+
+  /// The sites with the variables that each instance of the component draws.
+  std::vector<Site> with_variables(ComponentIndex component, std::vector<Site> sites) const {
+    for (const InstanceVariable& variable : graph_.instance_variables) {
+      if (variable.owner != component || sites.empty()) continue;
+      const VaryingValues drawn(std::span(&variable.value, 1), sites, time_);
+      for (std::size_t k = 0; k < sites.size(); ++k) {
+        SiteValues values = sites[k].values != nullptr ? *sites[k].values : SiteValues();
+        values.names = site_names_hash_;
+        values.numbers.resize(graph_.site_names.size(), std::numeric_limits<double>::quiet_NaN());
+        values.numbers[variable.slot] = drawn.value(0, k);
+        sites[k].values = std::make_shared<const SiteValues>(std::move(values));
+      }
+    }
+    return sites;
+  }
+
+  /// Hash of how a component's variables are drawn.
+  std::uint64_t hash_of_variables(ComponentIndex component) const {
+    Fingerprint hash;
+    for (const InstanceVariable& variable : graph_.instance_variables) {
+      if (variable.owner != component) continue;
+      hash.add_text(variable.name).add(time_);
+      hash.add(variable.fingerprint);
+    }
+    return hash.add(site_names_hash_).hash();
   }
 
   std::shared_ptr<const Sites> places_of(std::vector<Site> sites) const {
@@ -208,6 +247,8 @@ class Expansion {
     nodes_ += result->nodes;
     require_placed(batch.component, *result);
     for (const LinkIndex link : links) follow(link, batch, key, *result);
+    const auto has_plants = [](const Emitted& block) { return !block.plants.empty(); };
+    if (std::ranges::any_of(result->blocks, has_plants)) planting_.push_back({batch.component, result});
     assembly_.add(batch.component, std::move(result));
   }
 
@@ -272,6 +313,8 @@ class Expansion {
                            .key = RandomKey(graph_.seed).child("component").child(prototype.id),
                            .wants_child_sites = wants(links, false),
                            .wants_branch_sites = wants(links, true),
+                           .site_names = graph_.site_names.size(),
+                           .site_names_hash = site_names_hash_,
                            .mesh_bytes = mesh_bytes() - meshes.bytes(),
                            .instances = instances_,
                            .nodes = nodes_};
@@ -328,16 +371,20 @@ class Expansion {
   /// The children of a batch by one link.
   void follow(LinkIndex link, const Batch& batch, CacheKey parent, const BatchResult& result) {
     const CacheKey own = links_.fingerprint(link);
-    const CacheKey key = parent && own ? CacheKey(Fingerprint().add(*parent).add(*own).hash()) : std::nullopt;
+    const ComponentIndex to = graph_.links[link].to;
+    const CacheKey key =
+        parent && own ? CacheKey(Fingerprint().add(*parent).add(*own).add(hash_of_variables(to)).hash()) : std::nullopt;
     std::shared_ptr<const Sites> places = results_.find<const Sites>(key);
     if (places == nullptr || instances_ + places->sites.size() > graph_.limits.instances) {
-      places = places_of(links_.places(link, result, {instances_, batch.sites().size()}));
+      places = places_of(with_variables(to, links_.places(link, result, {instances_, batch.sites().size()})));
       results_.store(key, places);
     }
-    enqueue({graph_.links[link].to, std::move(places)});
+    enqueue({to, std::move(places)});
   }
 
   const Graph& graph_;
+  std::uint64_t site_names_hash_ = 0;
+  std::vector<PlantingBatch> planting_;
   const Scene& scene_;
   const Directions directions_;
   double time_;

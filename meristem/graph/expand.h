@@ -14,9 +14,10 @@ namespace meristem {
 /// Components that grow wait until all others above them have been expanded, then grow together in one stand.
 /// Randomness is keyed by the instance's path, so editing one component leaves the others as they were; blocks of
 /// instances expand in parallel with the same result on any number of threads. Nothing recurses. The graph's structure
-/// must be sound (analyse_structure). With a `cache`, what has not changed since its last expansion is taken from
-/// there: of components, links and scenes that have fingerprints. What it leaves for the next one: batch.h. Textures
-/// are sketches until paint_textures (looks.h). Throws InputError (limits, numbers that are not finite), Cancelled.
+/// must be sound (analyse_structure). With a `cache`, everything that has not changed since the cache's last expansion
+/// is taken from there, as far as components, links and scenes have fingerprints; batch.h says what an expansion leaves
+/// for the next one. Textures are sketches until paint_textures (looks.h). Throws InputError (limits, numbers that are
+/// not finite), Cancelled.
 Plant expand(const Graph& graph, const Scene& scene, double time, Progress& progress, Cache* cache = nullptr);
 
 }  // namespace meristem

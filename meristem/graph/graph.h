@@ -30,10 +30,21 @@ struct Structure {
   std::vector<Recursion> recursions;
 };
 
+/// A variable that is drawn once for each instance of a component, and that all that hangs on it sees.
+struct InstanceVariable {
+  std::string name;
+  ComponentIndex owner = kNoIndex;
+  Varying value;                  ///< over the owner's sites
+  std::uint32_t slot = 0;         ///< index into Graph::site_names
+  std::uint64_t fingerprint = 0;  ///< hash of all that is said of it
+};
+
 struct Graph {
   std::vector<Prototype> components;
   std::vector<Link> links;
-  Structure structure;  ///< of the links as they were when analyse_structure last went through them
+  std::vector<std::string> site_names;  ///< what sites are given by name: columns of places, and variables of instances
+  std::vector<InstanceVariable> instance_variables;  ///< each after those that it uses
+  Structure structure;                               ///< structure of the links as analyse_structure last found them
   std::uint64_t seed = 0;
   Limits limits;
 };

@@ -18,7 +18,7 @@ struct ImportPose {
   DFrame frame() const;
 };
 
-const ParameterTable& import_table();  ///< of ImportPose
+const ParameterTable& import_table();  ///< the rows of ImportPose
 /// The names of its rows, which stand beside the file's own in a table.
 const std::vector<std::string>& import_names();
 

@@ -21,7 +21,7 @@ inline constexpr std::uint32_t kNoIndex = 0xffffffffU;
 /// The child stands where the parent's geometry ends.
 struct ChildLink {};
 
-/// The child is multiplied along the parent's stems or ribs; elsewhere the same as a child link.
+/// The child is multiplied along the parent's stems or ribs; elsewhere it acts as a child link.
 struct BranchLink {
   Placement placement;
   GivenRows given;  ///< which rows of it the document gives
@@ -60,13 +60,13 @@ struct Link {
 /// The kinds that documents name.
 enum class LinkKind { child, branch, leaf, crown };
 
-/// What a document says of every link; those that place their children say more, in the tables of their placements.
+/// What a document says of every link. Links that place their children say more, in the tables of their placements.
 struct LinkHead {
   std::string from;
   std::string to;
   LinkKind kind = LinkKind::child;
 };
 
-const ParameterTable& link_table();  ///< of LinkHead
+const ParameterTable& link_table();  ///< the rows of LinkHead
 
 }  // namespace meristem

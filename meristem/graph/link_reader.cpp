@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/graph/link_reader.h"
 
+#include <span>
+
 #include <fmt/format.h>
 
 #include "meristem/graph/table/fingerprint.h"
@@ -39,6 +41,7 @@ void LinkReader::read(const Value& links, const DocumentPath& path) {
 
 void LinkReader::read_link(const Value& value, const DocumentPath& path) {
   Link link;
+  const std::size_t files_before = reader_.files().size();
   if (const Value::List* pair = value.list()) {
     if (pair->size() != 2) {
       return reader_.fault(path, fmt::format("a link is {}", value.description()), R"(a pair ["from", "to"])");
@@ -53,7 +56,11 @@ void LinkReader::read_link(const Value& value, const DocumentPath& path) {
     link.to = read_named_end(value, "to", path);
     read_kind(value, path, link);
   }
-  link.fingerprint = fingerprint_of(value, reader_.constants(), {}, 0);
+  // An expression of the time gives other sites at another one, which no fingerprint knows.
+  if (!mentions(value, "t")) {
+    link.fingerprint = fingerprint_of(value, reader_.constants(), std::span(reader_.files()).subspan(files_before),
+                                      reader_.limits().file_bytes);
+  }
   if (link.from != kNoIndex && link.to != kNoIndex) graph_.links.push_back(std::move(link));
 }
 

@@ -20,7 +20,7 @@ Value link(const char* kind, const Value::Object& keys = {}) {
   return Value(std::move(written));
 }
 
-// Of a pole and a stick.
+// The graph of a pole and a stick with these links.
 Graph read(const Value::List& links, std::vector<Diagnostic>& faults) {
   Graph graph = GraphBuilder(test_components()).component("pole", "pole").component("stick", "stick").graph();
   ParameterReader reader({}, graph.limits);
@@ -47,7 +47,7 @@ TEST(LinkReader, ALinkIsOfItsKindAlone) {
   const auto* branch = graph.links[3].as<BranchLink>();
   ASSERT_NE(branch, nullptr);
   EXPECT_EQ(branch->placement.count, 3);
-  EXPECT_DOUBLE_EQ(branch->placement.angle, kPi / 2);
+  EXPECT_DOUBLE_EQ(branch->placement.angle.plain, kPi / 2);
 }
 
 TEST(LinkReader, EndsAreFoundByTheirIds) {

@@ -26,7 +26,7 @@ std::vector<std::uint32_t> ordinals_of_links(const Graph& graph) {
   return ordinals;
 }
 
-/// The sum over all leading items of which none is missing, whatever the order in which threads add them.
+/// The sum over all items before the first that is missing, whatever the order in which threads add them.
 class LeadingSum {
  public:
   explicit LeadingSum(std::size_t count) : values_(count) {}
@@ -100,6 +100,8 @@ class LinkSites::Writer {
     PlacementContext context{.directions = all_.directions_,
                              .parent = stem.site,
                              .limits = &all_.graph_.limits,
+                             .obstacles = &all_.scene_.obstacles,
+                             .time = all_.time_,
                              .path = link_path(all_.graph_, index_)};
     context.parent.key = child_key(stem.site.key);
     return context;
@@ -113,21 +115,25 @@ class LinkSites::Writer {
       context.stance = BranchStance::on_axis;
     context.has_twigs = from_.has_twigs;
     context.stem = stem.id();
-    if (!stem.branching) return add_all(place_along(stem.skeleton, branch.placement, context));
+    if (!stem.branching) return add_on(stem, place_along(stem.skeleton, branch.placement, context));
     // A stem's own branching, but for the keys that the link gives.
     if (!(branch.placement.density || branch.placement.count)) {
       context.path = "components." + all_.graph_.components[link_.from].id;
     }
     if (branch.given.is_empty()) {
       context.places = key_of_places(stem.site.key);
-      return add_all(place_along(stem.skeleton, *stem.branching, context));
+      return add_on(stem, place_along(stem.skeleton, *stem.branching, context));
     }
-    add_all(place_along(stem.skeleton, overridden(*stem.branching, branch.placement, branch.given), context));
+    add_on(stem, place_along(stem.skeleton, overridden(*stem.branching, branch.placement, branch.given), context));
   }
 
   void add_in_crown(const EmittedStem& stem, const CrownPlacement& placement) {
     if (!stem.surface.crown || is_full()) return;
-    add_all(place_in_crown(stem.skeleton, stem.surface, placement, context_of(stem), progress_));
+    std::vector<Site> sites = place_in_crown(stem.skeleton, stem.surface, placement, context_of(stem), progress_);
+    if (!stem.root_of_node.empty()) {
+      for (Site& site : sites) site.individual = 0;  // one crown over several plants
+    }
+    add_all(std::move(sites));
   }
 
   void add_tips(const EmittedStem& stem) {
@@ -135,13 +141,22 @@ class LinkSites::Writer {
     const RandomKey key = child_key(stem.site.key);
     std::vector<Site> tips = tip_sites(stem.skeleton, stem.id(), stem.site);
     for (Site& site : tips) site.key = key.child(site.i);
-    add_all(std::move(tips));
+    add_on(stem, std::move(tips));
   }
 
   void add_child(const Site& site) {
     Site& child = sites_.emplace_back(site);
     child.key = child_key(site.key).child(site.i);
+    if (from_.bears_plants) child.individual = child.key.bits();
     count_depth(child);
+  }
+
+  /// Adds sites on nodes of a stem.
+  void add_on(const EmittedStem& stem, std::vector<Site> sites) {
+    if (!stem.root_of_node.empty()) {
+      for (Site& site : sites) site.individual = stem.individual_at(site.node);
+    }
+    add_all(std::move(sites));
   }
 
   void add_all(std::vector<Site> sites) {
@@ -179,10 +194,13 @@ class LinkSites::Writer {
   std::vector<Site> sites_;
 };
 
-LinkSites::LinkSites(const Graph& graph, const Directions& directions, Progress& progress)
+LinkSites::LinkSites(const Graph& graph, const Scene& scene, const Directions& directions, double time,
+                     Progress& progress)
     : graph_(graph),
       structure_(graph.structure),
+      scene_(scene),
       directions_(directions),
+      time_(time),
       progress_(progress),
       ordinals_(ordinals_of_links(graph)) {}
 

@@ -11,19 +11,20 @@
 #include "meristem/graph/batch.h"
 #include "meristem/graph/graph.h"
 #include "meristem/scene/directions.h"
+#include "meristem/scene/scene.h"
 
 namespace meristem {
 
 class LinkSites {
  public:
-  /// So many instances there are.
+  /// The number of instances.
   struct Counts {
     std::uint64_t all = 0;
     std::uint64_t parents = 0;  ///< of the link's parent in this batch
   };
 
   /// All of them outlive it.
-  LinkSites(const Graph& graph, const Directions& directions, Progress& progress);
+  LinkSites(const Graph& graph, const Scene& scene, const Directions& directions, double time, Progress& progress);
 
   /// The links along which a batch has children. All its instances have come by the same links, so they are equally
   /// deep in every recursion, as deep as `site`: a link back leads on until its depth is reached, a leaf link only from
@@ -34,7 +35,7 @@ class LinkSites {
   /// with them there would be more instances than the limit allows.
   std::vector<Site> places(LinkIndex link, const BatchResult& parent, Counts before) const;
 
-  /// Hash of what they depend on besides the parent's result and the directions, where all of it is known.
+  /// Hash of what they depend on besides the parent's result and the scene, where all of it is known.
   std::optional<std::uint64_t> fingerprint(LinkIndex link) const;
 
   /// The document path of what to change where the children of a component by these links are too many: the depth of a
@@ -48,7 +49,9 @@ class LinkSites {
 
   const Graph& graph_;
   const Structure& structure_;  // the graph's
-  const Directions& directions_;
+  const Scene& scene_;
+  const Directions& directions_;  // the scene's
+  double time_;
   Progress& progress_;
   std::vector<std::uint32_t> ordinals_;  // of links among those between the same two components
 };

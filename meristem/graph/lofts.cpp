@@ -20,7 +20,7 @@ namespace meristem {
 
 namespace {
 
-constexpr double kSame = 1e-4;      // of a chain's size, by which equal chains may differ
+constexpr double kSame = 1e-4;      // how much equal chains may differ, as a share of a chain's size
 constexpr double kRounding = 3e-7;  // of a point's distance from the origin: what 32-bit numbers leave of it
 constexpr std::size_t kMostInDrawer = 4;
 constexpr double kDrawer = 5e-4;    // width of what is filed together
@@ -162,7 +162,7 @@ class SectionJoiner {
     return true;
   }
 
-  /// The sums by which a chain is filed, in widths of a drawer.
+  /// The sums that a chain is filed by, in widths of a drawer.
   Drawer drawer_of(const Chain& chain) const {
     const RandomKey weights(chain.sections.size());
     std::array<double, 3> sum{};
@@ -288,7 +288,8 @@ class SectionJoiner {
     for (std::size_t k = 0; k < chain.sections.size(); ++k) {
       if (!begins_piece(chain, k)) continue;
       const SurfaceSection& section = sections_[chain.sections[k]];
-      pieces[piece++].organs.push_back({.frame = frame, .tint = section.tint, .birth = section.birth});
+      pieces[piece++].organs.push_back(
+          {.frame = frame, .tint = section.tint, .birth = section.birth, .individual = section.individual});
     }
   }
 

@@ -17,6 +17,7 @@ namespace meristem {
 /// An emitted section with the component of its instance.
 struct SurfaceSection : EmittedSection {
   ComponentIndex component = 0;
+  std::uint32_t individual = 0;  ///< index into Plant::individuals
 };
 
 /// A mesh that surfaces share, and where it stands.

@@ -44,7 +44,7 @@ std::shared_ptr<const Texture> painted_texture(const Prototype& prototype, const
   return make_texture(base.texture, shape_of(prototype), mean_colour(base, prototype.type->material.colour), progress);
 }
 
-/// Of the sketch that it wears, if it does.
+/// The pixels of the sketch that a material wears, if it wears one.
 std::uint64_t pixels_to_paint(const Material& material) {
   if (material.texture == nullptr || material.texture->is_painted()) return 0;
   const Image& colour = material.texture->colour;

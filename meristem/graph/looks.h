@@ -14,11 +14,11 @@ namespace meristem {
 
 /// The material of a component, with a sketch of its texture.
 Material material_of(const Prototype& prototype);
-/// Paints the textures of which materials have sketches, equal ones once. With a `cache`, those that it has are not
+/// Paints the textures that materials have as sketches, equal ones once. With a `cache`, those that it has are not
 /// painted anew. Throws Cancelled.
 void paint_textures(const Graph& graph, std::vector<Material>& materials, Progress& progress, Cache* cache = nullptr);
 
-/// That of what it emits as blades.
+/// The material of what a component emits as blades.
 Material blades_of(const Prototype& prototype);
 
 /// What tells a component's instances apart in colour.

@@ -31,10 +31,11 @@ const ParameterTable& placement_table() {
           .number("roll", &Placement::roll, {.unit = Unit::degree, .min = -360, .max = 360},
                   "Position of the first child around the axis, counted from the upper side to the right of what makes "
                   "the stem; by default, random.")
-          .number("angle", &Placement::angle, {.unit = Unit::degree, .min = 0, .max = 180},
-                  "Angle between the axis and each child; raised, children stand off more.")
+          .per_site("angle", &Placement::angle, {.unit = Unit::degree, .min = 0, .max = 180},
+                    "Angle between the axis and each child, which a link may also give as a range over the children of "
+                    "an axis, an expression or a sample; raised, children stand off more.")
           .number("angle_tip", &Placement::angle_tip, {.unit = Unit::degree, .min = 0, .max = 180},
-                  "Angle between the axis and each child at the axis's tip; by default, the same as at its base.")
+                  "Angle between the axis and each child at the axis's tip; by default, the one given by 'angle'.")
           .number("angle_spread", &Placement::angle_spread,
                   {.unit = Unit::degree, .min = 0, .max = 180, .usual = {0, 45}},
                   "Largest random deviation of the angle between axis and child, to both sides.")
@@ -46,11 +47,18 @@ const ParameterTable& placement_table() {
                  "the tip.")
           .number("droop", &Placement::droop, {.min = -1, .max = 1},
                   "How far children hang: 1 turns their heading straight down, -1 straight up.")
+          .facing(
+              "face", &Placement::face,
+              "Direction of the world that the children's upper face turns to, whatever the light; \"surface\": away "
+              "from the nearest surface of an obstacle, as leaves on a wall.")
+          .number("face_share", &Placement::face_share, {.min = 0, .max = 1},
+                  "Share of the turn of the children's upper face to where 'face' says: 0 not at all, 1 all the way.")
           .number("face_light", &Placement::face_light, {.min = 0, .max = 1},
                   "Share of the turn of the children's upper face to the light: 0 not at all, 1 all the way.")
           .number("start", &Placement::start, {.min = 0, .max = 1}, "Share of each axis that is left free at its base.")
           .number("end", &Placement::end, {.min = 0, .max = 1},
                   "Position along each axis at which the sites end, as a share of its length.")
+          .only_with("face", {"face_share"})
           .elsewhere({"from", "to", "kind"})
           .check(check_placement);
   return table;
@@ -112,8 +120,8 @@ std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const Axes& a
   return eligible;
 }
 
-/// The pieces of one axis between `start` and `end` that are eligible; those of a lateral begin at its parent's bark,
-/// of which `root_bark` metres lie over the skeleton's root.
+/// The pieces of one axis between `start` and `end` that are eligible. The pieces of a lateral begin at its parent's
+/// bark; over the skeleton's root lie `root_bark` metres of bark.
 AxisSites measure_axis(const Skeleton& skeleton, std::span<const NodeIndex> nodes, const Placement& placement,
                        const std::vector<std::uint8_t>& eligible, float root_bark) {
   AxisSites places;
@@ -234,7 +242,9 @@ class AxisWriter {
     site.birth = skeleton_.birth[piece.to];
     site.order = static_cast<std::uint16_t>(first_order(context_.parent) + skeleton_.order[piece.to]);
 
-    const double base = placement_.angle;
+    const Vec3 foot = glm::mix(skeleton_.position[piece.from], skeleton_.position[piece.to], along);
+    site.frame.origin = foot;
+    const double base = angle_of(site);
     const double tip = placement_.angle_tip.value_or(base);
     const double angle = context_.stance == BranchStance::along_axis
                              ? 0
@@ -244,19 +254,36 @@ class AxisWriter {
     const auto cosine = static_cast<float>(math::cos(angle));
     const Vec3 heading = cosine * tangent + sine * outward;
     const Vec3 upper = sine * tangent - cosine * outward;
-    const Vec3 foot = glm::mix(skeleton_.position[piece.from], skeleton_.position[piece.to], along);
     site.frame =
         frame_along(context_.stance == BranchStance::on_bark ? foot + site.radius * outward : foot, heading, upper);
     site.stem = context_.stem;
     site.node = piece.to;
     site.along = along;
     site.frame.axes = drooped(site.frame.axes, placement_.droop, context_.directions.down(site.frame.origin));
+    Mat3& axes = site.frame.axes;
+    if (placement_.face) {
+      if (const auto way = faced(site.frame.origin)) {
+        axes = rotation_toward(axes[2], *way, placement_.face_share, axes[1]) * axes;
+      }
+    }
     if (placement_.face_light > 0) {
-      Mat3& axes = site.frame.axes;
       const Vec3 light = context_.directions.toward_light(site.frame.origin);
       axes = rotation_toward(axes[2], light, placement_.face_light, axes[1]) * axes;
     }
     site.frame.axes *= static_cast<float>(std::max(0.0, placement_.size(site.u)));
+  }
+
+  /// Between the axis at its base and the child at a site; its expression sees all of the site but how it is turned.
+  double angle_of(const Site& site) const {
+    const std::optional<Varying>& varying = placement_.angle.varying;
+    if (!varying) return placement_.angle.plain;
+    return VaryingValues(std::span(&*varying, 1), std::span(&site, 1), context_.time).value(0, 0);
+  }
+
+  /// Where an upper face at this position turns to.
+  std::optional<Vec3> faced(Vec3 position) const {
+    if (!placement_.face->is_from_surface) return placement_.face->direction;
+    return context_.obstacles->away_from_surface(position);
   }
 
   const Skeleton& skeleton_;
@@ -273,6 +300,12 @@ Mat3 drooped(const Mat3& axes, double droop, Vec3 down) {
 }
 
 std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context) {
+  if (placement.face && placement.face->is_from_surface &&
+      (context.obstacles == nullptr || context.obstacles->empty())) {
+    throw InputError(Diagnostic{.message = "there is no obstacle whose surface the children could face away from",
+                                .expected = "an obstacle in the scene, or a direction [x, y, z]",
+                                .path = context.path + ".face"});
+  }
   const Axes axes(skeleton);
   const std::vector<std::uint8_t> eligible = eligible_nodes(skeleton, axes, placement, context);
   const float root_bark = context.parent.stem == kOnNoStem ? 0 : context.parent.radius;

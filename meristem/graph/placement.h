@@ -10,11 +10,14 @@
 
 #include "meristem/base/curve.h"
 #include "meristem/base/limits.h"
+#include "meristem/graph/table/facing.h"
 #include "meristem/graph/table/parameter.h"
 #include "meristem/graph/table/selection.h"
 #include "meristem/graph/table/site.h"
+#include "meristem/graph/table/varying.h"
 #include "meristem/plant/skeleton.h"
 #include "meristem/scene/directions.h"
+#include "meristem/scene/obstacle/obstacles.h"
 
 namespace meristem {
 
@@ -27,16 +30,19 @@ struct Placement {
   std::optional<Condition> where;                   ///< default: tip_distance < 0.4 on stems that have grown, else all
   int whorl = 1;                                    ///< organs per site
   double divergence = kGoldenAngleDeg * kPi / 180;  ///< turn about the axis from site to site
-  std::optional<double> roll;                       ///< of the first site, from the stem's upper side; else anywhere
-  double angle = kPi / 4;                           ///< between axis and organ
-  std::optional<double> angle_tip;                  ///< the same at the axis's tip, with even steps between; as `angle`
-  double angle_spread = 0;                          ///< the angle varies evenly by up to this much to both sides
-  Curve size{{{0, 1}}};                             ///< scale over u; below 0 counts as 0
-  Curve spread{{{0, 1}}};                           ///< relative density over u; below 0 counts as 0
-  double droop = 0;                                 ///< share of the turn that brings the heading straight down
-  double face_light = 0;                            ///< share of the turn that brings the upper face to the light
-  double start = 0;                                 ///< share of each axis left free at its base
-  double end = 1;                                   ///< and the share at which the sites end
+  std::optional<double> roll;  ///< turn of the first site from the stem's upper side; unset: drawn from all around
+  PerChild angle = kPi / 4;    ///< between axis and organ
+  std::optional<double>
+      angle_tip;  ///< between axis and organ at the axis's tip, with even steps from `angle` to it; unset: as `angle`
+  double angle_spread = 0;     ///< the angle varies evenly by up to this much to both sides
+  Curve size{{{0, 1}}};        ///< scale over u; below 0 counts as 0
+  Curve spread{{{0, 1}}};      ///< relative density over u; below 0 counts as 0
+  double droop = 0;            ///< share of the turn that brings the heading straight down
+  std::optional<Facing> face;  ///< where the upper face turns, whatever the light
+  double face_share = 1;       ///< share of the turn that brings it there
+  double face_light = 0;       ///< share of the turn that brings the upper face to the light
+  double start = 0;            ///< share of each axis left free at its base
+  double end = 1;              ///< share of each axis where the sites end
 };
 
 const ParameterTable& placement_table();
@@ -49,22 +55,25 @@ Placement overridden(Placement own, const Placement& link, const GivenRows& give
 
 /// How a branch link sets a component on a stem.
 enum class BranchStance {
-  on_bark,     ///< on the bark, heading away from the stem by the link's angle
-  on_axis,     ///< the same from the stem's axis: for stems, which begin within the one that they stand on
+  on_bark,  ///< on the bark, heading away from the stem by the link's angle
+  on_axis,  ///< on the stem's axis, heading away by the link's angle: for stems, which begin within their parent stem
   along_axis,  ///< on the axis and heading along it, unless the link gives an angle: its own form leads away
 };
 
 struct PlacementContext {
-  Directions directions;                        ///< of light and gravity
-  BranchStance stance = BranchStance::on_bark;  ///< of the children; `along_axis` leaves the placement's angles aside
-  bool has_twigs = true;                        ///< by default they carry the children
-  std::uint64_t stem = kOnNoStem;               ///< id of the stem, for the sites
-  Site parent;                      ///< of the instance that made the stem; the sites' keys and depths come from it
-  std::optional<RandomKey> places;  ///< of where they are, where that is not the parent's: equal ones, equal sites
+  Directions directions;  ///< directions of light and gravity
+  BranchStance stance =
+      BranchStance::on_bark;        ///< stance of the children; `along_axis` leaves the placement's angles aside
+  bool has_twigs = true;            ///< by default they carry the children
+  std::uint64_t stem = kOnNoStem;   ///< id of the stem, for the sites
+  Site parent;                      ///< site of the instance that made the stem; gives the sites their keys and depths
+  std::optional<RandomKey> places;  ///< key for the sites' positions, unset: the parent's; equal keys give equal sites
 
   RandomKey key_of_places() const { return places.value_or(parent.key); }
   const Limits* limits = nullptr;
-  std::string path;  ///< of what gives the placement in the document, for errors: "links[1]"
+  const Obstacles* obstacles = nullptr;  ///< children turn away from their surfaces; null: there are none
+  double time = 0;                       ///< the document's, for expressions
+  std::string path;                      ///< path of what gives the placement in the document, for errors: "links[1]"
 };
 
 /// Unit axes turned so that the heading comes nearer to `down`, or for a negative `droop` to its opposite, by that

@@ -248,6 +248,57 @@ TEST(Placement, FaceLightTurnsTheUpperFaceByItsShare) {
   }
 }
 
+std::vector<Site> places_beside(const Skeleton& skeleton, const Value::Object& keys, const Obstacles& obstacles) {
+  const Limits limits;
+  const PlacementContext context{.parent = {}, .limits = &limits, .obstacles = &obstacles, .path = "links[0]"};
+  return place_along(skeleton, everywhere(keys), context);
+}
+
+TEST(Placement, FaceTurnsTheUpperFaceToADirectionWhateverTheLight) {
+  const Value::List north_and_up{0, 2, -2};
+  const Vec3 wanted = glm::normalize(Vec3(0, 1, -1));
+  const auto with = [&](double share, Vec3 light) {
+    return places(pole(), everywhere({{"count", 30}, {"face", north_and_up}, {"face_share", share}}), light);
+  };
+  const auto none = with(0, kUp), half = with(0.5, kUp), whole = with(1, kUp), lit = with(1, Vec3(1, 0, 0));
+  for (std::size_t k = 0; k < 30; ++k) {
+    EXPECT_LT(glm::distance(whole[k].frame.upper(), wanted), 1e-5F);
+    EXPECT_NEAR(angle_between(half[k].frame.upper(), wanted), 0.5 * angle_between(none[k].frame.upper(), wanted), 0.1);
+    EXPECT_EQ(lit[k].frame.axes, whole[k].frame.axes);
+  }
+}
+
+TEST(Placement, FaceTurnsTheUpperFaceAwayFromTheSurfaceThatTheChildStandsAt) {
+  std::vector<Obstacle> walls(2);
+  walls[0].mesh = box_mesh({0.1, -1, -5}, {0.5, 4, 5});  // east of the pole
+  walls[1].mesh = box_mesh({-9, -1, -5}, {-8, 4, 5});    // farther, in the west
+  const Obstacles obstacles(std::move(walls));
+  for (const Site& site : places_beside(pole(), {{"count", 30}, {"face", "surface"}}, obstacles)) {
+    EXPECT_LT(glm::distance(site.frame.upper(), Vec3(-1, 0, 0)), 1e-5F);
+    EXPECT_NEAR(site.frame.heading().x, 0, 1e-5F) << "the heading lies in the wall's plane";
+  }
+  EXPECT_THROW(places_beside(pole(), {{"face", "surface"}}, Obstacles()), InputError);
+}
+
+TEST(Placement, AnglesOfALinkMayDifferFromChildToChild) {
+  const auto angles = [](const Value& angle) {
+    std::vector<double> found;
+    for (const Site& site : places(pole(), everywhere({{"count", 5}, {"angle", angle}}))) {
+      found.push_back(angle_between(site.frame.heading(), kUp));
+    }
+    return found;
+  };
+  const std::vector<double> range = angles(Value::List{20, 60});
+  const std::vector<double> told = angles("30 + 5*i");
+  for (std::size_t k = 0; k < 5; ++k) {
+    EXPECT_NEAR(range[k], 20 + 10.0 * static_cast<double>(k), 0.01);
+    EXPECT_NEAR(told[k], 30 + 5.0 * static_cast<double>(k), 0.01);
+  }
+  for (const double angle : angles(Value::Object{{"sample", Value::List{25, 70}}})) {
+    EXPECT_LT(std::min(std::abs(angle - 25), std::abs(angle - 70)), 0.01);
+  }
+}
+
 TEST(Placement, ChildrenStandOnTheBark) {
   for (const Site& site : places(pole(), everywhere({{"count", 20}}))) {
     const Vec3 foot = site.frame.origin;
@@ -397,7 +448,7 @@ TEST(Placement, ALinkOverridesWhatItIsGiven) {
   EXPECT_FALSE(dense.count);
   EXPECT_EQ(dense.whorl, 3);
   const Placement steep = with({{"angle", 10}, {"whorl", 1}});
-  EXPECT_FLOAT_EQ(static_cast<float>(degrees(steep.angle)), 10);
+  EXPECT_FLOAT_EQ(static_cast<float>(degrees(steep.angle.plain)), 10);
   EXPECT_FALSE(steep.angle_tip);
   EXPECT_EQ(steep.whorl, 1);
   EXPECT_EQ(steep.count, 5);
@@ -406,10 +457,10 @@ TEST(Placement, ALinkOverridesWhatItIsGiven) {
 
 TEST(Placement, EveryKeyCanOverride) {
   const Value::Object curve{{"curve", Value::List{Value(Value::List{0, 3})}}};
-  const Value::Object keys{{"density", 3},  {"where", "1"},    {"whorl", 2},     {"divergence", 9},
-                           {"roll", 9},     {"angle", 9},      {"angle_tip", 8}, {"angle_spread", 9},
-                           {"size", curve}, {"spread", curve}, {"droop", 0.5},   {"face_light", 0.5},
-                           {"start", 0.1},  {"end", 0.9}};
+  const Value::Object keys{{"density", 3},      {"where", "1"},      {"whorl", 2},     {"divergence", 9},
+                           {"roll", 9},         {"angle", 9},        {"angle_tip", 8}, {"angle_spread", 9},
+                           {"size", curve},     {"spread", curve},   {"droop", 0.5},   {"face_light", 0.5},
+                           {"face", "surface"}, {"face_share", 0.5}, {"start", 0.1},   {"end", 0.9}};
   EXPECT_EQ(overridden_by(keys, Placement{}), placement(keys));
   // All rows; count stands beside density.
   Placement read_again;
@@ -426,7 +477,7 @@ TEST(Placement, KeysThatContradictAreRejected) {
   EXPECT_EQ(fault({{"density", 1}, {"count", 1}}), "count");
   EXPECT_EQ(fault({{"start", 0.6}, {"end", 0.5}}), "start");
   EXPECT_EQ(fault({{"where", "depth > 1"}}), "where");
-  EXPECT_EQ(fault({{"angle", "i"}}), "angle");
+  EXPECT_EQ(fault({{"roll", "i"}}), "roll");
   EXPECT_EQ(fault({{"whorl", 0}}), "whorl");
 }
 

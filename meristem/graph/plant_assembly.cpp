@@ -58,9 +58,22 @@ class SharedTextures {
 /// One block's organs, on their way into the plant.
 struct OrgansOfBlock {
   const Emitted* block = nullptr;
-  std::vector<std::uint32_t> prototype;  // in the plant, by number in the block
-  std::size_t first = 0;                 // in the plant
+  std::vector<std::uint32_t> prototype;   // in the plant, by number in the block
+  std::vector<std::uint32_t> individual;  // in the plant, by number in the block
+  std::size_t first = 0;                  // in the plant
 };
+
+/// The individuals of a stem's roots.
+template <class NumberOf>
+std::vector<std::uint32_t> individuals_of_roots(const EmittedStem& stem, NumberOf number_of) {
+  const auto& parents = stem.skeleton.parent;
+  const auto roots = static_cast<std::uint32_t>(std::count(parents.begin(), parents.end(), kNoNode));
+  std::vector<std::uint32_t> individuals;
+  for (std::uint32_t root = 0; root < roots; ++root) {
+    individuals.push_back(number_of(stem.root_of_node.empty() ? stem.site.individual : stem.individual_of_root(root)));
+  }
+  return individuals;
+}
 
 }  // namespace
 
@@ -70,27 +83,52 @@ void PlantAssembly::add(ComponentIndex component, std::shared_ptr<const BatchRes
 }
 
 Plant PlantAssembly::run(std::uint64_t mesh_bytes, Progress& progress) const {
-  const std::vector<Surfaces> surfaces = join_surfaces(mesh_bytes, progress);
+  const Individuals individuals = find_individuals();
+  const std::vector<Surfaces> surfaces = join_surfaces(individuals, mesh_bytes, progress);
   Plant plant;
+  plant.individuals = individuals.list;
   std::vector<std::uint32_t> material_of_component(batches_of_.size(), 0);
   SharedTextures textures;
   for (ComponentIndex c = 0; c < batches_of_.size(); ++c) {
     progress.check();
     const std::uint32_t material = material_of_component[c] = add_materials(c, surfaces[c], plant);
     for (std::size_t k = material; k < plant.materials.size(); ++k) textures.share(plant.materials[k], graph_.limits);
-    add_organs(c, material, plant);
+    add_organs(c, material, individuals, plant);
     add_surfaces(c, material, surfaces[c], plant);
   }
-  plant.stems = joined_stems(material_of_component);
+  plant.stems = joined_stems(material_of_component, individuals);
   return plant;
 }
 
+std::uint32_t PlantAssembly::Individuals::number(std::uint64_t id) const {
+  const auto found = number_by_id.find(id);
+  return found == number_by_id.end() ? kNoIndividual : found->second;
+}
+
+PlantAssembly::Individuals PlantAssembly::find_individuals() const {
+  Individuals individuals;
+  std::vector<std::uint32_t> counts(batches_of_.size(), 0);
+  for (const Made& made : batches_) {
+    for (const Emitted& block : made.result->blocks) {
+      for (const Emitted::Founded& founded : block.founded) {
+        const auto next = static_cast<std::uint32_t>(individuals.list.size());
+        if (!individuals.number_by_id.try_emplace(founded.id, next).second) continue;
+        individuals.list.push_back({graph_.components[made.component].id, counts[made.component]++, founded.foot});
+      }
+    }
+  }
+  return individuals;
+}
+
 /// Surfaces of many instances, by the components that their pieces belong to.
-std::vector<PlantAssembly::Surfaces> PlantAssembly::join_surfaces(std::uint64_t mesh_bytes, Progress& progress) const {
+std::vector<PlantAssembly::Surfaces> PlantAssembly::join_surfaces(const Individuals& individuals,
+                                                                  std::uint64_t mesh_bytes, Progress& progress) const {
   std::vector<SurfaceSection> sections;
   for (const Made& made : batches_) {
     for (const Emitted& block : made.result->blocks) {
-      for (const EmittedSection& section : block.sections) sections.push_back({section, made.component});
+      for (const EmittedSection& section : block.sections) {
+        sections.push_back({section, made.component, individuals.number(section.individual)});
+      }
     }
   }
   std::vector<Surfaces> surfaces(batches_of_.size());
@@ -113,15 +151,17 @@ std::uint32_t PlantAssembly::add_materials(ComponentIndex component, const Surfa
 }
 
 /// Blocks keep their order; what has one key is one prototype.
-void PlantAssembly::add_organs(ComponentIndex component, std::uint32_t material, Plant& plant) const {
+void PlantAssembly::add_organs(ComponentIndex component, std::uint32_t material, const Individuals& individuals,
+                               Plant& plant) const {
   const auto blades = static_cast<std::uint32_t>(plant.materials.size() - 1);  // the last, where there are any
   std::unordered_map<std::uint64_t, std::uint32_t> prototype_by_key;
   std::vector<OrgansOfBlock> blocks;
   std::size_t count = plant.organs.size();
   for (const BatchResult* batch : batches_of_[component]) {
     for (const Emitted& block : batch->blocks) {
-      OrgansOfBlock& organs = blocks.emplace_back(OrgansOfBlock{&block, {}, count});
+      OrgansOfBlock& organs = blocks.emplace_back(OrgansOfBlock{&block, {}, {}, count});
       count += block.organs.size();
+      for (const std::uint64_t id : block.individuals) organs.individual.push_back(individuals.number(id));
       for (const Emitted::EmittedPrototype& made : block.prototypes) {
         const auto next = static_cast<std::uint32_t>(plant.prototypes.size());
         const auto [known, is_new] = prototype_by_key.try_emplace(made.key, next);
@@ -137,6 +177,7 @@ void PlantAssembly::add_organs(ComponentIndex component, std::uint32_t material,
       Organ* next = plant.organs.data() + blocks[k].first;
       for (const Organ& organ : blocks[k].block->organs) {
         *next = organ;
+        next->individual = blocks[k].individual[organ.individual];
         next++->prototype = blocks[k].prototype[organ.prototype];
       }
     }
@@ -154,7 +195,8 @@ void PlantAssembly::add_surfaces(ComponentIndex component, std::uint32_t materia
   }
 }
 
-std::vector<Stem> PlantAssembly::joined_stems(const std::vector<std::uint32_t>& material_of_component) const {
+std::vector<Stem> PlantAssembly::joined_stems(const std::vector<std::uint32_t>& material_of_component,
+                                              const Individuals& individuals) const {
   std::size_t count = 0;
   for (const Made& made : batches_) {
     for (const Emitted& block : made.result->blocks) count += block.stems.size();
@@ -185,6 +227,10 @@ std::vector<Stem> PlantAssembly::joined_stems(const std::vector<std::uint32_t>& 
         if (is_moved && stem.part.surface.crown) stem.part.surface.crown->scale(emitted.moved_scale);
         stem.node = emitted.site.node;
         stem.along = emitted.site.along;
+        if (individuals.list.size() > 1) {
+          stem.individual_of_root =
+              individuals_of_roots(emitted, [&](std::uint64_t id) { return individuals.number(id); });
+        }
         // Shares the whole batch.
         stem.skeleton = {made.result, is_moved ? &*emitted.moved : &emitted.skeleton};
       }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 #include "meristem/base/progress.h"
@@ -24,8 +25,8 @@ class PlantAssembly {
 
   /// The plant: materials with sketches of their textures (equal ones share it), prototypes and organs in the order of
   /// the components, those of one component in the order of its batches, then surfaces; stems in the order of the
-  /// batches, joined. The batches' meshes take `mesh_bytes`. Throws InputError where textures have too many pixels or
-  /// surfaces too many bytes, Cancelled.
+  /// batches, joined; individuals in the order in which batches found them. The batches' meshes take `mesh_bytes`.
+  /// Throws InputError where textures have too many pixels or surfaces too many bytes, Cancelled.
   Plant run(std::uint64_t mesh_bytes, Progress& progress) const;
 
  private:
@@ -36,11 +37,22 @@ class PlantAssembly {
 
   using Surfaces = std::vector<SurfacePiece>;
 
-  std::vector<Surfaces> join_surfaces(std::uint64_t mesh_bytes, Progress& progress) const;
+  /// The plants of the document, with their numbers by the ids that sites have.
+  struct Individuals {
+    std::vector<Individual> list;
+    std::unordered_map<std::uint64_t, std::uint32_t> number_by_id;
+
+    std::uint32_t number(std::uint64_t id) const;
+  };
+
+  Individuals find_individuals() const;
+  std::vector<Surfaces> join_surfaces(const Individuals& individuals, std::uint64_t mesh_bytes,
+                                      Progress& progress) const;
   std::uint32_t add_materials(ComponentIndex component, const Surfaces& surfaces, Plant& plant) const;
-  void add_organs(ComponentIndex component, std::uint32_t material, Plant& plant) const;
+  void add_organs(ComponentIndex component, std::uint32_t material, const Individuals& individuals, Plant& plant) const;
   void add_surfaces(ComponentIndex component, std::uint32_t material, const Surfaces& surfaces, Plant& plant) const;
-  std::vector<Stem> joined_stems(const std::vector<std::uint32_t>& material_of_component) const;
+  std::vector<Stem> joined_stems(const std::vector<std::uint32_t>& material_of_component,
+                                 const Individuals& individuals) const;
 
   const Graph& graph_;
   std::vector<Made> batches_;

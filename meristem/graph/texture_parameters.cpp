@@ -33,7 +33,7 @@ const ParameterTable& bark_table() {
           .colour("marks", &BarkRecipe::marks,
                   "Colour of lichen and, on peeling bark, of what lies open; by default, chosen by style.")
           .integer("seed", &BarkRecipe::seed, kSeed,
-                   "Number from which the bark's pattern comes; another one gives another tile of the same kind.")
+                   "Seed of the bark's random pattern; another number gives another tile of this kind.")
           .shorthand("style");
   return table;
 }
@@ -54,7 +54,7 @@ const ParameterTable& leaf_table() {
           .colour("vein_colour", &LeafRecipe::vein_colour, "Colour of the veins; by default, lighter than the leaf.")
           .colour("edge_colour", &LeafRecipe::edge_colour, "Colour toward the margin, as in autumn; by default, none.")
           .integer("seed", &LeafRecipe::seed, kSeed,
-                   "Number from which the leaf's pattern comes; another one gives another leaf of the same kind.")
+                   "Seed of the leaf's random pattern; another number gives another leaf of this kind.")
           .only_where({{"veins", {"pinnate", "palmate"}}}, {"angle"})
           .shorthand("veins");
   return table;
@@ -71,17 +71,17 @@ const ParameterTable& petal_table() {
                   "Colour of the lines that fan out from the petal's base; by default, faint ones.")
           .number("relief", &PetalRecipe::relief, kFactor, "Depth of the lines as the light shows it; 0 is flat.")
           .integer("seed", &PetalRecipe::seed, kSeed,
-                   "Number from which the petal's pattern comes; another one gives another petal of the same kind.");
+                   "Seed of the petal's random pattern; another number gives another petal of this kind.");
   return table;
 }
 
 const ParameterTable& picture_table() {
   static const ParameterTable table =
       Table<PictureParameters>("a picture", "Pictures of your own (PNG or JPEG) on the surface.")
-          .file("colour", &PictureParameters::colour, read_image, "Picture of the surface's colours.")
+          .file("colour", &PictureParameters::colour, read_image, "Picture of the surface's colours (PNG or JPEG).")
           .required()
           .file("normals", &PictureParameters::normals, read_image,
-                "Normal map of the surface's relief: red to the right, green up, blue outward.")
+                "Normal map of the surface's relief (PNG or JPEG): red to the right, green up, blue outward.")
           .boolean("masked", &PictureParameters::masked,
                    "Whether the surface has holes where the picture's alpha is below one half.")
           .number("repeat_u", &PictureParameters::repeat_u, kRepeat,
@@ -140,7 +140,7 @@ void add(const TextureShape& shape, Fingerprint& to) {
   to.add_array(outline).add(masked).add(aspect);
 }
 
-/// Of all that tells textures apart.
+/// Hash of everything that tells textures apart.
 std::uint64_t fingerprint_of(const TextureParameters& form, const TextureShape& shape, Vec3 colour) {
   Fingerprint key;
   key.add(form.bark.has_value()).add(form.leaf.has_value()).add(form.petal.has_value());

@@ -17,8 +17,8 @@ struct PictureParameters {
   Asset<Image> colour;
   Asset<Image> normals;
   bool masked = false;  ///< the colour's alpha cuts holes
-  /// Pictures to one unit of u and of v, and by how many the picture is moved; of organs and surfaces, as stems have
-  /// their uv_scale.
+  /// Pictures per unit of u and of v on organs and surfaces, and how many pictures the texture is moved by. Stems have
+  /// their uv_scale instead.
   double repeat_u = 1, repeat_v = 1;
   double shift_u = 0, shift_v = 0;
 };
@@ -34,7 +34,7 @@ struct TextureParameters {
   bool is_empty() const { return !bark && !leaf && !petal && !picture; }
 };
 
-const ParameterTable& texture_table();  ///< of TextureParameters
+const ParameterTable& texture_table();  ///< the rows of TextureParameters
 
 /// Lays the picture of a form, if it has one, on a mesh as it says.
 void lay_picture(const TextureParameters& form, Mesh& mesh);
@@ -44,7 +44,7 @@ void lay_picture(const TextureParameters& form, Mesh& mesh);
 std::shared_ptr<const Texture> make_texture(const TextureParameters& form, const TextureShape& shape, Vec3 colour,
                                             const Progress& progress = Progress());
 
-/// A sketch of the same texture, which takes no time: sizes and masks, without pixels.
+/// A sketch of the texture, which takes no time: sizes and masks, without pixels.
 std::shared_ptr<const Texture> sketch_texture(const TextureParameters& form, const TextureShape& shape, Vec3 colour);
 
 }  // namespace meristem

@@ -37,7 +37,7 @@ std::vector<std::string> renamed(const std::vector<GrammarWord>& words, const st
   return texts;
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& name) {
+[[noreturn]] void refuse_symbol(const std::string& path, const std::string& name) {
   throw InputError(Diagnostic{.message = fmt::format("'{}' would have another meaning in the grammar", name),
                               .expected = "another name",
                               .path = path});
@@ -74,7 +74,7 @@ bool GrammarInDocument::places(const std::string& symbol) const {
   return false;
 }
 
-/// Splices of the grammar's text, none of which spans a line's end.
+/// Splices of the grammar's text. No splice spans a line's end.
 Patch GrammarInDocument::in_document(const Patch& patch) const {
   Patch made;
   for (const Splice& splice : patch) {
@@ -139,7 +139,7 @@ Patch GrammarInDocument::with_symbol(const std::string& symbol, const std::strin
       expected.erase(std::find(expected.begin(), expected.end(), name));
     }
   }
-  if (has_symbol(name) || found != expected) refuse(path, name);
+  if (has_symbol(name) || found != expected) refuse_symbol(path, name);
 
   Patch made = in_document(patch);
   if (!declares) return made;
@@ -160,11 +160,11 @@ Patch GrammarInDocument::with_name(const std::string& constant, const std::strin
   Patch patch;
   for (const GrammarWord& word : words_.names) {
     if (word.text == constant) patch.push_back({word.offset, constant.size(), name});
-    if (word.text == name) refuse(path, name);
+    if (word.text == name) refuse_symbol(path, name);
   }
   if (patch.empty()) return patch;
   const std::vector<std::string> found = renamed(words_of(apply_patch(text_, patch)).names, name, name);
-  if (found != renamed(words_.names, constant, name)) refuse(path, name);
+  if (found != renamed(words_.names, constant, name)) refuse_symbol(path, name);
   return in_document(patch);
 }
 

@@ -35,7 +35,7 @@ struct Comment {
   std::size_t end = 0;  ///< of one with //, where its line ends
   bool to_line_end = false;
 };
-/// Those between two tokens.
+/// The comments between two tokens.
 std::vector<Comment> comments_between(std::string_view text, std::size_t begin, std::size_t end);
 
 /// Where a value is to be written.

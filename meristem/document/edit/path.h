@@ -33,7 +33,8 @@ struct PathTarget {
 /// Follows a path from the root; throws an InputError with the path where it is not well formed.
 PathTarget follow_path(const LocatedTree& tree, std::string_view path);
 
-/// The same for paths of something that is there, other than the root: throws an InputError that names the nearest.
+/// Follows the path of something that is there, other than the root. Throws an InputError that names the nearest path
+/// for all others.
 PathTarget find_path(const LocatedTree& tree, std::string_view path);
 
 /// What the paths lead to, each in the one before.

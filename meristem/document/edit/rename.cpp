@@ -21,7 +21,7 @@ namespace meristem {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& path, std::string message, std::string expected) {
+[[noreturn]] void refuse_name(const std::string& path, std::string message, std::string expected) {
   throw InputError(Diagnostic{.message = std::move(message), .expected = std::move(expected), .path = path});
 }
 
@@ -100,7 +100,7 @@ void rename_in_expression(const LocatedTree& tree, LocatedValue value, const std
     std::size_t end = at;
     while (end < text.size() && is_of_name(text[end])) ++end;
     const std::string_view word = std::string_view(text).substr(at, end - at);
-    if (word == name) refuse(path, fmt::format("'{}' has a meaning here already", name), "another name");
+    if (word == name) refuse_name(path, fmt::format("'{}' has a meaning here already", name), "another name");
     if (word == variable) {
       if (places.empty()) places = places_of_bytes(tree.text(), tree.at(value).begin);
       patch.push_back({places[at], places[end] - places[at], name});
@@ -124,7 +124,7 @@ Patch rename_component(const LocatedTree& tree, const std::string& id, const std
                        const Registry& registry, const std::function<bool(const std::string& placer)>& placed_by) {
   const std::string path = path_below("components", id);
   if (name.empty() || !std::all_of(name.begin(), name.end(), is_of_name)) {
-    refuse(path, fmt::format("'{}' cannot name a component", name), "letters, digits and _");
+    refuse_name(path, fmt::format("'{}' cannot name a component", name), "letters, digits and _");
   }
   Patch patch = rename_member(tree, path, name);
   if (patch.empty()) return patch;
@@ -143,10 +143,10 @@ Patch rename_variable(const LocatedTree& tree, const std::string& variable, cons
                       const Registry& registry, const std::vector<std::string>& expression_paths) {
   const std::string path = path_below("variables", variable);
   if (!is_identifier(name)) {
-    refuse(path, fmt::format("'{}' is not a name", name), "letters, digits and _, not beginning with a digit");
+    refuse_name(path, fmt::format("'{}' is not a name", name), "letters, digits and _, not beginning with a digit");
   }
   if (has_meaning(name)) {
-    refuse(path, fmt::format("'{}' has a meaning in expressions already", name), "another name");
+    refuse_name(path, fmt::format("'{}' has a meaning in expressions already", name), "another name");
   }
   Patch patch = rename_member(tree, path, name);
   if (patch.empty()) return patch;

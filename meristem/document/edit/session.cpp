@@ -15,7 +15,11 @@ Session::Session(std::string text, std::string file, const Registry& registry, S
 }
 
 ReadOptions Session::reading() {
-  return {.overrides = options_.overrides, .seed = options_.seed, .root = options_.root, .store = &store_};
+  return {.overrides = options_.overrides,
+          .seed = options_.seed,
+          .root = options_.root,
+          .store = &store_,
+          .models = options_.models};
 }
 
 void Session::read() {

@@ -64,6 +64,7 @@ struct SessionOptions {
   std::vector<Override> overrides{};    ///< as of read_document
   std::optional<std::uint64_t> seed{};  ///< as of read_document
   std::string root{};                   ///< as of read_document
+  std::string models{};                 ///< as of read_document
   std::size_t most_undone = 1000;       ///< edits that can be taken back; the oldest are forgotten
 };
 
@@ -83,7 +84,7 @@ class Session {
   const std::vector<Diagnostic>& faults() const { return faults_; }
   /// Whether the present text has no errors, so that document() is what it says.
   bool is_good() const { return is_good_; }
-  /// Of the last text without errors; null before there was one.
+  /// The document of the last text without errors; null before there was one.
   const Document* document() const { return document_ ? &*document_ : nullptr; }
 
   /// Makes the edits, one after another, as one step. Throws an InputError where one of them cannot be made, or the
@@ -111,7 +112,7 @@ class Session {
   const GrownDocument* grown() const { return grown_ ? &*grown_ : nullptr; }
   /// Keys of what has grown, and how it differs from the growth before.
   const SceneKeys& keys() const { return keys_; }
-  const SceneKeys& keys_before() const { return keys_before_; }  ///< of the growth before
+  const SceneKeys& keys_before() const { return keys_before_; }  ///< the keys of the growth before
   const SceneDifference& difference() const { return difference_; }
   const GrowthCache& cache() const { return cache_; }
   /// What reading has done; see ReadStore::Counts.

@@ -255,7 +255,7 @@ Patch random_edit(const LocatedTree& tree, Value& expected, Draws& draw) {
 
 std::size_t comment_count(const std::string& text) { return comments_between(text, 0, text.size()).size(); }
 
-/// Some edits in turn, each of which and all of which together can be taken back.
+/// Some edits in turn, which can be taken back one by one and all together.
 void check_edits(const std::string& first, std::uint64_t seed, int edits) {
   Draws draw(seed);
   Value expected = parse_json(first);

@@ -7,6 +7,7 @@
 
 namespace meristem {
 
+class PlantSources;
 class ReadStore;
 
 /// Where a document's files are sought, which may be read, and what earlier reads have made of them.
@@ -14,6 +15,7 @@ struct FileAccess {
   std::string folder{};        ///< paths start here, or where it is empty in the present folder
   std::string root{};          ///< nothing outside of this folder is read, wherever links lead; empty: anything may be
   ReadStore* store = nullptr;  ///< takes and gives what was read; may be null
+  PlantSources* sources = nullptr;  ///< opens other documents; null: there are none
 
   /// Throws an InputError for a path outside of the root, which tells nothing of what is there.
   void require_within(const std::string& path) const;
@@ -22,7 +24,7 @@ struct FileAccess {
 /// A file that a document names.
 struct NamedFile {
   std::string path;
-  std::optional<std::uint64_t> hash{};  ///< of its content, where a store knows it
+  std::optional<std::uint64_t> hash{};  ///< hash of the file's content, where a store knows it
 };
 
 }  // namespace meristem

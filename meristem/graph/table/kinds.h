@@ -20,7 +20,7 @@ struct Kinds {
   };
 
   std::string element;  ///< what messages call one of any kind: "an operation"
-  std::string doc;      ///< of the elements
+  std::string doc;      ///< one sentence on the elements
   std::string key;      ///< the member that says the kind
   std::string key_doc;
   std::vector<Kind> kinds;

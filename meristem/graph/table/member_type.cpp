@@ -140,7 +140,9 @@ Value show_value(const Parameter&, const std::string& member) { return member; }
 
 void read_value(const Parameter& self, PerChild& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
-  reader.store_per_child(self, value, path, member);
+  if (!self.form.per_site || !reader.reads_component()) return reader.store_per_child(self, value, path, member);
+  const StoreNumber store = [](void* to, double number) { *static_cast<PerChild*>(to) = PerChild(number); };
+  reader.store_number(self, value, path, {&member, store, to_document(self.form.unit, member.plain)});
 }
 
 Value show_value(const Parameter& self, const PerChild& member) { return to_document(self.form.unit, member.plain); }
@@ -260,6 +262,31 @@ Value show_value(const Parameter& self, const std::vector<Vec3>& member) {
   return list;
 }
 
+void read_value(const Parameter& self, Facing& member, const Value& value, const DocumentPath& path,
+                ParameterReader& reader) {
+  if (const std::string* text = value.text()) {
+    member.is_from_surface = *text == "surface";
+    if (member.is_from_surface) return;
+    return reader.fault(path, fmt::format("'{}' is not a value of '{}'", *text, self.name), self.expectation(),
+                        reader.nearest(*text, std::vector<std::string>{"surface"}));
+  }
+  Parameter numbers = self;
+  numbers.kind = ParameterKind::vector;
+  DVec3 direction(0);
+  const std::size_t faults_before = reader.fault_count();
+  read_coordinates(numbers, value, path, reader, direction);
+  if (reader.fault_count() != faults_before) return;
+  const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+  if (!(largest > 0)) {
+    return reader.fault(path, fmt::format("the direction '{}' has no length", self.name), "one number that is not 0");
+  }
+  member.direction = Vec3(glm::normalize(direction / largest));
+}
+
+Value show_value(const Parameter& self, const Facing& member) {
+  return member.is_from_surface ? Value("surface") : show_value(self, DVec3(member.direction));
+}
+
 void read_value(const Parameter& self, Box& member, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
   const Value::List* corners = value.list();
@@ -280,11 +307,12 @@ void read_value(const Parameter& self, Selection& member, const Value& value, co
   number_row.kind = ParameterKind::integer;
   number_row.form = {.min = 0, .max = 4294967295.0, .fixed = true};
   Selection selection;
+  selection.names = reader.instance_names().size();
   for (std::size_t k = 0; k < list->size(); ++k) {
     const Value& entry = (*list)[k];
     const DocumentPath entry_place(path, k);
     if (entry.text() != nullptr) {
-      if (auto compiled = reader.expression(entry, entry_place, site_variables())) {
+      if (auto compiled = reader.expression(entry, entry_place, reader.instance_names())) {
         selection.conditions.push_back({*entry.text(), std::move(*compiled)});
       }
       continue;

@@ -17,6 +17,7 @@
 #include "meristem/base/curve.h"
 #include "meristem/base/limits.h"
 #include "meristem/graph/table/asset.h"
+#include "meristem/graph/table/facing.h"
 #include "meristem/graph/table/parameter.h"
 #include "meristem/graph/table/reader.h"
 #include "meristem/graph/table/selection.h"
@@ -48,6 +49,7 @@ void read_value(const Parameter&, std::string& member, const Value&, const Docum
 void read_value(const Parameter&, PerChild& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, Vec3& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, DVec3& member, const Value&, const DocumentPath&, ParameterReader&);
+void read_value(const Parameter&, Facing& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, Box& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, Curve& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, std::vector<Vec2>& member, const Value&, const DocumentPath&, ParameterReader&);
@@ -61,6 +63,7 @@ Value show_value(const Parameter&, const std::string& member);
 Value show_value(const Parameter&, const PerChild& member);
 Value show_value(const Parameter&, const Vec3& member);
 Value show_value(const Parameter&, const DVec3& member);
+Value show_value(const Parameter&, const Facing& member);
 Value show_value(const Parameter&, const Box& member);
 Value show_value(const Parameter&, const Curve& member);
 Value show_value(const Parameter&, const std::vector<Vec2>& member);
@@ -199,7 +202,7 @@ struct Held<std::vector<std::pair<std::string, T>>> {
   static std::string_view name(const Map& member, std::size_t index) { return member[index].first; }
 };
 
-/// Of members that hold structs, whatever these are.
+/// Reads a member that holds structs of any type.
 void read_held(const Parameter&, void* member, const Value&, const DocumentPath&, ParameterReader&);
 Value show_held(const Parameter&, const void* member);
 

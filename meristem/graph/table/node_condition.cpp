@@ -3,10 +3,40 @@
 
 #include <algorithm>
 
+#include "meristem/base/math.h"
+
 namespace meristem {
 
+namespace {
+
+/// Places of those names that are not known of every skeleton.
+enum : std::size_t { kRank = 6, kInclination, kMetamer, kBudAge, kLight };
+
+/// Inclination of the segment to each node above the horizontal, degrees.
+std::vector<double> inclinations(const Skeleton& skeleton) {
+  std::vector<double> angles(skeleton.node_count(), 90);
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    const float length = segment_length(skeleton, node);
+    if (length == 0) continue;
+    const double rise = (skeleton.position[node].y - skeleton.position[skeleton.parent[node]].y) / length;
+    angles[node] = degrees(math::asin(std::clamp(rise, -1.0, 1.0)));
+  }
+  return angles;
+}
+
+/// Growth steps since each node grew.
+std::vector<double> ages(const Skeleton& skeleton) {
+  const float last = skeleton.birth.empty() ? 0 : *std::ranges::max_element(skeleton.birth);
+  std::vector<double> ages;
+  for (const float birth : skeleton.birth) ages.push_back(last - birth);
+  return ages;
+}
+
+}  // namespace
+
 const std::vector<std::string>& node_variables() {
-  static const std::vector<std::string> names = {"order", "radius", "u", "height", "birth", "tip_distance"};
+  static const std::vector<std::string> names = {"order", "radius",      "u",       "height",  "birth", "tip_distance",
+                                                 "rank",  "inclination", "metamer", "bud_age", "light"};
   return names;
 }
 
@@ -42,7 +72,24 @@ std::vector<std::uint8_t> nodes_where(const Skeleton& skeleton, const Axes& axes
     birth[k] = skeleton.birth[k];
     distance[k] = tip[k];
   }
-  const double* const columns[] = {order.data(), radius.data(), u.data(), height.data(), birth.data(), distance.data()};
+  // What only some models of growth know is worked out where it is asked for.
+  const auto column = [&](const char* name) {
+    const auto found = skeleton.extra.find(name);
+    return found == skeleton.extra.end() ? std::vector<double>(count, 0)
+                                         : std::vector<double>(found->second.begin(), found->second.end());
+  };
+  std::vector<std::vector<double>> more(node_variables().size());
+  for (std::size_t k = kRank; k < more.size(); ++k) {
+    if (!condition.expression.uses(k)) continue;
+    if (k == kRank) more[k] = skeleton.extra.count("rank") != 0 ? column("rank") : order;
+    if (k == kInclination) more[k] = inclinations(skeleton);
+    if (k == kMetamer) more[k] = column("metamer");
+    if (k == kBudAge) more[k] = ages(skeleton);
+    if (k == kLight) more[k] = column("light");
+  }
+  std::vector<const double*> columns = {order.data(),  radius.data(), u.data(),
+                                        height.data(), birth.data(),  distance.data()};
+  for (std::size_t k = kRank; k < more.size(); ++k) columns.push_back(more[k].empty() ? nullptr : more[k].data());
   std::vector<RandomKey> keys;
   if (condition.expression.is_random()) {
     for (std::size_t k = 0; k < count; ++k) keys.push_back(key.child(k));

@@ -52,6 +52,8 @@ std::string_view kind_name(ParameterKind kind) {
       return "integers";
     case ParameterKind::vector:
       return "vector";
+    case ParameterKind::facing:
+      return "facing";
     case ParameterKind::colour:
       return "colour";
     case ParameterKind::colours:
@@ -127,6 +129,8 @@ std::string Parameter::expectation() const {
       return fmt::format("a list of {} whole numbers{}", count, range_text(form));
     case ParameterKind::vector:
       return "a list of three numbers [x, y, z]" + range_text(form);
+    case ParameterKind::facing:
+      return "a direction [x, y, z], or \"surface\"";
     case ParameterKind::colour:
       return "a colour such as \"#6b8e23\"";
     case ParameterKind::colours:

@@ -31,8 +31,9 @@ enum class ParameterKind {
   text,
   lines,      ///< a text, plain or as a list of its lines
   choice,     ///< an enum by its enumerators' names
-  integers,   ///< a list of so many whole numbers
+  integers,   ///< a list of a fixed number of whole numbers
   vector,     ///< three numbers
+  facing,     ///< three numbers that say a direction, or "surface"
   colour,     ///< "#6b8e23"
   colours,    ///< a list of colours, at least one
   curve,      ///< {"curve": [[x, y], ...], "kind": "spline" | "linear"}
@@ -65,6 +66,7 @@ struct NumberRange {
   bool above_min = false;  ///< `min` itself is excluded
   bool fixed = false;      ///< one value for the whole component
   bool per_child = false;  ///< differs among the children of an instance, and not from instance to instance
+  bool per_site = false;   ///< in a link, differs among the children; in a component, from instance to instance
 };
 
 struct Parameter;
@@ -75,13 +77,13 @@ struct MemberType {
                ParameterReader& reader);
   Value (*show)(const Parameter& row, const void* member);
   void (*copy)(void* to, const void* from);
-  /// Of members that hold structs with tables of their own, as objects, lists and maps do; null for others. `make` puts
-  /// new structs into it for what `value` says.
+  /// Puts new structs for what `value` says into the member, where it holds structs with tables of their own, as
+  /// objects, lists and maps do; null for other members.
   void (*make)(void* member, const Value& value) = nullptr;
   std::size_t (*count)(const void* member) = nullptr;
   void* (*element)(void* member, std::size_t index) = nullptr;
-  std::string_view (*name)(const void* member, std::size_t index) = nullptr;  ///< of a map's element
-  /// Of lists whose elements are of several kinds: which one an element is, and how it becomes a new one of another.
+  std::string_view (*name)(const void* member, std::size_t index) = nullptr;  ///< name of a map's element
+  /// Which kind an element of a list with several kinds is, and how it becomes a new element of another kind.
   std::size_t (*kind)(const void* member, std::size_t index) = nullptr;
   void (*make_kind)(void* member, std::size_t index, std::size_t kind) = nullptr;
 };
@@ -91,18 +93,19 @@ struct Parameter {
   std::string name;
   std::string doc;  ///< one sentence, with what happens when the value is raised where that is not plain
   ParameterKind kind = ParameterKind::number;
-  NumberRange form;                  ///< of numbers, integers and the elements of vectors
-  std::vector<std::string> choices;  ///< of a choice
-  std::size_t count = 0;             ///< of integers
-  /// Of an object, list or map. A function, so that tables may contain themselves.
+  NumberRange form;                  ///< range of numbers, integers and the elements of vectors
+  std::vector<std::string> choices;  ///< the values of a choice
+  std::size_t count = 0;             ///< number of integers
+  /// The table of an object, or of the elements of a list or map. A function, so that tables may contain themselves.
   const ParameterTable& (*nested)() = nullptr;
-  const Kinds& (*kinds)() = nullptr;  ///< of a list whose elements are of several kinds; `nested` has the rows of all
-  std::vector<std::string> names;     ///< variables of a condition or formula
-  void (*load_file)() = nullptr;      ///< of a file that is read from its path: a LoadAsset
-  void (*make_asset)() = nullptr;     ///< of lines and of a file whose text is read: a TextAsset
+  const Kinds& (*kinds)() =
+      nullptr;  ///< the kinds of a list's elements where there are several; `nested` has the rows of all
+  std::vector<std::string> names;  ///< variables of a condition or formula
+  void (*load_file)() = nullptr;   ///< a LoadAsset, which reads a file from its path
+  void (*make_asset)() = nullptr;  ///< a TextAsset, which reads lines or the text of a file
   bool required = false;
-  std::size_t offset = 0;                ///< of the member in the struct
-  const MemberType* type = nullptr;      ///< of the member
+  std::size_t offset = 0;                ///< bytes from the struct's beginning to the member
+  const MemberType* type = nullptr;      ///< the member's type
   std::shared_ptr<const void> original;  ///< a struct with the defaults
 
   /// Stores what `value` says into the struct at `object`, or reports faults.
@@ -111,7 +114,7 @@ struct Parameter {
   Value show(const void* object) const;
   /// The default as a document would write it.
   Value fallback() const;
-  /// By which the element with this index of the member of an object, list or map is read.
+  /// The table for the element with this index of the member of an object, list or map.
   const ParameterTable& table_of(const void* member, std::size_t index) const;
 
   /// Whether its numbers may differ from instance to instance, or from child to child, where it stands in a component.
@@ -124,12 +127,12 @@ struct Parameter {
 /// The rows of one struct. Made with Table<P> in table.h.
 class ParameterTable {
  public:
-  std::string name;  ///< of the struct, as messages and the schema call it
+  std::string name;  ///< what messages and the schema call the struct
   std::string doc;
   std::vector<Parameter> parameters;
   std::vector<std::string> elsewhere;            ///< further keys, which whoever owns the table reads itself ("type")
   std::string shorthand;                         ///< the parameter that a bare value sets, or empty
-  std::vector<std::vector<std::string>> one_of;  ///< of each group exactly one must be given
+  std::vector<std::vector<std::string>> one_of;  ///< groups of parameters; exactly one of each group must be given
   /// A parameter that stands only beside another, or never beside it.
   struct Company {
     std::string parameter;
@@ -145,8 +148,8 @@ class ParameterTable {
       std::string parameter;
       std::vector<Value> values{};
     };
-    std::vector<std::string> parameters;  ///< and those of nested tables, as in "resource.pass_back"
-    std::vector<Giver> givers;            ///< of which any will do
+    std::vector<std::string> parameters;  ///< parameters, also of nested tables, as in "resource.pass_back"
+    std::vector<Giver> givers;            ///< any of them will do
     std::string reason{};                 ///< what is so instead, where nothing gives them a meaning
   };
   std::vector<Meaning> meanings;
@@ -160,10 +163,10 @@ class ParameterTable {
   std::vector<Value> defaults() const;
   /// A struct as documents write it.
   Value show(const void* object) const;
-  /// A row for the member of this type so many bytes into the struct.
+  /// A row for the member of this type at this byte offset into the struct.
   Parameter& add(ParameterKind kind, std::string_view row_name, std::string_view row_doc, std::size_t offset,
                  const MemberType& type);
-  /// The rows of the table of a part of the struct that begins so many bytes into it, and what it says of their
+  /// The rows of the table of a part of the struct that begins at this byte offset, and what it says of their
   /// company; its rules stay behind.
   void add_rows(const ParameterTable& table, std::size_t offset);
 

@@ -30,7 +30,7 @@ class ReadStore {
   const Counts& counts() const { return counts_; }
 
   void begin_read() { ++read_; }
-  /// Of a read without faults.
+  /// Ends a read without faults.
   void end_read();
 
   /// Hash of a file's content; nothing where it is no plain file. Throws as read_file does.

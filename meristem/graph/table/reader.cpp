@@ -10,6 +10,7 @@
 #include "meristem/base/hash.h"
 #include "meristem/base/read_file.h"
 #include "meristem/graph/table/meaning.h"
+#include "meristem/graph/table/sample.h"
 #include "meristem/scene/light/clock.h"
 
 namespace meristem {
@@ -53,7 +54,14 @@ bool is_any_of(std::string_view name, const std::vector<std::string>& names) {
 /// The value of an expression that is the same for all instances.
 std::optional<double> constant_of(const Varying& varying) {
   if (!varying.expression || !varying.expression->is_constant()) return std::nullopt;
-  return varying.expression->evaluate(std::vector<double>(site_variables().size()));
+  return varying.expression->evaluate(std::vector<double>(varying.names));
+}
+
+/// The word of a text that begins at a byte.
+std::string_view name_at(std::string_view text, std::size_t offset) {
+  std::size_t end = offset;
+  while (end < text.size() && is_identifier(text.substr(offset, end + 1 - offset))) ++end;
+  return text.substr(std::min(offset, text.size()), end - std::min(offset, end));
 }
 
 /// What is left of a path after the component's own part: "components.leaf.curl" -> "curl".
@@ -234,6 +242,11 @@ std::optional<Expression> ParameterReader::expression(const Value& value, const 
     return Expression::compile(*text, names, limits_.expression_bytes);
   } catch (const ExpressionError& error) {
     const ExpressionFault& found = error.fault();
+    const std::string_view name = name_at(*text, found.offset);
+    if (const auto refused = refused_names_.find(name); refused != refused_names_.end()) {
+      fault(path, fmt::format("'{}' {}", name, refused->second), "", "", static_cast<int>(found.offset));
+      return std::nullopt;
+    }
     fault(path, found.message, found.expected, found.nearest, static_cast<int>(found.offset));
     return std::nullopt;
   }
@@ -266,7 +279,7 @@ std::optional<double> ParameterReader::number(const Parameter& parameter, const 
     }
     return check_range(parameter, *hours, path, "the time") ? hours : std::nullopt;
   }
-  const std::optional<Expression> compiled = expression(value, path, site_variables());
+  const std::optional<Expression> compiled = expression(value, path, instance_names_);
   if (!compiled) return std::nullopt;
   if (!compiled->is_constant()) {
     fault(path,
@@ -274,7 +287,7 @@ std::optional<double> ParameterReader::number(const Parameter& parameter, const 
           "an expression of numbers and the document's variables");
     return std::nullopt;
   }
-  const double result = compiled->evaluate(std::vector<double>(site_variables().size()));
+  const double result = compiled->evaluate(std::vector<double>(instance_names_.size()));
   return check_range(parameter, result, path, "the expression's value") ? std::optional(result) : std::nullopt;
 }
 
@@ -289,7 +302,9 @@ void ParameterReader::store_number(const Parameter& parameter, const Value& valu
     return;
   }
   if (!may_vary) {
-    if (value.list() == nullptr && value.find("range") == nullptr && value.find("apply") == nullptr) {
+    const bool has_form = value.list() != nullptr || value.find("range") != nullptr || value.find("apply") != nullptr ||
+                          value.find("sample") != nullptr;
+    if (!has_form) {
       return wrong_kind(parameter, value, path);
     }
     fault(path, fmt::format("'{}' {} and cannot be {}", parameter.name, why_one(parameter), value.description()),
@@ -331,25 +346,36 @@ void ParameterReader::store_per_child(const Parameter& parameter, const Value& v
   }
 }
 
-/// A range, an expression, or an object with both; empty after a fault. `present` is what an expression alone sees as
-/// v.
+/// The keys of a value that is an object.
+void ParameterReader::check_members(const Value& value, const DocumentPath& path) {
+  static const std::vector<std::string> names{"range", "sample", "smooth", "apply"};
+  for (const auto& [name, member] : *value.object()) {
+    if (is_any_of(name, names)) continue;
+    fault(DocumentPath(path, name), fmt::format("'{}' does not belong to a value", name), "range or sample, and apply",
+          nearest(name, names));
+  }
+  const bool has_sample = value.find("sample") != nullptr;
+  if (has_sample && value.find("range") != nullptr) {
+    fault(DocumentPath(path, "range"), "a value has both a sample and a range", "one of them");
+  }
+  if (!has_sample && value.find("smooth") != nullptr) {
+    fault(DocumentPath(path, "smooth"), "'smooth' has no meaning without a sample", "'sample' beside it");
+  }
+}
+
+/// A range or a sample, an expression, or an object with both; empty after a fault. `present` is what an expression
+/// alone sees as v.
 std::optional<Varying> ParameterReader::varying(const Parameter& parameter, const Value& value,
                                                 const DocumentPath& path, double present) {
   const Value* range = value.list() != nullptr ? &value : value.find("range");
   const Value* apply = value.object() != nullptr ? value.find("apply") : value.text() != nullptr ? &value : nullptr;
-  if (range == nullptr && apply == nullptr) {
+  const bool has_sample = value.object() != nullptr && value.find("sample") != nullptr;
+  if (range == nullptr && apply == nullptr && !has_sample) {
     wrong_kind(parameter, value, path);
     return std::nullopt;
   }
   const std::size_t faults_before = faults_;
-  if (const Value::Object* members = value.object()) {
-    for (const auto& [name, member_value] : *members) {
-      if (name != "range" && name != "apply") {
-        fault(DocumentPath(path, name), fmt::format("'{}' does not belong to a value", name), "range and apply",
-              nearest(name, std::vector<std::string>{"range", "apply"}));
-      }
-    }
-  }
+  if (value.object() != nullptr) check_members(value, path);
   Varying varying{.path = path.text(),
                   .min = parameter.form.min,
                   .max = parameter.form.max,
@@ -371,9 +397,11 @@ std::optional<Varying> ParameterReader::varying(const Parameter& parameter, cons
     varying.first = first.value_or(0);
     varying.last = last.value_or(0);
   }
+  if (has_sample) varying.sample = read_sample(parameter, value, path, *this);
   if (apply != nullptr) {
     const DocumentPath apply_place(path, "apply");
-    varying.expression = expression(*apply, value.text() != nullptr ? path : apply_place, site_variables());
+    varying.expression = expression(*apply, value.text() != nullptr ? path : apply_place, instance_names_);
+    varying.names = instance_names_.size();
   }
   return faults_ == faults_before ? std::optional(std::move(varying)) : std::nullopt;
 }
@@ -398,6 +426,29 @@ void ParameterReader::file(const Parameter& parameter, const Value& value, const
   } catch (const MachineError& error) {
     fault(path, error.what());
   }
+}
+
+std::shared_ptr<const PlantSource> ParameterReader::plant_source(const std::string& name, const DocumentPath& path) {
+  if (access_.sources == nullptr) {
+    fault(path, "no other documents can be read here", "a document that is read from a file");
+    return nullptr;
+  }
+  try {
+    PlantSources::Opened opened = access_.sources->open(name, access_);
+    for (const std::string& file : opened.files) name_file(file);
+    return std::move(opened.source);
+  } catch (const InputError& error) {
+    for (const Diagnostic& found : error.diagnostics()) {
+      if (found.file.empty()) {
+        report(path, found, -1);
+      } else {
+        report_in_file(found, found.file, path);
+      }
+    }
+  } catch (const MachineError& error) {
+    fault(path, error.what());
+  }
+  return nullptr;
 }
 
 /// One fault says both paths: this one, and the one in the file.

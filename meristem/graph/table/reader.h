@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,6 +16,7 @@
 #include "meristem/base/limits.h"
 #include "meristem/graph/table/file_access.h"
 #include "meristem/graph/table/parameter.h"
+#include "meristem/graph/table/plant_source.h"
 #include "meristem/graph/table/read_store.h"
 #include "meristem/graph/table/varying.h"
 
@@ -35,20 +38,35 @@ class ParameterReader {
 
   /// `constants` are the document's variables.
   ParameterReader(std::vector<ExpressionNames::Constant> constants, const Limits& limits, FileAccess access = {})
-      : constants_(std::move(constants)), limits_(limits), access_(std::move(access)) {}
+      : constants_(std::move(constants)),
+        limits_(limits),
+        instance_names_(site_variables().begin(), site_variables().end()),
+        access_(std::move(access)) {}
+
+  /// Names that expressions of instances may use besides the site variables, from here on.
+  void add_instance_names(std::span<const std::string> names) {
+    instance_names_.insert(instance_names_.end(), names.begin(), names.end());
+  }
+  /// What messages say of names that one may look for and that there are not: "is a column of texts".
+  void refuse_instance_name(const std::string& name, std::string reason) { refused_names_[name] = std::move(reason); }
+  /// All of them, the site variables first.
+  const std::vector<std::string>& instance_names() const { return instance_names_; }
+
+  /// The document that a component names, ready to grow; null with faults at `path`.
+  std::shared_ptr<const PlantSource> plant_source(const std::string& name, const DocumentPath& path);
 
   /// Reads `value` into the struct at `object`, where every number must be one number. Returns the rows that it gives.
   GivenRows read(const ParameterTable& table, void* object, const Value& value, const DocumentPath& path);
-  /// The same for a component's struct: numbers in it, and in the elements of its lists, may vary from instance to
-  /// instance and then end up in the result.
+  /// Reads `value` into a component's struct. Numbers in it, and in the elements of its lists, may vary from instance
+  /// to instance and then end up in the result.
   std::vector<Varying> read_varying(const ParameterTable& table, void* object, const Value& value,
                                     const DocumentPath& path);
 
   void fault(const DocumentPath& path, std::string message, std::string expected = {}, std::string nearest = {},
              int text_offset = -1);
-  /// The same for a member's name instead of its value.
+  /// A fault at a member's name instead of its value.
   void fault_name(const DocumentPath& path, std::string message, std::string expected, std::string nearest);
-  /// The same for a parameter that means nothing where it stands, or nothing beside `other`.
+  /// A fault for a parameter that means nothing where it stands, or nothing beside `other`.
   void fault_meaning(const DocumentPath& path, std::string message, std::string expected,
                      const DocumentPath* other = nullptr);
   /// Document paths of such parameters so far, and of what they mean nothing beside, if it is that.
@@ -56,7 +74,7 @@ class ParameterReader {
     std::string file_path, other;
   };
   const std::vector<Meaningless>& meaningless() const { return meaningless_; }
-  /// The candidate nearest to `name`, until so many faults are reported that no more are shown.
+  /// The candidate nearest to `name`, until the number of faults exceeds what is shown.
   std::string nearest(std::string_view name, std::span<const std::string> candidates) const;
   void warn(const DocumentPath& path, std::string message);
   /// The fault of `wanted` of `what` where the limit called `limit_name` allows fewer.
@@ -76,6 +94,8 @@ class ParameterReader {
   /// Whether a number that was read stands there as an expression or a range, and so may be another one for another
   /// instance or at another time.
   bool is_worked_out(const DocumentPath& path) const;
+  /// Whether what is read is a component, in which numbers may vary.
+  bool reads_component() const { return holder_.object != nullptr; }
   /// A number that may differ among the children of an instance.
   void store_per_child(const Parameter& parameter, const Value& value, const DocumentPath& path, PerChild& number);
   /// An expression over `variables` and the document's variables.
@@ -90,7 +110,7 @@ class ParameterReader {
   /// faults that it throws and the warnings that it gives, by line and column, come to stand at their paths in the
   /// document.
   void lines(const Parameter& parameter, const Value& value, const DocumentPath& path, ReadText read);
-  /// The same for the text of a file.
+  /// Calls `read` with the text of the file that `value` names, as `lines` does with a text.
   void text_file(const Parameter& parameter, const Value& value, const DocumentPath& path, ReadText read);
   /// The document's variables.
   const std::vector<ExpressionNames::Constant>& constants() const { return constants_; }
@@ -110,7 +130,7 @@ class ParameterReader {
     }
     return made;
   }
-  /// The same for what `load` makes of the file at `path`, which reader.file() has named.
+  /// What `load` makes of the file at `path`, which reader.file() has named, or what it made of it in an earlier read.
   template <class T>
   std::shared_ptr<const T> kept_file(const std::string& file_path, T (*load)(const std::string&, const Limits&)) {
     const std::optional<std::uint64_t> hash = file_hash(file_path);
@@ -118,7 +138,8 @@ class ParameterReader {
     Fingerprint key = fingerprint_of_loading(reinterpret_cast<void (*)()>(load));
     return kept<T>(key.add_text(file_path).add(*hash), [&] { return load(file_path, limits_); });
   }
-  /// The same for what `make_of` makes of a text; warnings come as if it were read anew.
+  /// What `make_of` makes of a text, or what it made of it in an earlier read; warnings come as if the text were read
+  /// anew.
   template <class T>
   std::shared_ptr<const T> kept_text(const std::string& text, const std::string& file_path,
                                      std::vector<Diagnostic>& warnings,
@@ -162,6 +183,7 @@ class ParameterReader {
   void report_in_text(const Diagnostic& found, const Value& value, const DocumentPath& path);
   void report(const DocumentPath& path, const Diagnostic& found, int text_offset);
   void check_given(const ParameterTable& table, const GivenRows& given, const DocumentPath& path);
+  void check_members(const Value& value, const DocumentPath& path);
   std::optional<Varying> varying(const Parameter& parameter, const Value& value, const DocumentPath& path,
                                  double present);
   std::string_view why_one(const Parameter& parameter) const;
@@ -169,7 +191,9 @@ class ParameterReader {
 
   std::vector<ExpressionNames::Constant> constants_;
   Limits limits_;
-  /// Of a file as the store has it; nothing where there is no store.
+  std::vector<std::string> instance_names_;
+  std::map<std::string, std::string, std::less<>> refused_names_;
+  /// The hash of a file as the store has it; nothing where there is no store.
   std::optional<std::uint64_t> file_hash(const std::string& file_path);
   void name_file(const std::string& file_path);
   Fingerprint fingerprint_of_loading(void (*load)()) const;

@@ -10,7 +10,7 @@ bool Selection::contains(const Site& site, double time) const {
     if (low <= site.i && site.i <= high) return true;
   }
   if (conditions.empty()) return false;
-  std::vector<double> variables(site_variables().size());
+  std::vector<double> variables(std::max(names, site_variables().size()));
   for (std::size_t k = 0; k < variables.size(); ++k) variables[k] = site_variable(k, site, site.i, time);
   return std::any_of(conditions.begin(), conditions.end(), [&](const Condition& condition) {
     return condition.expression.evaluate(variables, site.key.child(condition.text)) != 0;

@@ -26,6 +26,7 @@ using Condition = Formula;
 struct Selection {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges;
   std::vector<Condition> conditions;
+  std::size_t names = 0;  ///< variables that conditions may use
 
   bool is_empty() const { return ranges.empty() && conditions.empty(); }
   bool contains(const Site& site, double time) const;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/graph/table/site.h"
 
+#include <limits>
 #include <vector>
+
+#include "meristem/base/fingerprint.h"
 
 namespace meristem {
 
@@ -10,6 +13,8 @@ std::span<const std::string> site_variables() {
                                                  "z", "hx", "hy", "hz", "t",     "length", "radius"};
   return names;
 }
+
+std::uint64_t SiteValues::hash() const { return Fingerprint().add(names).add_array(numbers).hash(); }
 
 double site_variable(std::size_t k, const Site& site, double v, double time) {
   switch (k) {
@@ -41,9 +46,14 @@ double site_variable(std::size_t k, const Site& site, double v, double time) {
       return time;
     case 13:
       return site.length;
-    default:
+    case 14:
       return site.radius;
+    default:
+      break;
   }
+  const std::size_t given = k - site_variables().size();
+  const bool is_there = site.values != nullptr && given < site.values->numbers.size();
+  return is_there ? site.values->numbers[given] : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace meristem

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "meristem/base/frame.h"
 #include "meristem/base/random.h"
@@ -18,15 +20,23 @@ inline constexpr std::size_t kMaxRecursionLevels = 4;
 /// In place of a stem's id.
 inline constexpr std::uint64_t kOnNoStem = 0;
 
+/// What the ancestors of an instance have given it by name: columns of places, variables drawn per instance.
+struct SiteValues {
+  std::uint64_t names = 0;      ///< hash of the names
+  std::vector<double> numbers;  ///< in the order of Graph::site_names; NaN where nothing has been given
+
+  std::uint64_t hash() const;
+};
+
 /// A site where a child stands: what the child can see of its parent and of itself.
 struct Site {
   Frame frame;                      ///< world space
-  RandomKey key = RandomKey();      ///< of the instance's path from the root
+  RandomKey key = RandomKey();      ///< key of the instance's path from the root
   std::uint32_t i = 0;              ///< instance number among its siblings
   std::uint32_t n = 1;              ///< number of siblings, itself included
   float u = 0;                      ///< position along the parent's axis, from 0 to 1
-  float length = 0;                 ///< of the parent, metres
-  float radius = 0;                 ///< of the parent at this site, metres
+  float length = 0;                 ///< length of the parent, metres
+  float radius = 0;                 ///< radius of the parent at this site, metres
   float birth = 0;                  ///< growth step at which the site appeared
   std::uint16_t order = 0;          ///< branching order of the axis it stands on
   std::uint16_t depth = 0;          ///< recursion depth
@@ -34,8 +44,10 @@ struct Site {
   NodeIndex node = 0;               ///< on the segment of that stem that ends in this node
   float along = 1;                  ///< at this share of it
   std::uint64_t section = 0;        ///< id of the section that the parent has given to a surface; 0: it gave none
-  RandomKey surface = RandomKey();  ///< of that surface
+  RandomKey surface = RandomKey();  ///< key of that surface
+  std::uint64_t individual = 0;     ///< id of the plant that the site is part of; 0: of none
   std::array<std::uint16_t, kMaxRecursionLevels> depths{};  ///< by level of nested recursions
+  std::shared_ptr<const SiteValues> values{};               ///< null where nothing has been given
 };
 
 /// Names that parameters' expressions may use, in the order in which `site_variable` gives their values:
@@ -43,6 +55,7 @@ struct Site {
 std::span<const std::string> site_variables();
 
 /// The value of the k-th of them at a site; `v` is the parameter's own value and `time` the document's time in seconds.
+/// Beyond the last of them, those of the site's values follow.
 double site_variable(std::size_t k, const Site& site, double v, double time);
 
 }  // namespace meristem

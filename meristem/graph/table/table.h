@@ -60,6 +60,12 @@ class Table {
     row(ParameterKind::number, name, member, doc).form = form;
     return std::move(*this);
   }
+  /// A number that in a link may differ among the children that it places, and in a component among its instances.
+  Table&& per_site(std::string_view name, PerChild P::*member, NumberRange form, std::string_view doc) && {
+    form.per_site = true;
+    row(ParameterKind::number, name, member, doc).form = form;
+    return std::move(*this);
+  }
   Table&& boolean(std::string_view name, bool P::*member, std::string_view doc) && {
     row(ParameterKind::boolean, name, member, doc);
     return std::move(*this);
@@ -80,6 +86,11 @@ class Table {
   Table&& vector(std::string_view name, M P::*member, const NumberRange& form, std::string_view doc) && {
     static_assert(std::is_same_v<ValueOf<M>, Vec3> || std::is_same_v<ValueOf<M>, DVec3>);
     row(ParameterKind::vector, name, member, doc).form = form;
+    return std::move(*this);
+  }
+  /// A direction [x, y, z] of the world, of any length above 0, or "surface".
+  Table&& facing(std::string_view name, std::optional<Facing> P::*member, std::string_view doc) && {
+    row(ParameterKind::facing, name, member, doc).form.fixed = true;
     return std::move(*this);
   }
   /// Two corners [[x, y, z], [x, y, z]]; each number may vary.
@@ -154,7 +165,7 @@ class Table {
     row(ParameterKind::lines, name, member, doc).make_asset = reinterpret_cast<void (*)()>(read);
     return std::move(*this);
   }
-  /// The same for the text of a file.
+  /// The text of a file, which `read` makes something of as it does of `lines`.
   template <class T>
   Table&& text_file(std::string_view name, Asset<T> P::*member, TextAsset<T> read, std::string_view doc) && {
     row(ParameterKind::file, name, member, doc).make_asset = reinterpret_cast<void (*)()>(read);
@@ -205,7 +216,7 @@ class Table {
     table_.parameters.back().required = true;
     return std::move(*this);
   }
-  /// Of these parameters exactly one must be given.
+  /// Exactly one of these parameters must be given.
   Table&& one_of(std::vector<std::string> names) && {
     table_.one_of.push_back(std::move(names));
     return std::move(*this);
@@ -262,7 +273,7 @@ class Table {
   }
 
  private:
-  /// Of a part of the original: its bytes from the beginning.
+  /// The bytes from the beginning of the original to a part of it.
   template <class Part>
   std::size_t offset_of(const Part& part) const {
     return static_cast<std::size_t>(reinterpret_cast<const std::byte*>(&part) -

@@ -10,6 +10,7 @@
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/graph/table/parameter.h"
+#include "meristem/graph/table/sample.h"
 
 namespace meristem {
 
@@ -18,8 +19,9 @@ namespace {
 /// The site variables that an expression uses, as arrays over the sites.
 class Columns {
  public:
-  Columns(const Expression& expression, std::span<const Site> sites, const double* v, double time)
-      : pointers_(site_variables().size(), nullptr) {
+  Columns(const Varying& varying, std::span<const Site> sites, const double* v, double time)
+      : pointers_(std::max(varying.names, site_variables().size()), nullptr) {
+    const Expression& expression = *varying.expression;
     pointers_[0] = v;
     for (std::size_t k = 1; k < pointers_.size(); ++k) {
       if (!expression.uses(k)) continue;
@@ -43,7 +45,7 @@ void evaluate_expression(const Varying& varying, std::span<const Site> sites, do
     for (const Site& site : sites) keys.push_back(site.key.child(varying.name_hash));
   }
   const std::vector<double> v(values, values + sites.size());
-  const Columns columns(expression, sites, v.data(), time);
+  const Columns columns(varying, sites, v.data(), time);
   expression.evaluate(sites.size(), columns.pointers(), keys, values);
 }
 
@@ -69,6 +71,10 @@ VaryingValues::VaryingValues(std::span<const Varying> varyings, std::span<const 
     double* values = values_.data() + k * count_;
     for (std::size_t s = 0; s < count_; ++s) {
       const Site& site = sites[s];
+      if (varying.sample != nullptr) {
+        values[s] = varying.sample->quantile(site.key.child(varying.name_hash).child("sample").uniform(0));
+        continue;
+      }
       const double share = site.n > 1 ? static_cast<double>(site.i) / (site.n - 1) : 0;
       values[s] = varying.first + share * (varying.last - varying.first);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,31 +14,36 @@
 namespace meristem {
 
 struct MemberType;
+struct Sample;
 
 /// Writes a number to a struct's member of whatever number type it is.
 using StoreNumber = void (*)(void* member, double value);
 
-/// A parameter that differs from instance to instance: a range over the siblings, an expression, or both.
+/// A parameter that differs from instance to instance: a range over the siblings or a sample of measured values, an
+/// expression, or both.
 ///
+/// For an instance with a sample v is drawn from that, by the instance's key and the parameter's name.
 /// For child i of n a range gives v = first + i (last - first) / (n - 1), and first when n = 1. The expression is
 /// applied to that v. Results are clamped to the parameter's range; results that are not finite are an InputError at
 /// `path`.
 struct Varying {
   std::string path;             ///< in the document, for errors: "components.leaf.curl"
-  std::uint64_t name_hash = 0;  ///< of the path within the component: the random stream's purpose
+  std::uint64_t name_hash = 0;  ///< hash of the path within the component: the random stream's purpose
   double first = 0;             ///< in document units
   double last = 0;
+  std::shared_ptr<const Sample> sample;  ///< in place of the range: v is drawn from it; null: none
   std::optional<Expression> expression;
+  std::size_t names = 0;    ///< variables that the expression may use: the variables of sites, and what sites are given
   double min = 0, max = 0;  ///< allowed range, in document units
   double scale = 1;         ///< from document units to the struct's
   /// An element of a list or map, which lies elsewhere in memory in each instance.
   struct Element {
-    std::size_t offset = 0;  ///< of the list in the struct, or in the element before
+    std::size_t offset = 0;  ///< bytes to the list, from the beginning of the struct or of the element before
     const MemberType* type = nullptr;
     std::size_t index = 0;
   };
   std::vector<Element> way;  ///< from the struct to the element that holds the member; empty where that is the struct
-  std::size_t offset = 0;    ///< of the member in what holds it
+  std::size_t offset = 0;    ///< bytes to the member, from the beginning of what holds it
   StoreNumber store = nullptr;
 };
 
@@ -48,6 +54,9 @@ struct PerChild {
 
   PerChild() = default;
   PerChild(double value) : plain(value) {}  // NOLINT(google-explicit-constructor): a plain number is the usual case
+
+  /// Whether they are known to give equal numbers: plain ones alone are.
+  bool operator==(const PerChild& other) const { return !varying && !other.varying && plain == other.plain; }
 };
 
 /// The values of many parameters for a block of sites, evaluated together.
@@ -56,7 +65,7 @@ class VaryingValues {
   VaryingValues(std::span<const Varying> varyings, std::span<const Site> sites, double time);
   /// Stores the values for the k-th site into the struct at `object`.
   void apply(std::size_t site, void* object) const;
-  /// That of one of them, in the struct's unit.
+  /// The value of one varying number at one site, in the struct's unit.
   double value(std::size_t varying, std::size_t site) const { return values_[varying * count_ + site]; }
 
  private:

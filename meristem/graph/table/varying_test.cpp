@@ -70,9 +70,9 @@ TEST(Varying, ExpressionsSeeTheSitesNumbers) {
 
 TEST(Varying, LengthAndRadiusAreThoseOfTheParent) {
   GraphBuilder builder(test_components());
-  builder.component("view", "camera").component("mother", "stick", {{"length", 3}, {"width", 0.25}});
+  builder.component("view", "camera").component("parent", "stick", {{"length", 3}, {"width", 0.25}});
   builder.component("stick", "stick", {{"length", "length + radius"}});
-  builder.link("view", "mother").link("mother", "stick");
+  builder.link("view", "parent").link("parent", "stick");
   EXPECT_EQ(heights(builder), Floats{3.25F});
 }
 

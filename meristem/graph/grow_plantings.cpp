@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/graph/grow_plantings.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <map>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "meristem/base/fingerprint.h"
+#include "meristem/base/parallel.h"
+#include "meristem/graph/vanished.h"
+#include "meristem/plant/plant_variant.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr std::size_t kMostVariants = 1000;
+
+std::uint64_t key_of(const Emitted::PlacedPlant& plant) {
+  Fingerprint key;
+  key.add(plant.source->fingerprint()).add(plant.request.seed).add(plant.request.time);
+  for (const auto& [name, value] : plant.request.values) key.add_text(name).add(value);
+  return key.hash();
+}
+
+/// What is grown once.
+struct Wanted {
+  const Emitted::PlacedPlant* plant = nullptr;
+  ComponentIndex component = 0;
+  std::uint64_t key = 0;
+  std::shared_ptr<const PlantVariant> grown;
+};
+
+/// "components.oak grows 'oak' with age = 40 and seed 7".
+std::string told(const Wanted& wanted) {
+  std::string with;
+  for (const auto& [name, value] : wanted.plant->request.values) with += fmt::format("{} = {:.6g}, ", name, value);
+  return fmt::format("'{}' with {}seed {}", wanted.plant->source->file(), with, wanted.plant->request.seed);
+}
+
+class PlantingGrower {
+ public:
+  PlantingGrower(const Graph& graph, CacheRun& results, Progress& progress)
+      : graph_(graph), results_(results), progress_(progress) {}
+
+  std::vector<Planting> run(const std::vector<PlantingBatch>& batches) {
+    for (const PlantingBatch& batch : batches) {
+      for (const Emitted& block : batch.result->blocks) {
+        for (const Emitted::PlacedPlant& plant : block.plants) add(plant, batch.component);
+      }
+    }
+    grow_all();
+    for (std::size_t k = 0; k < plantings_.size(); ++k) plantings_[k].variant = wanted_[variant_of_[k]].grown;
+    return std::move(plantings_);
+  }
+
+ private:
+  const std::string& id(ComponentIndex component) const { return graph_.components[component].id; }
+
+  void add(const Emitted::PlacedPlant& plant, ComponentIndex component) {
+    const std::uint32_t instance = instances_[component]++;
+    if (!plant.is_visible || has_vanished(plant.frame)) return;
+    const std::uint64_t key = key_of(plant);
+    const auto [known, is_new] = wanted_by_key_.try_emplace(key, wanted_.size());
+    if (is_new) {
+      wanted_.push_back({&plant, component, key, nullptr});
+      if (wanted_.size() > kMostVariants) throw_too_many(component);
+    }
+    const auto [place, is_first] = planting_of_.try_emplace({component, known->second}, plantings_.size());
+    if (is_first) {
+      plantings_.push_back({id(component), nullptr, {}});
+      variant_of_.push_back(known->second);
+    }
+    plantings_[place->second].places.push_back({plant.frame, instance, plant.birth});
+  }
+
+  [[noreturn]] void throw_too_many(ComponentIndex component) const {
+    throw InputError(
+        Diagnostic{.message = fmt::format("there are more than {} different plants of other documents", kMostVariants),
+                   .expected = fmt::format("at most {}: \"variants\" in '{}', or rounded values in its \"set\"",
+                                           kMostVariants, id(component)),
+                   .path = "components." + id(component)});
+  }
+
+  /// Which of several faults is thrown does not depend on threads: the first wanted plant's.
+  void grow_all() {
+    progress_.begin("growing plants", wanted_.size());
+    std::vector<std::exception_ptr> faults(wanted_.size());
+    std::atomic<std::uint64_t> nodes{0};
+    for (Wanted& wanted : wanted_) {
+      wanted.grown = results_.find<const PlantVariant>(wanted.key);
+      results_.count<PlantVariant>(wanted.grown != nullptr);
+    }
+    parallel_for(wanted_.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        if (nodes > graph_.limits.nodes) return;
+        try {
+          if (wanted_[k].grown == nullptr) wanted_[k].grown = grow(wanted_[k]);
+          nodes += wanted_[k].grown->plant->node_count();
+        } catch (const InputError&) {
+          faults[k] = std::current_exception();
+        }
+        progress_.advance();
+      }
+    });
+    for (const std::exception_ptr& fault : faults) {
+      if (fault) std::rethrow_exception(fault);
+    }
+    if (nodes > graph_.limits.nodes) {
+      throw InputError(Diagnostic{
+          .message = fmt::format("the plants of other documents have more than {} nodes", graph_.limits.nodes),
+          .expected = fmt::format("at most {} (limits.nodes)", graph_.limits.nodes),
+          .path = "components." + id(wanted_.front().component)});
+    }
+    for (Wanted& wanted : wanted_) results_.store(wanted.key, std::const_pointer_cast<PlantVariant>(wanted.grown));
+  }
+
+  std::shared_ptr<const PlantVariant> grow(const Wanted& wanted) const {
+    const Progress part(&progress_);
+    try {
+      auto variant = std::make_shared<PlantVariant>(*wanted.plant->source->grow(wanted.plant->request, part));
+      variant->key = wanted.key;
+      return variant;
+    } catch (const InputError& error) {
+      // Its own place lies in the other document; here it is the component that asks for it.
+      std::vector<Diagnostic> faults;
+      for (const Diagnostic& found : error.diagnostics()) {
+        if (found.severity != Severity::error) continue;
+        faults.push_back({.message = fmt::format("growing {}: {}", told(wanted), found.text()),
+                          .path = "components." + id(wanted.component)});
+      }
+      throw InputError(std::move(faults));
+    }
+  }
+
+  const Graph& graph_;
+  CacheRun& results_;
+  Progress& progress_;
+  std::vector<Wanted> wanted_;
+  std::unordered_map<std::uint64_t, std::size_t> wanted_by_key_;
+  std::map<std::pair<ComponentIndex, std::size_t>, std::size_t> planting_of_;
+  std::vector<Planting> plantings_;
+  std::vector<std::size_t> variant_of_;  // of each planting, among those wanted
+  std::map<ComponentIndex, std::uint32_t> instances_;
+};
+
+}  // namespace
+
+std::vector<Planting> grow_plantings(const Graph& graph, std::vector<PlantingBatch> batches, CacheRun& results,
+                                     Progress& progress) {
+  if (batches.empty()) return {};
+  std::stable_sort(batches.begin(), batches.end(),
+                   [](const PlantingBatch& a, const PlantingBatch& b) { return a.component < b.component; });
+  return PlantingGrower(graph, results, progress).run(batches);
+}
+
+}  // namespace meristem

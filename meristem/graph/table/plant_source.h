@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Documents that a document places as whole plants. The graph knows them by this interface alone; who reads documents
+// gives them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "meristem/base/progress.h"
+
+namespace meristem {
+
+struct FileAccess;
+struct PlantVariant;
+
+/// With what a plant is grown.
+struct PlantRequest {
+  std::vector<std::pair<std::string, double>> values{};  ///< variables by name and parameters by path, in this order
+  std::uint64_t seed = 0;
+  double time = 0;  ///< seconds
+
+  bool operator==(const PlantRequest&) const = default;
+};
+
+/// A document that was read and found good.
+class PlantSource {
+ public:
+  /// What may be set in it.
+  struct Handle {
+    bool is_known = false;
+    std::string nearest{};    ///< the nearest name of one, where it is not known
+    double min = 0, max = 0;  ///< the variable's own range, as far as the document gives one; else infinite
+  };
+
+  virtual ~PlantSource() = default;
+  virtual const std::string& file() const = 0;               ///< as messages name it
+  virtual std::uint64_t fingerprint() const = 0;             ///< hash of everything that the source was read from
+  virtual Handle handle(const std::string& name) const = 0;  ///< handle of a variable, or of a parameter by its path
+  /// Grows it. May be called from many threads. Throws InputError, placed in its own text, and Cancelled.
+  virtual std::shared_ptr<const PlantVariant> grow(const PlantRequest& request, const Progress& progress) const = 0;
+};
+
+/// Opens documents for one that names them.
+class PlantSources {
+ public:
+  struct Opened {
+    std::shared_ptr<const PlantSource> source;
+    std::vector<std::string> files;  ///< all that were read
+  };
+
+  virtual ~PlantSources() = default;
+  /// `name` is that of a shipped model, or a path from the folder of `access`. Throws InputError (what is wrong in the
+  /// document, documents that use each other, one outside of the root), and MachineError.
+  virtual Opened open(const std::string& name, const FileAccess& access) = 0;
+};
+
+}  // namespace meristem

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr int kPixelsOfTheWhole = 256;
 constexpr int kFewestPixels = 16;
-constexpr int kDirections = 26;
+constexpr int kOutlineDirections = 26;
 
 }  // namespace
 
@@ -29,13 +30,28 @@ std::string fault_of_level(const MeshScene& whole, std::uint64_t before, const M
   }
   if (whole.triangle_count() > kSmallPlant) return {};
   const double shared =
-      outline_overlap(whole, level, {.directions = kDirections, .size = pixels_of_level(number)}, progress).least();
+      outline_overlap(whole, level, {.directions = kOutlineDirections, .size = pixels_of_level(number)}, progress)
+          .least();
   if (shared < kLeastOutlineShared) {
     return fmt::format(
         "with {} triangles it would share {:.0f} % of the plant's outline from some side; {:.0f} % are wanted",
         triangles, std::floor(100 * shared), 100 * kLeastOutlineShared);
   }
   return {};
+}
+
+std::optional<WorthlessLevel> make_levels(const Document& document, const Plant& plant, const MeshScene& whole,
+                                          int count, const std::function<void(int, MeshScene)>& take,
+                                          Progress& progress) {
+  std::uint64_t before = whole.triangle_count();
+  for (int number = 1; number <= count; ++number) {
+    MeshScene level = mesh_detail(document, plant, {.level = number}, progress);
+    std::string reason = fault_of_level(whole, before, level, number, progress);
+    if (!reason.empty()) return WorthlessLevel{number, std::move(reason)};
+    before = level.triangle_count();
+    take(number, std::move(level));
+  }
+  return std::nullopt;
 }
 
 }  // namespace meristem

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "meristem/base/progress.h"
+#include "meristem/document/grow.h"
 #include "meristem/shape/mesh_scene.h"
 
 namespace meristem {
@@ -20,9 +23,22 @@ int pixels_of_level(int number);
 
 /// Why `level`, the one of that `number`, which comes after a level of `before` triangles, is not worth a file: it has
 /// hardly fewer triangles, or it would lose the outline of a plant of at most kSmallPlant triangles. Larger plants are
-/// thinned out, and their crowns change wherever the sky is seen between leaves: of them outlines are not asked. Empty
-/// for a level that is worth a file. Levels coarser than one that is not are not worth one either.
+/// thinned out, and their crowns change wherever the sky is seen between leaves, so their outlines are not compared.
+/// Empty for a level that is worth a file. Levels coarser than one that is not are not worth one either.
 std::string fault_of_level(const MeshScene& whole, std::uint64_t before, const MeshScene& level, int number,
                            Progress& progress);
+
+/// A level of detail that is not worth a file, and why.
+struct WorthlessLevel {
+  int number = 0;
+  std::string reason;
+};
+
+/// Makes the levels of detail 1 to `count` of a plant one after the other, and gives the number and the meshes of each
+/// to `take`. Ends before the first level that is not worth a file, and returns that level. `whole` are the plant's
+/// meshes in full detail, with their textures.
+std::optional<WorthlessLevel> make_levels(const Document& document, const Plant& plant, const MeshScene& whole,
+                                          int count, const std::function<void(int, MeshScene)>& take,
+                                          Progress& progress);
 
 }  // namespace meristem

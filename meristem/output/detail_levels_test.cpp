@@ -2,7 +2,10 @@
 #include "meristem/output/detail_levels.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -89,6 +92,45 @@ TEST(FaultOfLevel, IsTooManyTrianglesOrAnotherOutline) {
   MeshScene bare = level;
   bare.meshes.resize(1);
   EXPECT_NE(fault_of(model, model.grown.meshes.triangle_count(), bare, 1).find("outline"), std::string::npos);
+}
+
+struct MadeLevels {
+  std::vector<std::uint64_t> triangles;  // of those that were given, from level 1 on
+  std::optional<WorthlessLevel> worthless;
+};
+
+MadeLevels made_levels(const Model& model, int count) {
+  MadeLevels made;
+  Progress progress;
+  const auto take = [&made](int number, const MeshScene& level) {
+    made.triangles.push_back(level.triangle_count());
+    EXPECT_EQ(made.triangles.size(), static_cast<std::size_t>(number));
+  };
+  made.worthless = make_levels(model.document, model.grown.plant, model.grown.meshes, count, take, progress);
+  return made;
+}
+
+TEST(MakeLevels, EndsBeforeTheFirstLevelThatIsNotWorthAFile) {
+  const Model model("low-poly-poplar");
+  const MadeLevels all = made_levels(model, kCoarsestDetail);
+  ASSERT_TRUE(all.worthless.has_value());
+  EXPECT_EQ(all.worthless->number, static_cast<int>(all.triangles.size()) + 1);
+  EXPECT_FALSE(all.worthless->reason.empty());
+  std::uint64_t before = model.grown.meshes.triangle_count();
+  for (std::size_t k = 0; k < all.triangles.size(); ++k) {
+    const int number = static_cast<int>(k) + 1;
+    EXPECT_EQ(fault_of(model, before, model.level(number), number), "");
+    before = all.triangles[k];
+  }
+  EXPECT_EQ(fault_of(model, before, model.level(all.worthless->number), all.worthless->number), all.worthless->reason);
+}
+
+TEST(MakeLevels, GivesAsManyAsAreAskedForWhereAllAreWorthAFile) {
+  const Model model("low-poly-poplar");
+  EXPECT_TRUE(made_levels(model, 0).triangles.empty());
+  const MadeLevels one = made_levels(model, 1);
+  EXPECT_EQ(one.triangles.size(), 1U);
+  EXPECT_FALSE(one.worthless.has_value());
 }
 
 }  // namespace

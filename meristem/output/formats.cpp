@@ -20,7 +20,8 @@ Provenance provenance_of(const Document& document) {
           .author = document.author,
           .licence = document.licence,
           .seed = document.graph.seed,
-          .version = std::string(version())};
+          .version = std::string(version()),
+          .sets = document.source.sets};
 }
 
 /// The MTL, and what pictures the components may need: which of them do is known once the plant has grown.

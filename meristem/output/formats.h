@@ -14,9 +14,9 @@ namespace meristem {
 
 /// What a door may ask of a format.
 struct FormatOptions {
-  GltfInstances instances = GltfInstances::automatic;  ///< of formats that can: how organs share a mesh
+  GltfInstances instances = GltfInstances::automatic;  ///< how organs share a mesh, in formats that can
   EncodedPictures* pictures = nullptr;                 ///< shared with other files; null: none
-  bool obstacles = false;                              ///< of formats with meshes: the scene's stand in them as well
+  bool obstacles = false;                              ///< formats with meshes hold the scene's obstacles as well
 };
 
 /// A kind of file that a grown document can be written to.

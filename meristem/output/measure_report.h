@@ -10,7 +10,7 @@ namespace meristem {
 
 /// The measures as an object of numbers, lists and null by the names of their rows. Where there are layers, a list
 /// "layers" of objects with "low", "high" (metres) and "leaf_area" follows, from the lowest. With `each`, a list "each"
-/// of objects follows, one a tree: "component", "instance" (null where not known), "position", and its measures.
+/// of objects follows, one per tree: "component", "instance" (null where not known), "position", and its measures.
 Value measures_value(const StandMeasures& measures, bool each);
 
 /// The measures as lines for people: name, value with four digits, unit. With `each`, a block for each tree follows.

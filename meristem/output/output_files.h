@@ -17,8 +17,8 @@ std::vector<std::string> input_files(const Document& document);
 /// files that are read. "-", devices and pipes are always right.
 void check_output(const std::string& path, std::span<const std::string> inputs);
 
-/// The same for every file that writing a grown document to `path` may write, with those that its format puts beside
-/// it. Throws InputError for endings that name no format.
+/// Checks, as `check_output` does, every file that writing a grown document to `path` may write, and the files that the
+/// format puts beside it. Throws InputError for endings that name no format.
 void check_grown_output(const Document& document, const std::string& path);
 
 }  // namespace meristem

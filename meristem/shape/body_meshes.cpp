@@ -22,7 +22,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kToldOneByOne = 8;       // bodies, each of which tells its stages; more are meshed side by side
+constexpr std::size_t kToldOneByOne = 8;       // bodies that each tell their stages; more are meshed at once
 constexpr std::size_t kFewestTriangles = 200;  // of a body in any level; with a quarter of that crowns were boulders
 
 /// One body to mesh: of all parts of a stem that one component has made of one material, whatever their tints.
@@ -41,7 +41,7 @@ struct BodyTask {
     for (const std::vector<AxisIndex>& axes : axes_of_part) all.insert(all.end(), axes.begin(), axes.end());
     return all;
   }
-  /// That of all parts, or none where these differ.
+  /// The tint of all parts, or none where their tints differ.
   Vec3 tint() const {
     const auto has_first = [this](const StemPart* part) { return part->tint == first().tint; };
     return std::all_of(parts.begin(), parts.end(), has_first) ? first().tint : Vec3(1);
@@ -102,7 +102,7 @@ ImplicitBody body_of(const BodyTask& task) {
   return body;
 }
 
-/// How many triangles a body of `made` is to have, of which the document wants at most `wanted`.
+/// How many triangles a body of `made` triangles is to have where the document wants at most `wanted`.
 std::size_t triangles_of(std::size_t made, const std::optional<int>& wanted, const Detail& detail) {
   const std::size_t whole = wanted ? std::min(made, static_cast<std::size_t>(*wanted)) : made;
   const auto wanted_at_level = static_cast<std::size_t>(detail.kept() * static_cast<double>(whole));
@@ -217,6 +217,8 @@ std::vector<MeshInstances> make_body_meshes(const Plant& plant, const Detail& de
     made[k].mesh = std::move(meshes[k]);
     made[k].material = number_of(material_of(tasks[k], plant.materials[part.material]), materials);
     made[k].frames = {Frame{.origin = tasks[k].origin()}};
+    // One body of several plants belongs to none of them.
+    if (tasks[k].stem->individual() != 0) made[k].individuals = {tasks[k].stem->individual()};
     // A crown has its own colour; the shade that tells its stem from others is its, too.
     if (tasks[k].tint() != Vec3(1)) made[k].tints = {tasks[k].tint()};
   }

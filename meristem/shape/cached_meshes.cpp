@@ -24,6 +24,14 @@ void add_crown(const CrownBody& crown, Fingerprint& to) {
 
 }  // namespace
 
+std::uint64_t VariantMeshes::bytes() const {
+  std::uint64_t sum = 0;
+  for (const MeshInstances& instances : scene.meshes) {
+    sum += instances.mesh->bytes() + instances.frames.size() * (sizeof(Frame) + sizeof(Vec3));
+  }
+  return sum;
+}
+
 void add_skeleton(const Stem& stem, Fingerprint& to) {
   const auto& [parent, position, radius, axis, order, birth, extra] = stem.skeleton;
   to.add_array(parent).add_array(position).add_array(radius).add_array(axis).add_array(order).add_array(birth);

@@ -10,6 +10,7 @@
 #include "meristem/base/mesh.h"
 #include "meristem/plant/plant.h"
 #include "meristem/shape/detail.h"
+#include "meristem/shape/mesh_scene.h"
 #include "meristem/shape/tube/tubes.h"
 
 namespace meristem {
@@ -29,12 +30,19 @@ struct BodyMesh {
   std::uint64_t bytes() const { return mesh->bytes(); }
 };
 
-/// A mesh with tangents, and the one without of which it was made: that stays, so that it can be found by its address.
+/// A mesh with tangents, and its original without them, which stays so that it can be found by its address.
 struct TangentMesh {
   std::shared_ptr<const Mesh> plain;
   std::shared_ptr<const Mesh> mesh;
 
   std::uint64_t bytes() const { return mesh->bytes(); }
+};
+
+/// The meshes of a plant that stands in several places.
+struct VariantMeshes {
+  MeshScene scene;
+
+  std::uint64_t bytes() const;
 };
 
 /// Adds all that shapes a stem's meshes, but for what clothes it.

@@ -50,7 +50,7 @@ MeshScene scene_of(const Plant& plant, Cache& cache, const Detail& detail = {}) 
   return make_mesh_scene(plant, Limits(), progress, detail, &cache);
 }
 
-/// The same scene without a cache, mesh for mesh.
+/// Expects the scene that is made without a cache, mesh for mesh.
 void expect_as_without(const MeshScene& scene, const Plant& plant, const Detail& detail = {}) {
   Progress progress;
   const MeshScene plain = make_mesh_scene(plant, Limits(), progress, detail);

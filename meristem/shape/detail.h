@@ -12,12 +12,12 @@ inline constexpr int kMostCards = 16;
 /// How coarse the meshes of a plant are.
 struct Detail {
   int level = 0;  ///< 0: all there is; raised, fewer triangles; at most kCoarsestDetail
-  /// Of the triangles of the level before, that each level has, about; above 0 and below 1. From twice as far a plant
-  /// covers a quarter of the pixels: with a quarter each level has about as many triangles per pixel, and suits twice
-  /// the distance of the one before.
+  /// The share of the triangles of the level before that each level has, about; above 0 and below 1. From twice as far
+  /// a plant covers a quarter of the pixels, so with a share of a quarter each level has about as many triangles per
+  /// pixel as the level before at half the distance.
   double share = 0.25;
 
-  /// Of the triangles of level 0, that a level has, about.
+  /// The share of the triangles of level 0 that a level has, about.
   double kept(int of_level) const;
   double kept() const { return kept(level); }
 };

@@ -21,7 +21,7 @@ namespace {
 
 constexpr float kLeastError = 0.03F;    // radii; from here on errors are doubled
 constexpr float kMostError = 0.5F;      // radii; beyond, bends would be lost that are longer than the branch is thick
-constexpr std::size_t kFewOrgans = 16;  // of a component: so many are always shown, as they may be a tree's fruits
+constexpr std::size_t kFewOrgans = 16;  // organs of a component that are always shown: they may be a tree's fruits
 constexpr float kMostEnlarged = 3;      // raised, crowns stay full farther, of leaves that are plainly too large
 constexpr float kLargest = 0.15F;       // of the plant's size: no leaf is enlarged beyond it, as it would be a sheet
 
@@ -44,9 +44,10 @@ std::vector<float> thinnest_below(const Skeleton& skeleton, std::size_t axes) {
   return radius;
 }
 
-/// The plan without its thinnest axes, of no more than so many triangles if one axis has no more.
+/// The plan without its thinnest axes, with no more than `triangles` triangles unless a single axis has more.
 TubePlan without_thin_axes(const Skeleton& skeleton, const TubePlan& plan, std::vector<TubeWear> wears,
-                           std::vector<std::uint32_t> wear_of_axis, std::uint64_t triangles) {
+                           std::vector<std::uint32_t> wear_of_axis, const std::vector<std::uint32_t>& mesh_of_axis,
+                           std::uint64_t triangles) {
   const std::vector<float> radius = thinnest_below(skeleton, plan.axis_count());
   std::vector<AxisIndex> order(plan.axis_count());
   std::iota(order.begin(), order.end(), 0);
@@ -63,7 +64,7 @@ TubePlan without_thin_axes(const Skeleton& skeleton, const TubePlan& plan, std::
     if (count > triangles && !is_first) wear_of_axis[axis] += seen;
     is_first = false;
   }
-  return {skeleton, std::move(wears), std::move(wear_of_axis)};
+  return {skeleton, std::move(wears), std::move(wear_of_axis), mesh_of_axis};
 }
 
 /// The numbers of each component's organs, in their order.
@@ -84,7 +85,7 @@ double area_of(const Mesh& mesh) {
   return area;
 }
 
-/// Of all organs of a component, each as large as its prototype.
+/// Sums over all organs of a component, each as large as its prototype.
 struct OrganSums {
   double triangles_before = 0;  // with the plant's own meshes
   double area_before = 0;
@@ -146,8 +147,9 @@ void coarsen_all(std::vector<std::shared_ptr<const Mesh>>& meshes, double share)
 }  // namespace
 
 TubePlan plan_tubes(const Skeleton& skeleton, const std::vector<TubeWear>& wears,
-                    const std::vector<std::uint32_t>& wear_of_axis, const Detail& detail) {
-  TubePlan plan(skeleton, wears, wear_of_axis);
+                    const std::vector<std::uint32_t>& wear_of_axis, const Detail& detail,
+                    const std::vector<std::uint32_t>& mesh_of_axis) {
+  TubePlan plan(skeleton, wears, wear_of_axis, mesh_of_axis);
   if (detail.level == 0) return plan;
   const auto wanted = static_cast<std::uint64_t>(detail.kept() * static_cast<double>(triangle_count(plan)));
   std::vector<TubeWear> coarse = wears;
@@ -155,13 +157,13 @@ TubePlan plan_tubes(const Skeleton& skeleton, const std::vector<TubeWear>& wears
     const double sides = wear.surface.sides * std::sqrt(detail.kept());
     wear.surface.sides = std::max(3, static_cast<int>(sides + 0.5));
   }
-  plan = TubePlan(skeleton, coarse, wear_of_axis);
+  plan = TubePlan(skeleton, coarse, wear_of_axis, mesh_of_axis);
   for (float error = 2 * kLeastError; triangle_count(plan) > wanted && error <= kMostError; error *= 2) {
     for (TubeWear& wear : coarse) wear.surface.error = std::max(wear.surface.error, error);
-    plan = TubePlan(skeleton, coarse, wear_of_axis);
+    plan = TubePlan(skeleton, coarse, wear_of_axis, mesh_of_axis);
   }
   if (triangle_count(plan) <= wanted) return plan;
-  return without_thin_axes(skeleton, plan, coarse, wear_of_axis, wanted);
+  return without_thin_axes(skeleton, plan, coarse, wear_of_axis, mesh_of_axis, wanted);
 }
 
 OrganDetail plan_organs(const Plant& plant, const Detail& detail) {

@@ -15,9 +15,11 @@
 namespace meristem {
 
 /// The tubes of one skeleton. Beyond level 0 they have fewer sides, then fewer rings, and then the thinnest axes, with
-/// what stands on them, are left out until the share of triangles is met; the thickest axis stays.
+/// what stands on them, are left out until the share of triangles is met; the thickest axis stays. Wears and meshes of
+/// the axes are as in TubePlan.
 TubePlan plan_tubes(const Skeleton& skeleton, const std::vector<TubeWear>& wears,
-                    const std::vector<std::uint32_t>& wear_of_axis, const Detail& detail);
+                    const std::vector<std::uint32_t>& wear_of_axis, const Detail& detail,
+                    const std::vector<std::uint32_t>& mesh_of_axis = {});
 
 /// What is shown of a plant's organs.
 struct OrganDetail {

@@ -147,7 +147,7 @@ TEST(Detail, BodiesFallByTheShareAndStayClosed) {
       const Detail detail{level};
       const MeshScene scene = scene_of(plant, detail);
       EXPECT_NEAR(triangles_of(scene, "tree"), detail.kept() * whole, 0.02 * whole);
-      // Of corners as sharp as here no normal fits all triangles.
+      // No normal fits all triangles of corners as sharp as these.
       Mesh body = *scene.meshes[0].mesh;
       if (shading == Surface::Shading::smooth) body.normals.clear();
       EXPECT_TRUE(check_mesh(body));

@@ -3,19 +3,23 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 #include <typeinfo>
+#include <unordered_map>
 #include <utility>
 
 #include <glm/vector_relational.hpp>
 
 #include "meristem/base/parallel.h"
+#include "meristem/plant/plant_variant.h"
 #include "meristem/shape/body_meshes.h"
 #include "meristem/shape/cached_meshes.h"
 #include "meristem/shape/detail_plan.h"
@@ -33,7 +37,12 @@ void check_references(const Plant& plant) {
   const auto require = [](bool holds, const char* message) {
     if (!holds) throw std::invalid_argument(message);
   };
+  const std::size_t individuals = std::max<std::size_t>(1, plant.individuals.size());
+  const auto is_individual = [&](std::uint32_t number) { return number < individuals || number == kNoIndividual; };
   for (const Stem& stem : plant.stems) {
+    for (const std::uint32_t number : stem.individual_of_root) {
+      require(is_individual(number), "a stem has no such individual");
+    }
     for (const StemPart& part : stem.parts) {
       require(part.material < plant.materials.size(), "a stem has no such material");
       require(part.surface.uv_scale > 0, "a surface's uv_scale is above 0");
@@ -45,6 +54,7 @@ void check_references(const Plant& plant) {
   }
   for (const Organ& organ : plant.organs) {
     require(organ.prototype < plant.prototypes.size(), "an organ has no such prototype");
+    require(is_individual(organ.individual), "an organ has no such individual");
   }
 }
 
@@ -88,7 +98,7 @@ struct StemDress {
 std::vector<TubeWear> wears_of(const Stem& stem, const StemLooks& looks) {
   std::vector<TubeWear> wears;
   wears.reserve(stem.parts.size());
-  for (std::size_t k = 0; k < stem.parts.size(); ++k) wears.push_back({stem.parts[k].surface, looks.look_of_part[k]});
+  for (std::size_t k = 0; k < stem.parts.size(); ++k) wears.push_back({stem.parts[k].surface, looks.mesh_of_part[k]});
   return wears;
 }
 
@@ -99,7 +109,7 @@ std::uint64_t key_of(const Stem& stem, const StemLooks& looks, const std::vector
   add_skeleton(stem, key);
   add_detail(detail, key);
   for (const StemPart& part : stem.parts) add_surface(part.surface, key);
-  key.add_array(stem.part_of_axis).add_array(looks.look_of_part);
+  key.add_array(stem.part_of_axis).add_array(looks.mesh_of_part).add_array(looks.mesh_of_axis);
   for (const StemPart* part : looks.first_part) key.add(needs_tangents(materials[part->material]));
   return key.hash();
 }
@@ -120,7 +130,9 @@ std::vector<std::unique_ptr<StemDress>> plan_stems(const Plant& plant, const Det
     for (std::size_t i = begin; i < end; ++i) {
       const Stem& stem = plant.stems[i];
       if (dresses[i]->tubes != nullptr) continue;
-      dresses[i]->plan = plan_tubes(stem.skeleton, wears_of(stem, dresses[i]->looks), stem.part_of_axis, detail);
+      const StemLooks& looks = dresses[i]->looks;
+      dresses[i]->plan =
+          plan_tubes(stem.skeleton, wears_of(stem, looks), stem.part_of_axis, detail, looks.mesh_of_axis);
     }
   });
   return dresses;
@@ -207,6 +219,7 @@ std::vector<MeshInstances> clothe_stems(const Plant& plant, const std::vector<st
       instances.material = look.material;
       instances.frames = {Frame{}};
       if (look.tint != Vec3(1)) instances.tints = {look.tint};
+      if (dress.looks.individual[k] != 0) instances.individuals = {dress.looks.individual[k]};
     }
   }
   return all;
@@ -236,9 +249,10 @@ std::vector<MeshInstances> place_organs(const Plant& plant, const ScenePlan& sce
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const OrganPrototype& prototype = plant.prototypes[i];
     auto mesh = with_cached_tangents(scene.organs.meshes[i], plant.materials[prototype.material], results);
-    placed[i] = {prototype.component, std::move(mesh), prototype.material, {}, {}};
+    placed[i] = {prototype.component, std::move(mesh), prototype.material, {}, {}, {}};
     placed[i].frames.reserve(scene.organ_counts[i]);
     placed[i].tints.reserve(scene.organ_counts[i]);
+    if (plant.individuals.size() > 1) placed[i].individuals.reserve(scene.organ_counts[i]);
     Box box;
     for (const Vec3 position : placed[i].mesh->positions) box.add(position);
     centres[i] = box.is_empty() ? Vec3(0) : box.centre();
@@ -254,6 +268,7 @@ std::vector<MeshInstances> place_organs(const Plant& plant, const ScenePlan& sce
         instances.frames.back() = organ.frame * enlarged(scene.organs.scale[organ.prototype], centres[organ.prototype]);
       }
       instances.tints.push_back(organ.tint);
+      if (plant.individuals.size() > 1) instances.individuals.push_back(organ.individual);
     }
     progress.advance(end - begin);
   }
@@ -304,7 +319,7 @@ std::uint64_t MeshScene::triangle_count() const {
 
 std::uint64_t MeshScene::instance_count() const {
   std::uint64_t count = 0;
-  for (const MeshInstances& instances : meshes) count += instances.frames.size();
+  for (const MeshInstances& instances : meshes) count += instances.count();
   return count;
 }
 
@@ -313,7 +328,8 @@ Box MeshScene::bounds() const {
   for (const MeshInstances& instances : meshes) {
     const Box mesh_box = box_of(*instances.mesh, Frame{});
     // Most instances cannot reach beyond those before them; only of the others are all vertices looked at.
-    for (const Frame& frame : instances.frames) {
+    for (std::size_t i = 0; i < instances.count(); ++i) {
+      const Frame frame = instances.frame(i);
       if (!contains(box, box_around(mesh_box, frame))) box.add(box_of(*instances.mesh, frame));
     }
   }
@@ -347,8 +363,175 @@ MeshScene clothe(const Plant& plant, const Limits& limits, Progress& progress, c
   std::vector<MeshInstances> placed = place_organs(plant, plan, results, progress);
   std::move(placed.begin(), placed.end(), std::back_inserter(meshes));
   results.end();
-  return {std::move(materials), grouped(std::move(meshes))};
+  return {std::move(materials), grouped(std::move(meshes)), plant.individuals};
 }
+
+}  // namespace
+
+namespace {
+
+/// The meshes of what stands in a plant's own document.
+MeshScene clothe_own(const Plant& plant, const Limits& limits, Progress& progress, const Detail& detail, Cache* cache) {
+  if (detail.level > 0 && may_be_small(plant)) {
+    const MeshScene whole = clothe(plant, limits, progress, {}, cache);
+    if (whole.triangle_count() <= kSmallPlant) return small_detail(whole, detail, progress);
+  }
+  return clothe(plant, limits, progress, detail, cache);
+}
+
+/// The meshes of plantings, each variant's made once.
+class PlantingClothier {
+ public:
+  PlantingClothier(const Limits& limits, Progress& progress, const Detail& detail, Cache* cache)
+      : limits_(limits), progress_(progress), detail_(detail), results_(cache, {typeid(VariantMeshes)}) {}
+
+  void add_to(MeshScene& scene, const Plant& plant) {
+    find_variants(plant);
+    clothe_variants();
+    for (const Planting& planting : plant.plantings) add(planting, scene);
+    check_limits(scene, plant);
+    scene.meshes = grouped(std::move(scene.meshes));
+    results_.end();
+  }
+
+ private:
+  void find_variants(const Plant& plant) {
+    for (const Planting& planting : plant.plantings) {
+      const auto [known, is_new] = number_.try_emplace(planting.variant.get(), variants_.size());
+      if (is_new) variants_.push_back(planting.variant);
+    }
+  }
+
+  /// Side by side; which of several faults is thrown does not depend on threads.
+  void clothe_variants() {
+    meshes_.resize(variants_.size());
+    const auto key_of_variant = [&](std::size_t k) {
+      return results_.key([&] {
+        Fingerprint key;
+        add_detail(detail_, key.add(variants_[k]->key));
+        return key.hash();
+      });
+    };
+    for (std::size_t k = 0; k < variants_.size(); ++k) {
+      if (variants_[k]->key != 0) meshes_[k] = results_.find<const VariantMeshes>(key_of_variant(k));
+      results_.count<VariantMeshes>(meshes_[k] != nullptr);
+    }
+    std::vector<std::exception_ptr> faults(variants_.size());
+    progress_.begin("meshing plants", variants_.size());
+    parallel_for(variants_.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        if (meshes_[k] == nullptr) {
+          Progress part(&progress_);
+          try {
+            meshes_[k] = std::make_shared<const VariantMeshes>(
+                VariantMeshes{make_mesh_scene(*variants_[k]->plant, limits_, part, detail_)});
+          } catch (const InputError&) {
+            faults[k] = std::current_exception();
+          }
+        }
+        progress_.advance();
+      }
+    });
+    for (const std::exception_ptr& fault : faults) {
+      if (fault) std::rethrow_exception(fault);
+    }
+    for (std::size_t k = 0; k < variants_.size(); ++k) {
+      if (variants_[k]->key != 0) results_.store(key_of_variant(k), std::const_pointer_cast<VariantMeshes>(meshes_[k]));
+    }
+  }
+
+  void add(const Planting& planting, MeshScene& scene) {
+    const std::size_t variant = number_.at(planting.variant.get());
+    const MeshScene& own = meshes_[variant]->scene;
+    auto places = std::make_shared<std::vector<Frame>>();
+    for (const Planting::Place& place : planting.places) places->push_back(place.frame);
+    const std::vector<std::uint32_t>& materials = materials_of(variant, planting.component, scene);
+    std::map<const std::vector<Frame>*, std::shared_ptr<const std::vector<Frame>>> multiplied;
+    for (const MeshInstances& part : own.meshes) {
+      MeshInstances& placed = scene.meshes.emplace_back(part);
+      placed.component = planting.component + "." + part.component;
+      placed.material = materials[part.material];
+      placed.places = places;
+      placed.individuals.clear();  // each place is a plant
+      if (part.places == nullptr) continue;
+      // A plant within this one stands in each of its places in each place of this one.
+      std::shared_ptr<const std::vector<Frame>>& all = multiplied[part.places.get()];
+      if (all == nullptr) all = product(*places, *part.places);
+      placed.places = all;
+    }
+  }
+
+  static std::shared_ptr<const std::vector<Frame>> product(const std::vector<Frame>& outer,
+                                                           const std::vector<Frame>& inner) {
+    auto all = std::make_shared<std::vector<Frame>>();
+    all->reserve(outer.size() * inner.size());
+    for (const Frame& frame : outer) {
+      for (const Frame& place : inner) all->push_back(frame * place);
+    }
+    return all;
+  }
+
+  /// The numbers of a variant's materials in the scene. A component's variants share those that are equal.
+  const std::vector<std::uint32_t>& materials_of(std::size_t variant, const std::string& component, MeshScene& scene) {
+    const auto [known, is_new] = materials_.try_emplace({variant, component});
+    if (!is_new) return known->second;
+    const std::vector<Material>& pictured = variants_[variant]->materials();
+    const std::vector<Material>& all = meshes_[variant]->scene.materials;
+    for (std::size_t m = 0; m < all.size(); ++m) {
+      Material material = all[m];
+      if (m < pictured.size()) material.texture = pictured[m].texture;  // the plant's own come first
+      material.name = component + "." + material.name;
+      std::vector<std::uint32_t>& namesakes = namesakes_[material.name];
+      const auto is_it = [&](std::uint32_t known_one) { return look_alike(scene.materials[known_one], material); };
+      const auto found = std::ranges::find_if(namesakes, is_it);
+      if (found != namesakes.end()) {
+        known->second.push_back(*found);
+        continue;
+      }
+      namesakes.push_back(static_cast<std::uint32_t>(scene.materials.size()));
+      known->second.push_back(namesakes.back());
+      scene.materials.push_back(std::move(material));
+    }
+    return known->second;
+  }
+
+  /// Textures are equal where they are made of the same.
+  static bool look_alike(const Material& a, Material b) {
+    if (a.texture != nullptr && b.texture != nullptr && a.texture->fingerprint == b.texture->fingerprint) {
+      b.texture = a.texture;
+    }
+    return a == b;
+  }
+
+  /// Each variant counts once: no memory is spent on its copies.
+  void check_limits(const MeshScene& scene, const Plant& plant) const {
+    std::uint64_t triangles = 0;
+    std::uint64_t bytes = 0;
+    std::set<const Mesh*> known;
+    for (const MeshInstances& instances : scene.meshes) {
+      triangles += instances.mesh->triangle_count() * instances.frames.size();
+      if (known.insert(instances.mesh.get()).second) bytes += instances.mesh->bytes();
+      bytes += instances.frames.size() * sizeof(Frame) + instances.place_count() * sizeof(Frame);
+    }
+    const std::string path = "components." + plant.plantings.front().component;
+    if (triangles > limits_.triangles) {
+      throw_limit("triangles", static_cast<double>(triangles), limits_.triangles, "triangles", path);
+    }
+    if (bytes > limits_.mesh_bytes) {
+      throw_limit("bytes of geometry", static_cast<double>(bytes), limits_.mesh_bytes, "mesh_bytes", path);
+    }
+  }
+
+  const Limits& limits_;
+  Progress& progress_;
+  const Detail& detail_;
+  CacheRun results_;
+  std::vector<std::shared_ptr<const PlantVariant>> variants_;
+  std::unordered_map<const PlantVariant*, std::size_t> number_;
+  std::vector<std::shared_ptr<const VariantMeshes>> meshes_;
+  std::map<std::pair<std::size_t, std::string>, std::vector<std::uint32_t>> materials_;
+  std::unordered_map<std::string, std::vector<std::uint32_t>> namesakes_;  // of materials, by name
+};
 
 }  // namespace
 
@@ -356,11 +539,9 @@ MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& pr
                           Cache* cache) {
   check_references(plant);
   check_detail(detail);
-  if (detail.level > 0 && may_be_small(plant)) {
-    const MeshScene whole = clothe(plant, limits, progress, {}, cache);
-    if (whole.triangle_count() <= kSmallPlant) return small_detail(whole, detail, progress);
-  }
-  return clothe(plant, limits, progress, detail, cache);
+  MeshScene scene = clothe_own(plant, limits, progress, detail, cache);
+  if (has_plantings(plant)) PlantingClothier(limits, progress, detail, cache).add_to(scene, plant);
+  return scene;
 }
 
 }  // namespace meristem

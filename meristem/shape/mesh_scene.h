@@ -22,18 +22,33 @@ struct MeshInstances {
   std::shared_ptr<const Mesh> mesh;
   std::uint32_t material = 0;  ///< index into MeshScene::materials
   std::vector<Frame> frames;   ///< one per instance; rotations, uneven scales and mirrors are allowed
-  std::vector<Vec3> tints;     ///< linear factors on the material's colour, one per instance; empty where all are 1
+  std::vector<Vec3> tints;     ///< linear factors on the material's colour, one per frame; empty where all are 1
+  /// Index into MeshScene::individuals or kNoIndividual, one per frame; empty where all are of the first.
+  std::vector<std::uint32_t> individuals{};
+  /// Where the plant stands whose part this is, if it stands in several places: each frame is meant in each of them.
+  /// All parts of the plant share the list. Null: in the world, once.
+  std::shared_ptr<const std::vector<Frame>> places{};
 
-  std::uint64_t triangle_count() const { return mesh->triangle_count() * frames.size(); }
-  Vec3 tint(std::size_t instance) const { return tints.empty() ? Vec3(1) : tints[instance]; }
+  std::size_t place_count() const { return places == nullptr ? 1 : places->size(); }
+  /// Instances in all, place by place.
+  std::size_t count() const { return frames.size() * place_count(); }
+  Frame frame(std::size_t instance) const {
+    return places == nullptr ? frames[instance]
+                             : (*places)[instance / frames.size()] * frames[instance % frames.size()];
+  }
+  std::uint64_t triangle_count() const { return mesh->triangle_count() * count(); }
+  Vec3 tint(std::size_t instance) const { return tints.empty() ? Vec3(1) : tints[instance % frames.size()]; }
+  /// The plant that an instance belongs to.
+  std::uint32_t individual(std::size_t instance) const { return individuals.empty() ? 0 : individuals[instance]; }
 };
 
 /// Meshes, materials and instances of them. Everything that leaves the program is written from it.
 struct MeshScene {
   std::vector<Material> materials;
-  /// Those of one component stand together, components in the order in which the plant first names them (stems before
-  /// prototypes), their stems and prototypes in the plant's order. None is without triangles or frames.
+  /// The meshes of one component stand together, components in the order in which the plant first names them (stems
+  /// before prototypes), their stems and prototypes in the plant's order. No mesh is without triangles or frames.
   std::vector<MeshInstances> meshes;
+  std::vector<Individual> individuals;  ///< the plant's; empty: all is one
 
   std::uint64_t triangle_count() const;  ///< after instancing
   std::uint64_t instance_count() const;

@@ -25,7 +25,8 @@ std::vector<std::uint8_t> covered_samples(const MeshScene& scene, const OutlineV
   std::size_t unchecked = 0;
   for (const MeshInstances& part : scene.meshes) {
     corners.resize(part.mesh->vertex_count());
-    for (const Frame& frame : part.frames) {
+    for (std::size_t i = 0; i < part.count(); ++i) {
+      const Frame frame = part.frame(i);
       for (std::size_t v = 0; v < corners.size(); ++v) corners[v] = view.pixel(frame.point(part.mesh->positions[v]));
       for (const auto& [a, b, c] : part.mesh->triangles) {
         cover_triangle(corners[a], corners[b], corners[c], view.size, [&](int row, int first, int end) {

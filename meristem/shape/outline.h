@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a plant covers of a picture from far away: the outline by which its levels of detail are judged.
+// What a plant covers of a picture from far away: the outline that its levels of detail are judged by.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@ namespace meristem {
 struct OutlineOptions {
   int directions = 50;  ///< spread evenly over the half sphere, as from behind an outline is the same, mirrored
   int size = 128;       ///< pixels across the ball around the plant; raised, finer differences count
-  int samples = 4;      ///< of a pixel, along each side; raised, thin leaves are met more evenly
+  int samples = 4;      ///< samples along each side of a pixel; raised, thin leaves are met more evenly
 };
 
 /// `count` unit directions, spread evenly over the upper half sphere.
 std::vector<Vec3> outline_directions(int count);
 
-/// By how much two plants cover the same of a picture, from each direction.
+/// How much of what two plants cover of a picture is common to both, from each direction.
 struct OutlineOverlap {
   std::vector<double> of_direction;  ///< 0 to 1: what both cover over what any of them covers
 
@@ -30,8 +30,8 @@ struct OutlineOverlap {
 };
 
 /// Compares what `level` covers with what `whole` does, drawn by parallel rays from the same directions into the same
-/// picture. A pixel counts by the share of it that is covered: the overlap is the sum of the lesser shares over that of
-/// the larger ones. Holes of masked textures count as covered. Cost: 30 ns per triangle and direction. Throws
+/// picture. A pixel counts by its covered share: the overlap is the sum of the lesser shares over the sum of the larger
+/// ones. Holes of masked textures count as covered. Cost: 30 ns per triangle and direction. Throws
 /// std::invalid_argument for options below 1, Cancelled.
 OutlineOverlap outline_overlap(const MeshScene& whole, const MeshScene& level, const OutlineOptions& options,
                                Progress& progress);

@@ -25,9 +25,9 @@ namespace {
 
 constexpr int kViews = 20;
 constexpr int kSize = 96;              // pixels
-constexpr double kGroupWeight = 0.15;  // of the outline of a group, of which others may hide much
+constexpr double kGroupWeight = 0.15;  // weight of a group's outline; other groups may hide much of it
 constexpr double kShapeWeight = 0.15;  // of the volume between old and new faces; raised, rounder, and outlines suffer
-constexpr double kLeastCosine = 0.2;   // by which a face may turn at once
+constexpr double kLeastCosine = 0.2;   // cosine of the angle that a face may turn at once
 constexpr std::size_t kTriedTargets = 5;  // of a point's neighbours, those nearest to its planes
 constexpr std::size_t kSmallPiece = 8;    // faces, that may go at once
 constexpr int kFitRounds = 4;
@@ -164,7 +164,7 @@ class OutlineCollapse::State {
 
   DVec3 area_vector(const Face& face) const { return area_vector(face.points, kNone, Vec3(0)); }
 
-  /// Twice the area along the normal, of a face of which one point stands elsewhere.
+  /// Twice the area along the normal of a face whose one point stands elsewhere.
   DVec3 area_vector(const std::array<std::uint32_t, 3>& points, std::uint32_t moved, Vec3 elsewhere) const {
     DVec3 at[3];
     for (std::size_t k = 0; k < 3; ++k) at[k] = DVec3(points[k] == moved ? elsewhere : soup_.points[points[k]]);
@@ -509,7 +509,7 @@ class OutlineCollapse::State {
   std::vector<std::uint8_t> is_wanted_;  // 1 or 0: whether there was a face in the beginning
   Box box_;
   double radius_ = 1;                // metres
-  std::vector<double> pixel_share_;  // of a view, what a pixel is of all outlines, each of which counts alike
+  std::vector<double> pixel_share_;  // for each view, a pixel's share of all outlines, where every outline counts alike
   double area_ = 1;                  // square metres of the whole outline, in the mean
   std::size_t left_ = 0;
   Scratch scratch_;

@@ -19,12 +19,12 @@ struct FaceSoup {
     std::array<std::uint32_t, 3> points;
     std::array<std::uint32_t, 3> corners;  ///< numbers of what the corners wear, which only the caller knows
     std::uint32_t group = 0;               ///< has outlines of its own; the faces of a point have one group
-    std::uint32_t look = 0;                ///< a number of which only the caller knows what it means
+    std::uint32_t look = 0;                ///< a number whose meaning only the caller knows
   };
   std::vector<Vec3> points;
   std::vector<Face> faces;
   std::vector<Vec3> corner_normals;  ///< unit, by the number of what a corner wears
-  std::vector<Vec2> corner_uvs;      ///< the same
+  std::vector<Vec2> corner_uvs;      ///< by the number of what a corner wears
 };
 
 /// Takes away faces in the order in which the outlines suffer least.
@@ -34,7 +34,7 @@ class OutlineCollapse {
   OutlineCollapse(FaceSoup soup, Progress& progress);
   ~OutlineCollapse();
 
-  /// Goes on until there are so many faces or fewer, or none can go; then moves points to where the outlines fit best.
+  /// Goes on until there are at most this many faces, or none can go; then moves points to where the outlines fit best.
   void run(std::size_t faces, Progress& progress);
   std::size_t face_count() const;
   /// What is left; points and corners keep their numbers.

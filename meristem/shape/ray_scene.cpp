@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include <embree3/rtcore.h>
@@ -25,14 +26,24 @@ constexpr std::uint32_t kNoInstance = std::numeric_limits<std::uint32_t>::max();
 
 /// What a geometry of the upper tree stands for.
 struct GeometrySource {
-  std::uint32_t part = 0;
+  std::uint32_t part = 0;                ///< kNoInstance: a whole plant, whose parts its own tree knows
   std::uint32_t instance = kNoInstance;  ///< kNoInstance: all of the part's instances, one after another
+  std::uint32_t place = 0;               ///< of a whole plant
+  std::uint32_t plant = 0;
+};
+
+/// A plant that stands in several places: a tree of all of its parts.
+struct PlacedTree {
+  const std::vector<Frame>* places = nullptr;
+  std::vector<std::uint32_t> parts;  ///< in the order of the tree's geometries
+  RTCScene tree = nullptr;
 };
 
 std::vector<bool> choose_copied(const MeshScene& scene, std::uint64_t most_triangles) {
   std::vector<bool> copied(scene.meshes.size());
   std::uint64_t total = 0;
   for (std::size_t p = 0; p < scene.meshes.size(); ++p) {
+    if (scene.meshes[p].places != nullptr) continue;
     const std::uint64_t triangles = scene.meshes[p].triangle_count();
     copied[p] = scene.meshes[p].frames.size() == 1 || total + triangles <= most_triangles;
     if (copied[p] && scene.meshes[p].frames.size() > 1) total += triangles;
@@ -86,6 +97,8 @@ struct RayScene::Trees {
   RTCDevice device = nullptr;
   RTCScene top = nullptr;
   std::vector<RTCScene> parts;  ///< trees of shared meshes; null for parts that were copied
+  std::vector<PlacedTree> plants;
+  std::unordered_map<const std::vector<Frame>*, std::size_t> plant_of_places;
   std::vector<GeometrySource> sources;
   std::map<const Texture*, AlphaMask> masks;
   std::deque<MaskedMesh> masked_meshes;  ///< the geometries point to them
@@ -104,6 +117,9 @@ struct RayScene::Trees {
   ~Trees() {
     for (RTCScene part : parts) {
       if (part != nullptr) rtcReleaseScene(part);
+    }
+    for (const PlacedTree& plant : plants) {
+      if (plant.tree != nullptr) rtcReleaseScene(plant.tree);
     }
     if (top != nullptr) rtcReleaseScene(top);
     if (device != nullptr) rtcReleaseDevice(device);
@@ -159,6 +175,13 @@ struct RayScene::Trees {
     }
   }
 
+  /// The tree of what stands in these places.
+  PlacedTree& plant_at(const std::vector<Frame>* places, Progress& progress) {
+    const auto [known, is_new] = plant_of_places.try_emplace(places, plants.size());
+    if (is_new) plants.push_back({places, {}, new_scene(progress)});
+    return plants[known->second];
+  }
+
   void add_instance(RTCScene of, const Frame& frame) const {
     const GeometryOwner owner(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
     RTCGeometry geometry = owner.get();
@@ -180,6 +203,12 @@ RayScene::RayScene(const MeshScene& scene, Progress& progress, std::uint64_t cop
     const MeshInstances& part = scene.meshes[p];
     if (part.triangle_count() == 0) continue;
     const Texture* texture = texture_with_holes(scene.materials[part.material], *part.mesh);
+    if (part.places != nullptr) {
+      PlacedTree& plant = trees_->plant_at(part.places.get(), progress);
+      plant.parts.push_back(p);
+      trees_->add_triangles(plant.tree, *part.mesh, part.frames, texture, progress);
+      continue;
+    }
     if (copied[p]) {
       trees_->sources.push_back({p, kNoInstance});
       trees_->add_triangles(trees_->top, *part.mesh, part.frames, texture, progress);
@@ -193,6 +222,15 @@ RayScene::RayScene(const MeshScene& scene, Progress& progress, std::uint64_t cop
       trees_->sources.push_back({p, i});
       trees_->add_instance(trees_->parts[p], part.frames[i]);
       if (i % 4096 == 0) progress.check();
+    }
+  }
+  for (std::uint32_t k = 0; k < trees_->plants.size(); ++k) {
+    const PlacedTree& plant = trees_->plants[k];
+    trees_->commit(plant.tree, progress);
+    for (std::uint32_t place = 0; place < plant.places->size(); ++place) {
+      if (glm::determinant((*plant.places)[place].axes) == 0) continue;
+      trees_->sources.push_back({kNoInstance, kNoInstance, place, k});
+      trees_->add_instance(plant.tree, (*plant.places)[place]);
     }
   }
   trees_->commit(trees_->top, progress);
@@ -227,6 +265,14 @@ std::optional<RayHit> RayScene::first_hit(const Ray& ray) const {
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   const bool is_instance = query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
   const GeometrySource source = trees_->sources[is_instance ? query.hit.instID[0] : query.hit.geomID];
+  if (source.part == kNoInstance) {
+    const std::uint32_t part = trees_->plants[source.plant].parts[query.hit.geomID];
+    const MeshInstances& placed = scene_.meshes[part];
+    const auto triangles = static_cast<std::uint32_t>(placed.mesh->triangle_count());
+    const std::uint32_t frame = query.hit.primID / triangles;
+    return RayHit{query.ray.tfar, part, source.place * static_cast<std::uint32_t>(placed.frames.size()) + frame,
+                  query.hit.primID % triangles, Vec2(query.hit.u, query.hit.v)};
+  }
   const auto per_instance = static_cast<std::uint32_t>(scene_.meshes[source.part].mesh->triangle_count());
   const Vec2 barycentric(query.hit.u, query.hit.v);
   if (is_instance) return RayHit{query.ray.tfar, source.part, source.instance, query.hit.primID, barycentric};
@@ -256,7 +302,7 @@ bool RayScene::is_blocked(const Ray& ray, float within) const {
 SurfacePoint RayScene::surface_point(const RayHit& hit) const {
   const MeshInstances& part = scene_.meshes[hit.part];
   const Mesh& mesh = *part.mesh;
-  const Frame& frame = part.frames[hit.instance];
+  const Frame frame = part.frame(hit.instance);
   const auto& triangle = mesh.triangles[hit.triangle];
   const Vec3 weights = vertex_weights(hit.barycentric);
   const Vec3 a = mesh.positions[triangle[0]];
@@ -291,7 +337,7 @@ TextureMapping RayScene::texture_mapping(const RayHit& hit) const {
   const MeshInstances& part = scene_.meshes[hit.part];
   const Mesh& mesh = *part.mesh;
   if (mesh.uvs.empty()) return position;
-  const Frame& frame = part.frames[hit.instance];
+  const Frame frame = part.frame(hit.instance);
   const auto& triangle = mesh.triangles[hit.triangle];
   const Vec3 weights = vertex_weights(hit.barycentric);
   position.uv = uv_at(mesh, triangle, weights);

@@ -26,12 +26,12 @@ struct Ray {
 struct RayHit {
   float distance = 0;          ///< metres along the ray
   std::uint32_t part = 0;      ///< index into MeshScene::meshes
-  std::uint32_t instance = 0;  ///< index into its frames
+  std::uint32_t instance = 0;  ///< number among the mesh's instances
   std::uint32_t triangle = 0;  ///< index into its mesh's triangles
   Vec2 barycentric{0};         ///< weights of the triangle's second and third vertex
 };
 
-/// The surface there, in world space.
+/// The surface where a ray meets it, in world space.
 struct SurfacePoint {
   Vec3 position;
   Vec3 face_normal;    ///< unit, of the triangle's front
@@ -39,11 +39,11 @@ struct SurfacePoint {
   Vec3 smooth_offset;  ///< from `position` to the curved surface that the interpolated normals suggest
 };
 
-/// How a texture lies on the surface there, in world space.
+/// How a texture lies on the surface where a ray meets it, in world space.
 struct TextureMapping {
   Vec2 uv{0};
   Vec3 along_u{0};          ///< unit where the mesh has tangents or its uvs spread, else 0
-  Vec3 along_v{0};          ///< the same
+  Vec3 along_v{0};          ///< unit where the mesh has tangents or its uvs spread, else 0
   float uvs_per_metre = 0;  ///< geometric mean of both ways
 };
 

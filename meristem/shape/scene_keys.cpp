@@ -83,11 +83,14 @@ SceneKeys SceneKeyMaker::keys_of(const MeshScene& scene) {
   }
   std::map<std::string_view, std::uint32_t> counts;
   for (const MeshInstances& instances : scene.meshes) {
+    Fingerprint placed;
+    placed.add_array(instances.frames).add_array(instances.tints);
+    if (instances.places != nullptr) placed.add_array(*instances.places);
     keys.batches.push_back({.component = instances.component,
                             .number = counts[instances.component]++,
                             .mesh = key_of(instances.mesh),
                             .material = keys.materials[instances.material],
-                            .instances = Fingerprint().add_array(instances.frames).add_array(instances.tints).hash()});
+                            .instances = placed.hash()});
   }
   std::erase_if(known_, [](const auto& entry) { return entry.second.content.expired(); });
   return keys;

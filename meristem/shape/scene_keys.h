@@ -17,15 +17,15 @@ struct SceneKeys {
   /// What stands at one index of MeshScene::meshes.
   struct Batch {
     std::string component;
-    std::uint32_t number = 0;     ///< among those of its component
-    std::uint64_t mesh = 0;       ///< of the mesh that its instances share
-    std::uint64_t material = 0;   ///< of how it looks
-    std::uint64_t instances = 0;  ///< of their frames and tints
+    std::uint32_t number = 0;     ///< number among the component's batches
+    std::uint64_t mesh = 0;       ///< key of the mesh that the batch's instances share
+    std::uint64_t material = 0;   ///< key of how the batch looks
+    std::uint64_t instances = 0;  ///< key of the instances' frames and tints
 
     bool operator==(const Batch&) const = default;
   };
   std::vector<Batch> batches;            ///< in the order of MeshScene::meshes
-  std::vector<std::uint64_t> materials;  ///< in that of MeshScene::materials
+  std::vector<std::uint64_t> materials;  ///< in the order of MeshScene::materials
 };
 
 /// Makes keys. What scenes share, because a growth has kept it, is hashed once.
@@ -53,8 +53,9 @@ struct SceneDifference {
   };
   Keys meshes;
   Keys materials;
-  /// Indices of batches: those added and changed in the later scene, those removed in the earlier one. Batches are the
-  /// same one where they have their component and number in common, and have changed where a key differs.
+  /// Indices of batches: batches added and changed by their index in the later scene, batches removed by their index in
+  /// the earlier one. Two batches are one where they have component and number in common; the batch has changed where a
+  /// key differs.
   struct Batches {
     std::vector<std::size_t> added;
     std::vector<std::size_t> changed;

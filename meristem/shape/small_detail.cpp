@@ -28,11 +28,13 @@ struct Look {
   std::string component;
   std::uint32_t material = 0;
   Vec3 tint{1};
+  std::uint32_t individual = 0;
   bool is_flat = true;
   bool has_uvs = false;
 
   bool operator==(const Look& other) const {
-    return component == other.component && material == other.material && tint == other.tint;
+    return component == other.component && material == other.material && tint == other.tint &&
+           individual == other.individual;
   }
 };
 
@@ -40,7 +42,7 @@ class Flattened {
  public:
   explicit Flattened(const MeshScene& scene) {
     for (const MeshInstances& part : scene.meshes) {
-      for (std::size_t k = 0; k < part.frames.size(); ++k) add(part, part.frames[k], part.tint(k));
+      for (std::size_t k = 0; k < part.frames.size(); ++k) add(part, k);
     }
     const Box box = scene.bounds();
     join_points(kMeets * glm::length(box.size()));
@@ -61,6 +63,7 @@ class Flattened {
       instances.material = looks_[k].material;
       instances.frames = {Frame{}};
       if (looks_[k].tint != Vec3(1)) instances.tints = {looks_[k].tint};
+      if (looks_[k].individual != 0) instances.individuals = {looks_[k].individual};
     }
     return made;
   }
@@ -78,11 +81,13 @@ class Flattened {
     return groups_.try_emplace(key, static_cast<std::uint32_t>(groups_.size())).first->second;
   }
 
-  void add(const MeshInstances& part, const Frame& frame, Vec3 tint) {
+  void add(const MeshInstances& part, std::size_t instance) {
+    const Frame& frame = part.frames[instance];
     Look wanted;
     wanted.component = part.component;
     wanted.material = part.material;
-    wanted.tint = tint;
+    wanted.tint = part.tint(instance);
+    wanted.individual = part.individual(instance);
     const std::uint32_t number = number_of(wanted);
     Look& look = looks_[number];
     const std::uint32_t group = group_of(look);
@@ -185,7 +190,7 @@ MeshScene small_detail(const MeshScene& whole, const Detail& detail, Progress& p
     collapse.run(static_cast<std::size_t>(detail.kept(level) * all), progress);
     progress.advance();
   }
-  return {whole.materials, plant.meshes(collapse.soup(), whole.materials)};
+  return {whole.materials, plant.meshes(collapse.soup(), whole.materials), whole.individuals};
 }
 
 }  // namespace meristem

@@ -10,7 +10,7 @@
 
 namespace meristem {
 
-/// Plants with so many triangles or fewer are simplified as a whole.
+/// Plants with this number of triangles or fewer are simplified as a whole.
 inline constexpr std::uint64_t kSmallPlant = 5000;
 
 /// A level of detail of a plant whose level 0 is `whole`: points collapse, and small pieces go, in the order in which

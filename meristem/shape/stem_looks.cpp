@@ -4,6 +4,7 @@
 #include <map>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 namespace meristem {
 
@@ -14,7 +15,25 @@ StemLooks::StemLooks(const Stem& stem) {
     const Look look(part.component, part.material, part.tint.r, part.tint.g, part.tint.b);
     const auto [known, is_new] = number.try_emplace(look, static_cast<std::uint32_t>(first_part.size()));
     if (is_new) first_part.push_back(&part);
-    look_of_part.push_back(known->second);
+    mesh_of_part.push_back(known->second);
+  }
+  individual.assign(first_part.size(), stem.individual());
+  if (stem.individual() != kNoIndividual) return;
+
+  // Divide the meshes among the individuals.
+  const std::vector<const StemPart*> first_of_look = std::exchange(first_part, {});
+  individual.clear();
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> number_of_mesh;
+  const std::vector<std::uint32_t> individual_of_axis = stem.individual_of_axis();
+  for (AxisIndex axis = 0; axis < individual_of_axis.size(); ++axis) {
+    const std::uint32_t look = mesh_of_part[stem.part_index(axis)];
+    const auto next = static_cast<std::uint32_t>(first_part.size());
+    const auto [known, is_new] = number_of_mesh.try_emplace({look, individual_of_axis[axis]}, next);
+    if (is_new) {
+      first_part.push_back(first_of_look[look]);
+      individual.push_back(individual_of_axis[axis]);
+    }
+    mesh_of_axis.push_back(known->second);
   }
 }
 

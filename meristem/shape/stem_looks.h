@@ -8,10 +8,12 @@
 
 namespace meristem {
 
-/// The parts of a stem by their looks: those of one component, material and tint share meshes.
+/// The axes of a stem by their looks: those of one component, material, tint and individual share a mesh.
 struct StemLooks {
-  std::vector<const StemPart*> first_part;  ///< of each look
-  std::vector<std::uint32_t> look_of_part;  ///< number of the look
+  std::vector<const StemPart*> first_part;  ///< of each mesh
+  std::vector<std::uint32_t> individual;    ///< of each mesh
+  std::vector<std::uint32_t> mesh_of_part;  ///< where all axes are of one individual
+  std::vector<std::uint32_t> mesh_of_axis;  ///< where individuals differ; else empty
 
   explicit StemLooks(const Stem& stem);
 };

@@ -26,11 +26,14 @@ struct GltfOptions {
   EncodedPictures* pictures = nullptr;  ///< shared with other files; null: none
 };
 
-/// Writes `scene` as binary glTF 2.0 to `path` ("-" for standard output): metres, y up, one node a component, materials
-/// with their names and their textures as PNG. Tints of instances are vertex colours where instances are flattened, a
-/// row of an array where they are instanced, and one of eight materials where nodes share meshes.
-/// Streams: memory beyond the scene and the textures' files stays below 64 MB. The file appears whole or not at all.
-/// Throws MachineError (path, disk), InputError for files over 4 GB (which the format cannot hold), Cancelled.
+/// Writes `scene` as binary glTF 2.0 to `path` ("-" for standard output): metres, y up, one node per component,
+/// materials with their names and their textures as PNG. Where 2 to 1,000 individuals of the scene are seen, a root
+/// stands above a node per plant, which has the name of its component and its number, stands at the plant's foot, and
+/// has a node per component below it; what belongs to no plant stands beside the plants. Tints of instances are vertex
+/// colours where instances are flattened, a row of an array where they are instanced, and one of eight materials where
+/// nodes share meshes. Streams: memory beyond the scene and the textures' files stays below 64 MB. The file appears
+/// whole or not at all. Throws MachineError (path, disk), InputError for files over 4 GB (which the format cannot
+/// hold), Cancelled.
 void write_glb(const MeshScene& scene, const std::string& path, const GltfOptions& options, Progress& progress);
 
 }  // namespace meristem

@@ -25,6 +25,8 @@ using Bytes4 = std::array<std::uint8_t, 4>;
 
 bool is_identity(const Frame& frame) { return frame.axes == Mat3(1) && frame.origin == Vec3(0); }
 
+bool is_unmoved(const GltfPiece& piece) { return piece.count() == 1 && is_identity(piece.frame(0)); }
+
 /// A factor on a colour as normalized bytes; the fourth is the opacity.
 Bytes4 bytes_of(Vec3 factor) {
   const auto byte = [](float channel) { return static_cast<std::uint8_t>(channel * 255 + 0.5F); };
@@ -84,20 +86,20 @@ class ArrayWriter {
       const Mesh& mesh = *piece.mesh;
       const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, Triangle* out) {
         const auto offset = static_cast<std::uint32_t>(base + frame * mesh.vertex_count());
-        const bool flips = is_mirrored(piece.frames[frame]);
+        const bool flips = is_mirrored(piece.frame(frame));
         for (std::size_t t = first; t < last; ++t) {
           const auto [a, b, c] = mesh.triangles[t];
           const auto index = [&](std::uint32_t vertex) { return static_cast<Index>(offset + vertex); };
           *out++ = flips ? Triangle{index(a), index(c), index(b)} : Triangle{index(a), index(b), index(c)};
         }
       };
-      write_elements<Triangle>(piece.frames.size(), mesh.triangle_count(), fill);
+      write_elements<Triangle>(piece.count(), mesh.triangle_count(), fill);
       base += piece.vertex_count();
     }
   }
 
   void write_positions(const GltfPiece& piece) {
-    if (piece.frames.size() == 1 && is_identity(piece.frames[0])) return write_unmoved(piece.mesh->positions);
+    if (is_unmoved(piece)) return write_unmoved(piece.mesh->positions);
     write_vertices<Vec3>(piece,
                          [](const Mesh& mesh, const Frame& frame, std::size_t first, std::size_t last, Vec3* out) {
                            for (std::size_t v = first; v < last; ++v) *out++ = frame.point(mesh.positions[v]);
@@ -105,7 +107,7 @@ class ArrayWriter {
   }
 
   void write_normals(const GltfPiece& piece) {
-    if (piece.frames.size() == 1 && is_identity(piece.frames[0])) return write_unmoved(piece.mesh->normals);
+    if (is_unmoved(piece)) return write_unmoved(piece.mesh->normals);
     write_vertices<Vec3>(piece,
                          [](const Mesh& mesh, const Frame& frame, std::size_t first, std::size_t last, Vec3* out) {
                            const VectorTurner turner(frame);
@@ -116,7 +118,7 @@ class ArrayWriter {
   /// The sign of w stays as it is: a normal map's green points to the upper edge of the picture, to where our v rises,
   /// though glTF's v falls there.
   void write_tangents(const GltfPiece& piece) {
-    if (piece.frames.size() == 1 && is_identity(piece.frames[0])) return write_unmoved(piece.mesh->tangents);
+    if (is_unmoved(piece)) return write_unmoved(piece.mesh->tangents);
     write_vertices<Vec4>(piece,
                          [](const Mesh& mesh, const Frame& frame, std::size_t first, std::size_t last, Vec4* out) {
                            const VectorTurner turner(frame);
@@ -137,7 +139,7 @@ class ArrayWriter {
     const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, Bytes4* out) {
       std::fill(out, out + (last - first), bytes_of(factors.instance(piece.tint(frame))));
     };
-    write_elements<Bytes4>(piece.frames.size(), piece.mesh->vertex_count(), fill);
+    write_elements<Bytes4>(piece.count(), piece.mesh->vertex_count(), fill);
   }
 
   /// Writes the transforms and colours of instances as arrays with a row for each.
@@ -170,9 +172,9 @@ class ArrayWriter {
   template <class Element, class Turn>
   void write_vertices(const GltfPiece& piece, Turn turn) {
     const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, Element* out) {
-      turn(*piece.mesh, piece.frames[frame], first, last, out);
+      turn(*piece.mesh, piece.frame(frame), first, last, out);
     };
-    write_elements<Element>(piece.frames.size(), piece.mesh->vertex_count(), fill);
+    write_elements<Element>(piece.count(), piece.mesh->vertex_count(), fill);
   }
 
   template <class Element>

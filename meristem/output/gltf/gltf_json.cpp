@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// All but the nodes is built as one JSON value; nodes, of which there may be millions, are written as text directly.
+// All but the nodes is built as one JSON value; nodes are written as text directly, since there may be millions.
 #include "meristem/output/gltf/gltf_json.h"
 
 #include <algorithm>
 #include <charconv>
 #include <iterator>
+#include <map>
+#include <span>
+#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -52,6 +55,7 @@ Json extras(const Provenance& provenance) {
   Json json{{"name", provenance.name}, {"seed", provenance.seed}, {"version", provenance.version}};
   if (!provenance.author.empty()) json["author"] = provenance.author;
   if (!provenance.licence.empty()) json["licence"] = provenance.licence;
+  if (!provenance.sets.empty()) json["set"] = provenance.sets;
   return json;
 }
 
@@ -185,24 +189,108 @@ class ArrayTables {
   std::vector<std::string> rows_;
 };
 
-/// Writes the `nodes` array: the components first, then their shared instances in the same order. `rows` are the
-/// extensions of shared meshes whose instances are no nodes.
+/// Whether the plants and what belongs to none stand below one node.
+bool has_root(const GltfLayout& layout) { return !layout.plants.empty() || !layout.placed.empty(); }
+
+/// Where there is a root: it, and the plants that have nodes before those of components.
+std::size_t nodes_before_components(const GltfLayout& layout) {
+  return has_root(layout) ? 1 + layout.plants.size() : 0;
+}
+
+/// How many nodes the shared meshes of a component take.
+std::size_t shared_nodes(const GltfLayout& layout, const GltfComponent& component) {
+  if (layout.has_instance_rows) return component.shared.size();
+  std::size_t count = 0;
+  for (const GltfSharedMesh& shared : component.shared) count += shared.instances.size();
+  return count;
+}
+
+/// Writes the `nodes` array: the root and the plants, where there are several, then the components, then their shared
+/// instances in the same order, then the places of placed plants, each with its components and their instances. `rows`
+/// are the extensions of shared meshes whose instances are no nodes.
 class NodeWriter {
  public:
   NodeWriter(const GltfLayout& layout, const std::vector<std::string>& rows, FunctionRef<void(std::string_view)> sink,
              Progress& progress)
       : layout_(layout), rows_(rows), sink_(sink), progress_(progress) {}
 
-  void write() {
+  void write(const std::string& name) {
     text_ = ",\"nodes\":[";
-    std::size_t next_child = layout_.components.size();
-    for (const GltfComponent& component : layout_.components) next_child = write_component(component, next_child);
-    for (const GltfComponent& component : layout_.components) write_instances(component);
+    if (has_root(layout_)) write_plants(name);
+    const auto own = std::span(layout_.components).first(layout_.own_components);
+    std::size_t next = nodes_before_components(layout_) + own.size();
+    for (const GltfComponent& component : own) next = write_component(component, next);
+    for (const GltfComponent& component : own) write_instances(component);
+    for (const GltfPlacedPlant& plant : layout_.placed) next = write_places(plant, next);
     text_.back() = ']';  // in place of the last comma
     sink_(text_);
   }
 
  private:
+  /// Writes the root, whose children are the plants and what belongs to none, and the plants.
+  void write_plants(const std::string& name) {
+    std::size_t next = nodes_before_components(layout_);
+    std::vector<std::size_t> first(layout_.plants.size() + 1, next);
+    for (const GltfComponent& component : std::span(layout_.components).first(layout_.own_components)) {
+      if (component.plant != GltfComponent::kNoPlant) first[component.plant + 1] = next + 1;
+      ++next;
+    }
+    append("{{\"name\":{},\"children\":[", text_of(name.empty() ? "plants" : name));
+    for (std::size_t k = 1; k <= layout_.plants.size(); ++k) append("{},", k);
+    for (std::size_t k = first.back(); k < next; ++k) append("{},", k);
+    append_places();
+    close_list();
+    for (std::size_t k = 0; k < layout_.plants.size(); ++k) {
+      const GltfPlant& plant = layout_.plants[k];
+      append("{{\"name\":{}", text_of(plant.name));
+      if (plant.foot != Vec3(0)) append(",\"translation\":[{},{},{}]", plant.foot.x, plant.foot.y, plant.foot.z);
+      append(",\"children\":[");
+      for (std::size_t child = first[k]; child < first[k + 1]; ++child) append("{},", child);
+      close_list();
+    }
+  }
+
+  /// Ends a node with its list of children.
+  void close_list() {
+    text_.back() = ']';
+    append("}},");
+  }
+
+  /// The numbers of the nodes of all places.
+  void append_places() {
+    const auto components = std::span(layout_.components);
+    std::size_t next = nodes_before_components(layout_) + layout_.own_components;
+    for (const GltfComponent& component : components.first(layout_.own_components)) {
+      next += shared_nodes(layout_, component);
+    }
+    for (const GltfPlacedPlant& plant : layout_.placed) {
+      std::size_t stride = 1;
+      for (std::size_t c = plant.first_component; c < plant.end_component; ++c) {
+        stride += 1 + shared_nodes(layout_, components[c]);
+      }
+      for (std::size_t place = 0; place < plant.places->size(); ++place, next += stride) append("{},", next);
+    }
+  }
+
+  /// A node per place, each followed by those of its components and these by theirs. Returns the next node's number.
+  std::size_t write_places(const GltfPlacedPlant& plant, std::size_t next) {
+    const auto components =
+        std::span(layout_.components).subspan(plant.first_component, plant.end_component - plant.first_component);
+    const std::size_t first_rows = next_rows_;
+    for (std::size_t place = 0; place < plant.places->size(); ++place) {
+      append("{{\"name\":{}", text_of(fmt::format("{} {}", plant.name, placed_of_name_[plant.name]++)));
+      append_matrix((*plant.places)[place]);
+      append(",\"children\":[");
+      for (std::size_t k = 1; k <= components.size(); ++k) append("{},", next + k);
+      close_list();
+      next += 1 + components.size();
+      for (const GltfComponent& component : components) next = write_component(component, next);
+      next_rows_ = first_rows;  // all places share the arrays
+      for (const GltfComponent& component : components) write_instances(component);
+    }
+    return next;
+  }
+
   std::size_t write_component(const GltfComponent& component, std::size_t first_child) {
     append("{{\"name\":{}", text_of(component.name));
     if (component.baked_mesh != GltfComponent::kNoMesh) append(",\"mesh\":{}", component.baked_mesh);
@@ -216,12 +304,7 @@ class NodeWriter {
     return end;
   }
 
-  std::size_t child_count(const GltfComponent& component) const {
-    if (layout_.has_instance_rows) return component.shared.size();
-    std::size_t count = 0;
-    for (const GltfSharedMesh& shared : component.shared) count += shared.instances.size();
-    return count;
-  }
+  std::size_t child_count(const GltfComponent& component) const { return shared_nodes(layout_, component); }
 
   void write_instances(const GltfComponent& component) {
     for (const GltfSharedMesh& shared : component.shared) {
@@ -235,6 +318,11 @@ class NodeWriter {
 
   void write_instance(std::size_t mesh, const Frame& frame) {
     append("{{\"mesh\":{}", mesh);
+    append_matrix(frame);
+    append("}},");
+  }
+
+  void append_matrix(const Frame& frame) {
     if (frame.axes != Mat3(1) || frame.origin != Vec3(0)) {
       const Vec3 x = frame.axes[0];
       const Vec3 y = frame.axes[1];
@@ -243,7 +331,6 @@ class NodeWriter {
       append(",\"matrix\":[{},{},{},0,{},{},{},0,{},{},{},0,{},{},{},1]", x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z,
              o.x, o.y, o.z);
     }
-    append("}},");
   }
 
   template <class... Values>
@@ -265,6 +352,7 @@ class NodeWriter {
   Progress& progress_;
   std::string text_;
   std::size_t next_rows_ = 0;
+  std::map<std::string, std::size_t> placed_of_name_;
 };
 
 /// The extensions that are used; a reader may know none of them.
@@ -284,7 +372,8 @@ Json scene_json(const GltfLayout& layout, const Provenance& provenance, const Js
   if (!provenance.name.empty()) json["name"] = provenance.name;
   if (!layout.components.empty()) {
     Json roots = Json::array();
-    for (std::size_t node = 0; node < layout.components.size(); ++node) roots.push_back(node);
+    const std::size_t count = has_root(layout) ? 1 : layout.components.size();
+    for (std::size_t node = 0; node < count; ++node) roots.push_back(node);
     json["nodes"] = std::move(roots);
   }
   json["extras"] = extras;
@@ -312,7 +401,7 @@ void emit_gltf_json(const GltfLayout& layout, const std::vector<Material>& mater
   std::string text = text_of(root);
   text.pop_back();  // the closing brace, for the nodes
   sink(text);
-  NodeWriter(layout, tables.rows(), sink, progress).write();
+  NodeWriter(layout, tables.rows(), sink, progress).write(provenance.name);
   sink("}");
 }
 

@@ -36,25 +36,122 @@ class LayoutBuilder {
   }
 
   GltfLayout build() {
-    std::map<std::string_view, std::size_t> component_indices;
     if (!bakes_all_ && !layout_.has_instance_rows) make_palettes();
+    add_plants();
     for (std::size_t k = 0; k < scene_.meshes.size(); ++k) {
-      const MeshInstances& instances = scene_.meshes[k];
-      if (instances.triangle_count() == 0) continue;
-      const auto [entry, is_new] = component_indices.try_emplace(instances.component, layout_.components.size());
-      if (is_new) layout_.components.push_back({instances.component, GltfComponent::kNoMesh, {}});
-      if (bakes_all_ || instances.frames.size() == 1) {
-        bake(entry->second, instances, {instances.mesh.get(), instances.frames, instances.tints});
+      if (scene_.meshes[k].triangle_count() == 0 || scene_.meshes[k].places != nullptr) continue;
+      if (layout_.plants.empty()) {
+        add(GltfComponent::kNoPlant, k, {});
       } else {
-        share(entry->second, k);
+        add_to_plants(k);
       }
     }
+    std::ranges::stable_sort(layout_.components, {}, &GltfComponent::plant);
+    add_placed_plants();
     add_textures();
     return std::move(layout_);
   }
 
  private:
   static constexpr std::size_t kNone = SIZE_MAX;
+
+  /// Makes a node for each plant that is seen, where there are several and not too many.
+  void add_plants() {
+    plant_of_individual_.assign(scene_.individuals.size(), GltfComponent::kNoPlant);
+    std::vector<std::uint8_t> is_seen(scene_.individuals.size(), 0);
+    for (const MeshInstances& instances : scene_.meshes) {
+      if (instances.triangle_count() == 0 || instances.places != nullptr) continue;
+      for (std::size_t i = 0; i < instances.frames.size(); ++i) {
+        if (instances.individual(i) < is_seen.size()) is_seen[instances.individual(i)] = 1;
+      }
+    }
+    const auto count = static_cast<std::size_t>(std::ranges::count(is_seen, 1));
+    if (count < 2 || count > (bakes_all_ ? kMostGltfPlants : kMostInstancedGltfPlants)) return;
+    for (std::size_t k = 0; k < is_seen.size(); ++k) {
+      if (is_seen[k] == 0) continue;
+      const Individual& individual = scene_.individuals[k];
+      plant_of_individual_[k] = layout_.plants.size();
+      layout_.plants.push_back({fmt::format("{} {}", individual.component, individual.number), individual.foot});
+    }
+  }
+
+  std::size_t plant_of(std::uint32_t individual) const {
+    return individual < plant_of_individual_.size() ? plant_of_individual_[individual] : GltfComponent::kNoPlant;
+  }
+
+  /// Divides the instances of the scene's mesh number `k` among the plants.
+  void add_to_plants(std::size_t k) {
+    const MeshInstances& instances = scene_.meshes[k];
+    if (instances.individuals.empty()) return add(plant_of(0), k, {});
+    std::map<std::size_t, std::vector<std::uint32_t>> members;  // by plant
+    std::size_t last = SIZE_MAX;
+    std::vector<std::uint32_t>* of_last = nullptr;
+    for (std::uint32_t i = 0; i < instances.frames.size(); ++i) {
+      const std::size_t plant = plant_of(instances.individuals[i]);
+      if (of_last == nullptr || plant != last) of_last = &members[plant];
+      last = plant;
+      of_last->push_back(i);
+    }
+    for (auto& [plant, of_plant] : members) {
+      layout_.members.push_back(std::move(of_plant));
+      add(plant, k, layout_.members.back());
+    }
+  }
+
+  /// Adds instances of the scene's mesh number `k` to a plant: `members`, or all where that is empty.
+  void add(std::size_t plant, std::size_t k, std::span<const std::uint32_t> members) {
+    const MeshInstances& instances = scene_.meshes[k];
+    const auto [entry, is_new] = component_indices_.try_emplace(std::pair(plant, std::string_view(instances.component)),
+                                                                layout_.components.size());
+    if (is_new) layout_.components.push_back({instances.component, plant, GltfComponent::kNoMesh, {}});
+    if (bakes_all_ || instances.frames.size() == 1) {
+      bake(entry->second, instances, members);
+    } else {
+      share(entry->second, k, members);
+    }
+  }
+
+  Vec3 origin_of(std::size_t component) const {
+    const std::size_t plant = layout_.components[component].plant;
+    return plant == GltfComponent::kNoPlant ? Vec3(0) : layout_.plants[plant].foot;
+  }
+
+  /// Lays out the parts of plants that stand in several places, in the order in which they come, each plant in its own
+  /// frame.
+  void add_placed_plants() {
+    layout_.own_components = layout_.components.size();
+    std::map<const std::vector<Frame>*, std::size_t> plant_of_places;
+    std::vector<std::vector<std::size_t>> meshes;  // by plant
+    for (std::size_t k = 0; k < scene_.meshes.size(); ++k) {
+      const MeshInstances& instances = scene_.meshes[k];
+      if (instances.triangle_count() == 0 || instances.places == nullptr) continue;
+      const auto [plant, is_new] = plant_of_places.try_emplace(instances.places.get(), layout_.placed.size());
+      if (is_new) {
+        // "oak.leaf" is the leaf of an oak.
+        const std::string name = instances.component.substr(0, instances.component.rfind('.'));
+        layout_.placed.push_back({.name = name, .places = instances.places.get()});
+        meshes.emplace_back();
+      }
+      meshes[plant->second].push_back(k);
+    }
+    for (std::size_t p = 0; p < layout_.placed.size(); ++p) {
+      layout_.placed[p].first_component = layout_.components.size();
+      std::map<std::string_view, std::size_t> component_indices;
+      for (const std::size_t k : meshes[p]) {
+        const MeshInstances& instances = scene_.meshes[k];
+        const auto [entry, is_new] = component_indices.try_emplace(instances.component, layout_.components.size());
+        if (is_new) {
+          layout_.components.push_back({instances.component, GltfComponent::kNoPlant, GltfComponent::kNoMesh, {}});
+        }
+        if (layout_.has_instance_rows && instances.frames.size() > 1) {
+          share(entry->second, k, {});
+        } else {
+          bake(entry->second, instances, {});
+        }
+      }
+      layout_.placed[p].end_component = layout_.components.size();
+    }
+  }
 
   /// Brings the tints of each material's instances down to a few.
   void make_palettes() {
@@ -119,7 +216,8 @@ class LayoutBuilder {
     primitive->pieces.push_back(piece);
   }
 
-  void bake(std::size_t component, const MeshInstances& instances, const GltfPiece& piece) {
+  void bake(std::size_t component, const MeshInstances& instances, std::span<const std::uint32_t> members) {
+    const GltfPiece piece{instances.mesh.get(), instances.frames, instances.tints, members, origin_of(component)};
     std::size_t& mesh = layout_.components[component].baked_mesh;
     if (mesh == GltfComponent::kNoMesh) {
       mesh = layout_.meshes.size();
@@ -129,29 +227,23 @@ class LayoutBuilder {
     add_piece(layout_.meshes[mesh], material, piece, layout_.factors[instances.material].varies);
   }
 
-  /// Adds the scene's mesh number `k`, all of whose instances share it but for those that cannot.
-  void share(std::size_t component, std::size_t k) {
+  /// Adds instances of the scene's mesh number `k`, which all share it but for those that cannot.
+  void share(std::size_t component, std::size_t k, std::span<const std::uint32_t> members) {
     const MeshInstances& instances = scene_.meshes[k];
     // Sort instances into those of each colour, or the plain and the mirrored ones.
     std::vector<std::vector<std::uint32_t>> groups(std::max<std::size_t>(2, kPaletteColours));
-    std::vector<Frame> inexpressible;
-    std::vector<Vec3> inexpressible_tints;
-    for (std::size_t i = 0; i < instances.frames.size(); ++i) {
-      if (is_expressible_as_node(instances.frames[i])) {
-        groups[group_of(k, i)].push_back(static_cast<std::uint32_t>(i));
-      } else {
-        inexpressible.push_back(instances.frames[i]);
-        inexpressible_tints.push_back(instances.tint(i));
-      }
+    std::vector<std::uint32_t> inexpressible;
+    const std::size_t count = members.empty() ? instances.frames.size() : members.size();
+    for (std::size_t m = 0; m < count; ++m) {
+      const auto i = members.empty() ? static_cast<std::uint32_t>(m) : members[m];
+      (is_expressible_as_node(instances.frames[i]) ? groups[group_of(k, i)] : inexpressible).push_back(i);
     }
     for (std::size_t g = 0; g < groups.size(); ++g) {
-      if (!groups[g].empty()) add_shared(component, instances, g, std::move(groups[g]));
+      if (!groups[g].empty()) add_shared(component, k, g, std::move(groups[g]));
     }
     if (inexpressible.empty()) return;
-    layout_.inexpressible_frames.push_back(std::move(inexpressible));
-    layout_.inexpressible_tints.push_back(std::move(inexpressible_tints));
-    bake(component, instances,
-         {instances.mesh.get(), layout_.inexpressible_frames.back(), layout_.inexpressible_tints.back()});
+    layout_.members.push_back(std::move(inexpressible));
+    bake(component, instances, layout_.members.back());
   }
 
   std::size_t group_of(std::size_t k, std::size_t instance) const {
@@ -161,20 +253,30 @@ class LayoutBuilder {
     return palette.colours.empty() ? 0 : palette.of[first_tint_[k] + instance];
   }
 
-  void add_shared(std::size_t component, const MeshInstances& instances, std::size_t group,
-                  std::vector<std::uint32_t> members) {
-    const bool is_mirrored = layout_.has_instance_rows && group == 1;
+  void add_shared(std::size_t component, std::size_t k, std::size_t group, std::vector<std::uint32_t> members) {
+    GltfSharedMesh shared;
+    shared.mesh = shared_mesh(k, group);
+    shared.source = &scene_.meshes[k];
+    shared.instances = std::move(members);
+    shared.is_mirrored = is_group_mirrored(group);
+    shared.origin = origin_of(component);
+    layout_.components[component].shared.push_back(std::move(shared));
+  }
+
+  /// The number of the mesh that a group of instances of the scene's mesh number `k` shares, in all plants.
+  std::size_t shared_mesh(std::size_t k, std::size_t group) {
+    const auto [entry, is_new] = shared_meshes_.try_emplace(std::pair(k, group), layout_.meshes.size());
+    if (!is_new) return entry->second;
+    const MeshInstances& instances = scene_.meshes[k];
     const bool has_palette = !layout_.has_instance_rows && !palettes_[instances.material].colours.empty();
     const std::size_t material = material_of(instances, has_palette ? group : kNone);
     layout_.meshes.push_back({instances.component, {}});
-    add_piece(layout_.meshes.back(), material, {instances.mesh.get(), is_mirrored ? kMirror : kIdentity, {}}, false);
-    GltfSharedMesh shared;
-    shared.mesh = layout_.meshes.size() - 1;
-    shared.source = &instances;
-    shared.instances = std::move(members);
-    shared.is_mirrored = is_mirrored;
-    layout_.components[component].shared.push_back(std::move(shared));
+    const std::span<const Frame> frame = is_group_mirrored(group) ? kMirror : kIdentity;
+    add_piece(layout_.meshes.back(), material, {instances.mesh.get(), frame, {}, {}, Vec3(0)}, false);
+    return entry->second;
   }
+
+  bool is_group_mirrored(std::size_t group) const { return layout_.has_instance_rows && group == 1; }
 
   /// Adds the textures of the materials in use, each once.
   void add_textures() {
@@ -198,7 +300,10 @@ class LayoutBuilder {
   const MeshScene& scene_;
   bool bakes_all_ = false;
   GltfLayout layout_;
-  std::vector<Palette> palettes_;        // of each of the scene's materials
+  std::vector<std::size_t> plant_of_individual_;
+  std::map<std::pair<std::size_t, std::string_view>, std::size_t> component_indices_;  // by plant and name
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> shared_meshes_;  // by the scene's mesh and the group
+  std::vector<Palette> palettes_;                                             // of each of the scene's materials
   std::vector<std::size_t> first_tint_;  // of each of the scene's meshes in its palette
   std::map<std::tuple<std::uint32_t, std::size_t, bool>, std::size_t> material_indices_;
 };
@@ -253,13 +358,13 @@ void place_arrays(GltfLayout& layout) {
 
 Box bounds_of(const GltfPiece& piece, Progress& progress) {
   const std::size_t vertices = piece.mesh->vertex_count();
-  const std::size_t elements = piece.frames.size() * vertices;
+  const std::size_t elements = piece.count() * vertices;
   std::vector<Box> boxes((elements + kVerticesPerBlock - 1) / kVerticesPerBlock);
   parallel_for(elements, kVerticesPerBlock, [&](std::size_t begin, std::size_t end) {
     progress.check();
     Box& box = boxes[begin / kVerticesPerBlock];
     for_each_run(begin, end, vertices, [&](std::size_t frame, std::size_t first, std::size_t last) {
-      const Frame& place = piece.frames[frame];
+      const Frame place = piece.frame(frame);
       for (std::size_t v = first; v < last; ++v) box.add(place.point(piece.mesh->positions[v]));
     });
   });
@@ -271,7 +376,8 @@ Box bounds_of(const GltfPiece& piece, Progress& progress) {
 }  // namespace
 
 Frame GltfSharedMesh::frame(std::size_t row) const {
-  const Frame& place = source->frames[instances[row]];
+  Frame place = source->frames[instances[row]];
+  place.origin -= origin;
   return is_mirrored ? place * kMirror[0] : place;
 }
 

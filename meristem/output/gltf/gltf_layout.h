@@ -23,11 +23,22 @@ namespace meristem {
 struct GltfPiece {
   const Mesh* mesh = nullptr;
   std::span<const Frame> frames;
-  std::span<const Vec3> tints;  ///< one per frame; empty where all are 1
+  std::span<const Vec3> tints;             ///< one per frame; empty where all are 1
+  std::span<const std::uint32_t> members;  ///< the frames that belong to it; empty: all
+  Vec3 origin{0};                          ///< of the node that it is written for
 
-  std::uint64_t vertex_count() const { return mesh->vertex_count() * frames.size(); }
-  std::uint64_t triangle_count() const { return mesh->triangle_count() * frames.size(); }
-  Vec3 tint(std::size_t frame) const { return tints.empty() ? Vec3(1) : tints[frame]; }
+  std::size_t count() const { return members.empty() ? frames.size() : members.size(); }
+  std::uint64_t vertex_count() const { return mesh->vertex_count() * count(); }
+  std::uint64_t triangle_count() const { return mesh->triangle_count() * count(); }
+  /// The frame of its k-th instance, seen from the node.
+  Frame frame(std::size_t k) const {
+    const Frame& place = frames[member(k)];
+    return {place.axes, place.origin - origin};
+  }
+  Vec3 tint(std::size_t k) const { return tints.empty() ? Vec3(1) : tints[member(k)]; }
+
+ private:
+  std::size_t member(std::size_t k) const { return members.empty() ? k : members[k]; }
 };
 
 /// Where an array stands in the binary chunk; no bytes, no array.
@@ -70,18 +81,36 @@ struct GltfSharedMesh {
   const MeshInstances* source = nullptr;
   std::vector<std::uint32_t> instances;  ///< of the source, rising
   bool is_mirrored = false;              ///< the mesh is its mirror image in x, so that no row has to mirror it
+  Vec3 origin{0};                        ///< of the node that it is written for
   GltfRange translation_range, rotation_range, scale_range, colour_range;  ///< where instances are rows
 
-  /// The transform of one of `instances`, as the shared mesh needs it.
+  /// The transform of one of `instances`, as the shared mesh needs it, seen from the node.
   Frame frame(std::size_t row) const;
 };
 
-/// One component of the document: a node of that name with what is baked, and children for what shares a mesh.
+/// One of several plants: a node at its foot, and children for its components.
+struct GltfPlant {
+  std::string name;
+  Vec3 foot{0};
+};
+
+/// One component of the document, or of one of its plants: a node of that name with what is baked, and children for
+/// what shares a mesh.
 struct GltfComponent {
   static constexpr std::size_t kNoMesh = SIZE_MAX;
+  static constexpr std::size_t kNoPlant = SIZE_MAX;
   std::string name;
+  std::size_t plant = kNoPlant;      ///< index into GltfLayout::plants
   std::size_t baked_mesh = kNoMesh;  ///< index into GltfLayout::meshes
   std::vector<GltfSharedMesh> shared;
+};
+
+/// A plant that stands in several places: a node in each, with children for its components, which share their meshes
+/// and arrays among all places.
+struct GltfPlacedPlant {
+  std::string name;
+  const std::vector<Frame>* places = nullptr;
+  std::size_t first_component = 0, end_component = 0;  ///< of GltfLayout::components
 };
 
 /// A material of the scene, or one of the colours that its instances have.
@@ -90,7 +119,7 @@ struct GltfMaterial {
   std::uint32_t source = 0;          ///< index into MeshScene::materials
   const Texture* texture = nullptr;  ///< null where its meshes have no uvs, too
   Vec3 base{1};                      ///< factor on the texture, linear, at most 1
-  Vec3 transmitted{1};               ///< the same for light that passes through
+  Vec3 transmitted{1};               ///< factor for light that passes through
 };
 
 struct GltfImage {
@@ -109,21 +138,29 @@ struct GltfTexture {
 
 struct GltfLayout {
   std::vector<GltfMesh> meshes;
-  std::vector<GltfComponent> components;
+  std::vector<GltfPlant> plants;          ///< empty where plants have no nodes
+  std::vector<GltfComponent> components;  ///< those of each plant together, in the order of plants, then the others,
+                                          ///< and those of placed plants
+  std::size_t own_components = 0;         ///< number of those that are of no placed plant
+  std::vector<GltfPlacedPlant> placed;
   std::vector<GltfMaterial> materials;  ///< those in use
   std::vector<GltfTexture> textures;    ///< of those; materials with the same Texture share it
   std::vector<GltfImage> images;
   std::vector<ColourFactors> factors;  ///< of each of MeshScene::materials
   bool has_instance_rows = false;      ///< instances are rows of arrays, not nodes
   std::uint64_t binary_bytes = 0;
-  /// Instances that can share no mesh (sheared, or flat); they are baked.
-  std::vector<std::vector<Frame>> inexpressible_frames;
-  std::vector<std::vector<Vec3>> inexpressible_tints;
+  std::vector<std::vector<std::uint32_t>> members;  ///< those of pieces that have some of a mesh's instances
 
   GltfLayout() = default;
   GltfLayout(const GltfLayout&) = delete;  // spans point into it
   GltfLayout(GltfLayout&&) = default;
 };
+
+/// More plants have no nodes of their own: each takes several arrays, which readers keep apart.
+inline constexpr std::size_t kMostGltfPlants = 1000;
+/// The most plants with nodes of their own where leaves are instances: each plant then repeats a node and its accessors
+/// per shared mesh, some 10 kB.
+inline constexpr std::size_t kMostInstancedGltfPlants = 100;
 
 /// Lays out everything but the bounds, and makes the pictures' bytes. All of `scene` is baked if it has at most
 /// `flatten_triangles` triangles and instances are not to be rows, else only meshes placed once. `scene` must outlive

@@ -40,6 +40,13 @@ TEST(Gltf, SaysWhereThePlantCameFrom) {
   EXPECT_EQ(json["scenes"][0]["extras"], extras);
 }
 
+TEST(Gltf, SaysWhichValuesWereSetForThePlant) {
+  GltfOptions options;
+  options.provenance.sets = {"age=20", "leaf.length=[0.1,0.2]"};
+  const Json json = written(scene_of(triangle(), {Frame()}), options).json;
+  EXPECT_EQ(json["asset"]["extras"]["set"], Json({"age=20", "leaf.length=[0.1,0.2]"}));
+}
+
 TEST(Gltf, AnEmptySceneHasNeitherNodesNorBuffers) {
   const Glb glb = written(scene_of(triangle(), {}));
   EXPECT_EQ(glb.json["scenes"].size(), 1U);

@@ -66,7 +66,7 @@ class Parting {
       for (std::size_t k = group.begin; k < group.end; ++k) {
         palette.of[order_[k]] = static_cast<std::uint8_t>(palette.colours.size());
       }
-      // Of equal colours the mean may differ in the last digit.
+      // The mean of equal colours may differ from them in the last digit.
       const bool is_one = group.moments.error() <= 0;
       palette.colours.push_back(is_one ? colours_[order_[group.begin]] : Vec3(group.moments.mean()));
     }

@@ -91,22 +91,24 @@ void write_coloured_positions(BlockWriter& writer, const MeshInstances& instance
   const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, std::string& out) {
     const Vec3 colour = srgb_from_linear(factors.instance(instances.tint(frame)));
     const std::string tail = fmt::format(" {:.4g} {:.4g} {:.4g}\n", colour.r, colour.g, colour.b);
+    const Frame place = instances.frame(frame);
     for (std::size_t v = first; v < last; ++v) {
-      const Vec3 point = instances.frames[frame].point(mesh.positions[v]);
+      const Vec3 point = place.point(mesh.positions[v]);
       append_line(out, FMT_COMPILE("v {} {} {}"), point.x, point.y, point.z);
       out += tail;
     }
   };
-  write_for_frames(writer, instances.frames.size(), mesh.positions.size(), kVectorBytes, fill);
+  write_for_frames(writer, instances.count(), mesh.positions.size(), kVectorBytes, fill);
 }
 
 void write_vertices(BlockWriter& writer, const MeshInstances& instances, const ColourFactors* colours) {
   const Mesh& mesh = *instances.mesh;
   const auto write = [&](std::size_t per_frame, auto append) {
     const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, std::string& out) {
-      for (std::size_t v = first; v < last; ++v) append(out, instances.frames[frame], v);
+      const Frame place = instances.frame(frame);
+      for (std::size_t v = first; v < last; ++v) append(out, place, v);
     };
-    write_for_frames(writer, instances.frames.size(), per_frame, kVectorBytes, fill);
+    write_for_frames(writer, instances.count(), per_frame, kVectorBytes, fill);
   };
   if (colours != nullptr) {
     write_coloured_positions(writer, instances, *colours);
@@ -130,14 +132,14 @@ void write_faces(BlockWriter& writer, const MeshInstances& instances, const Offs
   const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, std::string& out) {
     const Offsets at{offsets.position + frame * mesh.positions.size(), offsets.uv + frame * mesh.uvs.size(),
                      offsets.normal + frame * mesh.normals.size()};
-    const bool flips = is_mirrored(instances.frames[frame]);
+    const bool flips = is_mirrored(instances.frame(frame));
     for (std::size_t t = first; t < last; ++t) {
       std::array<std::uint32_t, 3> triangle = mesh.triangles[t];
       if (flips) std::swap(triangle[1], triangle[2]);
       append_face(out, mesh, triangle, at);
     }
   };
-  write_for_frames(writer, instances.frames.size(), mesh.triangle_count(), kFaceBytes, fill);
+  write_for_frames(writer, instances.count(), mesh.triangle_count(), kFaceBytes, fill);
 }
 
 void write_geometry(const MeshScene& scene, const std::vector<ColourFactors>& factors, const ObjNames& names,
@@ -155,9 +157,9 @@ void write_geometry(const MeshScene& scene, const std::vector<ColourFactors>& fa
     write_vertices(writer, instances, has_colours ? &factors[instances.material] : nullptr);
     write_faces(writer, instances, offsets);
     const Mesh& mesh = *instances.mesh;
-    offsets.position += mesh.positions.size() * instances.frames.size();
-    offsets.uv += mesh.uvs.size() * instances.frames.size();
-    offsets.normal += mesh.normals.size() * instances.frames.size();
+    offsets.position += mesh.positions.size() * instances.count();
+    offsets.uv += mesh.uvs.size() * instances.count();
+    offsets.normal += mesh.normals.size() * instances.count();
   }
 }
 
@@ -165,8 +167,8 @@ std::uint64_t element_count(const MeshScene& scene) {
   std::uint64_t count = 0;
   for (const MeshInstances& instances : scene.meshes) {
     const Mesh& mesh = *instances.mesh;
-    count += instances.frames.size() *
-             (mesh.positions.size() + mesh.uvs.size() + mesh.normals.size() + mesh.triangle_count());
+    count +=
+        instances.count() * (mesh.positions.size() + mesh.uvs.size() + mesh.normals.size() + mesh.triangle_count());
   }
   return count;
 }

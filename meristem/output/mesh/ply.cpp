@@ -22,6 +22,7 @@
 #include "meristem/output/skeleton/skeleton_table.h"
 #include "meristem/output/write/block_writer.h"
 #include "meristem/output/write/names.h"
+#include "meristem/plant/plant_variant.h"
 
 namespace meristem {
 
@@ -39,7 +40,7 @@ void check_count(std::string_view what, std::uint64_t count) {
 }
 
 template <class Value>
-void append(std::string& out, const Value& value) {
+void append_bytes(std::string& out, const Value& value) {
   std::array<char, sizeof(Value)> bytes;
   std::memcpy(bytes.data(), &value, sizeof(Value));
   out.append(bytes.data(), bytes.size());
@@ -95,13 +96,14 @@ class MeshPly {
         const std::string tail =
             instances.tints.empty()
                 ? plain_tail
-                : tail_of(srgb_from_linear(linear_from_srgb(colour) * instances.tints[frame]), component);
+                : tail_of(srgb_from_linear(linear_from_srgb(colour) * instances.tint(frame)), component);
+        const Frame place = instances.frame(frame);
         for (std::size_t v = first; v < last; ++v) {
-          append_vertex(*instances.mesh, instances.frames[frame], v, out);
+          append_vertex(*instances.mesh, place, v, out);
           out += tail;
         }
       };
-      write_for_frames(writer_, instances.frames.size(), instances.mesh->vertex_count(), kMostVertexBytes, fill);
+      write_for_frames(writer_, instances.count(), instances.mesh->vertex_count(), kMostVertexBytes, fill);
     }
   }
 
@@ -111,16 +113,16 @@ class MeshPly {
       const Mesh& mesh = *instances.mesh;
       const auto fill = [&](std::size_t frame, std::size_t first, std::size_t last, std::string& out) {
         const auto offset = static_cast<std::uint32_t>(base + frame * mesh.vertex_count());
-        const bool flips = is_mirrored(instances.frames[frame]);
+        const bool flips = is_mirrored(instances.frame(frame));
         for (std::size_t t = first; t < last; ++t) {
           auto [a, b, c] = mesh.triangles[t];
           if (flips) std::swap(b, c);
           out += '\3';
-          append(out, std::array{offset + a, offset + b, offset + c});
+          append_bytes(out, std::array{offset + a, offset + b, offset + c});
         }
       };
-      write_for_frames(writer_, instances.frames.size(), mesh.triangle_count(), kFaceBytes, fill);
-      base += mesh.vertex_count() * instances.frames.size();
+      write_for_frames(writer_, instances.count(), mesh.triangle_count(), kFaceBytes, fill);
+      base += mesh.vertex_count() * instances.count();
     }
   }
 
@@ -131,15 +133,15 @@ class MeshPly {
   /// What all vertices of one colour (sRGB) and component end with.
   static std::string tail_of(Vec3 colour, std::int32_t component) {
     std::string tail;
-    for (int channel = 0; channel < 3; ++channel) append(tail, byte_of(colour[channel]));
-    append(tail, component);
+    for (int channel = 0; channel < 3; ++channel) append_bytes(tail, byte_of(colour[channel]));
+    append_bytes(tail, component);
     return tail;
   }
 
   void append_vertex(const Mesh& mesh, const Frame& frame, std::size_t v, std::string& out) const {
-    append(out, frame.point(mesh.positions[v]));
-    if (has_normals_) append(out, mesh.normals.empty() ? Vec3(0) : frame.normal(mesh.normals[v]));
-    if (has_uvs_) append(out, mesh.uvs.empty() ? Vec2(0) : mesh.uvs[v]);
+    append_bytes(out, frame.point(mesh.positions[v]));
+    if (has_normals_) append_bytes(out, mesh.normals.empty() ? Vec3(0) : frame.normal(mesh.normals[v]));
+    if (has_uvs_) append_bytes(out, mesh.uvs.empty() ? Vec2(0) : mesh.uvs[v]);
   }
 
   const MeshScene& scene_;
@@ -190,9 +192,9 @@ void write_nodes(const SkeletonTable& table, const std::vector<std::size_t>& col
       for (const std::size_t column : columns) {
         const double value = table.value(row, column);
         if (is_whole(table.columns()[column].kind)) {
-          append(out, static_cast<std::int32_t>(value));
+          append_bytes(out, static_cast<std::int32_t>(value));
         } else {
-          append(out, static_cast<float>(value));
+          append_bytes(out, static_cast<float>(value));
         }
       }
     });
@@ -204,7 +206,7 @@ void write_edges(const SkeletonTable& table, BlockWriter& writer) {
   const auto fill = [&](std::size_t begin, std::size_t end, std::string& out) {
     table.for_each_row(begin, end, [&](const SkeletonRow& row) {
       const auto parent = static_cast<std::int32_t>(table.parent(row));
-      if (parent >= 0) append(out, std::array{parent, static_cast<std::int32_t>(row.row)});
+      if (parent >= 0) append_bytes(out, std::array{parent, static_cast<std::int32_t>(row.row)});
     });
   };
   writer.write(table.row_count(), 8, fill);
@@ -224,7 +226,7 @@ std::size_t edge_count(const Plant& plant) {
 void write_mesh_ply(const MeshScene& scene, const std::string& path, const PlyOptions& options, Progress& progress) {
   std::uint64_t vertices = 0;
   for (const MeshInstances& instances : scene.meshes) {
-    vertices += instances.mesh->vertex_count() * instances.frames.size();
+    vertices += instances.mesh->vertex_count() * instances.count();
   }
   check_count("vertices", vertices);
   check_count("triangles", scene.triangle_count());
@@ -237,7 +239,9 @@ void write_mesh_ply(const MeshScene& scene, const std::string& path, const PlyOp
   file.commit();
 }
 
-void write_skeleton_ply(const Plant& plant, const std::string& path, const PlyOptions& options, Progress& progress) {
+void write_skeleton_ply(const Plant& grown, const std::string& path, const PlyOptions& options, Progress& progress) {
+  const ExpandedPlant expanded(grown, progress);
+  const Plant& plant = *expanded;
   const SkeletonTable table(plant);
   check_count("nodes", table.row_count());
   progress.begin("writing PLY", 2 * table.row_count());

@@ -35,7 +35,7 @@ class PacketArrays {
 std::vector<float> packed_vectors(const std::vector<Vec3>& vectors);
 /// Unit vectors as four normalised bytes each, the last 0.
 std::vector<std::int8_t> packed_normals(const std::vector<Vec3>& normals);
-/// The same, and the sign in the last.
+/// Tangents as four normalised bytes each, the sign in the last.
 std::vector<std::int8_t> packed_tangents(const std::vector<Vec4>& tangents);
 /// Whether all lie in 0 to 1, so that 16 bits do.
 bool fit_sixteen_bits(const std::vector<Vec2>& uvs);

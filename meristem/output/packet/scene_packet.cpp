@@ -51,7 +51,7 @@ std::uint64_t lines_key(const Skeleton& skeleton, float least_radius) {
       .hash();
 }
 
-/// Those of `before` that `after` has not.
+/// The keys of `before` that `after` lacks.
 std::vector<std::uint64_t> missing_keys(const std::set<std::uint64_t>& before, const std::set<std::uint64_t>& after) {
   std::vector<std::uint64_t> missing;
   std::set_difference(before.begin(), before.end(), after.begin(), after.end(), std::back_inserter(missing));
@@ -67,6 +67,19 @@ Value counts_value(const PacketCounts& counts) {
   return Value::Object{{"triangles", number_value(counts.triangles)},
                        {"instances", number_value(counts.instances)},
                        {"nodes", number_value(counts.nodes)}};
+}
+
+/// Frames and tints of all instances, place by place.
+std::vector<Frame> all_frames(const MeshInstances& instances) {
+  std::vector<Frame> frames(instances.count());
+  for (std::size_t i = 0; i < frames.size(); ++i) frames[i] = instances.frame(i);
+  return frames;
+}
+
+std::vector<Vec3> all_tints(const MeshInstances& instances) {
+  std::vector<Vec3> tints(instances.count());
+  for (std::size_t i = 0; i < tints.size(); ++i) tints[i] = instances.tint(i);
+  return tints;
 }
 
 }  // namespace
@@ -204,11 +217,11 @@ class PacketMaker::Builder {
     if (!now_.held.instances.insert(key).second || before_.held.instances.contains(key)) return;
     progress_.check();
     Value::Object object{{"key", key_value(key)},
-                         {"count", number_value(instances.frames.size())},
-                         {"frames", arrays_.add(packed_frames(instances.frames))}};
+                         {"count", number_value(instances.count())},
+                         {"frames", arrays_.add(packed_frames(all_frames(instances)))}};
     if (!instances.tints.empty()) {
       const Vec3 scale = tint_scale(instances.tints);
-      object.emplace_back("tints", arrays_.add(packed_tints(instances.tints, scale)));
+      object.emplace_back("tints", arrays_.add(packed_tints(all_tints(instances), scale)));
       object.emplace_back("tint_scale", vector_value(scale));
     }
     lists_.instances.push_back(std::move(object));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes as messages to a viewer, each of which holds only what has changed since the one before.
+// Scenes as messages to a viewer; each message holds only what has changed since the one before.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@
 
 namespace meristem {
 
-/// What there is of a plant, of which a packet may show less.
+/// What there is of a plant; a packet may show less of it.
 struct PacketCounts {
   std::uint64_t triangles = 0;
   std::uint64_t instances = 0;
@@ -27,10 +27,10 @@ struct PacketCounts {
 
 /// What a packet says besides the scene.
 struct PacketFacts {
-  std::string hash;       ///< of the text that it shows
+  std::string hash;       ///< hash of the text that the packet shows
   bool is_draft = false;  ///< less than there will be once nothing moves; the viewer keeps what it had before drafts
   bool fits = false;      ///< the camera is to be fitted to it
-  double share = 1;       ///< of all triangles, that were asked of the meshes
+  double share = 1;       ///< share of all triangles that was asked of the meshes
   PacketCounts all{};     ///< what there is in all
 };
 
@@ -38,7 +38,7 @@ struct PacketFacts {
 struct PacketScene {
   const MeshScene* meshes = nullptr;  ///< null: none; textures must be painted
   const Plant* skeletons = nullptr;   ///< whose stems are drawn as lines; null: none
-  std::size_t most_segments = 0;      ///< of all skeletons: the thickest are drawn; 0: all
+  std::size_t most_segments = 0;      ///< segments that are drawn of all skeletons, the thickest ones; 0: all
 };
 
 /// Makes the packets for one viewer. They are little-endian:
@@ -92,7 +92,7 @@ class PacketMaker {
 
   SceneKeyMaker key_maker_;
   Shown shown_;
-  Held rest_;  // of the last packet that was no draft
+  Held rest_;  // what the viewer holds since the last packet that was no draft
   std::uint64_t number_ = 0;
 };
 

@@ -17,10 +17,10 @@ struct SkeletonLines {
   std::vector<float> radii;             ///< of each node
 };
 
-/// Nodes at least so thick, with all of whose ancestors are.
+/// Nodes at least this thick whose ancestors all are too.
 SkeletonLines skeleton_lines(const Skeleton& skeleton, float least_radius);
 
-/// The radius from which on the skeletons together have at most about so many nodes; 0 where all of them may be drawn.
+/// The radius from which on the skeletons together have at most about `most_nodes`; 0 where all may be drawn.
 float least_drawn_radius(const std::vector<const Skeleton*>& skeletons, std::size_t most_nodes);
 
 }  // namespace meristem

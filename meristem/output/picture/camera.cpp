@@ -46,15 +46,15 @@ std::vector<Vec3> corners(const Mesh& mesh) {
 
 /// The reach of one part of the scene; of small meshes with many instances, that of the boxes about them.
 Reach reach_of(const MeshInstances& part, const std::array<Vec3, 4>& directions) {
-  const bool is_single = part.frames.size() == 1;
+  const bool is_single = part.count() == 1;
   const std::vector<Vec3> points = is_single ? part.mesh->positions : corners(*part.mesh);
-  const std::size_t count = part.frames.size() * points.size();
+  const std::size_t count = part.count() * points.size();
   constexpr std::size_t kGrain = 1 << 16;
   std::vector<Reach> reaches((count + kGrain - 1) / kGrain);
   parallel_for(count, kGrain, [&](std::size_t begin, std::size_t end) {
     Reach& reach = reaches[begin / kGrain];
     for (std::size_t i = begin; i < end; ++i) {
-      reach.add(part.frames[i / points.size()].point(points[i % points.size()]), directions);
+      reach.add(part.frame(i / points.size()).point(points[i % points.size()]), directions);
     }
   });
   Reach all;

@@ -22,7 +22,7 @@ class Camera {
  private:
   Vec3 position_;
   Vec3 forward_, right_, up_;
-  float half_width_, half_height_;  // of the film at distance 1
+  float half_width_, half_height_;  // half the film's width and height at distance 1
 };
 
 /// The camera that `view` asks for. Where it gives no position, the nearest one from its azimuth and altitude from

@@ -30,7 +30,7 @@ namespace {
 
 constexpr float kLevelCard = 0.6F;   // of the plant's height, at which the level card lies: in the crown
 constexpr int kGutter = 4;           // pixels between views, so that smaller pictures of them do not run together
-constexpr int kSpread = 12;          // pixels by which colours go on beyond the mask
+constexpr int kSpread = 12;          // pixels that colours go on beyond the mask
 constexpr float kFootShare = 0.02F;  // of the plant's height, that its foot has
 
 /// One card: where it stands, and where its view lies in the picture.
@@ -54,7 +54,8 @@ Vec3 foot_of(const MeshScene& scene, const Box& box) {
   const float top = box.low.y + kFootShare * box.size().y;
   Box foot;
   for (const MeshInstances& part : scene.meshes) {
-    for (const Frame& frame : part.frames) {
+    for (std::size_t i = 0; i < part.count(); ++i) {
+      const Frame frame = part.frame(i);
       for (const Vec3 position : part.mesh->positions) {
         const Vec3 point = frame.point(position);
         if (point.y <= top) foot.add(point);
@@ -71,7 +72,8 @@ void fit_card(const MeshScene& scene, Vec3 foot, Card& card) {
   float high_x = -low_x;
   float high_y = -low_x;
   for (const MeshInstances& part : scene.meshes) {
-    for (const Frame& frame : part.frames) {
+    for (std::size_t i = 0; i < part.count(); ++i) {
+      const Frame frame = part.frame(i);
       for (const Vec3 position : part.mesh->positions) {
         const Vec3 offset = frame.point(position) - foot;
         const float x = glm::dot(offset, card.across);
@@ -261,7 +263,9 @@ void spread_colours(std::vector<Pixel>& pixels, int columns, int rows) {
   }
 }
 
-std::uint8_t byte_of(float value) { return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255 + 0.5F); }
+std::uint8_t byte_of_share(float value) {
+  return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255 + 0.5F);
+}
 
 /// All views in one picture, which gutters keep apart.
 class Atlas {
@@ -307,10 +311,10 @@ class Atlas {
       const Vec3 colour = srgb_from_linear(spread[k].colour);
       const Vec3 normal = 0.5F * spread[k].normal + 0.5F;
       for (int c = 0; c < 3; ++c) {
-        texture->colour.rgba[4 * k + static_cast<std::size_t>(c)] = byte_of(colour[c]);
-        texture->normals.rgba[4 * k + static_cast<std::size_t>(c)] = byte_of(normal[c]);
+        texture->colour.rgba[4 * k + static_cast<std::size_t>(c)] = byte_of_share(colour[c]);
+        texture->normals.rgba[4 * k + static_cast<std::size_t>(c)] = byte_of_share(normal[c]);
       }
-      texture->colour.rgba[4 * k + 3] = byte_of(spread[k].covered);
+      texture->colour.rgba[4 * k + 3] = byte_of_share(spread[k].covered);
       texture->normals.rgba[4 * k + 3] = 255;
       if (spread[k].covered < 0.5F) continue;
       mean += DVec3(spread[k].colour);
@@ -321,7 +325,7 @@ class Atlas {
     return texture;
   }
 
-  /// Of a pixel's corner, counted from the picture's upper left.
+  /// The uv of a pixel's corner, counted from the picture's upper left.
   Vec2 uv(int column, int row) const {
     return {static_cast<float>(column) / static_cast<float>(columns_),
             1 - static_cast<float>(row) / static_cast<float>(rows_)};

@@ -15,7 +15,7 @@ namespace meristem {
 /// triangles in one plane are left out. A wire is a 400th of the hull's longest side thick. Of an empty mesh none.
 std::vector<Frame> hull_wires(const Mesh& hull);
 
-/// A plant's meshes and after them, matt and warm in colour, the convex hull of each tree's crown: that of which the
+/// A plant's meshes and after them, matt and warm in colour, the convex hull of each tree's crown: the hull whose
 /// lit share is measured. Meshes and textures are shared with `meshes`; trees without a crown add nothing. Throws
 /// Cancelled.
 MeshScene with_crown_hulls(const MeshScene& meshes, const Plant& plant, const Progress& progress);

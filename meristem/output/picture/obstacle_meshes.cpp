@@ -19,7 +19,8 @@ MeshInstances instances_of(const Obstacle& body, std::uint32_t material) {
           .mesh = std::make_shared<const Mesh>(std::move(mesh)),
           .material = material,
           .frames = {Frame{.origin = origin}},
-          .tints = {}};
+          .tints = {},
+          .individuals = {kNoIndividual}};
 }
 
 }  // namespace

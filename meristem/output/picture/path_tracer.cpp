@@ -49,8 +49,8 @@ float gloss(Vec3 normal, Vec3 to_light, Vec3 to_viewer, float width) {
 }  // namespace
 
 PathTracer::PathTracer(const MeshScene& meshes, const RayScene& rays, Daylight light, std::optional<Ground> ground,
-                       Lamplight lamps)
-    : rays_(rays), light_(std::move(light)), ground_(ground), lamps_(std::move(lamps)) {
+                       Lamplight lamps, Air air)
+    : rays_(rays), light_(std::move(light)), ground_(ground), lamps_(std::move(lamps)), air_(air) {
   for (const MeshInstances& part : meshes.meshes) {
     const Material& material = meshes.materials[part.material];
     const float roughness = std::clamp(material.roughness, 0.2F, 1.0F);
@@ -175,6 +175,13 @@ Seen PathTracer::trace(Ray ray, SampleStream& samples) const {
     if (bounce == 0) {
       seen.cover = vertex->cover;
       weight *= vertex->cover;
+      if (air_.haze) {
+        // Haze has the light of the sky at the horizon behind it.
+        const float clear = std::exp(-glm::distance(ray.origin, vertex->position) / *air_.haze);
+        const Vec3 level = normalized_or(Vec3(ray.direction.x, 0, ray.direction.z), ray.direction);
+        seen.light += (1 - clear) * weight * light_.seen(level);
+        weight *= clear;
+      }
     } else {
       vertex->gloss_width = 0;  // seen by way of a matt surface, gloss is noise and nothing else
     }
@@ -191,7 +198,7 @@ Seen PathTracer::trace(Ray ray, SampleStream& samples) const {
     const bool reflects = sample.x < share;
     sample.x = reflects ? sample.x / share : (sample.x - share) / (1 - share);
     weight *= reflects ? vertex->reflected / share : vertex->transmitted / (1 - share);
-    // Of the paths that carry little, few go on, with the weight of those that stop.
+    // Few of the paths that carry little go on; they take over the weight of those that stop.
     const float survival = std::clamp(vertex->keenness * luminance(weight), 0.1F, 1.0F);
     if (survival < 1 && samples.next().x >= survival) return seen;
     weight /= survival;

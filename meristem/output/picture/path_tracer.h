@@ -12,6 +12,7 @@
 #include <optional>
 #include <vector>
 
+#include "meristem/output/picture/clouds.h"
 #include "meristem/output/picture/daylight.h"
 #include "meristem/output/picture/lamplight.h"
 #include "meristem/output/picture/sampling.h"
@@ -29,6 +30,12 @@ struct Ground {
   float fade_distance = 10;  ///< metres from the centre at which half is faded
 };
 
+/// What lies between the camera and what it sees, and behind that.
+struct Air {
+  std::optional<float> haze;  ///< metres over which it hides two thirds of what is seen; unset: it is clear
+  Clouds clouds;
+};
+
 /// What one ray sees: light that was weighted by how much of it hides the background.
 struct Seen {
   Vec3 light{0};
@@ -39,10 +46,12 @@ class PathTracer {
  public:
   /// `meshes` and `rays` must outlive this.
   PathTracer(const MeshScene& meshes, const RayScene& rays, Daylight light, std::optional<Ground> ground,
-             Lamplight lamps = Lamplight());
+             Lamplight lamps = Lamplight(), Air air = {});
 
   /// Follows one path. The background is not part of the light.
   Seen trace(Ray ray, SampleStream& samples) const;
+  /// What is seen where nothing stands.
+  Vec3 background(Vec3 direction) const { return air_.clouds.over(direction, light_.seen(direction)); }
   const Daylight& light() const { return light_; }
 
  private:
@@ -77,6 +86,7 @@ class PathTracer {
   Daylight light_;
   std::optional<Ground> ground_;
   Lamplight lamps_;
+  Air air_;
   std::vector<Look> looks_;  ///< one a part of the scene
   std::map<const Texture*, TextureSampler> textures_;
 };

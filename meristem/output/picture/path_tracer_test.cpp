@@ -379,5 +379,25 @@ TEST(RayScene, StopsBuildingWhenCancelled) {
   EXPECT_THROW(RayScene(level_square(white()), progress), Cancelled);
 }
 
+TEST(PathTracer, HazeTakesItsShareOfWhatIsSeen) {
+  // A white plane under a sky of 1 is as bright as the sky, so one of half its brightness shows the haze: what is left
+  // of the difference is e to minus the distance over that of the haze.
+  Material grey;
+  grey.colour = srgb_from_linear(Vec3(0.5F));
+  const MeshScene scene = level_square(grey);
+  Progress progress;
+  const RayScene rays(scene, progress);
+  const Daylight light = uniform_light(Vec3(1));
+  const PathTracer clear(scene, rays, light, std::nullopt);
+  const PathTracer hazy(scene, rays, light, std::nullopt, Lamplight(), Air{.haze = 4.0F, .clouds = {}});
+  double plain = 0, hidden = 0;
+  for (std::uint32_t s = 0; s < kSamples; ++s) {
+    SampleStream first(7, s, kSamples), second(7, s, kSamples);
+    plain += clear.trace(kFromAbove, first).light.g;
+    hidden += hazy.trace(kFromAbove, second).light.g;
+  }
+  EXPECT_NEAR((1 - hidden / kSamples) / (1 - plain / kSamples), std::exp(-2.0 / 4), 0.02);
+}
+
 }  // namespace
 }  // namespace meristem

@@ -69,7 +69,7 @@ void Photographer::sample(int x, int y, int sample, Square& square) const {
   const Ray ray{camera_.position(), camera_.direction(film), spread_};
   Seen seen = tracer_.trace(ray, samples);
   if (settings_.shows_sky) {
-    if (seen.cover < 1) seen.light += (1 - seen.cover) * tracer_.light().seen(ray.direction);
+    if (seen.cover < 1) seen.light += (1 - seen.cover) * tracer_.background(ray.direction);
     seen.cover = 1;
   }
   square.light += seen.light;

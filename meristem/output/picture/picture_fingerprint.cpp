@@ -45,6 +45,7 @@ void add(const MeshScene& meshes, Fingerprint& to) {
   for (const MeshInstances& instances : meshes.meshes) {
     add(*instances.mesh, to);
     to.add(instances.material).add_array(instances.frames).add_array(instances.tints);
+    if (instances.places != nullptr) to.add_array(*instances.places);
   }
 }
 
@@ -61,6 +62,8 @@ std::string picture_fingerprint(const GrownDocument& grown, const Scene& scene, 
   if (!view.position) all.add(view.azimuth).add(view.altitude);  // a position replaces them
   all.add(view.field_of_view);
   add(view.background, all);
+  if (view.haze) all.add_text("haze").add(*view.haze);
+  if (view.clouds > 0) all.add_text("clouds").add(view.clouds);
   all.add(scene.sun.azimuth).add(scene.sun.altitude);
   for (const Lamp& lamp : scene.light.lamps) {
     add(lamp.position, all);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the samples of a pixel lie: a function of pixel, sample and dimension alone, so a picture does not depend on
-// threads. All pixels share one sequence, of which each takes a block, neighbours neighbouring blocks; every pair of
-// dimensions runs through it in its own order. So the samples of a pixel are spread evenly, the first 1, 2, 4, 8... of
-// them too, and those of neighbours fill each other's gaps, which makes a fine grain of the noise that is left.
+// threads. All pixels share one sequence: each takes a block of it, and neighbours take neighbouring blocks; every pair
+// of dimensions runs through it in its own order. So the samples of a pixel are spread evenly, the first 1, 2, 4, 8...
+// of them too, and those of neighbours fill each other's gaps, which makes a fine grain of the noise that is left.
 //
 // Based on: B. Burley: Practical hash-based Owen scrambling (2020), of the sequence of I. Sobol; N. Vegdahl: Building a
 // better LK hash (2021); A. Ahmed and P. Wonka: Screen-space blue-noise diffusion of Monte Carlo sampling error via

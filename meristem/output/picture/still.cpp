@@ -92,6 +92,18 @@ class Developer {
   bool keeps_alpha_;
 };
 
+Air air_of(const View& view, const Sky& sky) {
+  Air air;
+  if (view.haze) air.haze = static_cast<float>(*view.haze);
+  if (view.clouds > 0) {
+    const Vec3 white = Vec3(0.8F / static_cast<float>(kPi));
+    const Vec3 dome = sky.dome_irradiance();
+    air.clouds =
+        Clouds(view.clouds, sky.sun_direction(), white * (0.75F * sky.sun_irradiance() + dome), 0.6F * white * dome);
+  }
+  return air;
+}
+
 /// How brightly lamps light what stands in the picture, half of it turned away or in the shade. The mean is that of the
 /// roots, so that a bright spot beside a lamp leaves the rest to be seen.
 float metered(const Lamplight& lamps, const RayScene& rays, const Camera& camera) {
@@ -136,7 +148,7 @@ Image render_still(const MeshScene& meshes, const Scene& scene, const View& view
   const bool shows_ground = options.ground && !options.transparent;
   const Lamplight lamps(scene.light.lamps);
   const PathTracer tracer(shown, rays, Daylight(sky, ground.colour),
-                          shows_ground ? std::optional(ground) : std::nullopt, lamps);
+                          shows_ground ? std::optional(ground) : std::nullopt, lamps, air_of(view, sky));
   const Camera camera = place_camera(framed, view, static_cast<double>(options.width) / options.height);
   const float brightness = exposure(sky, lamps.empty() ? 0 : metered(lamps, rays, camera));
   const Developer developer(view, options, brightness);

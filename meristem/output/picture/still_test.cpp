@@ -87,7 +87,7 @@ TEST(Still, LampsLightTheNightTheSameOnAnyNumberOfThreads) {
   EXPECT_LT(brightness(expected, 0, 0), 200);
 }
 
-/// The same with leaves that a texture cuts out and tilts, each in a colour of its own.
+/// The block with leaves that a texture cuts out and tilts, each in a colour of its own.
 MeshScene block_with_textured_leaves() {
   MeshScene scene = block_with_leaves();
   Mesh leaf = *scene.meshes[1].mesh;

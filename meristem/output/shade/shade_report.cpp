@@ -15,7 +15,7 @@ namespace meristem {
 namespace {
 
 constexpr int kMapSize = 720;  // pixels of a map's longer side, about
-constexpr int kMargin = 20;
+constexpr int kMapMargin = 20;
 constexpr int kScale = 2;  // pixels of a dot of the letters
 constexpr Pixel kInk = {40, 40, 40};
 constexpr Pixel kNone = {190, 190, 190};  // night, and where an obstacle stands
@@ -66,26 +66,26 @@ Cells cells_of_moments(const ShadePlan& plan, const ShadeOfSurface& shade) {
   return cells;
 }
 
-/// A picture with white margins around cells of so many pixels.
+/// A picture with white margins around square cells.
 class MapPicture {
  public:
   MapPicture(const Cells& cells, int cell_width, int cell_height, int left, int below)
       : width_(cells.columns * cell_width), height_(cells.rows * cell_height), left_(left) {
-    const int whole_width = left + std::max(width_, kLegendWidth) + 3 * kMargin;
-    const int whole_height = kMargin + height_ + below + kLegendHeight + kMargin;
+    const int whole_width = left + std::max(width_, kLegendWidth) + 3 * kMapMargin;
+    const int whole_height = kMapMargin + height_ + below + kLegendHeight + kMapMargin;
     image_ = {whole_width, whole_height, std::vector<std::uint8_t>(std::size_t{4} * whole_width * whole_height, 255)};
     for (int row = 0; row < cells.rows; ++row) {
       for (int column = 0; column < cells.columns; ++column) {
         const std::optional<double>& share = cells.at(column, row);
-        fill(left + column * cell_width, kMargin + height_ - (row + 1) * cell_height, cell_width, cell_height,
+        fill(left + column * cell_width, kMapMargin + height_ - (row + 1) * cell_height, cell_width, cell_height,
              share ? colour_of(*share) : kNone);
       }
     }
-    add_legend(kMargin + height_ + below);
+    add_legend(kMapMargin + height_ + below);
   }
 
-  int top() const { return kMargin; }
-  int bottom() const { return kMargin + height_; }
+  int top() const { return kMapMargin; }
+  int bottom() const { return kMapMargin + height_; }
   int left() const { return left_; }
   int width() const { return width_; }
 
@@ -131,14 +131,14 @@ Image ground_picture(const ShadePlan& plan, const ShadeOfSurface& shade) {
   const ShadeSurface& surface = plan.surface;
   const Cells cells = cells_of_grid(surface, shade.of_point);
   const int cell = std::max(1, kMapSize / std::max(cells.columns, cells.rows));
-  constexpr int kBelow = kMargin + kSmallTextHeight * kScale + kMargin;
-  MapPicture map(cells, cell, cell, kMargin, kBelow);
+  constexpr int kBelow = kMapMargin + kSmallTextHeight * kScale + kMapMargin;
+  MapPicture map(cells, cell, cell, kMapMargin, kBelow);
   // Cells are equally wide, and as many as have points make the area.
   const double cell_area = surface.area / static_cast<double>(surface.positions.size());
   const double width = cells.columns * std::sqrt(cell_area);
   const double length = scale_length(width);
   map.fill(map.left(), map.bottom() + 10, static_cast<int>(std::lround(length / width * map.width())), 3, kInk);
-  map.text(map.left(), map.bottom() + kMargin, fmt::format("{:.6g} m", length));
+  map.text(map.left(), map.bottom() + kMapMargin, fmt::format("{:.6g} m", length));
   return map.take();
 }
 
@@ -147,14 +147,14 @@ Image moments_picture(const ShadePlan& plan, const ShadeOfSurface& shade) {
   const int width = std::clamp(kMapSize / std::max(cells.columns, 1), 1, 120);
   const int height = std::clamp(480 / std::max(cells.rows, 1), 1, 40);
   const int letters = kSmallTextHeight * kScale;
-  const int left = kMargin + small_text_width("00:00", kScale) + 8;
-  MapPicture map(cells, width, height, left, kMargin + letters);
+  const int left = kMapMargin + small_text_width("00:00", kScale) + 8;
+  MapPicture map(cells, width, height, left, kMapMargin + letters);
   // Label as many hours and days as have room.
   const auto hours = static_cast<int>(plan.hours.size());
   const int every_hours = std::max(1, (letters + 6 + height - 1) / height);
   for (int k = 0; k < hours; k += every_hours) {
     const int y = map.bottom() - k * height - height / 2 - letters / 2;
-    map.text(kMargin, y, clock_hour_text(plan.hours[static_cast<std::size_t>(k)]));
+    map.text(kMapMargin, y, clock_hour_text(plan.hours[static_cast<std::size_t>(k)]));
   }
   const auto label = [](const ShadeDay& day) { return day.date ? date_text(*day.date).substr(5) : day.text(); };
   const int room = small_text_width(label(plan.days[0]), kScale) + 12;

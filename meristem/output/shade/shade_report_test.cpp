@@ -14,7 +14,7 @@ struct Case {
   ShadeOfSurface shade;
 };
 
-/// Ground of two by two cells, one of which an obstacle takes, at midnight and at noon.
+/// Ground of two by two cells at midnight and at noon; an obstacle takes one cell.
 Case small_case() {
   Scene scene;
   scene.latitude = radians(50);

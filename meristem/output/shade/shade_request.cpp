@@ -242,7 +242,7 @@ double latitude_of(const ShadeRequest& request, const Scene& scene) {
   check_within("latitude", request.latitude, -90, 90);
   if (request.latitude) return radians(*request.latitude);
   if (scene.latitude) return *scene.latitude;
-  throw fault("latitude", "the scene has no latitude", "the latitude of the site in degrees, north positive");
+  throw fault("latitude", "the scene has no latitude", "the latitude of the scene in degrees, north positive");
 }
 
 std::optional<ClockZone> zone_of(const ShadeRequest& request, const Scene& scene) {
@@ -254,7 +254,7 @@ std::optional<ClockZone> zone_of(const ShadeRequest& request, const Scene& scene
   if (request.utc_offset) zone.utc_offset = *request.utc_offset;
   if (scene.clock || (request.longitude && request.utc_offset)) return zone;
   throw fault(request.longitude ? "utc_offset" : "longitude", "clock time needs both a longitude and an offset",
-              "the site's longitude in degrees and the clock's hours ahead of universal time");
+              "the scene's longitude in degrees and the clock's hours ahead of universal time");
 }
 
 void set_times(const ShadeRequest& request, const Scene& scene, ShadePlan& plan) {

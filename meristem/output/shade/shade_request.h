@@ -33,7 +33,7 @@ struct ShadeRequest {
 
 /// A day of a request; without a date any year's.
 struct ShadeDay {
-  int day = 1;  ///< of the year
+  int day = 1;  ///< day of the year
   std::optional<Date> date{};
 
   std::string text() const { return date ? date_text(*date) : std::to_string(day); }
@@ -44,8 +44,8 @@ struct ShadePlan {
   ShadeSurface surface;
   std::vector<ShadeDay> days;
   std::vector<double> hours;
-  bool is_clock_time = false;  ///< else true solar time
-  /// Of each day all hours, one day after another; with the true solar hours.
+  bool is_clock_time = false;  ///< false: true solar time
+  /// Positions of the sun at all hours of each day, one day after another, with the true solar hours.
   std::vector<SkyDirection> sun;
   std::vector<double> solar_hours;
 };

@@ -11,7 +11,7 @@ constexpr int kWidth = 5;
 constexpr int kAdvance = 6;
 constexpr std::string_view kLetters = "0123456789%:-.m";
 
-/// Of each letter seven rows from above, of which the highest of five bits is the left dot.
+/// Seven rows of each letter from above; the highest of a row's five bits is the left dot.
 constexpr std::array<std::array<std::uint8_t, 7>, 15> kDots = {{
     {0b01110, 0b10001, 0b10011, 0b10101, 0b11001, 0b10001, 0b01110},
     {0b00100, 0b01100, 0b00100, 0b00100, 0b00100, 0b00100, 0b01110},

@@ -11,6 +11,7 @@
 #include "meristem/base/atomic_file.h"
 #include "meristem/output/write/block_writer.h"
 #include "meristem/output/write/csv.h"
+#include "meristem/plant/plant_variant.h"
 
 namespace meristem {
 
@@ -44,7 +45,9 @@ std::vector<std::uint32_t> organ_instances(const Plant& plant) {
   return numbers;
 }
 
-void write_organ_csv(const Plant& plant, std::span<const LitOrgan> lit, const std::string& path, Progress& progress) {
+void write_organ_csv(const Plant& grown, std::span<const LitOrgan> lit, const std::string& path, Progress& progress) {
+  const ExpandedPlant expanded(grown, progress);
+  const Plant& plant = *expanded;
   if (lit.size() != plant.organs.size()) throw std::invalid_argument("each organ has its light");
   std::vector<std::string> components;  // of each prototype, as fields
   std::size_t longest = 0;

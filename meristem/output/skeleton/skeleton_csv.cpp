@@ -8,6 +8,7 @@
 #include "meristem/output/skeleton/skeleton_table.h"
 #include "meristem/output/write/block_writer.h"
 #include "meristem/output/write/csv.h"
+#include "meristem/plant/plant_variant.h"
 
 namespace meristem {
 
@@ -63,7 +64,9 @@ class CsvRows {
 
 }  // namespace
 
-void write_skeleton_csv(const Plant& plant, const std::string& path, Progress& progress) {
+void write_skeleton_csv(const Plant& grown, const std::string& path, Progress& progress) {
+  const ExpandedPlant expanded(grown, progress);
+  const Plant& plant = *expanded;
   const SkeletonTable table(plant);
   const CsvRows rows(table);
   progress.begin("writing CSV", table.row_count());

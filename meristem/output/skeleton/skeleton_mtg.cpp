@@ -14,13 +14,14 @@
 
 #include "meristem/base/atomic_file.h"
 #include "meristem/base/diagnostic.h"
-#include "meristem/output/mtg/mtg_columns.h"
-#include "meristem/output/mtg/mtg_layout.h"
 #include "meristem/output/skeleton/skeleton_table.h"
 #include "meristem/output/write/block_writer.h"
 #include "meristem/output/write/csv.h"
 #include "meristem/output/write/names.h"
 #include "meristem/plant/axis_labels.h"
+#include "meristem/plant/mtg/mtg_columns.h"
+#include "meristem/plant/mtg/mtg_layout.h"
+#include "meristem/plant/plant_variant.h"
 
 namespace meristem {
 namespace {
@@ -260,7 +261,9 @@ class MtgWriter {
 
 }  // namespace
 
-void write_skeleton_mtg(const Plant& plant, const std::string& path, const MtgOptions& options, Progress& progress) {
+void write_skeleton_mtg(const Plant& grown, const std::string& path, const MtgOptions& options, Progress& progress) {
+  const ExpandedPlant expanded(grown, progress);
+  const Plant& plant = *expanded;
   MtgWriter writer(plant, progress);
   AtomicFile file(path);
   writer.write(file, options.provenance);

@@ -16,8 +16,8 @@
 #include "meristem/components/registry.h"
 #include "meristem/document/grow.h"
 #include "meristem/document/models.h"
-#include "meristem/output/mtg/mtg_skeleton.h"
 #include "meristem/plant/axis_labels.h"
+#include "meristem/plant/mtg/mtg_skeleton.h"
 #include "tests/support/sample_plants.h"
 #include "tests/support/shared_data.h"
 
@@ -298,7 +298,7 @@ TEST(SkeletonMtg, GrownPlantsComeBack) {
 TEST(SkeletonMtg, TreesThatNumberTheirMetamersComeBack) {
   check_grown(read_document(R"({"meristem": 1, "components": {"tree": {
     "type": "organize", "iterations": 9, "length": 0.1, "roots": [[0, 0, 0], [2, 0, 0]], "phyllotaxis": "decussate",
-    "shedding": {"below": 0.2}, "operations": [{"at": 4, "do": "cut", "shoot": "main", "above": 3}]}}})",
+    "shedding": {"below": 0.2}, "operations": [{"at": 4, "do": "cut", "shoots": "main", "above": 3}]}}})",
                             "tree.json", builtin_components(), {}));
 }
 

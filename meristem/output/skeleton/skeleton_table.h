@@ -13,7 +13,7 @@ namespace meristem {
 
 /// One node of one stem.
 struct SkeletonRow {
-  std::size_t row = 0;   ///< its number in the table, from 0
+  std::size_t row = 0;   ///< number of the row in the table, from 0
   std::size_t stem = 0;  ///< index into Plant::stems
   NodeIndex node = 0;    ///< index into the stem's skeleton
 };
@@ -75,10 +75,11 @@ class SkeletonTable {
   std::vector<SkeletonColumn> columns_;
   std::vector<std::string> components_;
   std::vector<std::string> labels_;
-  std::vector<std::vector<std::size_t>> component_;            // of each stem's parts, indices into components_
-  std::vector<std::size_t> first_row_;                         // of each stem, and the end
-  std::vector<std::size_t> first_axis_;                        // of each stem
-  std::vector<std::vector<const std::vector<float>*>> extra_;  // of each stem, for each further column; may be null
+  std::vector<std::vector<std::size_t>> component_;  // for each stem's parts, indices into components_
+  std::vector<std::size_t> first_row_;               // first row of each stem, and the end
+  std::vector<std::size_t> first_axis_;              // first axis of each stem
+  std::vector<std::vector<const std::vector<float>*>>
+      extra_;  // values of each stem for each further column; may be null
 };
 
 }  // namespace meristem

@@ -23,15 +23,16 @@ std::vector<ColourFactors> colour_factors(const MeshScene& scene) {
   std::vector<std::size_t> instance_counts(count, 0);
   for (const MeshInstances& instances : scene.meshes) {
     const std::uint32_t m = instances.material;
-    const std::size_t frames = instances.frames.size();
+    const std::size_t frames = instances.count();
     instance_counts[m] += frames;
     if (instances.tints.empty()) {
       most[m] = glm::max(most[m], Vec3(1));
       sums[m] += DVec3(static_cast<double>(frames));
     }
+    const auto places = static_cast<double>(instances.place_count());
     for (const Vec3 tint : instances.tints) {
       most[m] = glm::max(most[m], tint);
-      sums[m] += DVec3(tint);
+      sums[m] += places * DVec3(tint);
     }
     factors[m].varies |= !instances.tints.empty();
   }

@@ -19,7 +19,7 @@ struct ColourFactors {
   Vec3 instance(Vec3 tint) const;
 };
 
-/// Those of each of the scene's materials.
+/// The colour factors of each of the scene's materials.
 std::vector<ColourFactors> colour_factors(const MeshScene& scene);
 
 }  // namespace meristem

@@ -28,8 +28,8 @@ struct TexturePicture {
 /// formats share them.
 class EncodedPictures {
  public:
-  /// The bytes of each of `pictures`, in their order; those that are new are encoded side by side. Their textures stay
-  /// where they are for as long as this is used. Throws Cancelled, std::invalid_argument for sketches.
+  /// The bytes of each of `pictures`, in their order; new pictures are encoded side by side. Their textures stay where
+  /// they are for as long as this is used. Throws Cancelled, std::invalid_argument for sketches.
   std::vector<std::shared_ptr<const std::string>> encode(std::span<const TexturePicture> pictures,
                                                          const Progress& progress);
 

@@ -16,7 +16,7 @@ std::string single_line(std::string_view text);
 /// `text` as one word: white space, control characters, `#` and `\` become `_`; "_" for an empty text.
 std::string single_word(std::string_view text);
 
-/// The same as a part of a file's name: `/` becomes `_`, too.
+/// `text` as a part of a file's name: `single_word`, and `/` becomes `_`, too.
 std::string file_word(std::string_view text);
 
 /// `text` with the letters A to Z as small ones.

@@ -38,6 +38,13 @@ TEST(Names, ProvenanceTellsHowToGrowAgain) {
                                 "units: metres, y up"}));
 }
 
+TEST(Names, ProvenanceTellsTheValuesThatWereSetAsAShellTakesThem) {
+  const Provenance provenance{"", "", "", 7, "1", {"age=20", "leaf.colour=\"#aabbcc\"", "name=\"it's\""}};
+  EXPECT_EQ(provenance_lines(provenance)[2],
+            "to grow it again: meristem grow DOCUMENT -o FILE --seed 7 --set age=20 --set "
+            "'leaf.colour=\"#aabbcc\"' --set 'name=\"it'\\''s\"'");
+}
+
 TEST(Names, FileWordsHaveNoSlash) {
   EXPECT_EQ(file_word("a/b c"), "a_b_c");
   EXPECT_EQ(file_word(""), "_");

@@ -16,7 +16,7 @@ enum class PngPacking { small, quick };
 /// Writes a PNG to `path` ("-" for standard output); same picture, same bytes. Throws MachineError.
 void write_png(const Image& image, const std::string& path, PixelKind kind = PixelKind::srgb);
 
-/// The same in memory.
+/// The bytes of a PNG file.
 std::string encode_png(const Image& image, PixelKind kind = PixelKind::srgb, PngPacking packing = PngPacking::small);
 
 }  // namespace meristem

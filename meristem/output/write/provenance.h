@@ -14,10 +14,11 @@ struct Provenance {
   std::string author;
   std::string licence;
   std::uint64_t seed = 0;
-  std::string version;  ///< of the program
+  std::string version;              ///< version of the program
+  std::vector<std::string> sets{};  ///< the values that were set for it, each as `--set` takes it: "age=20"
 };
 
-/// The same for people, and the units, as comments of a file: one line each, without a mark of a comment.
+/// The provenance and the units as comments of a file, for people: one line each, without the mark of a comment.
 std::vector<std::string> provenance_lines(const Provenance& provenance, std::string_view units = "metres, y up");
 
 }  // namespace meristem

@@ -11,9 +11,9 @@ namespace meristem {
 
 /// A change of the midrib's direction between two positions.
 struct LocalTurn {
-  double from = 0.5;  ///< position along the midrib where it begins, 0 to 1
-  double to = 0.6;    ///< and where it ends, at least `from`; equal: a kink
-  double angle = 0;   ///< radians by which all beyond is turned; positive: away from the stem, down
+  double from = 0.5;  ///< position along the midrib where the turn begins, 0 to 1
+  double to = 0.6;    ///< position along the midrib where the turn ends, at least `from`; equal: a kink
+  double angle = 0;   ///< radians: turn of all beyond; positive: away from the stem, down
 };
 
 /// The leaf with all these turns; each is spread evenly between its positions. Its pieces keep their lengths. Throws

@@ -93,7 +93,7 @@ Points follow_midrib(const Points& points, const std::vector<double>& lengths, c
 
 /// Root mean square over `points` of the distance to the nearest point on `curve`.
 double mean_distance(const Points& points, const Points& curve) {
-  // Columns, of which a processor takes several pieces at once.
+  // Columns, since a processor takes several pieces of them at once.
   const std::size_t pieces = curve.size() - 1;
   std::vector<double> x(pieces), y(pieces), along_x(pieces), along_y(pieces), inverse(pieces), shares(pieces);
   for (std::size_t k = 0; k < pieces; ++k) {
@@ -215,15 +215,15 @@ GrassLeaf leaf_through(const Points& points) {
   return leaf;
 }
 
-/// Of a curve, where it is above 0.
+/// The area under a curve, where it is above 0.
 double area_under(const CurvePositions& positions, std::span<const Vec2> curve, CurveKind kind) {
   double sum = 0;
   for (const double value : positions.values(curve, kind)) sum += std::max(0.0, value);
   return sum / kAreaPlaces;
 }
 
-/// Between few rows a spline bulges: it may have 6 % more area than the widths that were measured. So much of it is
-/// given up for the straight lines that the area keeps to theirs.
+/// Between few rows a spline bulges: it may have 6 % more area than the widths that were measured. The spline gives way
+/// to the straight lines by the share that keeps the area to theirs.
 double straightness_for_area(std::span<const Vec2> curve) {
   static const std::vector<double> places = [] {
     std::vector<double> middles;

@@ -13,15 +13,15 @@ struct FitOptions {
   /// How far the midrib may be from its digitised points, root mean square, as a share of its length; raised, smoother;
   /// 0: the points joined as they are.
   double smoothing = 0.0025;
-  double width_smoothing = 0.01;  ///< the same for the widths, as a share of the largest
+  double width_smoothing = 0.01;  ///< how far widths may be from the digitised ones, as a share of the largest
   int pieces = 48;                ///< equal pieces of the fitted midrib; raised, it follows the spline more closely
 };
 
 /// A smoothing spline through a digitised midrib, which begins at its first point.
 struct FittedMidrib {
-  GrassLeaf leaf;              ///< of equal pieces, 1 long, as wide all along
+  GrassLeaf leaf;              ///< leaf of equal pieces, 1 long and of constant width
   double length = 0;           ///< in the unit of the points
-  double polyline_length = 0;  ///< of the digitised points joined by lines
+  double polyline_length = 0;  ///< length of the digitised points joined by lines
   double distance = 0;         ///< root mean square distance of the digitised points from the fitted midrib
 };
 
@@ -37,7 +37,7 @@ struct FittedWidths {
   bool are_shares = false;  ///< the positions are shares of the length: they end at 1, or from 0.9 on
   /// Whether the widths are shares, too: their largest is about 1.
   bool are_widths_shares() const { return are_shares && width > 0.9 && width < 1.01; }
-  bool was_turned = false;  ///< they ran from the tip to the base
+  bool was_turned = false;  ///< the points ran from the tip to the base
 };
 
 /// Throws InputError by check_widths, and std::invalid_argument for options out of range.
@@ -47,7 +47,7 @@ FittedWidths fit_widths(const MeasuredCurve& widths, const FitOptions& options =
 struct FittedLeaf {
   GrassLeaf leaf;
   double midrib_length = 0;    ///< as of FittedMidrib, in the unit of the points
-  double polyline_length = 0;  ///< the same of the points joined by lines
+  double polyline_length = 0;  ///< length of the points joined by lines, in their unit
   double distance = 0;         ///< root mean square, of the points from the fitted midrib
   bool was_turned = false;
 };

@@ -23,7 +23,7 @@ namespace {
 constexpr double kNoWidth = 1e-3;     // of the largest: a blade that ends so narrow ends in a point
 constexpr double kLeastWidth = 1e-3;  // elsewhere
 constexpr double kNoLength = 1e-6;    // in lengths: a shorter piece has no direction
-constexpr double kMostClasp = 2.8;    // radians by which a half may bend about a sheath
+constexpr double kMostClasp = 2.8;    // radians that a half may bend about a sheath
 constexpr int kSheathSides = 14;
 constexpr int kLiguleSides = 6;
 constexpr double kLiguleArc = 2.4;      // radians
@@ -86,7 +86,7 @@ class BladeRows {
     return {0, 1};
   }
 
-  /// By which a section bends a metre of its width.
+  /// How far a section bends per metre of its width.
   double curvature(double place) const {
     double curvature = blade_.roll / leaf_.width;
     if (blade_.clasp_radius > 0 && place < blade_.clasp) {

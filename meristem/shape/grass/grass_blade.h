@@ -15,7 +15,7 @@ namespace meristem {
 /// Edge waves. Their height rises with the square of the distance from the midrib, where it is 0.
 struct EdgeWaves {
   double number = 0;  ///< from base to tip
-  double depth = 0;   ///< of the crests at the edge, as a share of half the blade's width there
+  double depth = 0;   ///< depth of the crests at the edge, as a share of half the blade's width there
   double left = 0;    ///< phase of the left edge, radians; seen from above with the tip ahead
   double right = kPi;
 };
@@ -24,12 +24,12 @@ struct EdgeWaves {
 struct GrassBlade {
   double twist = 0;                                        ///< torsion about the midrib from base to tip
   Curve twist_along{{{0, 0}, {1, 1}}, CurveKind::linear};  ///< share of it that is reached, over the position
-  double fold = 0;                                         ///< by which each half is raised about the midrib, a V
+  double fold = 0;                                         ///< angle of each half above the flat blade: a V
   double roll = 0;  ///< bend from edge to edge where the blade is widest; raised, the edges rise more
   EdgeWaves waves;
   int across = 2;           ///< quads from edge to edge, an even number
   double clasp = 0;         ///< share of the length over which the blade unrolls from the sheath's round
-  double clasp_radius = 0;  ///< of that round, metres; 0: it begins as it goes on
+  double clasp_radius = 0;  ///< radius of the sheath's round, metres; 0: the blade begins as it goes on
   /// Moves the point at the position s (0 to 1) and u (-0.5 to 0.5 across): away from the stem, along it, and across,
   /// in widths of the blade. Empty: not at all. The source's f, g and h.
   std::function<DVec3(double s, double u)> displace;

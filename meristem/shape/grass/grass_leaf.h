@@ -16,7 +16,7 @@ namespace meristem {
 /// A leaf as seen from its side: x leads away from the stem, y along it, toward the stem's tip. The four lists have one
 /// number per point of the midrib, at least two points, from the collar at (0, 0) to the tip.
 struct GrassLeaf {
-  double length = 1;      ///< of the midrib, metres
+  double length = 1;      ///< length of the midrib, metres
   double width = 0.1;     ///< across at the widest, metres
   std::vector<double> s;  ///< position along the midrib, rising from 0 to 1
   std::vector<double> x;  ///< in lengths
@@ -36,8 +36,8 @@ double area(const GrassLeaf& leaf);
 /// Based on: Fournier and Pradal (2012), section 2.2, where widths are normalised by the area.
 std::vector<double> widths_by_area(const GrassLeaf& leaf);
 
-/// Of each piece of the midrib, radians away from the stem: 0 along it, half pi level, pi straight down. Steps from one
-/// piece to the next are at most pi, so a midrib that rolls up goes on beyond pi.
+/// The angle of each piece of the midrib, radians away from the stem: 0 along it, half pi level, pi straight down.
+/// Steps from one piece to the next are at most pi, so a midrib that rolls up goes on beyond pi.
 std::vector<double> piece_angles(const GrassLeaf& leaf);
 
 /// Puts the midrib together anew from the angles of its pieces; each keeps its length.

@@ -28,7 +28,7 @@ namespace {
 constexpr double kLeastWidth = 0.02;  // of the largest, with which a joint is as stiff as one of none
 constexpr double kSettled = 1e-10;    // radians: the last step of pieces that have come to rest
 constexpr double kBalanced = 1e-8;    // radians: the same between rounds of wind
-constexpr double kFarthest = 0.5;     // radians by which a step may turn a piece
+constexpr double kFarthest = 0.5;     // radians that a step may turn a piece
 constexpr int kSteps = 400;
 constexpr int kRounds = 300;  // of wind
 constexpr int kLoadSteps = 8;
@@ -48,7 +48,7 @@ class Chain {
       areas_.push_back(lengths_[k] * ratio * 0.5 * (leaf.r[k] + leaf.r[k + 1]));
       const double thickness = 1 - (1 - strip.tip_thickness) * leaf.s[k];
       const double share = std::max(kLeastWidth, leaf.r[k]) * thickness * thickness * thickness;
-      // Of the joint before this piece.
+      // The stiffness of the joint before this piece.
       const double spacing = k == 0 ? lengths_[0] : 0.5 * (lengths_[k - 1] + lengths_[k]);
       stiffness_.push_back(strip.stiffness * ratio * share / spacing);
     }

@@ -10,21 +10,21 @@
 
 namespace meristem {
 
-/// A leaf as an elastic strip that is held at its collar. Its stiffness at a position is that of its base, times its
-/// width over the largest, times the cube of its thickness over that at the base.
+/// A leaf as an elastic strip that is held at its collar. Its stiffness at a position is the stiffness of its base
+/// times its width over the largest, times the cube of its thickness over that at the base.
 struct LeafStrip {
-  /// Of the base: bending stiffness per metre of width, over weight per square metre times the cubed length. Raised,
-  /// the leaf yields less; a leaf that hardly carries itself has 0.1, an upright one 1 and more.
+  /// Stiffness of the base: bending stiffness per metre of width, over weight per square metre times the cubed length.
+  /// Raised, the leaf yields less; a leaf that hardly carries itself has 0.1, an upright one 1 and more.
   double stiffness = 0.3;
-  double tip_thickness = 0.3;  ///< over that of the base; it falls evenly
+  double tip_thickness = 0.3;  ///< thickness at the tip over the thickness at the base; it falls evenly
 };
 
 /// What acts on a leaf, in units of its own weight per square metre, by the leaf's plane: x away from the stem, y along
 /// it.
 struct LeafLoads {
   glm::dvec2 pull{0};  ///< on every part alike, as weight and light do
-  /// Of wind, where it meets the blade squarely; of a blade that lies along it nothing, in between with the square of
-  /// the sine.
+  /// Force of wind where it meets the blade squarely; a blade that lies along the wind feels nothing, in between the
+  /// force goes with the square of the sine.
   glm::dvec2 wind{0};
   /// Which way gravity acts. The leaf is what it is under its weight; where `gravity` and `measured_gravity` are equal
   /// its own weight changes nothing.

@@ -33,7 +33,7 @@ bool is_finite(const GrassLeaf& leaf) {
          std::all_of(leaf.y.begin(), leaf.y.end(), [](double y) { return std::isfinite(y); });
 }
 
-/// A vector and the radians by which it is turned down.
+/// A vector and how far it is turned down, radians.
 Vec turned_down(Vec v, double angle) {
   return {std::cos(angle) * v.x + std::sin(angle) * v.y, std::cos(angle) * v.y - std::sin(angle) * v.x};
 }
@@ -57,7 +57,8 @@ std::vector<double> moments_of(const GrassLeaf& leaf, const LeafLoads& loads) {
   return moments;
 }
 
-/// The most by which a joint's moment, by what it turned, differs from that of the forces on the loaded leaf.
+/// The largest difference between a joint's moment, as its turn gives it, and the moment of the forces on the loaded
+/// leaf.
 double imbalance(const GrassLeaf& given, const GrassLeaf& now, const LeafStrip& strip, const LeafLoads& loads) {
   const std::vector<double> before = piece_angles(given), after = piece_angles(now);
   const std::vector<double> first = moments_of(given, {.gravity = loads.measured_gravity});

@@ -16,7 +16,7 @@ namespace meristem {
 
 /// A list of points with the lines of a file on which they stand; `lines` may be empty.
 struct MeasuredCurve {
-  std::optional<int> rank;    ///< of the leaf on its stem, or of a class of ranks
+  std::optional<int> rank;    ///< rank of the leaf on its stem, or a class of ranks
   std::optional<int> lindex;  ///< which one among the leaves of that rank
   std::optional<double> age;
   std::vector<glm::dvec2> points;
@@ -28,9 +28,9 @@ struct MeasuredCurve {
 /// warning each. Throws an InputError with all other faults, also those of check_midrib, by their lines.
 std::vector<MeasuredCurve> read_midribs(std::string_view text, const Limits& limits, std::vector<Diagnostic>& warnings);
 
-/// The same with the columns s (distance from the base) and r (width, or share of the widest) and, if there, rank or
-/// rankclass, and lindex; repeats and faults as of check_widths. What runs from the tip to the base is turned about,
-/// with a warning each.
+/// Reads a text with the columns s (distance from the base) and r (width, or share of the widest) and, if there, rank
+/// or rankclass, and lindex. Repeats are treated as in read_midribs, faults are those of check_widths. Widths that run
+/// from the tip to the base are turned about, with a warning each.
 std::vector<MeasuredCurve> read_widths(std::string_view text, const Limits& limits, std::vector<Diagnostic>& warnings);
 
 /// Throws an InputError if a midrib has fewer than 3 points, two equal ones in a row (nearer than a millionth of its

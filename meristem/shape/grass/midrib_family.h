@@ -44,14 +44,14 @@ GrassLeaf aged(const GrassLeaf& leaf, const MidribFamily& family, double age, do
 struct GrowthRates {
   double age = 1;     ///< how fast it ages
   double length = 1;  ///< how much length comes out with each step of age
-  double width = 1;   ///< of what comes out
+  double width = 1;   ///< width of the leaf that comes out
   double bend = 1;    ///< how far its pieces turn with each step of age
 };
 
 /// The rates when the leaf has lived so long (in the unit of ages) and shows such a share of its length.
 using RatesOf = FunctionRef<GrowthRates(double lived, double visible)>;
 
-/// Of one life, at most.
+/// The most steps of one life.
 inline constexpr double kMostLifeSteps = 100'000;
 
 /// The leaf after living up to `time` in steps of `step`, each with its own rates. With rates of 1 it is the aged one.

@@ -24,7 +24,7 @@ ReductionOrder reduction_order(const GrassLeaf& leaf, const std::vector<std::vec
 
 /// The points that stay where `pieces` pieces are wanted, at least 1: indices that rise, both ends among them.
 std::vector<std::uint32_t> points_kept(const ReductionOrder& order, std::size_t pieces);
-/// The same where no step may cost more than `error`.
+/// The points that stay where no step may cost more than `error`: indices that rise, both ends among them.
 std::vector<std::uint32_t> points_within(const ReductionOrder& order, double error);
 
 /// The leaf with these points alone, wider by as much as keeps its area.

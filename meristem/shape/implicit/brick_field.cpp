@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kError = 1e-4;         // of a cell
 constexpr double kNear = 2;             // cells off the surface to which values must be right; ends of edges are 1
-constexpr double kSafety = 1e-2;        // cells by which a region must be off the surface to be left
+constexpr double kSafety = 1e-2;        // cells that a region must be off the surface to be left
 constexpr std::size_t kChunks = 192;    // regions to share out at least
 constexpr double kMargin = 2;           // cells about the body
 constexpr double kMostCells = 1 << 28;  // along a body with its blends
@@ -123,7 +123,7 @@ class Descent {
       if (level.holds_surface(k)) open |= 1U << k;
     }
     if (open == 0) return level;
-    // Of the cubes of single blocks only the positions of corners are sampled, a cell within them.
+    // Single blocks' cubes are sampled at the positions of corners alone, a cell within them.
     pruner_.keep(open, side == 2 ? kHalfDiagonal * 2 * cell : 0, level.steps);
     return level;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values on the corners of a grid's cells, of which only bricks of 8 x 8 x 8 corners are kept: those near a surface.
+// Values on the corners of a grid's cells. Only bricks of 8 x 8 x 8 corners near a surface are kept.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct BrickChunk {
 };
 
 /// Corner (i, j, k) lies at origin + cell * (i, j, k). Where a cell's corners differ in sign, all bricks that hold one
-/// of them are there; cells of which some are not have corners of one sign.
+/// of them are there; cells with a missing corner have corners of one sign.
 struct BrickGrid {
   DVec3 origin{0};
   double cell = 1;

@@ -46,7 +46,8 @@ std::uint32_t bit_count(std::uint32_t bits) {
 int row_index(int y, int z) { return y + kSide * z; }
 int corner_index(glm::ivec3 corner) { return corner.x + kSide * row_index(corner.y, corner.z); }
 
-/// Which corners of a brick are inside, a bit each, and the vertices on the edges that leave its corners upward.
+/// Which corners of a brick are inside, one bit per corner, and the vertices on the edges that leave its corners
+/// upward.
 struct BrickTopology {
   std::array<std::uint8_t, kRows> inside{};
   std::array<std::uint32_t, kRows> edges{};       // 8 bits each for edges along x, y and z

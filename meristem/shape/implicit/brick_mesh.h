@@ -26,11 +26,10 @@ struct BrickMesh {
 };
 
 /// The surface between values below 0 and the others: closed where the grid's promise holds, 2-manifold, its front
-/// outside, without degenerate triangles.
-/// Vertices keep at least a thousandth of an edge from its ends; where coordinates are large for the cells, so much
-/// more that rounding does not bring them together, while cells are wider than some millionths of those. Throws
-/// InputError at `path` past the limit of triangles, before they are made, and Cancelled. Deterministic on any number
-/// of threads; cost linear in bricks.
+/// outside, without degenerate triangles. Vertices keep at least a thousandth of an edge from its ends; where
+/// coordinates are large for the cells, they keep far enough off that rounding does not bring them together, while
+/// cells are wider than some millionths of those. Throws InputError at `path` past the limit of triangles, before they
+/// are made, and Cancelled. Deterministic on any number of threads; cost linear in bricks.
 BrickMesh mesh_bricks(const BrickGrid& grid, const Limits& limits, const std::string& path, Progress& progress);
 
 }  // namespace meristem

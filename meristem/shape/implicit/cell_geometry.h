@@ -51,7 +51,7 @@ constexpr bool is_on_face(int edge, int face) {
   return ((low >> (face / 2)) & 1) == face % 2 && ((high >> (face / 2)) & 1) == face % 2;
 }
 
-/// The edges of each face, a bit each.
+/// The edges of each face, one bit per edge.
 inline constexpr std::array<unsigned, kCellFaces> kFaceEdges = [] {
   std::array<unsigned, kCellFaces> edges{};
   for (int face = 0; face < kCellFaces; ++face) {
@@ -62,7 +62,7 @@ inline constexpr std::array<unsigned, kCellFaces> kFaceEdges = [] {
   return edges;
 }();
 
-/// True for edges (a bit each) that all lie on one face.
+/// True for edges (one bit per edge) that all lie on one face.
 constexpr bool share_a_face(unsigned edges) {
   for (const unsigned face : kFaceEdges) {
     if ((edges & ~face) == 0) return true;

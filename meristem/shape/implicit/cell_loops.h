@@ -9,10 +9,10 @@ namespace meristem {
 
 // A pattern has bit c where corner c of a cell is inside.
 
-/// The edges between an inside and an outside corner, a bit each.
+/// The edges between an inside and an outside corner, one bit per edge.
 std::uint16_t find_crossed_edges(std::uint8_t pattern);
 
-/// The faces (numbered as in cell_geometry.h) whose two inside corners lie across, a bit each.
+/// The faces (numbered as in cell_geometry.h) whose two inside corners lie across, one bit per face.
 std::uint8_t find_ambiguous_faces(std::uint8_t pattern);
 
 /// The edges that a loop of the surface crosses, in order: inside corners lie on its left, seen from outside of the

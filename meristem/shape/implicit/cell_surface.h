@@ -16,8 +16,8 @@ namespace meristem {
 struct CellSurface {
   /// Counter-clockwise seen from outside: 0..11 the points on the edges, 12 + i the i-th inner point.
   std::span<const std::array<std::uint8_t, 3>> triangles;
-  /// An inner point is the mean of the points on these edges, a bit each, or near it where that lies in line with two
-  /// of them. Empty nearly always.
+  /// An inner point is the mean of the points on these edges, one bit per edge, or near the mean where it lies in line
+  /// with two of them. Empty nearly always.
   std::span<const std::uint16_t> inner;
 };
 
@@ -28,7 +28,7 @@ struct CellSurface {
 /// Surfaces of cells that share their corners' values fit together: the mesh is closed but for the border of the grid,
 /// each edge has two triangles, and no triangle has its three points in line, provided that no point lies in a corner.
 const CellSurface& cell_surface(std::span<const float, 8> values);
-/// The same where the pattern is known.
+/// The surface of a cell whose pattern is known.
 const CellSurface& cell_surface(std::uint8_t pattern, std::span<const float, 8> values);
 
 std::uint8_t cell_pattern(std::span<const float, 8> values);
@@ -36,7 +36,7 @@ std::uint8_t cell_pattern(std::span<const float, 8> values);
 bool is_ambiguous(std::uint8_t pattern);
 /// The surface of a pattern that is not ambiguous.
 const CellSurface& simple_surface(std::uint8_t pattern);
-/// The edges that carry a point, a bit each: those with one end inside.
+/// The edges that carry a point, one bit per edge: the edges with one end inside.
 std::uint16_t crossed_edges(std::uint8_t pattern);
 
 }  // namespace meristem

@@ -13,7 +13,7 @@
 
 namespace meristem {
 
-/// What goes on between four columns, the edges along z, of which opposite ones are alike and neighbours are not.
+/// What goes on between four columns, the edges along z, where opposite ones are alike and neighbours are not.
 enum class Tunnel : std::uint8_t {
   none,
   between_even_columns,  ///< inside are those at x = y

@@ -25,11 +25,11 @@ template <class T>
 struct RoundCone {
   V3<T> origin{0};  ///< on the axis
   V3<T> axis{0};    ///< unit
-  T low = 0;        ///< along the axis from the origin, where the segment begins
-  T high = 0;       ///< and where it ends
+  T low = 0;        ///< where the segment begins, along the axis from the origin
+  T high = 0;       ///< where the segment ends, along the axis from the origin
   T radius = 0;     ///< at the origin
-  T slope = 0;      ///< by which the radius falls along the axis: the sine of the flank's angle, in (-1, 1)
-  T tangent = 0;    ///< of that angle
+  T slope = 0;      ///< fall of the radius along the axis: the sine of the flank's angle, in (-1, 1)
+  T tangent = 0;    ///< tangent of the flank's angle
 
   T distance(T x, T y, T z) const {
     const T dx = x - origin.x;
@@ -49,7 +49,7 @@ template <class T>
 struct FlatCone {
   V3<T> origin{0};  ///< in the middle of the axis
   V3<T> axis{0};
-  T half = 0;  ///< of its length
+  T half = 0;  ///< half of the length
   T low_radius = 0;
   T high_radius = 0;
 
@@ -82,7 +82,7 @@ struct FlatCone {
 
 template <class T>
 struct Box {
-  V3<T> origin{0};  ///< its centre
+  V3<T> origin{0};  ///< the centre
   glm::mat<3, 3, T> axes{1};
   V3<T> half{0};
 

@@ -80,9 +80,9 @@ class FieldPruner {
   /// Bounds the values of `steps` in eight cubes about the origin of `near`, which has their solids. `steps` must stay
   /// as they are until all is asked.
   void bound(std::span<const FieldStep> steps, const NearSolids& near, const Eighths& cubes);
-  /// Those of the whole function in one of them.
+  /// The values of the whole function in one of the cubes.
   ValueRange range(int part) const;
-  /// The steps that matter in some of the cubes (a bit each), at least `inset` metres within them.
+  /// The steps that matter in some of the cubes (one bit per cube), at least `inset` metres within them.
   void keep(std::uint32_t parts, double inset, std::array<std::vector<FieldStep>, kParts>& kept);
 
  private:
@@ -93,7 +93,7 @@ class FieldPruner {
   struct Cutoffs {
     Lanes high;               // where values matter, the whole is at most so large
     Lanes gap;                // and what is larger by that does not count
-    std::uint32_t parts = 0;  // in which the step itself counts, a bit each
+    std::uint32_t parts = 0;  // cubes in which the step itself counts, one bit per cube
   };
 
   static void bound_solid(const NearSolid& solid, const Eighths& cubes, Ranges& ranges);

@@ -2,15 +2,12 @@
 #include "meristem/shape/implicit/implicit_body.h"
 
 #include <cmath>
-#include <stdexcept>
+
+#include "meristem/base/require.h"
 
 namespace meristem {
 
 namespace {
-
-void require(bool holds, const char* message) {
-  if (!holds) throw std::invalid_argument(message);
-}
 
 bool is_finite(DVec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 

@@ -32,9 +32,9 @@ using Solid = std::variant<distance::RoundCone<double>, distance::FlatCone<doubl
 struct BodyClause {
   enum class Kind : std::uint8_t { solid, unite, intersect, subtract, poly, root, pasko };
   Kind kind = Kind::solid;
-  std::uint32_t solid = 0;  ///< its number
+  std::uint32_t solid = 0;  ///< number of the solid
   std::uint32_t size = 1;   ///< clauses of this one with all that it takes
-  double width = 0;         ///< of blends, metres
+  double width = 0;         ///< width of blends, metres
 };
 
 /// Lengths in metres, in double, so that bodies may stand far from the origin.
@@ -82,7 +82,7 @@ class ImplicitBody {
   double reach_ = 0;
 };
 
-/// The value of an operation for those of its two sides.
+/// The value of an operation, given the values of its two sides.
 template <class T>
 T apply(BodyClause::Kind kind, T a, T b, T width) {
   switch (kind) {

@@ -84,7 +84,7 @@ TEST(ImplicitBody, ValuesOfACapsuleAreDistances) {
 }
 
 TEST(ImplicitBody, ValuesOfARoundConeAreDistances) {
-  // Of all balls about the axis those points count that lie in no other.
+  // Points of a ball about the axis count where they lie in no other ball.
   const auto radius = [](double along) { return 0.8 - 0.3 * along; };
   const auto by_balls = [&](double across, double along) {
     double least = kInfinity;

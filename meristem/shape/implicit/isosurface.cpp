@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <span>
-#include <stdexcept>
 
 #include "meristem/base/frame.h"
 #include "meristem/base/parallel.h"
+#include "meristem/base/require.h"
 #include "meristem/shape/implicit/brick_field.h"
 #include "meristem/shape/implicit/brick_mesh.h"
 #include "meristem/shape/mesh/front_normals.h"
@@ -85,10 +85,6 @@ void add_normals(const ImplicitBody& body, const BodyBricks& bricks, BrickMesh& 
                  mesh.normals.data() + first_inner + k);
   }
   turn_to_front(mesh, progress);
-}
-
-void require(bool holds, const char* message) {
-  if (!holds) throw std::invalid_argument(message);
 }
 
 /// A field with a layer of outside about it, in bricks: a chunk for each layer of them.

@@ -111,11 +111,11 @@ class PolygonParts {
   /// The polygon from one point to a later one, closed by the side between them.
   struct Part {
     double cost = 0;               ///< of the diagonals and inner points within
-    double closed = 0;             ///< the same with the closing side, which costs nothing if the polygon has it
+    double closed = 0;             ///< cost with the closing side, which costs nothing if the polygon has it
     std::size_t apex = 0;          ///< of the triangle at the closing side; 0 if an inner point is there instead
     double chain = 0;              ///< of sides from the first to the last, each with its part and a spoke
     std::size_t before_last = 0;   ///< in that chain
-    std::size_t around_inner = 0;  ///< the same if the closing side is not allowed
+    std::size_t around_inner = 0;  ///< in that chain, if the closing side is not allowed
   };
   Part& part(std::size_t first, std::size_t last) { return parts_[first * size_ + last]; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies of plants: of axes a round cone a segment, which blend where axes meet; of crowns balls about the ends of
-// branches. Any skeleton gives them, whatever made it.
+// Bodies of plants: axes become a round cone per segment, and the cones blend where axes meet; crowns become balls
+// about the ends of branches. Any skeleton gives them, whatever made it.
 //
 // Based on: F. Heuer: Algorithmische Erzeugung von 3D-Low-Poly-Bäumen (2022), 5.3. There all cones blend with each
 // other, which swells an axis at each of its nodes; here only axes blend with axes.
@@ -19,9 +19,9 @@ namespace meristem {
 struct Thickening {
   double least_radius = 0;  ///< metres that its cells can hold
   double length = 0;        ///< metres of all its axes
-  double thickened = 0;     ///< and of those that were thinner
+  double thickened = 0;     ///< metres of the axes that were thinner
   double volume = 0;        ///< m³ of the segments as they are
-  double added = 0;         ///< and what thickening adds to them
+  double added = 0;         ///< m³ that thickening adds to the segments
 };
 
 /// The body of those axes of `skeleton` that are listed. Axes begin at their parents' nodes with their own radii,

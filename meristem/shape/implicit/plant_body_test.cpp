@@ -143,7 +143,7 @@ TEST(PlantBody, StandsFlatOnItsBase) {
   const ImplicitBody body = stem_body(skeleton);
   const Mesh mesh = surface_of(body, 80);
   EXPECT_NEAR(box_of(mesh).low.y, 5, cell_size(body, 80));
-  // The same across its base.
+  // The surface also goes straight across the body's base.
   for (const double x : {0.0, 0.05, 0.1}) EXPECT_NEAR(body.value({x, 5, 0}), 0, 1e-6) << x;
 }
 

@@ -22,7 +22,7 @@ namespace meristem {
 namespace {
 
 constexpr double kRunOut = 0.2;            // of the length: how far a stalk can be seen on the midrib, at most
-constexpr double kRunOutRadii = 8;         // the same in radii of the stalk
+constexpr double kRunOutRadii = 8;         // how far a stalk can be seen on the midrib, in radii of the stalk
 constexpr double kRowTolerance = 1e-3;     // of the length: corners nearer to a row are on it
 constexpr double kColumnTolerance = 0.02;  // of half the width: corners nearer to a column are on it
 constexpr double kLeastLength = 0.1;       // of the surface along where it is bent back upon itself
@@ -133,7 +133,7 @@ class BladeMesher {
   static Point mirrored(Point point) { return {-point.x, point.y}; }
   static bool is_before(Point a, Point b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }
 
-  /// Of the right half, both coordinates in lengths of the blade.
+  /// The triangles of the right half, both coordinates in lengths of the blade.
   std::vector<FlatTriangle> flat_triangles() const {
     std::vector<Point> corners;
     for (const Point point : outline_.edge) corners.emplace_back(half_width_ * point.x, point.y);

@@ -201,7 +201,7 @@ LeafBlade palmate() {
   return blade;
 }
 
-/// Of the closed polygon, which runs counter-clockwise.
+/// The area of the closed polygon, which runs counter-clockwise.
 double area_of(const std::vector<Vec2>& corners) {
   double doubled = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {

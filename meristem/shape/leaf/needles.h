@@ -13,9 +13,9 @@ struct NeedleShoot {
   int count = 24;  ///< bundles along the shoot
   double length = 0.02;
   double width = 0.0012;
-  double along = 0.08;             ///< of the shoot, that they stand on; 0: all at one point
-  double base_angle = 1.2;         ///< between shoot and needle where it begins
-  double tip_angle = 0.7;          ///< the same where it ends
+  double along = 0.08;             ///< length of shoot that the needles stand on; 0: all at one point
+  double base_angle = 1.2;         ///< between shoot and needle where the shoot begins
+  double tip_angle = 0.7;          ///< between shoot and needle where the shoot ends
   double divergence = 2.39996323;  ///< about the shoot, from one bundle to the next
   int fascicle = 1;                ///< needles in a bundle
   double spread = 0.3;             ///< between the outer needles of a bundle and its middle
@@ -23,8 +23,8 @@ struct NeedleShoot {
   double flatten = 0;              ///< 0: all around; 1: combed to both sides, in one plane
   double irregular = 0.15;         ///< how much lengths and directions differ, as a share
   int sides = 2;                   ///< 2: flat, two triangles; 3: a spike, three triangles
-  double axis_radius = 0;          ///< of a thin three-sided twig along the shoot; 0: without
-  std::uint64_t variant = 0;       ///< another of the same kind
+  double axis_radius = 0;          ///< radius of a thin three-sided twig along the shoot; 0: without
+  std::uint64_t variant = 0;       ///< another number gives another shoot of the kind
 };
 
 /// `count * fascicle` needles (normals smooth; u across, v from base to tip), with the twig if it has a radius and a

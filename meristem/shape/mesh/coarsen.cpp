@@ -27,7 +27,7 @@ constexpr std::size_t kMostTriangles = 2000;
 constexpr std::size_t kManyPieces = 4;
 constexpr double kSmallPiece = 0.1;  // of the mean area: a leaf's stalk, which goes first
 constexpr double kWidest = 4;
-constexpr double kLeastCosine = 0.2;   // by which a triangle may turn
+constexpr double kLeastCosine = 0.2;   // cosine of the angle that a triangle may turn
 constexpr double kFlatNormal = 0.999;  // cosine between the normals of a triangle and its vertices
 constexpr double kFlat = 0.5;          // of its area, that a piece which is no tube shows from one side
 
@@ -278,7 +278,7 @@ std::vector<Piece> without_small(std::vector<Piece> pieces) {
   return pieces;
 }
 
-/// An even choice of pieces with no more than so many triangles; one stays.
+/// An even choice of pieces with no more than `triangles` triangles; one piece stays.
 std::vector<Piece> chosen(std::vector<Piece> pieces, std::size_t triangles) {
   std::size_t count = 0;
   std::vector<std::uint32_t> kept;

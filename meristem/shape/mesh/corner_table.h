@@ -45,8 +45,8 @@ class CornerTable {
   /// and for those whose triangles are several fans. Only around the others can one turn.
   bool is_inner(std::uint32_t vertex) const { return inner_[vertex] != 0; }
 
-  /// Takes out the two triangles at the edge from the vertex of `c` to that of next(c); the latter's other triangles
-  /// become the former's. Both are inner and have, beside each other, two neighbours in common.
+  /// Takes out the two triangles at the edge from the vertex of `c` to the vertex of next(c), whose other triangles
+  /// become those of the vertex of `c`. Both vertices are inner and have, beside each other, two neighbours in common.
   void collapse(Corner c);
 
  private:

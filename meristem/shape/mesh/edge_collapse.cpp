@@ -32,8 +32,8 @@ namespace {
 constexpr float kNever = std::numeric_limits<float>::infinity();
 /// Stiffness of the spring toward the edge, a share of the planes' weight.
 constexpr double kSpring = 1e-5;
-/// The same that keeps apices of few triangles from standing out of round bodies as spikes, and by how much it may
-/// raise the cost: at corners and ridges it would raise it by far more.
+/// Stiffness of the spring that keeps apices of few triangles from standing out of round bodies as spikes, and how much
+/// the spring may raise the cost: at corners and ridges it would raise it by far more.
 constexpr double kTameSpring = 0.05;
 constexpr double kTameCost = 2;
 /// What an edge's squared length costs, a share of the same.
@@ -41,8 +41,8 @@ constexpr double kShortEdges = 1e-5;
 /// How far the surface departs at worst, over the root mean square of what a vertex has from its planes: on
 /// spheres 2.2 to 2.7.
 constexpr double kWorstToMean = 3;
-/// Sweeps go on down to so many times the triangles that are wanted, or to so many. A crown of 512,000 triangles comes
-/// to 5,000 in 0.7 s with a root mean square distance of 0.95 mm, without sweeps in 1.7 s with 0.92 mm.
+/// Sweeps go on down to this multiple of the triangles that are wanted, or to this number. A crown of 512,000 triangles
+/// comes to 5,000 in 0.7 s with a root mean square distance of 0.95 mm, without sweeps in 1.7 s with 0.92 mm.
 constexpr std::size_t kSweepDownTo = 3;
 constexpr std::size_t kSmallMesh = 32'768;
 /// What a sweep's edges may cost, over the median before: about what a quarter of the triangles is left at.
@@ -51,7 +51,7 @@ constexpr float kSweepCost = 64;
 constexpr std::uint32_t kSweepPart = 2048;
 /// How far an apex may move to keep the volume, as a share of the edge's length.
 constexpr double kVolumeShift = 0.5;
-/// The cosine of the angle by which a collapse may turn a triangle: 75°.
+/// The cosine of the angle that a collapse may turn a triangle: 75°.
 constexpr double kTurn = 0.26;
 /// The cosine of the angle between the normals of neighbours beyond which they count as folded: 143°.
 constexpr double kFold = -0.8;
@@ -97,8 +97,8 @@ void EdgeCollapse::add_quadrics(const Progress& progress) {
   }
 }
 
-/// Visits the edges of a vertex that may collapse and of which it is the lower end, with a corner at the vertex whose
-/// next is the other end.
+/// Visits the edges that may collapse and whose lower end is the vertex, with a corner at the vertex whose next is the
+/// other end.
 template <class Visit>
 void EdgeCollapse::for_each_edge(std::uint32_t vertex, Visit&& visit) const {
   if (!vertices_[vertex].is_inner) return;
@@ -159,7 +159,7 @@ void EdgeCollapse::run(std::size_t triangles, Progress& progress) {
   collapse_queued(triangles, progress);
 }
 
-/// Of the vertices' cheapest edges, from a sample.
+/// The median cost of the vertices' cheapest edges, from a sample.
 float EdgeCollapse::median_cost(const Progress& progress) const {
   std::vector<float> costs;
   const std::size_t stride = vertices_.size() / 4096 + 1;
@@ -297,7 +297,7 @@ bool EdgeCollapse::keeps_folds(Corner corner, DVec3 apex) {
   return sharpest > kFold || sharpest >= sharpest_fold(corner);
 }
 
-/// The least cosine between the normals of neighbours, one of which has a corner at an end of the edge.
+/// The least cosine between the normals of neighbours where one has a corner at an end of the edge.
 double EdgeCollapse::sharpest_fold(Corner corner) const {
   const auto front = [&](Corner c) {
     const DVec3 at = position(corners_.vertex(c));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// In go normals that come from elsewhere than the triangles, as from a body's function, of which coarse triangles may
+// In go normals that come from elsewhere than the triangles, as from a body's function; coarse triangles may
 // stray by more than a right angle. What lies behind a triangle starts anew as the mean of the faces about it and is
 // turned towards the one that it leans away from most, until it leans away from none.
 //

@@ -4,8 +4,8 @@
 #include "meristem/shape/mesh/simplify.h"
 
 #include <cmath>
-#include <stdexcept>
 
+#include "meristem/base/require.h"
 #include "meristem/shape/mesh/edge_collapse.h"
 #include "meristem/shape/mesh/filled.h"
 #include "meristem/shape/mesh/shading.h"
@@ -13,10 +13,6 @@
 namespace meristem {
 
 namespace {
-
-void require(bool holds, const char* message) {
-  if (!holds) throw std::invalid_argument(message);
-}
 
 void check_input(const Mesh& mesh, const Progress& progress) {
   require(mesh.uvs.empty() && mesh.tangents.empty(), "a mesh with uvs or tangents cannot be simplified");

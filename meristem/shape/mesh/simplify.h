@@ -14,8 +14,8 @@ namespace meristem {
 
 /// When to stop: at whichever comes first.
 struct SimplifyTarget {
-  std::size_t triangles = 0;  ///< at so many or one fewer; more keep more of the form
-  /// Metres by which the surface may depart, about: three times the root mean square distance that a vertex has from
+  std::size_t triangles = 0;  ///< simplified to this number or one fewer; more keep more of the form
+  /// Tolerance in metres, about: three times the root mean square distance that a vertex has from
   /// the planes of those triangles of the original that it stands for; on spheres nothing departs by more. Higher:
   /// fewer triangles.
   float error = std::numeric_limits<float>::infinity();

@@ -4,16 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <stdexcept>
 
 #include "meristem/base/math.h"
+#include "meristem/base/require.h"
 
 namespace meristem {
 namespace {
-
-void require(bool holds, const char* message) {
-  if (!holds) throw std::invalid_argument(message);
-}
 
 bool is_length(double value) { return std::isfinite(value) && value > 0; }
 

@@ -49,7 +49,7 @@ class RevolutionMesher {
   }
 
  private:
-  /// Away from the axis after so many halves of a column. Whole turns give the same bytes as none.
+  /// The direction away from the axis after a number of halves of a column. Whole turns give the same bytes as none.
   DVec3 outward(int halves) const {
     if (is_whole_) halves %= 2 * columns_;
     const double angle = sweep_ * halves / (2 * columns_);

@@ -51,7 +51,7 @@ TEST(Revolution, OpenEndsGetFlatDiscs) {
   const Mesh prism = make_revolution(lines({{1, 0}, {1, 2}}, 6));
   EXPECT_TRUE(check_mesh(prism));
   EXPECT_NEAR(signed_volume(prism), share_of_circle(6) * kPi * 2, 1e-6);
-  // The same as with the discs written out.
+  // The mesh equals that of lines with the discs written out.
   const Mesh written = make_revolution(lines({{0, 0}, {1, 0}, {1, 2}, {0, 2}}, 6));
   EXPECT_EQ(prism.positions, written.positions);
   EXPECT_EQ(prism.triangles, written.triangles);

@@ -65,7 +65,7 @@ class Octave {
     float weight;
   };
 
-  /// Of length sqrt(2), so that four slopes toward the middle of a cell meet at 1.
+  /// A direction of length sqrt(2), so that four slopes toward the middle of a cell meet at 1.
   static Vec2 direction(std::uint64_t bits) {
     const Vec2 slope(static_cast<float>(bits >> 40) * 0x1p-23F - 1, static_cast<float>(bits & 0xffffff) * 0x1p-23F - 1);
     const float square = glm::dot(slope, slope);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kPixels = 16;
 
-/// Heights of a plane that rises by so much over the whole width (to the right) and height (upward).
+/// Heights of a plane that rises by the given amounts over the whole width (to the right) and height (upward).
 std::vector<float> plane(float along_u, float along_v) {
   std::vector<float> heights;
   for (int y = 0; y < kPixels; ++y) {

@@ -21,10 +21,10 @@ struct BarkRecipe {
   Style style = Style::furrowed;
   double scale = 1;           ///< size of its features; raised, fewer and larger ones on a tile
   double relief = 1;          ///< depth of its normals; 0 is flat
-  double contrast = 1;        ///< of colours; 0 is even
+  double contrast = 1;        ///< contrast of colours; 0 is even
   std::optional<Vec3> seams;  ///< sRGB, colour of furrows, gaps and lenticels; dark bark if unset
   std::optional<Vec3> marks;  ///< sRGB, colour of lichen and peeled patches; little of them if unset
-  std::uint64_t seed = 1;     ///< another tile of the same kind
+  std::uint64_t seed = 1;     ///< another number gives another tile of the kind
 
   bool operator==(const BarkRecipe&) const = default;
 };
@@ -33,9 +33,9 @@ struct BarkRecipe {
 struct LeafRecipe {
   enum class Veins { pinnate, palmate, parallel };
   Veins veins = Veins::pinnate;
-  int pairs = 7;               ///< of side veins (pinnate); of main veins beside the middle one (else)
+  int pairs = 7;               ///< pairs of side veins (pinnate), else pairs of main veins beside the middle one
   double angle = radians(45);  ///< between main and side veins, radians
-  double contrast = 1;         ///< of veins and mottling
+  double contrast = 1;         ///< contrast of veins and mottling
   double relief = 1;
   std::optional<Vec3> vein_colour;  ///< sRGB; a lighter leaf's if unset
   std::optional<Vec3> edge_colour;  ///< sRGB, toward the margin, as in autumn; none if unset

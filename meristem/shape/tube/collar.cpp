@@ -32,7 +32,7 @@ float way_left(const AxisPath& path, Stop from) {
   return way;
 }
 
-/// The position so many metres on; the path goes at least that far.
+/// The position a number of metres on along the path, which goes at least that far.
 Stop walk(const AxisPath& path, Stop from, float metres) {
   metres += from.share * gap_after(path, from.point);
   while (from.point + 2 < path.size() && metres > gap_after(path, from.point)) {

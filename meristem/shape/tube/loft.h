@@ -38,8 +38,8 @@ struct LoftCaps {
 
 struct Loft {
   Mesh mesh;
-  /// Where the triangles of each section begin, and their number: those between it and the section before, and of the
-  /// caps that lie on it.
+  /// Where the triangles of each section begin, and their number. A section has the triangles between it and the
+  /// section before, and those of the caps that lie on it.
   std::vector<std::uint32_t> first_triangle;
 };
 

@@ -26,7 +26,7 @@ LoftSection ring(int points, double radius, double height, bool is_round = true)
 LoftSection row(std::vector<Vec3> points) { return {.points = std::move(points), .is_closed = false}; }
 LoftSection tip(Vec3 point) { return {.points = {point}}; }
 
-// Of a regular polygon.
+// The area of a regular polygon.
 double polygon_area(int corners, double radius) {
   return 0.5 * corners * radius * radius * math::sin(2 * kPi / corners);
 }

@@ -30,7 +30,8 @@ float flare_factor(const Surface& surface, float base_radius, float metres) {
   return 1 + surface.flare * left * left * left;
 }
 
-TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::vector<std::uint32_t> wear_of_axis)
+TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::vector<std::uint32_t> wear_of_axis,
+                   const std::vector<std::uint32_t>& mesh_of_axis)
     : skeleton_(&skeleton), wears_(std::move(wears)), wear_of_axis_(std::move(wear_of_axis)), axes_(skeleton) {
   thickest_.resize(wears_.size(), 0);
   for (std::size_t node = 0; node < skeleton.node_count(); ++node) {
@@ -42,6 +43,7 @@ TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::v
     most_sides_ = std::max(most_sides_, wear.surface.sides);
     meshes = std::max(meshes, wear.mesh + 1);
   }
+  for (const std::uint32_t mesh : mesh_of_axis) meshes = std::max(meshes, mesh + 1);
   plans_.resize(axes_.count());
   radii_.resize(skeleton.node_count());
   kept_.resize(skeleton.node_count());
@@ -70,7 +72,7 @@ TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::v
   sizes_.resize(meshes);
   for (std::size_t axis = 0; axis < plans_.size(); ++axis) {
     AxisPlan& plan = plans_[axis];
-    plan.mesh = wears_[wear(axis)].mesh;
+    plan.mesh = mesh_of_axis.empty() ? wears_[wear(axis)].mesh : mesh_of_axis[axis];
     TubeSize& size = sizes_[plan.mesh];
     plan.first_vertex = size.vertices;
     plan.first_triangle = size.triangles;
@@ -131,8 +133,8 @@ Bark TubePlan::bark_below(const AxisPath& lateral) const {
   return {parent, point, kBarkReach * parent.radius(point)};
 }
 
-/// Spreads the steps in which radii fall at forks: each becomes the mean over so much of the axis to both sides, less
-/// near its ends, which keep theirs.
+/// Spreads the steps in which radii fall at forks: each becomes the mean over a stretch of the axis to both sides; the
+/// stretch is shorter near the axis's ends, which keep their radii.
 void TubePlan::smooth_radii(AxisIndex axis) {
   const std::span<const NodeIndex> nodes = axes_.of(axis);
   for (const NodeIndex node : nodes) radii_[node] = skeleton_->radius[node];
@@ -173,7 +175,7 @@ void TubePlan::choose_rings(AxisIndex axis) {
   for (std::size_t i = 0; i < nodes.size();) {
     kept[count++] = nodes[i];
     std::size_t next = i + 1;
-    // Only so many at a time, so that the cost stays linear.
+    // Only a few at a time, so that the cost stays linear.
     const std::size_t last = std::min(nodes.size() - 1, i + kLongestRun);
     while (error > 0 && i > 0 && next < last && is_straight(nodes, i, next + 1, error)) ++next;
     i = next;

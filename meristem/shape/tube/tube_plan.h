@@ -23,7 +23,7 @@ struct AxisPlan {
   std::uint32_t rings = 0;
   std::uint32_t flare_rings = 0;
   float start_radius = 0;
-  float sink = 0;  ///< metres by which the parent's flats may lie below its bark
+  float sink = 0;  ///< metres: how far the parent's flats may lie below its bark
   std::optional<Collar> collar;
   std::uint32_t mesh = 0;          ///< in which it stands
   std::uint64_t first_vertex = 0;  ///< of that mesh
@@ -42,7 +42,7 @@ struct AxisPlan {
 /// How many rings share a bend with this cosine.
 std::uint32_t fan_size(float cosine);
 
-/// How much thicker a root is at so many metres from its base.
+/// How much thicker a root is at this distance in metres from its base.
 float flare_factor(const Surface& surface, float base_radius, float metres);
 
 /// How the tubes of some axes are clothed, and in which mesh they end up.
@@ -55,18 +55,19 @@ struct TubeWear {
 /// All axes of a skeleton with their positions in meshes.
 class TubePlan {
  public:
-  /// `wear_of_axis` holds an index into `wears` for each axis; empty: all wear the first. The skeleton outlives the
-  /// plan.
-  TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::vector<std::uint32_t> wear_of_axis = {});
+  /// `wear_of_axis` holds an index into `wears` for each axis; empty: all wear the first. `mesh_of_axis` holds the mesh
+  /// of each axis; empty: that of its wear. The skeleton outlives the plan.
+  TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::vector<std::uint32_t> wear_of_axis = {},
+           const std::vector<std::uint32_t>& mesh_of_axis = {});
 
-  /// Of each mesh.
+  /// The size of each mesh.
   const std::vector<TubeSize>& sizes() const { return sizes_; }
   std::size_t axis_count() const { return plans_.size(); }
   int most_sides() const { return most_sides_; }
   const AxisPlan& operator[](std::size_t axis) const { return plans_[axis]; }
   const Surface& surface(std::size_t axis) const { return wears_[wear(axis)].surface; }
   std::size_t node_count(AxisIndex axis) const { return axes_.of(axis).size(); }
-  /// Those of its nodes that get rings.
+  /// The path of an axis through the nodes that get rings.
   AxisPath path(AxisIndex axis) const;
   /// The parent's surface about a lateral axis's start.
   Bark bark_below(const AxisPath& lateral) const;
@@ -93,7 +94,7 @@ class TubePlan {
   std::vector<NodeIndex> kept_;            // nodes of the axes that get rings, each axis's where axes_ has all of its
   std::vector<std::uint32_t> kept_count_;  // of each axis
   std::vector<std::uint8_t> is_tip_;       // by node: the last of its axis
-  // Of each axis, found once: both look at the parent, which may lie anywhere in memory.
+  // Facts of each axis, found once: both look at the parent, which may lie anywhere in memory.
   std::vector<std::uint8_t> goes_on_;
   std::vector<float> base_radius_;
   int most_sides_ = 3;

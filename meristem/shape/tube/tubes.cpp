@@ -178,7 +178,7 @@ class AxisMesher {
     v_ = 0;
   }
 
-  /// The radius's growth a metre at so many metres up the first segment.
+  /// The radius's growth per metre at a height, in metres, on the first segment.
   float flare_slope(float metres) const {
     const float step = 0.01F * length(0);
     const auto radius_at = [&](float way) {

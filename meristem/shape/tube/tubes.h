@@ -41,7 +41,7 @@ class TubePlan;
 /// need more than 2^32 vertices, Cancelled. Deterministic on any number of threads; cost linear in nodes.
 Mesh make_tubes(const Skeleton& skeleton, const Surface& surface, Progress& progress);
 
-/// The same for a skeleton whose axes wear different surfaces (tube_plan.h): the plan's meshes.
+/// The tubes of a skeleton whose axes wear different surfaces: the meshes of a plan (tube_plan.h).
 std::vector<Mesh> make_tubes(const TubePlan& plan, Progress& progress);
 
 }  // namespace meristem

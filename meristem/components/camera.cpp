@@ -23,6 +23,12 @@ const ParameterTable& view_table() {
                   {.unit = Unit::degree, .min = 1, .max = 150, .usual = {10, 90}, .fixed = true},
                   "Vertical opening angle of the camera; raised, the view gets wider and its perspective stronger.")
           .colour("background", &View::background, "Colour behind the plant; by default, the sky.")
+          .number("haze", &View::haze, {.unit = Unit::metre, .min = 1, .max = 1e6, .usual = {50, 5000}, .fixed = true},
+                  "Distance over which haze hides two thirds of what is seen; raised, the air is clearer; by default, "
+                  "there is no haze.")
+          .number("clouds", &View::clouds, {.min = 0, .max = 1, .fixed = true},
+                  "Share of the sky that is covered by clouds in pictures.")
+          .never_with("background", {"clouds"})
           .never_with("position", {"azimuth", "altitude"});
   return table;
 }
@@ -34,7 +40,8 @@ ComponentType camera_component() {
       .traits = {.name = "camera",
                  .doc = "The view of pictures and the root of the graph.",
                  .has_geometry = false,
-                 .is_camera = true},
+                 .is_camera = true,
+                 .bears_plants = true},
       .parameters = Table<CameraParameters>("a camera", "The view of pictures and the root of the graph.")
                         .members(&CameraParameters::view, view_table()),
       .expand = [](const CameraParameters&, const Site&, Emitter&) {},

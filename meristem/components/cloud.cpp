@@ -12,7 +12,7 @@ namespace {
 constexpr int kDotSegments = 8;
 constexpr Vec3 kDotColour{0.06F, 0.16F, 0.55F};
 
-// The births of points, by which they are told apart once they are placed.
+// The births of points, which tell them apart once they are placed.
 constexpr float kKept = 0;
 constexpr float kRemoved = 1;
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "meristem/components/parts/finish_table.h"
 #include "meristem/components/parts/growth_scale.h"
 #include "meristem/components/parts/limit_table.h"
 #include "meristem/components/parts/pipe_table.h"
@@ -83,7 +84,7 @@ const ParameterTable& shade_form_table() {
           .number("a", &ShadowParameters::amount, {.min = 0, .max = 5},
                   "Shade that a shoot as long as a voxel casts in its own voxel; 1 is darkness.")
           .number("b", &ShadowParameters::base, {.min = 1, .max = 1000, .usual = {1, 3}},
-                  "Factor by which shade weakens from one layer of voxels to the next; raised, it fades sooner.")
+                  "Divisor of the shade from one layer of voxels to the next below it; raised, shade fades sooner.")
           .integer("depth", &ShadowParameters::depth, {.min = 0, .max = 64, .usual = {0, 24}},
                    "Number of layers of voxels that a shoot shades below its own; raised, shade reaches farther and "
                    "costs more.");
@@ -132,20 +133,6 @@ const ParameterTable& light_table() {
           .members(&LightResponseParameters::response, response_table())
           .never_with("shift", {"shift_m"})
           .only_where({{"shift"}, {"shift_m"}, {"drift"}}, {"sunlit_weight", "hold_height"});
-  return table;
-}
-
-const ParameterTable& finish_table() {
-  static const ParameterTable table =
-      Table<Finish>("a finish", "What is done to the skeleton after growth, in this order.")
-          .number(
-              "decimate", &Finish::decimate, {.unit = Unit::step, .min = 0, .max = 1000, .usual = {0, 20}},
-              "Spacing to which the nodes along branches are thinned; 4 keeps about every fourth node, 0 keeps all.")
-          .boolean("relax", &Finish::relax,
-                   "Whether each node moves half way to its parent, which softens the angles of forks.")
-          .number(
-              "subdivide", &Finish::subdivide, {.unit = Unit::step, .min = 0, .max = 1000, .usual = {0, 20}},
-              "Spacing of the final nodes along smooth curves through the branches; 0 keeps the nodes as they are.");
   return table;
 }
 

@@ -43,7 +43,8 @@ ComponentType field_component() {
   return define_component<Field>({
       .traits = {.name = "field",
                  .doc = "Sites in rows on a level plain, for a crop, an orchard or an avenue.",
-                 .has_geometry = false},
+                 .has_geometry = false,
+                 .bears_plants = true},
       .parameters =
           Table<Field>("a field", "Sites in rows.")
               .integer("rows", &Field::rows, {.min = 1, .max = 1e6, .usual = {1, 100}, .fixed = true},
@@ -60,7 +61,7 @@ ComponentType field_component() {
               .boolean("stagger", &Field::stagger, "Whether every other row is offset by half the spacing.")
               .number("gaps", &Field::gaps, {.min = 0, .max = 1}, "Share of the sites that stay empty.")
               .boolean("turned", &Field::turned,
-                       "Whether each plant faces a random direction; otherwise all face the same way."),
+                       "Whether each plant faces a random direction; otherwise all face in one direction."),
       .expand = expand,
   });
 }

@@ -11,7 +11,7 @@ struct Field : ComponentBase {
   int plants = 10;            ///< in each row
   double row_spacing = 0.75;  ///< metres
   double spacing = 0.15;      ///< metres, within a row
-  double scatter = 0;         ///< share of the spacings by which a site may be off to either side
+  double scatter = 0;         ///< largest offset of a site to either side, as a share of the spacings
   bool stagger = false;       ///< every other row is moved by half of the spacing
   double gaps = 0;            ///< share of sites that stay empty
   bool turned = true;         ///< each plant faces anywhere

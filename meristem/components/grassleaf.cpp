@@ -145,8 +145,7 @@ class Rounding {
   }
   template <class Member>
   bool varies(const Member& member) const {
-    const auto place = [](const auto& object) { return reinterpret_cast<const std::byte*>(&object); };
-    return out_.varies(static_cast<std::size_t>(place(member) - place(grass_)));
+    return meristem::varies(out_, grass_, member);
   }
 
  private:
@@ -154,7 +153,7 @@ class Rounding {
   const Emitter& out_;
 };
 
-/// Those of the leaf, rounded; where numbers that vary put a turn's end before its beginning, it is a kink.
+/// The turns of the leaf, rounded; where numbers that vary put a turn's end before its beginning, it is a kink.
 std::vector<LocalTurn> turns_of(const Grassleaf& grass, const Emitter& out) {
   if (!grass.stages.bend) return {};
   const Rounding round(grass, out);
@@ -168,7 +167,7 @@ std::vector<LocalTurn> turns_of(const Grassleaf& grass, const Emitter& out) {
   return turns;
 }
 
-/// Of all that shapes a leaf.
+/// Hash of everything that shapes a leaf.
 std::uint64_t shape_hash(const ShapeNumbers& numbers, const std::vector<LocalTurn>& turns) {
   std::string bytes(reinterpret_cast<const char*>(&numbers), sizeof numbers);
   for (const LocalTurn& turn : turns) bytes.append(reinterpret_cast<const char*>(&turn), sizeof turn);

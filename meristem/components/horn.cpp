@@ -106,7 +106,7 @@ StemPath unit_path(const StemParameters& unit, float length, const Site& site, S
   return path;
 }
 
-/// Of how the world bends the curve of a horn that stands there.
+/// The key of how the world bends the curve of a horn that stands at a site.
 std::uint64_t world_key(const Site& site, const StemTropisms& tropisms) {
   if (!tropisms.act()) return 0;
   const Mat3 axes = even_frame(site.frame).axes / glm::length(site.frame.heading());
@@ -206,7 +206,7 @@ ComponentType horn_component() {
               .points("outline", &Horn::outline, {.min = -1e4, .max = 1e4},
                       "Points [x, z] of the cross-section for the section 'outline', as shares of the radius.")
               .number("twist", &Horn::twist, {.unit = Unit::degree, .min = -36000, .max = 36000, .usual = {-720, 720}},
-                      "Angle by which section and ribs turn about the curve from base to tip.")
+                      "Twist of section and ribs about the curve from base to tip.")
               .integer("ribs", &Horn::ribs, {.min = 1, .max = kMostRibs, .usual = {1, 60}},
                        "Number of ribs evenly along the curve, both ends included; they bear primitives and the "
                        "children of branch links.")

@@ -11,7 +11,7 @@ namespace meristem {
 struct Horn : ComponentBase {
   enum class Section { ring, outline, box, sphere, cylinder, cone, torus };
   StemParameters stem;
-  double twist = 0;  ///< radians by which the section turns about the curve from base to tip
+  double twist = 0;  ///< radians: turn of the section about the curve from base to tip
   Section section = Section::ring;
   std::vector<Vec2> outline;  ///< x and z, shares of the radius
   int ribs = 12;              ///< sites evenly along the curve, both ends included

@@ -2,7 +2,7 @@
 // A crown has tens of thousands of leaves that all differ a little. Each leaf gets its exact length and width by
 // scaling a shared blade whose proportion and angles are rounded, so that geometry stays small: widths over lengths to
 // an eighth of an octave (the blade is then stretched by at most 4.4 %), angles to 5°, stalks to a twentieth of the
-// length and half an octave of radius.
+// length and half an octave of radius. Angles and stalks that all leaves have in common are exact.
 #include "meristem/components/leaf.h"
 
 #include <utility>
@@ -23,16 +23,25 @@ constexpr std::size_t kMostCorners = 500;
 
 /// What of a leaf's shape varies from instance to instance, rounded; for a length of 1.
 struct SharedNumbers {
-  double width, curl, curl_across, fold, petiole;
+  double width, petiole;
+  double curl, curl_across, fold;
   double petiole_radius = 1;  // without a stalk it must not tell shapes apart
 
-  explicit SharedNumbers(const LeafBlade& exact)
-      : width(to_octaves(exact.width / exact.length, kLeafProportionSteps)),
-        curl(to_step(exact.curl, kShapeAngleStep)),
-        curl_across(to_step(exact.curl_across, kShapeAngleStep)),
-        fold(to_step(exact.fold, kShapeAngleStep)),
-        petiole(to_step(exact.petiole / exact.length, kStalkStep)) {
-    if (petiole > 0) petiole_radius = to_octaves(exact.petiole_radius / exact.length, kStalkRadiusSteps);
+  SharedNumbers(const Leaf& leaf, const Emitter& out)
+      : width(to_octaves(leaf.blade.width / leaf.blade.length, kLeafProportionSteps)),
+        petiole(leaf.blade.petiole / leaf.blade.length) {
+    const LeafBlade& exact = leaf.blade;
+    const auto varies = [&](const double& member) { return meristem::varies(out, leaf, member); };
+    const auto angle = [&](const double& member) { return varies(member) ? to_step(member, kShapeAngleStep) : member; };
+    curl = angle(exact.curl);
+    curl_across = angle(exact.curl_across);
+    fold = angle(exact.fold);
+    if (varies(exact.length) || varies(exact.petiole)) petiole = to_step(petiole, kStalkStep);
+    if (petiole <= 0) return;
+    petiole_radius = exact.petiole_radius / exact.length;
+    if (varies(exact.length) || varies(exact.petiole_radius)) {
+      petiole_radius = to_octaves(petiole_radius, kStalkRadiusSteps);
+    }
   }
 };
 
@@ -51,7 +60,7 @@ LeafBlade shared_blade(const LeafBlade& exact, const SharedNumbers& numbers) {
 
 void expand(const Leaf& leaf, const Site&, Emitter& out) {
   // Most leaves find a blade that is there already, and make none.
-  const SharedNumbers shared(leaf.blade);
+  const SharedNumbers shared(leaf, out);
   Frame frame;
   frame.axes *= static_cast<float>(leaf.blade.length);
   frame.axes[0] *= static_cast<float>(leaf.blade.width / (leaf.blade.length * shared.width));
@@ -149,7 +158,7 @@ Table<LeafBlade> with_bends(Table<LeafBlade> table) {
       .number("curl_across", &LeafBlade::curl_across, {.unit = Unit::degree, .min = -350, .max = 350},
               "Bend of the blade from edge to edge; raised, the edges sink more.")
       .number("fold", &LeafBlade::fold, {.unit = Unit::degree, .min = -85, .max = 85},
-              "Angle by which both halves rise about the midrib; raised, a steeper V.")
+              "Angle of both halves above the flat blade, about the midrib; raised, a steeper V.")
       .curve("profile", &LeafBlade::profile,
              "Height of the blade's surface from midrib (0) to edge (1), as a share of the half width; needs 'across' "
              "above 2.")

@@ -79,11 +79,27 @@ TEST(LeafComponent, TenThousandVariedLeavesShareFewShapes) {
   EXPECT_NEAR(most, 0.12, 1e-4);
 }
 
-TEST(LeafComponent, AnglesAreRoundedToFiveDegrees) {
-  const auto mesh = [](double curl) { return leaves(1, {{"curl", curl}}).grow().prototypes.at(0).mesh->positions; };
-  EXPECT_EQ(mesh(38), mesh(40));
-  EXPECT_EQ(mesh(40), mesh(42));
-  EXPECT_NE(mesh(40), mesh(43));
+TEST(LeafComponent, AnglesThatVaryAreRoundedToFiveDegreesAndOthersAreExact) {
+  const auto mesh = [](const Value& curl) {
+    return leaves(1, {{"curl", curl}}).grow().prototypes.at(0).mesh->positions;
+  };
+  EXPECT_EQ(mesh("38 + i"), mesh(40));
+  EXPECT_EQ(mesh("42 + i"), mesh(40));
+  EXPECT_EQ(mesh("43 + i"), mesh(45));
+  EXPECT_NE(mesh(38), mesh(40));
+  EXPECT_NE(mesh(42), mesh(40));
+}
+
+TEST(LeafComponent, AStalkThatAllHaveIsExact) {
+  const auto box = [](const Value& length, double petiole, double radius) {
+    const Plant plant =
+        leaves(1, {{"length", length}, {"width", 0.02}, {"petiole", petiole}, {"petiole_radius", radius}}).grow();
+    return box_of(plant, plant.organs.at(0));
+  };
+  EXPECT_NEAR(box(0.07, 0.031, 0.001).size().y, 0.07 + 0.031, 1e-5);
+  EXPECT_NEAR(box(0.07, 0.002, 0.0007).size().y, 0.07 + 0.002, 1e-5);
+  // Where lengths vary, the stalk is a whole number of twentieths.
+  EXPECT_NEAR(box("0.07 + i", 0.031, 0.001).size().y, 0.07 * 1.45, 1e-5);
 }
 
 TEST(LeafComponent, APolygonIsMirroredAtTheMidrib) {

@@ -10,8 +10,10 @@
 
 #include "meristem/base/colour.h"
 #include "meristem/base/hash.h"
+#include "meristem/components/parts/finish_table.h"
 #include "meristem/components/parts/surface_table.h"
 #include "meristem/grow/lsystem/derive.h"
+#include "meristem/scene/obstacle/open_way.h"
 #include "meristem/shape/flat/polygon_mesh.h"
 
 namespace meristem {
@@ -113,6 +115,53 @@ void emit_polygons(const Lsystem& plant, const Site& site, const Drawing& drawin
   }
 }
 
+/// Metres that a step of `finish` is long.
+double step_of(const Lsystem& plant, const Site& site) {
+  return std::abs(plant.turtle.length) * static_cast<double>(glm::length(site.frame.heading()));
+}
+
+/// Finishes the skeleton; polygons and marks move with the nodes that they stand on.
+void finish_drawing(const Lsystem& plant, const Site& site, Drawing& drawing, Emitter& out) {
+  Finish wanted = *plant.finish;
+  const double step = step_of(plant, site);
+  if (step == 0) wanted.decimate = wanted.subdivide = 0;
+  if (drawing.skeleton.node_count() == 0) return;
+
+  // Nodes with something on them stay.
+  TrackedNodes tracked;
+  tracked.stays.resize(drawing.skeleton.node_count(), 0);
+  const auto mark = [&](NodeIndex node) {
+    if (node != kNoNode) tracked.stays[node] = 1;
+  };
+  for (const TurtlePolygon& polygon : drawing.polygons) mark(polygon.node);
+  for (const TurtleSite& place : drawing.places) mark(place.node);
+  const std::vector<Vec3> before = drawing.skeleton.position;
+  const Vec3 root = before[0];
+  const auto is_open = [&](Vec3 from, Vec3 to) {
+    return is_way_open(out.scene().obstacles, root, from - root, to - root);
+  };
+  const auto require_nodes = [&](std::uint64_t nodes) {
+    if (nodes <= out.limits().nodes) return;
+    throw_limit("nodes", static_cast<double>(nodes), out.limits().nodes, "nodes",
+                fmt::format("components.{}.finish.subdivide", out.component()));
+  };
+  drawing.skeleton =
+      finish(std::move(drawing.skeleton), wanted, {step, is_open, require_nodes, out.progress()}, &tracked);
+
+  const auto moved_by = [&](NodeIndex node) {
+    return node == kNoNode ? Vec3(0) : drawing.skeleton.position[tracked.now[node]] - before[node];
+  };
+  for (TurtlePolygon& polygon : drawing.polygons) {
+    const Vec3 by = moved_by(polygon.node);
+    polygon.frame.origin += by;
+    for (Vec3& corner : std::span(drawing.corners).subspan(polygon.first, polygon.count)) corner += by;
+  }
+  for (TurtleSite& place : drawing.places) {
+    place.frame.origin += moved_by(place.node);
+    if (place.node != kNoNode) place.node = tracked.now[place.node];
+  }
+}
+
 void expand(const Lsystem& plant, const Site& site, Emitter& out) {
   Drawing drawing;
   try {
@@ -122,6 +171,7 @@ void expand(const Lsystem& plant, const Site& site, Emitter& out) {
   } catch (const InputError& error) {
     throw_placed(error, plant, out.component());
   }
+  if (plant.finish) finish_drawing(plant, site, drawing, out);
   emit_polygons(plant, site, drawing, out);
   const float length = glm::length(site.frame.heading()) * static_cast<float>(plant.turtle.length);
   const std::vector<TurtleSite> places = std::move(drawing.places);
@@ -141,15 +191,20 @@ void check_lsystem(const Lsystem& plant, const DocumentPath& path, ParameterRead
   if (!plant.steps && !plant.source().grammar.steps) {
     reader.fault(path, "nothing says how many steps the grammar takes", "'steps', or #steps in the grammar");
   }
+  const bool counts_steps = plant.finish && (plant.finish->decimate > 0 || plant.finish->subdivide > 0);
+  if (counts_steps && plant.turtle.length == 0) {
+    reader.fault(DocumentPath(path, "finish"), "'finish' counts in steps of 'length', which is 0",
+                 "a 'length' other than 0");
+  }
 }
 
 const ParameterTable& angles_table() {
   static const ParameterTable table =
       Table<PolarAngles>("angles", "The angles of a polar turtle, in degrees.")
           .number("elevation", &PolarAngles::elevation, {.min = -360, .max = 360, .usual = {0, 120}},
-                  "Angle in degrees by which ^ and & turn a polar turtle when they have no parameter.")
+                  "Angle in degrees of a polar turtle's turns at ^ and & without a parameter.")
           .number("azimuth", &PolarAngles::azimuth, {.min = -360, .max = 360, .usual = {0, 120}},
-                  "Angle in degrees by which + and - turn a polar turtle when they have no parameter.");
+                  "Angle in degrees of a polar turtle's turns at + and - without a parameter.");
   return table;
 }
 
@@ -217,6 +272,9 @@ ComponentType lsystem_component() {
               .colours("palette", &Lsystem::palette,
                        "Colours of polygons, in the order in which the symbol ' counts; the last holds for all higher "
                        "numbers.")
+              .object("finish", &Lsystem::finish, finish_table,
+                      "What is done to the drawn skeleton, in steps of 'length': nodes removed, forks softened, curves "
+                      "smoothed; by default, nothing.")
               .object("surface", &Lsystem::surface, surface_table, "How the skeleton becomes a surface.")
               .only_where({{"surface.style", {"tubes"}}}, {"texture"})
               .without(names_off_stems(), kWhyOffStems)

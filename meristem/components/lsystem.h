@@ -8,6 +8,7 @@
 #include "meristem/graph/component.h"
 #include "meristem/graph/table/asset.h"
 #include "meristem/grow/lsystem/turtle.h"
+#include "meristem/plant/finish.h"
 
 namespace meristem {
 
@@ -31,8 +32,9 @@ struct Lsystem : ComponentBase {
   std::optional<double> angle;  ///< degrees; unset: the grammar's
   std::optional<PolarAngles> angles;
   WidthDecay width_decay;
-  TurtleParameters turtle;    ///< without angles, decays and directions
-  std::vector<Vec3> palette;  ///< of polygons, by the number of their colour; empty: the green of leaves
+  TurtleParameters turtle;       ///< without angles, decays and directions
+  std::vector<Vec3> palette;     ///< of polygons, by the number of their colour; empty: the green of leaves
+  std::optional<Finish> finish;  ///< of the skeleton, in steps of the turtle's length
   Surface surface;
 
   const PlantGrammar& source() const { return grammar ? *grammar : *file; }

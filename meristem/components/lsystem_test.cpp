@@ -112,6 +112,44 @@ TEST(Lsystem, HasTheSameBytesOnAnyNumberOfThreads) {
   EXPECT_EQ(hash_of(builder.grow()), one);
 }
 
+constexpr const char* kWinding = "!(0.04)FF-FF!(0.02)F+FF[+F+!(0.01)FF]FF-F'{FFF+FF+F}F[]FF+FF!(0.005)FF";
+
+TEST(Lsystem, FinishKeepsRadiiOrdersAndMarkedEnds) {
+  const auto grown = [](const Value::Object& finish) {
+    Value::Object parameters{{"grammar", kWinding}, {"steps", 0}, {"length", 0.1}};
+    if (!finish.empty()) parameters.emplace_back("finish", finish);
+    return plant_of(parameters).grow();
+  };
+  const auto count_ends = [](const Skeleton& skeleton) {
+    return std::ranges::count(skeleton.extra.find("end")->second, 1);
+  };
+  const Plant drawn = grown({});
+  const Plant finished = grown({{"decimate", 3}, {"subdivide", 0.5}});
+  const Skeleton& raw = only_skeleton(drawn);
+  const Skeleton& fine = only_skeleton(finished);
+  EXPECT_TRUE(check_skeleton(fine));
+  EXPECT_GT(fine.node_count(), raw.node_count());
+  EXPECT_EQ(count_ends(fine), count_ends(raw));
+  EXPECT_EQ(*std::ranges::max_element(fine.axis), *std::ranges::max_element(raw.axis));
+  EXPECT_EQ(*std::ranges::max_element(fine.radius), *std::ranges::max_element(raw.radius));
+  EXPECT_EQ(fine.radius.back(), raw.radius.back());
+  EXPECT_LT(only_skeleton(grown({{"decimate", 3}, {"relax", false}})).node_count(), raw.node_count());
+}
+
+TEST(Lsystem, FinishMovesPolygonsWithTheirNodes) {
+  // A right angle, at whose corner a polygon stands: relaxed, the corner is half way to the root.
+  const auto polygon_of = [](bool relax) {
+    const Plant plant = plant_of({{"grammar", "F-(90){.f.+(90)f.}[F]FF"},
+                                  {"steps", 0},
+                                  {"length", 0.1},
+                                  {"finish", Value::Object{{"relax", relax}, {"decimate", 50}}}})
+                            .grow();
+    return organs_of(plant, "plant").at(0).frame.origin;
+  };
+  EXPECT_LT(glm::distance(polygon_of(false), Vec3(0, 0.1F, 0)), 1e-6F);
+  EXPECT_LT(glm::distance(polygon_of(true), Vec3(0, 0.05F, 0)), 1e-6F);
+}
+
 std::string fault_of(const Value::Object& parameters) {
   std::string text;
   for (const Diagnostic& fault : faults_of([&] { plant_of(parameters).grow(); })) text += fault.text() + "\n";
@@ -127,6 +165,8 @@ TEST(Lsystem, SaysWhatIsWrong) {
   EXPECT_THAT(fault_of({{"grammar", "F"}, {"steps", 1}, {"turtle", "polar"}, {"elasticity", 0.2}}),
               HasSubstr("\"turtle\": \"frame\""));
   EXPECT_THAT(fault_of({{"grammar", "Ff}"}, {"steps", 0}}), HasSubstr("components.plant: module 3 of the word"));
+  EXPECT_THAT(fault_of({{"grammar", "F"}, {"steps", 0}, {"length", 0}, {"finish", Value::Object{{"subdivide", 1}}}}),
+              HasSubstr("'finish' counts in steps of 'length', which is 0"));
 }
 
 TEST(Lsystem, FaultsOfADerivationNameTheRulesLine) {

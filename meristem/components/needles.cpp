@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A pine has tens of thousands of shoots. Their needles are a few shared meshes: a shoot is scaled to its needles'
 // length and along to its own, both exactly, after widths and lengths over the needles' length were rounded to a
-// quarter and an eighth of an octave, and angles to 5°.
+// quarter and an eighth of an octave, and angles to 5° where they vary from shoot to shoot.
 #include "meristem/components/needles.h"
 
 #include <algorithm>
@@ -18,7 +18,8 @@ constexpr double kAlongSteps = 8;  // an octave
 constexpr double kAxisSteps = 2;   // an octave
 
 /// The shared shoot, with needles of length 1.
-NeedleShoot shared_shoot(const NeedleShoot& exact) {
+NeedleShoot shared_shoot(const Needles& needles, const Emitter& out) {
+  const NeedleShoot& exact = needles.shoot;
   NeedleShoot shoot = exact;
   shoot.length = 1;
   shoot.width = to_octaves(exact.width / exact.length, kWidthSteps);
@@ -26,13 +27,13 @@ NeedleShoot shared_shoot(const NeedleShoot& exact) {
   shoot.axis_radius = exact.axis_radius > 0 ? to_octaves(exact.axis_radius / exact.length, kAxisSteps) : 0;
   for (double NeedleShoot::*angle :
        {&NeedleShoot::base_angle, &NeedleShoot::tip_angle, &NeedleShoot::spread, &NeedleShoot::curl}) {
-    shoot.*angle = to_step(exact.*angle, kShapeAngleStep);
+    if (varies(out, needles, exact.*angle)) shoot.*angle = to_step(exact.*angle, kShapeAngleStep);
   }
   return shoot;
 }
 
 void expand(const Needles& needles, const Site& site, Emitter& out) {
-  NeedleShoot shoot = shared_shoot(needles.shoot);
+  NeedleShoot shoot = shared_shoot(needles, out);
   const double drawn = site.key.child("variant").uniform(0) * needles.variants;
   shoot.variant = std::min(static_cast<std::uint64_t>(drawn), static_cast<std::uint64_t>(needles.variants - 1));
   Frame frame;
@@ -75,7 +76,7 @@ const ParameterTable& shoot_table() {
               "flatten", &NeedleShoot::flatten, {.min = 0, .max = 1, .fixed = true},
               "How far needles are combed to both sides: 0 leaves them all around the shoot, 1 lays them in one plane.")
           .number("irregular", &NeedleShoot::irregular, {.min = 0, .max = 0.9, .usual = {0, 0.5}, .fixed = true},
-                  "Random share by which needles differ in length and direction; raised, a rougher shoot.")
+                  "Random variation of the needles' length and direction, as a share; raised, a rougher shoot.")
           .integer("sides", &NeedleShoot::sides, {.min = 2, .max = 3, .fixed = true},
                    "Sides of a needle: 2 is a flat one of two triangles, 3 a spike of three.")
           .number("axis_radius", &NeedleShoot::axis_radius,

@@ -6,8 +6,8 @@
 
 namespace meristem {
 
-/// The needles of a shoot or a tuft. Instances share shapes: proportions and angles are rounded, and each instance is
-/// one of a few variants.
+/// The needles of a shoot or a tuft. Instances share shapes: proportions, and angles that vary, are rounded, and each
+/// instance is one of a few variants.
 struct Needles : ComponentBase {
   NeedleShoot shoot;
   int variants = 4;

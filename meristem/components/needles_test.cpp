@@ -35,6 +35,14 @@ TEST(NeedlesComponent, VariedLengthsShareShapes) {
   }
 }
 
+TEST(NeedlesComponent, AnglesThatVaryAreRoundedToFiveDegreesAndOthersAreExact) {
+  const auto mesh = [](const Value& angle) {
+    return shoots(1, {{"base_angle", angle}, {"variants", 1}}).prototypes.at(0).mesh->positions;
+  };
+  EXPECT_EQ(mesh("48 + i"), mesh(50));
+  EXPECT_NE(mesh(48), mesh(50));
+}
+
 TEST(NeedlesComponent, ChildrenStandAtTheTip) {
   GraphBuilder builder(builtin_components());
   builder.component("view", "camera")

@@ -7,11 +7,13 @@
 #include <fmt/format.h>
 
 #include "meristem/base/math.h"
+#include "meristem/components/expanded.h"
 #include "meristem/components/parts/growth_scale.h"
 #include "meristem/components/parts/organize_table.h"
 #include "meristem/components/parts/pipe_table.h"
 #include "meristem/components/parts/surface_table.h"
 #include "meristem/scene/crown/turned_crown.h"
+#include "meristem/shape/solid/primitives.h"
 
 namespace meristem {
 
@@ -19,16 +21,22 @@ namespace {
 
 constexpr double kMostVoxelsAMetamer = 100;
 constexpr double kMostVoxels = 16;  // over which a bud looks; memory in a round goes with its cube
-constexpr double kEdge = 0.05;      // share by which a knife edge is too near
+constexpr double kEdge = 0.05;      // share of the threshold; nearer to it, a bud is on a knife edge
+constexpr int kRodSides = 8;        // of poles and wires
 
-/// With all lengths to `scale`.
-OrganizeParameters growth_of(const Organize& tree, double scale) {
+/// With all lengths to `scale`; `axes` are those of the site.
+OrganizeParameters growth_of(const Organize& tree, double scale, const Mat3& axes) {
   OrganizeParameters growth = tree.growth;
   growth.length *= scale;
   growth.radii.tip_radius *= scale;
   growth.light = tree.light.model;
   growth.light.voxel *= scale;
-  growth.operations = tree.operations;
+  if (tree.training) {
+    for (const AnyOperation& operation : tree.training->operations) {
+      growth.operations.push_back(build_operation(operation, axes));
+    }
+  }
+  for (const AnyOperation& operation : tree.operations) growth.operations.push_back(build_operation(operation, axes));
   return growth;
 }
 
@@ -44,8 +52,8 @@ std::unique_ptr<Grower> grow(const Organize& tree, const Site& site, const GrowC
     seed.frame.origin = site.frame.point(root);
     seed.room = room;
   }
-  return make_organizer(context.stand, std::move(seeds), growth_of(tree, *scale), site.key.child("growth"),
-                        context.scene, context.limits, context.component);
+  return make_organizer(context.stand, std::move(seeds), growth_of(tree, *scale, site.frame.axes),
+                        site.key.child("growth"), context.scene, context.limits, context.component);
 }
 
 /// A site for a leaf beside each lateral bud of the young metamers. A tree that no longer grows has none.
@@ -72,8 +80,36 @@ void offer_leaves(const Organize& tree, const Skeleton& skeleton, float scale, E
   }
 }
 
+/// A rod from one point to another, in the component's frame.
+void show_rod(Vec3 from, Vec3 to, double radius, Emitter& out) {
+  Frame frame = frame_along(from, normalized_or(to - from, kUp), Vec3(0, 0, 1));
+  const auto thick = static_cast<float>(radius);
+  frame.axes[0] *= thick;
+  frame.axes[1] *= glm::distance(from, to);
+  frame.axes[2] *= thick;
+  out.blade(frame, shape_key({kRodSides}), [] { return make_cylinder(1, 1, kRodSides); });
+}
+
+/// The poles and wires of each tree.
+void show_supports(const Organize& tree, Emitter& out) {
+  const auto show = [&](const AnyOperation& operation) {
+    for (const SeenLine& line : seen_lines(operation, tree.growth.length)) {
+      const std::optional<int>& number = common_of(operation).tree;
+      for (std::size_t root = 0; root < tree.roots.size(); ++root) {
+        if (number && static_cast<std::size_t>(*number) != root) continue;
+        for (std::size_t k = 1; k < line.points.size(); ++k) {
+          show_rod(tree.roots[root] + line.points[k - 1], tree.roots[root] + line.points[k], line.radius, out);
+        }
+      }
+    }
+  };
+  if (tree.training) std::ranges::for_each(tree.training->operations, show);
+  std::ranges::for_each(tree.operations, show);
+}
+
 void expand(const Organize& tree, const Site& site, Emitter& out) {
   const Skeleton skeleton = out.take_grown();
+  show_supports(tree, out);
   out.stem(skeleton, tree.surface);
   offer_leaves(tree, skeleton, glm::length(site.frame.heading()), out);
 }
@@ -105,15 +141,30 @@ void check_schedules(const Organize& tree, const DocumentPath& path, ParameterRe
   if (reader.is_worked_out(DocumentPath(path, "iterations"))) return;
   const DocumentPath operations(path, "operations");
   for (std::size_t k = 0; k < tree.operations.size(); ++k) {
-    const int first = schedule_of(tree.operations[k]).first();
+    const OperationParameters& common = common_of(tree.operations[k]);
+    const int first = common.at.value_or(common.from);
     if (first <= tree.growth.iterations) continue;
-    reader.warn(DocumentPath(DocumentPath(operations, k), "at"),
+    const DocumentPath operation(operations, k);
+    reader.warn(DocumentPath(operation, common.at ? "at" : "from"),
                 fmt::format("it never acts: growth ends after iteration {}, and it is for iteration {}",
                             tree.growth.iterations, first));
   }
 }
 
+/// Operations for a root that there is not.
+void check_trees(const Organize& tree, const DocumentPath& path, ParameterReader& reader) {
+  const DocumentPath operations(path, "operations");
+  for (std::size_t k = 0; k < tree.operations.size(); ++k) {
+    const std::optional<int>& number = common_of(tree.operations[k]).tree;
+    if (!number || static_cast<std::size_t>(*number) < tree.roots.size()) continue;
+    const DocumentPath operation(operations, k);
+    reader.fault(DocumentPath(operation, "tree"), fmt::format("there is no root {}", *number),
+                 fmt::format("a number of 'roots', from 0 to {}", tree.roots.size() - 1));
+  }
+}
+
 void check_organize(const Organize& tree, const DocumentPath& path, ParameterReader& reader) {
+  check_trees(tree, path, reader);
   const BudLightModel& light = tree.light.model;
   const DocumentPath light_place(path, "light");
   if (light.voxel > 0 && light.voxel * kMostVoxelsAMetamer < tree.growth.length) {
@@ -130,13 +181,24 @@ void check_organize(const Organize& tree, const DocumentPath& path, ParameterRea
   check_balance(tree, path, reader);
 }
 
+void prepare_organize(Organize& tree, const DocumentPath& path, ParameterReader& reader) {
+  if (tree.training) prepare_training(*tree.training, tree.growth.length, DocumentPath(path, "training"), reader);
+}
+
 }  // namespace
+
+Value expanded_training(const Prototype& component) {
+  if (component.type->name != "organize") return {};
+  const auto& tree = *static_cast<const Organize*>(component.parameters.get());
+  return tree.training ? Value(training_operations(*tree.training, tree.growth.length)) : Value();
+}
 
 ComponentType organize_component() {
   return define_component<Organize>({
       .traits = {.name = "organize",
                  .doc = "Trees whose buds compete for light and room, metamer by metamer (self-organizing).",
                  .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
+                 .blades = {.material = {.colour = {0.45F, 0.42F, 0.38F}, .roughness = 0.7F}},
                  .makes_stems = true,
                  .has_ribs = true,
                  .stance = BranchStance::on_axis,
@@ -149,6 +211,8 @@ ComponentType organize_component() {
                       "Positions of the trees; they compete with each other for light and room.")
               .list_of_kinds("operations", &Organize::operations, operation_kinds, operation_table,
                              "Cuts and other operations on the trees as they grow, in this order.")
+              .object("training", &Organize::training, training_table,
+                      "Training system: a list of operations before those of 'operations', made of a few parameters.")
               .integer("leaf_age", &Organize::leaf_age, {.min = 0, .max = 1000},
                        "Number of last iterations whose metamers offer a site for a leaf; raised, leaves "
                        "also stand on older wood.")
@@ -158,11 +222,12 @@ ComponentType organize_component() {
               .object("surface", &Organize::surface, surface_table, "How the skeleton becomes a surface.")
               .only_where({{"surface.style", {"tubes"}}}, {"texture"})
               .without(names_off_stems(), kWhyOffStems)
-              .only_where({{"operations"}}, {"damage", "takeover", "resource.pass_back"})
+              .only_where({{"operations"}, {"training"}}, {"damage", "takeover", "resource.pass_back"})
               .only_where({{"damage", {true}}}, {"takeover", "resource.pass_back"})
               .only_where({{"resource.lambda_curve"}}, {"maturity"})
-              .only_where({{"shedding"}, {"operations"}}, {"memory"})
-              .check(check_organize),
+              .only_where({{"shedding"}, {"operations"}, {"training"}}, {"memory"})
+              .check(check_organize)
+              .prepare(prepare_organize),
       .expand = expand,
       .grow = grow,
   });

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "meristem/components/parts/operation_table.h"
 #include "meristem/components/parts/organize_table.h"
+#include "meristem/components/parts/training.h"
 #include "meristem/graph/component.h"
 #include "meristem/grow/organize/organize.h"
 
@@ -15,7 +17,8 @@ namespace meristem {
 struct Organize : GrowingComponent {
   OrganizeParameters growth;  ///< without its operations
   OrganizeLight light;
-  std::vector<Operation> operations;
+  std::optional<Training> training;
+  std::vector<AnyOperation> operations;
   std::vector<Vec3> roots{Vec3(0)};  ///< where the trees stand, in the component's frame
   int leaf_age = 1;
   double leaf_angle = radians(50);

@@ -76,7 +76,7 @@ TEST(OrganizeComponent, ItsLeavesAreAsLargeAsItsFrame) {
 }
 
 Value::Object operation(Value::Object more) {
-  Value::Object whole{{"at", 5}, {"do", "cut"}, {"shoot", "main"}};
+  Value::Object whole{{"at", 5}, {"do", "cut"}, {"shoots", "main"}};
   for (auto& [key, value] : more) {
     std::erase_if(whole, [&name = key](const auto& member) { return member.first == name; });
     whole.emplace_back(key, value);
@@ -301,18 +301,18 @@ TEST(OrganizeComponent, CutsAShoot) {
 }
 
 TEST(OrganizeComponent, OperationsAreChecked) {
-  EXPECT_EQ(fault(operation({{"shoot", "mian"}})).path, "components.tree.operations[0].shoot");
-  EXPECT_EQ(fault(operation({{"shoot", "main.4.x"}, {"above", 2}})).path, "components.tree.operations[0].shoot");
+  EXPECT_EQ(fault(operation({{"shoots", "mian"}, {"above", 2}})).path, "components.tree.operations[0].shoots");
+  EXPECT_EQ(fault(operation({{"shoots", "main.4.x"}, {"above", 2}})).path, "components.tree.operations[0].shoots");
   EXPECT_EQ(fault(operation({{"above", 0}})).path, "components.tree.operations[0].above");
   EXPECT_EQ(fault(operation({{"at", 0}, {"above", 4}})).path, "components.tree.operations[0].at");
   EXPECT_EQ(fault(operation({{"do", "prune"}, {"above", 4}})).path, "components.tree.operations[0].do");
-  const Value::Object bare{{"at", 5}, {"shoot", "main"}, {"above", 3}};
+  const Value::Object bare{{"at", 5}, {"shoots", "main"}, {"above", 3}};
   EXPECT_NE(fault({{"operations", Value::List{Value(bare)}}}).message.find("'do'"), std::string::npos);
 }
 
 TEST(OrganizeComponent, WarnsOfOperationsThatNeverAct) {
   const auto late = [](Value iterations, int at) {
-    const Value::Object cut{{"do", "cut"}, {"at", at}, {"shoot", "main"}, {"above", 3}};
+    const Value::Object cut{{"do", "cut"}, {"at", at}, {"shoots", "main"}, {"above", 3}};
     return warnings({{"operations", Value::List{Value(cut)}}, {"iterations", std::move(iterations)}});
   };
   EXPECT_NE(late(8, 9).find("tree.operations[0].at: it never acts"), std::string::npos) << late(8, 9);
@@ -324,8 +324,8 @@ TEST(OrganizeComponent, WarnsOfOperationsThatNeverAct) {
 }
 
 TEST(OrganizeComponent, AShootThatHasNotGrownIsNamedWithTheNearest) {
-  const Diagnostic found = fault(operation({{"at", 3}, {"shoot", "main.3000"}, {"above", 1}}));
-  EXPECT_EQ(found.path, "components.tree.operations[0].shoot");
+  const Diagnostic found = fault(operation({{"at", 3}, {"shoots", "main.3000"}, {"above", 1}}));
+  EXPECT_EQ(found.path, "components.tree.operations[0].shoots");
   EXPECT_NE(found.message.find("'main.3000'"), std::string::npos) << found.message;
   EXPECT_NE(found.expected.find("main"), std::string::npos);
 }
@@ -360,9 +360,116 @@ TEST(OrganizeComponent, ParametersAreCheckedInTheirRanges) {
   EXPECT_EQ(path_in("sag", "stiffness", 0), "components.tree.sag.stiffness");
 }
 
-TEST(OrganizeComponent, RoomMeansNothingToShade) {
-  const Value crown = Value::Object{{"profile", Value::List{Value(Value::List{1, 0}), Value(Value::List{0, 2})}}};
-  EXPECT_EQ(fault({{"light", Value::Object{{"room", crown}}}}).path, "components.tree.light.room");
+TEST(OrganizeComponent, ShootsOfTheShadowModelStayInTheirRoom) {
+  const Value room = Value::Object{{"box", Value::List{Value::List{-0.6, -1, -0.6}, Value::List{0.6, 1.5, 0.6}}}};
+  const Value::Object free{{"iterations", 14}};
+  Value::Object bounded = free;
+  bounded.emplace_back("light", Value::Object{{"room", room}});
+  EXPECT_GT(bounds(skeleton_of(free)).high.y, 1.6F);
+  const Box found = bounds(skeleton_of(bounded));
+  EXPECT_LE(found.high.y, 1.52F);  // with the thickness of its twigs
+  EXPECT_GT(found.high.y, 1.3F);
+  EXPECT_LE(std::max(found.high.x, found.high.z), 0.62F);
+}
+
+TEST(OrganizeComponent, TrainedRowsHaveTheSameBytesOnAnyNumberOfThreads) {
+  std::vector<std::string> hashes;
+  for (const int threads : {1, 2, 3, 8}) {
+    const ThreadLimit limit(threads);
+    const Value::List roots{Value::List{0, 0, 0}, Value::List{2, 0, 0}, Value::List{4, 0, 0}};
+    hashes.push_back(hash_of(tree({{"iterations", 12}, {"roots", roots}, {"training", "espalier"}}).grow()));
+  }
+  for (const std::string& hash : hashes) EXPECT_EQ(hash, hashes[0]);
+}
+
+TEST(OrganizeComponent, GrowthOfATrainedTreeIsTheBeginningOfLongerGrowth) {
+  // What has grown and not been cut since stands where it stood.
+  const Value::Object cut{{"do", "cut"}, {"at", 14}, {"shoots", "rank == 1"}, {"above", 4}};
+  const auto grown = [&](int iterations) {
+    return skeleton_of({{"iterations", iterations}, {"operations", Value::List{Value(cut)}}});
+  };
+  const Skeleton young = grown(13);
+  EXPECT_EQ(young.position, skeleton_of({{"iterations", 13}}).position);
+  EXPECT_LT(grown(14).node_count(), skeleton_of({{"iterations", 14}}).node_count());
+}
+
+/// The stems of a tree with this training.
+Skeleton trained(const Value& training, int iterations = 15) {
+  return skeleton_of({{"training", training},
+                      {"iterations", iterations},
+                      {"resource", Value::Object{{"alpha", 2.3}}},
+                      {"length", 0.1}});
+}
+
+TEST(OrganizeComponent, AnEspalierHasTwoLevelArmsALayer) {
+  const Skeleton tree = trained("espalier");
+  ASSERT_TRUE(check_skeleton(tree));
+  const std::vector<float>& rank = tree.extra.find("rank")->second;
+  // The tip of each arm: the farthest node of rank 1 on its way from the stem.
+  std::vector<Vec3> begin, tip;
+  for (NodeIndex node = 1; node < tree.node_count(); ++node) {
+    if (rank[node] != 1) continue;
+    EXPECT_LT(std::abs(tree.position[node].z), 0.25F);
+    if (rank[tree.parent[node]] == 0) {
+      begin.push_back(tree.position[tree.parent[node]]);
+      tip.push_back(tree.position[node]);
+      continue;
+    }
+    for (Vec3& end : tip) {
+      if (end == tree.position[tree.parent[node]]) end = tree.position[node];
+    }
+  }
+  ASSERT_EQ(tip.size(), 6U);
+  for (std::size_t k = 0; k < tip.size(); ++k) {
+    const Vec3 way = glm::normalize(tip[k] - begin[k]);
+    EXPECT_LT(degrees(std::asin(std::abs(way.y))), 7) << k;
+    EXPECT_LT(degrees(std::asin(std::abs(way.z))), 3) << k;
+  }
+}
+
+TEST(OrganizeComponent, SpursAndLimitsHoldAnEspalierAsItIs) {
+  const auto metamers = [](int iterations) {
+    return static_cast<double>(trained("espalier", iterations).node_count());
+  };
+  EXPECT_NEAR(metamers(25) / metamers(16), 1, 0.1);
+}
+
+TEST(OrganizeComponent, EachTrainingGrowsATree) {
+  for (const char* form : {"espalier", "cordon", "fan", "spindle", "open_vase", "standard", "half_standard", "hedge"}) {
+    const Skeleton tree = trained(form, 12);
+    EXPECT_TRUE(check_skeleton(tree)) << form;
+    EXPECT_GT(tree.node_count(), 20U) << form;
+  }
+}
+
+TEST(OrganizeComponent, ItsSupportsAreSeen) {
+  const Value::Object support{{"do", "support"},
+                              {"line", Value::List{Value::List{0, 0, 0}, Value::List{0, 1, 0}, Value::List{0, 2, 0}}},
+                              {"thickness", 0.05}};
+  const Plant plant = tree({{"operations", Value::List{Value(support)}},
+                            {"iterations", 3},
+                            {"roots", Value::List{Value::List{0, 0, 0}, Value::List{2, 0, 0}}}})
+                          .grow();
+  const std::vector<Organ> rods = organs_of(plant, "tree");
+  ASSERT_EQ(rods.size(), 4U);
+  EXPECT_NEAR(glm::length(rods[0].frame.heading()), 1, 1e-5);
+  EXPECT_NEAR(glm::length(rods[0].frame.right()), 0.025, 1e-5);
+  EXPECT_NEAR(rods[2].frame.origin.x, 2, 1e-5);
+}
+
+TEST(OrganizeComponent, OperationsSayWhenAndWhere) {
+  const auto place = [](Value::Object more) { return fault(operation(std::move(more))).path; };
+  EXPECT_EQ(place({{"above", 2}, {"above_lateral", 3}}), "components.tree.operations[0]");
+  EXPECT_EQ(place({{"above", 2}, {"every", 2}}), "components.tree.operations[0].every");
+  EXPECT_EQ(place({{"above", 2}, {"when", "heigth > 2"}}), "components.tree.operations[0].when");
+  EXPECT_EQ(place({{"above", 2}, {"shoots", "rnk >= 2"}}), "components.tree.operations[0].shoots");
+  EXPECT_EQ(place({{"above", 2}, {"tree", 1}}), "components.tree.operations[0].tree");
+  const auto support = [](Value line) {
+    return fault({{"operations", Value::List{Value(Value::Object{{"do", "support"}, {"line", std::move(line)}})}}})
+        .path;
+  };
+  EXPECT_EQ(support(Value::List(1, Value(Value::List{0, 0, 0}))), "components.tree.operations[0].line");
+  EXPECT_EQ(support(Value::List{Value::List{0, 0, 0}, Value::List{0, 0, 0}}), "components.tree.operations[0].line[1]");
 }
 
 TEST(OrganizeComponent, GrowthThatExplodesStopsAtTheLimit) {

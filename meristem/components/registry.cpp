@@ -13,8 +13,11 @@
 #include "meristem/components/needles.h"
 #include "meristem/components/organize.h"
 #include "meristem/components/phiball.h"
+#include "meristem/components/places.h"
 #include "meristem/components/revolution.h"
 #include "meristem/components/simple.h"
+#include "meristem/components/skeleton.h"
+#include "meristem/components/subdocument.h"
 #include "meristem/components/tree.h"
 #include "meristem/components/wreath.h"
 
@@ -22,22 +25,10 @@ namespace meristem {
 
 const Registry& builtin_components() {
   static const Registry registry({
-      camera_component(),
-      simple_component(),
-      revolution_component(),
-      leaf_component(),
-      needles_component(),
-      grassleaf_component(),
-      tree_component(),
-      horn_component(),
-      hydra_component(),
-      wreath_component(),
-      phiball_component(),
-      field_component(),
-      colonize_component(),
-      organize_component(),
-      cloud_component(),
-      lsystem_component(),
+      camera_component(),    simple_component(), revolution_component(), leaf_component(),        needles_component(),
+      grassleaf_component(), tree_component(),   horn_component(),       hydra_component(),       wreath_component(),
+      phiball_component(),   field_component(),  places_component(),     subdocument_component(), colonize_component(),
+      organize_component(),  cloud_component(),  lsystem_component(),    skeleton_component(),
   });
   return registry;
 }

@@ -56,7 +56,7 @@ void emit_section(const Simple& simple, Emitter& out) {
 void emit_primitive(const Simple& simple, Emitter& out) {
   const auto shape = static_cast<UnitShape>(simple.shape);
   const bool is_flat = simple.shading == Simple::Shading::flat;
-  // Those that are shaded smoothly keep the key that they had before there was a choice.
+  // Primitives that are shaded smoothly keep the key that they had before there was a choice.
   const auto number = static_cast<double>(simple.shape);
   const double segments = simple.segments;
   const std::uint64_t key = is_flat ? shape_key({number, segments, 1}) : shape_key({number, segments});

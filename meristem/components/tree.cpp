@@ -24,6 +24,7 @@ std::vector<StemBend> deflections(const Tree& tree, const Site& site, const Emit
   Placement outward = tree.branching;
   outward.angle = kPi / 2;
   outward.angle_tip.reset();
+  outward.face.reset();
   outward.angle_spread = outward.droop = outward.face_light = 0;
   PlacementContext context{.stance = BranchStance::on_axis,
                            .has_twigs = false,
@@ -66,7 +67,7 @@ ComponentType tree_component() {
                         .members(&Tree::stem, stem_form_table())
                         .number("deflection", &Tree::deflection,
                                 {.unit = Unit::degree, .min = -180, .max = 180, .usual = {-45, 45}},
-                                "Angle by which the stem bends away from each of its branches; raised, a zigzag, which "
+                                "Angle of the stem's bend away from each of its branches; raised, a zigzag, which "
                                 "needs a segment per branch.")
                         .members(&Tree::branching, placement_table())
                         .object("surface", &Tree::surface, surface_table, "How the stem becomes a surface.")

@@ -10,7 +10,7 @@ namespace meristem {
 /// it as its branches.
 struct Tree : ComponentBase {
   StemParameters stem;
-  double deflection = 0;  ///< radians by which it bends away from each of its branches
+  double deflection = 0;  ///< radians: bend away from each of its branches
   Placement branching;    ///< where they stand, as far as links do not say
   Surface surface;
 };

@@ -70,7 +70,7 @@ bool check_profiles(const CrownParameters& crown, const DocumentPath& path, Para
   for (std::size_t k = 1; k < seen.size(); ++k) {
     if (seen[k].first > seen[k - 1].first) continue;
     reader.fault_name(DocumentPath(path, seen[k].second),
-                      fmt::format("'{}' is the same azimuth as '{}'", seen[k].second, seen[k - 1].second),
+                      fmt::format("'{}' and '{}' are one azimuth", seen[k - 1].second, seen[k].second),
                       "a profile for each azimuth once", "");
     return false;
   }
@@ -237,7 +237,7 @@ const ParameterTable& crown_table() {
           .list("intersection", &CrownParameters::intersected, crown_table,
                 "Crowns that are intersected: the space that lies in all of them.")
           .list("difference", &CrownParameters::subtracted, crown_table,
-                "Crowns of which all but the first are cut away from the first.")
+                "Crowns that are subtracted: the first crown without the space that lies in any of the others.")
           .object("ellipsoid", &CrownParameters::ellipsoid, ellipsoid_table,
                   "An ellipsoid along the axes, as the crown.")
           .object("sphere", &CrownParameters::sphere, sphere_table, "A sphere as the crown.")

@@ -67,8 +67,8 @@ struct PointsParameters {
   ImportPose file_place;
 };
 
-const ParameterTable& crown_table();   ///< of CrownParameters
-const ParameterTable& points_table();  ///< of PointsParameters
+const ParameterTable& crown_table();   ///< the rows of CrownParameters
+const ParameterTable& points_table();  ///< the rows of PointsParameters
 
 /// Reports a crown that is missing, shares whose part of it is empty, and more points than allowed where it is filled
 /// `times` times. `path` is the component's, `component` what messages call it: "a colonize".
@@ -89,8 +89,8 @@ struct RootsInCrowns {
   bool share_points() const { return one_crown || points.file; }
 };
 
-/// The attraction points of each root in the component's frame: those around it stand over `base` there, and the first
-/// root has those that all share.
+/// The attraction points of one root, in the component's frame. The points of a crown of its own stand around the root,
+/// over `base`; points that all roots share belong to the first root.
 struct PointsOfRoot {
   Vec3 base{0};
   std::vector<Vec3> points;  ///< relative to it
@@ -98,8 +98,9 @@ struct PointsOfRoot {
 /// Throws as make_points does.
 std::vector<PointsOfRoot> points_of_roots(const RootsInCrowns& trees, RandomKey key, const GrowContext& context);
 
-/// The attraction points of one tree, relative to its root: those of the file that lie in the crown, if there is one,
-/// else so many in the crown. Throws InputError at the component's crown or points.
+/// The attraction points of one tree, relative to its root: the points of the file that lie in the crown, where
+/// `points` names a file, else as many points in the crown as `points` asks for. Throws InputError at the component's
+/// crown or points.
 std::vector<Vec3> make_points(const std::optional<CrownParameters>& crown, const PointsParameters& points,
                               RandomKey key, const GrowContext& context);
 

@@ -56,7 +56,7 @@ class StockIndex {
     for (std::uint32_t k = 0; k < all.size(); ++k) add(all[k].rank, all[k].leaf, k);
     sort();
   }
-  /// Of a rank, and of a leaf of it if one is asked for; empty if there is no such. Cost: logarithmic.
+  /// The entries of a rank, and of one leaf of the rank if one is asked for; empty if there is none. Cost: logarithmic.
   std::span<const std::uint32_t> find(int rank, std::optional<int> leaf = {}) const;
   const std::vector<int>& ranks() const { return ranks_; }  ///< that there are, rising
 

@@ -46,7 +46,7 @@ const ParameterTable& turn_table() {
           .number("to", &LocalTurn::to, {.min = 0, .max = 1},
                   "Position along the midrib where the turn ends; equal to 'from', it makes a kink.")
           .number("angle", &LocalTurn::angle, {.unit = Unit::degree, .min = -720, .max = 720, .usual = {-90, 90}},
-                  "Angle by which the leaf beyond the turn is bent; raised, it bends down, away from the stem.")
+                  "Bend of the leaf beyond the turn; raised, the leaf bends down, away from the stem.")
           .check([](const LocalTurn& turn, const DocumentPath& path, ParameterReader& reader) {
             if (turn.to < turn.from)
               reader.fault(DocumentPath(path, "to"), "the turn ends before it begins", "'from' or more");
@@ -143,7 +143,7 @@ const ParameterTable& blade_table() {
           .curve("twist_along", &GrassBlade::twist_along,
                  "Share of the twist that is reached from base (0) to tip (1).")
           .number("fold", &GrassBlade::fold, {.unit = Unit::degree, .min = -85, .max = 85},
-                  "Angle by which both halves rise about the midrib; raised, a steeper V.")
+                  "Angle of both halves above the flat blade, about the midrib; raised, a steeper V.")
           .number(
               "roll", &GrassBlade::roll, {.unit = Unit::degree, .min = -320, .max = 320},
               "Bend of the blade from edge to edge; raised, the edges rise more, as in drought and in young leaves.")
@@ -192,7 +192,7 @@ void check_grassleaf(const Grassleaf& grass, const DocumentPath& path, Parameter
   }
 }
 
-/// Warns where there are so few polygons that waves are left out.
+/// Warns where waves are left out because there are too few polygons.
 void warn_of_lost_waves(const Grassleaf& grass, const DocumentPath& path, ParameterReader& reader) {
   const EdgeWaves& waves = grass.blade.waves;
   const DocumentPath at_waves(path, "waves");
@@ -255,7 +255,7 @@ Table<Grassleaf> grassleaf_table() {
               "stands off more.")
       .number("inclination_factor", &Grassleaf::inclination_factor, {.min = 0, .max = 10, .usual = {0, 3}},
               "Factor on the inclination; raised, the leaf stands off more.")
-      .list("turns", &Grassleaf::turns, turn_table, "Local turns of the midrib, all of which act.")
+      .list("turns", &Grassleaf::turns, turn_table, "Local turns of the midrib; all of them act.")
       .object("forces", &Grassleaf::forces, forces_table,
               "Wind, light and other forces that bend the leaf as an elastic strip.")
       .members(&Grassleaf::blade, blade_table())

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/components/parts/organize_table.h"
 
-#include <algorithm>
-
-#include <fmt/format.h>
-
 namespace meristem {
 
 namespace {
@@ -25,7 +21,7 @@ const ParameterTable& direction_table() {
                   "Share of the difference between 'up' and 'up_later' that remains after each iteration or order; "
                   "raised, a slower change.")
           .boolean("fades_by_order", &DirectionWeights::fades_by_order,
-                   "Whether 'up' changes with the branching order instead of the iterations.")
+                   "Whether 'up' changes from the leader to branches and twigs instead of with the iterations.")
           .only_where({{"up"}, {"up_later"}}, {"up_fade", "fades_by_order"});
   return table;
 }
@@ -43,7 +39,7 @@ const ParameterTable& phyllotaxis_table() {
                   {.unit = Unit::degree, .min = -360, .max = 360, .usual = {0, 180}},
                   "Divergence angle of a spiral: the turn about the shoot from bud to bud.")
           .number("jitter", &Phyllotaxis::jitter, {.unit = Unit::degree, .min = 0, .max = 60, .usual = {0, 20}},
-                  "Standard deviation of the random angle by which new metamers stray; raised, more crooked shoots.")
+                  "Standard deviation of the random turn of each new metamer; raised, more crooked shoots.")
           .only_where({{"phyllotaxis", {"spiral"}}}, {"divergence"});
   return table;
 }
@@ -129,7 +125,7 @@ const ParameterTable& light_model_table() {
           .number("a", &BudLightModel::a, {.min = 0, .max = 5},
                   "Shade that a metamer as long as a voxel casts in its own voxel; raised, sparser crowns.")
           .number("b", &BudLightModel::b, {.min = 1, .max = 1000, .usual = {1, 4}},
-                  "Factor by which shade weakens from one layer of voxels to the next; raised, it fades sooner.")
+                  "Divisor of the shade from one layer of voxels to the next below it; raised, shade fades sooner.")
           .integer("depth", &BudLightModel::depth, {.min = 0, .max = 64, .usual = {0, 10}},
                    "Number of layers of voxels that a metamer shades below its own; raised, shade reaches farther and "
                    "costs more.")
@@ -153,45 +149,6 @@ const ParameterTable& light_model_table() {
   return table;
 }
 
-const ParameterTable& schedule_table() {
-  static const ParameterTable table = Table<Schedule>("a schedule", "When an operation acts.")
-                                          .integer("at", &Schedule::at, {.min = 1, .max = 65535, .usual = {1, 40}},
-                                                   "Iteration after whose growth the operation acts.")
-                                          .required();
-  return table;
-}
-
-void check_cut(const Cut& cut, const DocumentPath& path, ParameterReader& reader) {
-  if (!is_shoot_name(cut.shoot)) {
-    reader.fault(DocumentPath(path, "shoot"), fmt::format("'{}' names no shoot", cut.shoot),
-                 "main, or the numbers of metamers at which shoots branch off: main.4.2");
-  } else if (cut.shoot == "main" && cut.above == 0) {
-    reader.fault(DocumentPath(path, "above"), "nothing would be left of the tree", "a whole number of at least 1");
-  }
-}
-
-/// Growth names the document path of what it cannot do.
-template <class Kind>
-void note_place(Kind& operation, const DocumentPath& path, ParameterReader&) {
-  operation.path = path.text();
-}
-
-const ParameterTable& cut_table() {
-  static const ParameterTable table =
-      Table<Cut>("a cut", "A cut, which removes a shoot, or the part of it above a metamer.")
-          .members(&Cut::when, schedule_table())
-          .text("shoot", &Cut::shoot,
-                "Label of the shoot: the numbers of the metamers at which shoots branch off, as in main.4.2; the stem "
-                "is main.")
-          .required()
-          .integer("above", &Cut::above, {.min = 0, .max = 1e9, .usual = {0, 20}},
-                   "Number of metamers of the shoot that stay; 0 removes it whole.")
-          .elsewhere({operation_kinds().key})
-          .check(check_cut)
-          .prepare(note_place<Cut>);
-  return table;
-}
-
 }  // namespace
 
 const ParameterTable& organize_light_table() {
@@ -199,25 +156,9 @@ const ParameterTable& organize_light_table() {
       Table<OrganizeLight>("a light", "What light or room the buds find.")
           .members(&OrganizeLight::model, light_model_table())
           .object("room", &OrganizeLight::room, crown_table,
-                  "Envelope in which there are markers, relative to each root; by default, they are everywhere.")
+                  "Envelope that shoots do not leave, relative to each root; with markers, these exist in it alone.")
           .only_where({{"model", {"shadow"}}}, {"voxel", "a", "b", "depth", "reach", "lean"})
-          .only_where({{"model", {"markers"}}}, {"spacing", "occupancy", "perception", "cone", "counts", "room"});
-  return table;
-}
-
-const Kinds& operation_kinds() {
-  static const Kinds kinds{
-      .element = "an operation",
-      .doc = "An operation on a tree after the growth of an iteration.",
-      .key = "do",
-      .key_doc = "Kind of operation: 'cut' removes a shoot, or the part of it above a metamer.",
-      .kinds = {{"cut", cut_table}},
-  };
-  return kinds;
-}
-
-const ParameterTable& operation_table() {
-  static const ParameterTable table = table_of_kinds(operation_kinds());
+          .only_where({{"model", {"markers"}}}, {"spacing", "occupancy", "perception", "cone", "counts"});
   return table;
 }
 
@@ -225,7 +166,7 @@ const ParameterTable& organize_growth_table() {
   static const ParameterTable table =
       Table<OrganizeParameters>("growth", "How trees grow from the competition of their buds.")
           .integer("iterations", &OrganizeParameters::iterations, {.min = 0, .max = 65535, .usual = {1, 40}},
-                   "Number of iterations of growth, in each of which a bud can grow one shoot; raised, an older tree.")
+                   "Number of iterations of growth; in each one, a bud can grow one shoot. Raised, an older tree.")
           .integer("every", &OrganizeParameters::every, {.min = 1, .max = 10000},
                    "Steps that other plants of the stand take per iteration of this tree; raised, they grow faster "
                    "beside it.")
@@ -254,25 +195,13 @@ const ParameterTable& organize_growth_table() {
           .object("direction", &OrganizeParameters::direction, direction_table,
                   "Weights of the directions that a new metamer's direction is made of.")
           .object("stem", &OrganizeParameters::stem, direction_table,
-                  "Weights of the directions for the stem; by default, those of 'direction'.")
+                  "Weights of the directions for the stem and for the shoots that lead after it; by default, those of "
+                  "'direction'.")
           .members(&OrganizeParameters::phyllotaxis, phyllotaxis_table())
           .object("shedding", &OrganizeParameters::shedding, shedding_table, "Which shoots are shed for lack of light.")
           .object("sag", &OrganizeParameters::sag, sag_table,
                   "Lets branches bend under their weight, also into obstacles; by default, they do not bend.");
   return table;
-}
-
-bool is_shoot_name(std::string_view text) {
-  if (!text.starts_with("main")) return false;
-  text.remove_prefix(4);
-  while (!text.empty()) {
-    if (text[0] != '.') return false;
-    const std::size_t digits = std::min(text.find('.', 1), text.size()) - 1;
-    if (digits == 0 || digits > 9) return false;
-    if (!std::ranges::all_of(text.substr(1, digits), [](char c) { return c >= '0' && c <= '9'; })) return false;
-    text.remove_prefix(digits + 1);
-  }
-  return true;
 }
 
 }  // namespace meristem

@@ -3,13 +3,20 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
+#include <vector>
 
+#include <fmt/format.h>
+
+#include "meristem/base/expression/expression.h"
 #include "meristem/graph/graph.h"
 #include "meristem/grow/lsystem/grammar_reader.h"
 
 namespace meristem {
 
 namespace {
+
+constexpr std::size_t kLongestWord = 64;
 
 /// Finds the letters that may stand behind a ~: those that do in the text, and what rules make of them.
 class PlacedLetters {
@@ -55,7 +62,22 @@ class PlacedLetters {
   std::vector<LetterIndex> found_;
 };
 
-void note_placed(PlantGrammar& plant) {
+/// The words that stand behind each ~ of the text.
+std::vector<std::string_view> words_behind_tildes(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (std::size_t at = text.find('~'); at != std::string_view::npos; at = text.find('~', at + 1)) {
+    std::size_t begin = at + 1;
+    while (begin < text.size() && text[begin] == ' ') ++begin;
+    std::size_t end = begin;
+    const std::size_t most = std::min(text.size(), begin + kLongestWord);
+    while (end < most && is_identifier(text.substr(begin, end + 1 - begin))) ++end;
+    words.push_back(text.substr(begin, end - begin));
+  }
+  return words;
+}
+
+void note_placed(PlantGrammar& plant, std::string_view text) {
+  const std::vector<std::string_view> words = words_behind_tildes(text);
   const Alphabet& alphabet = plant.grammar.alphabet;
   plant.placed_of_letter.assign(alphabet.size(), kNoIndex);
   const PlacedLetters letters(plant.grammar);
@@ -64,7 +86,13 @@ void note_placed(PlantGrammar& plant) {
     const auto found = std::ranges::find(plant.placed, id, &PlacedComponent::id);
     plant.placed_of_letter[letter] = static_cast<std::uint32_t>(found - plant.placed.begin());
     if (found == plant.placed.end()) {
-      plant.placed.push_back({id, !letters.is_rewritten(letter), ", or longer names among #symbols"});
+      const auto longer = std::ranges::find_if(
+          words, [&](std::string_view word) { return word.size() > id.size() && word.starts_with(id); });
+      const std::string hint =
+          longer == words.end()
+              ? ", or longer names among #symbols"
+              : fmt::format(", or '#symbols {0}' in the grammar, since '~{0}' is '~{1}' without it", *longer, id);
+      plant.placed.push_back({id, !letters.is_rewritten(letter), hint});
     }
   }
 }
@@ -79,7 +107,7 @@ PlantGrammar read_plant_grammar(const std::string& text, const std::string& path
   PlantGrammar plant;
   plant.grammar = read_grammar(
       text, {.constants = reader.constants(), .read = included, .warnings = &warnings, .limits = reader.limits()});
-  note_placed(plant);
+  note_placed(plant, text);
   return plant;
 }
 

@@ -72,9 +72,10 @@ std::vector<Vec3> way_directions(const std::vector<Vec3>& axis, int sections) {
 }
 
 /// Grows the axis of one stem in world space.
-class Builder {
+class StemPathBuilder {
  public:
-  Builder(const StemParameters& form, const Site& site, const StemTropisms& tropisms, std::span<const StemBend> bends)
+  StemPathBuilder(const StemParameters& form, const Site& site, const StemTropisms& tropisms,
+                  std::span<const StemBend> bends)
       : form_(form), tropisms_(tropisms), bends_(bends), key_(site.key.child("gnarl")) {
     const Frame& frame = site.frame;
     scale_ = glm::length(frame.heading());
@@ -216,12 +217,11 @@ const ParameterTable& stem_form_table() {
           .number(
               "curl", &StemParameters::curl, {.unit = Unit::degree, .min = -3600, .max = 3600},
               "Bend from base to tip, away from the upper side of the stem, which on a branch faces its parent's tip.")
-          .number(
-              "spiral", &StemParameters::spiral,
-              {.unit = Unit::degree, .min = -36000, .max = 36000, .usual = {-1080, 1080}},
-              "Angle by which the direction of the curl turns about the stem from base to tip; raised, a corkscrew.")
+          .number("spiral", &StemParameters::spiral,
+                  {.unit = Unit::degree, .min = -36000, .max = 36000, .usual = {-1080, 1080}},
+                  "Turn of the curl's direction about the stem from base to tip; raised, a corkscrew.")
           .number("gnarl", &StemParameters::gnarl, {.unit = Unit::degree, .min = 0, .max = 180, .usual = {0, 60}},
-                  "Angle by which the stem's direction wanders at random; raised, a more crooked stem.")
+                  "Random deviation of the stem's direction along its way; raised, a more crooked stem.")
           .number("gnarl_waves", &StemParameters::gnarl_waves, {.min = 0, .max = 1000},
                   "Number of random bends from base to tip; raised, shorter bends.")
           .only_with("gnarl", {"gnarl_waves"});
@@ -230,7 +230,7 @@ const ParameterTable& stem_form_table() {
 
 StemPath grow_stem(const StemParameters& form, const Site& site, const StemTropisms& tropisms,
                    std::span<const StemBend> bends) {
-  return Builder(form, site, tropisms, bends).run();
+  return StemPathBuilder(form, site, tropisms, bends).run();
 }
 
 void check_stem_form(const StemParameters& form, const DocumentPath& path, ParameterReader& reader) {

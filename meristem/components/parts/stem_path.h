@@ -21,8 +21,8 @@ struct StemParameters {
   /// Empty: a straight way. All else bends it further.
   std::vector<Vec3> axis;
   double curl = 0;         ///< that it bends from base to tip; positive: away from its upper side
-  double spiral = 0;       ///< by which the side to which it bends turns about it from base to tip: a helix
-  double gnarl = 0;        ///< by which its direction wanders
+  double spiral = 0;       ///< turn of the bend's direction about the stem from base to tip: a helix
+  double gnarl = 0;        ///< how far its direction wanders
   double gnarl_waves = 3;  ///< how often it does so from base to tip
 };
 
@@ -36,8 +36,8 @@ struct StemBend {
 
 struct StemTropisms {
   Directions directions;    ///< of light and gravity
-  double gravitropism = 0;  ///< share of the angle down that the tip has closed; negative: of that up
-  double phototropism = 0;  ///< the same for the light; negative: away from it
+  double gravitropism = 0;  ///< share of the angle to straight down that the tip closes; negative: to straight up
+  double phototropism = 0;  ///< share of the angle to the light that the tip closes; negative: away from it
   /// Where in the scene a stem stands that is made elsewhere and smaller: its positions times `stretch`, from `origin`.
   Vec3 origin{0};
   float stretch = 1;

@@ -21,10 +21,10 @@ const ParameterTable& crown_body_table() {
               "Distance over which the balls grow together; raised, smoother and fuller; 0 lets them meet in creases.")
           .choice("blend", &CrownBody::blend, {"poly", "root", "pasko"},
                   "How the balls grow together: 'poly' with a fillet, 'root' swelling each other everywhere, 'pasko' "
-                  "with filled creases; both last are slow.")
+                  "with filled creases; the last two are slow.")
           .integer(
               "resolution", &CrownBody::resolution, {.min = 10, .max = 1024, .fixed = true},
-              "Number of cells along the crown body's longest side; raised, finer, with the square as many triangles.")
+              "Number of cells along the crown body's longest side; doubled, finer, with four times as many triangles.")
           .integer("triangles", &CrownBody::triangles, {.min = 4, .max = 50e6, .usual = {100, 20000}, .fixed = true},
                    "Number of triangles to which the crown body is simplified, if its holes let it; by default, all "
                    "that the cells give.")
@@ -51,7 +51,7 @@ const ParameterTable& surface_table() {
                   "How light falls on triangles: 'smooth' over their edges, 'flat' with a plane for each.")
           .object("crown", &Surface::crown, crown_body_table, "A closed body around the ends of the branches.")
           .integer("resolution", &Surface::resolution, {.min = 10, .max = 1024, .fixed = true},
-                   "Number of cells along the longest side of a blended surface; raised, finer, with the square as "
+                   "Number of cells along the longest side of a blended surface; doubled, finer, with four times as "
                    "many triangles.")
           .number("blend", &Surface::blend, {.min = 0, .max = 4, .usual = {0, 2}, .fixed = true},
                   "Distance over which a branch of a blended surface grows together with its parent, in its radii; 0 "

@@ -12,7 +12,7 @@ enum class UnitShape { box, sphere, cylinder, cone, torus };
 /// The tube of a torus is this share of its width.
 inline constexpr float kTorusTube = 0.25F;
 
-/// The shape, 1 wide, with so many corners around.
+/// The shape, 1 wide, with this number of corners around.
 Mesh make_unit_shape(UnitShape shape, int segments);
 
 /// Where the unit shape stands on the origin and is as wide, high and deep as `size` says.

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "meristem/graph/table/table.h"
+
+namespace meristem {
+
+/// The rows of Finish.
+const ParameterTable& finish_table();
+
+}  // namespace meristem

@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/parts/operation_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "meristem/base/frame.h"
+#include "meristem/base/math.h"
+#include "meristem/grow/prune/layers.h"
+#include "meristem/scene/crown/turned_crown.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr NumberRange kIteration{.min = 1, .max = kLastIteration, .usual = {1, 40}};
+constexpr NumberRange kWeight{.min = 0, .max = 1000, .usual = {0, 10}};
+constexpr const char* kShootForms =
+    "leader, a label such as main.4.2, or a condition such as \"rank >= 2 && length > 0.3\"";
+
+const ParameterTable& common_table() {
+  static const ParameterTable table =
+      Table<OperationParameters>("an operation", "When an operation acts, and on which shoots.")
+          .integer("at", &OperationParameters::at, kIteration, "The one iteration after whose growth it acts.")
+          .integer("from", &OperationParameters::from, kIteration, "First iteration in which it acts.")
+          .integer("every", &OperationParameters::every, {.min = 1, .max = kLastIteration, .usual = {1, 10}},
+                   "Number of iterations from one time to the next; raised, it acts less often.")
+          .integer("to", &OperationParameters::to, kIteration,
+                   "Last iteration in which it acts; a support no longer holds after it.")
+          .condition("when", &OperationParameters::when, tree_variables(),
+                     "Condition on the tree under which it acts, over iteration, height, width, metamers, laterals "
+                     "and leader_length.")
+          .boolean("once", &OperationParameters::once, "Whether it acts on each tree no more than once.")
+          .text("shoots", &OperationParameters::shoots,
+                "Which shoots: 'leader', a label such as main.4.2, or a condition over rank, length, age, light, "
+                "resource, radius, height, inclination, azimuth, clearance, inward and marked.")
+          .integer("tree", &OperationParameters::tree, {.min = 0, .max = 1e6, .usual = {0, 10}},
+                   "Number of the one root that it is for, from 0; by default, it is for all.")
+          .never_with("at", {"from", "every", "to", "once"});
+  return table;
+}
+
+void check_common(const OperationParameters& common, const DocumentPath& path, ParameterReader& reader) {
+  if (common.to && *common.to < common.from) {
+    reader.fault(DocumentPath(path, "to"), fmt::format("'to' {} lies before 'from' {}", *common.to, common.from),
+                 fmt::format("a whole number of at least {}", common.from));
+  }
+}
+
+/// What follows from its texts. Growth names the document path of what it cannot do.
+void prepare_common(OperationParameters& common, const DocumentPath& path, ParameterReader& reader) {
+  common.path = path.text();
+  const std::string& text = common.shoots;
+  const DocumentPath place(path, "shoots");
+  if (text == "leader") {
+    common.chosen = ShootChoice::leader();
+  } else if (is_shoot_name(text)) {
+    common.chosen = ShootChoice::label(text);
+  } else if (text.empty() || text.starts_with("main")) {
+    reader.fault(place, fmt::format("'{}' names no shoot", text), kShootForms);
+  } else if (auto condition = reader.expression(text, place, shoot_variables())) {
+    common.chosen = {ShootChoice::Kind::condition, text, std::move(*condition)};
+  }
+}
+
+template <class Kind>
+void prepare(Kind& operation, const DocumentPath& path, ParameterReader& reader) {
+  prepare_common(operation, path, reader);
+}
+
+template <class Kind>
+void check_only_common(const Kind& operation, const DocumentPath& path, ParameterReader& reader) {
+  check_common(operation, path, reader);
+}
+
+const ParameterTable& bud_table() {
+  static const ParameterTable table =
+      Table<BudParameters>("a bud to cut to", "The sleeping bud that a shoot is cut back to.")
+          .choice("toward", &BudParameters::toward, {"down", "up", "out", "direction"},
+                  "Where the bud faces: 'down', 'up', 'out' from the stem, or 'direction'.")
+          .vector("direction", &BudParameters::direction, {.min = -1e3, .max = 1e3, .usual = {-1, 1}},
+                  "Direction [x, y, z] that the bud faces.")
+          .integer("window", &BudParameters::window, {.min = 0, .max = 1e6, .usual = {0, 10}},
+                   "Number of metamers to each side of the middle within which the bud that faces best is chosen; "
+                   "with 0, the nearest that faces the right way.")
+          .only_where({{"toward", {"direction"}}}, {"direction"})
+          .shorthand("toward");
+  return table;
+}
+
+void check_cut(const CutParameters& cut, const DocumentPath& path, ParameterReader& reader) {
+  check_common(cut, path, reader);
+  if (cut.above == 0 && (cut.shoots == "main" || cut.shoots == "leader")) {
+    reader.fault(DocumentPath(path, "above"), "nothing would be left of the tree", "a whole number of at least 1");
+  }
+  if (cut.to_bud && cut.to_bud->toward == Cut::Toward::direction && cut.to_bud->direction == Vec3(0)) {
+    const DocumentPath bud(path, "to_bud");
+    reader.fault(DocumentPath(bud, "direction"), "the direction has no length", "a direction such as [1, 0, 0]");
+  }
+}
+
+const ParameterTable& cut_table() {
+  static const ParameterTable table =
+      Table<CutParameters>("a cut", "A cut, which removes shoots, or parts of them, just above a bud.")
+          .include<OperationParameters>(common_table())
+          .integer("above", &CutParameters::above, {.min = 0, .max = 1e9, .usual = {0, 20}},
+                   "Number of metamers of the shoot that stay; 0 removes it whole.")
+          .formula("above_lateral", &CutParameters::above_lateral, {},
+                   "Number of the lateral shoot, from the base, above which the cut is made, such as "
+                   "\"floor(rand(3, 5))\".")
+          .object("to_bud", &CutParameters::to_bud, bud_table,
+                  "Cuts back to a sleeping bud near the middle of the youngest stretch that faces one way: 'down', "
+                  "'up', 'out'.")
+          .object("outside", &CutParameters::outside, crown_table,
+                  "Body, relative to the root; what lies outside it is cut off.")
+          .boolean("leader", &CutParameters::leader,
+                   "Whether another shoot takes the lead of one that is cut; false makes an open tree.")
+          .one_of({"above", "above_lateral", "to_bud", "outside"})
+          .elsewhere({operation_kinds().key})
+          .check(check_cut)
+          .prepare(prepare<CutParameters>);
+  return table;
+}
+
+const ParameterTable& spur_table() {
+  static const ParameterTable table =
+      Table<SpurParameters>("a spur", "A rule that keeps shoots short and without branches.")
+          .include<OperationParameters>(common_table())
+          .integer("metamers", &SpurParameters::metamers, {.min = 0, .max = 1e6, .usual = {0, 20}},
+                   "Number of metamers: of 'spur' and 'limit', those that a shoot keeps; of 'layers', those of the "
+                   "leader in each layer; of 'bend', those that the bend goes over.")
+          .elsewhere({operation_kinds().key})
+          .check(check_only_common<SpurParameters>)
+          .prepare(prepare<SpurParameters>);
+  return table;
+}
+
+const ParameterTable& limit_table() {
+  static const ParameterTable table =
+      Table<LimitParameters>("a limit", "A length that shoots do not pass.")
+          .include<OperationParameters>(common_table())
+          .integer("metamers", &LimitParameters::metamers, {.min = 1, .max = 1e6, .usual = {1, 40}},
+                   "Number of metamers that a shoot keeps; raised, longer shoots.")
+          .elsewhere({operation_kinds().key})
+          .check(check_only_common<LimitParameters>)
+          .prepare(prepare<LimitParameters>);
+  return table;
+}
+
+const ParameterTable& layers_table() {
+  static const ParameterTable table =
+      Table<LayersParameters>("layers", "The rule of the espalier: arms in layers on both sides of the leader.")
+          .include<OperationParameters>(common_table())
+          .integer("count", &LayersParameters::count, {.min = 1, .max = 1000, .usual = {1, 8}}, "Number of layers.")
+          .integer("metamers", &LayersParameters::metamers, {.min = 3, .max = 1000, .usual = {3, 12}},
+                   "Number of metamers of the leader in each layer; raised, layers stand farther apart.")
+          .number("azimuth", &LayersParameters::azimuth,
+                  {.unit = Unit::degree, .min = -360, .max = 360, .usual = {0, 180}},
+                  "Where the right arms point, from north over east; the left ones point the other way.")
+          .number("angle", &LayersParameters::angle, {.unit = Unit::degree, .min = -60, .max = 80, .usual = {0, 60}},
+                  "Angle of the arms above the horizontal.")
+          .number("angle_last", &LayersParameters::angle_last,
+                  {.unit = Unit::degree, .min = -60, .max = 80, .usual = {0, 70}},
+                  "Angle of the topmost layer's arms, to which the angle changes from layer to layer; by default, that "
+                  "of the others.")
+          .number("weight", &LayersParameters::weight, kWeight,
+                  "Weight of the support's direction in the growth of tied shoots; raised, straighter.")
+          .number("wires", &LayersParameters::wires, {.unit = Unit::metre, .min = 0, .max = 1000, .usual = {0, 3}},
+                  "Length of the wires that are seen, to each side of the stem; 0 shows none.")
+          .without({"shoots"}, "layers stand on the leader")
+          .elsewhere({operation_kinds().key})
+          .check(check_only_common<LayersParameters>)
+          .prepare(prepare<LayersParameters>);
+  return table;
+}
+
+void check_support(const SupportParameters& support, const DocumentPath& path, ParameterReader& reader) {
+  check_common(support, path, reader);
+  const DocumentPath line(path, "line");
+  if (support.line.size() < 2) {
+    reader.fault(line, "the line has fewer than two points", "a list of at least two points [x, y, z]");
+    return;
+  }
+  for (std::size_t k = 1; k < support.line.size(); ++k) {
+    if (support.line[k] != support.line[k - 1]) continue;
+    reader.fault(DocumentPath(line, k), "the support has no length here: the point repeats the one before it",
+                 "another point [x, y, z]");
+  }
+}
+
+const ParameterTable& support_table() {
+  static const ParameterTable table =
+      Table<SupportParameters>("a support", "A pole, rod or wire that shoots are tied to and grow along.")
+          .include<OperationParameters>(common_table())
+          .places("line", &SupportParameters::line, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-3, 3}},
+                  "Points of the line from the root of each tree; shoots grow along it from the first to the last.")
+          .required()
+          .number("weight", &SupportParameters::weight, kWeight,
+                  "Weight of the support's direction in the growth of tied shoots; raised, straighter.")
+          .number("thickness", &SupportParameters::thickness,
+                  {.unit = Unit::metre, .min = 0, .max = 10, .usual = {0, 0.1}},
+                  "Diameter of the pole or wire that is seen; 0 shows none.")
+          .elsewhere({operation_kinds().key})
+          .check(check_support)
+          .prepare(prepare<SupportParameters>);
+  return table;
+}
+
+const ParameterTable& mark_table() {
+  static const ParameterTable table =
+      Table<MarkParameters>("a mark", "A mark on shoots, which other operations ask for by 'marked'.")
+          .include<OperationParameters>(common_table())
+          .number("chance", &MarkParameters::chance, {.min = 0, .max = 1},
+                  "Probability with which each of the shoots is marked.")
+          .elsewhere({operation_kinds().key})
+          .check(check_only_common<MarkParameters>)
+          .prepare(prepare<MarkParameters>);
+  return table;
+}
+
+constexpr NumberRange kBelow{.min = 0, .max = 1e6, .usual = {0, 20}};
+constexpr const char* kBelowDoc = "Number of metamers of the shoot below the ring or the bend.";
+constexpr NumberRange kDuration{.min = 1, .max = kLastIteration, .usual = {1, 10}};
+constexpr const char* kDurationDoc =
+    "Number of iterations that a ring stays open before it has healed, or that the bending of a shoot takes.";
+
+const ParameterTable& girdle_table() {
+  static const ParameterTable table =
+      Table<GirdleParameters>("a girdle", "A ring of bark that is taken off: what leaves above it make stays above it.")
+          .include<OperationParameters>(common_table())
+          .integer("below", &GirdleParameters::below, kBelow, kBelowDoc)
+          .number("share", &GirdleParameters::share, {.min = 0, .max = 1},
+                  "Share of the resource made above the ring that does not pass it to the root and stays above.")
+          .integer("iterations", &GirdleParameters::iterations, kDuration, kDurationDoc)
+          .elsewhere({operation_kinds().key})
+          .check(check_only_common<GirdleParameters>)
+          .prepare(prepare<GirdleParameters>);
+  return table;
+}
+
+const ParameterTable& bend_table() {
+  static const ParameterTable table =
+      Table<BendParameters>("a bend", "Shoots that are bent by wires and held: they no longer sag.")
+          .include<OperationParameters>(common_table())
+          .integer("below", &BendParameters::below, kBelow, kBelowDoc)
+          .integer("metamers", &BendParameters::metamers, {.min = 1, .max = 1e6, .usual = {1, 12}},
+                   "Number of metamers that the bend goes over; raised, wider.")
+          .number("inclination", &BendParameters::inclination,
+                  {.unit = Unit::degree, .min = -90, .max = 90, .usual = {-60, 60}},
+                  "Angle above level to which the shoot is bent; negative, it points down.")
+          .integer("iterations", &BendParameters::iterations, kDuration, kDurationDoc)
+          .elsewhere({operation_kinds().key})
+          .check(check_only_common<BendParameters>)
+          .prepare(prepare<BendParameters>);
+  return table;
+}
+
+Vec3 level_way(double azimuth) {
+  return {static_cast<float>(math::sin(azimuth)), 0, static_cast<float>(-math::cos(azimuth))};
+}
+
+Layers rule_of(const LayersParameters& form, Vec3 right) {
+  return {form.count, form.metamers, right, form.angle, form.angle_last.value_or(form.angle), form.weight};
+}
+
+/// What growth takes, of each kind.
+struct OperationBuilder {
+  const Mat3& axes;
+
+  Cut operator()(const CutParameters& form) const {
+    Cut cut;
+    cut.has_successor = form.leader;
+    if (form.above) {
+      cut.place = Cut::Place::above;
+      cut.above = *form.above;
+    } else if (form.above_lateral) {
+      cut.place = Cut::Place::above_lateral;
+      cut.lateral = form.above_lateral->expression;
+    } else if (form.to_bud) {
+      cut.place = Cut::Place::to_bud;
+      cut.toward = form.to_bud->toward;
+      cut.direction = normalized_or(axes * form.to_bud->direction, kUp);
+      cut.window = form.to_bud->window;
+    } else {
+      cut.place = Cut::Place::outside;
+      cut.outside = build_crown(*form.outside);
+      if (axes != Mat3(1)) cut.outside = std::make_shared<TurnedCrown>(std::move(cut.outside), axes);
+    }
+    return cut;
+  }
+  Spur operator()(const SpurParameters& form) const { return {form.metamers}; }
+  Limit operator()(const LimitParameters& form) const { return {form.metamers}; }
+  Layers operator()(const LayersParameters& form) const {
+    return rule_of(form, normalized_or(axes * level_way(form.azimuth), Vec3(1, 0, 0)));
+  }
+  Support operator()(const SupportParameters& form) const {
+    Support support{form.line, form.weight, form.to.value_or(kLastIteration)};
+    for (Vec3& point : support.line) point = axes * point;
+    return support;
+  }
+  Mark operator()(const MarkParameters& form) const { return {form.chance}; }
+  Girdle operator()(const GirdleParameters& form) const { return {form.below, form.share, form.iterations}; }
+  Bend operator()(const BendParameters& form) const {
+    return {form.below, form.metamers, form.inclination, form.iterations};
+  }
+};
+
+}  // namespace
+
+const OperationParameters& common_of(const AnyOperation& operation) {
+  return std::visit([](const auto& what) -> const OperationParameters& { return what; }, operation);
+}
+
+Operation build_operation(const AnyOperation& form, const Mat3& axes) {
+  const OperationParameters& common = common_of(form);
+  Operation operation;
+  operation.when =
+      common.at ? Schedule::at(*common.at)
+                : Schedule{common.from, common.every, common.to.value_or(kLastIteration), std::nullopt, common.once};
+  if (common.when) operation.when.when = common.when->expression;
+  operation.shoots = common.chosen;
+  operation.tree = common.tree;
+  operation.path = common.path;
+  const OperationBuilder builder{axes};
+  std::visit([&](const auto& what) { operation.what = builder(what); }, form);
+  return operation;
+}
+
+std::vector<SeenLine> seen_lines(const AnyOperation& form, double length) {
+  std::vector<SeenLine> lines;
+  if (const auto* support = std::get_if<SupportParameters>(&form); support != nullptr && support->thickness > 0) {
+    lines.push_back({support->line, 0.5 * support->thickness});
+  }
+  if (const auto* layers = std::get_if<LayersParameters>(&form); layers != nullptr && layers->wires > 0) {
+    for (std::vector<Vec3>& wire : arm_wires(rule_of(*layers, level_way(layers->azimuth)), length)) {
+      const Vec3 way = normalized_or(wire[1] - wire[0], kUp);
+      wire[1] = wire[0] + static_cast<float>(layers->wires) * way;
+      lines.push_back({std::move(wire), 0.002});
+    }
+  }
+  return lines;
+}
+
+const Kinds& operation_kinds() {
+  static const Kinds kinds{
+      .element = "an operation",
+      .doc = "An operation on a tree as it grows.",
+      .key = "do",
+      .key_doc =
+          "Kind of operation: 'cut' removes shoots, 'spur' and 'limit' keep them short, 'layers' trains an espalier, "
+          "'support' ties, 'mark' marks, 'girdle' rings and 'bend' bends shoots.",
+      .kinds = {{"cut", cut_table},
+                {"spur", spur_table},
+                {"limit", limit_table},
+                {"layers", layers_table},
+                {"support", support_table},
+                {"mark", mark_table},
+                {"girdle", girdle_table},
+                {"bend", bend_table}},
+  };
+  return kinds;
+}
+
+const ParameterTable& operation_table() {
+  static const ParameterTable table = table_of_kinds(operation_kinds());
+  return table;
+}
+
+bool is_shoot_name(std::string_view text) {
+  if (!text.starts_with("main")) return false;
+  text.remove_prefix(4);
+  while (!text.empty()) {
+    if (text[0] != '.') return false;
+    const std::size_t digits = std::min(text.find('.', 1), text.size()) - 1;
+    if (digits == 0 || digits > 9) return false;
+    if (!std::ranges::all_of(text.substr(1, digits), [](char c) { return c >= '0' && c <= '9'; })) return false;
+    text.remove_prefix(digits + 1);
+  }
+  return true;
+}
+
+}  // namespace meristem

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/parts/place_table.h"
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "meristem/base/in_quotes.h"
+#include "meristem/base/math.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr double kEarthRadius = 6371008.8;  // metres, the mean
+
+/// Finds the columns that say where rows stand, and that they are numbers.
+class PlaceColumns {
+ public:
+  PlaceColumns(PlaceTable& places, const Limits& limits) : places_(places), limits_(limits) {}
+
+  void find() {
+    find_ground();
+    if (places_.ground == PlaceTable::Ground::plan) places_.height = optional("y");
+    if (places_.height == nullptr) places_.height = optional("height");
+    places_.rotation = optional("rotation");
+    places_.scale = optional("scale");
+    for (const TextTable::Column* column :
+         {places_.east, places_.north, places_.height, places_.rotation, places_.scale}) {
+      if (column != nullptr) check_numbers(*column);
+    }
+    if (!faults_.empty()) throw InputError(std::move(faults_));
+  }
+
+ private:
+  const TextTable::Column* optional(const char* name) const { return places_.table.find(name); }
+
+  void find_ground() {
+    using Ground = PlaceTable::Ground;
+    struct Pair {
+      const char* east;
+      const char* north;
+      Ground ground;
+    };
+    for (const Pair& pair :
+         {Pair{"x", "z", Ground::plan}, Pair{"x", "y", Ground::map}, Pair{"lon", "lat", Ground::degrees}}) {
+      places_.east = optional(pair.east);
+      places_.north = optional(pair.north);
+      places_.ground = pair.ground;
+      if (places_.east != nullptr && places_.north != nullptr) return;
+    }
+    const std::vector<std::string> names = places_.table.names();
+    // The nearest name tells a slip; of several wanted names the first that has one.
+    std::string nearest;
+    for (const char* wanted : {"lon", "lat", "x", "z", "y"}) {
+      if (nearest.empty() && optional(wanted) == nullptr) nearest = nearest_name(wanted, names);
+    }
+    std::string has;
+    for (const char* one : {"x", "y", "z", "lon", "lat"}) {
+      if (optional(one) != nullptr) has += fmt::format("{}'{}'", has.empty() ? "" : " and ", one);
+    }
+    throw InputError(
+        Diagnostic{.message = fmt::format("the table does not say where its rows stand: it has {}",
+                                          has.empty() ? "no such columns" : has + " alone"),
+                   .expected = "the columns 'x' and 'z' (scene), 'x' and 'y' (map, y to the north), or 'lon' and 'lat'",
+                   .nearest = nearest,
+                   .line = 1});
+  }
+
+  void check_numbers(const TextTable::Column& column) {
+    const auto tell = [&](std::size_t row, int at, std::string_view cell) {
+      if (faults_.size() >= limits_.diagnostics) return;
+      faults_.push_back({.message = fmt::format("{} in the column '{}' is not a number", in_quotes(cell), column.name),
+                         .expected = "a finite number",
+                         .line = places_.table.lines[row],
+                         .column = at});
+    };
+    if (!column.has_numbers())
+      return tell(column.odd_row, column.odd_column, column.text(column.odd_row).substr(0, 40));
+    for (std::size_t row = 0; row < column.numbers.size(); ++row) {
+      if (!std::isfinite(column.numbers[row])) tell(row, 0, "");
+    }
+  }
+
+  PlaceTable& places_;
+  const Limits& limits_;
+  std::vector<Diagnostic> faults_;
+};
+
+double middle_of(const std::vector<double>& numbers) {
+  const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
+  return *low + (*high - *low) / 2;
+}
+
+}  // namespace
+
+PlaceTable::PlaceTable(PlaceTable&& other) noexcept
+    : file(std::move(other.file)),
+      table(std::move(other.table)),  // its columns stay where they are in memory
+      ground(other.ground),
+      east(other.east),
+      north(other.north),
+      height(other.height),
+      rotation(other.rotation),
+      scale(other.scale),
+      middle(other.middle) {}
+
+Vec3 PlaceTable::position(std::size_t row, DVec3 origin) const {
+  const double right = east->numbers[row] - origin.x;
+  const double ahead = north->numbers[row] - origin.y;
+  const double up = height == nullptr ? 0 : height->numbers[row];
+  switch (ground) {
+    case Ground::plan:
+      return Vec3(DVec3(right, up, ahead));
+    case Ground::map:
+      return Vec3(DVec3(right, up, -ahead));
+    case Ground::degrees:
+      break;
+  }
+  const double metres = kEarthRadius * kPi / 180;  // of a degree along a meridian
+  return Vec3(DVec3(right * metres * math::cos(origin.y * kPi / 180), up, -ahead * metres));
+}
+
+PlaceTable read_place_table(const std::string& text, const std::string& file_path, ParameterReader& reader,
+                            std::vector<Diagnostic>&) {
+  PlaceTable places;
+  places.file = std::filesystem::path(file_path).filename().string();
+  places.table = read_text_table(text, reader.limits());
+  PlaceColumns(places, reader.limits()).find();
+  places.middle = {middle_of(places.east->numbers), middle_of(places.north->numbers), 0};
+  return places;
+}
+
+}  // namespace meristem

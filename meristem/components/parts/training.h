@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Training systems: each is a list of operations that is made of a few parameters.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "meristem/components/parts/operation_table.h"
+#include "meristem/graph/table/parameter.h"
+#include "meristem/graph/table/value.h"
+
+namespace meristem {
+
+struct Training {
+  enum class Form { espalier, cordon, fan, spindle, open_vase, standard, half_standard, hedge };
+  Form form = Form::espalier;
+  int layers = 3;
+  int spacing = 6;  ///< metamers
+  int reach = 12;   ///< metamers
+  int spurs = 2;    ///< metamers
+  double azimuth = kPi / 2;
+  double angle = radians(45);
+  double weight = 6;
+  std::optional<double> stem;  ///< metres; unset: as usual for the form
+  double height = 1.5;         ///< metres
+  double width = 1;            ///< metres
+  double depth = 0.6;          ///< metres
+  int from = 1;                ///< iteration
+  bool shown = true;
+
+  std::vector<AnyOperation> operations{};  ///< what it stands for
+};
+
+const ParameterTable& training_table();
+
+/// The operations that a training stands for, as a document writes them. `length` is that of a metamer, metres.
+Value::List training_operations(const Training& training, double length);
+
+/// Sets the operations of a training.
+void prepare_training(Training& training, double length, const DocumentPath& path, ParameterReader& reader);
+
+}  // namespace meristem

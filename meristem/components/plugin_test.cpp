@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is refused as a plug-in; that one works, the test of the starter project shows (tests/consumer).
+#include "meristem/components/plugin.h"
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/components/registry.h"
+#include "tests/support/temporary_folder.h"
+
+namespace meristem {
+namespace {
+
+std::string fault_of(const std::string& path) {
+  try {
+    with_plugin(builtin_components(), path);
+  } catch (const InputError& error) {
+    return error.diagnostics()[0].text();
+  }
+  return "no fault";
+}
+
+TEST(Plugin, RefusesWhatIsNoLibrary) {
+  const TemporaryFolder folder;
+  const std::string text = (folder / "libthorn.so").string();
+  EXPECT_EQ(fault_of((folder / "libtorn.so").string()),
+            (folder / "libtorn.so").string() + ": there is no such file; expected a plug-in, such as libthorn.so");
+  std::ofstream(text) << "no library";
+  EXPECT_EQ(fault_of((folder / "libtorn.so").string()),
+            (folder / "libtorn.so").string() +
+                ": there is no such file; expected a plug-in, such as libthorn.so; did you mean '" + text + "'?");
+  EXPECT_NE(fault_of(text).find(": the library cannot be loaded: "), std::string::npos) << fault_of(text);
+  EXPECT_NE(fault_of(folder.path().string()).find("this is no plain file"), std::string::npos);
+}
+
+TEST(Plugin, RefusesALibraryThatIsNoPlugin) {
+  // A library that every machine with this compiler's programs has.
+  const std::string library = "/lib/x86_64-linux-gnu/libm.so.6";
+  if (!std::ifstream(library)) GTEST_SKIP() << "there is no " << library;
+  EXPECT_EQ(fault_of(library), library +
+                                   ": the library is no plug-in: it has no 'meristem_plugin_interface'; expected a "
+                                   "library with MERISTEM_PLUGIN(...) in one of its sources");
+}
+
+TEST(Plugin, TheInterfaceNamesTheVersion) {
+  EXPECT_EQ(plugin_interface().find("Meristem " + std::string(version()) + ", plug-ins 1, "), 0U);
+}
+
+}  // namespace
+}  // namespace meristem

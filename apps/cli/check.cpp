@@ -4,7 +4,9 @@
 #include "commands.h"
 #include "documents.h"
 #include "meristem/base/parallel.h"
+#include "meristem/components/expanded.h"
 #include "meristem/document/grow.h"
+#include "meristem/document/json.h"
 #include "terminal.h"
 
 namespace meristem::cli {
@@ -14,6 +16,7 @@ namespace {
 struct CheckOptions {
   DocumentOptions document;
   bool is_quick = false;
+  bool expands = false;
 };
 
 /// What growing would find: the plant alone tells it, without meshes.
@@ -29,6 +32,13 @@ void check(const CheckOptions& options) {
   if (!options.is_quick) {
     const std::vector<Diagnostic> warnings = growth_warnings(document, quiet);
     if (!quiet) print_diagnostics(warnings);
+  }
+  if (options.expands) {
+    for (const Prototype& component : document.graph.components) {
+      const Value operations = expanded_training(component);
+      if (operations.is_null()) continue;
+      fmt::print("{}\n", write_json(Value(Value::Object{{component.id, Value::Object{{"operations", operations}}}})));
+    }
   }
   if (quiet) return;
   const auto counted = [](std::size_t count, const char* what) {
@@ -47,6 +57,8 @@ void add_check(CLI::App& app, Run& run) {
   options->document.add_to(*command);
   command->add_flag("--quick", options->is_quick,
                     "Only read the document, without growing its plants to see whether they can");
+  command->add_flag("--expand", options->expands,
+                    "Print the operations that trainings stand for, as documents write them");
   command->footer("Example: meristem check models/oak.json");
   command->callback([options, &run] { run = [options] { check(*options); }; });
 }

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "commands.h"
-#include "meristem/components/registry.h"
+#include "documents.h"
 #include "meristem/document/json.h"
 #include "meristem/document/parameter_tables.h"
 #include "meristem/document/schema.h"
@@ -53,7 +53,7 @@ std::vector<Part> other_parts() {
 }
 
 void print_part(const std::string& name) {
-  const Registry& registry = builtin_components();
+  const Registry& registry = components();
   if (const ComponentType* type = registry.find(name)) {
     fmt::print("{}: {}\n\n", type->name, type->doc);
     return print_table(type->parameters, 2);
@@ -77,7 +77,7 @@ void print_part(const std::string& name) {
 }
 
 void list_components() {
-  for (const ComponentType& type : builtin_components().types()) fmt::print("{:<12} {}\n", type.name, type.doc);
+  for (const ComponentType& type : components().types()) fmt::print("{:<12} {}\n", type.name, type.doc);
   for (const Part& part : other_parts()) fmt::print("{:<12} {}\n", part.name, part.doc);
 }
 
@@ -96,15 +96,16 @@ void add_components(CLI::App& app, Run& run) {
   command->add_flag("--markdown", *markdown, "Print all parameters as a page of the manual")
       ->excludes("--schema")
       ->excludes("--json");
+  add_plugin_option(*command);
   command->footer("Example: meristem components leaf");
   command->callback([name, schema, json, markdown, &run] {
     run = [name, schema, json, markdown] {
       if (*schema) {
-        fmt::print("{}", write_json(document_schema(builtin_components())));
+        fmt::print("{}", write_json(document_schema(components())));
       } else if (*json) {
-        fmt::print("{}\n", write_json_line(parameter_tables(builtin_components())));
+        fmt::print("{}\n", write_json_line(parameter_tables(components())));
       } else if (*markdown) {
-        fmt::print("{}", reference_page(builtin_components()));
+        fmt::print("{}", reference_page(components()));
       } else if (name->empty()) {
         list_components();
       } else {

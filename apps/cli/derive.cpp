@@ -35,7 +35,7 @@ struct DeriveOptions {
   std::string file() const { return path == "-" ? "<standard input>" : path; }
 };
 
-/// "NAME=VALUE", of which the value is an expression without names.
+/// "NAME=VALUE"; the value is an expression without names.
 ExpressionNames::Constant parse_define(const std::string& text) {
   const std::size_t equals = text.find('=');
   const auto fail = [&](const std::string& message) {

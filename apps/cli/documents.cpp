@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "documents.h"
 
+#include <deque>
 #include <filesystem>
 #include <system_error>
 
 #include <fmt/format.h>
 
 #include "meristem/base/seed.h"
+#include "meristem/components/plugin.h"
 #include "meristem/components/registry.h"
 #include "meristem/document/models.h"
 #include "terminal.h"
@@ -18,6 +20,12 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kSun = "--sun";
+
+/// All registries. The last is in use; documents point into the one that they were read with.
+std::deque<Registry>& registries() {
+  static std::deque<Registry> all;
+  return all;
+}
 
 std::vector<Override> overrides_of(const DocumentOptions& options) {
   std::vector<Override> overrides;
@@ -32,6 +40,19 @@ void add_run_options(CLI::App& command, int& threads, bool& quiet) {
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   command.add_flag("-q,--quiet", quiet, "Print errors only");
+}
+
+const Registry& components() { return registries().empty() ? builtin_components() : registries().back(); }
+
+void add_plugin_option(CLI::App& command) {
+  const auto load = [](const std::vector<std::string>& paths) {
+    for (const std::string& path : paths) registries().push_back(with_plugin(components(), path));
+  };
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--plugin", load, "Load the component types of a shared library (libthorn.so); may be repeated")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
 }
 
 CLI::Validator is_seed() {
@@ -59,14 +80,16 @@ void DocumentOptions::add_to(CLI::App& command) {
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   command.add_option("--seed", seed, "Use this seed instead of the document's")->type_name("N")->check(is_seed());
+  add_plugin_option(command);
   add_run_options(command, threads, quiet);
 }
 
 Document open_document(const DocumentOptions& options) {
   const bool from_input = options.path == "-";
   const std::string path = from_input ? "-" : find_document(options.path, models_folder());
-  Document document = read_document(read_text_file(path), from_input ? "<standard input>" : path, builtin_components(),
-                                    {.overrides = overrides_of(options), .seed = options.seed});
+  Document document =
+      read_document(read_text_file(path), from_input ? "<standard input>" : path, components(),
+                    {.overrides = overrides_of(options), .seed = options.seed, .models = models_folder()});
   if (!options.quiet) print_diagnostics(document.warnings);
   return document;
 }
@@ -76,8 +99,8 @@ Scene scene_under(const Document& document, const DocumentOptions& options, cons
   std::erase_if(overrides, [](const Override& override) { return override.path.starts_with("scene.sun"); });
   overrides.push_back(parse_override("scene.sun=" + sun));
   overrides.back().name = kSun;
-  Document other = read_document(document.source.text, document.source.file, builtin_components(),
-                                 {.overrides = std::move(overrides), .seed = options.seed});
+  Document other = read_document(document.source.text, document.source.file, components(),
+                                 {.overrides = std::move(overrides), .seed = options.seed, .models = models_folder()});
   std::erase_if(other.warnings, [](const Diagnostic& warning) { return warning.file != kSun; });
   if (!options.quiet) print_diagnostics(other.warnings);
   return std::move(other.scene);

@@ -11,6 +11,7 @@
 
 #include "meristem/base/parallel.h"
 #include "meristem/document/document.h"
+#include "meristem/graph/component.h"
 
 namespace meristem::cli {
 
@@ -22,6 +23,11 @@ CLI::Validator is_seed();
 
 /// Bounds the threads of a command, 0 for all cores; says where there are more than cores unless quiet.
 ThreadLimit limited_threads(int threads, bool quiet);
+
+/// The component types that documents may name: those of the library and of the plug-ins that were loaded.
+const Registry& components();
+/// The option --plugin, which loads one while the command line is read.
+void add_plugin_option(CLI::App& command);
 
 /// Options of commands that read a document.
 struct DocumentOptions {

@@ -137,19 +137,19 @@ std::vector<std::string> write_coarser(const Document& document, GrownDocument& 
                                        const std::vector<std::vector<PlannedFile>>& levels,
                                        const FormatOptions& options, Progress& progress) {
   std::vector<std::string> summary;
-  MeshScene whole = std::move(grown.meshes);
-  std::uint64_t before = whole.triangle_count();
-  for (std::size_t level = 1; level < levels.size() && !levels[level].empty(); ++level) {
+  // The files of all levels are those of the first.
+  const int count = levels.size() > 1 && !levels[1].empty() ? static_cast<int>(levels.size()) - 1 : 0;
+  MeshScene whole = std::exchange(grown.meshes, {});
+  const auto write = [&](int level, MeshScene meshes) {
+    grown.meshes = std::move(meshes);
+    const std::string written =
+        write_level(document, grown, levels[static_cast<std::size_t>(level)], options, progress);
+    summary.push_back(fmt::format("{}: {} triangles", written, grown.meshes.triangle_count()));
     grown.meshes = {};
-    grown.meshes = mesh_detail(document, grown.plant, {.level = static_cast<int>(level)}, progress);
-    if (const std::string fault = fault_of_level(whole, before, grown.meshes, static_cast<int>(level), progress);
-        !fault.empty()) {
-      summary.push_back(fmt::format("{} and coarser ones are not written: {}", listed(levels[level]), fault));
-      break;
-    }
-    before = grown.meshes.triangle_count();
-    summary.push_back(
-        fmt::format("{}: {} triangles", write_level(document, grown, levels[level], options, progress), before));
+  };
+  if (const auto worthless = make_levels(document, grown.plant, whole, count, write, progress)) {
+    summary.push_back(fmt::format("{} and coarser ones are not written: {}",
+                                  listed(levels[static_cast<std::size_t>(worthless->number)]), worthless->reason));
   }
   grown.meshes = std::move(whole);
   return summary;

@@ -127,6 +127,9 @@ int main(int argc, char** argv) {
     return run_and_report([&text] { fmt::print("{}", text.str()); });
   } catch (const CLI::ParseError& error) {
     return report_usage(app, error);
+  } catch (const InputError& error) {  // of a plug-in
+    cli::print_diagnostics(error.diagnostics());
+    return kWrongInput;
   }
   if (!run) run = [&app] { fmt::print("{}", app.help()); };
   return run_and_report(run);

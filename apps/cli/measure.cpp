@@ -16,9 +16,9 @@
 #include "meristem/measure/foliage.h"
 #include "meristem/measure/measures.h"
 #include "meristem/output/measure_report.h"
-#include "meristem/output/mtg/mtg_skeleton.h"
 #include "meristem/output/output_files.h"
 #include "meristem/output/skeleton/organ_csv.h"
+#include "meristem/plant/mtg/mtg_skeleton.h"
 #include "terminal.h"
 
 namespace meristem::cli {
@@ -45,7 +45,7 @@ struct MeasureCommand {
   bool each = false;
   bool list = false;
   bool markdown = false;
-  // Of MTG files.
+  // Options for MTG files.
   std::string coordinates;
   std::string diameter;
   std::string unit;
@@ -84,7 +84,7 @@ bool is_same_place(const std::string& a, const std::string& b) {
 void check_organs(const MeasureCommand& command, std::span<const std::string> inputs) {
   check_output(command.organs, inputs);
   if (is_same_place(command.organs, command.output)) {
-    throw InputError(Diagnostic{.message = "the measures and those of the organs would be written to the same file",
+    throw InputError(Diagnostic{.message = "the measures and the table of organs would be written to one file",
                                 .expected = "-o FILE and --organs FILE to be different"});
   }
 }

@@ -38,7 +38,7 @@ struct RenderOptions {
   std::optional<int> quality;
   std::optional<double> max_kilobytes;
   Detail detail;
-  std::optional<int> cards;  // the plant is shown as so many
+  std::optional<int> cards;  // number of copies that the plant is shown as
 };
 
 /// A picture to make.
@@ -208,7 +208,7 @@ void add_render(CLI::App& app, Run& run) {
           ->type_name("FILE");
   CLI::Option* const fingerprint =
       command->add_flag("--fingerprint", options->fingerprint,
-                        "Draw nothing and print 16 digits that stay as long as the picture would look the same");
+                        "Draw nothing and print 16 digits that change when the picture would change");
   output->excludes(fingerprint);
   command
       ->add_option("--quality", options->quality,

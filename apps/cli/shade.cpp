@@ -141,15 +141,15 @@ void add_times(CLI::App& command, ShadeCommand& options) {
           "Hours with commas: 15.5, 15:30, or FROM:TO:STEP; 0:23:1 if not given. True solar time, or clock time "
           "where a longitude and an offset are known")
       ->type_name("HOURS");
-  command.add_option("--latitude", options.request.latitude, "Latitude of the site; the document's if not given")
+  command.add_option("--latitude", options.request.latitude, "Latitude of the scene; the document's if not given")
       ->type_name("DEGREES");
   command
       .add_option("--longitude", options.request.longitude,
-                  "Longitude of the site, east positive, for clock time; that of the document's sun if not given")
+                  "Longitude of the scene, east positive, for clock time; that of the document's sun if not given")
       ->type_name("DEGREES");
   command
       .add_option("--utc-offset", options.request.utc_offset,
-                  "Hours by which the clock is ahead of universal time: 1 in central Europe, 2 in its summer")
+                  "Hours that the clock is ahead of universal time: 1 in central Europe, 2 in its summer")
       ->type_name("HOURS");
 }
 

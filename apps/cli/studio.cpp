@@ -15,7 +15,6 @@
 #include "apps/studio/server.h"
 #include "commands.h"
 #include "documents.h"
-#include "meristem/components/registry.h"
 #include "meristem/document/models.h"
 #include "terminal.h"
 
@@ -65,9 +64,8 @@ void run_studio(const StudioOptions& options) {
       file.clear();
     }
   }
-  studio::Host host{.registry = builtin_components(),
-                    .root = studio::RootFolder(served_folder(options, file)),
-                    .models_folder = models};
+  studio::Host host{
+      .registry = components(), .root = studio::RootFolder(served_folder(options, file)), .models_folder = models};
   host.has_picture = &studio::has_model_picture;
   if (const std::uint64_t memory = studio::memory_of_machine(); memory > 0) {
     host.limits.memory_bytes = std::min(host.limits.memory_bytes, memory / 4 * 3);
@@ -115,6 +113,7 @@ void add_studio(CLI::App& app, Run& run) {
                    "The one folder in which documents and the files that they name are read and written; the "
                    "document's own, or the present one, if not given")
       ->type_name("DIR");
+  add_plugin_option(*command);
   command->footer("Example: meristem studio oak\nCtrl-C ends it.");
   command->callback([options, &run] { run = [options] { run_studio(*options); }; });
 }

@@ -24,7 +24,7 @@ bool is_own_origin(std::string_view origin, std::uint16_t port);
 /// name has other characters than letters, digits, '.', '-', '_' and '/', or a dot before a name.
 std::optional<std::string> name_below_token(std::string_view target, std::string_view token);
 
-/// Of a file by its ending.
+/// The media type of a file by its ending.
 std::string_view media_type(std::string_view name);
 
 /// The Content-Security-Policy of all answers, for a page of that host.

@@ -15,6 +15,7 @@
 #include "meristem/output/picture/picture.h"
 #include "meristem/output/write/picture_file.h"
 #include "refusal.h"
+#include "zip_file.h"
 
 namespace meristem::studio {
 
@@ -94,6 +95,17 @@ void write_still(const ExportSource& source, const ExportOptions& options, const
   write_picture(take_picture(grown, source.document->scene, picture, progress), path, {});
 }
 
+/// The one file that the page fetches: where an export has made several, an archive of them in their place; its name.
+std::string packed(const fs::path& folder, const std::vector<std::string>& names, const std::string& name,
+                   const Progress& progress) {
+  if (names.size() == 1) return names[0];
+  std::vector<std::string> files;
+  for (const std::string& one : names) files.push_back((folder / one).string());
+  write_zip(files, (folder / (name + ".zip")).string(), progress);
+  for (const std::string& file : files) fs::remove(file);
+  return name + ".zip";
+}
+
 /// In single quotes for a shell, where it needs them.
 std::string quoted(const std::string& word) {
   const auto is_plain = [](char letter) {
@@ -146,7 +158,7 @@ void check_export(const ExportOptions& options) {
   if (options.transparent && options.format == ".jpg") throw Refusal("a JPEG has no transparency");
 }
 
-Value export_files(const ExportSource& source, const ExportOptions& options, Downloads& downloads, Progress& progress) {
+Value export_file(const ExportSource& source, const ExportOptions& options, Downloads& downloads, Progress& progress) {
   const Downloads::Folder folder = downloads.add();
   const std::string first = source.name + options.format;
   const std::string path = (folder.path / first).string();
@@ -163,14 +175,14 @@ Value export_files(const ExportSource& source, const ExportOptions& options, Dow
   std::sort(names.begin(), names.end(), [&first](const std::string& a, const std::string& b) {
     return std::pair(a != first, a) < std::pair(b != first, b);
   });
-  Value::List files;
-  for (const std::string& name : names) {
-    std::error_code ignored;
-    files.push_back(Value::Object{{"name", name},
-                                  {"bytes", static_cast<double>(fs::file_size(folder.path / name, ignored))},
-                                  {"address", fmt::format("downloads/{}/{}", folder.number, name)}});
-  }
-  return files;
+  const std::string made = packed(folder.path, names, source.name, progress);
+  Value::List holds;
+  if (names.size() > 1) holds.assign(names.begin(), names.end());
+  std::error_code ignored;
+  return Value::Object{{"name", made},
+                       {"bytes", static_cast<double>(fs::file_size(folder.path / made, ignored))},
+                       {"address", fmt::format("downloads/{}/{}", folder.number, made)},
+                       {"holds", std::move(holds)}};
 }
 
 std::string export_command(const std::string& program, const std::string& file, const ExportOptions& options,

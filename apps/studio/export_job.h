@@ -31,9 +31,9 @@ Value formats_value();
 /// Throws a Refusal for options that do not fit.
 void check_export(const ExportOptions& options);
 
-/// Writes the files to a new folder of the downloads, and gives the "files" of the answer. Throws InputError,
-/// MachineError, Cancelled.
-Value export_files(const ExportSource& source, const ExportOptions& options, Downloads& downloads, Progress& progress);
+/// Writes a file to a new folder of the downloads, an archive where the format takes several, and gives the "file" of
+/// the answer. Throws InputError, MachineError, Cancelled.
+Value export_file(const ExportSource& source, const ExportOptions& options, Downloads& downloads, Progress& progress);
 
 /// The line for a terminal that does the same with the document in `file`.
 std::string export_command(const std::string& program, const std::string& file, const ExportOptions& options,

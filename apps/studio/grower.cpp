@@ -65,10 +65,21 @@ bool have_same_shape(const Plant& a, const Plant& b) {
          std::equal(a.organs.begin(), a.organs.end(), b.organs.begin(), b.organs.end(), organs_are_alike);
 }
 
+Value reuse_value(const std::vector<ReuseCount>& grown, const std::vector<ReuseCount>& clothed) {
+  Value::List list;
+  for (const std::vector<ReuseCount>* counts : {&grown, &clothed}) {
+    for (const auto& [what, count] : *counts) {
+      list.push_back(
+          Value::Object{{"what", what}, {"made", number_value(count.made)}, {"reused", number_value(count.reused)}});
+    }
+  }
+  return list;
+}
+
 Value component_counts(const MeshScene& scene) {
   std::map<std::string, std::pair<std::uint64_t, std::uint64_t>> counts;
   for (const MeshInstances& instances : scene.meshes) {
-    counts[instances.component].first += instances.frames.size();
+    counts[instances.component].first += instances.count();
     counts[instances.component].second += instances.triangle_count();
   }
   Value::Object object;
@@ -182,7 +193,7 @@ void Grower::work() {
   show();
 }
 
-/// Does a part of the work, of which it tells; faults and limits become news.
+/// Does a part of the work and tells of it; faults and limits become news.
 template <class Work>
 void Grower::run(const std::string& hash, Work&& work) {
   JobNews news(outbox_, "grow");
@@ -239,10 +250,12 @@ void Grower::grow() {
   run(wish.hash, [&](JobNews& news) {
     GrownDocument grown =
         grow_document(*wish.document, news.progress(), {.time = time, .up_to = GrownPart::plant, .cache = &cache_});
+    if (wish.is_dragged) pictures_.lend(wish.document->graph, grown.plant.materials);
     grown.up_to = GrownPart::meshes;  // they follow when it is known how coarse they may be
     complete_growth(*wish.document, grown, news.progress(), {.time = time, .cache = &cache_});
     auto made = std::make_shared<GrownWish>(GrownWish{.wish = wish, .time = time, .plant = std::move(grown.plant)});
     stages_ = news.stages();
+    grown_reuse_ = reuse_of(cache_);
     const std::lock_guard lock(mutex_);
     if (!is_other_) grown_ = std::move(made);
   });
@@ -275,14 +288,20 @@ void Grower::show() {
     forgets = std::exchange(forgets_, false);
     shown_ = sight;  // also where it cannot be made, so that it is tried once
   }
-  if (forgets) packets_.forget();
+  if (forgets) {
+    packets_.forget();
+    pictures_.clear();
+  }
   bool is_sent = false;
   run(sight.grown->wish.hash, [&](JobNews& news) {
     const ShownParts& parts = sight.parts;
     const std::uint64_t budget = sight.is_draft ? parts.drag_triangles : parts.rest_triangles;
     double share = 1;
     std::shared_ptr<const MeshScene> meshes;
-    if (parts.surface) meshes = meshes_within(sight.grown, sight.is_draft, budget, share, news.progress());
+    if (parts.surface) {
+      meshes = meshes_within(sight.grown, sight.is_draft, budget, share, news.progress());
+      meshes = with_shown_pictures(*sight.grown, std::move(meshes));
+    }
     const std::uint64_t all = full_of_ == sight.grown ? full_->triangle_count() : triangles_of(*sight.grown);
     std::string packet =
         packets_.next({.meshes = meshes.get(),
@@ -303,7 +322,7 @@ void Grower::show() {
     for (const auto& [name, milliseconds] : stages)
       times.push_back(Value::Object{{"name", name}, {"ms", std::round(milliseconds * 10) / 10}});
     told.emplace_back("stages", std::move(times));
-    told.emplace_back("reuse", Value::List{});  // the stages say it: what was reused does not begin
+    told.emplace_back("reuse", reuse_value(std::exchange(grown_reuse_, {}), std::exchange(clothed_reuse_, {})));
     for (auto& member : counts_value(*sight.grown)) told.push_back(std::move(member));
     const std::lock_guard lock(mutex_);
     if (is_closed_ || is_other_) return;
@@ -325,17 +344,31 @@ Value::Object Grower::counts_value(const GrownWish& grown) const {
   return counts;
 }
 
-/// Of what all there is would have, about.
+/// The triangles that everything there is would have, about.
 std::uint64_t Grower::triangles_of(const GrownWish& grown) const {
   const double stems = triangles_per_node_ * static_cast<double>(grown.plant.node_count());
   return static_cast<std::uint64_t>(stems + organ_triangles(grown.plant));
+}
+
+MeshScene Grower::clothed(const GrownWish& grown, const Detail& detail, Progress& progress, GrowthCache& cache) {
+  MeshScene meshes = mesh_detail(*grown.wish.document, grown.plant, detail, progress, &cache);
+  clothed_reuse_ = reuse_of(cache);
+  return meshes;
+}
+
+/// The meshes with pictures that the page has, where these look alike.
+std::shared_ptr<const MeshScene> Grower::with_shown_pictures(const GrownWish& grown,
+                                                             std::shared_ptr<const MeshScene> meshes) {
+  std::vector<Material> materials = meshes->materials;
+  if (!pictures_.keep(grown.wish.document->graph, materials)) return meshes;
+  return std::make_shared<const MeshScene>(MeshScene{std::move(materials), meshes->meshes});
 }
 
 std::shared_ptr<const MeshScene> Grower::full_meshes(const std::shared_ptr<const GrownWish>& grown,
                                                      Progress& progress) {
   if (full_of_ == grown) return full_;
   const Plant& plant = grown->plant;
-  full_ = std::make_shared<const MeshScene>(mesh_detail(*grown->wish.document, plant, {}, progress, &full_cache_));
+  full_ = std::make_shared<const MeshScene>(clothed(*grown, {}, progress, full_cache_));
   full_of_ = grown;
   const auto nodes = static_cast<double>(std::max<std::uint64_t>(plant.node_count(), 1));
   triangles_per_node_ = std::max(0.1, (static_cast<double>(full_->triangle_count()) - organ_triangles(plant)) / nodes);
@@ -359,8 +392,8 @@ std::shared_ptr<const MeshScene> Grower::meshes_within(const std::shared_ptr<con
   for (int k = 0; k < kMostTries; ++k) {
     const int step = std::max(1, first + coarser_[which]);
     share = share_of_step(step);
-    made = std::make_shared<const MeshScene>(mesh_detail(
-        *grown->wish.document, grown->plant, {.level = 1, .share = share}, progress, &coarse_caches_[which]));
+    made = std::make_shared<const MeshScene>(
+        clothed(*grown, {.level = 1, .share = share}, progress, coarse_caches_[which]));
     const auto count = static_cast<double>(made->triangle_count());
     if (count < kWellBelow * static_cast<double>(budget) && step > 1) --coarser_[which];  // the next time
     if (count <= kAboutBudget * static_cast<double>(budget)) break;

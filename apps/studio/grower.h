@@ -19,6 +19,7 @@
 #include "host.h"
 #include "meristem/document/grow.h"
 #include "meristem/output/packet/scene_packet.h"
+#include "shown_pictures.h"
 
 namespace meristem::studio {
 
@@ -40,8 +41,8 @@ struct GrownWish {
 
 /// What of a plant the page wants to see.
 struct ShownParts {
-  std::uint64_t drag_triangles = 60'000;   ///< at most about so many while inputs follow each other
-  std::uint64_t rest_triangles = 250'000;  ///< and then
+  std::uint64_t drag_triangles = 60'000;   ///< about the most triangles while inputs follow each other
+  std::uint64_t rest_triangles = 250'000;  ///< about the most triangles afterwards
   bool surface = true;
   bool skeleton = false;
   double time = 0;  ///< seconds, of the document
@@ -99,6 +100,8 @@ class Grower : public std::enable_shared_from_this<Grower> {
   std::shared_ptr<const MeshScene> full_meshes(const std::shared_ptr<const GrownWish>& grown, Progress& progress);
   std::shared_ptr<const MeshScene> meshes_within(const std::shared_ptr<const GrownWish>& grown, bool is_draft,
                                                  std::uint64_t budget, double& share, Progress& progress);
+  MeshScene clothed(const GrownWish& grown, const Detail& detail, Progress& progress, GrowthCache& cache);
+  std::shared_ptr<const MeshScene> with_shown_pictures(const GrownWish& grown, std::shared_ptr<const MeshScene> meshes);
   std::uint64_t triangles_of(const GrownWish& grown) const;
   Value::Object counts_value(const GrownWish& grown) const;
 
@@ -131,6 +134,9 @@ class Grower : public std::enable_shared_from_this<Grower> {
   std::shared_ptr<const MeshScene> full_;
   double triangles_per_node_ = 12;  // of stems
   std::vector<std::pair<std::string, double>> stages_;
+  std::vector<ReuseCount> grown_reuse_;    // of the last growth, until it is told
+  std::vector<ReuseCount> clothed_reuse_;  // of its last meshes
+  ShownPictures pictures_;
   PacketMaker packets_;
 };
 

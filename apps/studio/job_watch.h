@@ -40,7 +40,7 @@ class JobWatch {
 
 /// Bytes of memory that the program has in use now; 0 where that is not known.
 std::uint64_t memory_in_use();
-/// Of the machine; 0 where that is not known.
+/// The memory of the machine, bytes; 0 where it is not known.
 std::uint64_t memory_of_machine();
 
 }  // namespace meristem::studio

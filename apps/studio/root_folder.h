@@ -26,7 +26,7 @@ class RootFolder {
   std::string name() const;
   /// The absolute path of a file below it. Throws a Refusal.
   std::string absolute(const std::string& relative) const;
-  /// Of an absolute path that is below it, else nothing.
+  /// The path of an absolute path from this folder, if it lies below it, else nothing.
   std::optional<std::string> relative(const std::string& absolute) const;
 
   /// What is in a folder, by name; hidden ones and what is neither file nor folder are left out. Throws a Refusal.

@@ -169,7 +169,8 @@ void StudioSession::require_base(const std::string& base) {
 /// A session of the text where the one before stood.
 void StudioSession::restart(std::string text) {
   const std::string file = session().file();
-  session_.emplace(std::move(text), file, host_.registry, SessionOptions{.root = root_, .most_undone = 0});
+  session_.emplace(std::move(text), file, host_.registry,
+                   SessionOptions{.root = root_, .models = host_.models_folder, .most_undone = 0});
   hash_ = text_hash(session_->text());
 }
 
@@ -221,7 +222,8 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const OpenReques
   path_ = found.path;
   model_ = request.model;
   title_ = found.name;
-  session_.emplace(std::move(found.text), found.file, host_.registry, SessionOptions{.root = root_, .most_undone = 0});
+  session_.emplace(std::move(found.text), found.file, host_.registry,
+                   SessionOptions{.root = root_, .models = host_.models_folder, .most_undone = 0});
   hash_ = text_hash(session_->text());
   document_ = session_->is_good() ? std::make_shared<const Document>(*session_->document()) : nullptr;
   is_opened_ = true;
@@ -333,7 +335,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const SaveReques
   // The files that it names are sought beside its new place.
   root_ = host_.root.path();
   session_.emplace(session().text(), host_.root.absolute(request.path), host_.registry,
-                   SessionOptions{.root = root_, .most_undone = 0});
+                   SessionOptions{.root = root_, .models = host_.models_folder, .most_undone = 0});
   add_reading(answer);
   show(false);
   return answer;
@@ -380,7 +382,7 @@ void StudioSession::run_later(double id, const char* job, Work work) {
 
 /// The document of the present text, with the seed that the options ask for. Throws the text's faults.
 std::shared_ptr<const Document> StudioSession::document_for(const ExportOptions& options) {
-  ReadOptions reading{.seed = options.seed, .root = root_};
+  ReadOptions reading{.seed = options.seed, .root = root_, .models = host_.models_folder};
   return std::make_shared<const Document>(read_document(session().text(), session().file(), host_.registry, reading));
 }
 
@@ -423,7 +425,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const ExportR
   }
   run_later(id, "export",
             [source = std::move(source), options = request.options](Host& host, Progress& progress) -> Value::Member {
-              return {"files", export_files(source, options, host.downloads, progress)};
+              return {"file", export_file(source, options, host.downloads, progress)};
             });
   return std::nullopt;
 }

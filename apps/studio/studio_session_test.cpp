@@ -182,6 +182,74 @@ TEST(StudioSession, OpensADocumentAndShowsIt) {
   EXPECT_LT(studio.last_packet().size(), 2000U);
 }
 
+constexpr const char* kPainted = R"json("text": "{\"meristem\": 1, \"components\": {
+  \"stem\": {\"type\": \"tree\", \"length\": 1, \"colour\": \"#6b5a48\", \"texture\": {\"bark\": {}, \"pixels\": 64}},
+  \"leaf\": {\"type\": \"leaf\", \"length\": 0.1, \"colour\": \"#337722\", \"texture\": {\"leaf\": {}, \"pixels\": 64}}},
+  \"links\": [{\"from\": \"stem\", \"to\": \"leaf\", \"kind\": \"branch\", \"count\": 4}]}")json";
+
+/// The request with its line ends, which JSON texts have no room for, taken out.
+std::string painted_document() {
+  std::string text = kPainted;
+  std::erase(text, '\n');
+  return text;
+}
+
+std::size_t picture_count(const ReadPacket& packet) {
+  const Value* const pictures = packet.head.find("pictures");
+  return pictures == nullptr ? 0 : pictures->list()->size();
+}
+
+TEST(StudioSession, ADraggedColourTintsThePictureThatThePageHas) {
+  Studio studio;
+  const std::string hash = Studio::text_of(studio.ask("open", painted_document()), "hash");
+  EXPECT_EQ(picture_count(studio.show(hash)), 4U);  // colours and normals of two textures
+  for (const char* colour : {"#aa2211", "#2244aa"}) {
+    studio.ask("drag", std::string(R"("values": {"leaf.colour": ")") + colour + "\"}");
+    const ReadPacket packet = studio.show(hash);
+    EXPECT_EQ(picture_count(packet), 0U);
+    EXPECT_EQ(packet.head.find("materials")->list()->size(), 1U);
+    EXPECT_LT(studio.last_packet().size(), 2048U);
+  }
+}
+
+TEST(StudioSession, AtRestAPictureCrossesOnlyWhereItsTintLooksOtherwise) {
+  Studio studio;
+  const Value opened = studio.ask("open", painted_document());
+  studio.show(Studio::text_of(opened, "hash"));
+  std::string hash = Studio::text_of(opened, "hash");
+  const auto set = [&](const char* path, const char* colour) {
+    const Value answer = studio.ask(
+        "edit", "\"base\": \"" + hash + R"(", "edits": [{"set": ")" + path + R"(", "value": ")" + colour + "\"}]");
+    hash = Studio::text_of(answer, "hash");
+    return studio.show(hash);
+  };
+  // All of bark follows its colour; a leaf's veins do not.
+  EXPECT_EQ(picture_count(set("stem.colour", "#7a3020")), 0U);
+  EXPECT_EQ(picture_count(set("leaf.colour", "#aa2211")), 1U);
+  EXPECT_EQ(picture_count(set("stem.colour", "#6b5a48")), 0U);
+}
+
+TEST(StudioSession, TellsWhatWasMadeAnewAndWhatWasReused) {
+  Studio studio;
+  studio.open_bush();
+  studio.show();
+  studio.edit(R"([{"set": "leaf.width", "value": 0.05}])");
+  studio.show();
+  const Value grown = studio.mailbox().wait_for([&](const Value& message) {
+    return Studio::text_of(message, "is") == "grown" && Studio::text_of(message, "hash") == studio.hash();
+  });
+  const auto count = [&](const std::string& what, const char* which) {
+    for (const Value& one : *grown.find("reuse")->list()) {
+      if (Studio::text_of(one, "what") == what) return *one.find(which)->number();
+    }
+    return -1.0;
+  };
+  EXPECT_EQ(count("instances", "made"), 40);
+  EXPECT_EQ(count("instances", "reused"), 2);  // the root and the stem
+  EXPECT_EQ(count("clothed stems", "made"), 0);
+  EXPECT_EQ(count("clothed stems", "reused"), 1);
+}
+
 TEST(StudioSession, OpensModelsAndTexts) {
   Studio studio;
   const Value model = studio.ask("open", R"("model": "sunflower")");
@@ -402,13 +470,30 @@ TEST(StudioSession, ExportsEachFormat) {
         studio.ask("export", std::string("\"format\": \"") + format +
                                  R"(", "name": "My bush", "options": {"width": 32, "height": 32, "samples": 1})");
     ASSERT_FALSE(is_refused(answer)) << format << write_json_line(answer);
-    const Value& file = (*answer.find("files")->list())[0];
-    EXPECT_EQ(Studio::text_of(file, "name"), std::string("my-bush") + format);
+    const Value& file = *answer.find("file");
+    const bool has_many = format == std::string(".obj");  // and its materials
+    EXPECT_EQ(Studio::text_of(file, "name"), std::string("my-bush") + (has_many ? ".zip" : format));
+    EXPECT_EQ(file.find("holds")->list()->size(), has_many ? 2U : 0U);
     EXPECT_GT(*file.find("bytes")->number(), 10);
   }
   EXPECT_FALSE(studio.host().downloads.find(1, "my-bush.glb")->empty());
   EXPECT_FALSE(studio.host().downloads.find(1, "../1/my-bush.glb"));
   EXPECT_TRUE(is_refused(studio.ask("export", R"("format": ".exe")")));
+}
+
+TEST(StudioSession, ACoarserLevelIsExportedInTheSameArchive) {
+  Studio studio;
+  studio.open_bush();
+  studio.show();
+  const Value answer = studio.ask("export", R"("format": ".glb", "name": "bush", "options": {"lod": 1})");
+  const Value& file = *answer.find("file");
+  EXPECT_EQ(Studio::text_of(file, "name"), "bush.zip");
+  const Value::List& holds = *file.find("holds")->list();
+  ASSERT_EQ(holds.size(), 2U);
+  EXPECT_EQ(*holds[0].text(), "bush.glb");
+  // The loose files are gone.
+  const fs::path archive = *studio.host().downloads.find(1, "bush.zip");
+  EXPECT_EQ(std::distance(fs::directory_iterator(archive.parent_path()), fs::directory_iterator()), 1);
 }
 
 TEST(StudioSession, TellsTheCommandThatDoesTheSame) {

@@ -18,7 +18,7 @@ Value faults_value(const std::vector<Diagnostic>& faults, std::string_view text,
 
 Value patch_value(const std::vector<UnitSplice>& splices);
 
-/// Those of a document.
+/// The variables of a document as a value.
 Value variables_value(const std::vector<Variable>& variables);
 
 }  // namespace meristem::studio

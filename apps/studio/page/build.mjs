@@ -8,24 +8,11 @@ import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 
+import { notices_of } from './notices.mjs';
+
 const kMostBytes = 500_000;
 const here = path.dirname(fileURLToPath(import.meta.url));
 const common = { bundle: true, target: 'es2022', logLevel: 'warning', absWorkingDir: here, jsx: 'automatic' };
-
-/// The packages that stand in a bundle, by the paths of what went into it.
-function packages_in(inputs) {
-  const found = Object.keys(inputs).map((file) => /.*node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(file)?.[1]);
-  return [...new Set(found.filter(Boolean))].sort();
-}
-
-async function notice_of(name) {
-  const folder = path.join(here, 'node_modules', name);
-  const { version, license } = JSON.parse(await readFile(path.join(folder, 'package.json'), 'utf8'));
-  const file = (await readdir(folder)).find((one) => /^licen[cs]e/i.test(one));
-  const text = file ? await readFile(path.join(folder, file), 'utf8') : '';
-  if (!/^(MIT|BSD-[23]-Clause|Apache-2\.0|ISC|0BSD)$/.test(license ?? '')) throw new Error(`${name} has the licence ${license}`);
-  return `${name} ${version} (${license})\n\n${text.trim()}\n`;
-}
 
 async function build_page(out) {
   await rm(out, { recursive: true, force: true });
@@ -42,7 +29,7 @@ async function build_page(out) {
   });
   await build({ ...common, entryPoints: { page: 'src/style/page.css' }, outdir: out, minify: true });
   for (const file of ['index.html', 'icon.svg']) await writeFile(path.join(out, file), await readFile(path.join(here, 'src', file)));
-  const notices = await Promise.all(packages_in(made.metafile.inputs).map(notice_of));
+  const notices = await notices_of(made.metafile.inputs);
   await writeFile(path.join(out, 'notices.txt'), `The studio's page contains these packages.\n\n${notices.join(`\n${'-'.repeat(80)}\n\n`)}`);
   let sum = 0;
   for (const file of (await readdir(out)).sort()) sum += gzipSync(await readFile(path.join(out, file)), { level: 9 }).length;

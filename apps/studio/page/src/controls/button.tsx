@@ -36,13 +36,14 @@ interface ButtonProps {
   icon?: IconName;
   tip?: string;
   is_off?: boolean;
+  is_open?: boolean; // of what it opens and closes
   press: () => void;
   children: ReactNode;
 }
 
-export function Button({ kind = 'plain', icon, tip, is_off, press, children }: ButtonProps): ReactElement {
+export function Button({ kind = 'plain', icon, tip, is_off, is_open, press, children }: ButtonProps): ReactElement {
   return (
-    <button type="button" className={`button ${kind}`} data-tip={tip} disabled={is_off} onClick={press}>
+    <button type="button" className={`button ${kind}`} data-tip={tip} disabled={is_off} aria-expanded={is_open} onClick={press}>
       {icon && <Icon name={icon} />}
       {children}
     </button>

@@ -55,7 +55,7 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
   const formats = hello?.formats ?? [];
   const [ending, set_ending] = useState(formats[0]?.ending ?? '.glb');
   const [options, set_options] = useState<ExportOptions>({});
-  const [files, set_files] = useState<MadeFile[] | null>(null);
+  const [made, set_made] = useState<MadeFile | null>(null);
   const [is_busy, set_busy] = useState(false);
   const format = formats.find((one) => one.ending === ending);
   const [as_seen, set_as_seen] = useState(true);
@@ -63,12 +63,12 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
   const wish = { format: ending, name: null, options: camera ? { ...options, camera } : options };
   const make = (): void => {
     set_busy(true);
-    set_files(null);
+    set_made(null);
     studio.connection
-      .request<{ files: MadeFile[] }>('export', wish)
+      .request<{ file: MadeFile }>('export', wish)
       .then((answer) => {
-        set_files(answer.files);
-        if (answer.files[0]) download(answer.files[0]);
+        set_made(answer.file);
+        download(answer.file);
       })
       .catch((fault: Error) => studio.tell(fault.message, true))
       .finally(() => set_busy(false));
@@ -123,7 +123,7 @@ export function ExportDialog({ close }: { close: () => void }): ReactElement {
         </label>
       )}
       {is_busy && <progress max={1} value={working?.job === 'export' ? working.share : undefined} aria-label="Progress of the export" />}
-      {files && <MadeFiles files={files} />}
+      {made && <Made file={made} />}
     </Dialog>
   );
 }
@@ -146,18 +146,15 @@ function download(file: MadeFile): void {
   link.click();
 }
 
-function MadeFiles({ files }: { files: MadeFile[] }): ReactElement {
+function Made({ file }: { file: MadeFile }): ReactElement {
   return (
-    <ul className="made-files" aria-label="Files">
-      {files.map((file) => (
-        <li key={file.address}>
-          <a href={file.address} download={file.name}>
-            <Icon name="check" />
-            {file.name}
-          </a>
-          <span className="quiet">{size_text(file.bytes)}</span>
-        </li>
-      ))}
-    </ul>
+    <div className="made-file" role="status">
+      <a href={file.address} download={file.name}>
+        <Icon name="check" />
+        {file.name}
+      </a>
+      <span className="quiet">{size_text(file.bytes)}</span>
+      {file.holds.length > 0 && <p className="quiet">with {file.holds.join(', ')}</p>}
+    </div>
   );
 }

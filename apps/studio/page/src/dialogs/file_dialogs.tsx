@@ -14,7 +14,8 @@ interface FilesProps {
   folder: string;
   enter: (folder: string) => void;
   take: (path: string) => void;
-  ending: string; // others are not shown
+  endings: string[]; // others are not shown; none: all are
+  empty: string; // what is said where there is none
 }
 
 function use_files(studio: Studio, folder: string): ListedFile[] | null {
@@ -32,11 +33,12 @@ function use_files(studio: Studio, folder: string): ListedFile[] | null {
   return files;
 }
 
-function Files({ folder, enter, take, ending }: FilesProps): ReactElement {
+export function Files({ folder, enter, take, endings, empty }: FilesProps): ReactElement {
   const studio = use_studio();
   const files = use_files(studio, folder);
   const below = (name: string): string => (folder === '' ? name : `${folder}/${name}`);
-  const shown = files?.filter((one) => one.folder || one.name.endsWith(ending)) ?? [];
+  const is_wanted = (name: string): boolean => endings.length === 0 || endings.some((ending) => name.toLowerCase().endsWith(ending));
+  const shown = files?.filter((one) => one.folder || is_wanted(one.name)) ?? [];
   return (
     <div className="files">
       <p className="crumbs">
@@ -63,7 +65,7 @@ function Files({ folder, enter, take, ending }: FilesProps): ReactElement {
           </li>
         ))}
       </ul>
-      {files !== null && shown.length === 0 && <p className="empty">No plant documents in this folder.</p>}
+      {files !== null && shown.length === 0 && <p className="empty">{empty}</p>}
     </div>
   );
 }
@@ -82,7 +84,7 @@ export function OpenDialog({ close }: { close: () => void }): ReactElement {
   };
   return (
     <Dialog title="Open a plant" close={close} footer={<Button press={() => studio.shell.merge({ dialog: 'models' })}>Shipped plants…</Button>}>
-      <Files folder={folder} enter={set_folder} take={open} ending=".json" />
+      <Files folder={folder} enter={set_folder} take={open} endings={['.json']} empty="No plant documents in this folder." />
     </Dialog>
   );
 }
@@ -106,7 +108,7 @@ export function SaveDialog({ close }: { close: () => void }): ReactElement {
         <label htmlFor="file-name">Name</label>
         <input id="file-name" className="text-field" autoFocus value={file} onChange={(event) => set_file(event.target.value)} />
       </form>
-      <Files folder={folder} enter={set_folder} take={(chosen) => set_file(chosen.slice(chosen.lastIndexOf('/') + 1))} ending=".json" />
+      <Files folder={folder} enter={set_folder} take={(chosen) => set_file(chosen.slice(chosen.lastIndexOf('/') + 1))} endings={['.json']} empty="No plant documents in this folder yet." />
     </Dialog>
   );
 }

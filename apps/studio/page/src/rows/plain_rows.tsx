@@ -5,7 +5,7 @@ import { useState } from 'react';
 
 import { IconButton } from '../controls/button.tsx';
 import type { Json } from '../document/json.ts';
-import { is_object, write_json } from '../document/json.ts';
+import { write_json } from '../document/json.ts';
 import { NumberOrText } from './number_row.tsx';
 import type { RowEditorProps } from './row_editor.tsx';
 import { TextField } from './text_field.tsx';
@@ -42,7 +42,7 @@ export function TextRow({ label, value, row, actions, is_faulty }: RowEditorProp
     // A condition or formula may be a plain number.
     actions.commit(row.kind === 'formula' && typed.trim() !== '' && Number.isFinite(number) ? number : typed);
   };
-  return <TextField label={label} value={text} commit={take} is_code={is_code} is_faulty={is_faulty} is_dim={value === undefined} description={row.doc} placeholder={row.kind === 'file' ? 'path of a file' : 'not set'} />;
+  return <TextField label={label} value={text} commit={take} is_code={is_code} is_faulty={is_faulty} is_dim={value === undefined} description={row.doc} placeholder="not set" />;
 }
 
 export function LinesRow({ label, value, row, actions, is_faulty }: RowEditorProps): ReactElement {
@@ -63,6 +63,24 @@ export function VectorRow(props: RowEditorProps): ReactElement {
       {numbers.slice(0, count).map((one, index) => (
         <NumberOrText key={index} {...props} label={`${label} ${row.kind === 'integers' ? index + 1 : (kAxes[index] ?? index)}`} element={one} put={(number) => numbers.map((old, k) => (k === index ? number : old))} />
       ))}
+    </div>
+  );
+}
+
+/// Three numbers that say a direction, or a name for one that follows from where it stands.
+export function FacingRow(props: RowEditorProps): ReactElement {
+  const { label, value, row, actions } = props;
+  const shown = value ?? row.default;
+  const is_vector = Array.isArray(shown);
+  const choose = (way: string): void => actions.commit(way === 'direction' ? [0, 1, 0] : way);
+  return (
+    <div className="stacked">
+      <select className={`select${value === undefined ? ' dim' : ''}`} aria-label={`${label}, how it is given`} aria-description={row.doc} value={is_vector ? 'direction' : typeof shown === 'string' ? shown : ''} onChange={(event) => choose(event.target.value)}>
+        {!is_vector && typeof shown !== 'string' && <option value="">not set</option>}
+        <option value="surface">by the surface</option>
+        <option value="direction">a direction</option>
+      </select>
+      {is_vector && <VectorRow {...props} />}
     </div>
   );
 }
@@ -144,7 +162,7 @@ export function ColoursRow({ label, value, actions, is_faulty }: RowEditorProps)
   );
 }
 
-/// Curves, points, places and selections as they are written; with a drawing where they are points of a plane.
+/// Places and selections as they are written, and curves and outlines in which expressions stand.
 export function WrittenRow({ label, value, row, actions, is_faulty }: RowEditorProps): ReactElement {
   const [fault, set_fault] = useState('');
   const shown = value ?? row.default;
@@ -159,29 +177,8 @@ export function WrittenRow({ label, value, row, actions, is_faulty }: RowEditorP
   };
   return (
     <div className="stacked">
-      <CurveDrawing value={shown} />
       <TextField label={label} value={text} commit={take} is_code is_faulty={is_faulty || fault !== ''} is_dim={value === undefined} lines={Math.min(6, 1 + Math.ceil(text.length / 34))} description={row.doc} placeholder="not set" />
       {fault && <p className="fault-line">{fault}</p>}
     </div>
-  );
-}
-
-function CurveDrawing({ value }: { value: Json | undefined }): ReactElement | null {
-  const list = is_object(value) ? value['curve'] : value;
-  if (!Array.isArray(list) || list.length < 2) return null;
-  const points = list.filter((one): one is number[] => Array.isArray(one) && one.length === 2 && one.every((n) => typeof n === 'number'));
-  if (points.length !== list.length) return null;
-  const [xs, ys] = [points.map((one) => one[0] ?? 0), points.map((one) => one[1] ?? 0)];
-  const [left, low] = [Math.min(...xs), Math.min(0, ...ys)];
-  const [wide, high] = [Math.max(...xs) - left || 1, Math.max(...ys) - low || 1];
-  // A curve over 0 to 1 fills the box; points of a plane keep their shape, in the middle.
-  const is_curve = is_object(value);
-  const scale = Math.min(112 / wide, 40 / high);
-  const [across, up] = is_curve ? [112 / wide, 40 / high] : [scale, scale];
-  const place = (x: number, y: number): string => `${(60 + (x - left - wide / 2) * across).toFixed(1)},${(24 - (y - low - high / 2) * up).toFixed(1)}`;
-  return (
-    <svg className="curve-drawing" viewBox="0 0 120 48" preserveAspectRatio={is_curve ? 'none' : 'xMidYMid'} aria-hidden="true">
-      <polyline points={points.map(([x = 0, y = 0]) => place(x, y)).join(' ')} />
-    </svg>
   );
 }

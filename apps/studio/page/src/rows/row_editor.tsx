@@ -12,11 +12,13 @@ import type { Fault } from '../server/protocol.ts';
 import { use_studio } from '../studio_context.ts';
 import type { Row } from '../tables/tables.ts';
 import { first_value } from '../tables/tables.ts';
+import { CurveRow } from './curve_row.tsx';
+import { FileRow } from './file_row.tsx';
 import { NestedRow } from './nested_rows.tsx';
 import type { NumberForm } from './number_form.ts';
 import { form_of, in_form } from './number_form.ts';
 import { NumberRow } from './number_row.tsx';
-import { BooleanRow, BoxRow, ChoiceRow, ColourRow, ColoursRow, LinesRow, TextRow, VectorRow, WrittenRow } from './plain_rows.tsx';
+import { BooleanRow, BoxRow, ChoiceRow, ColourRow, ColoursRow, FacingRow, LinesRow, TextRow, VectorRow, WrittenRow } from './plain_rows.tsx';
 import type { RowActions } from './row_actions.ts';
 import { use_faults, use_row_actions, use_shown_value } from './row_actions.ts';
 
@@ -35,23 +37,24 @@ const kEditors: Record<string, (props: RowEditorProps) => ReactElement> = {
   boolean: BooleanRow,
   choice: ChoiceRow,
   text: TextRow,
-  file: TextRow,
+  file: FileRow,
   condition: TextRow,
   formula: TextRow,
   lines: LinesRow,
   integers: VectorRow,
   vector: VectorRow,
+  facing: FacingRow,
   box: BoxRow,
   colour: ColourRow,
   colours: ColoursRow,
-  curve: WrittenRow,
-  points: WrittenRow,
+  curve: CurveRow,
+  points: CurveRow,
   places: WrittenRow,
   selection: WrittenRow,
 };
 
 /// Those that need the whole width of the panel.
-const kTall = new Set(['lines', 'curve', 'points', 'places', 'selection', 'box', 'vector', 'condition', 'formula', 'colours']);
+const kTall = new Set(['lines', 'curve', 'points', 'places', 'selection', 'box', 'vector', 'facing', 'condition', 'formula', 'colours']);
 
 interface RowViewProps {
   row: Row;

@@ -100,6 +100,7 @@ export interface MadeFile {
   name: string;
   bytes: number;
   address: string;
+  holds: string[]; // of an archive
 }
 
 export interface Hello {

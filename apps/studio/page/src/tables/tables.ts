@@ -135,6 +135,7 @@ const kFirst: Record<string, Json> = {
   text: '',
   lines: [''],
   vector: [0, 0, 0],
+  facing: [0, 1, 0],
   colour: '#6b8e23',
   colours: ['#6b8e23'],
   curve: { curve: [[0, 1], [1, 1]], kind: 'spline' },

@@ -12,6 +12,7 @@ export interface CameraState {
 
 export const kFieldOfView = 32;
 const kRadians = Math.PI / 180;
+const kCrownReach = 0.72; // how far a round crown reaches toward the corners of its box
 
 export class Orbit {
   readonly camera = new three.PerspectiveCamera(kFieldOfView, 1, 0.01, 1000);
@@ -76,12 +77,15 @@ export class Orbit {
     const inverse = new three.Matrix4().copy(this.camera.matrixWorld).invert();
     const tan_y = Math.tan((kFieldOfView / 2) * kRadians) * 0.94;
     const tan_x = tan_y * this.camera.aspect;
+    // The corners of the box about a crown are empty; those about a field or a row of trees are not.
+    const half = box.getSize(new three.Vector3()).multiplyScalar(0.5);
+    const reach = half.y > 0.6 * Math.max(half.x, half.z) ? kCrownReach : 1;
     let distance = 0.01;
     for (let corner = 0; corner < 8; corner += 1) {
       const point = new three.Vector3(
-        corner & 1 ? box.max.x : box.min.x,
-        corner & 2 ? box.max.y : box.min.y,
-        corner & 4 ? box.max.z : box.min.z,
+        this.target_.x + reach * half.x * (corner & 1 ? 1 : -1),
+        this.target_.y + half.y * (corner & 2 ? 1 : -1),
+        this.target_.z + reach * half.z * (corner & 4 ? 1 : -1),
       ).applyMatrix4(inverse);
       const toward_eye = point.z + this.distance_;
       distance = Math.max(distance, toward_eye + Math.abs(point.x) / tan_x, toward_eye + Math.abs(point.y) / tan_y);

@@ -72,7 +72,8 @@ export class View {
   /// What three holds on the card, for tests.
   get counts(): object {
     const { geometries, textures } = this.renderer_.info.memory;
-    return { geometries, textures, frames: this.frames_drawn, ...this.plant.buffers.counts, ...this.plant.materials.counts };
+    const { triangles } = this.renderer_.info.render; // of the last picture, the ground's too
+    return { geometries, textures, triangles, frames: this.frames_drawn, ...this.plant.buffers.counts, ...this.plant.materials.counts };
   }
 
   apply(packet: Packet): void {
@@ -120,7 +121,8 @@ export class View {
     });
   }
 
-  private draw(): void {
+  /// A picture now; `ask` is for all but measuring.
+  draw(): void {
     // The sun stands behind the left shoulder, so that no side of a plant is dark.
     const azimuth = (this.orbit.azimuth - 50) * (Math.PI / 180);
     this.light_.sun.value.set(0.66 * Math.sin(azimuth), 0.75, -0.66 * Math.cos(azimuth)).normalize();

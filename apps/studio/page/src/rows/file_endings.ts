@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tables say in a row's sentence which formats its files may have; here is how files of such formats end.
+
+const kEndings: Record<string, string[]> = {
+  OBJ: ['.obj'],
+  PLY: ['.ply'],
+  GLB: ['.glb'],
+  CSV: ['.csv'],
+  PNG: ['.png'],
+  JPEG: ['.jpg', '.jpeg'],
+  text: ['.txt', '.xyz', '.lpy', '.l'],
+};
+
+/// Endings of the formats that a sentence names; none where it names none, and any file may do.
+export function endings_in(sentence: string): string[] {
+  return Object.entries(kEndings).flatMap(([word, endings]) => (new RegExp(`\\b${word}\\b`).test(sentence) ? endings : []));
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// A row that names a file: its path, and a window to find it below the server's folder.
+import type { ReactElement } from 'react';
+import { useState } from 'react';
+
+import { Button, IconButton } from '../controls/button.tsx';
+import { Dialog } from '../controls/dialog.tsx';
+import { Files } from '../dialogs/file_dialogs.tsx';
+import { use_document, use_studio } from '../studio_context.ts';
+import { folder_of, path_from } from './file_path.ts';
+import { endings_in } from './file_endings.ts';
+import type { RowEditorProps } from './row_editor.tsx';
+import { TextField } from './text_field.tsx';
+
+export function FileRow(props: RowEditorProps): ReactElement {
+  const { label, value, row, actions } = props;
+  const [is_open, set_open] = useState(false);
+  return (
+    <div className="file-row">
+      <TextField label={label} value={typeof value === 'string' ? value : ''} commit={actions.commit} is_code is_faulty={props.is_faulty} description={row.doc} placeholder="path of a file" />
+      <IconButton is_small icon="folder" label={`Choose a file for ${label}`} press={() => set_open(true)} />
+      {is_open && <FileDialog {...props} close={() => set_open(false)} />}
+    </div>
+  );
+}
+
+function FileDialog({ label, row, value, actions, close }: RowEditorProps & { close: () => void }): ReactElement {
+  const studio = use_studio();
+  const { path, model } = use_document();
+  const home = folder_of(path ?? '');
+  const [folder, set_folder] = useState(typeof value === 'string' && path !== null ? folder_of(path_from('', `${home}/${value}`)) : home);
+  const endings = endings_in(row.doc);
+  const [shows_all, set_shows_all] = useState(endings.length === 0);
+  const title = `A file for ${label}`;
+  // A shipped plant finds its files beside itself, where nothing of the user's is.
+  if (model !== null) {
+    const save = (): void => {
+      close();
+      studio.shell.merge({ dialog: 'save' });
+    };
+    return (
+      <Dialog title={title} close={close} footer={<Button kind="main" press={save}>Save as…</Button>}>
+        <p className="empty">A shipped plant reads files that are shipped with it. Save it under a name of its own first; then it reads files beside it.</p>
+      </Dialog>
+    );
+  }
+  const take = (file: string): void => {
+    close();
+    actions.commit(path_from(home, file));
+  };
+  return (
+    <Dialog title={title} close={close}>
+      <p className="quiet">{row.doc}</p>
+      <Files folder={folder} enter={set_folder} take={take} endings={shows_all ? [] : endings} empty={shows_all ? 'No files in this folder.' : `No ${endings.join(', ')} files in this folder.`} />
+      {endings.length > 0 && (
+        <label className="check-line">
+          <input type="checkbox" checked={shows_all} onChange={(event) => set_shows_all(event.target.checked)} />
+          Show files of all endings
+        </label>
+      )}
+    </Dialog>
+  );
+}

@@ -79,7 +79,7 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// Of all threads of this process so far.
+/// Processor seconds of all threads of this process so far.
 double processor_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -5,8 +5,8 @@
 // Counters: nodes; `shaded`, the share of the cloud's light that the balls keep off; `to_open`, the median ratio of the
 // time among balls to that in the open, taken in turns; `to_open_a_node`, the same for each node. `evaluation`: ten
 // clouds, eleven shifts, two scenes, grown and measured. `response_...`: means over ten clouds of what the evaluation
-// measures (degrees, metres, percent), in scene A or B: `shifted` by so many millimetres a step, `scaled` so that the
-// trees are 3.7 m high, with the darkest share left out (`limited`, percent), and `drifted` at a held height.
+// measures (degrees, metres, percent), in scene A or B: `shifted` by a number of millimetres per step, `scaled` so that
+// the trees are 3.7 m high, with the darkest share left out (`limited`, percent), and `drifted` at a held height.
 // `cloud_light`: the light of each point of a cloud among the others under 15 positions of the sun; `a_point_and_light`
 // must not grow with the points.
 #include <algorithm>
@@ -26,13 +26,13 @@
 
 namespace {
 
-using meristem::FarLight;
+using meristem::DirectionalLight;
 using meristem::LightResponse;
 using meristem::Scene;
 using meristem::Skeleton;
 using meristem::Vec3;
 
-std::vector<FarLight> day_in_london() { return meristem::sun_of_day(meristem::radians(51.5), 126, 1); }
+std::vector<DirectionalLight> day_in_london() { return meristem::sun_of_day(meristem::radians(51.5), 126, 1); }
 
 /// A ball of about a thousand triangles.
 meristem::Obstacle ball(Vec3 centre, double radius) {
@@ -46,7 +46,7 @@ meristem::Obstacle ball(Vec3 centre, double radius) {
 /// Ten balls between the crown and the sun as it stands from 8 to 17 h; that of noon is before the still sun as well.
 meristem::Obstacles balls_before_the_sun() {
   const Vec3 crown(0, 2.5F, 0);
-  const std::vector<FarLight> day = day_in_london();
+  const std::vector<DirectionalLight> day = day_in_london();
   std::vector<meristem::Obstacle> bodies;
   for (std::size_t k = 3; k < 13; ++k) bodies.push_back(ball(crown + 6.0F * day[k].toward, 1.3));
   return meristem::Obstacles(bodies);
@@ -56,7 +56,7 @@ meristem::Obstacles balls_before_the_sun() {
 double shaded_share(const std::vector<Vec3>& cloud, const Scene& scene) {
   double shaded = 0;
   for (const Vec3 point : cloud) {
-    for (const FarLight& sun : scene.light.sun) {
+    for (const DirectionalLight& sun : scene.light.sun) {
       if (scene.obstacles.block(point, sun.toward, 1e9)) shaded += sun.strength;
     }
   }

@@ -238,7 +238,7 @@ void require_same() {
 double clock_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
-/// Of the processor, which hold on a machine that has other things to do, too.
+/// Seconds of the processor, which hold on a machine that has other things to do, too.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 template <typename Work>

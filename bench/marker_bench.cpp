@@ -33,7 +33,7 @@ constexpr float kLength = 0.1F;       // of a metamer
 constexpr std::uint32_t kWanted = 6;  // markers for which a bud grows
 const MarkerParameters kForm{.spacing = 0.7 * kLength, .occupancy = 2 * kLength};
 
-/// An egg of so many metres.
+/// An egg of a given height, metres.
 CrownPointer crown_of(std::int64_t height) {
   if (height == 0) return nullptr;
   const auto high = static_cast<float>(height);

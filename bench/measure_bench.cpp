@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lit share of a crown's hull among obstacles. Counters: rays per second, the share, and `to_plain`, the time of
-// plain counting (random places on the whole hull, each ray tested against every triangle of hull and obstacles) over
-// ours, a ray, measured in the same run on one thread.
+// The lit share of a crown's hull among obstacles, the light on leaves, and the shade on a facade behind a crown.
+// Counters: rays per second, the share, and `to_plain`, the time of plain counting (each ray tested against every
+// triangle) over ours, per ray, measured in the same run on one thread. The shade fails where plain counting of the
+// same rays finds another share.
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -18,14 +21,15 @@
 #include "meristem/measure/convex_hull.h"
 #include "meristem/measure/crown_light.h"
 #include "meristem/measure/organ_light.h"
+#include "meristem/measure/shade.h"
 #include "meristem/measure/surface_points.h"
 #include "meristem/shape/leaf/leaf_blade.h"
 #include "meristem/shape/solid/primitives.h"
 
 namespace {
 
+using meristem::DirectionalLight;
 using meristem::DVec3;
-using meristem::FarLight;
 using meristem::Mesh;
 using meristem::RandomKey;
 using meristem::Scene;
@@ -189,6 +193,91 @@ BENCHMARK(organ_light)
     ->Args({kLeaves, 0, 1, 1})
     ->Args({kLeaves, 0, 1, 2})
     ->Args({kLeaves, 10, 1, 2})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+/// A facade of 12 by 9 m that looks to the south, with a leafy crown 6 m before it.
+struct ShadedFacade {
+  meristem::Obstacles house;
+  meristem::ShadeSurface wall;
+  meristem::MeshScene crown;
+
+  ShadedFacade(std::uint64_t leaves, double spacing) {
+    meristem::Obstacle body;
+    body.mesh = meristem::box_mesh(DVec3(-6, 0, -14), DVec3(6, 9, -6));
+    house = meristem::Obstacles({body});
+    wall = meristem::facade_surface(house, 0, meristem::FacadeSide::south, std::nullopt, spacing);
+    meristem::Plant plant = leafy_crown(leaves);
+    for (meristem::Organ& organ : plant.organs) organ.frame.origin.y += 4;
+    meristem::Progress progress;
+    crown = make_mesh_scene(plant, {}, progress);
+  }
+
+  std::vector<Corners> triangles() const {
+    std::vector<Corners> all;
+    add_triangles(house.bodies()[0].mesh, all);
+    const meristem::MeshInstances& leaves = crown.meshes[0];
+    for (const meristem::Frame& frame : leaves.frames) {
+      Mesh placed = *leaves.mesh;
+      for (Vec3& position : placed.positions) position = frame.point(position);
+      add_triangles(placed, all);
+    }
+    return all;
+  }
+};
+
+/// The share of the first points that is shaded at one position of the sun, by plain counting, and the seconds per ray.
+std::pair<double, double> plain_shade(const ShadedFacade& facade, std::size_t points, Vec3 toward) {
+  const std::vector<Corners> triangles = facade.triangles();
+  std::size_t shaded = 0;
+  const auto begin = std::chrono::steady_clock::now();
+  for (std::size_t k = 0; k < points; ++k) {
+    const DVec3 origin(facade.wall.positions[k] + 1e-3F * facade.wall.normals[k]);
+    const auto blocks = [&](const Corners& t) { return meets(origin, DVec3(toward), t[0], t[1], t[2]); };
+    if (std::any_of(triangles.begin(), triangles.end(), blocks)) ++shaded;
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  const auto count = static_cast<double>(points);
+  return {static_cast<double>(shaded) / count, seconds.count() / count};
+}
+
+void shade(benchmark::State& state) {
+  const ShadedFacade facade(static_cast<std::uint64_t>(state.range(0)), meristem::bench::sized(0.1, 1.0));
+  const meristem::ThreadLimit limit(static_cast<int>(state.range(1)));
+  std::vector<meristem::SkyDirection> day;
+  for (int hour = 4; hour <= 20; ++hour) day.push_back(meristem::sun_position(meristem::radians(51.5), 126, hour));
+  std::size_t above = 0;
+  for (const meristem::SkyDirection& sun : day) above += sun.altitude > 0 ? 1 : 0;
+  const auto rays = static_cast<double>(facade.wall.positions.size() * above);
+  meristem::Progress progress;
+  meristem::ShadeOfSurface found;
+  double ours = 1e9;
+  for (auto _ : state) {
+    const auto begin = std::chrono::steady_clock::now();
+    found = measure_shade(facade.wall, day, facade.crown, facade.house, progress);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    ours = std::min(ours, seconds.count());
+  }
+  // At noon both count the same rays.
+  const std::vector<meristem::SkyDirection> noon = {day[day.size() / 2]};
+  ShadedFacade part = facade;
+  const std::size_t points =
+      std::min(facade.wall.positions.size(), meristem::bench::sized(std::size_t{400}, std::size_t{20}));
+  part.wall.positions.resize(points);
+  part.wall.normals.resize(points);
+  const double ours_at_noon = measure_shade(part.wall, noon, facade.crown, facade.house, progress).moments[0].shade;
+  const auto [plain_at_noon, plain] = plain_shade(facade, points, unit_vector(noon[0]));
+  if (std::abs(ours_at_noon - plain_at_noon) > 0.01) state.SkipWithError("plain counting finds another share");
+  double share = 0;
+  for (const double of_point : found.of_point) share += of_point / static_cast<double>(found.of_point.size());
+  state.counters["rays/s"] = benchmark::Counter(rays, benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["shade"] = share;
+  state.counters["to_plain"] = plain / (ours / rays);
+}
+BENCHMARK(shade)
+    ->ArgNames({"leaves", "threads"})
+    ->Args({kLeaves, 1})
+    ->Args({kLeaves, 2})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Obstacles: rays to the first surface, ways that may be crossed, places that may be inside, and building. Ten spheres
 // of 1,000 triangles, one thread. Counters: queries a second, the share that meets something, and `to_plain`, the time
-// of asking every triangle (Moeller and Trumbore) over ours, a ray, measured in the same run.
+// of asking every triangle (Moeller and Trumbore) over ours, per ray, measured in the same run.
 #include <chrono>
 #include <cmath>
 #include <cstdint>

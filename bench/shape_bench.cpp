@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tubes and leaf blades. Counters: triangles (or blades) a second, bytes of mesh, and for tubes `to_plain`, the time of
 // a plain tube mesher (rings at right angles to each segment, no mitres, no tapered normals, arrays that grow) over
-// ours, a triangle, measured in the same run on one thread.
+// ours, per triangle, measured in the same run on one thread.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -33,7 +33,7 @@ Skeleton random_crown(std::uint32_t axes) {
   skeleton.reserve(axes * kNodes);
   for (std::uint32_t axis = 0; axis < axes; ++axis) {
     NodeIndex last = axis == 0 ? skeleton.add_node(meristem::kNoNode, Vec3(0), 0)
-                               : static_cast<NodeIndex>(key.child("mother").uniform(axis, 0, axis * kNodes));
+                               : static_cast<NodeIndex>(key.child("parent").uniform(axis, 0, axis * kNodes));
     if (axis == 0) skeleton.radius[0] = 0.2F;
     const Vec3 heading = glm::normalize(key.child("heading").direction(axis) + Vec3(0, 0.5F, 0));
     for (std::uint32_t i = axis == 0 ? 1 : 0; i < kNodes; ++i) {

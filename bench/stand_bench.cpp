@@ -42,7 +42,7 @@ constexpr int kMarkerYears = 8;       // which costs far more
 const RandomKey kKey(7);
 const meristem::Scene kOpenScene;
 
-/// Where the k-th of so many trees stands, in rows.
+/// Where the k-th of a number of trees stands, in rows.
 Vec3 place_of(std::size_t k, std::size_t trees) {
   const auto width = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(trees))));
   return kApart * Vec3(static_cast<float>(k % width), 0, static_cast<float>(k / width));
@@ -115,7 +115,7 @@ std::map<std::pair<std::string, std::size_t>, Run>& runs() {
   return all;
 }
 
-/// Times `make`, which returns the skeletons of so many trees, and keeps the result under `name`.
+/// Times `make`, which returns the skeletons of a number of trees, and keeps the result under `name`.
 void measure(benchmark::State& state, const std::string& name,
              const std::function<std::vector<Skeleton>(std::size_t)>& make) {
   const auto trees = static_cast<std::size_t>(state.range(0));

@@ -3,7 +3,7 @@
 
     PYTHONPATH=build/python/python /usr/bin/python3 studies/fit_plants.py -o out/fit-study
 
-Writes `fits.csv` (a row a variable), `expectations.csv` and `found.jpg` into a folder.
+Writes `fits.csv` (a row per variable), `table.md` (a row per planting), `expectations.csv` and `found.jpg` into a folder.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ need_modules("studies/fit_plants.py")
 
 from common.tables import Finding, print_findings, write_findings, write_table
 from fit_study.problems import PLANTINGS, PROBLEMS, QUICK, Found, ends_of, solve
+from fit_study.report import table_lines
 
 GROWTHS = 400
 QUICK_GROWTHS = 150
@@ -69,6 +70,7 @@ def run_study(folder: Path, quick: bool) -> None:
     findings = check(found, growths)
     write_table(folder / "fits.csv", [field.name for field in fields(Found)], map(astuple, found))
     write_findings(folder / "expectations.csv", findings)
+    (folder / "table.md").write_text("\n".join(table_lines(found)) + "\n", encoding="utf-8")
     draw_found(folder / "found.jpg", found, ends)
     print_findings(findings)
 

@@ -92,7 +92,7 @@ def grow_tree(settings: Settings, iterations: int, seed: int, cut: Cut | None = 
 
 def make_document(settings: Settings, iterations: int, seed: int, cut: Cut | None = None) -> meristem.Document:
     """The document of such a tree, to be drawn or saved."""
-    operations = [] if cut is None else [{"at": cut.at, "do": "cut", "shoot": "main", "above": cut.above}]
+    operations = [] if cut is None else [{"at": cut.at, "do": "cut", "shoots": "main", "above": cut.above}]
     tree = {"type": "organize", **settings, "iterations": iterations, "operations": operations}
     return meristem.Document({"meristem": 1, "components": {"tree": tree}}, seed=seed)
 

@@ -37,23 +37,26 @@ class Species:
     model: str
     name: str  #: of the plant, as its document describes it
     measured: str | None  #: the species of the file, the model's own or its nearest kin; None for all broad-leaved trees
+    size: str | None = None  #: the variable that says how old or large it is
+    sizes: tuple[float, ...] = ()  #: values of it over its whole range, the document's own left out
 
 
 SPECIES = (
     Species("apple", "Malus domestica", "Malus sp."),
-    Species("birch", "Betula pendula", "Betula pendula"),
-    Species("chestnut", "Aesculus hippocastanum", None),
-    Species("elm", "American elm", "Ulmus americana"),
-    Species("hawthorn", "Crataegus monogyna", "Crataegus x lavallei"),
-    Species("large-maple", "Acer pseudoplatanus", "Acer platanoides"),
-    Species("lime", "Tilia cordata", "Tilia cordata"),
+    Species("birch", "Betula pendula", "Betula pendula", "tree_height", (4, 8, 15, 20)),
+    Species("chestnut", "Aesculus hippocastanum", None, "tree_height", (8, 11, 17, 20)),
+    Species("elm", "American elm", "Ulmus americana", "age", (3, 4, 5, 7)),
+    Species("hawthorn", "Crataegus monogyna", "Crataegus x lavallei", "age", (8, 20, 28, 38)),
+    Species("large-maple", "Acer pseudoplatanus", "Acer platanoides", "tree_height", (14, 18, 25)),
+    Species("lime", "Tilia cordata", "Tilia cordata", "age", (6, 14, 20, 34, 40)),
     Species("maple", "Acer platanoides", "Acer platanoides"),
-    Species("oak", "Quercus robur", "Quercus lobata"),
-    Species("old-oak", "Quercus robur", "Quercus lobata"),
-    Species("weeping-beech", "Fagus sylvatica", None),
+    Species("oak", "Quercus robur", "Quercus lobata", "age", (8, 20, 60, 100, 160)),
+    Species("old-oak", "Quercus robur", "Quercus lobata", "age", (40, 100, 150, 215)),
+    Species("weeping-beech", "Fagus sylvatica", None, "age", (20, 40, 60, 76)),
 )
 #: Ratios of open-grown broad-leaved trees of all species
 ALL_BROAD_LEAVED = {"height_over_diameter": (16.0, 31.0, 64.0), "crown_over_height": (0.39, 0.80, 1.30)}
+THINNEST = 0.08  #: metres: about where the bands of the diameters of most species begin
 
 Bands = dict[str, tuple[float, float, float]]  #: 5th, 50th and 95th percentile of each quantity
 
@@ -96,6 +99,14 @@ def measure_tree(plant: meristem.Plant) -> dict[str, float]:
         "crown_over_height": crown / height,
         "crown_over_diameter": crown / diameter,
     }
+
+
+def outside_ratios(found: dict[str, float], bands: Bands) -> list[str]:
+    """What is out of proportion in a tree whose stem is as thick as those of measured trees; nothing in a thinner one."""
+    thinnest = bands["diameter"][0] if "diameter" in bands else THINNEST
+    if found["diameter"] < thinnest:
+        return []
+    return outside(found, {name: band for name, band in bands.items() if "_over_" in name})
 
 
 def outside(found: dict[str, float], bands: Bands) -> list[str]:

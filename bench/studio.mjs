@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// How fast the studio follows a hand, in a headless browser against the real server: node bench/studio.mjs
+//
+// A figure of following is the time from the browser's stamp of an input to the end of the first frame that shows the
+// plant with the new value, less the time that drawing this frame once more takes. Each is measured 100 times while the
+// mouse holds a slider and waits for each
+// picture before it goes on, so that a slow picture lets the server begin the detail of rest in between. The reference is a sapling of a few triangles in the same run: what the way from hand to picture
+// costs at all. The table's lines go to the file that MERISTEM_BENCH_TABLE names; MERISTEM_BENCH=small runs everything
+// a few times. MERISTEM, MERISTEM_CHROMIUM: as for the page's tests.
+import { appendFile, readFile } from 'node:fs/promises';
+import os from 'node:os';
+import path from 'node:path';
+import process from 'node:process';
+
+import { choose, open_file, point_at, row, slider } from '../tests/studio/page/hands.mjs';
+import { kSource, open_page, settled, start_browser, start_server, temporary_folder, write_document } from '../tests/studio/page/support.mjs';
+
+const is_small = process.env.MERISTEM_BENCH === 'small';
+const kMoves = is_small ? 5 : 100;
+const kEdits = is_small ? 20 : 500;
+const kSapling = { meristem: 1, variables: { size: { value: 0.1, min: 0.05, max: 0.25 } }, components: { tree: { type: 'tree', length: 1, radius: 0.02 }, leaf: { type: 'leaf', length: 'size', width: 0.05 } }, links: [{ from: 'tree', to: 'leaf', kind: 'branch', count: 8 }] };
+
+const figures = [];
+const digits = (value) => String(Number(value.toPrecision(4)));
+
+/// A line of the table; `most` is what is asked.
+function tell(name, value, unit, most, reference) {
+  const held = most === undefined ? '' : value <= most ? 'held' : 'NOT HELD';
+  const ratio = reference ? digits(value / reference.value) : '';
+  figures.push([`studio ${name}`, `${digits(value)} ${unit}`, reference?.name ?? '', ratio, most === undefined ? '' : `<= ${digits(most)}`, held]);
+  console.log(`${name.padEnd(40)} ${digits(value).padStart(10)} ${unit.padEnd(8)} ${most === undefined ? '' : `<= ${most}`.padEnd(12)} ${held}`);
+}
+
+const quantile = (values, share) => [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(share * values.length))];
+
+/// Watches inputs and frames from inside the page.
+function watch() {
+  const canvas = document.querySelector('.view canvas');
+  const gl = canvas.getContext('webgl2');
+  // Reading a pixel waits until all that was asked of the card has been drawn.
+  const finish = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+  const { studio } = window;
+  const found = { input: 0, shown: false, frames: [] };
+  window.bench = found;
+  document.addEventListener('input', (event) => { found.input = event.timeStamp; found.shown = false; }, true);
+  studio.growth.subscribe(() => {
+    const { shown } = studio.growth.get();
+    if (shown !== found.last && found.input > 0) found.shown = true;
+    found.last = shown;
+  });
+  studio.view_facts.subscribe(() => {
+    if (!found.shown || found.input === 0) return;
+    finish();
+    const end = performance.now();
+    const { draft, triangles } = studio.growth.get().shown;
+    const frame = { lag: end - found.input, draft, triangles };
+    [found.shown, found.input] = [false, 0];
+    if (found.draws_again) {
+      found.draws_again = false;
+      studio.view.draw();
+      finish();
+      frame.own = performance.now() - end;
+    }
+    found.frames.push(frame);
+  });
+}
+
+/// Milliseconds from the hand's moves on a slider to what they show, without the drawing itself.
+async function follow(page, target) {
+  const { x, y, box } = await point_at(page, target, 0.3);
+  await page.mouse.down();
+  // Every tenth frame is drawn twice, to know what drawing takes; the move after it meets a late server, so both do not count.
+  for (let k = 0; k < kMoves * 1.25 + 2; k += 1) {
+    const count = await page.evaluate((again) => {
+      window.bench.draws_again = again;
+      return window.bench.frames.length;
+    }, k % 10 === 0);
+    await page.mouse.move(x + (0.3 * box.width * (1 + (k % 40))) / 40, y);
+    await page.waitForFunction((known) => window.bench.frames.length > known, count, { timeout: 30000, polling: 4 });
+  }
+  const frames = await page.evaluate(() => window.bench.frames.splice(0));
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await settled(page);
+  const drawing = quantile(frames.filter((one) => one.own !== undefined).map((one) => one.own), 0.5);
+  const lags = frames.filter((_, k) => k % 10 > 1).slice(0, kMoves).map((one) => Math.max(0, one.lag - drawing));
+  const drafts = frames.filter((one) => one.draft).length;
+  console.log(`  ${frames.length} frames, ${drafts} drafts, ${quantile(frames.map((one) => one.triangles), 0.5)} triangles; drawing one takes ${digits(drawing)} ms`);
+  return { median: quantile(lags, 0.5), late: quantile(lags, 0.95) };
+}
+
+const counts = (page) => page.evaluate(() => ({ ...window.studio.connection.counts }));
+
+/// Bytes of all packets that what `act` does brings.
+async function bytes_of(page, act) {
+  const before = (await counts(page)).packet_bytes;
+  await act();
+  await settled(page);
+  await page.waitForTimeout(400);
+  await settled(page);
+  return (await counts(page)).packet_bytes - before;
+}
+
+const set = (page, path, value) => page.evaluate(([one, given]) => window.studio.edit([{ set: one, value: given }], 'Set'), [path, value]);
+
+async function memory_of(pid) {
+  return Number(/VmRSS:\s+(\d+)/.exec(await readFile(`/proc/${pid}/status`, 'utf8'))[1]) / 1024;
+}
+
+/// Of the page after its garbage was collected, in MB.
+async function heap_of(session) {
+  for (let k = 0; k < 2; k += 1) await session.send('HeapProfiler.collectGarbage');
+  return (await session.send('Runtime.getHeapUsage')).usedSize / 1e6;
+}
+
+const buffers_of = (page) => page.evaluate(async () => {
+  for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);
+  const { geometries, textures, meshes, instance_sets, batches } = window.studio.view.counts;
+  return geometries + textures + meshes + instance_sets + batches;
+});
+
+/// The page from nothing: what it weighs, and when its first picture is there.
+async function open_first(browser, address) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 } });
+  const page = await context.newPage();
+  const session = await context.newCDPSession(page);
+  await session.send('Network.enable');
+  const names = new Map();
+  const weights = new Map();
+  session.on('Network.responseReceived', ({ requestId, response }) => names.set(requestId, path.basename(new URL(response.url).pathname)));
+  session.on('Network.loadingFinished', ({ requestId, encodedDataLength }) => weights.set(names.get(requestId), encodedDataLength));
+  await page.addInitScript(() => {
+    let studio;
+    Object.defineProperty(window, 'studio', {
+      get: () => studio,
+      set: (one) => {
+        studio = one;
+        const stop = one.view_facts.subscribe(() => {
+          if (!one.growth.get().shown) return;
+          const gl = document.querySelector('.view canvas').getContext('webgl2');
+          gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+          window.first_picture = performance.now();
+          stop();
+        });
+      },
+    });
+  });
+  await page.goto(address);
+  await page.waitForFunction(() => window.first_picture !== undefined, null, { timeout: 60000 });
+  const first = await page.evaluate(() => window.first_picture);
+  weights.delete('tables.json'); // of the library, and not of the page
+  const weight = [...weights.values()].reduce((sum, one) => sum + one, 0);
+  await context.close();
+  return { first, weight };
+}
+
+const place = await temporary_folder();
+const browser = await start_browser();
+const load = os.loadavg()[0];
+try {
+  const model = async (name) => readFile(path.join(kSource, 'models', `${name}.json`), 'utf8');
+  await write_document(place.folder, 'oak.json', await model('oak'));
+  await write_document(place.folder, 'sapling.json', JSON.stringify(kSapling));
+  await write_document(place.folder, 'limb.json', (await model('large-maple')).replace('"count": 26', '"count": 1'));
+  const server = await start_server(place.folder, 'oak');
+  const opened = await open_first(browser, server.address);
+  tell('page_weight', opened.weight / 1000, 'kB', 500);
+  tell('first_picture', opened.first / 1000, 's', 2);
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 } });
+  const page = await open_page(context, server.address);
+  await page.evaluate(watch);
+
+  const row_slider = (component, key) => row(page, `components.${component}.${key}`).getByRole('slider').first();
+  await open_file(page, 'sapling.json');
+  const least = await follow(page, slider(page, 'size'));
+  tell('follow/sapling', least.median, 'ms');
+  const reference = { name: 'sapling', value: least.median };
+  const plants = [
+    ['oak_leaf', 'oak.json', 'leaf', () => row_slider('leaf', 'fold')],
+    ['maple_limb', 'limb.json', 'shoot', () => row_slider('shoot', 'radius')],
+    ['oak_wood', 'oak.json', 'tree', () => row_slider('tree', 'tip_radius')],
+  ];
+  for (const [name, file, component, target] of plants) {
+    await open_file(page, file);
+    await choose(page, component);
+    const { median, late } = await follow(page, target());
+    tell(`follow/${name}/median`, median, 'ms', 50, reference);
+    tell(`follow/${name}/95th_of_100`, late, 'ms', 90);
+  }
+
+  await open_file(page, 'oak.json');
+  tell('bytes/oak_leaf', (await bytes_of(page, () => set(page, 'leaf.fold', 12))) / 1e6, 'MB', 1.3);
+  tell('bytes/oak_near_colour', (await bytes_of(page, () => set(page, 'leaf.colour', '#5a7b31'))) / 1000, 'kB', 2);
+  tell('bytes/oak_far_colour', (await bytes_of(page, () => set(page, 'leaf.colour', '#a04020'))) / 1000, 'kB', 2);
+  const sent = (await counts(page)).sent;
+  const turned = await bytes_of(page, async () => {
+    await point_at(page, page.locator('.view canvas'));
+    await page.mouse.down();
+    for (let k = 1; k <= 20; k += 1) await page.mouse.move(640 + 5 * k, 360);
+    await page.mouse.up();
+  });
+  tell('bytes/camera', turned + (await counts(page)).sent - sent, 'B', 0);
+
+  const session = await context.newCDPSession(page);
+  const edit_often = async (begin, end) => {
+    for (let k = begin; k < end; k += 1) {
+      await set(page, 'leaf.fold', 10 + ((k * 7) % 23) / 2);
+      if (k % 5 === 0) await settled(page);
+    }
+    await set(page, 'leaf.fold', 10);
+    await settled(page);
+  };
+  // What a first few edits make once, such as compiled code and the server's caches, is there to stay.
+  await edit_often(0, kEdits / 5);
+  const [buffers, heap, memory] = [await buffers_of(page), await heap_of(session), await memory_of(server.pid)];
+  await edit_often(0, kEdits);
+  tell(`edits:${kEdits}/buffers_more`, (await buffers_of(page)) - buffers, 'buffers', 0);
+  tell(`edits:${kEdits}/heap_more`, (await heap_of(session)) - heap, 'MB', 5);
+  const server_now = await memory_of(server.pid);
+  tell(`edits:${kEdits}/server_memory`, server_now, 'MB', undefined, { name: 'before', value: memory });
+  tell(`edits:${kEdits}/server_more`, (100 * (server_now - memory)) / memory, '%', 5);
+  await context.close();
+  await server.stop();
+  console.log(`load ${load.toFixed(2)} before, ${os.loadavg()[0].toFixed(2)} after`);
+} finally {
+  await browser.close();
+  await place.remove();
+}
+if (process.env.MERISTEM_BENCH_TABLE && !is_small) await appendFile(process.env.MERISTEM_BENCH_TABLE, figures.map((one) => `${one.join('\t')}\n`).join(''));

@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Repeats a published evaluation of low-poly trees, and tells why its counts of triangles are others than ours.
+
+    PYTHONPATH=build/python/python /usr/bin/python3 studies/low_poly_trees.py -o out/low-poly-study
+
+Writes `trees.csv`, `parameters.csv`, `series.csv`, `readings.csv` and `expectations.csv` into a folder.
+Based on: F. Heuer, Algorithmische Erzeugung von 3D-Low-Poly-Bäumen, Hamburg 2022, sections 6.1 to 6.3.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+from common.needs import need_modules
+
+need_modules("studies/low_poly_trees.py")
+
+from common.tables import Finding, print_findings, write_findings, write_table
+from low_poly_study.bodies import ROOT, SPRUCE, count_open_edges, grow_bodies, read
+from low_poly_study.published import PARAMETERS, SERIES, TREES, Row
+
+#: The readings under which the source's counts come out: the side of the cube that both bodies lie in (metres), the
+#: width over which the crown's balls blend (metres), and how often each triangle counts.
+CUBE = 2.4
+FUSE = 0.078
+COUNTED = 2
+#: The width that is printed: k = 0.01 m², whose root is 0.1 m.
+PRINTED_FUSE = 0.1
+LONGEST_ERROR = 0.08  #: of a count of the series, but for its first row
+QUICK_ROWS = 4
+
+
+class Tree(NamedTuple):
+    """A tree of section 6.1."""
+
+    name: str
+    trunk: int
+    crown: int
+    open_edges: int
+
+
+class Reading(NamedTuple):
+    """What of the source's set-up a series shares, and its counts at resolution 100."""
+
+    name: str
+    counts: Row
+
+
+def own_sizes(text: str) -> tuple[float, float]:
+    """The longest sides of the boxes of trunk and crown, metres: of the cones, and of the balls."""
+    bodies = grow_bodies(text, {"surface.resolution": 400, "surface.crown.resolution": 400, "surface.crown.fuse": 0})
+    trunk, crown = bodies["trunk"], bodies["crown"]
+    return float(max(trunk.high - trunk.low)), float(max(crown.high - crown.low))
+
+
+def grow_trees() -> list[Tree]:
+    """The trees of section 6.1 at the source's resolutions, not simplified."""
+    trees = []
+    for name, (trunk, crown) in TREES.items():
+        text = read(ROOT / "models" / f"low-poly-{name}.json")
+        values: dict[str, object] = {}
+        if '"style": "blend"' in text:  # our palm's trunk is a tube
+            values |= {"surface.resolution": trunk, "surface.triangles": None}
+        if '"crown"' in text:
+            values |= {"surface.crown.resolution": crown, "surface.crown.triangles": None}
+        bodies = grow_bodies(text, values)
+        open_edges = sum(count_open_edges(body) for body in bodies.values())
+        trees.append(Tree(name, bodies["trunk"].count, bodies["crown"].count, open_edges))
+    return trees
+
+
+def vary_parameters(text: str) -> list[list[object]]:
+    """Of each parameter of the source: its name, our key, the value, and what the spruce becomes with it."""
+    rows: list[list[object]] = []
+    for name, key, value in (("as printed", "", ""), *PARAMETERS):
+        bodies = grow_bodies(text, {key: value} if key else {})
+        low = min(bodies["trunk"].low[1], bodies["crown"].low[1])
+        high = max(bodies["trunk"].high[1], bodies["crown"].high[1])
+        width = max(max(body.high[0] - body.low[0], body.high[2] - body.low[2]) for body in bodies.values())
+        rows.append([name, key, value, bodies["trunk"].count, bodies["crown"].count, float(high - low), float(width)])
+    return rows
+
+
+def count_series(text: str, rows: tuple[Row, ...], sizes: tuple[float, float], cube: float | None, fuse: float,
+                 counted: int) -> list[Row]:
+    """Triangles at the source's resolutions, along the sides of one cube or of each body's own box."""
+    series = []
+    for row in rows:
+        cells = [row.resolution if cube is None else round(row.resolution * size / cube) for size in sizes]
+        bodies = grow_bodies(text, {"surface.resolution": cells[0], "surface.crown.resolution": cells[1],
+                                    "surface.crown.fuse": fuse})
+        series.append(Row(row.resolution, counted * bodies["trunk"].count, counted * bodies["crown"].count))
+    return series
+
+
+def compare_readings(text: str, sizes: tuple[float, float]) -> list[Reading]:
+    """The counts at resolution 100, as the readings are taken over one by one."""
+    [published] = [row for row in SERIES if row.resolution == 100]
+    steps = [
+        ("each body in its own box", None, PRINTED_FUSE, 1),
+        ("both in one cube", CUBE, PRINTED_FUSE, 1),
+        ("and balls that blend over less", CUBE, FUSE, 1),
+        ("and each triangle counted twice", CUBE, FUSE, COUNTED),
+    ]
+    readings = [Reading("published", published)]
+    for name, cube, fuse, counted in steps:
+        readings.append(Reading(name, count_series(text, (published,), sizes, cube, fuse, counted)[0]))
+    return readings
+
+
+def error_of(ours: float, published: float) -> float:
+    return ours / published - 1
+
+
+def check(trees: list[Tree], parameters: list[list[object]], series: list[Row]) -> list[Finding]:
+    base, *others = parameters
+    idle = [str(row[0]) for row in others if row[3:] == base[3:]]
+    errors = [abs(error_of(ours, published)) for row, wanted in zip(series[1:], SERIES[1:])
+              for ours, published in zip(row[1:], wanted[1:])]
+    first = max(abs(error_of(ours, published)) for ours, published in zip(series[0][1:], SERIES[0][1:]))
+    ratios = [abs(error_of(row.ratio, wanted.ratio)) for row, wanted in zip(series[1:], SERIES[1:])]
+    return [
+        Finding("fir, palm and oak are made (6.1)", "3 trees", str(sum(tree.trunk > 0 for tree in trees)),
+                all(tree.trunk > 0 for tree in trees)),
+        Finding("parameters of table 4.3 that change the tree (6.1)", str(len(others)), str(len(others) - len(idle)),
+                not idle),
+        Finding("edges with a hole beside them (6.3)", "0", str(sum(tree.open_edges for tree in trees)),
+                all(tree.open_edges == 0 for tree in trees)),
+        Finding("largest error of a count from resolution 50 on (6.2)", f"at most {100 * LONGEST_ERROR:.0f} %",
+                f"{100 * max(errors):.1f} %", max(errors) <= LONGEST_ERROR),
+        Finding("largest error of crown over trunk from resolution 50 on", f"at most {100 * LONGEST_ERROR:.0f} %",
+                f"{100 * max(ratios):.1f} %", max(ratios) <= LONGEST_ERROR),
+        Finding("largest error of a count at resolution 25", f"at most {100 * LONGEST_ERROR:.0f} %",
+                f"{100 * first:.1f} %", first <= LONGEST_ERROR),
+    ]
+
+
+def main(arguments: list[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("-o", "--output", type=Path, required=True, help="folder for the tables")
+    parser.add_argument("--quick", action="store_true", help=f"only the first {QUICK_ROWS} resolutions")
+    options = parser.parse_args(arguments)
+    options.output.mkdir(parents=True, exist_ok=True)
+    text = read(SPRUCE)
+    sizes = own_sizes(text)
+    trees = grow_trees()
+    write_table(options.output / "trees.csv", Tree._fields, trees)
+    parameters = vary_parameters(text)
+    write_table(options.output / "parameters.csv",
+                ("parameter", "key", "value", "trunk", "crown", "height", "width"), parameters)
+    rows = SERIES[:QUICK_ROWS] if options.quick else SERIES
+    series = count_series(text, rows, sizes, CUBE, FUSE, COUNTED)
+    write_table(options.output / "series.csv",
+                ("resolution", "trunk_published", "trunk", "crown_published", "crown", "ratio_published", "ratio"),
+                [(wanted.resolution, wanted.trunk, row.trunk, wanted.crown, row.crown, wanted.ratio, row.ratio)
+                 for wanted, row in zip(SERIES, series)])
+    write_table(options.output / "readings.csv", ("reading", "trunk", "crown", "ratio"),
+                [(reading.name, reading.counts.trunk, reading.counts.crown, reading.counts.ratio)
+                 for reading in compare_readings(text, sizes)])
+    findings = check(trees, parameters, series)
+    write_findings(options.output / "expectations.csv", findings)
+    print_findings(findings)
+    root_mean = math.sqrt(sum(error_of(ours, published) ** 2 for row, wanted in zip(series, SERIES)
+                              for ours, published in zip(row[1:], wanted[1:])) / (2 * len(series)))
+    print(f"root of the mean square of all errors: {100 * root_mean:.1f} %")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

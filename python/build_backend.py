@@ -82,7 +82,7 @@ prepare_metadata_for_build_editable = prepare_metadata_for_build_wheel
 
 def build_wheel(wheel_directory: str, config_settings: Settings = None, metadata_directory: str | None = None) -> str:
     library = built_library(config_settings)
-    members = written_half() | shipped_models() | {f"meristem/{library.name}": library.read_bytes()}
+    members = written_half() | shipped_models() | {f"meristem/{library.name}": library.read_bytes()} | viewer(library)
     return write_wheel(Path(wheel_directory), members)
 
 
@@ -195,8 +195,14 @@ def written_half() -> Members:
     return {f"meristem/{file.name}": file.read_bytes() for file in files}
 
 
+def viewer(library: Path) -> Members:
+    """The page that shows plants in browsers, where the build has made it."""
+    page = library.with_name("viewer.html")
+    return {f"meristem/{page.name}": page.read_bytes()} if page.is_file() else {}
+
+
 def shipped_models() -> Members:
-    files = [*(ROOT / "models").glob("*.json"), *(ROOT / "models").glob("*.obj")]
+    files = [path for ending in ("json", "obj", "csv") for path in (ROOT / "models").glob(f"*.{ending}")]
     return {f"meristem/models/{file.name}": file.read_bytes() for file in files}
 
 

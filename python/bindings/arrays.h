@@ -25,7 +25,7 @@ py::array_t<T> array_over(const std::shared_ptr<const void>& owner, const T* dat
   return py::array_t<T>(std::move(shape), std::move(strides), data, keeper);
 }
 
-/// The same, read-only.
+/// A read-only view of data that `owner` keeps alive.
 template <class T>
 py::array_t<T> view(const std::shared_ptr<const void>& owner, const T* data, std::vector<py::ssize_t> shape,
                     std::vector<py::ssize_t> strides) {
@@ -34,13 +34,13 @@ py::array_t<T> view(const std::shared_ptr<const void>& owner, const T* data, std
   return array;
 }
 
-/// Of a column: a number per row.
+/// A view of a column: one number per row.
 template <class T>
 py::array_t<T> column_view(const std::shared_ptr<const void>& owner, const std::vector<T>& column) {
   return view(owner, column.data(), {static_cast<py::ssize_t>(column.size())}, {sizeof(T)});
 }
 
-/// Of a column of small vectors, each of `width` numbers of type T.
+/// A view of a column of small vectors, each of `width` numbers of type T.
 template <class T, class Row>
 py::array_t<T> rows_view(const std::shared_ptr<const void>& owner, const std::vector<Row>& rows) {
   constexpr auto width = static_cast<py::ssize_t>(sizeof(Row) / sizeof(T));
@@ -48,7 +48,7 @@ py::array_t<T> rows_view(const std::shared_ptr<const void>& owner, const std::ve
               {sizeof(Row), sizeof(T)});
 }
 
-/// Of frames that stand `stride` bytes apart: (n, 4, 3), the rows right, heading, upper and origin.
+/// A view of frames that stand `stride` bytes apart: (n, 4, 3), the rows right, heading, upper and origin.
 inline py::array_t<float> frames_view(const std::shared_ptr<const void>& owner, const Frame* first, std::size_t count,
                                       std::size_t stride) {
   static_assert(sizeof(Frame) == 12 * sizeof(float));

@@ -31,7 +31,8 @@ class Watch {
   double fraction() const;
 
   /// Runs `body` on a thread of its own, bounded to `threads` (0: all cores), while this one, without the GIL, looks
-  /// for signals. Rethrows what `body`, the callback or a signal's handler threw; the latter two cancel `body`.
+  /// for signals. Rethrows what `body`, the callback or a signal's handler threw; the callback and the handler cancel
+  /// `body`.
   void run(int threads, const std::function<void(Progress&)>& body);
 
  private:

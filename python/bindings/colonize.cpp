@@ -8,7 +8,7 @@
 
 #include "arrays.h"
 #include "call.h"
-#include "meristem/components/registry.h"
+#include "document.h"
 #include "meristem/document/document.h"
 #include "meristem/document/json.h"
 #include "meristem/graph/expand.h"
@@ -57,7 +57,7 @@ Document read_parameters(const py::dict& parameters, const std::vector<Vec3>& ro
   members.emplace_back("crown", Value(Value::Object{{"box", places_value({Vec3(0), Vec3(1)})}}));
   Value::Object document{{"meristem", kDocumentFormat}, {"components", Value(Value::Object{{"tree", tree}})}};
   if (!seed.is_none()) document.emplace_back("seed", to_value(seed));
-  return naming_arguments([&] { return read_document(write_json(Value(document)), "", builtin_components()); });
+  return naming_arguments([&] { return read_document(write_json(Value(document)), "", component_types()); });
 }
 
 void set_points(Document& document, const std::vector<Vec3>& points) {

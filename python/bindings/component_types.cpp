@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What documents may be made of, as dicts.
 #include <algorithm>
+#include <deque>
+#include <filesystem>
+#include <string>
 #include <vector>
 
+#include <pybind11/stl/filesystem.h>
+
 #include "document.h"
+#include "meristem/components/plugin.h"
 #include "meristem/components/registry.h"
 #include "meristem/document/parameter_tables.h"
 #include "meristem/document/schema.h"
@@ -35,7 +41,7 @@ py::dict rows_of(const ParameterTable& table, std::vector<const ParameterTable*>
 
 py::dict components() {
   py::dict types;
-  for (const ComponentType& type : builtin_components().types()) {
+  for (const ComponentType& type : component_types().types()) {
     py::dict facts;
     facts["doc"] = type.doc;
     facts["parameters"] = rows_of(type.parameters, {});
@@ -44,19 +50,37 @@ py::dict components() {
   return types;
 }
 
+/// All registries. The last is in use; documents point into the one that they were read with.
+std::deque<Registry>& registries() {
+  static std::deque<Registry> all;
+  return all;
+}
+
+void load_plugin(const std::string& path) { registries().push_back(with_plugin(component_types(), path)); }
+
 }  // namespace
 
+const Registry& component_types() { return registries().empty() ? builtin_components() : registries().back(); }
+
 void bind_component_types(py::module_& module) {
+  module.def(
+      "load_plugin", [](const std::filesystem::path& path) { load_plugin(path.string()); }, py::arg("path"),
+      R"(Loads the component types of a shared library, which documents that are read from here on may name.
+
+path: of the library, as in "build/libthorn.so". It stays loaded as long as Python runs. Worker processes load it by
+themselves: name it in their `initializer`.
+Raises InputError for a file that is not there, is no plug-in, was built for another version of Meristem, or has a
+type of a name that is taken.)");
   module.def("components", &components, R"(The types of components and their parameters: {type: {"doc", "parameters"}}.
 
 Each parameter, by its name: {"doc", "expected", "required", "default"}, objects also have "parameters" of their own.)");
   module.def(
-      "parameter_tables", [] { return to_python(parameter_tables(builtin_components())); },
+      "parameter_tables", [] { return to_python(parameter_tables(component_types())); },
       R"(All tables of what documents may say, for editors, a dict in the form of `meristem components --json`.
 
 {"components": {type: {"table", ...}}, "tables": {name: {"rows": [{"name", "kind", "min", "max", "usual", ...}]}}, ...})");
   module.def(
-      "schema", [] { return to_python(document_schema(builtin_components())); },
+      "schema", [] { return to_python(document_schema(component_types())); },
       "The JSON Schema (draft 7) of documents, a dict.");
 }
 

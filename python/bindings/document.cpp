@@ -11,12 +11,14 @@
 #include "call.h"
 #include "errors.h"
 #include "meristem/base/atomic_file.h"
-#include "meristem/components/registry.h"
 #include "meristem/document/json.h"
 #include "meristem/document/models.h"
+#include "meristem/plant/plant_variant.h"
 #include "values.h"
 
 namespace meristem::python {
+
+std::string models_folder() { return py::module_::import("meristem._models").attr("folder")().cast<std::string>(); }
 
 namespace {
 
@@ -37,9 +39,6 @@ DocumentPointer document_of(const py::object& content, const py::object& file, c
                                             named.empty() ? kFromPython : named, to_overrides(set),
                                             optional_seed(seed));
 }
-
-/// The folder of shipped models, which stands beside the package.
-std::string models_folder() { return py::module_::import("meristem._models").attr("folder")().cast<std::string>(); }
 
 DocumentPointer read(const py::object& path, const py::object& set, const py::object& seed) {
   const std::string file = find_document(path_of(path), models_folder());
@@ -132,8 +131,8 @@ DocumentInPython::DocumentInPython(std::string given_text, std::string given_fil
       shared(std::move(shared_work)) {
   const std::scoped_lock reading(shared->reading);
   shared->files.reload();
-  document =
-      read_document(text, file, builtin_components(), {.overrides = overrides, .seed = seed, .store = &shared->files});
+  document = read_document(text, file, component_types(),
+                           {.overrides = overrides, .seed = seed, .store = &shared->files, .models = models_folder()});
 }
 
 DocumentInPython::DocumentInPython(Document read, std::vector<Override> values, std::optional<std::uint64_t> other_seed)
@@ -143,6 +142,24 @@ DocumentInPython::DocumentInPython(Document read, std::vector<Override> values, 
       seed(other_seed),
       document(std::move(read)),
       shared(std::make_shared<SharedWork>()) {}
+
+const Plant& PlantInPython::plant() const {
+  if (!has_plantings(grown_.plant)) return grown_.plant;
+  const auto expand = [this] {
+    std::call_once(is_expanded_, [this] {
+      const std::scoped_lock lock(mutex_);
+      const Limits& limits = origin->document.graph.limits;
+      expanded_ = std::make_unique<const Plant>(expanded(grown_.plant, limits, Progress()));
+    });
+  };
+  if (PyGILState_Check() == 0) {
+    expand();
+  } else {
+    const py::gil_scoped_release released;
+    expand();
+  }
+  return *expanded_;
+}
 
 const GrownDocument& PlantInPython::up_to(GrownPart part, Progress& progress) {
   const std::scoped_lock lock(mutex_);

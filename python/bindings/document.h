@@ -19,6 +19,9 @@ namespace meristem::python {
 
 namespace py = pybind11;
 
+/// The component types that documents may name: those of the library and of the plug-ins that were loaded.
+const Registry& component_types();
+
 /// What a document and those that set() makes of it share: the textures of the last plant that has been painted, what
 /// reading has made of files, and what the last growth of one of them has left.
 struct SharedWork {
@@ -45,7 +48,7 @@ struct DocumentInPython {
   DocumentInPython(std::string given_text, std::string given_file, std::vector<Override> values,
                    std::optional<std::uint64_t> other_seed,
                    std::shared_ptr<SharedWork> shared_work = std::make_shared<SharedWork>());
-  /// Of one that was read already.
+  /// A document that was read already.
   explicit DocumentInPython(Document read, std::vector<Override> values, std::optional<std::uint64_t> other_seed);
   /// What the text says, with overrides and seed.
   Value tree() const;
@@ -68,7 +71,10 @@ class PlantInPython {
 
   const std::shared_ptr<const DocumentInPython> origin;
 
-  const Plant& plant() const { return grown_.plant; }
+  /// With a copy of each placed plant. Throws InputError where they pass a limit.
+  const Plant& plant() const;
+  /// As it has grown.
+  const Plant& unexpanded() const { return grown_.plant; }
   const std::vector<Diagnostic>& warnings() const { return grown_.warnings; }
   /// What has grown, with all up to a part. On a thread without the interpreter's lock. Throws as complete_growth does.
   const GrownDocument& up_to(GrownPart part, Progress& progress);
@@ -77,8 +83,10 @@ class PlantInPython {
 
  private:
   GrownDocument grown_;
-  std::mutex mutex_;  // guards what is being made; what there is does not change
+  mutable std::mutex mutex_;  // guards what is being made; what there is does not change
   std::atomic<bool> has_meshes_{false};
+  mutable std::once_flag is_expanded_;
+  mutable std::unique_ptr<const Plant> expanded_;  // null where nothing is placed
 };
 
 /// Has T.__new__ raise TypeError, where only the library makes objects: one without content would be read all the same.
@@ -92,6 +100,9 @@ void refuse_new(const char* where) {
     return nullptr;
   };
 }
+
+/// The folder of shipped models, which stands beside the package. To be called with the GIL.
+std::string models_folder();
 
 void bind_component_types(py::module_& module);
 void bind_document(py::module_& module);

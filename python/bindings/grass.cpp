@@ -33,7 +33,7 @@ auto read_leaves(const py::object& path, Read read) {
   }
 }
 
-/// The same for reading that warns.
+/// Reads a file with a reader that may warn.
 template <class Read>
 std::vector<MeasuredCurve> read_warning(const py::object& path, Read read) {
   std::vector<Diagnostic> warnings;

@@ -154,7 +154,10 @@ and indices.)")
       .def_property_readonly(
           "frames",
           [](const std::shared_ptr<MeshInstances>& m) {
-            return frames_view(m, m->frames.data(), m->frames.size(), sizeof(Frame));
+            if (m->places == nullptr) return frames_view(m, m->frames.data(), m->frames.size(), sizeof(Frame));
+            auto all = std::make_shared<std::vector<Frame>>(m->count());
+            for (std::size_t i = 0; i < all->size(); ++i) (*all)[i] = m->frame(i);
+            return frames_view(all, all->data(), all->size(), sizeof(Frame));
           },
           "(k, 4, 3) float32: of each instance where x, y and z of the mesh point, and its origin. A "
           "point p of the mesh is at p @ frame[:3] + frame[3].")
@@ -162,12 +165,15 @@ and indices.)")
           "tints",
           [](const std::shared_ptr<MeshInstances>& m) -> py::object {
             if (m->tints.empty()) return py::none();
-            return rows_view<float>(m, m->tints);
+            if (m->places == nullptr) return rows_view<float>(m, m->tints);
+            const auto all = std::make_shared<std::vector<Vec3>>();
+            for (std::size_t i = 0; i < m->count(); ++i) all->push_back(m->tint(i));
+            return rows_view<float>(all, *all);
           },
           "(k, 3) float32: linear factors on the material's colour; None where all are 1.")
-      .def("__len__", [](const MeshInstances& m) { return m.frames.size(); })
+      .def("__len__", [](const MeshInstances& m) { return m.count(); })
       .def("__repr__", [](const MeshInstances& m) {
-        return fmt::format("<meristem.MeshInstances of '{}': {} x {} triangles>", m.component, m.frames.size(),
+        return fmt::format("<meristem.MeshInstances of '{}': {} x {} triangles>", m.component, m.count(),
                            m.mesh->triangle_count());
       });
 

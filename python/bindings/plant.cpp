@@ -13,6 +13,7 @@
 #include "meristem/output/detail_levels.h"
 #include "meristem/output/formats.h"
 #include "meristem/output/output_files.h"
+#include "meristem/output/packet/scene_packet.h"
 #include "meristem/output/picture/cards.h"
 #include "meristem/output/picture/picture.h"
 #include "meristem/output/skeleton/organ_csv.h"
@@ -20,6 +21,7 @@
 #include "meristem/output/write/names.h"
 #include "meristem/output/write/picture_file.h"
 #include "meristem/output/write/png.h"
+#include "meristem/plant/plant_variant.h"
 #include "values.h"
 
 namespace meristem::python {
@@ -246,17 +248,48 @@ void save(const PlantPointer& plant, const py::object& path, bool instanced, boo
       return format.write(document, shown, target, options, inner);
     }
     if (lod == 0) return format.write(document, plant->up_to(format.needs, inner), target, options, inner);
-    // Finer meshes are not needed, but textures are.
-    const Plant& whole = plant->up_to(GrownPart::textures, inner).plant;
-    const MeshScene& finest = plant->up_to(GrownPart::textures, inner).meshes;
-    const GrownDocument coarse{whole, mesh_detail(document, whole, {.level = lod}, inner)};
-    const std::uint64_t before =
-        lod == 1 ? finest.triangle_count() : mesh_detail(document, whole, {.level = lod - 1}, inner).triangle_count();
-    if (const std::string fault = fault_of_level(finest, before, coarse.meshes, lod, inner); !fault.empty()) {
-      throw py::value_error(fmt::format("level {} of detail is not worth a file: {}", lod, fault));
+    const GrownDocument& whole = plant->up_to(GrownPart::textures, inner);
+    GrownDocument coarse{whole.plant};
+    const auto keep = [&coarse](int, MeshScene level) { coarse.meshes = std::move(level); };
+    if (const auto worthless = make_levels(document, whole.plant, whole.meshes, lod, keep, inner)) {
+      const std::string finer =
+          worthless->number < lod ? fmt::format(", as level {} is not", worthless->number) : std::string();
+      throw py::value_error(fmt::format("level {} of detail is not worth a file{}: {}", lod, finer, worthless->reason));
     }
     format.write(document, coarse, target, options, inner);
   });
+}
+
+/// Meshes of about `triangles` triangles at most. Thinning does not meet a number exactly, so it is tried again with
+/// less.
+MeshScene thinned(const PlantPointer& plant, std::uint64_t triangles, double& share, Progress& progress) {
+  constexpr int kMostTries = 4;
+  const GrownDocument& whole = plant->up_to(GrownPart::textures, progress);
+  const auto wanted = static_cast<double>(triangles);
+  share = wanted / static_cast<double>(whole.meshes.triangle_count());
+  for (int tries = 1;; ++tries) {
+    MeshScene meshes = mesh_detail(plant->origin->document, whole.plant, {.level = 1, .share = share}, progress);
+    const auto made = static_cast<double>(meshes.triangle_count());
+    if (made <= wanted || tries == kMostTries) return meshes;
+    share *= 0.95 * wanted / made;
+  }
+}
+
+py::bytes packet(const PlantPointer& plant, std::uint64_t triangles, int threads, const py::object& progress) {
+  const std::string bytes = run_call(progress, threads, [&](Progress& inner) {
+    const GrownDocument& whole = plant->up_to(GrownPart::textures, inner);
+    // There is no editor whose text the packet would tell of, so `hash` stays empty.
+    PacketFacts facts{.fits = true,
+                      .all = {.triangles = whole.meshes.triangle_count(),
+                              .instances = whole.meshes.instance_count(),
+                              .nodes = whole.plant.node_count()}};
+    if (triangles == 0 || facts.all.triangles <= triangles) {
+      return PacketMaker().next({.meshes = &whole.meshes}, facts, inner);
+    }
+    const MeshScene fewer = thinned(plant, triangles, facts.share, inner);
+    return PacketMaker().next({.meshes = &fewer}, facts, inner);
+  });
+  return py::bytes(bytes);
 }
 
 PictureOptions planned_picture(const PlantPointer& plant, const std::optional<std::pair<int, int>>& size,
@@ -387,7 +420,7 @@ Columns are read-only arrays over the plant's own memory, one entry an organ.)")
 
 std::string repr(const PlantInPython& plant) {
   const MeshScene* const meshes = plant.present_meshes();
-  const Counts counts = count(plant.plant(), meshes != nullptr ? *meshes : MeshScene());
+  const Counts counts = count(plant.unexpanded(), meshes != nullptr ? *meshes : MeshScene());
   std::string text = fmt::format("<meristem.Plant '{}': {} nodes, {} organs", plant.origin->document.name, counts.nodes,
                                  counts.organs);
   if (meshes != nullptr) text += fmt::format(", {} triangles, {:.2f} m high", counts.triangles, counts.height);
@@ -425,7 +458,8 @@ pictures on them, are made when something first asks for them, which then raises
           [](const PlantPointer& p) { return parts_of(p, up_to(p, GrownPart::textures).meshes.materials); },
           "A list of Material.")
       .def_property_readonly(
-          "node_count", [](const PlantInPython& p) { return p.plant().node_count(); }, "Nodes of all skeletons.")
+          "node_count", [](const PlantInPython& p) { return totals_of(p.unexpanded()).nodes; },
+          "Nodes of all skeletons.")
       .def_property_readonly(
           "triangle_count", [](const PlantPointer& p) { return meshes_of(p).triangle_count(); },
           "Triangles of all instances.")
@@ -467,9 +501,17 @@ of `scene`, or of growth if not given.)")
 `instanced` writes leaves to .glb as instances of one mesh, as is done by itself beyond 5 million triangles: small files,
 which not every program reads; `nodes` writes them as nodes there, which every program reads. `lod` (0 to 8) is the level
 of detail: each has about a quarter of the triangles of the one before. `cards` (0 to 16) writes so many upright crossed
-cards, pictures of the plant, instead. The file is there whole or not at all. Raises ValueError for a level that is not
-worth a file, as it has hardly fewer triangles than the one before or would lose the plant's outline.
+cards, pictures of the plant, instead. The file is there whole or not at all. Raises ValueError for levels that
+`meristem grow --lod` does not write: those that have hardly fewer triangles than the one before or would lose the
+plant's outline, and all that are coarser than such a level.
 Raises InputError for endings that are not known and files that were read, MachineError.)")
+      .def(
+          "packet", &packet, py::kw_only(), py::arg("triangles") = 0, py::arg("threads") = 0,
+          py::arg("progress") = py::none(),
+          R"(The plant as the bytes of a scene packet, which viewers draw: meshes, their instances, materials, pictures.
+
+A plant of more than `triangles` is thinned out to about that many; 0 leaves it whole. The packet is the same on any
+number of threads. apps/studio/protocol.md in the source tree describes its head and arrays.)")
       .def("render", &render, py::kw_only(), py::arg("size") = py::none(), py::arg("samples") = py::none(),
            py::arg("view") = py::none(), py::arg("transparent") = false, py::arg("hull") = false,
            py::arg("threads") = 0, py::arg("progress") = py::none(),

@@ -9,9 +9,9 @@
 
 #include "arrays.h"
 #include "call.h"
+#include "document.h"
 #include "meristem/base/mesh.h"
 #include "meristem/base/parallel.h"
-#include "meristem/components/registry.h"
 #include "meristem/document/document.h"
 #include "meristem/document/json.h"
 #include "meristem/grow/colonize/light_response.h"
@@ -40,8 +40,7 @@ ScenePointer make_scene(const py::object& values, const py::object& path) {
   Value tree = to_value(content);
   const Value camera(Value::Object{{"type", "camera"}});
   tree.object()->emplace_back("components", Value(Value::Object{{"camera", camera}}));
-  const Document document =
-      read_written_here([&] { return read_document(write_json(tree), file, builtin_components()); });
+  const Document document = read_written_here([&] { return read_document(write_json(tree), file, component_types()); });
   for (const Diagnostic& warning : document.warnings) {
     if (PyErr_WarnEx(PyExc_UserWarning, warning.message.c_str(), 1) != 0) throw py::error_already_set();
   }
@@ -50,12 +49,12 @@ ScenePointer make_scene(const py::object& values, const py::object& path) {
 
 // Light.
 
-py::tuple far_light(const ScenePointer& scene, const std::vector<FarLight>& lights) {
-  static const FarLight kNone;
-  const FarLight* const first = lights.empty() ? &kNone : lights.data();
+py::tuple directional_lights(const ScenePointer& scene, const std::vector<DirectionalLight>& lights) {
+  static const DirectionalLight kNone;
+  const DirectionalLight* const first = lights.empty() ? &kNone : lights.data();
   const auto count = static_cast<py::ssize_t>(lights.size());
-  return py::make_tuple(view(scene, &first->toward.x, {count, 3}, {sizeof(FarLight), sizeof(float)}),
-                        view(scene, &first->strength, {count}, {sizeof(FarLight)}));
+  return py::make_tuple(view(scene, &first->toward.x, {count, 3}, {sizeof(DirectionalLight), sizeof(float)}),
+                        view(scene, &first->strength, {count}, {sizeof(DirectionalLight)}));
 }
 
 py::tuple lamps_of(const ScenePointer& scene) {
@@ -233,11 +232,11 @@ using SceneClass = py::class_<Scene, ScenePointer>;
 void bind_light(SceneClass& scene) {
   scene
       .def_property_readonly(
-          "sun", [](const ScenePointer& s) { return far_light(s, s->light.sun); },
+          "sun", [](const ScenePointer& s) { return directional_lights(s, s->light.sun); },
           "The sun's positions as (directions, strengths): (k, 3) float32 unit vectors toward it, (k,) float64.\n\n"
           "The strengths of sun and sky sum to 1 where the sun rises. None of it by night.")
       .def_property_readonly(
-          "sky", [](const ScenePointer& s) { return far_light(s, s->light.sky); },
+          "sky", [](const ScenePointer& s) { return directional_lights(s, s->light.sky); },
           "The patches of the sky as (directions, strengths), as in `sun`.")
       .def_property_readonly("lamps", &lamps_of,
                              "The lamps as (positions, strengths): (k, 3) float32 metres, (k,) float64 one metre away.")

@@ -33,14 +33,14 @@ Vec3 vector_of(const py::handle& numbers) {
   return {x, y, z};
 }
 
-py::list state_of(const std::vector<FarLight>& lights) {
+py::list state_of(const std::vector<DirectionalLight>& lights) {
   py::list states;
-  for (const FarLight& light : lights) states.append(py::make_tuple(numbers_of(light.toward), light.strength));
+  for (const DirectionalLight& light : lights) states.append(py::make_tuple(numbers_of(light.toward), light.strength));
   return states;
 }
 
-std::vector<FarLight> far_lights_from(const py::handle& states) {
-  std::vector<FarLight> lights;
+std::vector<DirectionalLight> directional_lights_from(const py::handle& states) {
+  std::vector<DirectionalLight> lights;
   for (const py::handle state : states) {
     const auto pair = state.cast<py::tuple>();
     lights.push_back({vector_of(pair[0]), pair[1].cast<double>()});
@@ -78,7 +78,7 @@ py::tuple state_of(const Scene& scene) {
 Scene scene_from(const py::tuple& state) {
   if (state.size() != 9) throw py::value_error("the state of a Scene has nine parts");
   Scene scene;
-  scene.light = {.sun = far_lights_from(state[0]), .sky = far_lights_from(state[1])};
+  scene.light = {.sun = directional_lights_from(state[0]), .sky = directional_lights_from(state[1])};
   for (const py::handle each : state[2]) {
     const auto lamp = each.cast<py::tuple>();
     scene.light.lamps.push_back({vector_of(lamp[0]), lamp[1].cast<double>()});

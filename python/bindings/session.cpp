@@ -9,7 +9,6 @@
 #include "call.h"
 #include "document.h"
 #include "errors.h"
-#include "meristem/components/registry.h"
 #include "meristem/document/json.h"
 #include "meristem/document/models.h"
 #include "values.h"
@@ -42,15 +41,16 @@ std::optional<std::uint64_t> optional_seed(const py::object& seed) {
 
 SessionPointer make_session(std::string text, std::string file, const py::object& set, const py::object& seed,
                             const py::object& root) {
-  SessionOptions options{.overrides = to_overrides(set), .seed = optional_seed(seed), .root = path_of(root)};
-  Session session(std::move(text), std::move(file), builtin_components(), options);
+  SessionOptions options{
+      .overrides = to_overrides(set), .seed = optional_seed(seed), .root = path_of(root), .models = models_folder()};
+  Session session(std::move(text), std::move(file), component_types(), options);
   return std::make_shared<SessionInPython>(std::move(session), options.seed);
 }
 
 /// The text that a document was read from, with the values that were set edited in.
 SessionPointer session_of_document(const DocumentInPython& document, const py::object& root) {
-  SessionOptions options{.root = path_of(root)};
-  auto made = std::make_shared<SessionInPython>(Session(document.text, document.file, builtin_components(), options),
+  SessionOptions options{.root = path_of(root), .models = models_folder()};
+  auto made = std::make_shared<SessionInPython>(Session(document.text, document.file, component_types(), options),
                                                 std::nullopt);
   std::vector<Edit> edits;
   for (const Override& set : document.overrides) edits.emplace_back(SetValue{set.path, set.value});
@@ -75,8 +75,7 @@ SessionPointer session_of(const py::object& content, const py::object& file, con
 }
 
 SessionPointer open(const py::object& path, const py::object& set, const py::object& seed, const py::object& root) {
-  const std::string folder = py::module_::import("meristem._models").attr("folder")().cast<std::string>();
-  const std::string file = find_document(path_of(path), folder);
+  const std::string file = find_document(path_of(path), models_folder());
   return make_session(read_text_file(file), file, set, seed, root);
 }
 

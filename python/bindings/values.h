@@ -27,7 +27,7 @@ Value to_value(const py::handle& object);
 /// it.
 std::string path_of(const py::object& path);
 
-/// The same for a file that is written: standard output is refused.
+/// The path of a file that is written: standard output is refused.
 std::string file_of(const py::object& path);
 
 /// A seed from a whole number. Throws TypeError for others, and ValueError outside of 0 to 2^53.

@@ -36,6 +36,7 @@ from ._core import (
     daylight,
     declination,
     derive,
+    load_plugin,
     models,
     parameter_tables,
     read,
@@ -48,12 +49,15 @@ from ._core import (
 )
 from ._errors import Cancelled, Diagnostic, Error, InputError, MachineError
 from ._fit import FitPoint, FitProgress, FitResult, fit
+from ._page import save_html, to_html
 from ._show import describe, make_preview, show
 from ._target import Target
 from ._variable import Variable
 
 # Methods of compiled classes that are written here
 setattr(Plant, "show", show)
+setattr(Plant, "to_html", to_html)
+setattr(Plant, "save_html", save_html)
 setattr(Plant, "_repr_png_", make_preview)
 setattr(Document, "_repr_markdown_", describe)
 
@@ -94,6 +98,7 @@ __all__ = [
     "derive",
     "fit",
     "grass",
+    "load_plugin",
     "models",
     "parameter_tables",
     "read",

@@ -273,6 +273,9 @@ class Plant:
         threads: int = 0,
         progress: Progress | _ProgressCallback | None = None,
     ) -> None: ...
+    def packet(
+        self, *, triangles: int = 0, threads: int = 0, progress: Progress | _ProgressCallback | None = None
+    ) -> bytes: ...
     def render(
         self,
         *,
@@ -306,6 +309,24 @@ class Plant:
         hull: bool = False,
         quality: int | None = None,
         max_bytes: int | None = None,
+        threads: int = 0,
+        progress: Progress | _ProgressCallback | None = None,
+    ) -> None: ...
+    # Written in _page.py
+    def to_html(
+        self,
+        *,
+        triangles: int = 1_000_000,
+        view: tuple[float, float] | None = None,
+        threads: int = 0,
+        progress: Progress | _ProgressCallback | None = None,
+    ) -> str: ...
+    def save_html(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        triangles: int = 1_000_000,
+        view: tuple[float, float] | None = None,
         threads: int = 0,
         progress: Progress | _ProgressCallback | None = None,
     ) -> None: ...
@@ -676,3 +697,4 @@ def unit_vector(azimuth: ArrayLike, altitude: ArrayLike) -> NDArray[np.float32]:
 def components() -> dict[str, Any]: ...
 def parameter_tables() -> dict[str, Any]: ...
 def schema() -> dict[str, Any]: ...
+def load_plugin(path: str | os.PathLike[str]) -> None: ...

@@ -15,6 +15,7 @@ from typing import Any
 
 from ._core import Document, Plant
 from ._errors import MachineError
+from ._page import PageInNotebook, has_viewer, is_page, save_html, to_html
 
 _QUICK: dict[str, Any] = {"size": (400, 400), "samples": 4}  # under a second for the shipped trees
 _FAIR: dict[str, Any] = {"size": (480, 480), "samples": 8}  # for who asks for a picture and waits a second or two
@@ -31,21 +32,27 @@ def show(
 ) -> Path | None:
     """Shows the plant in the way that the surroundings offer, and gives the path of the file that was written, if any.
 
-    With a `path`, writes a picture (.png) or what save() writes (.glb and others) there. Without one, shows a picture
-    in a notebook; on a desktop opens a .glb in the system's program for it; elsewhere, or if there is no such program,
-    writes a picture NAME.png into the current folder, never over another file, and prints where.
+    With a `path`, writes a picture (.png, .jpg), a page to turn the plant in (.html), or what save() writes (.glb and
+    others) there. Without one, shows the plant in a notebook so that a hand can turn it, and on a desktop opens such a
+    page in the browser. Elsewhere, or if there is no browser, writes a picture NAME.png into the current folder, never
+    over another file, and prints where. A module that was built without the view shows a picture in notebooks, and opens
+    a .glb in the system's program for it.
 
-    `size` is (width, height), `samples` the paths a pixel and `view` (azimuth, altitude) of the camera in degrees, as
-    in png(); if not given, size and samples are the document's with a `path` and small without. Raises InputError for
-    endings that are not known, sizes out of range and files that the document reads, MachineError where it cannot be written.
+    `size` is (width, height) in pixels and `view` (azimuth, altitude) of the camera in degrees, as in png(); `samples`
+    are the paths a pixel of a picture, which is what is shown where they are given. Size and samples not given are the
+    document's with a `path` and small without. Raises InputError for endings that are not known, sizes out of range and
+    files that the document reads, MachineError where it cannot be written.
     """
     given = {name: value for name, value in (("size", size), ("samples", samples), ("view", view)) if value is not None}
     if path is not None:
         return _write(self, Path(path), given)
     if _is_notebook():
-        _display(self.png(**{**_FAIR, **given}))
+        if has_viewer() and samples is None:
+            _display(PageInNotebook(to_html(self, view=view), size))
+        else:
+            _display(_picture(self.png(**{**_FAIR, **given})))
         return None
-    if not given and _has_desktop() and (opened := _open_in_program(self)):
+    if _has_desktop() and (opened := _open_in_program(self, given)):
         return opened
     written = _write_beside_others(self.png(**{**_FAIR, **given}), _file_name(self))
     print(f"The picture is in {written}")
@@ -79,6 +86,11 @@ def _write(plant: Plant, path: Path, given: Mapping[str, Any]) -> Path:
     if path.suffix.lower() in (".png", ".jpg", ".jpeg"):
         plant.save_picture(path, **given)
         return path
+    if is_page(path):
+        if given.keys() - {"view"}:
+            raise ValueError(f"{', '.join(given)} are for pictures (.png, .jpg); of them '{path.name}' takes the view")
+        save_html(plant, path, **given)
+        return path
     if given:
         raise ValueError(f"{', '.join(given)} are for pictures (.png, .jpg), not for '{path.name}'")
     plant.save(path)
@@ -92,21 +104,29 @@ def _is_notebook() -> bool:
     return shell is not None and getattr(shell, "kernel", None) is not None
 
 
-def _display(png: bytes) -> None:
-    from IPython.display import Image, display  # type: ignore[import]  # is there, as the kernel is
+def _display(what: object) -> None:
+    from IPython.display import display  # type: ignore[import]  # is there, as the kernel is
 
-    display(Image(data=png, format="png"))
+    display(what)
+
+
+def _picture(png: bytes) -> object:
+    from IPython.display import Image
+
+    return Image(data=png, format="png")
 
 
 def _has_desktop() -> bool:
     return sys.platform in ("darwin", "win32") or any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY"))
 
 
-def _open_in_program(plant: Plant) -> Path | None:
-    """The file that was opened; None if there is no program for it."""
+def _open_in_program(plant: Plant, given: Mapping[str, Any]) -> Path | None:
+    """The file that was opened; None if there is no program for it, or it cannot show what is asked for."""
+    if given.keys() - ({"view"} if has_viewer() else set()):
+        return None
     folder = Path(tempfile.mkdtemp(prefix="meristem-"))
-    path = folder / f"{_file_name(plant)}.glb"
-    plant.save(path)
+    path = folder / f"{_file_name(plant)}.{'html' if has_viewer() else 'glb'}"
+    _write(plant, path, given)
     if _open(path):
         return path  # it stays, as the program may read it again
     shutil.rmtree(folder, ignore_errors=True)

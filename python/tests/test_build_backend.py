@@ -31,7 +31,7 @@ sys.path.pop(0)
 def built_wheel(folder: Path) -> Path:
     """A wheel around something that stands for the library, which would take seconds to pack."""
     library = folder / "build" / "python" / "meristem" / f"_core{sysconfig.get_config_var('EXT_SUFFIX')}"
-    library.parent.mkdir(parents=True)
+    library.parent.mkdir(parents=True, exist_ok=True)
     library.write_bytes(b"library")
     return folder / "wheels" / build_backend.build_wheel(str(folder / "wheels"), {"build-dir": str(folder / "build")})
 
@@ -56,6 +56,16 @@ def test_the_wheel_holds_types_models_and_licence(tmp_path: Path) -> None:
     assert {f"meristem/models/{name}.json" for name in meristem.models()} <= set(names)
     assert {f"meristem/models/{file.name}" for file in (ROOT / "models").glob("*.obj")} <= set(names)
     assert not [name for name in names if "__pycache__" in name or name.startswith("/")]
+
+
+def test_the_wheel_holds_the_view_that_the_build_has_made(tmp_path: Path) -> None:
+    with zipfile.ZipFile(built_wheel(tmp_path / "without")) as wheel:
+        assert "meristem/viewer.html" not in wheel.namelist()
+    page = tmp_path / "with" / "build" / "python" / "meristem" / "viewer.html"
+    page.parent.mkdir(parents=True)
+    page.write_text("view")
+    with zipfile.ZipFile(built_wheel(tmp_path / "with")) as wheel:
+        assert wheel.read("meristem/viewer.html") == b"view"
 
 
 def test_equal_sources_give_equal_bytes(tmp_path: Path) -> None:

@@ -155,13 +155,32 @@ def test_levels_of_detail_are_smaller_files(tmp_path: Path) -> None:
         plant.save(tmp_path / f"{level}.ply", lod=level)
     sizes = [(tmp_path / f"{level}.ply").stat().st_size for level in range(2)]
     assert sizes[1] < 0.6 * sizes[0]
-    with pytest.raises(ValueError, match="level 8 of detail is not worth a file"):
+    with pytest.raises(ValueError, match="level 8 of detail is not worth a file, as level [2-7] is not: it would"):
         plant.save(tmp_path / "8.ply", lod=8)
     assert not (tmp_path / "8.ply").exists()
     with pytest.raises(ValueError, match="lod is 9; expected 0 to 8"):
         plant.save(tmp_path / "tree.ply", lod=9)
     with pytest.raises(ValueError, match="only files with meshes have levels of detail"):
         plant.save(tmp_path / "tree.csv", lod=1)
+
+
+@pytest.mark.parametrize("model", ["low-poly-poplar", "low-poly-oak", "low-poly-palm", "tulip"])
+def test_a_level_is_written_where_the_command_line_would_write_it(model: str, tmp_path: Path) -> None:
+    """That is as long as each level before it is worth a file, beside the one before that."""
+    plant = meristem.read(model).grow()
+    written = []
+    for level in range(1, 5):
+        path = tmp_path / f"{level}.ply"
+        try:
+            plant.save(path, lod=level)
+        except ValueError as error:
+            finer = "" if level == len(written) + 1 else f", as level {len(written) + 1} is not"
+            assert str(error).startswith(f"level {level} of detail is not worth a file{finer}: ")
+        else:
+            written.append(level)
+        assert path.exists() == (level in written)
+    assert written == list(range(1, len(written) + 1))
+    assert len(written) < 4
 
 
 def test_saving_refuses_what_cannot_be_written(tmp_path: Path) -> None:

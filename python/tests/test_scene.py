@@ -52,7 +52,7 @@ def test_without_values_the_light_comes_from_the_zenith() -> None:
     assert scene.mean_direction.tolist() == [0, 1, 0]
 
 
-def test_sun_and_sky_share_the_far_light() -> None:
+def test_sun_and_sky_share_the_directional_light() -> None:
     scene = meristem.Scene(SEASON)
     (sun, sun_strengths), (sky, sky_strengths) = scene.sun, scene.sky
     assert len(sun) == len(sun_strengths) > 50 and len(sky) == len(sky_strengths) == 40

@@ -13,7 +13,7 @@ from typing import Any
 
 import meristem
 import pytest
-from meristem import _show
+from meristem import _page, _show
 from plants import grown_small_tree, small_tree
 
 TINY: dict[str, Any] = {"size": (40, 30), "samples": 1}
@@ -93,7 +93,50 @@ def test_a_name_of_signs_alone_still_makes_a_file() -> None:
     assert plant.show(**TINY) == Path("plant.png")
 
 
-def test_a_desktop_opens_the_plant(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def without_the_view(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As if the module had been built without node."""
+    monkeypatch.setattr(_page, "_TEMPLATE", Path("nowhere"))
+
+
+def with_the_view(monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
+    """As if it had been built with it, wherever the tests run."""
+    template = folder / "bin" / "viewer.html"
+    template.parent.mkdir(exist_ok=True)
+    template.write_text("{{title}}, seen from {{look}}: {{packet}}")
+    monkeypatch.setattr(_page, "_TEMPLATE", template)
+
+
+def add_notebook(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
+    """An IPython kernel; gives the list of what it will have displayed. Pictures are their bytes."""
+    shown: list[Any] = []
+    ipython = types.ModuleType("IPython")
+    setattr(ipython, "get_ipython", lambda: types.SimpleNamespace(kernel=object()))
+    display = types.ModuleType("IPython.display")
+    setattr(display, "Image", lambda data, format: data)
+    setattr(display, "display", shown.append)
+    monkeypatch.setitem(sys.modules, "IPython", ipython)
+    monkeypatch.setitem(sys.modules, "IPython.display", display)
+    return shown
+
+
+def test_a_page_is_written_to_a_path(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    with_the_view(monkeypatch, tmp_path)
+    assert grown_small_tree().show("tree.html", view=(30, 10)) == Path("tree.html")
+    assert Path("tree.html").read_text().startswith("Small tree, seen from 30 10: ")
+    with pytest.raises(ValueError, match="size, samples are for pictures .*; of them 'tree.html' takes the view"):
+        grown_small_tree().show("tree.html", **TINY)
+
+
+def test_a_desktop_opens_a_page(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    add_desktop(monkeypatch, tmp_path, f'cp "$1" {tmp_path}/opened')
+    with_the_view(monkeypatch, tmp_path)
+    path = grown_small_tree().show(view=(30, 10))
+    assert path is not None and path.name == "small-tree.html"
+    assert Path("opened").read_bytes() == path.read_bytes()
+
+
+def test_a_desktop_opens_the_plant_where_there_are_no_pages(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    without_the_view(monkeypatch)
     add_desktop(monkeypatch, tmp_path, f'cp "$1" {tmp_path}/opened.glb')
     path = grown_small_tree().show()
     assert path is not None and path.name == "small-tree.glb"
@@ -108,18 +151,25 @@ def test_a_desktop_without_a_program_for_plants_gets_a_still(monkeypatch: pytest
     assert sorted(os.listdir()) == ["bin", "small-tree.png"]
 
 
-def test_a_notebook_shows_the_picture_inline(monkeypatch: pytest.MonkeyPatch) -> None:
-    shown: list[bytes] = []
-    ipython = types.ModuleType("IPython")
-    setattr(ipython, "get_ipython", lambda: types.SimpleNamespace(kernel=object()))
-    display = types.ModuleType("IPython.display")
-    setattr(display, "Image", lambda data, format: data)
-    setattr(display, "display", shown.append)
-    monkeypatch.setitem(sys.modules, "IPython", ipython)
-    monkeypatch.setitem(sys.modules, "IPython.display", display)
+def test_a_notebook_shows_the_plant_in_a_frame(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    shown = add_notebook(monkeypatch)
+    with_the_view(monkeypatch, tmp_path)
+    assert grown_small_tree().show(size=(300, 200), view=(30, 10)) is None
+    [frame] = shown
+    assert 'srcdoc="Small tree, seen from 30 10: ' in frame._repr_html_()
+    assert 'width="300" height="200"' in frame._repr_html_()
+    assert os.listdir() == ["bin"]
+
+
+def test_a_notebook_shows_a_picture_where_there_are_no_pages_or_samples_are_asked_for(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    shown = add_notebook(monkeypatch)
+    without_the_view(monkeypatch)
+    assert grown_small_tree().show(size=(40, 30)) is None
+    with_the_view(monkeypatch, tmp_path)
     assert grown_small_tree().show(**TINY) is None
-    assert [size_of_png(png) for png in shown] == [(40, 30)]
-    assert os.listdir() == []
+    assert [size_of_png(png) for png in shown] == [(40, 30), (40, 30)]
 
 
 def test_a_plant_is_a_picture_to_notebooks() -> None:

@@ -11,7 +11,18 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "studies"))
 
-from fit_study.urban import FILE, SPECIES, Species, breast_diameter, measure_tree, outside, read_bands  # noqa: E402
+from fit_study.urban import (  # noqa: E402
+    FILE,
+    SPECIES,
+    Species,
+    breast_diameter,
+    measure_tree,
+    outside,
+    outside_ratios,
+    read_bands,
+)
+
+SIZED = [species for species in SPECIES if species.size is not None]
 
 needs_measured = pytest.mark.skipif(
     not FILE.is_file(), reason="the measured data is not here; MERISTEM_SHARED_DATA may name its folder"
@@ -23,6 +34,23 @@ needs_measured = pytest.mark.skipif(
 def test_trees_are_within_the_bands_of_their_species(species: Species) -> None:
     found = measure_tree(meristem.read(species.model).grow())
     assert outside(found, read_bands(species.measured)) == []
+
+
+@needs_measured
+@pytest.mark.parametrize("species", SIZED, ids=[species.model for species in SIZED])
+def test_trees_of_other_sizes_keep_the_proportions_of_their_species(species: Species) -> None:
+    """Those whose stem is as thick as that of measured trees are as slender and as broad as these."""
+    bands = read_bands(species.measured)
+    assert species.size is not None
+    for size in species.sizes:
+        found = measure_tree(meristem.read(species.model, set={species.size: size}).grow())
+        assert outside_ratios(found, bands) == [], size
+
+
+def test_sizes_reach_from_end_to_end_of_their_variable() -> None:
+    for species in SIZED:
+        [variable] = [one for one in meristem.read(species.model).variables if one.name == species.size]
+        assert (min(species.sizes), max(species.sizes)) == (variable.min, variable.max), species.model
 
 
 def test_models_are_of_the_species_that_they_are_compared_with() -> None:

@@ -8,8 +8,8 @@ import re
 import signal
 import unittest
 
-import cli_test
-from cli_test import DONE, FAILED, WRONG_INPUT
+import cli_case
+from cli_case import DONE, FAILED, WRONG_INPUT
 
 KOCH = """#define angle = 60
 #steps 2
@@ -17,7 +17,7 @@ F
 F -> F+(angle)F-(2*angle)F+(angle)F
 """
 
-# A branch as long as its mother or half as long, by chance; drawn as two segments.
+# A branch as long as its parent or half as long, by chance; drawn as two segments.
 CHANCE = """#define length 1
 #axiom
 A(length)
@@ -31,7 +31,7 @@ F(x) -> f(x/2)f(x/2)
 THOUSANDFOLD = "F\nF -> " + 1000 * "F" + "\n"
 
 
-class Derive(cli_test.Case):
+class Derive(cli_case.Case):
     def setUp(self):
         super().setUp()
         self.write("koch.txt", KOCH)
@@ -169,7 +169,7 @@ class Derive(cli_test.Case):
         self.assertRegex(errors, r"(?m)^thousandfold\.txt:2: 1000000000 modules of a word are too many; .*at most 200000000 ")
 
     def test_documents_are_not_grammars(self):
-        for document in (cli_test.BOX, "// A box.\n" + cli_test.BOX):
+        for document in (cli_case.BOX, "// A box.\n" + cli_case.BOX):
             self.assert_refuses(document, "bad.txt: this is a plant document; expected the text of a grammar; 'meristem "
                                 "grow' takes documents")
 

@@ -6,11 +6,11 @@ import os
 import re
 import unittest
 
-import cli_test
-from cli_test import DONE, WRONG_INPUT
+import cli_case
+from cli_case import DONE, WRONG_INPUT
 
 
-class Lod(cli_test.Case):
+class Lod(cli_case.Case):
     def grow(self, *arguments):
         """Runs and returns the triangles of each line of the report, by what stands before its colon."""
         errors = self.assert_ends(DONE, "grow", "tree.json", *arguments)
@@ -70,7 +70,7 @@ class Lod(cli_test.Case):
                          ["a.OBJ", "a.csv", "a.mtl", "a.ply", "a.skeleton.ply", "a_lod1.OBJ", "a_lod1.mtl", "a_lod1.ply"])
 
     def test_the_document_says_how_many_levels_unless_the_option_does(self):
-        self.write("tree.json", cli_test.TREE.replace('"meristem": 1,', '"meristem": 1, "output": {"lod": 2},'))
+        self.write("tree.json", cli_case.TREE.replace('"meristem": 1,', '"meristem": 1, "output": {"lod": 2},'))
         self.assertEqual(len(self.grow("-o", "a.glb")), 3)
         self.assertEqual(len(self.grow("-o", "a.glb", "--lod", "1")), 2)
         self.assertEqual(len(self.grow("-o", "a.glb", "--set", "output.lod=0")), 1)
@@ -95,7 +95,7 @@ class Lod(cli_test.Case):
 
     def test_a_level_that_cannot_be_written_is_told_before_the_plant_grows(self):
         os.mkdir(self.path("a_lod2.glb"))
-        self.assert_ends(cli_test.FAILED, "grow", "tree.json", "-o", "a.glb", "--lod", "2")
+        self.assert_ends(cli_case.FAILED, "grow", "tree.json", "-o", "a.glb", "--lod", "2")
 
     def test_pictures_show_a_level(self):
         picture = ["--size", "60x60", "--samples", "2"]

@@ -10,8 +10,8 @@ import re
 import struct
 import unittest
 
-import cli_test
-from cli_test import DONE
+import cli_case
+from cli_case import DONE
 
 CLASS_COLUMNS = ["SYMBOL", "SCALE", "DECOMPOSITION", "INDEXATION", "DEFINITION"]
 STEP = re.compile(r"([/<+])([A-Za-z]+)(\d+)")
@@ -102,7 +102,7 @@ class Mtg:
         return [entity for entity in self.entities if entity.name in names]
 
 
-class MtgFiles(cli_test.Case):
+class MtgFiles(cli_case.Case):
     def grow(self, *arguments):
         self.assert_ends(DONE, "grow", *arguments, "-o", "a.mtg", "-o", "a.csv")
         self.table = list(csv.DictReader(io.StringIO(self.read("a.csv").decode(), newline="")))
@@ -171,7 +171,7 @@ class MtgFiles(cli_test.Case):
         self.assertTrue(any(axis.values["label"].count(".") > 1 for axis in mtg.of("A")))
 
     def test_hold_several_trees(self):
-        self.write("two.json", cli_test.TREE.replace('"leaf": {', '"shrub": {"type": "colonize", "crown": {"profile": '
+        self.write("two.json", cli_case.TREE.replace('"leaf": {', '"shrub": {"type": "colonize", "crown": {"profile": '
                    '[[0.2, 0.3], [0.5, 0.5], [0.2, 1]]}, "points": 100, "step": 0.05, "influence": 0.5, "kill": 0.15, '
                    '"frame": {"translate": [2, 0, 0]}},\n    "leaf": {'))
         mtg = self.grow("two.json")

@@ -8,8 +8,8 @@ import json
 import math
 import unittest
 
-import cli_test
-from cli_test import DONE, TREE, WRONG_INPUT
+import cli_case
+from cli_case import DONE, TREE, WRONG_INPUT
 
 # A house whose south wall stands at z = 0, and a ball of 1 m radius in front of it.
 STREET = {
@@ -22,7 +22,7 @@ STREET = {
 }
 
 
-class Shade(cli_test.Case):
+class Shade(cli_case.Case):
     def setUp(self):
         super().setUp()
         self.write("street.json", json.dumps(STREET))
@@ -127,7 +127,7 @@ class Shade(cli_test.Case):
                       self.assert_ends(WRONG_INPUT, "shade", "dark.json", "--ground", "[[0, 0], [1, 1]]", *days))
 
 
-class MeasuredLight(cli_test.Case):
+class MeasuredLight(cli_case.Case):
     def measured(self, *arguments):
         done = self.run_program("measure", "tree.json", "--json", *arguments)
         self.assertEqual(done.returncode, DONE, done.stderr.decode())

@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-GROWING = {"colonize", "lsystem", "organize"}
+GROWING = {"colonize", "lsystem", "organize", "document"}
 
 program, repository = sys.argv[1], pathlib.Path(sys.argv[2])
 failures = 0

@@ -21,13 +21,13 @@ int main(int argc, char** argv) {
   }
   const std::string file = argv[1];
   try {
-    // Read, with the change. All that is wrong comes as one InputError, each fault with its path.
+    // Read the document with the change. One InputError carries all faults, each with its path.
     const meristem::Document document =
         meristem::read_document(meristem::read_text_file(file), file, meristem::builtin_components(),
                                 {.overrides = {meristem::parse_override(argv[2])}});
     for (const meristem::Diagnostic& warning : document.warnings) std::puts(warning.text().c_str());
 
-    // Grow. Whoever calls progress.cancel() from another thread stops it within 50 ms.
+    // Grow. A call of progress.cancel() from another thread stops this within 50 ms.
     meristem::Progress progress;
     const meristem::GrownDocument grown = meristem::grow_document(document, progress);
 

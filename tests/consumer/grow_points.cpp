@@ -25,7 +25,7 @@ int main() {
   meristem::Scene scene;
   scene.obstacles = meristem::Obstacles(std::move(walls));
 
-  // Points that pull the branches; any will do, such as those of a scan.
+  // Attraction points; those of a scan would do as well.
   const meristem::EllipsoidCrown crown({0, 1.8F, 0}, {1, 1.2F, 1});
   meristem::Seedling seedling;
   seedling.points = meristem::sample_crown(crown, 2000, key.child("points"), progress);
@@ -45,8 +45,8 @@ int main() {
   stem.parts[0].component = "tree";
   stem.skeleton = std::move(stand.take_skeletons(progress).front());
 
-  // Parents stand before their children, so one loop walks from the root to all tips. What it works out becomes a
-  // column of the table.
+  // Parents stand before their children, so one loop walks from the root to all tips. Its result becomes a column of
+  // the table.
   meristem::Skeleton& skeleton = stem.skeleton;
   std::vector<float> way(skeleton.node_count());
   for (meristem::NodeIndex node = 0; node < skeleton.node_count(); ++node) {

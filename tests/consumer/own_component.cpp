@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A component of one's own: documents can use it beside all others, and it is checked, varied and documented like them.
+// A new component type, which documents use beside all others; it is checked, varied and documented like them.
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -22,14 +22,14 @@ struct Thorn : meristem::ComponentBase {
   double opening = meristem::radians(40);
 };
 
-/// One instance, in its own frame: y along it.
+/// One instance, in its own frame; y points along the thorn.
 void expand(const Thorn& thorn, const meristem::Site&, meristem::Emitter& out) {
-  // Thorns of one form share a mesh, which each scales to its length.
+  // Thorns of equal slimness share a mesh; each scales it to its length.
   const double slimness = thorn.radius / thorn.length;
   meristem::Frame stretched;
   stretched.axes *= static_cast<float>(thorn.length);
   out.organ(stretched, meristem::shape_key({slimness}), [&] { return meristem::make_cone(slimness, 1, 8); });
-  out.no_children();  // but those below
+  out.no_children();  // except those of the ring below
   for (int k = 0; k < thorn.number; ++k) {
     meristem::Frame child;
     child.axes = meristem::rotation({0, 1, 0}, 2 * meristem::kPi * k / thorn.number) *
@@ -44,12 +44,13 @@ meristem::ComponentType thorn_component() {
   const std::string doc = "A thorn with a ring of children near its tip.";
   return meristem::define_component<Thorn>({
       .traits = {.name = "thorn", .doc = doc},
-      .parameters = meristem::Table<Thorn>("a thorn", doc)
-                        .number("length", &Thorn::length, {.unit = Unit::metre, .min = 0.001, .max = 10}, "To its tip.")
-                        .number("radius", &Thorn::radius, {.unit = Unit::metre, .min = 1e-5, .max = 1}, "At its base.")
-                        .integer("number", &Thorn::number, {.min = 0, .max = 100}, "Children in the ring.")
-                        .number("opening", &Thorn::opening, {.unit = Unit::degree, .min = 0, .max = 180},
-                                "Between the thorn and a child."),
+      .parameters =
+          meristem::Table<Thorn>("a thorn", doc)
+              .number("length", &Thorn::length, {.unit = Unit::metre, .min = 0.001, .max = 10}, "Length of the thorn.")
+              .number("radius", &Thorn::radius, {.unit = Unit::metre, .min = 1e-5, .max = 1}, "Radius at the base.")
+              .integer("number", &Thorn::number, {.min = 0, .max = 100}, "Number of children in the ring.")
+              .number("opening", &Thorn::opening, {.unit = Unit::degree, .min = 0, .max = 180},
+                      "Angle between the thorn and each child."),
       .expand = expand,
   });
 }

@@ -10,9 +10,9 @@
 
 #include "meristem/base/read_file.h"
 #include "meristem/measure/measures.h"
-#include "meristem/output/mtg/mtg_skeleton.h"
 #include "meristem/output/skeleton/skeleton_mtg.h"
 #include "meristem/plant/axis_labels.h"
+#include "meristem/plant/mtg/mtg_skeleton.h"
 #include "tests/fuzz/require.h"
 
 namespace {

@@ -32,7 +32,7 @@ const std::map<std::string, std::string>& exceptions() {
       {"a document.author", "for people, carried into files"},
       {"a document.licence", "for people, carried into files"},
       {"an obstacle.broken", "what is not closed is refused without it"},
-      {"an operation.do", "there is one kind"},
+      {"an operation.do", "other kinds have other keys"},
       {"limits.diagnostics", "counts faults, of which a sound document has none"},
   };
   return reasons;
@@ -46,6 +46,7 @@ const std::map<std::string, std::string>& circumstances() {
       {"a cloud.roots", "points of a file are all of one tree"},
       {"a cloud.removed_colour", "no point may be removed"},
       {"a component.variety", "a body of many stems has one colour"},
+      {"a surface.error", "a stem may have no section to spare"},
       {"a surface.collar", "a stem may have no branches"},
       {"a surface.flare", "a stem may stand on another"},
       {"an lsystem.palette", "a grammar may draw no polygons"},
@@ -55,6 +56,22 @@ const std::map<std::string, std::string>& circumstances() {
       {"an organize.laterals_wait", "no lateral bud may be ready before its terminal one"},
       {"an organize.terminal_threshold", "all terminal buds may have enough, or none"},
       {"a resource model.laterals", "no axis may have so many"},
+      {"a resource model.lambda_curve", "it may change shares that make no metamer more or less"},
+      {"a resource model.pass_back", "terminal buds may be cut that claim nothing"},
+      {"an organize.takeover", "no bud beside a cut may open"},
+      {"MTG features.x", "a table has columns of its own"},
+      {"MTG features.y", "as x"},
+      {"MTG features.z", "as x"},
+      {"MTG features.diameter", "as x"},
+      {"a skeleton.scale", "a table has no scales"},
+      {"a skeleton.pipe_exponent", "all nodes may have radii"},
+      {"a skeleton.tip_radius", "all nodes may have radii"},
+      {"an operation.from", "there may be nothing to do then"},
+      {"an operation.every", "as from"},
+      {"an operation.to", "as from"},
+      {"an operation.once", "it may find nothing to do a second time"},
+      {"an operation.leader", "no shoot may be there to take the lead"},
+      {"a bud to cut to.window", "there may be one bud that faces the right way"},
       {"shedding.below", "no shoot may be old enough"},
       {"stages.load", "a switch may stand where there is nothing to switch off, as all stages"},
       {"stages.fit", "as stages.load"},
@@ -141,25 +158,35 @@ class RowWalk {
     walk(limits_table(), "limits", base_.tree.find("limits"));
   }
 
-  void walk(const ParameterTable& table, const std::string& path, const Value* given) {
+  /// The rows of an element of a list: those of its kind, where there are several.
+  static const ParameterTable& table_of(const Parameter& list, const Value& element) {
+    if (list.kinds == nullptr) return list.nested();
+    const Kinds& kinds = list.kinds();
+    const auto of_element = [&](const Kinds::Kind& kind) { return *element.find(kinds.key) == Value(kind.name); };
+    return std::find_if(kinds.kinds.begin(), kinds.kinds.end(), of_element)->table();
+  }
+
+  void walk(const ParameterTable& table, const std::string& path, const Value* given, const std::string& called = {}) {
     const std::vector<Value> defaults = table.defaults();
     for (std::size_t k = 0; k < table.parameters.size(); ++k) {
       const Parameter& row = table.parameters[k];
       const Value* present = member(given, row.name);
-      walk_row(row, name_of(table, row), path + "." + row.name, present, defaults[k]);
+      walk_row(row, called.empty() ? name_of(table, row) : called + "." + row.name, path + "." + row.name, present,
+               defaults[k]);
     }
   }
 
   void walk_row(const Parameter& row, const std::string& name, const std::string& path, const Value* present,
                 const Value& usual) {
     if (row.kind == ParameterKind::object) {
-      // Of what is not given, or in short, nothing is asked in this document.
+      // Nothing is asked in this document of what is not given, or given in short.
       const bool is_short = present != nullptr && present->object() == nullptr;
       if (!is_short && !(present == nullptr && usual.is_null())) walk(row.nested(), path, present);
     } else if (row.kind == ParameterKind::list) {
       if (present == nullptr) return;
       for (std::size_t k = 0; k < present->list()->size(); ++k) {
-        walk(row.nested(), path + "[" + std::to_string(k) + "]", &(*present->list())[k]);
+        const Value& element = (*present->list())[k];
+        walk(table_of(row, element), path + "[" + std::to_string(k) + "]", &element, row.nested().name);
       }
     } else if (row.kind == ParameterKind::map) {
       if (present == nullptr) return;

@@ -38,7 +38,7 @@ void add(Fingerprint& hash, const Material& material) {
 
 void add(Fingerprint& hash, const Scene& scene) {
   for (const auto* lights : {&scene.light.sun, &scene.light.sky}) {
-    for (const FarLight& light : *lights) {
+    for (const DirectionalLight& light : *lights) {
       add(hash, light.toward);
       hash.add(light.strength);
     }
@@ -63,6 +63,7 @@ void add(Fingerprint& hash, const View& view) {
   add(hash, view.target);
   hash.add(view.azimuth).add(view.altitude).add(view.field_of_view);
   add(hash, view.background);
+  hash.add(view.haze.value_or(0)).add(view.clouds);
 }
 
 }  // namespace
@@ -76,6 +77,7 @@ std::uint64_t hash_of_result(const Document& document) {
     add(hash, *instances.mesh);
     add(hash, grown.meshes.materials[instances.material]);
     hash.add_array(instances.frames).add_array(instances.tints);
+    if (instances.places != nullptr) hash.add_array(*instances.places);
   }
   add(hash, document.scene);
   add(hash, camera_view(document.graph));

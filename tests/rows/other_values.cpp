@@ -16,8 +16,20 @@ const std::map<std::string, std::vector<std::string>>& values_by_name() {
   static const std::map<std::string, std::vector<std::string>> values = {
       {"a grassleaf.midrib_points", {"[[0, 0], [0.4, 0.5], [1.3, 0.3]]"}},
       {"an lsystem.grammar", {R"("#axiom\nF(0.4) +(30) F")"}},
-      {"an operation.shoot", {R"("main.2")", R"("main.3")", R"("main.4")", R"("main.5")", R"("main.7")"}},
+      {"an operation.shoots",
+       {R"("leader")", R"("rank == 2")", R"("main.2")", R"("main.3")", R"("main.4")", R"("main.5")", R"("main.7")"}},
       {"an operation.do", {}},
+      {"an operation.when", {R"("height < 0")", R"("height > 0")"}},
+      {"a placed document.file", {R"("placed/other.json")"}},
+      {"places.choose", {R"("sort")"}},
+      {"an area.polygon", {"[[0, 0], [4, 0], [4, 5]]"}},
+      {"a line.points", {"[[0, 0], [0, 9]]"}},
+      {"MTG features.x", {R"("AA")"}},
+      {"MTG features.y", {R"("AA")"}},
+      {"MTG features.z", {R"("AA")"}},
+      {"MTG features.diameter", {R"("Thick")"}},
+      {"a name.component", {R"("box")"}},
+      {"a set value.value", {"2"}},
       {"a cloud.of", {R"("other")"}},
       {"a sun.date", {R"("2026-08-03")"}},
       {"an obstacle.name", {R"("wall")"}},
@@ -34,8 +46,10 @@ const std::map<std::string, std::vector<std::string>>& values_by_name() {
 /// Files beside the base documents, by the rows' own names.
 std::vector<std::string> files_of(const std::string& row) {
   if (row == "mesh") return {R"("other_tetrahedron.obj")", R"("tetrahedron.obj")"};
-  if (row == "file") return {R"("other_points.txt")", R"("points.txt")", R"("other_grammar.txt")"};
+  if (row == "file")
+    return {R"("other_points.txt")", R"("points.txt")", R"("other_grammar.txt")", R"("other_tree.csv")"};
   if (row == "midrib") return {R"("other_midribs.csv")"};
+  if (row == "table") return {R"("other_places.csv")"};
   if (row == "widths") return {R"("other_widths.csv")"};
   return {R"("../fuzz/corpus/image/rgb.png")"};
 }
@@ -73,6 +87,8 @@ std::vector<std::string> texts_of(const Parameter& row) {
       return {"[0]"};
     case ParameterKind::box:
       return {"[[-0.5, 0.4, -0.5], [0.4, 1.3, 0.6]]", "[[-0.1, 0.5, -0.2], [0.2, 1, 0.2]]", "[[2, 0, 2], [3, 1, 4]]"};
+    case ParameterKind::facing:
+      return {"[0.3, 0.2, 0.9]", R"("surface")"};
     case ParameterKind::condition:
       return {R"("height > 0.5")", R"("u > 0.5")"};
     case ParameterKind::file:

@@ -10,7 +10,7 @@
 
 namespace meristem {
 
-/// Rules as "left < predecessor > right : condition : weight -> successor", of which only predecessor and arrow must be
+/// Rules as "left < predecessor > right : condition : weight -> successor", where only predecessor and arrow must be
 /// there.
 struct GrammarText {
   std::string axiom;

@@ -30,7 +30,7 @@ class GraphBuilder {
   const Graph& graph() const { return graph_; }  ///< without its structure
   /// With it; throws InputError if it is faulty.
   Graph sound_graph() const;
-  /// What analyse_structure reports, a line each.
+  /// What analyse_structure reports, one line per report.
   std::vector<std::string> structure_faults() const;
   /// Expands the sound graph.
   Plant grow(double time = 0, const Scene& scene = {}, Cache* cache = nullptr) const;

@@ -16,9 +16,9 @@ inline std::string sentence_fault(std::string_view sentence) {
       "Of ", "The same", "In its", "That ", "So many",  "How they",     "How it ", "By which", "By how", "Its ",
       "It ", "They ",    "Their ", "Also ", "Another ", "Within which", "At the ", "At which", "Else",   "Where it ",
   };
-  constexpr std::array<std::string_view, 9> kLeanings = {"the former", "the latter",   "as above",
-                                                         "see above",  "in its stead", "n its place",
-                                                         "mother",     "daughter",     " ditto"};
+  constexpr std::array<std::string_view, 15> kLeanings = {
+      "the former", "the latter", "as above", "see above", "in its stead", "n its place", "mother",  "daughter",
+      " ditto",     "by which",   "of which", "the same",  "so many",      "so much",     "how they"};
   if (sentence.empty()) return "is empty";
   if (sentence.size() > kLongest) return "is too long for a tooltip";
   if (sentence.back() != '.') return "does not end with a full stop";

@@ -69,7 +69,7 @@ inline Evaluation evaluate(const Scene& scene, const LightResponse& light, doubl
   return mean;
 }
 
-/// Of trees that become `height` metres high, as their clouds are scaled before growth.
+/// The evaluation of trees that become `height` metres high, as their clouds are scaled before growth.
 inline Evaluation evaluate_at_height(const Scene& scene, const LightResponse& light, double height) {
   double scale = 1;
   Evaluation mean;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Self-organizing trees for tests: the sets of parameters that the specification gives figures for, a metre per
+// Self-organizing trees for tests: the sets of parameters that the specification gives figures for, one metre per
 // metamer.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,18 @@ inline OrganizeParameters organized(double alpha, int iterations) {
 /// Stands on the edge where branches just open, as the source's trees did.
 inline OrganizeParameters slim(int iterations) { return organized(1.8, iterations); }
 inline OrganizeParameters full(int iterations) { return organized(2, iterations); }
+
+/// A cut of a shoot by name that leaves a number of its metamers.
+inline Operation cut_above(int at, const std::string& shoot, int above) {
+  Cut cut;
+  cut.above = above;
+  Operation operation;
+  operation.when = Schedule::at(at);
+  operation.shoots = ShootChoice::label(shoot);
+  operation.path = "components.tree.operations[0]";
+  operation.what = cut;
+  return operation;
+}
 
 /// One member of a stand.
 inline void add_organizer(Stand& stand, const OrganizeParameters& parameters, std::uint64_t seed, const Scene& scene,

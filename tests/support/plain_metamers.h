@@ -11,11 +11,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "meristem/grow/organize/metamers.h"
+#include "meristem/grow/metamer/metamers.h"
 
 namespace meristem {
 
-/// Metamers are known by their births, of which each has one of its own; the seed is 0.
+/// Metamers are known by their births; each has a birth of its own, and the seed's is 0.
 class PlainMetamers {
  public:
   PlainMetamers() { by_birth_[0] = &seed_; }

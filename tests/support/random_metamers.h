@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "meristem/base/random.h"
-#include "meristem/grow/organize/metamers.h"
-#include "meristem/grow/organize/resource.h"
+#include "meristem/grow/metamer/metamers.h"
+#include "meristem/grow/metamer/resource.h"
 
 namespace meristem {
 
@@ -16,7 +16,7 @@ inline Bud& bud_of(Metamers& metamers, MetamerIndex metamer, bool is_lateral) {
   return (is_lateral ? metamers.lateral : metamers.terminal)[metamer];
 }
 
-/// Grows open buds at random until a tree has so many metamers beside its seed; terminal buds twice as often.
+/// Grows open buds at random until a tree has a number of metamers beside its seed; terminal buds twice as often.
 inline Metamers random_metamers(RandomKey key, std::size_t count) {
   Metamers metamers(kUp, Vec3(1, 0, 0), key);
   for (std::uint64_t draw = 0; metamers.count() <= count; ++draw) {

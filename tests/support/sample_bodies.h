@@ -12,7 +12,7 @@
 
 namespace meristem {
 
-/// An octahedron whose triangles are split in four so many times, on a sphere about the origin.
+/// An octahedron whose triangles are split in four a number of times, on a sphere about the origin.
 inline TriangleMesh sphere_mesh(int splits, double radius = 1) {
   TriangleMesh mesh;
   mesh.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};

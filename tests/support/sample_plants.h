@@ -35,7 +35,7 @@ inline Plant two_stems() {
   return plant;
 }
 
-/// One stem without forks, of so many nodes at odd places.
+/// One stem without forks, with a number of nodes at odd positions.
 inline Plant long_stem(std::size_t nodes) {
   const RandomKey key(9);
   Stem stem{.parts = {{.component = "stem"}}};

@@ -90,7 +90,7 @@ std::shared_ptr<const Texture> sample_texture() {
   return std::make_shared<const Texture>(std::move(texture));
 }
 
-/// The same tree with textures and tangents on both materials and a tint on every leaf.
+/// The tree with textures and tangents on both materials and a tint on every leaf.
 MeshScene textured(MeshScene scene) {
   const RandomKey key(12);
   for (Material& material : scene.materials) material.texture = sample_texture();
@@ -148,6 +148,16 @@ class Samples {
   std::string text_;
 };
 
+/// The tree as three plants, whose leaves change from one plant to the next.
+MeshScene divided(MeshScene scene) {
+  scene.individuals = {{"tree", 0, {-3, 0, 0}}, {"tree", 1, {0, 0, 0}}, {"tree", 2, {3, 0.5F, 0}}};
+  std::uint32_t next = 0;
+  for (MeshInstances& instances : scene.meshes) {
+    for (std::size_t i = 0; i < instances.frames.size(); ++i) instances.individuals.push_back(next++ % 3);
+  }
+  return scene;
+}
+
 void write_all(const std::string& directory) {
   constexpr std::uint64_t kNoLimit = 1'000'000;
   MeshScene stem = empty_scene();
@@ -175,6 +185,10 @@ void write_all(const std::string& directory) {
   const int nodes = 1000 - count_inexpressible(tree);
   samples.write(textured(tree), "textured_shared.glb", 0,
                 {.vertex_colours = 1, .tangents = nodes + 2, .materials_with_map = 10});
+  samples.write(divided(tree), "plants.glb", kNoLimit, {});
+  samples.write(divided(tree), "plants_shared.glb", 0, {});
+  // The leaves of each plant, as they are and mirrored.
+  samples.write(divided(tree), "plants_instanced.glb", kNoLimit, {.instanced_meshes = 6}, true);
   samples.write_expectations();
 }
 

@@ -5,7 +5,8 @@ import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 
-import { choose, kAxe, meristem, open_page, ready, save_and_check, settled, start_browser, start_server, temporary_folder, text_of, undo_count, validator, visit, write_document } from './support.mjs';
+import { choose, drag, field, leave_fields, open_file, pick, point_at, retype, row, slider, step, type_into, undo_all } from './hands.mjs';
+import { kAxe, meristem, open_page, ready, save_and_check, settled, start_browser, start_server, temporary_folder, text_of, undo_count, validator, visit, write_document } from './support.mjs';
 
 const kSmall = `\ufeff// A sapling.\r\n{\r\n\t"meristem": 1, /* the form */\r\n\t"name": "Sapling",\r\n\t"seed": 4,\r\n\t"variables": {\r\n\t\t"size": {"value": 0.12, "min": 0.05, "max": 0.25, "unit": "m", "doc": "Length of the leaves."},\r\n\t\t"bend": {"value": 30, "min": 0, "max": 90, "doc": "How they bend."}\r\n\t},\r\n\t"components": {\r\n\t\t"tree": {"type": "tree", "length": 1.5, "radius": 0.02}, // the stem\r\n\t\t"leaf": {"type": "leaf", "length": "size", "width": "size/2", "curl": "bend + 5*rand(-1,1)", "colour": "#587a30"}\r\n\t},\r\n\t"links": [{"from": "tree", "to": "leaf", "kind": "branch", "count": 12, "angle": 60}]\r\n}\r\n`;
 
@@ -26,11 +27,7 @@ after(async () => {
   await place?.remove();
 });
 
-const slider = (name) => page.getByRole('slider', { name: `${name}, slider`, exact: true });
-const reopen = async () => {
-  await page.evaluate(() => window.studio.open({ path: 'small.json' }));
-  await settled(page);
-};
+const reopen = () => open_file(page, 'small.json');
 
 test('the document is shown as it is: name, handles, outline, plant', async () => {
   assert.equal(await page.getByRole('heading', { level: 1 }).innerText(), 'Sapling');
@@ -44,44 +41,30 @@ test('the document is shown as it is: name, handles, outline, plant', async () =
 test('a drag of 40 moves is one step, and the camera stays where it was', async () => {
   const camera = await page.evaluate(() => JSON.stringify(window.studio.view.orbit.state));
   const steps = await undo_count(page);
-  const box = await slider('size').boundingBox();
-  await page.mouse.move(box.x + 30, box.y + box.height / 2);
-  await page.mouse.down();
-  for (let k = 0; k < 40; k += 1) await page.mouse.move(box.x + 30 + 2 * k, box.y + box.height / 2);
-  await page.mouse.up();
-  await settled(page);
+  await step(page, () => drag(page, slider(page, 'size'), [80, 0], { across: 0.2, steps: 40 }));
   assert.equal((await undo_count(page)) - steps, 1);
-  assert.notEqual(await text_of(page), kSmall);
   assert.equal(await page.evaluate(() => JSON.stringify(window.studio.view.orbit.state)), camera);
 });
 
 test('dragging a field: Shift is fine, Escape puts back, and that is no step', async () => {
   await reopen();
-  const field = page.getByRole('textbox', { name: 'bend', exact: true });
-  const box = await field.boundingBox();
-  const drag = async (pixels) => {
-    await page.evaluate(() => document.activeElement?.blur());
-    await page.mouse.move(box.x + 10, box.y + 10);
-    await page.mouse.down();
-    for (let k = 1; k <= 10; k += 1) await page.mouse.move(box.x + 10 + (pixels * k) / 10, box.y + 10);
+  const across = async (pixels, lets_go) => {
+    await leave_fields(page);
+    await drag(page, field(page, 'bend'), [pixels, 0], { across: 0.2, lets_go });
   };
-  await drag(40);
+  await across(40, false);
   await page.keyboard.press('Escape');
   await page.mouse.up();
   await settled(page);
   assert.equal(await text_of(page), kSmall);
   assert.equal(await undo_count(page), 0);
-  await drag(40);
-  await page.mouse.up();
-  await settled(page);
+  await step(page, () => across(40, true));
   const value = () => page.evaluate(() => window.studio.document.state.get().variables.find((one) => one.name === 'bend').value);
   const coarse = (await value()) - 30;
   assert.ok(coarse > 1);
   await page.keyboard.down('Shift');
-  await drag(40);
-  await page.mouse.up();
+  await step(page, () => across(40, true));
   await page.keyboard.up('Shift');
-  await settled(page);
   const fine = (await value()) - 30 - coarse;
   assert.ok(fine > 0 && fine < coarse / 5, `${fine} against ${coarse}`);
   assert.equal(await undo_count(page), 2);
@@ -89,30 +72,74 @@ test('dragging a field: Shift is fine, Escape puts back, and that is no step', a
 
 test('undo of everything gives the first bytes, with mark, CRLF, comments and tabs', async () => {
   await reopen();
-  const edits = [
-    ['components.leaf.length', [0.1, 0.2]],
-    ['components.leaf.roll', 12],
-    ['links[0].count', 20],
-    ['components.tree.colour', '#334455'],
-    ['scene.latitude', 51.5],
-    ['seed', 9],
-  ];
-  for (const [where, value] of edits) await page.evaluate(([one, two]) => window.studio.edit([{ set: one, value: two }], 'Set'), [where, value]);
-  await settled(page);
-  assert.equal(await undo_count(page), edits.length);
+  const into = (path, name, text) => step(page, () => type_into(page, name === null ? row(page, path).locator('.text-field').first() : row(page, path).getByRole('textbox', { name, exact: true }), text));
+  await choose(page, 'leaf');
+  await into('components.leaf.fold', 'fold', '12');
+  await into('components.leaf.colour', null, '#334455');
+  await choose(page, 'tree');
+  await into('components.tree.radius', 'radius', '0.03');
+  await choose(page, 'tree → leaf');
+  await into('links[0].count', 'count', '20');
+  await choose(page, 'Output');
+  await into('output.samples', 'samples', '48');
+  await step(page, () => type_into(page, field(page, 'Seed'), '9'));
+  assert.equal(await undo_count(page), 6);
   const changed = await text_of(page);
   assert.ok(changed.includes('// the stem\r\n') && changed.includes('/* the form */'));
-  for (let k = 0; k < edits.length; k += 1) await page.keyboard.press('Control+z');
+  await leave_fields(page);
+  for (let k = 0; k < 6; k += 1) await page.keyboard.press('Control+z');
   await page.waitForFunction(() => window.studio.document.state.get().undo.done.length === 0);
   assert.equal(await text_of(page), kSmall);
-  for (let k = 0; k < edits.length; k += 1) await page.keyboard.press('Control+Shift+z');
+  for (let k = 0; k < 6; k += 1) await page.keyboard.press('Control+Shift+z');
   await page.waitForFunction(() => window.studio.document.state.get().undo.undone.length === 0);
   assert.equal(await text_of(page), changed);
   await settled(page);
 });
 
+test('a curve: points are dragged, added, moved by keys and removed, each as one step', async () => {
+  await reopen();
+  await choose(page, 'tree');
+  const taper = row(page, 'components.tree.taper');
+  const points = taper.locator('.curve-point');
+  await step(page, () => pick(page, taper, 'Set'));
+  const before = await undo_count(page);
+  const curve = () => page.evaluate(() => window.studio.document.state.get().tree.value.components.tree.taper.curve);
+  const first = await curve();
+  await step(page, () => drag(page, points.first(), [0, 20], { steps: 20 }));
+  assert.ok((await curve())[0][1] < first[0][1]);
+  await step(page, async () => {
+    await point_at(page, taper.locator('svg[role=group]'), 0.43, 0.2);
+    await page.mouse.dblclick(...(await centre(taper.locator('svg[role=group]'), 0.43, 0.2)));
+  });
+  assert.equal((await curve()).length, first.length + 1);
+  const chosen = (await curve())[1];
+  await step(page, () => page.keyboard.press('ArrowUp'));
+  assert.ok((await curve())[1][1] > chosen[1]);
+  await step(page, () => type_into(page, taper.getByRole('textbox', { name: 'taper, y of point 2' }), '0.25'));
+  assert.equal((await curve())[1][1], 0.25);
+  await step(page, () => taper.getByRole('button', { name: 'Remove the point of taper' }).click());
+  assert.equal((await curve()).length, first.length);
+  assert.equal((await undo_count(page)) - before, 5);
+  // Escape while the hand holds a point puts it back.
+  const text = await text_of(page);
+  await drag(page, points.first(), [0, -15], { lets_go: false });
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await settled(page);
+  assert.equal(await text_of(page), text);
+  await leave_fields(page);
+  await undo_all(page);
+  assert.equal(await text_of(page), kSmall);
+});
+
+const centre = async (target, across, down) => {
+  const box = await target.boundingBox();
+  return [box.x + across * box.width, box.y + down * box.height];
+};
+
 test('1,000 rapid edits: the last value wins', async () => {
   await reopen();
+  // Faster than hands are: each is what a press of an arrow key in the field does, without waiting.
   await page.evaluate(async () => {
     const all = [];
     for (let k = 0; k < 1000; k += 1) all.push(window.studio.edit([{ set: 'size', value: (51 + (k % 150)) / 1000 }], 'Set size'));
@@ -121,24 +148,21 @@ test('1,000 rapid edits: the last value wins', async () => {
   await settled(page);
   assert.match(await text_of(page), /"size": \{"value": 0\.2,/);
   const { sent } = await page.evaluate(() => window.studio.connection.counts);
-  assert.ok(sent < 1500);
+  assert.ok(sent < 2500, `${sent} requests`);
 });
 
 test('expressions, ranges and arithmetic are typed into fields, a fault stands under its row', async () => {
   await reopen();
-  await choose(page, 'components.tree');
-  const field = page.locator('[data-path="components.tree.length"]').getByRole('textbox', { name: 'length', exact: true });
-  await field.fill('3/2+0.25');
-  await field.press('Enter');
-  await settled(page);
+  await choose(page, 'tree');
+  const length = row(page, 'components.tree.length').getByRole('textbox', { name: 'length', exact: true });
+  await step(page, () => type_into(page, length, '3/2+0.25'));
   assert.match(await text_of(page), /"length": 1\.75,/);
-  await field.fill('size*nothing');
-  await field.press('Enter');
+  await type_into(page, length, 'size*nothing');
   const fault = page.locator('[data-path="components.tree.length"] .fault-line');
   await fault.waitFor();
   assert.match(await fault.innerText(), /nothing/);
-  await page.keyboard.press('Control+z');
-  await page.evaluate(() => window.studio.undo());
+  await leave_fields(page);
+  await undo_all(page);
   await settled(page);
 });
 
@@ -148,11 +172,12 @@ test('typing faulty text keeps the plant, marks the fault, and completion knows 
   const editor = page.getByRole('textbox', { name: 'Text of the document' });
   await editor.waitFor();
   const before_it = await page.evaluate(() => window.studio.view.counts.batches);
-  await page.evaluate(() => window.studio.document.type(window.studio.document.state.get().text.replace('"width"', '"widht"')));
+  await retype(page, '"width"', '"widht"');
   await page.locator('.fault-list button').first().waitFor();
   assert.match(await page.locator('.fault-list').innerText(), /width/);
   assert.equal(await page.evaluate(() => window.studio.view.counts.batches), before_it);
-  await page.evaluate(() => window.studio.undo());
+  await leave_fields(page);
+  await undo_all(page);
   await settled(page);
   assert.equal(await text_of(page), kSmall);
   await page.getByRole('button', { name: 'Inspector' }).click();
@@ -160,8 +185,7 @@ test('typing faulty text keeps the plant, marks the fault, and completion knows 
 
 test('a reload offers unsaved work with what differs, and gives it back with its undo list', async () => {
   await reopen();
-  await page.evaluate(() => window.studio.edit([{ set: 'bend', value: 77 }], 'Set bend'));
-  await settled(page);
+  await step(page, () => type_into(page, field(page, 'bend'), '77'));
   const text = await text_of(page);
   await page.waitForTimeout(600);
   await page.reload();
@@ -174,7 +198,7 @@ test('a reload offers unsaved work with what differs, and gives it back with its
   await settled(page);
   assert.equal(await text_of(page), text);
   assert.equal(await undo_count(page), 1);
-  await page.evaluate(() => window.studio.undo());
+  await undo_all(page);
   assert.equal(await text_of(page), kSmall);
   await settled(page);
 });
@@ -183,14 +207,15 @@ test('a killed server loses nothing', async () => {
   const other = await start_server(place.folder, path.join(place.folder, 'small.json'), '--port', '0');
   const { port } = new URL(other.address);
   const lone = await open_page(context, other.address);
-  await lone.evaluate(() => window.studio.edit([{ set: 'bend', value: 66 }], 'Set bend'));
-  await settled(lone);
+  await step(lone, () => type_into(lone, field(lone, 'bend'), '66'));
   await lone.waitForTimeout(600);
   await other.stop('SIGKILL');
   await lone.getByText('The server is gone.').waitFor();
   assert.match(await text_of(lone), /"bend": \{"value": 66,/);
   // Typing goes on without it.
-  await lone.evaluate(() => window.studio.document.type(window.studio.document.state.get().text.replace('Sapling', 'Whip')));
+  await leave_fields(lone);
+  await lone.keyboard.press('t');
+  await retype(lone, 'Sapling', 'Whip');
   await lone.waitForTimeout(600);
   const text = await text_of(lone);
   const again = await start_server(place.folder, path.join(place.folder, 'small.json'), '--port', port);
@@ -204,7 +229,7 @@ test('a killed server loses nothing', async () => {
 
 test('saving asks where someone else has changed the file', async () => {
   await reopen();
-  await page.evaluate(() => window.studio.edit([{ set: 'bend', value: 50 }], 'Set bend'));
+  await step(page, () => type_into(page, field(page, 'bend'), '50'));
   await write_document(place.folder, 'small.json', kSmall.replace('30', '31'));
   await page.keyboard.press('Control+s');
   await page.locator('[data-banner="conflict"]').waitFor();
@@ -243,7 +268,7 @@ test('exported GLB is accepted by the validator and has the triangles that there
 test('the keyboard alone opens a plant, turns a handle, chooses a component and undoes', async () => {
   await reopen();
   const press = (...keys) => keys.reduce((all, key) => all.then(() => page.keyboard.press(key)), Promise.resolve());
-  await page.evaluate(() => document.activeElement?.blur());
+  await leave_fields(page);
   const focused = () => page.evaluate(() => document.activeElement?.getAttribute('aria-label') ?? document.activeElement?.textContent ?? '');
   for (let k = 0; k < 60 && (await focused()) !== 'size, slider'; k += 1) await press('Tab');
   assert.equal(await focused(), 'size, slider');

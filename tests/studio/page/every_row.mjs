@@ -70,7 +70,7 @@ async function try_row(page, id, row) {
   const before = await step_count(page);
   if (!(await set_row(page, path, row))) return 'elsewhere';
   const is_done = await page
-    .waitForFunction((known) => window.studio.document.state.get().undo.done.length > known, before, { timeout: 5000 })
+    .waitForFunction((known) => window.studio.document.state.get().undo.done.length > known, before, { timeout: 30000 })
     .then(() => true, () => false);
   if (!is_done) return 'nothing was set';
   const value = await page.evaluate(([one, name]) => window.studio.document.state.get().tree.value.components[one][name], [id, row.name]);

@@ -56,7 +56,7 @@ export async function start_server(folder, ...words) {
       child.on('exit', done);
       child.kill(signal);
     });
-  return { address, stop };
+  return { address, stop, pid: child.pid };
 }
 
 export async function start_browser() {
@@ -113,7 +113,6 @@ export async function settled(page) {
 
 export const text_of = (page) => page.evaluate(() => window.studio.document.state.get().text);
 export const undo_count = (page) => page.evaluate(() => window.studio.document.state.get().undo.done.length);
-export const choose = (page, what) => page.evaluate((wanted) => window.studio.choose(wanted), what);
 
 /// Saves the open document through the page and gives what `meristem check` says of the file, and the file.
 export async function save_and_check(page, folder, name) {

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A plant as a page that shows it in three dimensions: turned, moved and zoomed by hand, without a server.
+
+The page's template, `viewer.html`, holds the studio's view. It is built with the module where node is there; without it
+there are no such pages, and has_viewer() says so.
+"""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import html
+import os
+import re
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from ._core import Plant
+from ._errors import MachineError
+
+TRIANGLES = 1_000_000  #: in a page if not said otherwise: what browsers turn smoothly
+_TEMPLATE = Path(__file__).with_name("viewer.html")
+_ENDINGS = (".html", ".htm")
+_HEIGHT = 480  #: of a view in a notebook, pixels
+
+
+def has_viewer() -> bool:
+    """Whether pages can be made."""
+    return _TEMPLATE.is_file()
+
+
+def is_page(path: Path) -> bool:
+    return path.suffix.lower() in _ENDINGS
+
+
+def to_html(
+    self: Plant,
+    *,
+    triangles: int = TRIANGLES,
+    view: tuple[float, float] | None = None,
+    threads: int = 0,
+    progress: Any = None,
+) -> str:
+    """A page that shows the plant in a browser, where a hand turns, moves and zooms it. It needs no server or network.
+
+    A plant of more than `triangles` is thinned out to about that many, and the page says so; 0 leaves it whole. `view` is
+    (azimuth, altitude) of the camera in degrees, as in png(). Raises ValueError for angles out of range, MachineError
+    where the module was built without the view.
+    """
+    look = "" if view is None else _look(*view)
+    template = _template()
+    packet = self.packet(triangles=triangles, threads=threads, progress=progress)
+    values = {
+        "title": html.escape(self.document.name or "Plant"),
+        "look": look,
+        "packet": base64.b64encode(gzip.compress(packet, 6, mtime=0)).decode(),
+    }
+    return re.sub(r"\{\{(title|look|packet)\}\}", lambda found: values[found[1]], template)
+
+
+def save_html(
+    self: Plant,
+    path: str | os.PathLike[str],
+    *,
+    triangles: int = TRIANGLES,
+    view: tuple[float, float] | None = None,
+    threads: int = 0,
+    progress: Any = None,
+) -> None:
+    """Writes the page that to_html() gives to a .html file, which is there whole or not at all.
+
+    Raises as to_html() does, ValueError for other endings, MachineError where the file cannot be written.
+    """
+    target = Path(path)
+    if not is_page(target):
+        raise ValueError(f"'{target.name}' is no page; expected a name that ends in .html")
+    _write_whole(target, to_html(self, triangles=triangles, view=view, threads=threads, progress=progress))
+
+
+class PageInNotebook:
+    """A page as a frame within another, as notebooks show it."""
+
+    def __init__(self, page: str, size: tuple[int, int] | None) -> None:
+        self._page = page
+        self._width, self._height = ("100%", _HEIGHT) if size is None else size
+
+    def _repr_html_(self) -> str:
+        style = "border: 0; border-radius: 6px; display: block; max-width: 100%"
+        return (
+            f'<iframe srcdoc="{html.escape(self._page)}" sandbox="allow-scripts" title="A plant in three dimensions" '
+            f'width="{self._width}" height="{self._height}" style="{style}"></iframe>'
+        )
+
+    def __repr__(self) -> str:
+        return "<a plant in three dimensions, which notebooks show>"
+
+
+def _look(azimuth: float, altitude: float) -> str:
+    if not (-360 <= azimuth <= 360 and -89 <= altitude <= 89):
+        raise ValueError("view must be an azimuth from -360 to 360 and an altitude from -89 to 89 degrees")
+    return f"{float(azimuth):.9g} {float(altitude):.9g}"
+
+
+def _template() -> str:
+    try:
+        return _TEMPLATE.read_text(encoding="utf-8")
+    except OSError as error:
+        raise MachineError(
+            f"cannot read '{_TEMPLATE}': the module was built without the view of pages, which needs node; "
+            "see the manual's page on Python"
+        ) from error
+
+
+def _write_whole(path: Path, text: str) -> None:
+    """Writes beside the place and renames, so that a stop in the middle leaves no half page under the name."""
+    part = None
+    try:
+        with tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=path.parent, suffix=".part", delete=False) as file:
+            part = Path(file.name)
+            file.write(text)
+        part.chmod(0o666 & ~_umask())
+        part.replace(path)
+    except OSError as error:
+        raise MachineError(f"cannot write '{path}': {error.strerror}") from error
+    finally:
+        if part is not None:
+            part.unlink(missing_ok=True)
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

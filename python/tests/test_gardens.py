@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Documents that place the plants of others, as Python sees them."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import meristem
+
+TWIG: dict[str, Any] = {
+    "meristem": 1,
+    "variables": {"age": {"value": 2, "min": 1, "max": 9}},
+    "components": {"stem": {"type": "tree", "length": "age"}, "leaf": {"type": "leaf"}},
+    "links": [{"from": "stem", "to": "leaf", "kind": "branch", "count": 5}],
+}
+GARDEN: dict[str, Any] = {
+    "meristem": 1,
+    "components": {
+        "trees": {"type": "places", "table": "trees.csv", "choose": "kind"},
+        "oak": {"type": "document", "file": "twig.json", "set": {"age": "years"}, "seed": 1},
+    },
+}
+
+
+@pytest.fixture
+def garden(tmp_path: Path) -> Path:
+    (tmp_path / "twig.json").write_text(json.dumps(TWIG))
+    (tmp_path / "trees.csv").write_text("x,y,kind,years\n0,0,oak,2\n5,1,oak,4\n9,2,oak,2\n")
+    (tmp_path / "garden.json").write_text(json.dumps(GARDEN))
+    return tmp_path / "garden.json"
+
+
+def test_stems_and_organs_are_those_of_all_places(garden: Path) -> None:
+    plant = meristem.read(garden).grow()
+    assert [stem.component for stem in plant.stems] == ["oak.stem"] * 3
+    assert len(plant.organs) == 15
+    assert plant.node_count == sum(len(stem.skeleton) for stem in plant.stems)
+
+
+def test_meshes_have_a_frame_for_each_place(garden: Path) -> None:
+    plant = meristem.read(garden).grow()
+    leaves = [part for part in plant.meshes if part.component == "oak.leaf"]
+    frames = np.concatenate([part.frames for part in leaves])
+    assert frames.shape == (15, 4, 3)
+    assert sum(len(part) for part in leaves) == 15
+    highest = max((part.mesh.positions @ frame[:3] + frame[3])[:, 1].max() for part in plant.meshes for frame in part.frames)
+    assert plant.bounds is not None
+    assert plant.bounds[1][1] == pytest.approx(highest, abs=1e-4)
+
+
+def test_measures_count_each_place(garden: Path) -> None:
+    assert meristem.read(garden).grow().measure()["leaf_count"] == 15
+
+
+def test_shipped_models_are_found_by_name(tmp_path: Path) -> None:
+    path = tmp_path / "garden.json"
+    fir = {"type": "document", "file": "low-poly-fir", "seed": 1}
+    path.write_text(json.dumps({"meristem": 1, "components": {"fir": fir}}))
+    alone = meristem.read("low-poly-fir", seed=1).grow()
+    assert meristem.read(path).grow().triangle_count == alone.triangle_count
+
+
+def test_a_table_that_names_no_component_is_a_fault(garden: Path) -> None:
+    (garden.parent / "trees.csv").write_text("x,y,kind,years\n0,0,oak,2\n5,1,oka,4\n")
+    with pytest.raises(meristem.InputError, match="did you mean 'oak'"):
+        meristem.read(garden)

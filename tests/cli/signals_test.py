@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Signals and terminals: what a stopped command leaves, and the bar that tells of its work.
+
+Usage: signals_test.py PROGRAM [unittest options]
+"""
+
+import os
+import pty
+import re
+import select
+import signal
+import time
+import unittest
+
+import cli_case
+from cli_case import LONG_GROWTH, LONG_RENDER
+
+
+class Signals(cli_case.Case):
+    def test_render_leaves_nothing(self):
+        before = sorted(os.listdir(self.folder))
+        errors = self.stop(signal.SIGINT, "render", "tree.json", "-o", "a.png", *LONG_RENDER)
+        self.assertIn("nothing was left half-written", errors)
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+
+    def test_growth_leaves_an_existing_file(self):
+        self.write("a.glb", "before")
+        before = sorted(os.listdir(self.folder))
+        self.stop(signal.SIGTERM, "grow", "tree.json", "-o", "a.glb", *LONG_GROWTH)
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+        self.assertEqual(self.read("a.glb"), b"before")
+
+    def test_measuring_leaves_nothing(self):
+        before = sorted(os.listdir(self.folder))
+        self.stop(signal.SIGINT, "measure", "tree.json", "-o", "a.txt", "--organs", "a.csv", *LONG_GROWTH)
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+
+    def test_ignored_signals_stay_ignored(self):
+        process = self.start("render", "tree.json", "-o", "a.png", *LONG_RENDER,
+                             preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))
+        process.stderr.readline()
+        process.send_signal(signal.SIGINT)
+        process.send_signal(signal.SIGTERM)
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, -signal.SIGTERM)
+
+    def test_terminal_shows_a_bar_and_takes_it_away(self):
+        ours, theirs = pty.openpty()
+        process = self.start("render", "tree.json", "-o", "a.png", *LONG_RENDER, stderr=theirs)
+        os.close(theirs)
+        shown = b""
+        deadline = time.monotonic() + 120
+        while not re.search(rb"rendering +\[=* *\] +\d+ %", shown) and time.monotonic() < deadline:
+            if select.select([ours], [], [], 1)[0]:
+                shown += os.read(ours, 4096)
+        self.assertRegex(shown, rb"\r\x1b\[Krendering +\[=* *\] +\d+ %")
+        process.send_signal(signal.SIGINT)
+        try:
+            while piece := os.read(ours, 4096):
+                shown += piece
+        except OSError:  # how a terminal ends on Linux
+            pass
+        os.close(ours)
+        process.stdout.close()
+        self.assertEqual(process.wait(60), -signal.SIGINT)
+        self.assertRegex(shown, rb"\r\x1b\[Kmeristem: stopped")
+
+
+if __name__ == "__main__":
+    unittest.main()

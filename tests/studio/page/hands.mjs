@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a person does with mouse and keyboard. The page's own functions are asked what came of it, and never called.
+import { settled, text_of } from './support.mjs';
+
+export const slider = (page, name) => page.getByRole('slider', { name: `${name}, slider`, exact: true });
+export const field = (page, name) => page.getByRole('textbox', { name, exact: true });
+export const row = (page, path) => page.locator(`.inspector [data-path="${path}"]`);
+
+/// Takes the keyboard away from what has it, as a click beside everything does.
+export async function leave_fields(page) {
+  await page.locator('.status').click({ position: { x: 300, y: 10 } });
+}
+
+/// The text of unsaved work on a file that the browser keeps; null where there is none.
+async function kept_text(page, name) {
+  return page.evaluate(async (key) => {
+    const database = await new Promise((done, fail) => {
+      const asked = indexedDB.open('meristem-studio', 1);
+      asked.onupgradeneeded = () => asked.result.createObjectStore('work', { keyPath: 'key' });
+      asked.onsuccess = () => done(asked.result);
+      asked.onerror = () => fail(asked.error);
+    });
+    const asked = database.transaction('work').objectStore('work').get(key);
+    const found = await new Promise((done) => (asked.onsuccess = () => done(asked.result)));
+    database.close();
+    return found?.text ?? null;
+  }, `file:${name}`);
+}
+
+/// Opens a file of the server's folder; unsaved work on it is let go.
+export async function open_file(page, name) {
+  const packets = await page.evaluate(() => window.studio.connection.counts.packets);
+  await page.getByRole('button', { name: 'Open a file' }).click();
+  await page.getByRole('dialog').locator('.file', { hasText: name }).first().click();
+  await page.getByRole('dialog').waitFor({ state: 'detached' });
+  await page.waitForFunction(
+    ([path, known]) => {
+      const { studio } = window;
+      const { path: open, good } = studio.document.state.get();
+      return open === path && (!good || studio.connection.counts.packets > known) && studio.document.state.get().undo.done.length === 0;
+    },
+    [name, packets],
+  );
+  await settled(page);
+  // The page lets kept work go a moment after it was undone, so what was kept before may be gone by now.
+  const banner = page.locator('[data-banner="kept"]');
+  while (!(await banner.isVisible())) {
+    const kept = await kept_text(page, name);
+    if (kept === null || kept === (await text_of(page))) return;
+    await page.waitForTimeout(50);
+  }
+  await banner.getByRole('button', { name: 'Discard' }).click();
+  await banner.waitFor({ state: 'detached' });
+}
+
+/// Chooses what the outline calls so: a component, a link, a part of the document.
+export async function choose(page, title) {
+  await page.locator('.outline-choice').filter({ has: page.locator('.outline-title', { hasText: new RegExp(`^${title}$`) }) }).click();
+}
+
+/// Types in place of what stands in a field, and takes it over.
+export async function type_into(page, target, text, key = 'Enter') {
+  await target.click();
+  await page.keyboard.press('Control+a');
+  await page.keyboard.type(text);
+  await page.keyboard.press(key);
+}
+
+/// Puts the mouse on an element at shares of its size.
+export async function point_at(page, target, across = 0.5, down = 0.5) {
+  await target.scrollIntoViewIfNeeded();
+  const box = await target.boundingBox();
+  const [x, y] = [box.x + across * box.width, box.y + down * box.height];
+  await page.mouse.move(x, y);
+  return { x, y, box };
+}
+
+/// Holds the mouse on an element and moves it in steps of whole pixels.
+export async function drag(page, target, [right, down], { across = 0.5, from_top = 0.5, steps = 10, lets_go = true } = {}) {
+  const { x, y } = await point_at(page, target, across, from_top);
+  await page.mouse.down();
+  for (let k = 1; k <= steps; k += 1) await page.mouse.move(x + (right * k) / steps, y + (down * k) / steps);
+  if (lets_go) await page.mouse.up();
+}
+
+/// Picks an entry of the menu of a row.
+export async function pick(page, target, entry) {
+  await target.hover();
+  await target.getByRole('button', { name: /^More for/ }).first().click();
+  await page.getByRole('menuitem', { name: entry, exact: true }).click();
+}
+
+/// Does something that is a step, and waits until the text has it and the plant shows it.
+export async function step(page, act) {
+  const text = await text_of(page);
+  await act();
+  await page.waitForFunction((known) => window.studio.document.state.get().text !== known, text, { timeout: 20000 });
+  await settled(page);
+}
+
+/// Undoes by the keyboard until nothing is left to undo.
+export async function undo_all(page) {
+  for (;;) {
+    const count = await page.evaluate(() => window.studio.document.state.get().undo.done.length);
+    if (count === 0) return;
+    await page.keyboard.press('Control+z');
+    await page.waitForFunction((known) => window.studio.document.state.get().undo.done.length < known, count);
+  }
+}
+
+/// Finds a word in the editor of the text and types in its place.
+export async function retype(page, word, replacement) {
+  const editor = page.getByRole('textbox', { name: 'Text of the document' });
+  await editor.click();
+  await page.keyboard.press('Control+f');
+  await type_into(page, page.locator('.cm-search input[name=search]'), word, 'Enter');
+  await page.keyboard.press('Escape');
+  await page.keyboard.insertText(replacement);
+}

@@ -25,12 +25,12 @@ struct Reuse {
 /// will ask for it.
 using CacheKey = std::optional<std::uint64_t>;
 
-/// Results of any types, each of which tells its heap memory by `bytes()`. It holds what the last run of each type has
-/// used; of a run that did not come to its end the results stay, beside those before, until the next one has begun.
-/// One run at a time may use it.
+/// Results of any types that tell their heap memory by `bytes()`. The cache holds what the last run of each type has
+/// used. The results of a run that did not come to its end stay, beside those of the run before, until the next run has
+/// begun. One run at a time may use the cache.
 class Cache {
  public:
-  /// Of the last run of a type, as far as it came.
+  /// How many results the last run of a type has found and made, as far as it came.
   template <class Result>
   Reuse reuse() const {
     const auto shelf = shelves_.find(typeid(Result));

@@ -25,7 +25,7 @@ constexpr double kRounder = 0x1.8p52;
 
 /// sin of an angle in [-90, 90] degrees.
 inline double quarter_sin_deg(double x) {
-  // pi/180 in two parts, of which the first has so few bits that products with everyday angles are exact.
+  // pi/180 in two parts; the first has few enough bits that products with everyday angles are exact.
   const double high = x * 0x1.1df46a2p-6;
   const double low = x * 0x1.4a74e4570763p-36;
   const double s = high + low;

@@ -11,8 +11,8 @@
 
 namespace meristem {
 
-/// Hash of a sequence of numbers, texts and arrays: of all that a result depends on, to find it again by. Sequences of
-/// other lengths differ.
+/// Hash of a sequence of numbers, texts and arrays, made of everything that a result depends on, so that a cache finds
+/// the result by it. Sequences of different lengths have different hashes.
 class Fingerprint {
  public:
   template <class Number>

@@ -41,7 +41,7 @@ struct DFrame {
 /// The rotation by `angle` (radians) about the unit vector `axis`, counter-clockwise seen against it.
 /// Uses the project's own sine and cosine, so that frames have the same bytes on every machine.
 Mat3 rotation(Vec3 axis, double angle);
-/// The same in 64 bits.
+/// The rotation by `angle` (radians) about the unit vector `axis` in 64 bits.
 DMat3 exact_rotation(DVec3 axis, double angle);
 
 /// The smallest rotation that takes the unit vector `from` to the unit vector `to`; for opposite vectors a half turn

@@ -17,13 +17,13 @@ struct Limits {
   std::uint64_t expression_bytes = 16'384;     ///< length of one expression
   std::uint64_t points = 10'000'000;           ///< attraction points
   std::uint64_t nodes = 20'000'000;            ///< skeleton nodes
-  std::uint64_t modules = 200'000'000;         ///< of an L-system's word, and as many parameters
+  std::uint64_t modules = 200'000'000;         ///< modules of an L-system's word, and the limit of its parameters
   std::uint64_t instances = 20'000'000;        ///< organs and sites in all
   std::uint64_t triangles = 50'000'000;        ///< after instancing
   std::uint64_t mesh_bytes = 2'000'000'000;    ///< distinct geometry
   std::uint64_t file_bytes = 1'000'000'000;    ///< one file that a document names
-  std::uint64_t picture_pixels = 64'000'000;   ///< of one picture that a document names
-  std::uint64_t texture_pixels = 250'000'000;  ///< of all textures together
+  std::uint64_t picture_pixels = 64'000'000;   ///< pixels of one picture that a document names
+  std::uint64_t texture_pixels = 250'000'000;  ///< pixels of all textures together
 };
 
 /// The fault of a limit: `wanted` of `what` where `limit` are allowed; `path` is the parameter to change.

@@ -20,7 +20,7 @@ struct Mesh {
   /// Where u rises, unit and at right angles to the normal; w is 1 where v rises along cross(normal, tangent), -1 where
   /// it falls.
   std::vector<Vec4> tangents;
-  std::uint32_t stalk_triangles = 0;  ///< of a leaf: so many at the front are its petiole
+  std::uint32_t stalk_triangles = 0;  ///< how many of a leaf's triangles, at the front of the list, are its petiole
 
   std::size_t vertex_count() const { return positions.size(); }
   std::size_t triangle_count() const { return triangles.size(); }

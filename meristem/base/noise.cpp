@@ -17,8 +17,8 @@ namespace meristem {
 namespace {
 
 /// A coordinate as lattice cell, position in the cell, and blend weight there.
-struct Cell {
-  explicit Cell(double x)
+struct LatticeCell {
+  explicit LatticeCell(double x)
       : lattice(static_cast<std::int64_t>(std::floor(x))),
         t(x - std::floor(x)),
         weight(t * t * t * (t * (t * 6 - 15) + 10)) {}
@@ -54,7 +54,7 @@ double blend(double from, double to, double weight) { return from + weight * (to
 /// The corner's linear function at distance `x` from it; slopes are uniform in [-1, 1).
 double slope_line(std::uint64_t hash, double x) { return (static_cast<double>(hash >> 11) * 0x1p-52 - 1) * x; }
 
-/// The same in the plane, with one of 16 unit slopes.
+/// A slope in the plane: one of 16 unit slopes.
 double slope_plane(std::uint64_t hash, double x, double y) {
   constexpr double kA = 0.92387953251128674;  // cos 22.5°
   constexpr double kB = 0.70710678118654752;  // cos 45°
@@ -79,7 +79,7 @@ double slope_plane(std::uint64_t hash, double x, double y) {
   return direction[0] * x + direction[1] * y;
 }
 
-/// The same in space, with a slope toward one of the 12 edges of a cube.
+/// A slope in space, toward one of the 12 edges of a cube.
 double slope_space(std::uint64_t hash, double x, double y, double z) {
   const std::uint64_t edge = ((hash >> 32) * 12) >> 32;
   const double first = edge < 8 ? x : y;
@@ -87,7 +87,7 @@ double slope_space(std::uint64_t hash, double x, double y, double z) {
   return ((edge & 1) != 0 ? -first : first) + ((edge & 2) != 0 ? -second : second);
 }
 
-double plane_noise(RandomKey key, const Cell& x, const Cell& y) {
+double plane_noise(RandomKey key, const LatticeCell& x, const LatticeCell& y) {
   const auto corner = [&](int dx, int dy) {
     return slope_plane(lattice_hash(key, x.lattice + dx, y.lattice + dy, 0), x.t - dx, y.t - dy);
   };
@@ -95,7 +95,7 @@ double plane_noise(RandomKey key, const Cell& x, const Cell& y) {
 }
 
 /// One of the two layers of lattice points above and below a point in space.
-double space_layer(RandomKey key, const Cell& x, const Cell& y, const Cell& z, int dz) {
+double space_layer(RandomKey key, const LatticeCell& x, const LatticeCell& y, const LatticeCell& z, int dz) {
   const auto corner = [&](int dx, int dy) {
     return slope_space(lattice_hash(key, x.lattice + dx, y.lattice + dy, z.lattice + dz), x.t - dx, y.t - dy, z.t - dz);
   };
@@ -106,7 +106,7 @@ double space_layer(RandomKey key, const Cell& x, const Cell& y, const Cell& z, i
 
 double gradient_noise(RandomKey key, double x) {
   if (!has_cell(x)) return value_without_cell(x);
-  const Cell cell(x);
+  const LatticeCell cell(x);
   const double below = slope_line(lattice_hash(key, cell.lattice, 0, 0), cell.t);
   const double above = slope_line(lattice_hash(key, cell.lattice + 1, 0, 0), cell.t - 1);
   // Twice, because two opposite slopes meet at half their height in the middle.
@@ -116,14 +116,14 @@ double gradient_noise(RandomKey key, double x) {
 double gradient_noise(RandomKey key, double x, double y) {
   if (!has_cell(x, y)) return value_without_cell(x, y);
   // Four unit slopes toward the middle meet at sqrt(1/2).
-  return std::sqrt(2.0) * plane_noise(key, Cell(x), Cell(y));
+  return std::sqrt(2.0) * plane_noise(key, LatticeCell(x), LatticeCell(y));
 }
 
 double gradient_noise(RandomKey key, double x, double y, double z) {
   if (!has_cell(x, y, z)) return value_without_cell(x, y, z);
-  const Cell cell_x(x);
-  const Cell cell_y(y);
-  const Cell cell_z(z);
+  const LatticeCell cell_x(x);
+  const LatticeCell cell_y(y);
+  const LatticeCell cell_z(z);
   return blend(space_layer(key, cell_x, cell_y, cell_z, 0), space_layer(key, cell_x, cell_y, cell_z, 1), cell_z.weight);
 }
 

@@ -28,22 +28,29 @@ namespace meristem {
 
 namespace {
 
-// Of the loops that this thread begins; 0 for none.
+// The most threads of a loop that this thread begins; 0 for no limit.
 thread_local int thread_limit = 0;
 
 /// How many of `wanted` threads the system starts. As many again must start, since what else the program needs takes
-/// memory from them later. Each takes what threads take, its stack and its share of the allocator. TBB does not survive
-/// a thread that cannot be started.
+/// memory from them later. Each takes what threads take, its stack and its share of the allocator, before the next one
+/// is asked for, so that a busy machine finds the count of an idle one. TBB does not survive a thread that cannot be
+/// started.
 int startable_threads(int wanted) {
   std::atomic<bool> all_asked{false};
+  std::atomic<int> ready{0};
   std::vector<std::jthread> started;
-  const auto stay = [&all_asked] {
+  const auto stay = [&all_asked, &ready] {
     const auto taken = std::make_unique<std::atomic<int>>(1);
     taken->fetch_add(1);
+    ready.fetch_add(1);
+    ready.notify_one();
     all_asked.wait(false);
   };
   try {
-    while (static_cast<int>(started.size()) + 1 < 2 * wanted) started.emplace_back(stay);
+    while (static_cast<int>(started.size()) + 1 < 2 * wanted) {
+      started.emplace_back(stay);
+      for (int count = ready; count < static_cast<int>(started.size()); count = ready) ready.wait(count);
+    }
   } catch (const std::system_error&) {
     // As many as there are.
   } catch (const std::bad_alloc&) {

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <unordered_map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -80,8 +83,12 @@ int column_at(std::string_view line, std::size_t offset) {
 
 class ColumnReader {
  public:
-  ColumnReader(std::string_view text, const std::vector<ColumnRequest>& forms, const Limits& limits)
-      : rest_(text), forms_(forms), limits_(limits) {
+  ColumnReader(std::string_view text, const std::vector<ColumnRequest>& forms, const Limits& limits, RowLimit rows)
+      : rest_(text),
+        forms_(forms),
+        limits_(limits),
+        most_rows_(rows == RowLimit::nodes ? limits.nodes : limits.points),
+        limit_name_(rows == RowLimit::nodes ? "nodes" : "points") {
     if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
   }
 
@@ -151,10 +158,20 @@ class ColumnReader {
                 .expected = fmt::format("{}, as the head line", width_)});
       return;
     }
+    if (found_.row_count() >= most_rows_) {
+      Diagnostic diagnostic =
+          limit_diagnostic("rows of a table", static_cast<double>(found_.row_count()) + 1, most_rows_, limit_name_, "");
+      diagnostic.line = number_;
+      throw InputError(std::move(diagnostic));
+    }
     found_.lines.push_back(number_);
     for (std::size_t k = 0; k < places_.size(); ++k) {
       if (places_[k] == kNone) continue;
       const Cell& cell = cells_[places_[k]];
+      if (cell.text.empty() && forms_[k].may_be_empty) {
+        found_.numbers[k].push_back(std::numeric_limits<double>::quiet_NaN());
+        continue;
+      }
       const std::optional<double> number = number_of(cell.text, separator_ != ',');
       if (!number) {
         fault(cell.offset, {.message = fmt::format("{} in the column '{}' is not a number",
@@ -168,6 +185,8 @@ class ColumnReader {
   std::string_view rest_;
   const std::vector<ColumnRequest>& forms_;
   const Limits& limits_;
+  std::uint64_t most_rows_;
+  std::string_view limit_name_;
   std::string_view line_;
   int number_ = 0;
   char separator_ = ',';
@@ -178,10 +197,168 @@ class ColumnReader {
   std::vector<Diagnostic> faults_;
 };
 
+/// Reads all columns: cells are numbers until one is none, then the column is one of texts.
+class TableReader {
+ public:
+  TableReader(std::string_view text, const Limits& limits) : text_(text), limits_(limits) {
+    if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
+  }
+
+  TextTable run() {
+    const auto lines = static_cast<std::uint64_t>(std::ranges::count(text_, '\n'));
+    if (lines > kMostRows + kFewLines) throw_too_many(lines - 1);
+    rest_ = text_;
+    if (!next_line()) {
+      throw InputError(Diagnostic{.message = "the file has no lines", .expected = "a head line and rows"});
+    }
+    read_head();
+    throw_if_any();
+    while (next_line() && faults_.size() < limits_.diagnostics) read_row();
+    throw_if_any();
+    if (table_.lines.empty()) fault(0, {.message = "the file has no rows below its head line"});
+    throw_if_any();
+    if (table_.row_count() > kMostRows) throw_too_many(table_.row_count());
+    return std::move(table_);
+  }
+
+ private:
+  static constexpr std::uint64_t kFewLines = 1000;         // empty ones, and the head
+  static constexpr std::uint64_t kMostCells = 50'000'000;  // of all columns
+
+  [[noreturn]] static void throw_too_many(std::uint64_t rows) {
+    throw InputError(Diagnostic{.message = fmt::format("the table has {} rows", rows),
+                                .expected = fmt::format("at most {}", kMostRows)});
+  }
+
+  bool next_line() {
+    while (!rest_.empty()) {
+      const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+      line_ = rest_.substr(0, end);
+      rest_.remove_prefix(std::min(end + 1, rest_.size()));
+      ++number_;
+      if (!without_blanks(line_).empty()) return true;
+    }
+    return false;
+  }
+
+  void fault(std::size_t offset, Diagnostic diagnostic) {
+    diagnostic.line = number_;
+    diagnostic.column = column_at(line_, offset);
+    faults_.push_back(std::move(diagnostic));
+  }
+
+  void throw_if_any() {
+    if (!faults_.empty()) throw InputError(std::move(faults_));
+  }
+
+  void read_head() {
+    separator_ = separator_of(line_);
+    split(line_, separator_, cells_);
+    const auto lines = static_cast<std::uint64_t>(std::ranges::count(text_, '\n')) + 1;
+    if (lines * cells_.size() > kMostCells) {
+      fault(0, {.message = fmt::format("the table has {} columns in {} lines", cells_.size(), lines),
+                .expected = fmt::format("at most {} cells", kMostCells)});
+      return;
+    }
+    std::vector<std::string> names;
+    for (const Cell& cell : cells_) {
+      std::string name(cell.text.substr(0, kLongestName));
+      if (!name.empty() && std::ranges::find(names, name) != names.end()) {
+        fault(cell.offset, {.message = fmt::format("the column {} is there twice", in_quotes(name))});
+        if (faults_.size() >= limits_.diagnostics) return;
+      }
+      names.push_back(name);
+      table_.columns.push_back({.name = std::move(name)});
+    }
+    numbers_of_text_.resize(cells_.size());
+  }
+
+  void read_row() {
+    split(line_, separator_, cells_);
+    if (cells_.size() != table_.columns.size()) {
+      fault(0, {.message = fmt::format("the row has {} cells", cells_.size()),
+                .expected = fmt::format("{}, as the head line", table_.columns.size())});
+      return;
+    }
+    for (std::size_t k = 0; k < cells_.size(); ++k) add(cells_[k], k);
+    table_.lines.push_back(number_);
+  }
+
+  void add(const Cell& cell, std::size_t k) {
+    TextTable::Column& column = table_.columns[k];
+    const std::size_t row = table_.lines.size();
+    if (column.has_numbers() || row == 0) {
+      const bool is_empty = cell.text.empty();
+      const std::optional<double> number = is_empty ? std::nullopt : number_of(cell.text, separator_ != ',');
+      if (number || is_empty) {
+        column.numbers.push_back(number.value_or(std::numeric_limits<double>::quiet_NaN()));
+        return;
+      }
+      become_texts(k);
+      column.odd_row = row;
+      column.odd_column = column_at(line_, cell.offset);
+    }
+    add_text(k, cell.text);
+  }
+
+  /// The texts of the cells so far are read once more: a column whose cells turn out to be texts late is rare.
+  void become_texts(std::size_t k) {
+    table_.columns[k].numbers.clear();
+    std::string_view rest = text_;
+    std::vector<Cell> cells;
+    bool is_head = true;
+    for (int line = 1; line < number_; ++line) {
+      const std::size_t end = std::min(rest.find('\n'), rest.size());
+      const std::string_view one = rest.substr(0, end);
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+      if (without_blanks(one).empty()) continue;
+      if (!std::exchange(is_head, false)) {
+        split(one, separator_, cells);
+        if (k < cells.size()) add_text(k, cells[k].text);
+      }
+    }
+  }
+
+  void add_text(std::size_t k, std::string_view text) {
+    TextTable::Column& column = table_.columns[k];
+    const auto next = static_cast<std::uint32_t>(column.distinct.size());
+    const auto [known, is_new] = numbers_of_text_[k].try_emplace(std::string(text), next);
+    if (is_new) column.distinct.emplace_back(text);
+    column.texts.push_back(known->second);
+  }
+
+  static constexpr std::size_t kLongestName = 100;
+
+  std::string_view text_;
+  std::string_view rest_;
+  const Limits& limits_;
+  std::string_view line_;
+  int number_ = 0;
+  char separator_ = ',';
+  std::vector<Cell> cells_;
+  std::vector<std::unordered_map<std::string, std::uint32_t>> numbers_of_text_;  // by column
+  TextTable table_;
+  std::vector<Diagnostic> faults_;
+};
+
 }  // namespace
 
-Columns read_columns(std::string_view text, const std::vector<ColumnRequest>& forms, const Limits& limits) {
-  return ColumnReader(text, forms, limits).run();
+const TextTable::Column* TextTable::find(std::string_view name) const {
+  const auto found = std::ranges::find(columns, name, &Column::name);
+  return found == columns.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> TextTable::names() const {
+  std::vector<std::string> names;
+  for (const Column& column : columns) names.push_back(column.name);
+  return names;
+}
+
+TextTable read_text_table(std::string_view text, const Limits& limits) { return TableReader(text, limits).run(); }
+
+Columns read_columns(std::string_view text, const std::vector<ColumnRequest>& forms, const Limits& limits,
+                     RowLimit rows) {
+  return ColumnReader(text, forms, limits, rows).run();
 }
 
 }  // namespace meristem

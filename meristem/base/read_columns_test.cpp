@@ -27,7 +27,7 @@ std::vector<Diagnostic> faults_of(std::string_view text, const Limits& limits = 
   return {};
 }
 
-/// Of a text with one fault.
+/// The fault of a text with one fault.
 Diagnostic fault_of(std::string_view text) {
   const std::vector<Diagnostic> faults = faults_of(text);
   EXPECT_EQ(faults.size(), 1U) << text;

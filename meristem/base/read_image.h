@@ -13,7 +13,7 @@ namespace meristem {
 /// alpha is opaque. Throws InputError with the file for anything else, for damaged files, and for more pixels than
 /// limits.picture_pixels.
 Image read_image(const std::string& path, const Limits& limits);
-/// The same of a file's bytes; `file` is its name in messages.
+/// A picture from a file's bytes, as `read_image` gives it; `file` is the file's name in messages.
 Image parse_image(std::string_view bytes, const std::string& file, const Limits& limits);
 
 }  // namespace meristem

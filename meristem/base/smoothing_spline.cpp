@@ -25,14 +25,14 @@ namespace meristem {
 namespace {
 
 constexpr int kHalvings = 50;
-constexpr double kNear = 1e-3;    // of the distance, to which it is met
+constexpr double kNear = 1e-3;    // share of the distance that it is met to
 constexpr double kLeast = 1e-12;  // roughness, over that of the unit: all but the values themselves
 constexpr double kMost = 1e12;    // all but straight lines
 constexpr double kFirst = 1e-3;   // tried first
 constexpr int kSecants = 12;      // more are not needed but where numbers lose their digits
 constexpr double kStride = 12;    // of the roughness's logarithm that one may go
 constexpr double kFlat = 0.05;    // of squares by roughness, both as logarithms: less may be the end of their rise
-constexpr double kMargin = 0.25;  // of the width of a range of logarithms, by which it may be off on either side
+constexpr double kMargin = 0.25;  // how far a range of logarithms may be off on either side, as a share of its width
 
 void check(std::span<const double> x, const std::vector<std::vector<double>>& values, double distance,
            std::span<const double> weights) {

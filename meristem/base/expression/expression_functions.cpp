@@ -14,7 +14,7 @@ namespace {
 
 using Op = ExpressionOp;
 
-constexpr std::uint8_t kNone = 1;
+constexpr std::uint8_t kNoArgument = 1;
 constexpr std::uint8_t kOne = 2;
 constexpr std::uint8_t kTwo = 4;
 constexpr std::uint8_t kThree = 8;
@@ -76,7 +76,7 @@ std::span<const ExpressionFunction> expression_functions() {
       {"smoothstep", "smoothstep(a, b, x)", kThree, false, Op::smooth_step},
       {"step", "step(edge, x)", kTwo, false, Op::step},
       {"noise", "noise(x [, y [, z]])", kOne | kTwo | kThree, false, Op::noise_1},
-      {"rand", "rand() or rand(low, high)", kNone | kTwo, false, Op::uniform},
+      {"rand", "rand() or rand(low, high)", kNoArgument | kTwo, false, Op::uniform},
       {"gauss", "gauss(mean, deviation)", kTwo, false, Op::gauss},
       {"ran", "ran(x)", kOne, false, Op::uniform_below},
       {"nran", "nran(mean, deviation)", kTwo, false, Op::gauss},

@@ -137,7 +137,11 @@ ExpressionToken ExpressionLexer::next() {
   const std::string_view rest = text_.substr(position_);
   if (rest.empty()) return take(Kind::end, 0);
   if (is_digit(rest.front()) || rest.front() == '.') return number();
-  const std::size_t name = run_length(rest, is_name_character);
+  std::size_t name = run_length(rest, is_name_character);
+  // No name has parts, but "parent.length" is to be told as a whole.
+  while (name > 0 && name + 1 < rest.size() && rest[name] == '.' && is_identifier(rest.substr(name + 1, 1))) {
+    name += 1 + run_length(rest.substr(name + 1), is_name_character);
+  }
   if (name > 0) return take(Kind::name, name);
   for (const std::string_view operation : kOperations) {
     if (rest.starts_with(operation)) return take(Kind::operation, operation.size());

@@ -5,6 +5,7 @@
 // Based on: Richards, Whitby-Strevens: BCPL, the language and its compiler (1979), precedence climbing.
 #include "meristem/base/expression/expression_parser.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -127,6 +128,9 @@ void Parser::fail_unknown_name(const ExpressionToken& name) {
   for (const auto& constant : names_.constants) values.push_back(constant.name);
   for (const auto& constant : expression_constants()) values.push_back(constant.name);
   std::string nearest = operator_for_word(name.text);
+  // Who writes "parent.length" means what is called "length" here.
+  const std::string_view last_part = name.text.substr(name.text.rfind('.') + 1);
+  if (last_part != name.text && std::ranges::find(values, last_part) != values.end()) nearest = last_part;
   if (nearest.empty()) nearest = nearest_name(name.text, values);
   if (nearest.empty()) nearest = nearest_name(name.text, builtin_names());
   fail(name.offset, fmt::format("{} is not a known name", in_quotes(name.text)), "a variable or a constant",

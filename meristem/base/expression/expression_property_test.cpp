@@ -217,7 +217,7 @@ void evaluate(const Expression& expression, const std::vector<Lane>& lanes, std:
   expression.evaluate(end - begin, variables, keys, out.data() + before);
 }
 
-/// The same number; all NaN count as one, and so do the zeros.
+/// Whether two numbers are the same; all NaN count as one number, and so do the zeros.
 bool is_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 RC_GTEST_PROP(ExpressionProperty, BatchesAgreeWithATreeWorkedOutLaneByLane, ()) {

@@ -60,7 +60,7 @@ double modulo(double x, double y) {
     const double rest = x - y * std::floor(x / y);
     return rest != 0 && (rest < 0) != (y < 0) ? rest + y : rest;
   }
-  // As above, a remainder of zero has no sign.
+  // A remainder of zero has no sign.
   const double rest = std::fmod(x, y) + 0.0;
   return rest != 0 && (rest < 0) != (y < 0) ? rest + y : rest;
 }

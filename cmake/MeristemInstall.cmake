@@ -26,7 +26,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE DESTINA
 if(TARGET meristem_cli)
   install(TARGETS meristem_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/meristem
-          FILES_MATCHING PATTERN "*.json" PATTERN "*.obj")
+          FILES_MATCHING PATTERN "*.json" PATTERN "*.obj" PATTERN "*.csv")
 
   # The man page and what shells complete by, as the program prints them.
   set(printed ${PROJECT_BINARY_DIR}/printed)

@@ -131,8 +131,9 @@ def write_page(program: str) -> None:
                             encoding="utf-8").stdout.strip()
     models = sorted((ROOT / "models").glob("*.json"))
     lines = ["# Gallery", "",
-             "Every plant here is a text document in [`models/`](../models): open it, copy it, change a number. "
-             "`meristem render oak -o oak.png` draws one anew, `meristem grow oak -o oak.glb` writes its model.", "",
+             "Every plant here is a text document in [`models/`](../models). `meristem render oak -o oak.png` draws a plant, and "
+             "`meristem grow oak -o oak.glb` writes its 3D model. Copy a document and change its numbers to make a plant of your "
+             "own.", "",
              "| | | | |", "| --- | --- | --- | --- |"]
     for begin in range(0, len(models), 4):
         row = models[begin:begin + 4]
@@ -142,9 +143,9 @@ def write_page(program: str) -> None:
                      " |" * (4 - len(row)))
     lines += ["", "The oak at 10 and at 140 years (`--set age=10`, `--set age=140`):", "",
               "![The oak at 10 years](gallery/oak_young.jpg) ![The oak at 140 years](gallery/oak_old.jpg)", "",
-              "## What each costs", "",
-              f"Written by `./dev gallery` with version {commit} on a machine of two cores. *Seconds* is the whole "
-              "command `meristem grow MODEL -o plant.glb`, *MB* the file's size.", "",
+              "## Triangles and seconds", "",
+              f"`./dev gallery` has measured this table with version {commit} on a machine of two cores. *Seconds* is the "
+              "time of the whole command `meristem grow MODEL -o plant.glb`, and *MB* the size of the file.", "",
               "| document | what | triangles | seconds | MB | height, m | leaf area, m² |",
               "| --- | --- | ---: | ---: | ---: | ---: | ---: |"]
     for model in models:

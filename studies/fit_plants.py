@@ -9,6 +9,7 @@ Writes `fits.csv` (a row per variable), `table.md` (a row per planting), `expect
 from __future__ import annotations
 
 import argparse
+import csv
 import sys
 from dataclasses import astuple, fields
 from pathlib import Path
@@ -51,24 +52,35 @@ def check(found: Sequence[Found], growths: int) -> list[Finding]:
     ]
 
 
-def run_study(folder: Path, quick: bool) -> None:
-    """Solves all problems, then writes all files."""
+def read_found(path: Path) -> list[Found]:
+    """The rows of a study that was stopped."""
+    types = {field.name: {"str": str, "int": int, "float": float}[str(field.type)] for field in fields(Found)}
+    with open(path, newline="", encoding="utf-8") as file:
+        return [Found(**{name: types[name](cell) for name, cell in row.items()}) for row in csv.DictReader(file)]
+
+
+def run_study(folder: Path, quick: bool, resume: bool) -> None:
+    """Solves all problems and keeps each planting as it is found, then writes what is concluded."""
     from fit_study.figures import draw_found  # slow to import, so not for --help
 
     folder.mkdir(parents=True, exist_ok=True)
+    table = folder / "fits.csv"
     problems = [problem for problem in PROBLEMS if not quick or problem.model in QUICK]
     growths = QUICK_GROWTHS if quick else GROWTHS
-    found: list[Found] = []
+    found = read_found(table) if resume and table.exists() else []
+    known = {(one.model, one.planting) for one in found}
     for problem in problems:
         for planting in range(1 if quick else PLANTINGS):
+            if (problem.model, planting) in known:
+                continue
             solved = solve(problem, planting, growths)
             found += solved
+            write_table(table, [field.name for field in fields(Found)], map(astuple, found))
             errors = "  ".join(f"{one.variable} {one.true:.4g}→{one.found:.4g}" for one in solved)
             middle = 100 * median(one.error for one in solved)
             print(f"{problem.model:<13}{planting + 1}  {solved[0].growths:4} growths  {middle:6.2f} %  {errors}", flush=True)
     ends = {(problem.model, name): pair for problem in problems for name, pair in ends_of(problem).items()}
     findings = check(found, growths)
-    write_table(folder / "fits.csv", [field.name for field in fields(Found)], map(astuple, found))
     write_findings(folder / "expectations.csv", findings)
     (folder / "table.md").write_text("\n".join(table_lines(found)) + "\n", encoding="utf-8")
     draw_found(folder / "found.jpg", found, ends)
@@ -79,9 +91,10 @@ def main() -> int:
     parser = argparse.ArgumentParser(description="Plants values, fits them by the measures of their plants, draws it.")
     parser.add_argument("-o", "--output", type=Path, default=Path("out/fit-study"), metavar="DIR", help="for files")
     parser.add_argument("--quick", action="store_true", help=f"{len(QUICK)} plantings of few growths: to try it")
+    parser.add_argument("--resume", action="store_true", help="keep the plantings that the folder's fits.csv has")
     options = parser.parse_args()
     try:
-        run_study(options.output, options.quick)
+        run_study(options.output, options.quick, options.resume)
     except KeyboardInterrupt:
         print("\nstopped", file=sys.stderr)
         return 130

@@ -265,6 +265,35 @@ class LowPolyStudy(Page):
             self.assertRegex(self.text, rf"{row['trunk']:,.0f}, {crown}[^|]* \| {row['open_edges']:.0f} \|")
 
 
+class FitStudy(Page):
+    PAGE = "fit-study.md"
+    REASONS = {"reached": "found", "growths": "all growths spent", "converged": "nothing new to try"}
+
+    def test_medians(self):
+        found = table("fit-study/fits.csv")
+        within = sum(row["error"] <= 0.05 for row in found)
+        growths = {(row["model"], row["planting"]): row["growths"] for row in found}
+        self.assertEqual(len(growths), 20)
+        self.assertLessEqual(max(growths.values()), 400)
+        self.says(f"The median error of the {len(found)} variables is "
+                  f"{100 * statistics.median(row['error'] for row in found):.2f} % of their range. {within} of them "
+                  f"are within 5 %. Half of the fits grow at most {int(statistics.median(growths.values()))} plants.")
+        for row in found:
+            if row["error"] > 0.05:
+                planting = ("first", "second")[int(row["planting"])]
+                self.says(f"- `{row['variable']}` of the {planting} `{row['model']}`")
+
+    def test_plantings(self):
+        found = table("fit-study/fits.csv")
+        for model, planting in {(row["model"], row["planting"]) for row in found}:
+            rows = [row for row in found if (row["model"], row["planting"]) == (model, planting)]
+            worst = max(rows, key=lambda row: row["error"])
+            middle = statistics.median(row["error"] for row in rows)
+            self.says(f"| `{model}` | {worst['system']} | {planting + 1:.0f} | {100 * middle:.2f} % | "
+                      f"{100 * worst['error']:.2f} % | `{worst['variable']}` | {worst['growths']:.0f} | "
+                      f"{self.REASONS[worst['reason']]} |")
+
+
 class GrassStudy(Page):
     PAGE = "grass-study.md"
 

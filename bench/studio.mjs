@@ -107,7 +107,7 @@ async function memory_of(pid) {
   return Number(/VmRSS:\s+(\d+)/.exec(await readFile(`/proc/${pid}/status`, 'utf8'))[1]) / 1024;
 }
 
-/// Of the page after its garbage was collected, in MB.
+/// Heap of the page after its garbage was collected, in MB.
 async function heap_of(session) {
   for (let k = 0; k < 2; k += 1) await session.send('HeapProfiler.collectGarbage');
   return (await session.send('Runtime.getHeapUsage')).usedSize / 1e6;

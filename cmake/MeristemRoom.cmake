@@ -23,6 +23,8 @@ function(meristem_compile_options target)
     # A fused multiply-add rounds once where two operations round twice; whether the compiler fuses depends on the
     # machine and the optimisation level, and plants must have the same bytes on all of them.
     -ffp-contract=off
+    # In a batch of sources GCC takes each for a header, where types of unnamed namespaces would be a fault.
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-subobject-linkage>
     $<$<BOOL:${MERISTEM_WERROR}>:-Werror>)
   if(MERISTEM_SANITIZE)
     # What is left out costs half the compile time, and the address sanitizer stops at the same faults.
@@ -89,6 +91,7 @@ function(meristem_room name)
 
   if(MERISTEM_TESTS AND ROOM_TESTS)
     add_executable(${target}_tests ${ROOM_TESTS})
+    set_target_properties(${target}_tests PROPERTIES UNITY_BUILD OFF)  # tests have helpers of one name, each in its file
     meristem_compile_options(${target}_tests)
     target_compile_options(${target}_tests PRIVATE ${MERISTEM_TEST_OPTIONS} ${MERISTEM_PCH_OPTIONS})
     target_precompile_headers(${target}_tests REUSE_FROM meristem_test_headers)

@@ -5,8 +5,8 @@
 
 Prints objects, triangles, parts of the leaves and materials with pictures as Blender has them, and ends with code 1
 where triangles or materials are not those that the file tells of. Parts are the connected ones in the meshes of the
-component, flattened or not; a leaf with a stalk has two. With --leaves there has to be a whole number of parts for each
-of so many leaves, which `meristem measure --json` calls leaf_count.
+component, flattened or not; a leaf with a stalk has two. With --leaves N there has to be a whole number of parts for each
+of N leaves, the leaf_count of `meristem measure --json`.
 """
 import argparse
 import json

@@ -261,7 +261,7 @@ def tar_gz(top: str, members: Members) -> bytes:
 
 
 def write_whole(path: Path, content: bytes) -> None:
-    """Writes beside the place and renames, so that a stop in the middle leaves no half file under the name."""
+    """Writes beside the path and renames, so that a stop in the middle leaves no half file under the name."""
     path.parent.mkdir(parents=True, exist_ok=True)
     part = path.with_name(f"{path.name}.{os.getpid()}.part")
     try:

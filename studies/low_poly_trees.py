@@ -74,7 +74,7 @@ def grow_trees() -> list[Tree]:
 
 
 def vary_parameters(text: str) -> list[list[object]]:
-    """Of each parameter of the source: its name, our key, the value, and what the spruce becomes with it."""
+    """For each parameter of the source: its name, our key, the value, and what the spruce becomes with it."""
     rows: list[list[object]] = []
     for name, key, value in (("as printed", "", ""), *PARAMETERS):
         bodies = grow_bodies(text, {key: value} if key else {})

@@ -96,7 +96,7 @@ class Grower : public std::enable_shared_from_this<Grower> {
   void run(const std::string& hash, Work&& work);
   void send_failure(const std::string& hash, const std::string& message, Value::Object members);
 
-  // Of the worker's thread alone.
+  // What the worker's thread alone reads and writes.
   std::shared_ptr<const MeshScene> full_meshes(const std::shared_ptr<const GrownWish>& grown, Progress& progress);
   std::shared_ptr<const MeshScene> meshes_within(const std::shared_ptr<const GrownWish>& grown, bool is_draft,
                                                  std::uint64_t budget, double& share, Progress& progress);
@@ -125,7 +125,7 @@ class Grower : public std::enable_shared_from_this<Grower> {
   bool forgets_ = false;   // the next packet is a whole scene
   bool is_other_ = false;  // another document has come since the last growth
 
-  // Of the worker's thread alone.
+  // What the worker's thread alone reads and writes.
   GrowthCache cache_;
   GrowthCache full_cache_;
   std::array<GrowthCache, 2> coarse_caches_;  // of drafts and of what is shown at rest

@@ -5,7 +5,7 @@
 
 namespace meristem {
 
-/// The light that a colour as documents write it (sRGB) stands for, each channel in [0, 1]. The same on every machine.
+/// The light that a colour as documents write it (sRGB) stands for, each channel in [0, 1], equal on every machine.
 Vec3 linear_from_srgb(Vec3 colour);
 
 /// The sRGB value of linear light; values outside [0, 1] count as the nearer end.

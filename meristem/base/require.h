@@ -7,7 +7,7 @@
 namespace meristem {
 
 /// Throws std::invalid_argument with `message` unless `holds`: the mistake of a program that calls the library. Faults
-/// of what a user has written are an InputError with their place.
+/// of what a user has written are an InputError with their path.
 inline void require(bool holds, const char* message) {
   if (!holds) throw std::invalid_argument(message);
 }

@@ -162,7 +162,7 @@ class Smoother {
     }
   }
 
-  /// By how much the last roughness lowers the k-th function's value at point i.
+  /// What the last roughness takes from the k-th function's value at point i.
   double shift(std::size_t k, std::size_t i) const {
     const double* const second = second_.data() + k * inner_;
     double bend = 0;

@@ -108,8 +108,8 @@ ComponentType cloud_component() {
               .object("crown", &Cloud::crown, crown_table,
                       "Envelope that the attraction points fill; required unless the points come from a file.")
               .object("points", &Cloud::points, points_table, "Number, distribution or file of the attraction points.")
-              .places("roots", &Cloud::roots, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-20, 20}},
-                      "Positions of the crowns, as of the trees of a colonize component.")
+              .positions("roots", &Cloud::roots, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-20, 20}},
+                         "Positions of the crowns, as of the trees of a colonize component.")
               .boolean("one_crown", &Cloud::one_crown,
                        "Whether all roots share one crown, which stands at the component's origin.")
               .object("limit", &Cloud::limit, limit_table,

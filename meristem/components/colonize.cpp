@@ -172,9 +172,10 @@ ComponentType colonize_component() {
                       "Envelope that the attraction points fill; required unless the points come from a file.")
               .object("points", &Colonize::points, points_table,
                       "Number, distribution or file of the attraction points.")
-              .places("roots", &Colonize::roots, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-20, 20}},
-                      "Positions of the trees; each has its own crown unless 'one_crown' is set, and all compete for "
-                      "points.")
+              .positions(
+                  "roots", &Colonize::roots, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-20, 20}},
+                  "Positions of the trees; each has its own crown unless 'one_crown' is set, and all compete for "
+                  "points.")
               .boolean("one_crown", &Colonize::one_crown,
                        "Whether all roots share one crown, which stands at the component's origin.")
               .members(&Colonize::growth, growth_table())

@@ -207,8 +207,8 @@ ComponentType organize_component() {
           Table<Organize>("an organize", "Trees whose buds compete for light and room.")
               .members(&Organize::growth, organize_growth_table())
               .object("light", &Organize::light, organize_light_table, "What light or room the buds find.")
-              .places("roots", &Organize::roots, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-20, 20}},
-                      "Positions of the trees; they compete with each other for light and room.")
+              .positions("roots", &Organize::roots, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-20, 20}},
+                         "Positions of the trees; they compete with each other for light and room.")
               .list_of_kinds("operations", &Organize::operations, operation_kinds, operation_table,
                              "Cuts and other operations on the trees as they grow, in this order.")
               .object("training", &Organize::training, training_table,

@@ -213,7 +213,7 @@ std::vector<Place> table_places(const Places& places, const Site& site, const Em
     throw InputError(
         Diagnostic{.message = fmt::format("line {} of '{}' stands within an obstacle, at ({:.4g}, {:.4g}, {:.4g})",
                                           table.table.lines[row], table.file, at.x, at.y, at.z),
-                   .expected = "a place outside of all obstacles",
+                   .expected = "a position outside of all obstacles",
                    .path = "components." + out.component()});
   }
   return all;

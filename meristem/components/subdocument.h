@@ -23,7 +23,7 @@ struct Subdocument : ComponentBase {
   std::string file;
   std::vector<std::pair<std::string, SetNumber>> set;
   std::optional<double> seed;   ///< unset: each instance has its own
-  std::optional<int> variants;  ///< number of seeds, one of which each instance has
+  std::optional<int> variants;  ///< number of seeds; each instance has one of them
   std::shared_ptr<const PlantSource> source;
 };
 

@@ -24,13 +24,14 @@ struct Spike : ComponentBase {
 ComponentType spike_component() {
   return define_component<Spike>({
       .traits = {.name = "spike", .doc = "A cone with a ring of children near its apex."},
-      .parameters = Table<Spike>("a spike", "A cone with a ring of children near its apex.")
-                        .number("length", &Spike::length,
-                                {.unit = Unit::metre, .min = 0, .max = 100, .above_min = true}, "Base to apex.")
-                        .number("radius", &Spike::radius, {.unit = Unit::metre, .min = 1e-6, .max = 10}, "Of the base.")
-                        .integer("number", &Spike::number, {.min = 0, .max = 1000}, "Children in the ring.")
-                        .number("opening", &Spike::opening, {.unit = Unit::degree, .min = 0, .max = 180},
-                                "Between axis and child."),
+      .parameters =
+          Table<Spike>("a spike", "A cone with a ring of children near its apex.")
+              .number("length", &Spike::length, {.unit = Unit::metre, .min = 0, .max = 100, .above_min = true},
+                      "Base to apex.")
+              .number("radius", &Spike::radius, {.unit = Unit::metre, .min = 1e-6, .max = 10}, "Radius of the base.")
+              .integer("number", &Spike::number, {.min = 0, .max = 1000}, "Children in the ring.")
+              .number("opening", &Spike::opening, {.unit = Unit::degree, .min = 0, .max = 180},
+                      "Between axis and child."),
       .expand =
           [](const Spike& spike, const Site&, Emitter& out) {
             Frame stretched;

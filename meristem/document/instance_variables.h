@@ -16,7 +16,7 @@ namespace meristem {
 bool is_per_instance(const Value& variable);
 
 /// Reads those of the document's object of variables (null: it has none) into the graph, whose components have their
-/// ids and whose `site_names` hold the columns of places; appends their names there and to the reader's. Faults: a
+/// ids and whose `site_names` hold the columns of tables; appends their names there and to the reader's. Faults: a
 /// component that is not there, a name that a column has, variables that need each other.
 void read_instance_variables(const Value* given, Graph& graph, ParameterReader& reader);
 

@@ -74,7 +74,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
   bool end_array() override { return close(); }
   bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception& error) override {
-    // The parser counts the bytes it has read. Of a whole token in the wrong position that is the end, elsewhere the
+    // The parser counts the bytes it has read. For a whole token in the wrong position that is the end, elsewhere the
     // byte after the one that is wrong.
     const std::string_view what = error.what();
     const bool is_overflow = what.find("number overflow") != std::string_view::npos;

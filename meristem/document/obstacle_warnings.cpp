@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stems are asked by segments, so that nothing thin is missed. Of what is drawn about a path, such as a horn, some
+// Stems are asked by segments, so that nothing thin is missed. From what is drawn about a path, such as a horn, some
 // vertices are looked at: between them it may pass through a wall that is thinner than it is fine.
 #include "meristem/document/obstacle_warnings.h"
 

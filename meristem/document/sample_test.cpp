@@ -101,7 +101,7 @@ TEST(Sample, InstancesHaveTheValuesThemselvesAsOftenAsTheyAreThere) {
 TEST(Sample, SmoothOnesLieOnTheLinesBetweenNeighbours) {
   std::vector<double> values = drawn(R"({"angle": {"sample": [0, 30, 40, 100], "smooth": true}})", kMany);
   std::ranges::sort(values);
-  // The distribution's share below a value is that of its place among the lines, each a third.
+  // The distribution's share below a value is that of its rank among the lines, each a third.
   const Sample sample{{0, 30, 40, 100}, true};
   for (const double share : {0.1, 0.25, 1.0 / 3, 0.5, 0.6, 0.9}) {
     const double value = sample.quantile(share);

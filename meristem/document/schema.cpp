@@ -236,7 +236,7 @@ class SchemaWriter {
         return closed_object({{"curve", points({})}, {"kind", Object{{"enum", List{"spline", "linear"}}}}}, {"curve"});
       case ParameterKind::points:
         return points(row.form);
-      case ParameterKind::places:
+      case ParameterKind::positions:
         return list_of(list_of(any_of({number_schema("number", row.form), typed("string")}), 3, 3), 1, 0);
       case ParameterKind::selection:
         return selection();

@@ -14,7 +14,7 @@ namespace meristem {
 
 /// The ground in pictures.
 struct GroundParameters {
-  Vec3 colour = Scene{}.ground_colour;
+  Vec3 colour = kGroundColour;
 };
 
 /// The key `scene`.

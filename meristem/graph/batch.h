@@ -20,7 +20,7 @@ struct Sites {
   std::uint64_t bytes() const { return sites.capacity() * sizeof(Site); }
 };
 
-/// Hash of every field. The same on any number of threads.
+/// Hash of every field, equal on any number of threads.
 std::uint64_t hash_of(const std::vector<Site>& sites);
 
 /// What the instances of one batch have made, block by block.

@@ -159,7 +159,7 @@ class Emitter : private Emitted {
   /// segment that ends in `node`.
   void branch_site_on_stem(const Frame& frame, float u, float length, float radius, NodeIndex node, float along);
 
-  /// A place in world space for the component that the instance itself places, by its number in the type's `placed`;
+  /// A site in world space for the component that the instance itself places, by its number in the type's `placed`;
   /// on `node` of the stem emitted last, or kNoNode.
   void named_site(std::uint32_t name, const Frame& frame, float length, float radius, NodeIndex node);
 

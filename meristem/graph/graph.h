@@ -42,7 +42,7 @@ struct InstanceVariable {
 struct Graph {
   std::vector<Prototype> components;
   std::vector<Link> links;
-  std::vector<std::string> site_names;  ///< what sites are given by name: columns of places, and variables of instances
+  std::vector<std::string> site_names;  ///< what sites are given by name: columns of tables, and variables of instances
   std::vector<InstanceVariable> instance_variables;  ///< each after those that it uses
   Structure structure;                               ///< structure of the links as analyse_structure last found them
   std::uint64_t seed = 0;

@@ -40,16 +40,17 @@ bool is_leaf(const Plant& plant, const OrganPrototype& prototype);
 /// measured and rays are asked.
 bool has_holes(const Plant& plant);
 
-/// The areas of each organ. Begins one stage of `progress`, which counts organs. The same numbers on any number of
-/// threads. Throws std::invalid_argument where a texture with holes is a sketch.
+/// The areas of each organ. Begins one stage of `progress`, which counts organs. The numbers are equal on any number
+/// of threads. Throws std::invalid_argument where a texture with holes is a sketch.
 std::vector<OrganArea> organ_areas(const Plant& plant, Progress& progress);
 
-/// Begins one stage of `progress`, which counts organs. The same sums on any number of threads. Throws as organ_areas.
+/// Begins one stage of `progress`, which counts organs. The sums are equal on any number of threads. Throws as
+/// organ_areas.
 Foliage measure_foliage(const Plant& plant, Progress& progress);
 
 /// Leaf area in layers so high, metres above 0: triangles are cut at the layers' borders, and share their holes out
-/// evenly. The sum is Foliage::area. Begins two stages of `progress`, which count organs. The same on any number of
-/// threads. Throws as organ_areas, and InputError for more than 100,000 layers.
+/// evenly. The sum is Foliage::area. Begins two stages of `progress`, which count organs. The areas are equal on any
+/// number of threads. Throws as organ_areas, and InputError for more than 100,000 layers.
 LeafLayers measure_leaf_layers(const Plant& plant, double layer_height, Progress& progress);
 
 }  // namespace meristem

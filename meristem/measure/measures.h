@@ -101,7 +101,7 @@ struct MeasureOptions {
 };
 
 /// Measures skeletons alone. Without a `scene` (null) no light is measured. Begins one stage of `progress`, which
-/// counts nodes. The same numbers on any number of threads.
+/// counts nodes. The numbers are equal on any number of threads.
 StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, const Scene* scene,
                                 const MeasureOptions& options, Progress& progress);
 

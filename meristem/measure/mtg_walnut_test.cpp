@@ -4,7 +4,7 @@
 // - Height: the trunk's base stands with the axis, 1.49 m below the end of the first segment. We begin at the base, so
 //   the tree is 7.95 m high; 6.47 m are those above the first segment's end, which is its first fork.
 // - Forks from 2 cm: five are exactly 2 cm thick and count here. Without them the ratios are 0.80 to 1.35.
-// - Angles: laterals of which either segment has no length do not count; so 1711 of 1874 do.
+// - Angles: laterals do not count where either segment has no length; so 1711 of 1874 do.
 // - Line 2727 has no values: that segment stands at its parent's node.
 #include <gtest/gtest.h>
 

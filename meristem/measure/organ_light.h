@@ -24,8 +24,8 @@ struct LitOrgan {
 ///
 /// Each organ is asked at one position in 10 cm² of its surface, at least 4 and at most 64, and not on its petiole; a
 /// closed one at positions on its dark side too. The scene need not be the one that the plant grew in. About a
-/// microsecond per position and light. The same on any number of threads. Begins two stages of `progress`, which count
-/// organs. Throws Cancelled, MachineError (memory).
+/// microsecond per position and light. Results are equal on any number of threads. Begins two stages of `progress`,
+/// which count organs. Throws Cancelled, MachineError (memory).
 std::vector<LitOrgan> measure_organ_light(const Plant& plant, const MeshScene& meshes, const Scene& scene,
                                           Progress& progress);
 

@@ -79,9 +79,9 @@ inline constexpr std::uint64_t kMostShadeRays = 200'000'000;
 
 /// Rays go from every point to every position of the sun above the horizon (altitude above 0; below it all is shade).
 /// Obstacles and all that `plants` shows stop them; the holes of masked textures let them pass, so those must be
-/// painted. `plants` is what make_mesh_scene makes. About a microsecond per ray. The same on any number of threads.
-/// Begins a stage of `progress`, which counts rays. Throws Cancelled, MachineError (memory), and std::invalid_argument
-/// beyond kMostShadeRays.
+/// painted. `plants` is what make_mesh_scene makes. About a microsecond per ray. Results are equal on any number of
+/// threads. Begins a stage of `progress`, which counts rays. Throws Cancelled, MachineError (memory), and
+/// std::invalid_argument beyond kMostShadeRays.
 ShadeOfSurface measure_shade(const ShadeSurface& surface, const std::vector<SkyDirection>& sun, const MeshScene& plants,
                              const Obstacles& obstacles, Progress& progress);
 

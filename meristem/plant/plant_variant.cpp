@@ -94,7 +94,7 @@ class Expander {
     const Plant& plant = *variant.plant;
     const std::uint32_t individual = individual_;
     const Numbers first = numbers_of(variant, prefix);
-    std::map<std::string, std::uint32_t> next;  // instances of this place begin here
+    std::map<std::string, std::uint32_t> next;  // instances of this site begin here
     for (const Stem& stem : plant.stems) {
       Stem& copy = to_.stems.emplace_back(stem);
       move(copy.skeleton, frame);

@@ -39,7 +39,7 @@ PlantTotals totals_of(const Plant& plant);
 /// Whether a plant has plantings; if not, it is its own expansion.
 bool has_plantings(const Plant& plant);
 
-/// The plant with a copy of each variant's stems and organs at each of its places, and no plantings: what tables and
+/// The plant with a copy of each variant's stems and organs at each of its sites, and no plantings: what tables and
 /// measures read. A component within a variant is called by both ids, as in "oak.leaf", and its instances are numbered
 /// on from place to place. Throws InputError where the copies pass the limits on nodes or instances, before they are
 /// made, and Cancelled.

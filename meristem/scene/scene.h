@@ -13,14 +13,16 @@
 
 namespace meristem {
 
+inline constexpr Vec3 kGroundColour{0.50F, 0.54F, 0.37F};  ///< sRGB, of the ground in pictures unless named
+
 /// What surrounds plants and what they perceive. Growth models ask it and test nothing on their own.
 struct Scene {
-  Light light;                              ///< that plants grow in
-  Obstacles obstacles;                      ///< that shade them and that they do not enter
-  SkyDirection sun{0, kPi / 2};             ///< in pictures; unless named, in the zenith
-  Vec3 ground_colour{0.50F, 0.54F, 0.37F};  ///< sRGB
-  std::optional<double> latitude{};         ///< radians, north positive, where it is said
-  std::optional<ClockZone> clock{};         ///< where the sun is given by a clock
+  Light light;                         ///< that plants grow in
+  Obstacles obstacles;                 ///< that shade them and that they do not enter
+  SkyDirection sun{0, kPi / 2};        ///< in pictures; unless named, in the zenith
+  Vec3 ground_colour = kGroundColour;  ///< sRGB
+  std::optional<double> latitude{};    ///< radians, north positive, where it is said
+  std::optional<ClockZone> clock{};    ///< where the sun is given by a clock
   /// Hash of all that it was made of, if that is known: what grew in a scene with the same one need not grow again.
   std::optional<std::uint64_t> fingerprint{};
 

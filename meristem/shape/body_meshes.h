@@ -13,7 +13,7 @@
 
 namespace meristem {
 
-/// By how much the blended bodies of all stems are thickened, summed up; the least radius is the largest of theirs.
+/// What the blended bodies of all stems are thickened by, summed up; the least radius is the largest of theirs.
 /// All 0 without such bodies.
 Thickening find_thickening(const Plant& plant);
 

@@ -452,9 +452,9 @@ class PlantingClothier {
       placed.component = planting.component + "." + part.component;
       placed.material = materials[part.material];
       placed.places = places;
-      placed.individuals.clear();  // each place is a plant
+      placed.individuals.clear();  // each instance is a plant
       if (part.places == nullptr) continue;
-      // A plant within this one stands in each of its places in each place of this one.
+      // A plant within this one stands on each of its sites at each site of this one.
       std::shared_ptr<const std::vector<Frame>>& all = multiplied[part.places.get()];
       if (all == nullptr) all = product(*places, *part.places);
       placed.places = all;

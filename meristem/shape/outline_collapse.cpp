@@ -239,7 +239,7 @@ class OutlineCollapse::State {
     return std::sqrt(quadric.at(DVec3(at)) * quadric.weight()) / 6;
   }
 
-  /// By how much the outlines become worse, as a share of the whole outline, if those of `faces` that keep three points
+  /// How much worse the outlines become, as a share of the whole outline, if those of `faces` that keep three points
   /// have `moved` at `target`, where the point `onto` is, and the others go.
   double outline_cost(const std::vector<std::uint32_t>& faces, std::uint32_t moved, std::uint32_t onto, Vec3 target,
                       Scratch& scratch) const {

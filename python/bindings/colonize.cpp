@@ -126,7 +126,7 @@ length of a segment, points pull within `influence` (m) and are used up within `
 `finish`, `light` and `shed` are what a document's colonize component says of them: {"relax": False}, {"shift": 0.1},
 "height < 2".
 
-In a `scene` no segment enters an obstacle, and points inside are left out. `seed` (0 to 2^53) breaks ties. The same on
+In a `scene` no segment enters an obstacle, and points inside are left out. `seed` (0 to 2^53) breaks ties. Results are equal on
 any number of `threads`. Raises TypeError and ValueError for wrong arrays, InputError for parameters out of range and
 points out of reach, Cancelled.)");
 }

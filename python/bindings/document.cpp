@@ -250,9 +250,8 @@ Other Python threads go on meanwhile, and Ctrl-C stops it. Raises InputError (li
           "file", [](const DocumentPointer& d) { return d->file; }, "The file it was read from, or '<python>'.")
       .def_property_readonly(
           "seed", [](const DocumentPointer& d) { return d->document.graph.seed; }, "What all randomness comes from.")
-      .def_property_readonly(
-          "variables", &variables_of,
-          "Its variables, of which those that are not private are handles for users: a list of Variable.")
+      .def_property_readonly("variables", &variables_of,
+                             "Its variables, a list of Variable; those that are not private are handles for users.")
       .def_property_readonly("components", &components_of, "The type of each component, by its id.")
       .def_property_readonly(
           "warnings", [](const DocumentPointer& d) { return to_python(d->document.warnings); },

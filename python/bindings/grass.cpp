@@ -110,7 +110,7 @@ void bind_measured(py::module_& module) {
   py::class_<MeasuredCurve, Pointer>(module, "MeasuredCurve", "A midrib, or widths along a blade, as it was measured.")
       .def_property_readonly(
           "rank", [](const MeasuredCurve& c) { return c.rank; },
-          "Of the leaf on its stem, or of a class of ranks; None where the file says none.")
+          "Rank of the leaf on its stem, or of a class of ranks; None where the file says none.")
       .def_property_readonly(
           "lindex", [](const MeasuredCurve& c) { return c.lindex; },
           "Which one among the leaves of that rank; None where the file says none.")

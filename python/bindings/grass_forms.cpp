@@ -100,7 +100,7 @@ the length is kept. Raises ValueError.)")
       .def(py::init<const Ages&>(), py::arg("midribs"))
       .def_property_readonly("first_age", &MidribFamily::first_age, "The least age.")
       .def_property_readonly("last_age", &MidribFamily::last_age, "The greatest age.")
-      .def_property_readonly("piece_count", &MidribFamily::piece_count, "Of equal pieces of each midrib.")
+      .def_property_readonly("piece_count", &MidribFamily::piece_count, "Number of equal pieces of each midrib.")
       .def(
           "angles", [](const MidribFamily& f, double age) { return array_of(in_degrees(f.angles(age))); },
           py::arg("age"),
@@ -132,7 +132,7 @@ Raises TypeError, ValueError for a step that is not above 0 or over 100,000 step
 void bind_turns(py::module_& module) {
   module.def("turned", &turn, py::arg("leaf"), py::arg("turns"), R"(The leaf with local turns of its midrib.
 
-`turns` is a list of (from, to, angle): two positions along the midrib, 0 to 1, and the degrees by which all beyond is
+`turns` is a list of (from, to, angle): two positions along the midrib, 0 to 1, and the degrees that all beyond is
 turned, positive down; each is spread evenly between its positions, or a kink where they are equal. Pieces keep their
 lengths. Raises ValueError.)");
   module.def(

@@ -500,7 +500,7 @@ of `scene`, or of growth if not given.)")
 
 `instanced` writes leaves to .glb as instances of one mesh, as is done by itself beyond 5 million triangles: small files,
 which not every program reads; `nodes` writes them as nodes there, which every program reads. `lod` (0 to 8) is the level
-of detail: each has about a quarter of the triangles of the one before. `cards` (0 to 16) writes so many upright crossed
+of detail: each has about a quarter of the triangles of the one before. `cards` (0 to 16) writes this number of upright crossed
 cards, pictures of the plant, instead. The file is there whole or not at all. Raises ValueError for levels that
 `meristem grow --lod` does not write: those that have hardly fewer triangles than the one before or would lose the
 plant's outline, and all that are coarser than such a level.
@@ -522,7 +522,8 @@ altitude) of the camera in degrees. `transparent` leaves sky and ground out, `hu
 InputError for sizes and samples out of range.)")
       .def("png", &png, py::kw_only(), py::arg("size") = py::none(), py::arg("samples") = py::none(),
            py::arg("view") = py::none(), py::arg("transparent") = false, py::arg("hull") = false,
-           py::arg("threads") = 0, py::arg("progress") = py::none(), "The same picture as the bytes of a PNG file.")
+           py::arg("threads") = 0, py::arg("progress") = py::none(),
+           "The picture that save() writes, as the bytes of a PNG file.")
       .def("save_picture", &save_picture, py::arg("path"), py::kw_only(), py::arg("size") = py::none(),
            py::arg("samples") = py::none(), py::arg("view") = py::none(), py::arg("transparent") = false,
            py::arg("hull") = false, py::arg("quality") = py::none(), py::arg("max_bytes") = py::none(),

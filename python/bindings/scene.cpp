@@ -33,7 +33,7 @@ constexpr std::size_t kAskedPerBlock = 256;
 ScenePointer make_scene(const py::object& values, const py::object& path) {
   if (values.is_none()) return std::make_shared<Scene>();
   const std::string file = path_of(path);
-  // Wrapped, so that faults have the places that they would have in a document.
+  // Wrapped, so that faults have the paths that they would have in a document.
   py::dict content;
   content["meristem"] = kDocumentFormat;
   content["scene"] = values;
@@ -82,7 +82,7 @@ py::list meshes_of(const ScenePointer& scene) {
   return meshes;
 }
 
-// Questions about many places.
+// Questions about many positions.
 
 /// The rows of two arguments side by side; one row of either stands for all.
 class Pairs {
@@ -277,7 +277,7 @@ Both are (n, 3), metres; one row stands for all. Touching counts; a way without 
           R"(What rays meet first, as (distances, obstacles): (n,) float64 metres and (n,) int64 indices in `obstacles`.
 
 `origins` and `directions` are (n, 3); one row stands for all, and directions may have any length above 0. Where nothing
-is met, or nothing within `within` metres, the distance is infinite and the index -1. Of obstacles equally near the
+is met, or nothing within `within` metres, the distance is infinite and the index -1. Among obstacles equally near the
 first counts.)")
       .def("blocked", &blocked, py::arg("origins"), py::arg("directions"), py::arg("within") = py::none(),
            py::kw_only(), py::arg("threads") = 0, py::arg("progress") = py::none(),

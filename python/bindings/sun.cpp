@@ -125,7 +125,7 @@ over east. Raises TypeError, and ValueError for values out of range.)");
   module.def("daylight", &hours_of_daylight, py::arg("latitude"), py::arg("day"),
              R"(The hours of (sunrise, sunset), (0, 24) on the polar day; None in the polar night.
 
-Arguments as in sun_position(). Of arrays the hours are arrays, with nan in the polar night.)");
+Arguments as in sun_position(). For arrays the hours are arrays, with nan in the polar night.)");
   module.def("declination", &declination_of, py::arg("day"),
              "The sun's declination in degrees on a `day` of the year, 1 to 366; of an array an array.");
   module.def("unit_vector", &unit_vectors, py::arg("azimuth"), py::arg("altitude"),

@@ -18,7 +18,7 @@ namespace py = pybind11;
 /// Whole numbers become int, others float.
 py::object to_python(const Value& value);
 
-/// Takes mappings, lists, tuples, numpy's arrays and scalars, numbers, texts and None. Throws InputError with the place
+/// Takes mappings, lists, tuples, numpy's arrays and scalars, numbers, texts and None. Throws InputError with the path
 /// for other types, keys that are no text, numbers that are not finite, whole ones that a double cannot hold, and
 /// nesting beyond what documents may have.
 Value to_value(const py::handle& object);

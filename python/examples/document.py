@@ -26,7 +26,7 @@ with tempfile.TemporaryDirectory() as folder:
     assert meristem.read(path).to_dict() == old.to_dict()
     print(f"{path.name}: {path.stat().st_size} bytes")
 
-# All that is wrong comes at once, with its place.
+# All that is wrong comes at once, with its path.
 content = old.to_dict()
 content["components"]["tree"]["pionts"] = 12
 content["links"][1]["to"] = "laef"

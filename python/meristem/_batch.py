@@ -46,7 +46,7 @@ def batch(
     """Grows a plant for every seed of every set of values, and gives a BatchResult for each, in that order.
 
     `set` fixes values for all, as in Document.set(). `grid` has sequences of values by their paths, of which all
-    combinations are grown, the last path's changing fastest; `samples`, in its place, are dicts of values. Samples and
+    combinations are grown, the last path's changing fastest; `samples`, instead of a grid, are dicts of values. Samples and
     seeds may be endless: what is grown ahead is bounded, and memory stays flat.
 
     `measure`: names of measures (one or several), all of them if None, or a function of the plant that returns
@@ -157,7 +157,7 @@ def _values_of(sample: Values) -> dict[str, Any]:
 
 
 def _checked_tasks(job: Job, tasks: Iterator[Task]) -> Iterator[Task]:
-    """The tasks, of which the first suits the document. Raises InputError where it does not."""
+    """The tasks; the first one suits the document. Raises InputError where it does not."""
     for first in tasks:
         job.document_of(first)
         return itertools.chain([first], tasks)

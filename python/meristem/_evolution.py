@@ -9,7 +9,7 @@ Every draw is a function of the key, the generation, the point and the coordinat
 points are the same to the bit wherever the values are. It does not see derivatives and takes no values but their order.
 Based on: H.-G. Beyer, B. Sendhoff: Simplify your covariance matrix adaptation evolution strategy (IEEE Transactions on
 Evolutionary Computation 21, 2017), figure 3; its settings are those of N. Hansen: The CMA evolution strategy, a
-tutorial (2016), table 1, of which the negative weights are left out.
+tutorial (2016), table 1, without the negative weights.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def normal(*key: object) -> float:
 
 
 def latin_hypercube(count: int, dimensions: int, *key: object) -> list[list[float]]:
-    """So many points of the unit box that each of `count` slices holds one of them, whichever way it is sliced."""
+    """Points of the unit box; each of `count` slices of it holds one, whichever way it is sliced."""
     columns = []
     for axis in range(dimensions):
         order = sorted(range(count), key=lambda row: uniform(*key, "slice", axis, row))
@@ -97,11 +97,11 @@ class Evolution:
         return point
 
     def tell(self, solutions: Sequence[tuple[Sequence[float], float]]) -> None:
-        """Takes the generation's points with their values, of which lower ones are better.
+        """Takes the generation's points with their values; lower ones are better.
 
         Points that were not asked for may be among them; they take part as if they had been drawn.
         """
-        # Of equals the earlier one wins, as sorting is stable.
+        # Among equals the earlier one wins, as sorting is stable.
         best = sorted(solutions, key=lambda solution: solution[1])[: len(self._weights)]
         draws = [self._draw_of(point) for point, _ in best]
         steps = [_times(self._matrix, draw) for draw in draws]

@@ -118,9 +118,9 @@ def fit(
     gives measures of your own, as in batch(). With several `seeds` (the document's own if None) the mean over their
     plants is compared, or with compare="each" each plant.
 
-    It ends after so many `growths`, or when the error is below `tolerance`. The search is an evolution strategy with a
-    model of the measures; its result depends on `key` and on nothing else, on any number of `processes`. In its place
-    `optimizer` takes an object as those of the package cmaes (ask, tell, population_size, should_stop), or a function of
+    It ends after `growths` plants, or when the error is below `tolerance`. The search is an evolution strategy with a
+    model of the measures; its result depends on `key` and on nothing else, on any number of `processes`. Another search may
+    take its part: `optimizer` takes an object as those of the package cmaes (ask, tell, population_size, should_stop), or a function of
     (loss, bounds) as those of scipy.optimize. Both see the unit box: 0 and 1 are the ends of each range.
 
     `progress` is called with a FitProgress after every growth; where it returns True the fit ends, as it does on Ctrl-C,
@@ -225,7 +225,7 @@ class _Search:
         ]
 
     def errors_of(self, measured: Sequence[float]) -> list[float]:
-        """The weighted errors of measures, of which the root of the sum of squares is the error of the point."""
+        """The weighted errors of measures; the root of the sum of their squares is the error of the point."""
         return [row.weight * row.target.error_of(number) for row, number in zip(self._rows, measured)]
 
     def loss(self, point: Sequence[float]) -> float:

@@ -113,7 +113,7 @@ def _template() -> str:
 
 
 def _write_whole(path: Path, text: str) -> None:
-    """Writes beside the place and renames, so that a stop in the middle leaves no half page under the name."""
+    """Writes beside the path and renames, so that a stop in the middle leaves no half page under the name."""
     part = None
     try:
         with tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=path.parent, suffix=".part", delete=False) as file:

@@ -26,7 +26,7 @@ def grown_small_tree() -> meristem.Plant:
     return meristem.Document(small_tree()).grow()
 
 
-# Of the oak, which then has 700,000 nodes and takes seconds.
+# The oak's, which then has 700,000 nodes and takes seconds.
 LONG_GROWTH = {"age": 160, "tree.points": 400000, "tree.step": 0.01, "tree.kill": 0.1}
 
 

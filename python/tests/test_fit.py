@@ -292,7 +292,7 @@ def sphere(x: list[float]) -> float:
 
 
 def ellipsoid(x: list[float]) -> float:
-    """Of axes a hundred times as long as others."""
+    """Axes a hundred times as long as others."""
     return math.fsum(10 ** (4 * i / (len(x) - 1)) * a * a for i, a in enumerate(x))
 
 

@@ -36,7 +36,7 @@ class Reading:
     name: str
     cut_at: int  #: iteration after whose growth the cut is made
     seen_after: int  #: iteration after whose growth resources are read; they are those of the next one
-    branched_before: int  #: iterations by which the topmost lateral has branched before the cut
+    branched_before: int  #: iterations before the cut in which the topmost lateral has branched before the cut
     counts_buds: bool  #: dormant buds count among the laterals below the cut, or branches alone
 
 
@@ -65,7 +65,7 @@ class CutTree:
 
     @property
     def fall(self) -> float:
-        """Of the total, as a share of it."""
+        """The change of the total, as a share of it."""
         return -self.total.gain / self.total.uncut
 
     @property
@@ -168,7 +168,7 @@ def mean_pair(pairs: Sequence[Pair]) -> Pair:
 
 
 def summarize(trees: Sequence[CutTree]) -> Summary:
-    """Of at least one tree. Laterals are means over the trees that have them."""
+    """Trends of at least one tree. Laterals are means over the trees that have them."""
     places = range(max(len(tree.laterals) for tree in trees))
 
     def share(holds: Callable[[CutTree], bool]) -> float:

@@ -40,7 +40,7 @@ def count_metamers(tree: Tree, iterations: int) -> Floats:
 
 
 def follow_height(tree: Tree, iterations: int) -> Floats:
-    """The same of its height, in metamers."""
+    """Its height, in metamers."""
     births, heights = tree.skeleton.birth, tree.skeleton.position[:, 1] / LENGTH
     return np.array([heights[births <= k].max() for k in range(iterations + 1)], float)
 

@@ -56,11 +56,11 @@ class Tree:
         return [int(number) for number in np.flatnonzero(self.skeleton["lateral_bud"][self.stem] == GROWN)]
 
     def leader_resource(self, above: int) -> float:
-        """Of all that a cut above that metamer would take away."""
+        """Resource of all that a cut above the metamer would take away."""
         return float(self.resource[self.stem[above + 1]])
 
     def side_resource(self, number: int) -> float:
-        """Of the lateral bud or branch at that metamer of the stem."""
+        """Resource of the lateral bud or branch at the metamer of the stem."""
         return float(self.lateral_resource[self.stem[number]])
 
     def heading(self, node: int) -> NDArray[np.float64]:

@@ -23,7 +23,7 @@ class Form(NamedTuple):
 
 @dataclass(frozen=True)
 class AgeError:
-    """Of a form that came from those before and after, as shares of the length."""
+    """Errors of a form that is made from those before and after, as shares of the length."""
 
     leaf_class: int
     age: float

@@ -11,7 +11,7 @@ from meristem import grass
 
 from .measured import SMOOTHING, AgedMidrib, Floats, MeasuredLeaf
 
-ENOUGH_POINTS = 12  #: the distance is bounded for midribs of so many
+ENOUGH_POINTS = 12  #: the distance is bounded for midribs of at least this number
 DISTANCE = 0.015  #: root mean square, of the length
 LENGTH = 0.01  #: of the polyline's, for smooth midribs
 AREA = 0.02  #: of the trapezium rule's over the measured widths
@@ -110,7 +110,7 @@ def vary_smoothing(leaves: Sequence[MeasuredLeaf]) -> list[Smoothed]:
 
 
 def length_errors(classes: Mapping[int, Sequence[AgedMidrib]]) -> list[float]:
-    """Of the fits to midribs by age, which are medians and so smooth: length over the polyline's, less 1."""
+    """Errors of fits to midribs by age, which are smooth medians: length over the polyline's, less 1."""
     midribs = [midrib.points for of_class in classes.values() for midrib in of_class]
     fitted = [grass.fit_leaf(points[:, 0], points[:, 1], (0, 0.5, 1), (1, 1, 0)) for points in midribs]
     return [one.midrib_length / one.polyline_length - 1 for one in fitted]
@@ -144,7 +144,7 @@ def summarize(fits: Sequence[Fit], rank: str) -> FitSummary:
 
 
 def summarize_ranks(fits: Sequence[Fit]) -> list[FitSummary]:
-    """Of each rank, and of all at last."""
+    """Summaries of each rank, and of all ranks at last."""
     ranks = sorted({fit.rank for fit in fits})
     of_ranks = [summarize([fit for fit in fits if fit.rank == rank], str(rank)) for rank in ranks]
     return [*of_ranks, summarize(fits, "all")]

@@ -37,7 +37,7 @@ def direction_at(leaf: grass.GrassLeaf, place: float) -> float:
 
 
 def tip_turns(leaf: grass.GrassLeaf, sign: int) -> dict[float, list[float]]:
-    """By stiffness, the degrees by which the tip turns in each wind."""
+    """The turns of the tip in each wind, in degrees, by stiffness."""
     last = leaf.angles[-1]
     return {
         stiffness: [

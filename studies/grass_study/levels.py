@@ -20,7 +20,7 @@ KEPT_AREA = 1e-6
 #: Triangles and milliseconds of fit and mesh, by the authors' open program (Python), as measured for this project.
 AUTHORS = ((11, 0.86), (31, 0.94), (99, 1.24))
 TIMED = 40  #: leaves
-REPEATS = 5  #: the least time of so many counts
+REPEATS = 5  #: timings of a leaf; the least one counts
 
 
 @dataclass(frozen=True)

@@ -61,7 +61,7 @@ class Lit:
 
     @property
     def shares(self) -> Floats:
-        """Of what all leaves take."""
+        """Shares of what all leaves take."""
         return np.asarray(self.taken / self.taken.sum())
 
     @property
@@ -77,12 +77,12 @@ def level(rays: Sequence[Ray]) -> list[Ray]:
 
 
 def thin_out(rays: Sequence[Ray], step: int) -> list[Ray]:
-    """One of so many."""
+    """One ray of every `step`."""
     return level(rays[step // 2 :: step])
 
 
 def sky_rays() -> list[Ray]:
-    """Of a sky that is equally bright everywhere."""
+    """Rays of a sky that is equally bright everywhere."""
     sines = (np.arange(SKY_BANDS) + 0.5) / SKY_BANDS  # bands of equal solid angle
     return level(
         [
@@ -94,7 +94,7 @@ def sky_rays() -> list[Ray]:
 
 
 def sun_rays() -> list[Ray]:
-    """Of a clear summer's day, one for each hour."""
+    """Rays of a clear summer's day, one for each hour."""
     rays = []
     for hour in SUN_HOURS:
         azimuth, altitude = meristem.sun_position(SUN_LATITUDE, SUN_DAY, float(hour))
@@ -123,7 +123,7 @@ def make_hedge(plant: Plant, stand: Stand) -> list[dict[str, Any]]:
 
 
 def measure_light(plant: Plant, form: str, stand: Stand, rays: Sequence[Ray]) -> Lit:
-    """Of the plants within the stand's edge."""
+    """Light of the plants within the stand's edge."""
     document = make_document(plant, form, stand)
     hedge = make_hedge(plant, stand)
     count = len(plant.blades)

@@ -59,7 +59,7 @@ Form = Callable[[grass.GrassLeaf], grass.GrassLeaf]
 
 
 def turn_straight(leaf: grass.GrassLeaf, angle: float) -> grass.GrassLeaf:
-    """The same leaf with a straight midrib, so many degrees away from the stem."""
+    """The leaf with a straight midrib, `angle` degrees away from the stem."""
     sine, cosine = np.sin(np.radians(angle)), np.cos(np.radians(angle))
     return grass.GrassLeaf(leaf.length, leaf.width, leaf.s, sine * leaf.s, cosine * leaf.s, leaf.r)
 
@@ -94,7 +94,7 @@ def full_grown() -> Plant:
 
 
 def young(maize: Sequence[MeasuredLeaf]) -> Plant:
-    """Of the measured blades."""
+    """A young plant of the measured blades."""
     blades = []
     for leaf in (measured.fit().leaf for measured in maize):
         blades.append(

@@ -83,7 +83,7 @@ def value_of(mean: Mean, measure: str, spread: bool = False) -> float:
 
 
 def change_of(means: Means, mean: Mean, measure: str, relative: bool = False) -> float:
-    """By how much a measure differs from that without a response, in the same scene and series."""
+    """Difference of a measure from that without a response, in the same scene and series."""
     plain = means[mean.treatment._replace(strength=0)].measures[measure]
     change = mean.measures[measure] - plain
     return change / plain if relative else change

@@ -15,7 +15,7 @@ def without_code(text: str) -> str:
 
 
 def anchors_of(page: pathlib.Path) -> set[str]:
-    """The names by which links know a page's headings, as code hosts make them."""
+    """The names that links give a page's headings, as code hosts make them."""
     anchors = set()
     for heading in re.findall(r"^#+ (.*)$", without_code(page.read_text(encoding="utf-8")), re.MULTILINE):
         plain = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading)

@@ -81,7 +81,7 @@ std::vector<std::string> texts_of(const Parameter& row) {
       return {R"({"curve": [[0, 0.4], [1, 0.8]]})", R"({"curve": [[0, 0], [0.5, 1], [1, 0.1]]})"};
     case ParameterKind::points:
       return {"[[0.2, 0.1], [0.5, 0.6], [0.1, 1.2]]"};
-    case ParameterKind::places:
+    case ParameterKind::positions:
       return {"[[0.3, 0, 0.1]]", "[[0, 0, 0], [1, 0, 0]]"};
     case ParameterKind::selection:
       return {"[0]"};

@@ -61,7 +61,7 @@ class Studio:
             return read_response(connection.makefile("rb"))
 
     def get(self, path: str = "", *, method: str = "GET", host: str | None = None, **headers: str) -> Response:
-        """Of a path below the token; `path` from "/" on is one of its own."""
+        """Asks for a path below the token; a `path` that begins with "/" is asked for as it is."""
         target = path if path.startswith("/") else f"/{self.token}/{path}"
         lines = [f"{method} {target} HTTP/1.1", f"Host: {host or f'127.0.0.1:{self.port}'}", "Connection: close"]
         lines += [f"{name.replace('_', '-')}: {value}" for name, value in headers.items()]

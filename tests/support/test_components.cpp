@@ -85,9 +85,10 @@ struct Pole : ComponentBase {
 ComponentType pole() {
   return define_component<Pole>({
       .traits = {.name = "pole", .doc = "A straight stem.", .makes_stems = true, .stance = BranchStance::on_axis},
-      .parameters = Table<Pole>("a pole", "A straight stem.")
-                        .number("height", &Pole::height, {.unit = Unit::metre, .min = 0, .max = 100}, "Of the tip.")
-                        .integer("nodes", &Pole::nodes, {.min = 1, .max = 1000}, "Along it."),
+      .parameters =
+          Table<Pole>("a pole", "A straight stem.")
+              .number("height", &Pole::height, {.unit = Unit::metre, .min = 0, .max = 100}, "Height of the tip.")
+              .integer("nodes", &Pole::nodes, {.min = 1, .max = 1000}, "Along it."),
       .expand =
           [](const Pole& pole, const Site& site, Emitter& out) {
             Skeleton skeleton;

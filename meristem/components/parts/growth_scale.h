@@ -11,7 +11,7 @@
 
 namespace meristem {
 
-/// By how much lengths are larger in a frame: the length of its heading. None where it has shrunk to nothing or is not
+/// Scale of lengths in a frame: the length of its heading. None where it has shrunk to nothing or is not
 /// finite, so that nothing can grow there.
 std::optional<double> growth_scale(const Frame& frame);
 

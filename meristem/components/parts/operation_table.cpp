@@ -138,7 +138,7 @@ const ParameterTable& spur_table() {
   return table;
 }
 
-const ParameterTable& limit_table() {
+const ParameterTable& length_limit_table() {
   static const ParameterTable table =
       Table<LimitParameters>("a limit", "A length that shoots do not pass.")
           .include<OperationParameters>(common_table())
@@ -195,8 +195,8 @@ const ParameterTable& support_table() {
   static const ParameterTable table =
       Table<SupportParameters>("a support", "A pole, rod or wire that shoots are tied to and grow along.")
           .include<OperationParameters>(common_table())
-          .places("line", &SupportParameters::line, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-3, 3}},
-                  "Points of the line from the root of each tree; shoots grow along it from the first to the last.")
+          .positions("line", &SupportParameters::line, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-3, 3}},
+                     "Points of the line from the root of each tree; shoots grow along it from the first to the last.")
           .required()
           .number("weight", &SupportParameters::weight, kWeight,
                   "Weight of the support's direction in the growth of tied shoots; raised, straighter.")
@@ -354,7 +354,7 @@ const Kinds& operation_kinds() {
           "'support' ties, 'mark' marks, 'girdle' rings and 'bend' bends shoots.",
       .kinds = {{"cut", cut_table},
                 {"spur", spur_table},
-                {"limit", limit_table},
+                {"limit", length_limit_table},
                 {"layers", layers_table},
                 {"support", support_table},
                 {"mark", mark_table},

@@ -211,9 +211,10 @@ const ParameterTable& stem_form_table() {
                  "Radius from base (0) to tip (1), as a share of the radius at the base.")
           .integer("segments", &StemParameters::segments, {.min = 1, .max = 1000, .usual = {1, 64}, .fixed = true},
                    "Number of straight segments; raised, smoother bends and more nodes.")
-          .places("axis", &StemParameters::axis, {.unit = Unit::metre, .min = -1e4, .max = 1e4},
-                  "Points of a spline from the origin, in the stem's own frame, whose form the stem takes; its length "
-                  "stays 'length'.")
+          .positions(
+              "axis", &StemParameters::axis, {.unit = Unit::metre, .min = -1e4, .max = 1e4},
+              "Points of a spline from the origin, in the stem's own frame, whose form the stem takes; its length "
+              "stays 'length'.")
           .number(
               "curl", &StemParameters::curl, {.unit = Unit::degree, .min = -3600, .max = 3600},
               "Bend from base to tip, away from the upper side of the stem, which on a branch faces its parent's tip.")

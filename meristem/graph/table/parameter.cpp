@@ -62,8 +62,8 @@ std::string_view kind_name(ParameterKind kind) {
       return "curve";
     case ParameterKind::points:
       return "points";
-    case ParameterKind::places:
-      return "places";
+    case ParameterKind::positions:
+      return "positions";
     case ParameterKind::condition:
       return "condition";
     case ParameterKind::formula:
@@ -139,7 +139,7 @@ std::string Parameter::expectation() const {
       return "a curve such as {\"curve\": [[0, 1], [1, 0]]}";
     case ParameterKind::points:
       return "a list of pairs such as [[0, 1], [0.5, 2]]";
-    case ParameterKind::places:
+    case ParameterKind::positions:
       return "a list of positions such as [[0, 0, 0], [3, 0, 0]]";
     case ParameterKind::condition:
       return fmt::format("a condition over {}", fmt::join(names, ", "));

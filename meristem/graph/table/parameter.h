@@ -38,7 +38,7 @@ enum class ParameterKind {
   colours,    ///< a list of colours, at least one
   curve,      ///< {"curve": [[x, y], ...], "kind": "spline" | "linear"}
   points,     ///< a list of pairs [x, y]
-  places,     ///< a list of points [x, y, z]
+  positions,  ///< a list of points [x, y, z]
   condition,  ///< an expression that is true or false for each site
   formula,    ///< an expression over names of its own that gives a number, or a number
   selection,  ///< a list of instance numbers, ranges and conditions

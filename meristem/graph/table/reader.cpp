@@ -236,7 +236,7 @@ std::optional<Expression> ParameterReader::expression(const Value& value, const 
     fault(path, fmt::format("an expression cannot be {}", value.description()), "a text with an expression");
     return std::nullopt;
   }
-  if (expression_places_ != nullptr) expression_places_->push_back(path.text());
+  if (expression_paths_ != nullptr) expression_paths_->push_back(path.text());
   try {
     const ExpressionNames names{.variables = {variables.begin(), variables.end()}, .constants = constants_};
     return Expression::compile(*text, names, limits_.expression_bytes);

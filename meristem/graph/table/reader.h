@@ -171,7 +171,7 @@ class ParameterReader {
     return found->made;
   }
   /// Takes the paths of all expressions that are read from here on; null: none.
-  void note_expressions(std::vector<std::string>* places) { expression_places_ = places; }
+  void note_expressions(std::vector<std::string>* paths) { expression_paths_ = paths; }
   /// The table's members from an object, or its shorthand from a bare value.
   GivenRows object(const ParameterTable& table, void* object, const Value& value, const DocumentPath& path);
   /// The element with this index of the list or map at `member`.
@@ -201,7 +201,7 @@ class ParameterReader {
 
   FileAccess access_;
   std::vector<NamedFile> files_;
-  std::vector<std::string>* expression_places_ = nullptr;
+  std::vector<std::string>* expression_paths_ = nullptr;
   std::vector<std::string> worked_out_;  // document paths of numbers
   std::vector<Diagnostic> diagnostics_;
   std::vector<Meaningless> meaningless_;

@@ -24,7 +24,7 @@ struct Sample {
 };
 
 /// The sample of a number, from the object that has it with its `smooth`. Faults for values out of the row's range,
-/// whole ones that are fractions, files and columns that are not there, and texts for numbers, each at its place; null
+/// whole ones that are fractions, files and columns that are not there, and texts for numbers, each at its path; null
 /// after one.
 std::shared_ptr<const Sample> read_sample(const Parameter& row, const Value& object, const DocumentPath& path,
                                           ParameterReader& reader);

@@ -20,7 +20,7 @@ inline constexpr std::size_t kMaxRecursionLevels = 4;
 /// In place of a stem's id.
 inline constexpr std::uint64_t kOnNoStem = 0;
 
-/// What the ancestors of an instance have given it by name: columns of places, variables drawn per instance.
+/// What the ancestors of an instance have given it by name: columns of tables, variables drawn per instance.
 struct SiteValues {
   std::uint64_t names = 0;      ///< hash of the names
   std::vector<double> numbers;  ///< in the order of Graph::site_names; NaN where nothing has been given

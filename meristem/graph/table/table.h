@@ -121,10 +121,10 @@ class Table {
     row(ParameterKind::points, name, member, doc).form = form;
     return std::move(*this);
   }
-  /// A list of points [[x, y, z], ...], at least one.
-  Table&& places(std::string_view name, std::vector<Vec3> P::*member, NumberRange form, std::string_view doc) && {
+  /// A list of positions [[x, y, z], ...], at least one.
+  Table&& positions(std::string_view name, std::vector<Vec3> P::*member, NumberRange form, std::string_view doc) && {
     form.fixed = true;
-    row(ParameterKind::places, name, member, doc).form = form;
+    row(ParameterKind::positions, name, member, doc).form = form;
     return std::move(*this);
   }
   /// A list of exactly `count` whole numbers.

@@ -57,7 +57,7 @@ const ParameterTable& rock_table() {
                                           .map("named", &Rock::named, grain_table, "Grains in it by name.")
                                           .box("box", &Rock::box, {.min = -9, .max = 9}, "Its bounds.")
                                           .file("file", &Rock::file, load, "Its text.")
-                                          .number("turn", &Rock::turn, {}, "Of its text.")
+                                          .number("turn", &Rock::turn, {}, "Turn of the text.")
                                           .number("age", &Rock::age, {.fixed = true}, "Years.")
                                           .shorthand("weight")
                                           .only_with("file", {"turn"})

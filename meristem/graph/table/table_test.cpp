@@ -375,7 +375,7 @@ struct Sum {
 
 TEST(Table, WhatFollowsFromSeveralParametersIsPreparedOnceTheyHold) {
   static const ParameterTable table =
-      Table<Sum>("a sum", "Of two.")
+      Table<Sum>("a sum", "A sum of two numbers.")
           .number("a", &Sum::a, {.min = 0}, "A.")
           .number("b", &Sum::b, {}, "B.")
           .check([](const Sum& sum, const DocumentPath& path, ParameterReader& reader) {

@@ -87,7 +87,7 @@ bool has_numbers(const Parameter& row) {
     case ParameterKind::vector:
     case ParameterKind::box:
     case ParameterKind::points:
-    case ParameterKind::places:
+    case ParameterKind::positions:
       return true;
     default:
       return false;

@@ -63,7 +63,7 @@ void CloudMotion::seek_light(std::span<const Pulled> pulled, const Progress& pro
   });
 }
 
-/// By how much each cloud moves as a whole.
+/// The shift of each cloud as a whole.
 std::vector<DVec3> CloudMotion::shifts(std::span<const Pulled> pulled) const {
   std::vector<DVec3> shifts(clouds_.size(), DVec3(0));
   for (const Pulled& one : pulled) shifts[one.cloud] += nodes_[one.node].brighter;

@@ -31,7 +31,7 @@ class CloudMotion {
   void add_node(Vec3 position, double sunlit_weight) { nodes_.push_back({position, sunlit_weight}); }
 
   /// Moves all clouds by one step, and sets which of their points are inert, inside obstacles, from then on. Light is
-  /// sought once for each node that comes to pull. The same on any number of threads. Throws Cancelled.
+  /// sought once for each node that comes to pull. Points end equal on any number of threads. Throws Cancelled.
   void move(MovingPoints& points, const Progress& progress);
 
  private:

@@ -44,7 +44,7 @@ class MovingPoints {
   explicit MovingPoints(std::vector<MovingPoint> points);
 
   /// Brings all points up to date with the new nodes, which have the numbers `first`, `first` + 1, ..., and with their
-  /// own moves. Of nodes at the same distance the one with the lower number counts. Throws Cancelled.
+  /// own moves. Among nodes at the same distance the one with the lower number counts. Throws Cancelled.
   void add_nodes(NodeIndex first, std::span<const NewNode> nodes, const Progress& progress);
 
   std::size_t living() const { return points_.size(); }

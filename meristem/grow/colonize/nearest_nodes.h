@@ -30,7 +30,7 @@ class NearestNodes {
   /// Throws std::invalid_argument for points that are not finite.
   NearestNodes(std::vector<Vec3> points, Progress& progress);
 
-  /// Compares all living points with the new nodes, which have the numbers `first`, `first` + 1, ... Of nodes at the
+  /// Compares all living points with the new nodes, which have the numbers `first`, `first` + 1, ... Among nodes at the
   /// same distance the one with the lower number stays. Throws Cancelled.
   void add_nodes(NodeIndex first, std::span<const NewNode> nodes, Progress& progress);
 

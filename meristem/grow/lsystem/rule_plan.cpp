@@ -10,17 +10,11 @@
 #include <fmt/format.h>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/grow/lsystem/grammar_text.h"
 
 namespace meristem {
 
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t";
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
-}
 
 class RulePlanner {
  public:

@@ -10,7 +10,7 @@ namespace meristem {
 
 namespace {
 
-/// By how much each metamer of a bow turns, about one axis.
+/// The turn of each metamer of a bow, about one axis.
 struct Turn {
   Vec3 axis{0};
   double angle = 0;

@@ -206,7 +206,7 @@ std::size_t shared_nodes(const GltfLayout& layout, const GltfComponent& componen
 }
 
 /// Writes the `nodes` array: the root and the plants, where there are several, then the components, then their shared
-/// instances in the same order, then the places of placed plants, each with its components and their instances. `rows`
+/// instances in the same order, then the sites of placed plants, each with its components and their instances. `rows`
 /// are the extensions of shared meshes whose instances are no nodes.
 class NodeWriter {
  public:

@@ -18,7 +18,7 @@ struct CardOptions {
 /// Upright cards that cross above the foot of `whole`, and one level card that shows it from above: two triangles each,
 /// as large as the plant is from there. They share one picture of its colours, without light, with a mask, and one of
 /// its normals: both are what parallel rays meet. As many pixels stay unmasked as the plant covers, so that thin crowns
-/// keep their density. The same bytes on any number of threads. Empty for a scene without triangles. Textures of
+/// keep their density. The bytes are equal on any number of threads. Empty for a scene without triangles. Textures of
 /// `whole` must be painted. Begins a stage of `progress`. Throws std::invalid_argument for options out of range,
 /// Cancelled.
 MeshScene make_cards(const MeshScene& whole, const CardOptions& options, Progress& progress);

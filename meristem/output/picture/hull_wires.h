@@ -12,7 +12,7 @@
 namespace meristem {
 
 /// The edges of a convex hull as thin round wires: frames for a cylinder of radius 1 from y = 0 to 1. Edges between
-/// triangles in one plane are left out. A wire is a 400th of the hull's longest side thick. Of an empty mesh none.
+/// triangles in one plane are left out. A wire is a 400th of the hull's longest side thick. An empty mesh has none.
 std::vector<Frame> hull_wires(const Mesh& hull);
 
 /// A plant's meshes and after them, matt and warm in colour, the convex hull of each tree's crown: the hull whose

@@ -25,8 +25,8 @@ class Lamplight {
   /// On a surface that could face all lamps at once.
   Vec3 irradiance(Vec3 position) const;
 
-  /// Calls `visit(Ray)` for each of one or two lamps. Of more it takes one, drawn in proportion to its light, with the
-  /// light of all. No lamp is taken to be nearer than `nearest` metres.
+  /// Calls `visit(Ray)` for each of one or two lamps. Among more it takes one, drawn in proportion to its light, with
+  /// the light of all. No lamp is taken to be nearer than `nearest` metres.
   template <class Visit>
   void for_each_ray(Vec3 position, float nearest, SampleStream& samples, Visit visit) const {
     if (lamps_.size() > 2) return visit(drawn_ray(position, nearest, samples));

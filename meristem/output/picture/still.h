@@ -27,8 +27,8 @@ struct StillOptions {
 void check_still_options(const StillOptions& options);
 
 /// Renders `meshes` in the light of `scene`, among its obstacles. The camera frames the meshes, or obstacles where
-/// there are none. The same picture on any number of threads; progress counts pixels. Throws what check_still_options
-/// throws, and Cancelled.
+/// there are none. The picture is equal on any number of threads; progress counts pixels. Throws what
+/// check_still_options throws, and Cancelled.
 Image render_still(const MeshScene& meshes, const Scene& scene, const View& view, const StillOptions& options,
                    Progress& progress);
 

@@ -228,6 +228,7 @@ Value shade_value(const ShadePlan& plan, const ShadeOfSurface& shade) {
     moments.emplace_back(std::move(row));
   }
   Value::Object object;
+  object.reserve(5);
   object.emplace_back("area", plan.surface.area);
   object.emplace_back("points", static_cast<double>(plan.surface.positions.size()));
   object.emplace_back("clock_time", plan.is_clock_time);

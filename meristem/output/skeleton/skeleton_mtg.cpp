@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Based on: the MTG user guide, section "File syntax". Of what programs make of it, these things are heeded:
+// Based on: the MTG user guide, section "File syntax". What programs make of MTG files is heeded in these points:
 // - OpenAlea.mtg puts the cells of a line into one code and parts it at `+ < / [ ] ( ) , =` again: so no text and no
 //   number has these. It knows laterals by a column more than their bearer's, and takes the first word behind the
 //   topmost one as the first feature's column.

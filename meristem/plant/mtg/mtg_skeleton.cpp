@@ -52,7 +52,7 @@ class SkeletonReader {
       if (tree_.scale(vertex) == *geometry_.scale) return *geometry_.scale;
     }
     throw InputError(Diagnostic{.message = fmt::format("there are no entities of scale {}", *geometry_.scale),
-                                .expected = fmt::format("a scale of which there are, up to {}", finest),
+                                .expected = fmt::format("a scale that the file has, up to {}", finest),
                                 .file = file_});
   }
 

@@ -27,8 +27,9 @@ struct PointDistribution {
 /// How many points each share gets, and at the end the rest: whole numbers that sum to the count.
 std::vector<std::uint64_t> share_counts(const PointDistribution& distribution);
 
-/// The points, relative to the root, share after share; within a share uniform in volume. The same on any number of
-/// threads. Throws InputError where the crown or a zone is (nearly) empty, at `crown_path` or `points_path`.shares[k].
+/// The points, relative to the root, share after share; within a share uniform in volume. They are equal on any number
+/// of threads. Throws InputError where the crown or a zone is (nearly) empty, at `crown_path` or
+/// `points_path`.shares[k].
 std::vector<Vec3> place_points(const Crown& crown, const PointDistribution& distribution, RandomKey key,
                                Progress& progress, const std::string& crown_path = "crown",
                                const std::string& points_path = "points");

@@ -9,7 +9,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kPointsPerBlock = 4096;  // trials a block
+constexpr std::size_t kTrialsPerBlock = 4096;
 constexpr std::size_t kMostTrials = 1U << 20;  // at once
 constexpr std::uint64_t kCheckTrials = 1U << 16;
 constexpr std::uint64_t kCheckHits = 32;
@@ -71,10 +71,10 @@ bool CrownSampler::append(std::size_t count, Progress& progress, std::vector<Vec
 void CrownSampler::make_trials(std::size_t count, Progress& progress) {
   waiting_.clear();
   given_ = 0;
-  std::vector<std::vector<Vec3>> found((count + kPointsPerBlock - 1) / kPointsPerBlock);
-  parallel_for(count, kPointsPerBlock, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::vector<Vec3>> found((count + kTrialsPerBlock - 1) / kTrialsPerBlock);
+  parallel_for(count, kTrialsPerBlock, [&](std::size_t begin, std::size_t end) {
     progress.check();
-    std::vector<Vec3>& accepted = found[begin / kPointsPerBlock];
+    std::vector<Vec3>& accepted = found[begin / kTrialsPerBlock];
     for (std::size_t k = begin; k < end; ++k) {
       const Vec3 point = trial(box_, plan_key_, height_key_, trials_ + k);
       if (crown_.contains(point)) accepted.push_back(point);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of all that glTF can say, a body needs nodes, meshes and two accessors per primitive. Read here and not by tinygltf,
-// which follows nested JSON by recursion, opens any file that a buffer names, and does not say where a fault lies.
+// From all that glTF can say, a body needs nodes, meshes and two accessors per primitive. Read here and not by
+// tinygltf, which follows nested JSON by recursion, opens any file that a buffer names, and does not say where a fault
+// lies.
 //
 // Based on: Khronos Group, glTF 2.0 Specification (2021), sections 3.5 to 3.7 and 4.
 #include "meristem/scene/file/glb_mesh.h"

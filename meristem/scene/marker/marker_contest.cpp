@@ -11,7 +11,6 @@ namespace meristem {
 
 namespace {
 
-constexpr std::uint32_t kNone = MarkerBricks::kNone;
 /// Both and either without branches, which would keep loops from working on vectors.
 constexpr bool both(bool a, bool b) { return a & b; }
 constexpr bool either(bool a, bool b) { return a | b; }
@@ -31,7 +30,7 @@ LookedAt looked_at(MarkerBricks& bricks, std::vector<LookAround> around, const P
   all.looks.reserve(look_count);
 
   // Count the lookers of each brick.
-  std::vector<std::uint32_t> ranks(MarkerBricks::kInBrick * bricks.block_count(), kNone);
+  std::vector<std::uint32_t> ranks(MarkerBricks::kInBrick * bricks.block_count(), MarkerBricks::kNone);
   std::vector<std::uint32_t> look_counts;
   for (LookAround& part : around) {
     progress.check();
@@ -40,7 +39,7 @@ LookedAt looked_at(MarkerBricks& bricks, std::vector<LookAround> around, const P
     part.looks = {};  // rounds of large stands take most of the memory of their growth
     for (const Sighting& sighting : part.sightings) {
       std::uint32_t& rank = ranks[sighting.slot];
-      if (rank == kNone) {
+      if (rank == MarkerBricks::kNone) {
         rank = static_cast<std::uint32_t>(all.bricks.size());
         all.bricks.push_back(bricks.add_brick(sighting.slot));
         all.begins.push_back(0);
@@ -86,8 +85,8 @@ void BrickContest::begin(const MarkerBricks::Pattern& pattern, std::uint64_t mar
     z_[k] = 0;
   }
   nearest_.fill(std::numeric_limits<float>::infinity());
-  seeker_.fill(kNone);
-  owner_.fill(kNone);
+  seeker_.fill(MarkerBricks::kNone);
+  owner_.fill(MarkerBricks::kNone);
 }
 
 void BrickContest::show(const MarkerBricks::Pattern& pattern, std::uint64_t markers) {

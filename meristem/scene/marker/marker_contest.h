@@ -26,7 +26,7 @@ struct LookedAt {
 /// Makes the bricks that are not there yet. Throws Cancelled.
 LookedAt looked_at(MarkerBricks& bricks, std::vector<LookAround> around, const Progress& progress);
 
-/// The markers of one brick, and the nearest looker to each so far. Of equally near lookers the one whose seeker has
+/// The markers of one brick, and the nearest looker to each so far. Among equally near lookers the one whose seeker has
 /// the lower number counts.
 class BrickContest {
  public:

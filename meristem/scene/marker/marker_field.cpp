@@ -18,7 +18,6 @@ namespace meristem {
 namespace {
 
 constexpr std::uint32_t kInBrick = MarkerBricks::kInBrick;
-constexpr std::uint32_t kNone = MarkerBricks::kNone;
 constexpr float kUnitLength = 4294967296;  // a unit vector's length as a whole number
 constexpr std::size_t kBrickGrain = 32;
 constexpr std::uint64_t kBytesASighting = 16;          // of a brick by a seeker, in a round
@@ -70,7 +69,7 @@ std::uint64_t MarkerField::find_claim(const MarkerBricks::Cell& brick, std::uint
 }
 
 const MarkerField::Claim* MarkerField::known_claim(const MarkerBricks::Brick& brick, std::uint32_t volume) const {
-  for (std::uint32_t k = brick.claims; k != kNone; k = claims_[k].next) {
+  for (std::uint32_t k = brick.claims; k != MarkerBricks::kNone; k = claims_[k].next) {
     if (claims_[k].volume == volume) return &claims_[k];
   }
   return nullptr;
@@ -85,7 +84,8 @@ std::uint64_t MarkerField::seen_by(const MarkerBricks::Brick& brick, std::uint32
 void MarkerField::limit(MarkerBricks::Brick& brick) {
   std::uint64_t within = 0;
   std::size_t known = 0;
-  for (std::uint32_t k = brick.claims; k != kNone; k = claims_[k].next, ++known) within |= claims_[k].markers;
+  for (std::uint32_t k = brick.claims; k != MarkerBricks::kNone; k = claims_[k].next, ++known)
+    within |= claims_[k].markers;
   bricks_.limit(brick, known == volumes_.size() ? within : MarkerBricks::kAll);
 }
 
@@ -101,7 +101,7 @@ void MarkerField::learn_claims(const LookedAt& looked, const Progress& progress)
     progress.check();
     const MarkerBricks::Brick& brick = bricks_.brick(looked.bricks[k]);
     const std::size_t first = questions.size();
-    std::uint32_t last = kNone;
+    std::uint32_t last = MarkerBricks::kNone;
     for (const std::uint32_t looker : looked.lookers_at(k)) {
       const std::uint32_t volume = looked.looks[looker].volume;
       if (volume == std::exchange(last, volume)) continue;
@@ -137,7 +137,7 @@ void MarkerField::share_out_brick(const MarkerBricks::Brick& brick, const Looked
   const auto share = [&](std::uint64_t markers, bool among_yielding) {
     BrickContest contest;
     contest.begin(pattern, markers);
-    std::uint32_t volume = kNone;
+    std::uint32_t volume = MarkerBricks::kNone;
     for (std::uint32_t k = 0; k < lookers.size(); ++k) {
       const Look& look = looked.looks[lookers[k]];
       if (look.yields != among_yielding) continue;
@@ -206,9 +206,9 @@ std::vector<DVec3> MarkerField::free_markers(const Box& box, std::uint32_t volum
         const std::uint8_t pattern = bricks_.pattern_at(cell);
         std::uint64_t free = find_claim(cell, pattern, own);
         const std::uint32_t block = bricks_.find_block(MarkerBricks::holder(cell), recent);
-        if (block != kNone) {
+        if (block != MarkerBricks::kNone) {
           const std::uint32_t brick = bricks_.block(block).bricks[MarkerBricks::number(cell)];
-          if (brick != kNone) free &= bricks_.brick(brick).free;
+          if (brick != MarkerBricks::kNone) free &= bricks_.brick(brick).free;
         }
         for (; free != 0; free &= free - 1) {
           const DVec3 marker = position(cell, pattern, static_cast<std::uint32_t>(std::countr_zero(free)));

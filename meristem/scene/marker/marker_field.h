@@ -64,7 +64,7 @@ class MarkerField {
   void vacate(Vec3 position) { bricks_.vacate(position); }
 
   /// Gives each free marker to the nearest seeker that sees it, and among equally near seekers to the first; seekers
-  /// that yield come after all others. Writes to `rooms`, one per seeker, what each got. The same on any number of
+  /// that yield come after all others. Writes to `rooms`, one per seeker, what each got, equal on any number of
   /// threads. Throws std::invalid_argument for seekers out of range, TooMuchMemory where that would take more than
   /// `most_bytes` beside the field's own, and Cancelled; then `rooms` is untouched.
   void share_out(std::span<const Seeker> seekers, std::span<Room> rooms, const Progress& progress,

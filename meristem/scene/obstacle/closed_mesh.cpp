@@ -82,7 +82,7 @@ ClosedMesh::ClosedMesh(const TriangleMesh& mesh) : positions_(mesh.positions), t
 void ClosedMesh::build_levels() {
   int finest = 0;
   while (finest < kMostLevels && (std::size_t{1} << (2 * finest)) < triangles_.size()) ++finest;
-  // Which cells of which level a triangle lies in.
+  // The level and the cells that a triangle lies in.
   const auto for_cells = [&](const std::array<std::uint32_t, 3>& triangle, auto&& see) {
     const Grid3& a = snapped_[triangle[0]];
     const Grid3& b = snapped_[triangle[1]];

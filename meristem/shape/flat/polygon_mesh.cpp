@@ -19,14 +19,14 @@ namespace {
 
 constexpr std::size_t kCornersOfBand = 16;
 constexpr std::size_t kFewCorners = 64;  // polygons up to here are not cut into bands
-constexpr float kSamePlace = 1e-6F;      // of the polygon's extent
+constexpr float kSameCorner = 1e-6F;     // of the polygon's extent
 constexpr double kNoArea = 1e-9;         // of its extent squared
 constexpr double kLineTolerance = 1e-6;  // of its extent
 
 /// Without repetitions.
 std::vector<Vec3> distinct(std::span<const Vec3> corners, float extent) {
   std::vector<Vec3> kept;
-  const auto is_new = [&](Vec3 corner, Vec3 other) { return glm::length(corner - other) > kSamePlace * extent; };
+  const auto is_new = [&](Vec3 corner, Vec3 other) { return glm::length(corner - other) > kSameCorner * extent; };
   for (const Vec3 corner : corners) {
     if (kept.empty() || is_new(corner, kept.back())) kept.push_back(corner);
   }

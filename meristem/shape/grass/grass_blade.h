@@ -38,7 +38,7 @@ struct GrassBlade {
 /// Torsion at a position, radians.
 double torsion(const GrassBlade& blade, double place);
 
-/// By how much twist, waves, clasp and displacement move the edges and the midrib away from those of a flat blade:
+/// How far twist, waves, clasp and displacement move the edges and the midrib away from those of a flat blade:
 /// lists of one number per point of the leaf, in lengths, for a reduction to keep. None where nothing does.
 std::vector<std::vector<double>> blade_relief(const GrassLeaf& leaf, const GrassBlade& blade);
 

@@ -28,7 +28,7 @@ namespace {
 constexpr double kLeastWidth = 0.02;  // of the largest, with which a joint is as stiff as one of none
 constexpr double kSettled = 1e-10;    // radians: the last step of pieces that have come to rest
 constexpr double kBalanced = 1e-8;    // radians: the same between rounds of wind
-constexpr double kFarthest = 0.5;     // radians that a step may turn a piece
+constexpr double kMostTurn = 0.5;     // radians that a step may turn a piece
 constexpr int kSteps = 400;
 constexpr int kRounds = 300;  // of wind
 constexpr int kLoadSteps = 8;
@@ -166,7 +166,7 @@ class Chain {
       double farthest = 0;
       for (const double turn : step_) farthest = std::max(farthest, std::abs(turn));
       if (farthest < kSettled) return true;
-      const double share = std::min(1.0, kFarthest / farthest);
+      const double share = std::min(1.0, kMostTurn / farthest);
       tried_ = angles;
       for (std::size_t i = 1; i < angles.size(); ++i) tried_[i] += share * step_[i];
       const double reached = differentiate(tried_);

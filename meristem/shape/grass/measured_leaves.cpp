@@ -21,8 +21,8 @@ constexpr double kEnd = 0.1;              // of the rows at either end, whose me
 constexpr double kTipOverBase = 0.5;      // a first end this much narrower than the last is the tip
 constexpr double kMostNumber = 1e6;       // a rank or lindex
 constexpr std::size_t kMostFaults = 100;  // of one curve
-constexpr double kFarthest = 1e9;         // a coordinate, in any unit
-constexpr double kNear = 1e-6;            // of a curve's length: points nearer to one another count as equal
+constexpr double kMostCoordinate = 1e9;   // a coordinate, in any unit
+constexpr double kSamePoint = 1e-6;       // of a curve's length: points nearer to one another count as equal
 
 /// Collects what is wrong with one curve.
 class CurveFaults {
@@ -54,7 +54,7 @@ void check_points(const MeasuredCurve& curve, const char* what, CurveFaults& fau
     const glm::dvec2 point = curve.points[k];
     if (!std::isfinite(point.x + point.y)) {
       faults.add(k, fmt::format("a point of {} is not finite", what), "two finite numbers");
-    } else if (std::max(std::abs(point.x), std::abs(point.y)) > kFarthest) {
+    } else if (std::max(std::abs(point.x), std::abs(point.y)) > kMostCoordinate) {
       faults.add(k, fmt::format("a point of {} is too far from 0", what), "numbers up to 1e9");
     }
   }
@@ -133,10 +133,10 @@ double nearest_of_midrib(const MeasuredCurve& midrib) {
   for (std::size_t k = 1; k < midrib.points.size(); ++k) {
     length += glm::distance(midrib.points[k - 1], midrib.points[k]);
   }
-  return kNear * length;
+  return kSamePoint * length;
 }
 double nearest_of_widths(const MeasuredCurve& widths) {
-  return kNear * std::max(std::abs(widths.points.front().x), std::abs(widths.points.back().x));
+  return kSamePoint * std::max(std::abs(widths.points.front().x), std::abs(widths.points.back().x));
 }
 
 /// Leaves out the points that repeat the one before, by `distance` within `nearest`, and warns of each. A curve that

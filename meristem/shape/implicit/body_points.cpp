@@ -12,10 +12,10 @@ namespace meristem {
 
 namespace {
 
-constexpr int kDeepest = 40;            // halvings
-constexpr double kError = 1e-3;         // of a cell
+constexpr int kMostHalvings = 40;       // halvings
+constexpr double kPointError = 1e-3;    // of a cell
 constexpr double kGradientStep = 0.05;  // of a cell
-constexpr double kNear = 0.2;           // cells outside to which values count, for gradients
+constexpr double kGradientReach = 0.2;  // cells outside to which values count, for gradients
 constexpr std::array<Vec3, 4> kCorners{Vec3(1, -1, -1), Vec3(-1, -1, 1), Vec3(-1, 1, -1), Vec3(1, 1, 1)};
 
 glm::ivec3 corner_of(int k) { return {k & 1, k >> 1 & 1, k >> 2}; }
@@ -28,10 +28,10 @@ class BodyFiller {
         grid_(grid),
         key_(key),
         progress_(progress),
-        gaps_(blend_gaps(body, kError * grid.spacing)),
-        pruner_(body, gaps_, kNear * grid.spacing),
+        gaps_(blend_gaps(body, kPointError * grid.spacing)),
+        pruner_(body, gaps_, kGradientReach * grid.spacing),
         sampler_(body),
-        levels_(kDeepest) {}
+        levels_(kMostHalvings) {}
 
   std::vector<BodyPoint> run() {
     const DVec3 first = glm::floor((body_.low() - body_.reach() - grid_.origin) / grid_.spacing);

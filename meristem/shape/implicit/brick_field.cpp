@@ -13,13 +13,13 @@ namespace meristem {
 
 namespace {
 
-constexpr double kError = 1e-4;         // of a cell
-constexpr double kNear = 2;             // cells off the surface to which values must be right; ends of edges are 1
+constexpr double kFieldError = 1e-4;    // of a cell
+constexpr double kExactReach = 2;       // cells off the surface to which values must be right; ends of edges are 1
 constexpr double kSafety = 1e-2;        // cells that a region must be off the surface to be left
 constexpr std::size_t kChunks = 192;    // regions to share out at least
 constexpr double kMargin = 2;           // cells about the body
 constexpr double kMostCells = 1 << 28;  // along a body with its blends
-constexpr int kDeepest = 40;            // halvings
+constexpr int kMostDepth = 40;          // halvings
 
 constexpr double kHalfDiagonal = 0.866;  // of a cube, a little less than sqrt(3) / 2
 constexpr int kBlockSide = kBrickSide / 2;
@@ -78,9 +78,9 @@ class Descent {
         places_(places),
         budget_(budget),
         progress_(progress),
-        pruner_(body, gaps, kNear * bricks.grid.cell),
+        pruner_(body, gaps, kExactReach * bricks.grid.cell),
         sampler_(body),
-        levels_(kDeepest) {}
+        levels_(kMostDepth) {}
 
   /// The eighths of a region that may hold surface.
   std::vector<Region> halved(const Region& region) {
@@ -144,7 +144,7 @@ class Descent {
     }
   }
 
-  /// Samples a brick of eight blocks. Of those without surface in their cells the sign alone counts.
+  /// Samples a brick of eight blocks. Where a block has no surface in its cells, the sign alone counts.
   void sample(glm::ivec3 at, std::span<const FieldStep> steps, const Level& level, BrickChunk& chunk,
               BodyBricks::Parts& parts) {
     budget_.spend(sizeof(float) * kBrickSize + steps.size_bytes());
@@ -204,7 +204,7 @@ BodyBricks sample_body(const ImplicitBody& body, double cell, const Limits& limi
                        Progress& progress) {
   BodyBricks bricks;
   bricks.grid.cell = cell;
-  bricks.error = kError * cell;
+  bricks.error = kFieldError * cell;
   if (body.is_empty()) return bricks;
   const BlockPlaces places(cell);
   BrickBudget budget(limits, path);

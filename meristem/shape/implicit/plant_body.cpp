@@ -15,7 +15,7 @@ namespace {
 // Cells that a tube's radius must reach from its axis to be one piece in whatever direction it runs through them: a
 // little more than sqrt(3) / 2. Then the corner nearest to each of the axis's points is inside, those of neighbouring
 // points are one or have an edge in common, and every other corner that is inside is joined to one of them by edges
-// that come ever nearer. Of random tubes some 4 in 1,000 fall apart or vanish at 0.75, 2 in 1,000 at 0.84, none from
+// that come ever nearer. Among random tubes some 4 in 1,000 fall apart or vanish at 0.75, 2 in 1,000 at 0.84, none from
 // 0.85 on (PlantBody.IsosurfaceHoldsThinTubes).
 constexpr double kHeldRadius = 0.867;
 

@@ -15,7 +15,7 @@
 
 namespace meristem {
 
-/// By how much a blended body's axes are thickened so that its cells can hold them.
+/// What a blended body's axes are thickened by, so that its cells can hold them.
 struct Thickening {
   double least_radius = 0;  ///< metres that its cells can hold
   double length = 0;        ///< metres of all its axes

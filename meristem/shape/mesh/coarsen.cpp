@@ -26,7 +26,7 @@ namespace {
 constexpr std::size_t kMostTriangles = 2000;
 constexpr std::size_t kManyPieces = 4;
 constexpr double kSmallPiece = 0.1;  // of the mean area: a leaf's stalk, which goes first
-constexpr double kWidest = 4;
+constexpr double kMostWidening = 4;
 constexpr double kLeastCosine = 0.2;   // cosine of the angle that a triangle may turn
 constexpr double kFlatNormal = 0.999;  // cosine between the normals of a triangle and its vertices
 constexpr double kFlat = 0.5;          // of its area, that a piece which is no tube shows from one side
@@ -398,7 +398,7 @@ Mesh coarsened(const Mesh& mesh, std::size_t triangles) {
     if (coarse.triangle_count() > triangles) pieces = chosen(std::move(pieces), triangles);
     take_triangles(coarse, pieces);
     const double left = area_of(pieces);
-    const double factor = left > 0 ? std::clamp(area / left, 1.0, kWidest) : 1;
+    const double factor = left > 0 ? std::clamp(area / left, 1.0, kMostWidening) : 1;
     for (const Piece& piece : pieces) widen(coarse, piece, factor);
   }
   return without_loose_vertices(coarse);

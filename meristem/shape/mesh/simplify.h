@@ -31,8 +31,8 @@ struct SimplifyTarget {
 /// are, as do the edges between them. Surfaces may come to cross others that are near.
 ///
 /// A mesh with no more triangles than `target.triangles` comes back as it is. Else normals, if there are any, are those
-/// of smooth_shaded(); vertices without triangles go. The same bytes on every machine; one thread; about linear, with
-/// 1.3 µs and 90 bytes per triangle.
+/// of smooth_shaded(); vertices without triangles go. The bytes are equal on every machine; one thread; about linear,
+/// with 1.3 µs and 90 bytes per triangle.
 ///
 /// Begins no stage; counts about as many triangles as it takes away into the caller's; stops within 50 ms. Throws
 /// Cancelled; std::invalid_argument for uvs or tangents, which moved vertices would need anew, for indices out of

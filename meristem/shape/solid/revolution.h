@@ -16,7 +16,7 @@ struct SolidOfRevolution {
   /// Points (radius, height) in metres from base to tip: the body lies to the left of the way, between it and the axis.
   /// Heights may fall, and the way turn back inside, as that of a cup does.
   std::vector<Vec2> silhouette{{0.0F, 0.0F}, {0.018F, 0.008F}, {0.024F, 0.025F}, {0.016F, 0.046F}, {0.0F, 0.055F}};
-  /// How they are joined: by straight lines, or by natural cubic splines of radius and height over the length of the
+  /// What joins the points: straight lines, or natural cubic splines of radius and height over the length of the
   /// lines between the points.
   CurveKind kind = CurveKind::spline;
   int segments = 24;       ///< corners around a whole turn, at least 3; raised, rounder

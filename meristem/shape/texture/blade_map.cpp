@@ -15,7 +15,7 @@ namespace meristem {
 namespace {
 
 constexpr int kHeights = 4;  // a row of pixels is sampled at
-constexpr std::size_t kRowsABlock = 8;
+constexpr std::size_t kMapRowsPerBlock = 8;
 
 const std::vector<Vec2> kUnitSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
@@ -122,7 +122,7 @@ std::vector<float> margin_distances(const std::vector<float>& cover, std::size_t
   }
   // Along the rows.
   std::vector<float> distances(size * size);
-  parallel_for(size, kRowsABlock, [&](std::size_t begin, std::size_t end) {
+  parallel_for(size, kMapRowsPerBlock, [&](std::size_t begin, std::size_t end) {
     RowEnvelope envelope(size);
     for (std::size_t y = begin; y < end; ++y) {
       float* row = distances.data() + y * size;

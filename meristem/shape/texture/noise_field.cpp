@@ -14,7 +14,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kRowsABlock = 8;
+constexpr std::size_t kNoiseRowsPerBlock = 8;
 
 float quintic(float t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 
@@ -101,7 +101,7 @@ std::vector<float> noise_field(RandomKey key, const NoiseParameters& form, int p
 
   const auto size = static_cast<std::size_t>(pixels);
   std::vector<float> values(size * size);
-  parallel_for(size, kRowsABlock, [&](std::size_t begin, std::size_t end) {
+  parallel_for(size, kNoiseRowsPerBlock, [&](std::size_t begin, std::size_t end) {
     std::vector<Vec2> lines;
     for (std::size_t y = begin; y < end; ++y) {
       const float v = 1 - (static_cast<float>(y) + 0.5F) / static_cast<float>(pixels);

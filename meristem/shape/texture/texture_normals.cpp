@@ -10,7 +10,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kRowsABlock = 16;
+constexpr std::size_t kNormalRowsPerBlock = 16;
 
 std::uint8_t byte_of(float component) { return static_cast<std::uint8_t>(127.5F * (component + 1) + 0.5F); }
 
@@ -27,7 +27,7 @@ Image normals_of_heights(const std::vector<float>& heights, int pixels, const Re
   // Central differences over two pixels, each 1 / pixels high.
   const float steep_v = static_cast<float>(form.relief) * 0.5F * static_cast<float>(pixels);
   const float steep_u = steep_v / static_cast<float>(form.aspect);
-  parallel_for(static_cast<std::size_t>(pixels), kRowsABlock, [&](std::size_t begin, std::size_t end) {
+  parallel_for(static_cast<std::size_t>(pixels), kNormalRowsPerBlock, [&](std::size_t begin, std::size_t end) {
     for (auto y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
       const float* row = row_at(y);
       const float* upper = row_at(y - 1);

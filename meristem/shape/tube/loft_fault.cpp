@@ -10,12 +10,12 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kMostPoints = 1000;
-constexpr double kSamePlace = 1e-6;  // of a section's extent
+constexpr double kSamePoint = 1e-6;  // of a section's extent
 
 /// The first point at which a row or ring stands still.
 std::optional<std::size_t> repeated_point(const LoftSection& section) {
   const std::vector<Vec3>& points = section.points;
-  const double nearest = kSamePlace * extent_of(points);
+  const double nearest = kSamePoint * extent_of(points);
   const auto repeats = [&](std::size_t a, std::size_t b) {
     return glm::distance(DVec3(points[a]), DVec3(points[b])) <= nearest;
   };
@@ -48,7 +48,7 @@ std::optional<LoftFault> find_fault(const LoftSection& section) {
   if (!section.is_closed || section.is_point()) return {};
   const DVec3 area = area_vector(points);
   const double extent = extent_of(points);
-  if (!(glm::length(area) > kSamePlace * extent * extent)) {
+  if (!(glm::length(area) > kSamePoint * extent * extent)) {
     return LoftFault{"the ring encloses nothing", "points that are not all on a line", {}};
   }
   if (crosses_itself(flattened(points, area))) {

@@ -17,7 +17,7 @@ constexpr float kFlareHeight = 4;          // of a root's radius
 constexpr float kLeastCollar = 0.3F;       // of a branch's radius that must exceed what roundness allows
 constexpr std::uint32_t kRoundCollar = 6;  // sides: coarser tubes show no collar, which would double a twig's triangles
 constexpr std::size_t kLongestRun = 12;    // nodes that one ring may stand for
-constexpr std::size_t kAxesPerBlock = 64;
+constexpr std::size_t kPlannedAxesPerBlock = 64;
 
 }  // namespace
 
@@ -51,7 +51,7 @@ TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::v
   is_tip_.resize(skeleton.node_count());
   goes_on_.resize(axes_.count());
   base_radius_.resize(axes_.count());
-  parallel_for(plans_.size(), kAxesPerBlock, [this](std::size_t begin, std::size_t end) {
+  parallel_for(plans_.size(), kPlannedAxesPerBlock, [this](std::size_t begin, std::size_t end) {
     for (std::size_t axis = begin; axis < end; ++axis) {
       smooth_radii(static_cast<AxisIndex>(axis));
       choose_rings(static_cast<AxisIndex>(axis));
@@ -60,13 +60,13 @@ TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::v
     }
   });
   // Sides first: how much of a lateral its parent hides depends on the parent's.
-  parallel_for(plans_.size(), kAxesPerBlock, [this](std::size_t begin, std::size_t end) {
+  parallel_for(plans_.size(), kPlannedAxesPerBlock, [this](std::size_t begin, std::size_t end) {
     for (std::size_t axis = begin; axis < end; ++axis) {
       find_start(static_cast<AxisIndex>(axis));
       choose_sides(static_cast<AxisIndex>(axis));
     }
   });
-  parallel_for(plans_.size(), kAxesPerBlock, [this](std::size_t begin, std::size_t end) {
+  parallel_for(plans_.size(), kPlannedAxesPerBlock, [this](std::size_t begin, std::size_t end) {
     for (std::size_t axis = begin; axis < end; ++axis) count_rings(static_cast<AxisIndex>(axis));
   });
   sizes_.resize(meshes);

@@ -43,7 +43,7 @@ constexpr float kHiddenFillet = 0.3F;        // of a fillet that runs on below t
 constexpr std::array<float, AxisPlan::kFlareRings> kFlareShares{0.1F, 0.25F, 0.5F};  // of the first segment
 constexpr float kSqrt2 = 1.4142135F;
 constexpr auto kDomeStep = static_cast<float>(kPi / 2 / (AxisPlan::kDomeRings + 1));  // along a dome, in radii
-constexpr std::size_t kAxesPerBlock = 64;
+constexpr std::size_t kMeshedAxesPerBlock = 64;
 constexpr std::size_t kRingsPerCheck = 4096;
 
 struct Turn {
@@ -472,7 +472,7 @@ std::vector<Mesh> make_tubes(const TubePlan& plan, Progress& progress) {
   }
   // Let every axis fill its part of the mesh.
   const CornerTable corners(plan.most_sides());
-  parallel_for(plan.axis_count(), kAxesPerBlock, [&](std::size_t begin, std::size_t end) {
+  parallel_for(plan.axis_count(), kMeshedAxesPerBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t axis = begin; axis < end; ++axis) {
       const auto index = static_cast<AxisIndex>(axis);
       if (plan[axis].rings > 0) {

@@ -9,7 +9,7 @@ const kNeeded = {
   lsystem: { grammar: ['#axiom', '!(0.03) F(0.3)'] },
 };
 
-/// One component of each type, the required rows of which are given.
+/// One component of each type with its required rows.
 function document_of_all(tables) {
   const first = (row) => row.default ?? { number: row.usual?.[1] ?? 1, integer: Math.round(row.usual?.[1] ?? 1), text: 'x', choice: row.choices?.[0] }[row.kind];
   const components = {};
@@ -51,7 +51,7 @@ async function set_row(page, path, row) {
     const field = element.locator('.number-field input').first();
     await field.fill('0.5');
     await field.press('Enter');
-  } else if (['curve', 'points', 'places', 'selection', 'colours', 'condition', 'formula', 'lines', 'box', 'integers'].includes(row.kind)) {
+  } else if (['curve', 'points', 'positions', 'selection', 'colours', 'condition', 'formula', 'lines', 'box', 'integers'].includes(row.kind)) {
     await element.hover();
     await element.getByRole('button', { name: /^More for/ }).click();
     await page.getByRole('menuitem', { name: 'Set', exact: true }).click();

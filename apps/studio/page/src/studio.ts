@@ -112,7 +112,7 @@ export class Studio {
     void this.edit([{ set: path, value }], label);
   }
 
-  /// Grows with other values for a while; the text stays. Of many, the newest is told when the last was answered.
+  /// Grows with other values for a while; the text stays. While an answer is awaited, only the newest values are kept.
   drag(values: Record<string, Json>): void {
     this.dragged.set(values);
     this.drag_waits_ = true;

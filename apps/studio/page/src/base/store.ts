@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A value that tells when it changes, and the hook by which panels follow it.
+// A value that tells when it changes, and the hook that lets panels follow it.
 import { useSyncExternalStore } from 'react';
 
 export class Store<T> {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hash by which page and server compare their texts; the server's text_hash is the same function.
+// The hash that page and server compare their texts by; the server's text_hash is the same function.
 
 const hexadecimal = (n: number): string => (n >>> 0).toString(16).padStart(8, '0');
 

@@ -53,7 +53,7 @@ function is_low(unit: number): boolean {
   return unit >= 0xdc00 && unit < 0xe000;
 }
 
-/// `later` as it reads after `first`, which was made of the same text at the same time; null where both touch one place.
+/// `later` as it reads after `first`, which was made of the same text at the same time; null where both touch one range.
 export function rebased(first: Patch, later: Patch): Patch | null {
   const made: Patch = [];
   for (const splice of later) {

@@ -49,12 +49,12 @@ const kEditors: Record<string, (props: RowEditorProps) => ReactElement> = {
   colours: ColoursRow,
   curve: CurveRow,
   points: CurveRow,
-  places: WrittenRow,
+  positions: WrittenRow,
   selection: WrittenRow,
 };
 
 /// Those that need the whole width of the panel.
-const kTall = new Set(['lines', 'curve', 'points', 'places', 'selection', 'box', 'vector', 'facing', 'condition', 'formula', 'colours']);
+const kTall = new Set(['lines', 'curve', 'points', 'positions', 'selection', 'box', 'vector', 'facing', 'condition', 'formula', 'colours']);
 
 interface RowViewProps {
   row: Row;

@@ -140,7 +140,7 @@ const kFirst: Record<string, Json> = {
   colours: ['#6b8e23'],
   curve: { curve: [[0, 1], [1, 1]], kind: 'spline' },
   points: [[0, 0], [1, 0], [1, 1]],
-  places: [[0, 0, 0]],
+  positions: [[0, 0, 0]],
   condition: 'true',
   formula: 0,
   selection: [0],

@@ -54,7 +54,7 @@ export class Materials {
     this.said_.length = Math.min(this.said_.length, count);
   }
 
-  /// Of a batch: its tint scale stands in the material, and whether what the person has chosen is emphasised.
+  /// The look of one batch: its tint scale stands in the material, and whether what the person has chosen is emphasised.
   material_for(index: number, tint_scale: three.Color, is_emphasised: boolean): three.ShaderMaterial {
     const key = `${index}/${tint_scale.getHexString()}/${tint_scale.r.toFixed(4)}/${is_emphasised}`;
     const known = this.made_.get(key);

@@ -44,6 +44,7 @@ void levels(benchmark::State& state, const std::string& name) {
   state.counters["of_before"] = static_cast<double>(made.triangle_count()) / static_cast<double>(before);
   state.counters["least"] = overlap.least();
   state.counters["mean"] = overlap.mean();
+  state.counters["growth"] = overlap.mean_growth();
   state.counters["worth_a_file"] = fault_of_level(grown.meshes, before, made, level, progress).empty() ? 1 : 0;
 }
 

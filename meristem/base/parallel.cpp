@@ -22,6 +22,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 #endif
 
 namespace meristem {
@@ -166,10 +167,15 @@ void run_together(Blocks& blocks, int threads) {
   const auto run_range = [&](const tbb::blocked_range<std::size_t>& range) {
     for (std::size_t block = range.begin(); block < range.end(); ++block) blocks.run(block);
   };
+  // All threads compute as the caller does. TBB's own context flushes the smallest numbers to zero where Embree was the
+  // first to use TBB, and one thread alone does not.
+  using Context = tbb::task_group_context;
+  Context context(Context::isolated, Context::default_traits | Context::fp_settings);
   // Isolated: a thread that waits for an inner loop never begins a block of the outer one in the middle of another.
   const auto run_all = [&] {
     tbb::this_task_arena::isolate([&] {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks.size(), 1), run_range, tbb::simple_partitioner());
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks.size(), 1), run_range, tbb::simple_partitioner(),
+                        context);
     });
   };
   const bool is_whole_machine = thread_limit == 0 && threads == machine_cores();

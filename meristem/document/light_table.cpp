@@ -154,7 +154,7 @@ std::string reason_without_sun(const LightParameters& settings) {
 
 std::string_view consequence_without_sun(const LightParameters& settings) {
   const bool has_sky = settings.sky > 0;
-  if (settings.lamps.empty()) return has_sky ? "the sky gives all light" : "there is no light to grow by";
+  if (settings.lamps.empty()) return has_sky ? "the sky gives all light" : "there is no light";
   return has_sky ? "sky and lamps give all light" : "the lamps give all light";
 }
 

@@ -172,7 +172,7 @@ TEST(SceneLight, IsSetByOverrides) {
 
 TEST(SceneLight, WarnsWhereTheSunDoesNotRise) {
   EXPECT_EQ(warnings_of(R"({"latitude": 80, "sun": {"day": 355, "every_hours": 1}})"),
-            "d.json:2:25: scene.sun: the sun does not rise on day 355 at latitude 80, so there is no light to grow by");
+            "d.json:2:25: scene.sun: the sun does not rise on day 355 at latitude 80, so there is no light");
   EXPECT_EQ(warnings_of(R"({"latitude": -80, "sky": 0.2, "sun": {"days": [150, 200], "every_days": 10}})"),
             "d.json:2:38: scene.sun: the sun does not rise from day 150 to 200 at latitude -80, so the sky gives all "
             "light");
@@ -181,10 +181,10 @@ TEST(SceneLight, WarnsWhereTheSunDoesNotRise) {
 TEST(SceneLight, WarnsOfASunBelowTheHorizon) {
   const std::string at_night = R"({"latitude": 51, "sun": {"day": 100, "hour": 1})";
   const std::string warning = "d.json:2:25: scene.sun: the sun is below the horizon at 1 h on day 100 at latitude 51, ";
-  EXPECT_EQ(warnings_of(at_night + "}"), warning + "so there is no light to grow by");
+  EXPECT_EQ(warnings_of(at_night + "}"), warning + "so there is no light");
   EXPECT_EQ(warnings_of(at_night + R"(, "sky": 0.4})"), warning + "so the sky gives all light");
   EXPECT_EQ(warnings_of(R"({"sun": {"azimuth": 0, "altitude": -3}})"),
-            "d.json:2:9: scene.sun: the sun is below the horizon, so there is no light to grow by");
+            "d.json:2:9: scene.sun: the sun is below the horizon, so there is no light");
   EXPECT_TRUE(read_in(at_night + "}").scene.light.sun.empty());
 }
 

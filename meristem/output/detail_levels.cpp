@@ -16,7 +16,15 @@ namespace {
 
 constexpr int kPixelsOfTheWhole = 256;
 constexpr int kFewestPixels = 16;
-constexpr int kOutlineDirections = 26;
+constexpr int kMostDirections = 26;
+constexpr int kFewestDirections = 4;
+constexpr double kMostDrawn = 3e7;  // triangles times directions: a second of drawing
+
+/// From how many directions two scenes that have `triangles` together are compared.
+int directions_for(std::uint64_t triangles) {
+  const double directions = kMostDrawn / std::max(1.0, static_cast<double>(triangles));
+  return std::clamp(static_cast<int>(std::min(directions, 1e3)), kFewestDirections, kMostDirections);
+}
 
 }  // namespace
 
@@ -28,14 +36,14 @@ std::string fault_of_level(const MeshScene& whole, std::uint64_t before, const M
   if (static_cast<double>(triangles) > kMostOfTheLevelBefore * static_cast<double>(before)) {
     return fmt::format("it would have {} triangles, too near to the {} of the level before", triangles, before);
   }
-  if (whole.triangle_count() > kSmallPlant) return {};
-  const double shared =
-      outline_overlap(whole, level, {.directions = kOutlineDirections, .size = pixels_of_level(number)}, progress)
-          .least();
-  if (shared < kLeastOutlineShared) {
+  const OutlineOptions outlines{.directions = directions_for(whole.triangle_count() + triangles),
+                                .size = pixels_of_level(number)};
+  const double shared = outline_overlap(whole, level, outlines, progress).least();
+  const double wanted = whole.triangle_count() <= kSmallPlant ? kLeastOutlineShared : kLeastCrownShared;
+  if (shared < wanted) {
     return fmt::format(
         "with {} triangles it would share {:.0f} % of the plant's outline from some side; {:.0f} % are wanted",
-        triangles, std::floor(100 * shared), 100 * kLeastOutlineShared);
+        triangles, std::floor(100 * shared), 100 * wanted);
   }
   return {};
 }

@@ -15,16 +15,19 @@ namespace meristem {
 
 /// A level has at most this share of the triangles of the level before it, or it is none.
 inline constexpr double kMostOfTheLevelBefore = 0.35;
-/// What a level and the whole plant cover of a picture alike, from each of 26 sides, or a small plant's level is none.
+/// What a level and the whole plant cover of a picture alike, from each of up to 26 sides, or the level is none: for
+/// plants of at most kSmallPlant triangles, and for larger ones. Those are thinned out, and wherever the sky is seen
+/// between leaves as small as a pixel, their crowns change from pixel to pixel.
 inline constexpr double kLeastOutlineShared = 0.9;
+inline constexpr double kLeastCrownShared = 0.8;
 
 /// How many pixels high a plant is shown at most as level `number`: half as many as the level before, 256 as a whole.
 int pixels_of_level(int number);
 
 /// Why `level`, the one of that `number`, which comes after a level of `before` triangles, is not worth a file: it has
-/// hardly fewer triangles, or it would lose the outline of a plant of at most kSmallPlant triangles. Larger plants are
-/// thinned out, and their crowns change wherever the sky is seen between leaves, so their outlines are not compared.
-/// Empty for a level that is worth a file. Levels coarser than one that is not are not worth one either.
+/// hardly fewer triangles, or it would lose the plant's outline. Outlines are drawn from fewer sides, at least four,
+/// where 26 would take more than a second. Empty for a level that is worth a file. Levels coarser than one that is not
+/// are not worth one either.
 std::string fault_of_level(const MeshScene& whole, std::uint64_t before, const MeshScene& level, int number,
                            Progress& progress);
 

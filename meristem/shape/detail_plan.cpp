@@ -76,15 +76,6 @@ std::map<std::string_view, std::vector<std::uint32_t>> organs_by_component(const
   return organs;
 }
 
-double area_of(const Mesh& mesh) {
-  double area = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Vec3 corner = mesh.positions[a];
-    area += 0.5 * glm::length(glm::cross(mesh.positions[b] - corner, mesh.positions[c] - corner));
-  }
-  return area;
-}
-
 /// Sums over all organs of a component, each as large as its prototype.
 struct OrganSums {
   double triangles_before = 0;  // with the plant's own meshes
@@ -135,9 +126,14 @@ std::vector<float> largest_organs(const Plant& plant, const std::vector<std::sha
   return size;
 }
 
-void coarsen_all(std::vector<std::shared_ptr<const Mesh>>& meshes, double share) {
+/// Coarsens the prototypes' meshes of the level before.
+void coarsen_all(const Plant& plant, const DetailBudget& budget, int level,
+                 std::vector<std::shared_ptr<const Mesh>>& meshes) {
   parallel_for(meshes.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
+      const std::string& component = plant.prototypes[k].component;
+      const double share = budget.of_organs(component, level) / budget.of_organs(component, level - 1);
+      if (share >= 1) continue;
       const auto wanted = static_cast<std::size_t>(share * static_cast<double>(meshes[k]->triangle_count()) + 0.5);
       meshes[k] = std::make_shared<const Mesh>(coarsened(*meshes[k], wanted));
     }
@@ -147,14 +143,14 @@ void coarsen_all(std::vector<std::shared_ptr<const Mesh>>& meshes, double share)
 }  // namespace
 
 TubePlan plan_tubes(const Skeleton& skeleton, const std::vector<TubeWear>& wears,
-                    const std::vector<std::uint32_t>& wear_of_axis, const Detail& detail,
+                    const std::vector<std::uint32_t>& wear_of_axis, double share,
                     const std::vector<std::uint32_t>& mesh_of_axis) {
   TubePlan plan(skeleton, wears, wear_of_axis, mesh_of_axis);
-  if (detail.level == 0) return plan;
-  const auto wanted = static_cast<std::uint64_t>(detail.kept() * static_cast<double>(triangle_count(plan)));
+  if (share >= 1) return plan;
+  const auto wanted = static_cast<std::uint64_t>(share * static_cast<double>(triangle_count(plan)));
   std::vector<TubeWear> coarse = wears;
   for (TubeWear& wear : coarse) {
-    const double sides = wear.surface.sides * std::sqrt(detail.kept());
+    const double sides = wear.surface.sides * std::sqrt(share);
     wear.surface.sides = std::max(3, static_cast<int>(sides + 0.5));
   }
   plan = TubePlan(skeleton, coarse, wear_of_axis, mesh_of_axis);
@@ -166,7 +162,7 @@ TubePlan plan_tubes(const Skeleton& skeleton, const std::vector<TubeWear>& wears
   return without_thin_axes(skeleton, plan, coarse, wear_of_axis, mesh_of_axis, wanted);
 }
 
-OrganDetail plan_organs(const Plant& plant, const Detail& detail) {
+OrganDetail plan_organs(const Plant& plant, const Detail& detail, const DetailBudget& budget) {
   OrganDetail organs;
   for (const OrganPrototype& prototype : plant.prototypes) organs.meshes.push_back(prototype.mesh);
   if (detail.level == 0) return organs;
@@ -175,12 +171,13 @@ OrganDetail plan_organs(const Plant& plant, const Detail& detail) {
   const auto groups = organs_by_component(plant);
   std::map<std::string_view, double> shares;
   for (int level = 1; level <= detail.level; ++level) {
-    coarsen_all(organs.meshes, detail.share);
+    coarsen_all(plant, budget, level, organs.meshes);
     // What is left to do falls from level to level, so that none shows what one before does not.
     for (const auto& [component, members] : groups) {
       const OrganSums sums = sums_of(plant, members, organs.meshes);
       double& share = shares.try_emplace(component, 1.0).first->second;
-      share = std::min(share, detail.kept(level) * sums.triangles_before / std::max(1.0, sums.triangles));
+      const double kept = budget.of_organs(component, level) * sums.triangles_before;
+      share = std::min(share, kept / std::max(1.0, sums.triangles));
     }
   }
   const float size = glm::length(box_of(plant).size());

@@ -10,15 +10,16 @@
 #include "meristem/base/progress.h"
 #include "meristem/plant/plant.h"
 #include "meristem/shape/detail.h"
+#include "meristem/shape/detail_budget.h"
 #include "meristem/shape/tube/tube_plan.h"
 
 namespace meristem {
 
-/// The tubes of one skeleton. Beyond level 0 they have fewer sides, then fewer rings, and then the thinnest axes, with
-/// what stands on them, are left out until the share of triangles is met; the thickest axis stays. Wears and meshes of
-/// the axes are as in TubePlan.
+/// The tubes of one skeleton with a `share` of their triangles, above 0; from 1 on all. With less they have fewer
+/// sides, then fewer rings, and then the thinnest axes, with what stands on them, are left out until the share is met;
+/// the thickest axis stays. Wears and meshes of the axes are as in TubePlan.
 TubePlan plan_tubes(const Skeleton& skeleton, const std::vector<TubeWear>& wears,
-                    const std::vector<std::uint32_t>& wear_of_axis, const Detail& detail,
+                    const std::vector<std::uint32_t>& wear_of_axis, double share,
                     const std::vector<std::uint32_t>& mesh_of_axis = {});
 
 /// What is shown of a plant's organs.
@@ -32,7 +33,8 @@ struct OrganDetail {
 
 /// Beyond level 0 organs have coarser meshes (coarsen.h), down to those of two triangles. Where that does not suffice,
 /// of each component with many organs an even choice is shown, larger, so that their area in all stays unless they
-/// would have to be more than three times as long. A level shows no organ that one before does not.
-OrganDetail plan_organs(const Plant& plant, const Detail& detail);
+/// would have to be more than three times as long. A level shows no organ that one before does not. `budget` is that
+/// of the plant at this level.
+OrganDetail plan_organs(const Plant& plant, const Detail& detail, const DetailBudget& budget);
 
 }  // namespace meristem

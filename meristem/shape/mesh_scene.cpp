@@ -103,23 +103,22 @@ std::vector<TubeWear> wears_of(const Stem& stem, const StemLooks& looks) {
 }
 
 /// Hash of all that shapes a stem's tubes.
-std::uint64_t key_of(const Stem& stem, const StemLooks& looks, const std::vector<Material>& materials,
-                     const Detail& detail) {
+std::uint64_t key_of(const Stem& stem, const StemLooks& looks, const std::vector<Material>& materials, double share) {
   Fingerprint key;
   add_skeleton(stem, key);
-  add_detail(detail, key);
+  key.add(share);
   for (const StemPart& part : stem.parts) add_surface(part.surface, key);
   key.add_array(stem.part_of_axis).add_array(looks.mesh_of_part).add_array(looks.mesh_of_axis);
   for (const StemPart* part : looks.first_part) key.add(needs_tangents(materials[part->material]));
   return key.hash();
 }
 
-std::vector<std::unique_ptr<StemDress>> plan_stems(const Plant& plant, const Detail& detail, CacheRun& results) {
+std::vector<std::unique_ptr<StemDress>> plan_stems(const Plant& plant, double share, CacheRun& results) {
   std::vector<std::unique_ptr<StemDress>> dresses(plant.stems.size());
   parallel_for(dresses.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       dresses[i] = std::make_unique<StemDress>(plant.stems[i]);
-      dresses[i]->key = results.key([&] { return key_of(plant.stems[i], dresses[i]->looks, plant.materials, detail); });
+      dresses[i]->key = results.key([&] { return key_of(plant.stems[i], dresses[i]->looks, plant.materials, share); });
     }
   });
   for (const std::unique_ptr<StemDress>& dress : dresses) {
@@ -131,8 +130,7 @@ std::vector<std::unique_ptr<StemDress>> plan_stems(const Plant& plant, const Det
       const Stem& stem = plant.stems[i];
       if (dresses[i]->tubes != nullptr) continue;
       const StemLooks& looks = dresses[i]->looks;
-      dresses[i]->plan =
-          plan_tubes(stem.skeleton, wears_of(stem, looks), stem.part_of_axis, detail, looks.mesh_of_axis);
+      dresses[i]->plan = plan_tubes(stem.skeleton, wears_of(stem, looks), stem.part_of_axis, share, looks.mesh_of_axis);
     }
   });
   return dresses;
@@ -145,8 +143,12 @@ struct ScenePlan {
   std::vector<std::size_t> organ_counts;  // of each prototype
 
   ScenePlan(const Plant& plant, const Detail& detail, CacheRun& results)
-      : stems(plan_stems(plant, detail, results)),
-        organs(plan_organs(plant, detail)),
+      : ScenePlan(plant, detail, DetailBudget(plant, detail), results) {}
+
+ private:
+  ScenePlan(const Plant& plant, const Detail& detail, const DetailBudget& budget, CacheRun& results)
+      : stems(plan_stems(plant, budget.of_tubes(detail.level), results)),
+        organs(plan_organs(plant, detail, budget)),
         organ_counts(organs_of_prototypes(plant, organs)) {}
 };
 

@@ -59,14 +59,33 @@ std::vector<int> covered_pixels(const MeshScene& scene, const OutlineView& view,
   return pixels;
 }
 
-double overlap_of(const std::vector<int>& first, const std::vector<int>& second) {
-  std::int64_t both = 0;
-  std::int64_t any = 0;
-  for (std::size_t k = 0; k < first.size(); ++k) {
-    both += std::min(first[k], second[k]);
-    any += std::max(first[k], second[k]);
+struct Compared {
+  std::int64_t both = 0;   // of the covered samples of each pixel, the fewer
+  std::int64_t any = 0;    // the more
+  std::int64_t whole = 0;  // covered samples
+  std::int64_t level = 0;
+};
+
+Compared compare(const std::vector<int>& whole, const std::vector<int>& level) {
+  Compared sums;
+  for (std::size_t k = 0; k < whole.size(); ++k) {
+    sums.both += std::min(whole[k], level[k]);
+    sums.any += std::max(whole[k], level[k]);
+    sums.whole += whole[k];
+    sums.level += level[k];
   }
-  return any == 0 ? 1 : static_cast<double>(both) / static_cast<double>(any);
+  return sums;
+}
+
+double share(std::int64_t part, std::int64_t all) {
+  return all == 0 ? 1 : static_cast<double>(part) / static_cast<double>(all);
+}
+
+double mean_of(const std::vector<double>& values) {
+  if (values.empty()) return 1;
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
 }
 
 }  // namespace
@@ -75,12 +94,9 @@ double OutlineOverlap::least() const {
   return of_direction.empty() ? 1 : *std::min_element(of_direction.begin(), of_direction.end());
 }
 
-double OutlineOverlap::mean() const {
-  if (of_direction.empty()) return 1;
-  double sum = 0;
-  for (const double overlap : of_direction) sum += overlap;
-  return sum / static_cast<double>(of_direction.size());
-}
+double OutlineOverlap::mean() const { return mean_of(of_direction); }
+
+double OutlineOverlap::mean_growth() const { return mean_of(growth); }
 
 std::vector<Vec3> outline_directions(int count) {
   std::vector<Vec3> directions;
@@ -105,11 +121,14 @@ OutlineOverlap outline_overlap(const MeshScene& whole, const MeshScene& level, c
   const double radius = std::max(0.5 * static_cast<double>(glm::length(box.size())), 1e-9);
   const std::vector<Vec3> directions = outline_directions(options.directions);
   overlap.of_direction.resize(directions.size());
+  overlap.growth.resize(directions.size());
   parallel_for(directions.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const OutlineView view = view_along(directions[k], DVec3(box.centre()), 0.5 * size / (kMargin * radius), size);
-      overlap.of_direction[k] = overlap_of(covered_pixels(whole, view, options.samples, progress),
-                                           covered_pixels(level, view, options.samples, progress));
+      const Compared sums = compare(covered_pixels(whole, view, options.samples, progress),
+                                    covered_pixels(level, view, options.samples, progress));
+      overlap.of_direction[k] = share(sums.both, sums.any);
+      overlap.growth[k] = share(sums.level, sums.whole);
     }
   });
   return overlap;

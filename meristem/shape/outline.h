@@ -24,9 +24,11 @@ std::vector<Vec3> outline_directions(int count);
 /// How much of what two plants cover of a picture is common to both, from each direction.
 struct OutlineOverlap {
   std::vector<double> of_direction;  ///< 0 to 1: what both cover over what any of them covers
+  std::vector<double> growth;        ///< what the level covers over what the whole covers
 
   double least() const;
   double mean() const;
+  double mean_growth() const;
 };
 
 /// Compares what `level` covers with what `whole` does, drawn by parallel rays from the same directions into the same

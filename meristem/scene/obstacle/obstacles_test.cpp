@@ -441,5 +441,19 @@ TEST(Obstacles, TheNearestSurfaceIsFoundFarFromTheOriginAndFromAll) {
   EXPECT_LT(far.away_from_surface({0, 1, 0})->x, -0.7F);
 }
 
+TEST(Obstacles, TheirTreesLeaveTheSmallestNumbersToOtherLoops) {
+  const Obstacles box = obstacles_of({box_mesh({0, 0, 0}, {1, 1, 1})});
+  EXPECT_TRUE(box.contain({0.5F, 0.5F, 0.5F}));
+  for (const int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
+    std::vector<float> halves(1000);
+    parallel_for(halves.size(), 1, [&](std::size_t block, std::size_t) {
+      const volatile float smallest = std::numeric_limits<float>::denorm_min() * 2;
+      halves[block] = smallest / 2;
+    });
+    EXPECT_EQ(std::count(halves.begin(), halves.end(), std::numeric_limits<float>::denorm_min()), 1000) << threads;
+  }
+}
+
 }  // namespace
 }  // namespace meristem

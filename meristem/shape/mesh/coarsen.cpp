@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t kMostTriangles = 2000;
 constexpr std::size_t kManyPieces = 4;
-constexpr double kSmallPiece = 0.1;  // of the mean area: a leaf's stalk, which goes first
+constexpr double kSmallPiece = 0.2;  // of the mean of what pieces show: a leaf's stalk, which goes first
 constexpr double kMostWidening = 4;
 constexpr double kLeastCosine = 0.2;   // cosine of the angle that a triangle may turn
 constexpr double kFlatNormal = 0.999;  // cosine between the normals of a triangle and its vertices
@@ -229,6 +229,10 @@ struct Piece {
   std::vector<Triangle> triangles;
   double area = 0;
   DVec3 one_sided{0};  // the sum of area vectors
+
+  bool is_flat() const { return glm::length(one_sided) > kFlat * area; }
+  /// Its area beside that of flat pieces, of a tube half: a tube shows a quarter of its area in the mean, a leaf half.
+  double shown() const { return is_flat() ? area : 0.5 * area; }
 };
 
 std::vector<Piece> pieces_of(const Mesh& mesh) {
@@ -273,8 +277,10 @@ double area_of(const std::vector<Piece>& pieces) {
 
 /// Leaves out what is small beside the others.
 std::vector<Piece> without_small(std::vector<Piece> pieces) {
-  const double mean = area_of(pieces) / static_cast<double>(pieces.size());
-  std::erase_if(pieces, [mean](const Piece& piece) { return piece.area < kSmallPiece * mean; });
+  double shown = 0;
+  for (const Piece& piece : pieces) shown += piece.shown();
+  const double least = kSmallPiece * shown / static_cast<double>(pieces.size());
+  std::erase_if(pieces, [least](const Piece& piece) { return piece.shown() < least; });
   return pieces;
 }
 
@@ -302,7 +308,7 @@ void take_triangles(Mesh& mesh, const std::vector<Piece>& pieces) {
 
 /// Stretches a flat piece across the line between its farthest vertices.
 void widen(Mesh& mesh, const Piece& piece, double factor) {
-  if (!(glm::length(piece.one_sided) > kFlat * piece.area)) return;
+  if (!piece.is_flat()) return;
   std::vector<std::uint32_t> vertices;
   for (const Triangle& triangle : piece.triangles) vertices.insert(vertices.end(), triangle.begin(), triangle.end());
   std::sort(vertices.begin(), vertices.end());

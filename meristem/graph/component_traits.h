@@ -43,6 +43,7 @@ struct ComponentTraits {
   bool is_whole_plant = false;  ///< what it places has looks and tropisms of its own
   bool is_camera = false;       ///< the root of every graph
   bool bears_plants = false;    ///< each instance that stands on it directly is a plant of its own (Individual)
+  bool speaks_of_space = false;  ///< it makes nothing: what stands on it directly is a plant of its own where it is one
   bool makes_stems = false;     ///< branch links place children along stems
   bool has_twigs =
       false;              ///< by default children stand along the twigs of its stems alone; what grows has twigs anyway

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Deformations. `axes_of_maple`: the large maple of more than 5 million triangles under an ffd on axes, expanded; `more_ms`
-// is by how much longer that takes than without one in the same run. `geometry_of_maple`: the same on geometry, with its
-// meshes; `more_ms` likewise, and `meshes`, how many there are then. `ffd` and `hyperpatch`: a mesh of a million vertices
-// with normals, deformed on one thread; `to_plain`, its time over that of a loop that does the same sum for each vertex,
-// written out by hand.
+// Deformations. `axes_of_maple`: the large maple of more than 5 million triangles under an ffd on axes, expanded;
+// `more_ms` is by how much longer that takes than without one in the same run. `geometry_of_maple`: the same on
+// geometry, with its meshes; `more_ms` likewise, and `meshes`, how many there are then. `ffd` and `hyperpatch`: a mesh
+// of a million vertices with normals, deformed on one thread; `to_plain`, its time over that of a loop that does the
+// same sum for each vertex, written out by hand.
 #include <algorithm>
 #include <chrono>
 #include <string>
@@ -48,7 +48,9 @@ double seconds_of(Call call) {
 meristem::Document maple(const std::string& ffd) {
   std::string text = meristem::read_text_file(kMaple);
   if (!ffd.empty()) {
-    const auto put = [&](const std::string& before, const std::string& by) { text.replace(text.find(before), before.size(), by); };
+    const auto put = [&](const std::string& before, const std::string& by) {
+      text.replace(text.find(before), before.size(), by);
+    };
     put(R"(["view", "trunk"])", R"(["view", "wind"], ["wind", "trunk"])");
     put(R"("components": {)", R"("components": {"wind": {"type": "ffd", )" + ffd + "}, ");
   }
@@ -138,8 +140,8 @@ void on_geometry(benchmark::State& state, std::shared_ptr<const meristem::SpaceM
 void ffd(benchmark::State& state) {
   const meristem::ExpressionNames names{meristem::FunctionMap::coordinate_names(), {}};
   const auto compiled = [&](const char* text) { return meristem::Expression::compile(text, names); };
-  auto map = std::make_shared<const meristem::FunctionMap>(
-      std::array<std::optional<meristem::Expression>, 3>{compiled("x + 0.02*y^2"), compiled("y - 0.01*x*y"), std::nullopt});
+  auto map = std::make_shared<const meristem::FunctionMap>(std::array<std::optional<meristem::Expression>, 3>{
+      compiled("x + 0.02*y^2"), compiled("y - 0.01*x*y"), std::nullopt});
   on_geometry(state, std::move(map), [](DVec3& p, DMat3& m) {
     m = DMat3(DVec3(1, -0.01 * p.y, 0), DVec3(0.04 * p.y, 1 - 0.01 * p.x, 0), DVec3(0, 0, 1));
     p = DVec3(p.x + 0.02 * p.y * p.y, p.y - 0.01 * p.x * p.y, p.z);

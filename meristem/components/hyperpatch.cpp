@@ -9,13 +9,14 @@ namespace meristem {
 
 namespace {
 
-constexpr float kAtRest = 1e-6F;  // of the box's size: control points written in decimals may miss their rest by so much
+constexpr float kAtRest =
+    1e-6F;  // of the box's size: control points written in decimals may miss their rest by so much
 
 const ParameterTable& control_point_table() {
   static const ParameterTable table =
       Table<ControlPoint>("a control point", "Where a control point of a hyperpatch stands.")
           .vector("at", &ControlPoint::at, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-10, 10}},
-                  "Position, in the component's frame.")
+                  "Position of the control point, in the component's frame.")
           .required()
           .shorthand("at");
   return table;
@@ -33,8 +34,8 @@ void check(const Hyperpatch& patch, const DocumentPath& path, ParameterReader& r
   const std::size_t wanted = BezierVolume::point_count(degree);
   if (patch.points.empty() || patch.points.size() == wanted) return;
   reader.fault(DocumentPath(path, "points"),
-               fmt::format("a hyperpatch of degree [{}] has {} control points, and here are {}", fmt::join(degree, ", "),
-                           wanted, patch.points.size()),
+               fmt::format("a hyperpatch of degree [{}] has {} control points, and here are {}",
+                           fmt::join(degree, ", "), wanted, patch.points.size()),
                fmt::format("{} x {} x {} of them: layer by layer from the lowest y up, in each layer row by row toward "
                            "+z, in each row toward +x",
                            degree[0] + 1, degree[1] + 1, degree[2] + 1));
@@ -79,8 +80,9 @@ void expand(const Hyperpatch& patch, const Site& site, Emitter& out) {
 ComponentType hyperpatch_component() {
   return define_component<Hyperpatch>({
       .traits = {.name = "hyperpatch",
-                 .doc = "A free-form deformation by a Bézier volume over a box: all that hangs on it follows its control "
-                        "points.",
+                 .doc =
+                     "A free-form deformation by a Bézier volume over a box: all that hangs on it follows its control "
+                     "points.",
                  .has_geometry = false,
                  .speaks_of_space = true},
       .parameters =

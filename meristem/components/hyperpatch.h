@@ -14,7 +14,7 @@ struct ControlPoint {
 
 /// A free-form deformation by a Bézier volume over a box.
 struct Hyperpatch : ComponentBase {
-  std::optional<Box> box;          ///< metres, in the component's frame; required
+  std::optional<Box> box;            ///< metres, in the component's frame; required
   std::vector<int> degree{3, 3, 3};  ///< along x, y and z
   std::vector<ControlPoint> points;  ///< in the order of BezierVolume; empty: where `functions` take them from rest
   SpaceFunctions functions;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/components/hyperpatch.h"
 
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "meristem/components/registry.h"
@@ -19,7 +21,9 @@ Value::List corners(double lift, const Value& side = 0.0) {
     for (const double z : {-1.0, 1.0}) {
       for (const double x : {-1.0, 1.0}) {
         const double shift = y > 0 && side.number() != nullptr ? *side.number() : 0;
-        points.emplace_back(Value::List{y > 0 && side.text() != nullptr ? side : Value(x + shift), y, z});
+        const bool is_text = y > 0 && side.text() != nullptr;
+        points.emplace_back(
+            Value::List{is_text ? Value(std::to_string(x) + " + " + *side.text()) : Value(x + shift), y, z});
       }
     }
   }
@@ -91,7 +95,7 @@ TEST(Hyperpatch, RefusesWhatIsNoPatch) {
   EXPECT_EQ(fault_of(patch({{"degree", Value::List{1, 4, 1}}})).path, "components.patch.degree[1]");
   EXPECT_EQ(fault_of(patch({{"degree", kLinear}, {"points", corners(0)}, {"dx", "x"}})).path, "components.patch.dx");
   EXPECT_EQ(fault_of(patch({{"degree", kLinear}, {"points", Value::List{Value::List{0, 1}}}})).path,
-            "components.patch.points[0].at");
+            "components.patch.points[0]");
 }
 
 TEST(Hyperpatch, ThatFoldsIsTold) {

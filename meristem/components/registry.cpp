@@ -27,10 +27,10 @@ namespace meristem {
 
 const Registry& builtin_components() {
   static const Registry registry({
-      camera_component(),    simple_component(), revolution_component(), leaf_component(),        needles_component(),
-      grassleaf_component(), tree_component(),   horn_component(),       hydra_component(),       wreath_component(),
-      phiball_component(),   field_component(),  places_component(),     subdocument_component(), colonize_component(),
-      organize_component(),  cloud_component(),  lsystem_component(),    skeleton_component(),    ffd_component(),
+      camera_component(),     simple_component(), revolution_component(), leaf_component(),        needles_component(),
+      grassleaf_component(),  tree_component(),   horn_component(),       hydra_component(),       wreath_component(),
+      phiball_component(),    field_component(),  places_component(),     subdocument_component(), colonize_component(),
+      organize_component(),   cloud_component(),  lsystem_component(),    skeleton_component(),    ffd_component(),
       hyperpatch_component(),
   });
   return registry;

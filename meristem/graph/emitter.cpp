@@ -188,8 +188,8 @@ std::uint32_t Emitter::number_of_individual() {
 
 void Emitter::plant(const Frame& local, std::shared_ptr<const PlantSource> source, PlantRequest request) {
   request.time = context_->time;
-  plants.push_back({geometry_frame_ * local, std::move(source), std::move(request), site_.birth, visible_,
-                    deformation_at(site_)});
+  plants.push_back(
+      {geometry_frame_ * local, std::move(source), std::move(request), site_.birth, visible_, deformation_at(site_)});
 }
 
 void Emitter::give(std::span<const double> numbers, bool to_named) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Organs are taken some thousand vertices at a time. Level by level all of their vertices move: a level on geometry takes
-// each where it goes, one on axes turns and moves the organ as it turns and moves its base. Each organ's centre moves
-// along; the Jacobian that it gathers on the way is the affine map that may do instead.
+// Organs are taken some thousand vertices at a time. Level by level all of their vertices move: a level on geometry
+// takes each where it goes, one on axes turns and moves the organ as it turns and moves its base. Each organ's centre
+// moves along; the Jacobian that it gathers on the way is the affine map that may do instead.
 #include "meristem/plant/deform_plant.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ struct Bend {
 /// The direction of the segment that ends in each node; at roots of that above them.
 std::vector<DVec3> directions_of(const Skeleton& skeleton) {
   std::vector<DVec3> directions(skeleton.node_count(), DVec3(kUp));
-  for (NodeIndex node = skeleton.node_count() > 0 ? static_cast<NodeIndex>(skeleton.node_count()) : 0; node-- > 0;) {
+  for (auto node = static_cast<NodeIndex>(skeleton.node_count()); node-- > 0;) {
     if (skeleton.is_root(node)) continue;  // its first child, which comes later, has written it
     const NodeIndex parent = skeleton.parent[node];
     directions[node] = DVec3(normalized_or(skeleton.position[node] - skeleton.position[parent], kUp));
@@ -159,9 +159,8 @@ struct Task {
 };
 
 bool is_rigid(const Deformation& deformation) {
-  return std::ranges::all_of(deformation.levels(), [](const Deformation::Level& level) {
-    return level.part == DeformedPart::axes;
-  });
+  return std::ranges::all_of(deformation.levels(),
+                             [](const Deformation::Level& level) { return level.part == DeformedPart::axes; });
 }
 
 void move_rigidly(Plant& plant, const Task& task) {

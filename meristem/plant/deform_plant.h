@@ -13,12 +13,12 @@
 
 namespace meristem {
 
-/// How far a vertex may lie from where an affine map puts it, as a share of the organ's size, where the map stands for a
-/// deformation.
+/// How far a vertex may lie from where an affine map puts it, as a share of the organ's size, where the map stands for
+/// a deformation.
 inline constexpr double kAffineTolerance = 5e-3;
 
-/// Deforms a stem, each part by its own deformation (null: not): moves nodes, leaves thickness along the axes what it is
-/// or stretches it as the surface is, and notes in the parts by what their surfaces are to be deformed. Throws as
+/// Deforms a stem, each part by its own deformation (null: not): moves nodes, leaves thickness along the axes what it
+/// is or stretches it as the surface is, and notes in the parts by what their surfaces are to be deformed. Throws as
 /// Deformation::map does, with the part's component as what stands there.
 void deform(Stem& stem, std::span<const std::shared_ptr<const Deformation>> of_part);
 

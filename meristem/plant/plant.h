@@ -95,7 +95,7 @@ struct StemPart {
   std::uint32_t instance = 0;  ///< which instance of that component
   std::uint32_t material = 0;  ///< index into Plant::materials
   Surface surface;
-  Vec3 tint{1};  ///< linear factors on the material's colour
+  Vec3 tint{1};                                      ///< linear factors on the material's colour
   std::shared_ptr<const Deformation> deformation{};  ///< of its surface, once that is made; null: none
 };
 

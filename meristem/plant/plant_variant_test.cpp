@@ -92,12 +92,14 @@ TEST(Planting, ExpansionStopsAtTheLimitsBeforeItCopies) {
 /// Half as much to the side as a point is high.
 std::shared_ptr<const Deformation> lean(DeformedPart part) {
   auto map = std::make_shared<const FunctionMap>(functions("x + y/2", "", ""));
-  return std::make_shared<const Deformation>(std::vector<Deformation::Level>{{std::move(map), {}, part, "components.wind"}});
+  return std::make_shared<const Deformation>(
+      std::vector<Deformation::Level>{{std::move(map), {}, part, "components.wind"}});
 }
 
 TEST(Planting, DeformedOnesAreCopiedOutAndDeformedAtEachPlace) {
   Plant plant;
-  plant.plantings.push_back({"oak", twig(), {{at({2, 0, 0}), 0, 5}, {at({0, 2, 4}, 2), 1, 0}}, lean(DeformedPart::geometry)});
+  plant.plantings.push_back(
+      {"oak", twig(), {{at({2, 0, 0}), 0, 5}, {at({0, 2, 4}, 2), 1, 0}}, lean(DeformedPart::geometry)});
   plant.plantings.push_back({"elm", twig(), {{at({0, 0, 9}), 0, 0}}});
   EXPECT_TRUE(has_deformed_plantings(plant));
   const Plant part = with_deformed_copies(plant, {}, Progress());

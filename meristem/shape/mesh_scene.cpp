@@ -132,7 +132,8 @@ std::vector<std::unique_ptr<StemDress>> plan_stems(const Plant& plant, double sh
       const Stem& stem = plant.stems[i];
       if (dresses[i]->tubes != nullptr) continue;
       const StemLooks& looks = dresses[i]->looks;
-      const auto deformed = stem.undeformed != nullptr ? std::span<const Vec3>(stem.skeleton.position) : std::span<const Vec3>();
+      const auto deformed =
+          stem.undeformed != nullptr ? std::span<const Vec3>(stem.skeleton.position) : std::span<const Vec3>();
       dresses[i]->plan = plan_tubes(stem.skeleton_of_surface(), wears_of(stem, looks), stem.part_of_axis, share,
                                     looks.mesh_of_axis, deformed);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Control points at rest give the identity, so only by how much they are shifted is summed up: where nothing is shifted,
-// no bit of a point changes.
+// Control points at rest give the identity, so only by how much they are shifted is summed up: where nothing is
+// shifted, no bit of a point changes.
 #include "meristem/base/deform/bezier_volume.h"
 
 #include <algorithm>

@@ -20,8 +20,8 @@ class BezierVolume : public SpaceMap {
   using Degree = std::array<int, 3>;  ///< along x, y and z, each from 1 to 3
 
   static std::size_t point_count(const Degree& degree);
-  /// Where control points stand that move nothing: evenly in the box, layer by layer from its lowest y up, in each layer
-  /// row by row toward +z, in each row toward +x.
+  /// Where control points stand that move nothing: evenly in the box, layer by layer from its lowest y up, in each
+  /// layer row by row toward +z, in each row toward +x.
   static std::vector<DVec3> points_at_rest(const DVec3& low, const DVec3& high, const Degree& degree);
 
   /// The box's corners, low below high in all three, and its control points (metres) in the order of points_at_rest.

@@ -39,7 +39,9 @@ TEST_P(BezierVolumes, AtRestAreTheIdentityInEveryBit) {
   expect_identity(BezierVolume(kLow, kHigh, GetParam(), BezierVolume::points_at_rest(kLow, kHigh, GetParam())));
 }
 
-TEST_P(BezierVolumes, HaveTheJacobianOfDifferencesInsideAndOutside) { expect_jacobian_of_differences(shifted(GetParam())); }
+TEST_P(BezierVolumes, HaveTheJacobianOfDifferencesInsideAndOutside) {
+  expect_jacobian_of_differences(shifted(GetParam()));
+}
 
 TEST_P(BezierVolumes, TakeCornersToTheirControlPoints) {
   const BezierVolume::Degree degree = GetParam();

@@ -31,7 +31,8 @@ class RigidMap : public SpaceMap {
     std::fill(jacobians.begin(), jacobians.end(), rotation_);
   }
   void add_to(Fingerprint& fingerprint) const override {
-    for (const DVec3& v : {from_, to_, rotation_[0], rotation_[1], rotation_[2]}) fingerprint.add(v.x).add(v.y).add(v.z);
+    for (const DVec3& v : {from_, to_, rotation_[0], rotation_[1], rotation_[2]})
+      fingerprint.add(v.x).add(v.y).add(v.z);
   }
 
  private:
@@ -47,11 +48,13 @@ std::string text_of(const DVec3& v) { return fmt::format("[{:.4g}, {:.4g}, {:.4g
 /// The fault of a level that takes `from` to `to`; both in the level's frame.
 [[noreturn]] void throw_fault(const Deformation::Level& level, std::string_view who, const DVec3& world,
                               const DVec3& from, const DVec3& to, const DMat3& jacobian) {
-  const std::string place = fmt::format("where '{}' stands at {} ({} in its own frame)", who, text_of(world), text_of(from));
+  const std::string place =
+      fmt::format("where '{}' stands at {} ({} in its own frame)", who, text_of(world), text_of(from));
   if (!is_finite(to) || !is_finite(jacobian)) {
-    throw InputError(Diagnostic{.message = fmt::format("the deformation has no finite value {}", place),
-                                .expected = "functions that are finite and have finite slopes wherever something stands",
-                                .path = level.path});
+    throw InputError(
+        Diagnostic{.message = fmt::format("the deformation has no finite value {}", place),
+                   .expected = "functions that are finite and have finite slopes wherever something stands",
+                   .path = level.path});
   }
   const double determinant = glm::determinant(jacobian);
   if (!(determinant > 0)) {
@@ -148,7 +151,7 @@ void Deformation::map(const Level& level, std::span<DVec3> points, std::span<DMa
       const DVec3 from = inverse * (point - origin);
       const DVec3 to = point + axes * (moved[k] - from);
       const double determinant = glm::determinant(slopes[k]);
-      const bool is_near = std::max({std::abs(to.x), std::abs(to.y), std::abs(to.z)}) <= kFarthest;
+      const bool is_near = is_finite(to) && std::max({std::abs(to.x), std::abs(to.y), std::abs(to.z)}) <= kFarthest;
       if (!(determinant > 0) || !std::isfinite(determinant) || !is_near) {
         throw_fault(level, who, point, from, moved[k], slopes[k]);
       }

@@ -90,8 +90,9 @@ TEST(Deformation, TheInnerOneComesFirst) {
     const Mapped inner = mapped_by(twist(), point);
     const Mapped after = mapped(*outer, inner.point);
     const Mapped found = mapped(*both, point);
-    EXPECT_EQ(found.point, after.point);
-    for (int k = 0; k < 3; ++k) EXPECT_LT(glm::distance(found.jacobian[k], (after.jacobian * inner.jacobian)[k]), 1e-12);
+    EXPECT_LT(glm::distance(found.point, after.point), 1e-12);
+    for (int k = 0; k < 3; ++k)
+      EXPECT_LT(glm::distance(found.jacobian[k], (after.jacobian * inner.jacobian)[k]), 1e-12);
   }
 }
 

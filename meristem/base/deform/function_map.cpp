@@ -22,6 +22,7 @@ FunctionMap::FunctionMap(std::array<std::optional<Expression>, 3> functions, std
 
 void FunctionMap::map(std::span<DVec3> points, std::span<DMat3> jacobians) const {
   assert(points.size() == jacobians.size());
+  if (points.empty()) return;
   const std::size_t lanes = std::min(points.size(), kPointsTogether);
   // The coordinates as columns, then the values that are the same at all points.
   std::vector<double> coordinates(3 * lanes);

@@ -44,7 +44,9 @@ TEST(FunctionMap, ItsOtherVariablesAndChanceAreTheSameAtAllPoints) {
   for (const DVec3& point : scattered_points()) EXPECT_NEAR(mapped_by(map, point).point.x, point.x + shift, 1e-12);
 }
 
-TEST(FunctionMap, APointsPlaceInABatchDoesNotMatter) { expect_same_in_batches(functions("x + 0.1*y^2", "", "z*exp(x)")); }
+TEST(FunctionMap, APointsPlaceInABatchDoesNotMatter) {
+  expect_same_in_batches(functions("x + 0.1*y^2", "", "z*exp(x)"));
+}
 
 TEST(FunctionMap, HasANumberForAllThatItDependsOn) {
   const std::uint64_t own = fingerprint_of(functions("x + y", "", ""));

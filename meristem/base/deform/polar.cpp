@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Newton's iteration: the mean of a matrix and of its inverse, transposed, is nearer to a rotation than the matrix. Until
-// it is near, both are scaled to the same size.
+// Newton's iteration: the mean of a matrix and of its inverse, transposed, is nearer to a rotation than the matrix.
+// Until it is near, both are scaled to the same size.
 #include "meristem/base/deform/polar.h"
 
 #include <cmath>

@@ -294,7 +294,7 @@ struct Batch {
   const RandomKey* keys;
   double* scratch;
   double* out;
-  ExpressionSlopes* slopes = nullptr;         // null where nobody asks for them
+  ExpressionSlopes* slopes = nullptr;        // null where nobody asks for them
   std::span<double* const> slopes_out = {};  // by variable
 };
 

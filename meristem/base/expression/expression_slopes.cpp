@@ -147,8 +147,8 @@ Operands of_ternary(Op op, const Operands& in) {
 
 bool is_noise(Op op) { return op == Op::noise_1 || op == Op::noise_2 || op == Op::noise_3; }
 
-/// Derivatives of an operation in its operands at `in`, where it gives `result`; that in the second one where it is asked
-/// for.
+/// Derivatives of an operation in its operands at `in`, where it gives `result`; that in the second one where it is
+/// asked for.
 Operands derivatives_of(const ExpressionInstruction& i, const Operands& in, double result, RandomKey key,
                         bool is_by_second) {
   if (is_random(i.op)) return of_drawing(i, key);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes of an expression in some of its variables, carried forward beside the values: an instruction's slopes are those
-// of its operands, each times the derivative of the operation in that operand. Private to the expression language.
+// Slopes of an expression in some of its variables, carried forward beside the values: an instruction's slopes are
+// those of its operands, each times the derivative of the operation in that operand. Private to the expression
+// language.
 #pragma once
 
 #include <cstddef>

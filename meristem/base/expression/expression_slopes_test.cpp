@@ -20,7 +20,8 @@ struct ValueWithSlopes {
 };
 
 /// At one point, asked for in a batch of `lanes` of which it is the last.
-ValueWithSlopes at(const std::string& text, std::array<double, 3> point, std::size_t lanes = 1, RandomKey key = RandomKey()) {
+ValueWithSlopes at(const std::string& text, std::array<double, 3> point, std::size_t lanes = 1,
+                   RandomKey key = RandomKey()) {
   const Expression expression = Expression::compile(text, kNames);
   std::vector<std::vector<double>> columns;
   std::vector<const double*> variables;
@@ -64,16 +65,17 @@ TEST_P(ExpressionSlopes, AreThoseOfDifferences) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    OfEachFunction, ExpressionSlopes,
-    testing::Values("x + y - z", "x * y * z", "x / (y + z)", "-x", "x ^ 3 + 2 ^ y", "x ^ y", "(x - 2) ^ 3", "sin(90*x*y)", "cos(200*x)",
-                    "tan(40*y)", "asin(x)", "acos(y)", "atan(z)", "atan2(x, y)", "sqrt(x)", "cbrt(y)", "exp(x*z)",
-                    "log(x)", "log2(y)", "log10(z)", "abs(x - y)", "sign(x)", "floor(x)", "ceil(y)", "round(z)",
-                    "trunc(x)", "frac(7*x)", "mod(7*x, y + 1)", "7*x % 2", "min(x, y, z)", "max(x, y, z)",
-                    "clamp(x, y, z)", "clamp(x, 0.2, 0.9)", "lerp(x, y, z)", "smoothstep(0, 1, x)",
-                    "smoothstep(x - 1, y + 1, z)", "step(0.5, x)", "noise(3*x)", "noise(x, 2*y)",
-                    "noise(3*x, 3*y, 3*z)", "x > y ? x*x : y*z", "(x < y) * z", "rand() * x", "rand(x, y)",
-                    "gauss(x, y)", "ran(x) * y", "x == y ? 1 : x", "!x + y", "7", "x + 0.4*y^2*sin(30*z)"));
+INSTANTIATE_TEST_SUITE_P(OfEachFunction, ExpressionSlopes,
+                         testing::Values("x + y - z", "x * y * z", "x / (y + z)", "-x", "x ^ 3 + 2 ^ y", "x ^ y",
+                                         "(x - 2) ^ 3", "sin(90*x*y)", "cos(200*x)", "tan(40*y)", "asin(x)", "acos(y)",
+                                         "atan(z)", "atan2(x, y)", "sqrt(x)", "cbrt(y)", "exp(x*z)", "log(x)",
+                                         "log2(y)", "log10(z)", "abs(x - y)", "sign(x)", "floor(x)", "ceil(y)",
+                                         "round(z)", "trunc(x)", "frac(7*x)", "mod(7*x, y + 1)", "7*x % 2",
+                                         "min(x, y, z)", "max(x, y, z)", "clamp(x, y, z)", "clamp(x, 0.2, 0.9)",
+                                         "lerp(x, y, z)", "smoothstep(0, 1, x)", "smoothstep(x - 1, y + 1, z)",
+                                         "step(0.5, x)", "noise(3*x)", "noise(x, 2*y)", "noise(3*x, 3*y, 3*z)",
+                                         "x > y ? x*x : y*z", "(x < y) * z", "rand() * x", "rand(x, y)", "gauss(x, y)",
+                                         "ran(x) * y", "x == y ? 1 : x", "!x + y", "7", "x + 0.4*y^2*sin(30*z)"));
 
 TEST(ExpressionSlopesAtKinks, AreThoseOfOneSide) {
   EXPECT_EQ(at("abs(x)", {0, 0, 0}).slopes[0], 1);

@@ -80,7 +80,7 @@ void axes_of_maple(benchmark::State& state) {
     benchmark::DoNotOptimize(expand(document.graph, document.scene, 0, progress));
   });
 }
-BENCHMARK(axes_of_maple)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(axes_of_maple)->Iterations(sized(8, 1))->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void geometry_of_maple(benchmark::State& state) {
   std::size_t meshes = 0;
@@ -91,7 +91,7 @@ void geometry_of_maple(benchmark::State& state) {
   });
   state.counters["meshes"] = static_cast<double>(meshes);
 }
-BENCHMARK(geometry_of_maple)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(geometry_of_maple)->Iterations(sized(3, 1))->Unit(benchmark::kMillisecond)->UseRealTime();
 
 Mesh many_vertices() {
   const auto count = sized<std::size_t>(1'000'000, 1000);
@@ -147,7 +147,7 @@ void ffd(benchmark::State& state) {
     p = DVec3(p.x + 0.02 * p.y * p.y, p.y - 0.01 * p.x * p.y, p.z);
   });
 }
-BENCHMARK(ffd)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(ffd)->Iterations(sized(20, 1))->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void hyperpatch(benchmark::State& state) {
   const DVec3 low(-1, 0, -1), high(1, 8, 1);
@@ -181,7 +181,7 @@ void hyperpatch(benchmark::State& state) {
     p = sum;
   });
 }
-BENCHMARK(hyperpatch)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(hyperpatch)->Iterations(sized(10, 1))->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 

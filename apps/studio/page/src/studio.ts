@@ -134,9 +134,15 @@ export class Studio {
 
   /// Whether it could be opened.
   async open(wish: OpenWish): Promise<boolean> {
+    await this.document.idle();
+    await this.keeper.flush();
+    const { is_changed } = this.document;
+    const left = this.document.state.get();
     try {
       const opened = await this.connection.request<Opened>('open', wish);
       this.take_opened(opened);
+      const is_another = left.path !== opened.path || left.model !== opened.model;
+      if (is_changed && is_another) this.tell(`Unsaved changes of ${left.name} are kept: open it again to have them back`);
       await this.keeper.offer(opened);
       return true;
     } catch (fault) {

@@ -11,6 +11,7 @@ import { is_object } from '../document/json.ts';
 import { member_of, path_below } from '../document/path.ts';
 import { link_kind } from '../tables/resolve.ts';
 import { use_document, use_studio } from '../studio_context.ts';
+import type { Tables } from '../tables/tables.ts';
 
 interface Item {
   path: string;
@@ -44,13 +45,14 @@ export function Outline(): ReactElement {
   );
 }
 
-function components_of(document: Json | undefined, types: Record<string, { is_camera?: boolean }>): Item[] {
+function components_of(document: Json | undefined, types: Tables['components']): Item[] {
   const components = member_of(document, 'components');
   if (!is_object(components)) return [];
   return Object.keys(components).map((id) => {
     const type = String(member_of(components[id], 'type') ?? '?');
     const is_camera = types[type]?.is_camera === true;
-    const item: Item = { path: path_below('components', id), title: id, detail: type, icon: is_camera ? 'camera' : 'leaf' };
+    const icon = is_camera ? 'camera' : types[type]?.makes_stems === true ? 'stem' : 'leaf';
+    const item: Item = { path: path_below('components', id), title: id, detail: type, icon };
     return is_camera ? item : { ...item, component: id };
   });
 }

@@ -1,113 +1,101 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets one row of each kind of each component type through the inspector's own fields, and asks `meristem check`.
+// Gives each kind of row of each component type, of links, scene, output and limits a value by hand. The documents of
+// tests/rows say which: between them they give every row that there is. What is set is taken away first, so that in the
+// end each document must say again what it said.
+import { cp, readdir, readFile } from 'node:fs/promises';
+import path from 'node:path';
 
-const kCrown = { profile: [[0.1, 0.6], [0.7, 1.2], [0, 2]] };
-/// What types need besides rows that can be made up.
-const kNeeded = {
-  colonize: { crown: kCrown, points: 50, step: 0.1, influence: 0.6, kill: 0.2 },
-  cloud: { crown: kCrown },
-  lsystem: { grammar: ['#axiom', '!(0.03) F(0.3)'] },
-};
+import { choose } from './hands.mjs';
+import { at_path, below, kNested, RowHand, table_of_element, unfold } from './row_hands.mjs';
+import { kSource, meristem } from './support.mjs';
 
-/// One component of each type with its required rows.
-function document_of_all(tables) {
-  const first = (row) => row.default ?? { number: row.usual?.[1] ?? 1, integer: Math.round(row.usual?.[1] ?? 1), text: 'x', choice: row.choices?.[0] }[row.kind];
-  const components = {};
-  for (const [type, facts] of Object.entries(tables.components)) {
-    const made = { type };
-    for (const row of tables.tables[facts.table].rows) if (row.required) made[row.name] = first(row);
-    components[`the_${type}`] = { ...made, ...kNeeded[type] };
+const kFolder = path.join(kSource, 'tests/rows');
+
+/// The documents, by name, with the files that they read beside them.
+export async function put_documents(folder) {
+  await cp(kFolder, path.join(folder, 'rows'), { recursive: true });
+  await cp(path.join(kSource, 'tests/fuzz/corpus/image/rgba.png'), path.join(folder, 'fuzz/corpus/image/rgba.png'));
+  const names = (await readdir(kFolder)).filter((one) => one.endsWith('.json')).sort();
+  return Promise.all(names.map(async (name) => ({ name: `rows/${name}`, said: JSON.parse(await readFile(path.join(kFolder, name), 'utf8')) })));
+}
+
+/// What of a document its rows are of: the title in the outline, the path, whose rows they are, and their tables.
+function subjects_of(document, tables) {
+  const { components = {}, links = [] } = document.said;
+  const found = [];
+  const all = tables.tables[tables.all_components];
+  for (const [id, said] of Object.entries(components)) found.push({ title: id, at: `components.${id}`, owner: said.type, said, tables: [tables.tables[tables.components[said.type].table], all] });
+  for (const [k, said] of links.entries()) {
+    if (Array.isArray(said)) continue;
+    const kind = said.kind ?? '';
+    found.push({ title: `${said.from} → ${said.to}`, at: `links[${k}]`, owner: `link ${kind}`, said, tables: [tables.tables[tables.link], tables.tables[tables.links[kind]]] });
   }
-  return components;
-}
-
-const kTyped = { number: (row) => String(nice(row)), integer: (row) => String(Math.round(nice(row))) };
-
-/// A number within the usual range that is not the default.
-function nice(row) {
-  const [low, high] = row.usual ?? [0, 1];
-  const value = Number((low + 0.6 * (high - low)).toPrecision(2));
-  return value === row.default ? Number((low + 0.3 * (high - low)).toPrecision(2)) : value;
-}
-
-/// Acts on the editor of a row as a hand would; false where this kind is set elsewhere.
-async function set_row(page, path, row) {
-  const element = page.locator(`[data-path="${path}"]`);
-  if (kTyped[row.kind]) {
-    const field = element.locator('.number-field input').first();
-    await field.fill(kTyped[row.kind](row));
-    await field.press('Enter');
-    return true;
+  const head = tables.tables[tables.document];
+  for (const [part, title] of [['scene', 'Scene'], ['output', 'Output'], ['limits', 'Limits']]) {
+    const table = part === 'limits' ? tables.limits : head.rows.find((one) => one.name === part).table;
+    if (document.said[part]) found.push({ title, at: part, owner: part, said: document.said[part], tables: [tables.tables[table]] });
   }
-  if (row.kind === 'boolean') await element.getByRole('switch').click();
-  else if (row.kind === 'choice') {
-    const other = row.choices.find((one) => one !== row.default) ?? row.choices[0];
-    await element.getByRole('combobox').selectOption(other);
-  } else if (row.kind === 'colour') {
-    const field = element.locator('.text-field').first();
-    await field.fill('#a0b0c0');
-    await field.press('Enter');
-  } else if (row.kind === 'vector') {
-    const field = element.locator('.number-field input').first();
-    await field.fill('0.5');
-    await field.press('Enter');
-  } else if (['curve', 'points', 'positions', 'selection', 'colours', 'condition', 'formula', 'lines', 'box', 'integers'].includes(row.kind)) {
-    await element.hover();
-    await element.getByRole('button', { name: /^More for/ }).click();
-    await page.getByRole('menuitem', { name: 'Set', exact: true }).click();
-  } else return false;
-  return true;
+  const plain = { rows: head.rows.filter((one) => one.table === undefined && !one.kinds && one.name !== 'meristem') };
+  found.push({ title: 'Document', at: '', owner: 'document', said: document.said, tables: [plain] });
+  // Of several links of the same name the outline's first is meant.
+  return found.filter((one, k) => found.findIndex((other) => other.title === one.title) === k);
 }
 
-const errors = (page) =>
-  page.evaluate(() => window.studio.document.state.get().faults.filter((one) => one.severity === 'error').map((one) => `${one.path}: ${one.message}`));
+const is_object = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
 
-const step_count = (page) => page.evaluate(() => window.studio.document.state.get().undo.done.length);
-
-/// Sets a row and says what became of it: "set", "refused" by a rule between rows, or what is wrong.
-async function try_row(page, id, row) {
-  const path = `components.${id}.${row.name}`;
-  const before = await step_count(page);
-  if (!(await set_row(page, path, row))) return 'elsewhere';
-  const is_done = await page
-    .waitForFunction((known) => window.studio.document.state.get().undo.done.length > known, before, { timeout: 30000 })
-    .then(() => true, () => false);
-  if (!is_done) return 'nothing was set';
-  const value = await page.evaluate(([one, name]) => window.studio.document.state.get().tree.value.components[one][name], [id, row.name]);
-  if (value === undefined) return 'not in the text';
-  if ((await errors(page)).length === 0) return 'set';
-  await page.evaluate(() => window.studio.undo());
-  return 'refused';
+/// All rows that are given below a value, with the folds that are opened on the way to them.
+function* given_rows(tables, rows, said, at, folds) {
+  for (const row of rows) {
+    const value = said[row.name];
+    if (value === undefined || row.name === 'type') continue;
+    const here = below(at, row.name);
+    const is_written_out = !kNested.includes(row.kind) || (row.kind === 'list' ? Array.isArray(value) : is_object(value));
+    if (!is_written_out) continue; // in short, as a number in place of an object
+    yield { row, value, at: here, folds };
+    const inside = [...folds, here];
+    if (row.kind === 'object') yield* given_rows(tables, tables.tables[row.table].rows, value, here, inside);
+    if (row.kind === 'map') for (const [name, one] of Object.entries(value)) if (is_object(one)) yield* given_rows(tables, tables.tables[row.table].rows, one, below(here, name), [...inside, below(here, name)]);
+    if (row.kind === 'list') for (const [k, one] of value.entries()) yield* given_rows(tables, table_of_element(tables, row, one).rows, one, below(here, k), [...inside, below(here, k)]);
+  }
 }
 
-export async function set_every_row(page, tables, folder, { save_and_check }) {
-  const told = { rows: 0, kinds: new Set(), faults: [], faulty_bases: [] };
-  const components = document_of_all(tables);
-  const all = tables.tables[tables.all_components].rows;
-  for (const [type, facts] of Object.entries(tables.components)) {
-    const id = `the_${type}`;
-    const document = { meristem: 1, components: { [id]: components[id] } };
-    await page.evaluate((text) => window.studio.open({ text, path: null }), JSON.stringify(document, null, 2));
-    await page.evaluate((path) => window.studio.choose(path), `components.${id}`);
-    if ((await errors(page)).length > 0) {
-      told.faulty_bases.push(`${type}: ${(await errors(page))[0]}`);
-      continue;
-    }
-    const seen = new Set();
-    for (const row of [...tables.tables[facts.table].rows, ...all]) {
-      const path = `components.${id}.${row.name}`;
-      if (seen.has(row.kind) || row.required || (await page.locator(`[data-path="${path}"]`).count()) === 0) continue;
-      const outcome = await try_row(page, id, row);
-      if (outcome === 'set') {
-        seen.add(row.kind);
-        told.kinds.add(row.kind);
-        told.rows += 1;
-      } else if (outcome !== 'elsewhere' && outcome !== 'refused') {
-        told.faults.push(`${path}: ${outcome}`);
+/// For each owner and kind one row: the one with least to type.
+export function chosen_rows(documents, tables) {
+  const best = new Map();
+  for (const document of documents) {
+    for (const subject of subjects_of(document, tables)) {
+      const rows = subject.tables.filter(Boolean).flatMap((one) => one.rows);
+      for (const found of given_rows(tables, rows, subject.said, subject.at, [])) {
+        if (['from', 'to'].includes(found.row.name)) continue;
+        const key = `${subject.owner}: ${found.row.kind}`;
+        const cost = JSON.stringify(found.value).length + 20 * found.folds.length + (found.row.required ? 200 : 0) + (found.row.kind === 'lines' && !Array.isArray(found.value) ? 1000 : 0);
+        if (cost < (best.get(key)?.cost ?? Infinity)) best.set(key, { key, cost, document, subject, ...found });
       }
     }
-    const { check, text } = await save_and_check(page, folder, `${id}.json`);
-    if (check.code !== 0) told.faults.push(`${type}: ${check.stderr}${check.stdout}\n${text}`);
   }
-  return told;
+  return [...best.values()];
+}
+
+/// Gives all chosen rows of one document anew, and says what is wrong with it then.
+export async function set_rows(page, rows, tables) {
+  const hand = new RowHand(page, tables);
+  const faults = [];
+  for (const { key, subject, row, value, at, folds } of rows) {
+    await choose(page, subject.title);
+    try {
+      for (const fold of folds) await unfold(page, fold);
+      await at_path(page, at).waitFor({ timeout: 5000 });
+      await hand.give_anew(at, row, value);
+    } catch (fault) {
+      faults.push(`${key} at ${at}: ${String(fault).slice(0, 400)}`);
+    }
+  }
+  return { kinds: hand.kinds, faults };
+}
+
+/// Saves the open document and has the program check it.
+export async function check_saved(page, folder, name) {
+  await page.keyboard.press('Control+s');
+  await page.waitForFunction(() => !window.studio.document.is_changed);
+  return meristem('check', path.join(folder, name));
 }

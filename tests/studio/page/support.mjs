@@ -114,13 +114,6 @@ export async function settled(page) {
 export const text_of = (page) => page.evaluate(() => window.studio.document.state.get().text);
 export const undo_count = (page) => page.evaluate(() => window.studio.document.state.get().undo.done.length);
 
-/// Saves the open document through the page and gives what `meristem check` says of the file, and the file.
-export async function save_and_check(page, folder, name) {
-  await page.evaluate((wanted) => window.studio.save(wanted, true), name);
-  const file = path.join(folder, name);
-  return { check: await meristem('check', file), text: await readFile(file, 'utf8') };
-}
-
 export async function write_document(folder, name, text) {
   await writeFile(path.join(folder, name), text);
 }

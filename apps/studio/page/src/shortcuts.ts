@@ -25,6 +25,7 @@ export const kShortcuts: { title: string; keys: Shortcut[] }[] = [
   {
     title: 'View',
     keys: [
+      { keys: 'Click', text: 'Choose the component that is seen there' },
       { keys: 'Drag', text: 'Turn' },
       { keys: 'Shift+Drag, right button', text: 'Move' },
       { keys: 'Wheel', text: 'Zoom' },

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Components with what stands on them, links, and the parts of the document.
 import type { KeyboardEvent, ReactElement } from 'react';
+import { useEffect, useRef } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
@@ -86,6 +87,11 @@ function OutlineItem({ item }: { item: Item }): ReactElement {
   const view = use_store(studio.view_state);
   const { grown } = use_store(studio.growth);
   const { faults } = use_document();
+  const button = useRef<HTMLButtonElement>(null);
+  const is_chosen = chosen === item.path;
+  useEffect(() => {
+    if (is_chosen) button.current?.scrollIntoView({ block: 'nearest' });
+  }, [is_chosen]);
   const below = faults.filter((one) => item.path !== '' && (one.path === item.path || one.path.startsWith(`${item.path}.`) || one.path.startsWith(`${item.path}[`)));
   const { component } = item;
   const count = component === undefined ? undefined : grown?.components?.[component]?.instances;
@@ -97,7 +103,7 @@ function OutlineItem({ item }: { item: Item }): ReactElement {
   };
   return (
     <li className={`outline-item${is_hidden ? ' hidden' : ''}`}>
-      <button type="button" className="outline-choice" aria-current={chosen === item.path ? 'true' : undefined} onClick={() => studio.choose(item.path)}>
+      <button ref={button} type="button" className="outline-choice" aria-current={is_chosen ? 'true' : undefined} onClick={() => studio.choose(item.path)}>
         <Icon name={item.icon} />
         <span className="outline-title">{item.title}</span>
         <span className="outline-detail">{item.detail}</span>

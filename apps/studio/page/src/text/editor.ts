@@ -10,7 +10,7 @@ import { Annotation, EditorState } from '@codemirror/state';
 import { drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
 
 import { patch_between } from '../document/patch.ts';
-import { path_at } from '../document/path.ts';
+import { node_at, path_at } from '../document/path.ts';
 import { fault_text } from '../rows/row_editor.tsx';
 import type { Studio } from '../studio.ts';
 import { completion_source } from './completion.ts';
@@ -29,7 +29,7 @@ export class TextEditor {
   ) {
     const { state } = studio_.document;
     this.view_ = new EditorView({ parent, state: EditorState.create({ doc: state.get().text, extensions: this.extensions() }) });
-    this.stop_ = [state.subscribe(() => this.follow())];
+    this.stop_ = [state.subscribe(() => this.follow()), studio_.chosen.subscribe(() => this.show_chosen())];
     this.show_faults();
   }
 
@@ -79,6 +79,15 @@ export class TextEditor {
     if (!tree || text !== this.view_.state.doc.toString()) return;
     const found = /^(?:components\.[^.[]+|links\[\d+\]|scene|output|limits)/.exec(path_at(tree, this.view_.state.selection.main.head));
     if (found && found[0] !== this.studio_.chosen.get()) this.studio_.choose(found[0]);
+  }
+
+  /// What was chosen elsewhere comes into view; the cursor is in it already where it was chosen here.
+  private show_chosen(): void {
+    const { tree, text } = this.studio_.document.state.get();
+    const node = node_at(tree, this.studio_.chosen.get());
+    if (!node || this.view_.hasFocus || this.studio_.chosen.get() === '' || text !== this.view_.state.doc.toString()) return;
+    const anchor = node.start;
+    this.view_.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: 'center' }), annotations: kFromDocument.of(true) });
   }
 
   /// The document has changed, here or elsewhere.

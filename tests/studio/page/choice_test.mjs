@@ -7,7 +7,8 @@ import { choose, open_file, row, step, type_into } from './hands.mjs';
 import { open_page, settled, start_browser, start_server, temporary_folder, write_document } from './support.mjs';
 
 const kNames = [...'abcdefghijklmnopqrst'];
-/// Twenty balls on a floor, each a component of its own: five from west to east, four from north to south.
+/// Twenty balls on a floor, each a component of its own: five from west to east, four from north to south. The table
+/// links them.
 const place_of = (k) => [2 * (k % 5), 2 * Math.floor(k / 5)];
 const kBalls = {
   meristem: 1,
@@ -16,7 +17,6 @@ const kBalls = {
     floor: { type: 'places', table: 'places.csv', choose: 'ball' },
     ...Object.fromEntries(kNames.map((name) => [`ball_${name}`, { type: 'simple', shape: 'sphere', size: [1, 1, 1] }])),
   },
-  links: kNames.map((name) => ['floor', `ball_${name}`]),
 };
 const kTable = `x,z,ball\n${kNames.map((name, k) => `${place_of(k).join(',')},ball_${name}`).join('\n')}\n`;
 /// Five balls of one component in a row.

@@ -213,6 +213,56 @@ test('a reload offers unsaved work with what differs, and gives it back with its
   await settled(page);
 });
 
+test('work is kept also where another plant is opened at once', async () => {
+  await reopen();
+  await write_document(place.folder, 'other.json', kSmall.replace('Sapling', 'Other'));
+  await type_into(page, field(page, 'bend'), '71');
+  await open_file(page, 'other.json');
+  assert.equal(await page.getByRole('heading', { level: 1 }).innerText(), 'Other');
+  await page.getByText('Unsaved changes of small.json are kept').waitFor();
+  await page.keyboard.press('Control+o');
+  await page.getByRole('dialog').locator('.file', { hasText: 'small.json' }).click();
+  await page.locator('[data-banner="kept"]').getByRole('button', { name: 'Restore' }).click();
+  await settled(page);
+  assert.match(await text_of(page), /"bend": \{"value": 71,/);
+  await undo_all(page);
+  assert.equal(await text_of(page), kSmall);
+});
+
+test('undo in a field takes back what is typed there, and no step', async () => {
+  await reopen();
+  await step(page, () => type_into(page, field(page, 'bend'), '44'));
+  await choose(page, 'Document');
+  const name = row(page, 'name').getByRole('textbox');
+  await name.click();
+  await page.keyboard.press('End');
+  await page.keyboard.type('s');
+  assert.equal(await name.inputValue(), 'Saplings');
+  await page.keyboard.press('Control+z');
+  assert.equal(await name.inputValue(), 'Sapling');
+  assert.equal(await undo_count(page), 1);
+  await page.keyboard.press('Escape');
+  await leave_fields(page);
+  await undo_all(page);
+});
+
+test('panels are made wider by their edges, by hand and by keys, and stay so', async () => {
+  const left = page.locator('.left');
+  const edge = page.getByRole('separator', { name: 'Width of handles and outline' });
+  const width = async () => (await left.boundingBox()).width;
+  const first = await width();
+  await drag(page, edge, [60, 0]);
+  assert.equal(await width(), first + 60);
+  await edge.focus();
+  await page.keyboard.press('ArrowLeft');
+  assert.equal(await width(), first + 44);
+  await page.reload();
+  await ready(page);
+  assert.equal(await width(), first + 44);
+  await edge.dblclick();
+  assert.equal(await width(), first);
+});
+
 test('a killed server loses nothing', async () => {
   const other = await start_server(place.folder, path.join(place.folder, 'small.json'), '--port', '0');
   const { port } = new URL(other.address);

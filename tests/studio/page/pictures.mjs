@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws the pictures of the manual's chapter on the studio: node tests/studio/page/pictures.mjs [FOLDER]
+// Draws the pictures of the manual's chapter on the studio, as `./dev gallery studio` has them drawn:
+// node tests/studio/page/pictures.mjs [FOLDER]
 import { mkdir, stat } from 'node:fs/promises';
 import path from 'node:path';
 import process from 'node:process';

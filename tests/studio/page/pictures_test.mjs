@@ -53,7 +53,7 @@ for (const { name } of kPictures) {
     const [made, kept] = [path.join(out, `${name}.jpg`), path.join(kFolder, `${name}.jpg`)];
     assert.ok((await stat(kept)).size < kMostBytes);
     const far = await difference(made, kept);
-    assert.ok(far < kNear, `${kept} differs by ${far.toFixed(1)}; \`node tests/studio/page/pictures.mjs\` draws it anew`);
+    assert.ok(far < kNear, `${kept} differs by ${far.toFixed(1)}; \`./dev gallery studio\` draws it anew`);
   });
 }
 

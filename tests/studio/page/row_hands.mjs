@@ -59,6 +59,8 @@ async function set_number(page, element, row, value) {
     if (!is_range) await type_value(page, box_named(element, `${label}, applied to the range`), value.apply);
     return;
   }
+  // Typed into the field of a number, an expression of numbers would be worked out.
+  if (typeof value === 'string') await changes(page, () => pick_own(page, element, 'Expression'));
   await type_value(page, element.getByRole('textbox').first(), String(value));
 }
 

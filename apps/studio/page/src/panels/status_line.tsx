@@ -59,7 +59,7 @@ function Stages({ grown }: { grown: Grown }): ReactElement {
   return (
     <span className="stages" tabIndex={0} data-tip={lines.join('\n')}>
       {milliseconds(total)}
-      {made + reused > 0 && <span className="quiet"> · {Math.round((100 * reused) / (made + reused))} % kept</span>}
+      {reused > 0 && <span className="quiet"> · {Math.round((100 * reused) / (made + reused))} % kept</span>}
     </span>
   );
 }

@@ -5,38 +5,48 @@
 import { cp, readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
 
-import { choose } from './hands.mjs';
 import { at_path, below, kNested, RowHand, table_of_element, unfold } from './row_hands.mjs';
 import { kSource, meristem } from './support.mjs';
 
 const kFolder = path.join(kSource, 'tests/rows');
+/// Further documents, about rows that those do not give.
+const kMore = path.join(kSource, 'tests/studio/page/documents');
 
 /// The documents, by name, with the files that they read beside them.
 export async function put_documents(folder) {
   await cp(kFolder, path.join(folder, 'rows'), { recursive: true });
   await cp(path.join(kSource, 'tests/fuzz/corpus/image/rgba.png'), path.join(folder, 'fuzz/corpus/image/rgba.png'));
-  const names = (await readdir(kFolder)).filter((one) => one.endsWith('.json')).sort();
-  return Promise.all(names.map(async (name) => ({ name: `rows/${name}`, said: JSON.parse(await readFile(path.join(kFolder, name), 'utf8')) })));
+  await cp(kMore, path.join(folder, 'rows'), { recursive: true });
+  const names = (await readdir(path.join(folder, 'rows'))).filter((one) => one.endsWith('.json')).sort();
+  return Promise.all(names.map(async (name) => ({ name: `rows/${name}`, said: JSON.parse((await readFile(path.join(folder, 'rows', name), 'utf8')).replace(/(^|\s)\/\/.*$/gm, '')) })));
 }
 
-/// What of a document its rows are of: the title in the outline, the path, whose rows they are, and their tables.
+/// Whose rows there are, with their tables: component types, what all components share, links, parts of the document.
+export function owners_of(tables) {
+  const head = tables.tables[tables.document];
+  const part = (name) => tables.tables[head.rows.find((one) => one.name === name).table];
+  return {
+    ...Object.fromEntries(Object.entries(tables.components).map(([type, { table }]) => [type, tables.tables[table]])),
+    'every component': tables.tables[tables.all_components],
+    ...Object.fromEntries(Object.entries(tables.links).map(([kind, table]) => [`link ${kind}`, tables.tables[table]])),
+    link: tables.tables[tables.link],
+    scene: part('scene'),
+    output: part('output'),
+    limits: tables.tables[tables.limits],
+    document: { rows: head.rows.filter((one) => one.table === undefined && !one.kinds && one.name !== 'meristem') },
+  };
+}
+
+/// What of a document its rows are of: the title in the outline, the path, and the tables with their owners.
 function subjects_of(document, tables) {
+  const owners = owners_of(tables);
   const { components = {}, links = [] } = document.said;
   const found = [];
-  const all = tables.tables[tables.all_components];
-  for (const [id, said] of Object.entries(components)) found.push({ title: id, at: `components.${id}`, owner: said.type, said, tables: [tables.tables[tables.components[said.type].table], all] });
-  for (const [k, said] of links.entries()) {
-    if (Array.isArray(said)) continue;
-    const kind = said.kind ?? '';
-    found.push({ title: `${said.from} → ${said.to}`, at: `links[${k}]`, owner: `link ${kind}`, said, tables: [tables.tables[tables.link], tables.tables[tables.links[kind]]] });
-  }
-  const head = tables.tables[tables.document];
-  for (const [part, title] of [['scene', 'Scene'], ['output', 'Output'], ['limits', 'Limits']]) {
-    const table = part === 'limits' ? tables.limits : head.rows.find((one) => one.name === part).table;
-    if (document.said[part]) found.push({ title, at: part, owner: part, said: document.said[part], tables: [tables.tables[table]] });
-  }
-  const plain = { rows: head.rows.filter((one) => one.table === undefined && !one.kinds && one.name !== 'meristem') };
-  found.push({ title: 'Document', at: '', owner: 'document', said: document.said, tables: [plain] });
+  const add = (title, at, said, ...names) => found.push({ title, at, said, tables: names.map((owner) => ({ owner, rows: owners[owner]?.rows ?? [] })) });
+  for (const [id, said] of Object.entries(components)) add(id, `components.${id}`, said, said.type, 'every component');
+  for (const [k, said] of links.entries()) if (!Array.isArray(said)) add(`${said.from} → ${said.to}`, `links[${k}]`, said, 'link', `link ${said.kind ?? ''}`);
+  for (const part of ['scene', 'output', 'limits']) if (document.said[part]) add(part[0].toUpperCase() + part.slice(1), part, document.said[part], part);
+  add('Document', '', document.said, 'document');
   // Of several links of the same name the outline's first is meant.
   return found.filter((one, k) => found.findIndex((other) => other.title === one.title) === k);
 }
@@ -59,21 +69,44 @@ function* given_rows(tables, rows, said, at, folds) {
   }
 }
 
-/// For each owner and kind one row: the one with least to type.
-export function chosen_rows(documents, tables) {
+/// All rows that a document gives, cheapest first for each owner and kind.
+function rows_of(document, tables) {
   const best = new Map();
-  for (const document of documents) {
-    for (const subject of subjects_of(document, tables)) {
-      const rows = subject.tables.filter(Boolean).flatMap((one) => one.rows);
+  for (const subject of subjects_of(document, tables)) {
+    for (const { owner, rows } of subject.tables) {
       for (const found of given_rows(tables, rows, subject.said, subject.at, [])) {
         if (['from', 'to'].includes(found.row.name)) continue;
-        const key = `${subject.owner}: ${found.row.kind}`;
-        const cost = JSON.stringify(found.value).length + 20 * found.folds.length + (found.row.required ? 200 : 0) + (found.row.kind === 'lines' && !Array.isArray(found.value) ? 1000 : 0);
+        const key = `${owner}: ${found.row.kind}`;
+        // Lines that are written as one text come back as lines.
+        const is_odd = found.row.kind === 'lines' && !Array.isArray(found.value);
+        const cost = JSON.stringify(found.value).length + 20 * found.folds.length + (found.row.required ? 200 : 0) + (is_odd ? 1000 : 0);
         if (cost < (best.get(key)?.cost ?? Infinity)) best.set(key, { key, cost, document, subject, ...found });
       }
     }
   }
-  return [...best.values()];
+  return best;
+}
+
+/// One row for each owner and kind that is wanted, and for each kind beside them, out of few documents: next comes the
+/// one that has most of what is not there yet.
+export function chosen_rows(documents, tables, wanted) {
+  const given = documents.map((document) => [...rows_of(document, tables).values()]);
+  const chosen = new Map();
+  const kinds = new Set();
+  const take = (is_news) => {
+    for (;;) {
+      const news = given.map((rows) => rows.filter(is_news));
+      const most = news.reduce((a, b) => (b.length > a.length ? b : a));
+      if (most.length === 0) return;
+      for (const one of most) {
+        chosen.set(one.key, one);
+        kinds.add(one.row.kind);
+      }
+    }
+  };
+  take((one) => wanted.includes(one.key) && !chosen.has(one.key));
+  take((one) => !kinds.has(one.row.kind));
+  return [...chosen.values()];
 }
 
 /// Gives all chosen rows of one document anew, and says what is wrong with it then.
@@ -81,8 +114,8 @@ export async function set_rows(page, rows, tables) {
   const hand = new RowHand(page, tables);
   const faults = [];
   for (const { key, subject, row, value, at, folds } of rows) {
-    await choose(page, subject.title);
     try {
+      await page.locator('.outline-choice', { has: page.getByText(subject.title, { exact: true }) }).first().click();
       for (const fold of folds) await unfold(page, fold);
       await at_path(page, at).waitFor({ timeout: 5000 });
       await hand.give_anew(at, row, value);
@@ -91,6 +124,13 @@ export async function set_rows(page, rows, tables) {
     }
   }
   return { kinds: hand.kinds, faults };
+}
+
+/// Opens a document of the list, of which nothing needs to grow.
+export async function open_document(page, name) {
+  await page.keyboard.press('Control+o');
+  for (const one of name.split('/')) await page.getByRole('dialog').locator('.file', { has: page.getByText(one, { exact: true }) }).click();
+  await page.waitForFunction((path) => window.studio.document.state.get().path === path && document.querySelector('dialog') === null, name);
 }
 
 /// Saves the open document and has the program check it.

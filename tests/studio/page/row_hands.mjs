@@ -135,7 +135,7 @@ const kHands = {
   text: set_text,
   condition: set_text,
   formula: set_text,
-  colour: set_text,
+  colour: (page, element, row, value) => type_value(page, element.locator('.text-field'), value),
   file: set_file,
   lines: (page, element, row, value) => set_lines(page, element, value),
   vector: set_vector,
@@ -197,6 +197,9 @@ export class RowHand {
     await unfold(this.page, path);
     // In the order of the table: later rows may mean something beside earlier ones only.
     for (const row of table.rows) if (value[row.name] !== undefined) await this.give(below(path, row.name), row, value[row.name]);
+    // A new element has one of those rows of which one must be given.
+    const extra = Object.keys((await said_at(this.page, path)) ?? {}).filter((name) => !(name in value));
+    for (const name of extra) await changes(this.page, () => pick_own(this.page, at_path(this.page, below(path, name)), 'Unset'));
   }
 
   async give_elements(path, row, elements) {

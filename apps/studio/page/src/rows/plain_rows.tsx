@@ -136,7 +136,7 @@ export function ColourField({ label, value, drag, commit, is_faulty, is_dim }: C
           return () => element?.removeEventListener('change', take);
         }}
       />
-      <TextField label={label} value={value} commit={commit} is_code is_faulty={is_faulty} is_dim={is_dim} />
+      <TextField label={label} value={value} commit={commit} is_code is_faulty={is_faulty} is_dim={is_dim} placeholder="not set" />
     </div>
   );
 }

@@ -18,7 +18,7 @@ export function Splitter({ label, edge, width, low, high, change }: SplitterProp
   const element = useRef<HTMLDivElement>(null);
   const held = useRef<{ x: number; width: number } | null>(null);
   const way = edge === 'right' ? 1 : -1;
-  const shown = (): number => width ?? element.current?.parentElement?.clientWidth ?? low;
+  const shown = (): number => width ?? element.current?.parentElement?.offsetWidth ?? low;
   const put = (wanted: number): void => change(Math.round(Math.min(high, Math.max(low, wanted))));
   const down = (event: PointerEvent<HTMLDivElement>): void => {
     event.currentTarget.setPointerCapture(event.pointerId);

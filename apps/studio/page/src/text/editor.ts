@@ -22,6 +22,7 @@ const kFromDocument = Annotation.define<boolean>();
 export class TextEditor {
   private readonly view_: EditorView;
   private readonly stop_: (() => void)[];
+  private is_choosing_ = false; // by the cursor, which is where it should be
 
   constructor(
     parent: HTMLElement,
@@ -78,14 +79,17 @@ export class TextEditor {
     const { tree, text } = this.studio_.document.state.get();
     if (!tree || text !== this.view_.state.doc.toString()) return;
     const found = /^(?:components\.[^.[]+|links\[\d+\]|scene|output|limits)/.exec(path_at(tree, this.view_.state.selection.main.head));
-    if (found && found[0] !== this.studio_.chosen.get()) this.studio_.choose(found[0]);
+    if (!found || found[0] === this.studio_.chosen.get()) return;
+    this.is_choosing_ = true;
+    this.studio_.choose(found[0]);
+    this.is_choosing_ = false;
   }
 
   /// What was chosen elsewhere comes into view; the cursor is in it already where it was chosen here.
   private show_chosen(): void {
     const { tree, text } = this.studio_.document.state.get();
     const node = node_at(tree, this.studio_.chosen.get());
-    if (!node || this.view_.hasFocus || this.studio_.chosen.get() === '' || text !== this.view_.state.doc.toString()) return;
+    if (this.is_choosing_ || !node || this.view_.hasFocus || this.studio_.chosen.get() === '' || text !== this.view_.state.doc.toString()) return;
     const anchor = node.start;
     this.view_.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: 'center' }), annotations: kFromDocument.of(true) });
   }

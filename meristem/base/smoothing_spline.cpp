@@ -5,8 +5,8 @@
 // points solve a system of five bands,
 //   (R + roughness * Q' W^-1 Q) c = Q' y,   and   f = y - roughness * W^-1 Q c.
 // The distance rises with the roughness, and its logarithm nearly evenly with that of the roughness: the secant rule
-// finds the right one in a few solutions. Taken is the first number of the bisection of all roughnesses that meets the
-// distance, so that the values do not hang on the last digits of the search.
+// finds the right one in a few solutions. The result is the first number of the bisection of all roughnesses that meets
+// the distance, so that the values do not depend on the last digits of the search.
 // Based on: C. H. Reinsch: Smoothing by spline functions (1967); P. J. Green, B. W. Silverman: Nonparametric regression
 // and generalized linear models (1994), section 2.3.
 #include "meristem/base/smoothing_spline.h"
@@ -43,15 +43,15 @@ void check(std::span<const double> x, const std::vector<std::vector<double>>& va
     return std::all_of(all.begin(), all.end(), [](double value) { return std::isfinite(value); });
   };
   require(are_finite(x) && std::adjacent_find(x.begin(), x.end(), std::greater_equal<>()) == x.end(),
-          "the positions of a smoothing spline rise");
+          "the positions of a smoothing spline must rise");
   for (const std::vector<double>& of_one : values) {
-    require(of_one.size() == x.size(), "a smoothing spline has a value per position");
-    require(are_finite(of_one), "the values of a smoothing spline are finite");
+    require(of_one.size() == x.size(), "a smoothing spline needs one value per position");
+    require(are_finite(of_one), "the values of a smoothing spline must be finite");
   }
-  require(weights.empty() || weights.size() == x.size(), "a smoothing spline has a weight per position");
+  require(weights.empty() || weights.size() == x.size(), "a smoothing spline needs one weight per position");
   require(std::all_of(weights.begin(), weights.end(), [](double weight) { return weight > 0; }),
-          "the weights of a smoothing spline are above 0");
-  require(std::isfinite(distance) && distance >= 0, "the distance of a smoothing spline is at least 0");
+          "the weights of a smoothing spline must be above 0");
+  require(std::isfinite(distance) && distance >= 0, "the distance of a smoothing spline must be at least 0");
 }
 
 class Smoother {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Both coordinates of the midrib are functions of the length of the chords up to there, and smoothed as one. The spline
-// is then followed in small steps to points on it that are equally far apart; these are the leaf's. Tried first: points
-// equally far apart along the spline. Where a leaf is broken their chords are shorter, and making them equal moved the
+// is then followed in small steps to points on it with equal chords; these are the leaf's points. Tried first: points
+// at equal distances along the spline. Where a leaf is broken their chords are shorter, and making them equal moved the
 // rest of the leaf by up to 1.5 % of its length.
 // Based on: Fournier and Pradal (2012), section 2.2.
 #include "meristem/shape/grass/fit_leaf.h"
@@ -281,9 +281,9 @@ SmoothWidths smooth_widths(const Points& points, const FitOptions& options) {
 void check_options(const FitOptions& options) {
   const auto is_share = [](double value) { return std::isfinite(value) && value >= 0 && value <= 1; };
   if (!is_share(options.smoothing) || !is_share(options.width_smoothing)) {
-    throw std::invalid_argument("the smoothing of a fit is from 0 to 1");
+    throw std::invalid_argument("the smoothing of a fit must be from 0 to 1");
   }
-  if (options.pieces < 2) throw std::invalid_argument("a fitted leaf has at least 2 pieces");
+  if (options.pieces < 2) throw std::invalid_argument("a fitted leaf needs at least 2 pieces");
 }
 
 }  // namespace

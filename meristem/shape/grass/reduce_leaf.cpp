@@ -58,16 +58,16 @@ class LeastOf {
 
 ReductionOrder reduction_order(const GrassLeaf& leaf, const std::vector<std::vector<double>>& also) {
   const std::size_t count = leaf.point_count();
-  if (count < 2) throw std::invalid_argument("a leaf to reduce has at least 2 points");
+  if (count < 2) throw std::invalid_argument("a leaf to reduce needs at least 2 points");
   for (const std::vector<double>& list : also) {
-    if (list.size() != count) throw std::invalid_argument("each list of a reduction has a number per point");
+    if (list.size() != count) throw std::invalid_argument("each list of a reduction needs one number per point");
   }
   const auto are_finite = [](const std::vector<double>& list) {
     return std::all_of(list.begin(), list.end(), [](double number) { return std::isfinite(number); });
   };
   if (!are_finite(leaf.x) || !are_finite(leaf.y) || !are_finite(leaf.s) || !are_finite(leaf.r) ||
       !std::all_of(also.begin(), also.end(), are_finite)) {
-    throw std::invalid_argument("the numbers of a reduction are finite");
+    throw std::invalid_argument("the numbers of a reduction must be finite");
   }
   std::vector<std::uint32_t> before(count), after(count);
   for (std::size_t k = 0; k < count; ++k) {

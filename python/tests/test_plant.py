@@ -155,7 +155,7 @@ def test_levels_of_detail_are_smaller_files(tmp_path: Path) -> None:
         plant.save(tmp_path / f"{level}.ply", lod=level)
     sizes = [(tmp_path / f"{level}.ply").stat().st_size for level in range(2)]
     assert sizes[1] < 0.6 * sizes[0]
-    with pytest.raises(ValueError, match="level 8 of detail is not worth a file, as level [2-7] is not: it would"):
+    with pytest.raises(ValueError, match="level 8 of detail is not worth a file, as level [2-7] is not: (it would|with )"):
         plant.save(tmp_path / "8.ply", lod=8)
     assert not (tmp_path / "8.ply").exists()
     with pytest.raises(ValueError, match="lod is 9; expected 0 to 8"):

@@ -172,7 +172,7 @@ export function WrittenRow({ label, value, row, actions, is_faulty }: RowEditorP
       actions.commit(JSON.parse(typed) as Json);
       set_fault('');
     } catch {
-      set_fault('This is no list as documents write them, such as [[0, 1], [1, 0]]');
+      set_fault('This is not a list as documents write it, such as [[0, 1], [1, 0]]');
     }
   };
   return (

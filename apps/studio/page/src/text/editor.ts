@@ -17,6 +17,7 @@ import { completion_source } from './completion.ts';
 import { kDocumentLanguage } from './json_language.ts';
 import { with_line_ends } from './line_ends.ts';
 
+const kContext = 200; // pixels of a line that are seen beside what comes into view
 const kFromDocument = Annotation.define<boolean>();
 
 export class TextEditor {
@@ -42,7 +43,7 @@ export class TextEditor {
   /// Shows an offset and puts the cursor there.
   reveal(offset: number): void {
     const at = Math.min(offset, this.view_.state.doc.length);
-    this.view_.dispatch({ selection: { anchor: at }, effects: EditorView.scrollIntoView(at, { y: 'center' }) });
+    this.view_.dispatch({ selection: { anchor: at }, effects: EditorView.scrollIntoView(at, { y: 'center', xMargin: kContext }) });
   }
 
   private extensions() {
@@ -91,7 +92,7 @@ export class TextEditor {
     const node = node_at(tree, this.studio_.chosen.get());
     if (this.is_choosing_ || !node || this.view_.hasFocus || this.studio_.chosen.get() === '' || text !== this.view_.state.doc.toString()) return;
     const anchor = node.start;
-    this.view_.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: 'center' }), annotations: kFromDocument.of(true) });
+    this.view_.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: 'center', xMargin: kContext }), annotations: kFromDocument.of(true) });
   }
 
   /// The document has changed, here or elsewhere.

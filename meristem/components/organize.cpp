@@ -12,7 +12,7 @@
 #include "meristem/components/parts/organize_table.h"
 #include "meristem/components/parts/pipe_table.h"
 #include "meristem/components/parts/surface_table.h"
-#include "meristem/scene/crown/turned_crown.h"
+#include "meristem/scene/crown/placed_crown.h"
 #include "meristem/shape/solid/primitives.h"
 
 namespace meristem {
@@ -45,7 +45,7 @@ std::unique_ptr<Grower> grow(const Organize& tree, const Site& site, const GrowC
   if (!scale) return make_nothing();
   std::vector<OrganizeSeed> seeds;
   CrownPointer room = tree.light.room ? build_crown(*tree.light.room) : nullptr;
-  if (room && site.frame.axes != Mat3(1)) room = std::make_shared<TurnedCrown>(std::move(room), site.frame.axes);
+  if (room && site.frame.axes != Mat3(1)) room = std::make_shared<PlacedCrown>(std::move(room), Frame{site.frame.axes});
   for (const Vec3 root : tree.roots) {
     OrganizeSeed& seed = seeds.emplace_back();
     seed.frame = site.frame;

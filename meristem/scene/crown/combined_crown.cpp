@@ -43,6 +43,10 @@ bool CombinedCrown::contains(Vec3 point) const {
   return kind_ != CombineKind::unite;
 }
 
+bool CombinedCrown::is_convex() const {
+  return kind_ == CombineKind::intersect && std::ranges::all_of(crowns_, [](const CrownPointer& crown) { return crown->is_convex(); });
+}
+
 Vec2 CombinedCrown::axis() const { return kind_ == CombineKind::subtract ? crowns_[0]->axis() : Crown::axis(); }
 
 }  // namespace meristem

@@ -12,7 +12,7 @@
 #include "meristem/scene/crown/combined_crown.h"
 #include "meristem/scene/crown/profile_crown.h"
 #include "meristem/scene/crown/solid_crowns.h"
-#include "meristem/scene/crown/turned_crown.h"
+#include "meristem/scene/crown/placed_crown.h"
 
 namespace meristem {
 namespace {
@@ -175,10 +175,10 @@ TEST(CombinedCrown, CrownsThatDoNotMeetIntersectInNothing) {
   EXPECT_EQ(nested.bounds().low.x, a->bounds().low.x);
 }
 
-TEST(TurnedCrown, HoldsWhatItsCrownHoldsBeforeItTurns) {
+TEST(PlacedCrown, HoldsWhatItsCrownHoldsBeforeItTurns) {
   const auto crown = std::make_shared<ProfileCrown>(kRoundCrown);
   const Mat3 axes = 0.4F * Mat3(Vec3(0, 0, 1), Vec3(0.6F, 0.8F, 0), Vec3(-0.8F, 0.6F, 0));
-  const TurnedCrown turned(crown, axes);
+  const PlacedCrown turned(crown, Frame{axes});
   for_points_around(4, [&](Vec3 point) {
     if (turned.contains(axes * point) != crown->contains(point)) {
       // Only rounding may part them.

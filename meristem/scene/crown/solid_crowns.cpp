@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/scene/crown/solid_crowns.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -40,6 +41,31 @@ bool ConeCrown::contains(Vec3 point) const {
 Box ConeCrown::bounds() const {
   return outward(base_ - DVec3(radius_, 0, radius_), base_ + DVec3(radius_, height_, radius_));
 }
+
+bool CylinderCrown::contains(Vec3 point) const {
+  const DVec3 from_base = DVec3(point) - base_;
+  if (from_base.y < 0 || from_base.y > height_) return false;
+  return from_base.x * from_base.x + from_base.z * from_base.z <= radius_ * radius_;
+}
+
+Box CylinderCrown::bounds() const {
+  return outward(base_ - DVec3(radius_, 0, radius_), base_ + DVec3(radius_, height_, radius_));
+}
+
+bool PyramidCrown::contains(Vec3 point) const {
+  const DVec3 from_base = DVec3(point) - base_;
+  if (from_base.y < 0 || from_base.y > height_) return false;
+  const double reach = half_width_ * (height_ - from_base.y);
+  return std::max(std::abs(from_base.x), std::abs(from_base.z)) * height_ <= reach;
+}
+
+Box PyramidCrown::bounds() const {
+  return outward(base_ - DVec3(half_width_, 0, half_width_), base_ + DVec3(half_width_, height_, half_width_));
+}
+
+bool HalfSpaceCrown::contains(Vec3 point) const { return glm::dot(DVec3(point) - point_, normal_) <= 0; }
+
+Box HalfSpaceCrown::bounds() const { return {.low = Vec3(-kEndlessReach), .high = Vec3(kEndlessReach)}; }
 
 bool BoxCrown::contains(Vec3 point) const {
   for (int k = 0; k < 3; ++k) {

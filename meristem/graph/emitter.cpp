@@ -11,8 +11,10 @@
 #include <fmt/format.h>
 #include <glm/matrix.hpp>
 
+#include "meristem/base/fingerprint.h"
 #include "meristem/base/hash.h"
 #include "meristem/base/math.h"
+#include "meristem/graph/batch.h"
 #include "meristem/graph/emitter_context.h"
 #include "meristem/graph/vanished.h"
 
@@ -51,7 +53,14 @@ std::uint64_t shape_key(std::initializer_list<double> numbers) {
 }
 
 const Scene& Emitter::scene() const { return context_->scene; }
-const Directions& Emitter::directions() const { return context_->directions; }
+const Surroundings& Emitter::surroundings() const {
+  static const Surroundings nothing;
+  return surroundings_ != nullptr ? *surroundings_ : nothing;
+}
+const Directions& Emitter::directions() const {
+  const bool is_said = surroundings_ != nullptr && surroundings_->directions != nullptr;
+  return is_said ? *surroundings_->directions : context_->directions;
+}
 const Limits& Emitter::limits() const { return context_->limits; }
 const std::string& Emitter::component() const { return context_->prototype.id; }
 Progress& Emitter::progress() const { return *context_->progress; }
@@ -79,7 +88,8 @@ void Emitter::instance(const ComponentBase& base, const Site& site, std::size_t 
 
 void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   site_ = site;
-  site_.frame = instance_frame(base, site.frame, context_->prototype.type->tropism, context_->directions);
+  surroundings_ = site.surroundings;
+  site_.frame = instance_frame(base, site.frame, context_->prototype.type->tropism, directions());
   const Frame place = base.place.frame();
   is_placed_ = place.axes != Mat3(1) || place.origin != Vec3(0);
   geometry_frame_ = site_.frame * place;
@@ -184,6 +194,17 @@ void Emitter::give(std::span<const double> numbers, bool to_named) {
   values.numbers.resize(context_->site_names, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t k = 0; k < slots.size(); ++k) values.numbers[slots[k]] = numbers[k];
   site.values = std::make_shared<const SiteValues>(std::move(values));
+}
+
+void Emitter::surround(Surroundings said) {
+  Fingerprint hash;
+  said.hash = 0;
+  const Prototype& prototype = context_->prototype;
+  if (const std::optional<std::uint64_t> site = hash_of(site_); site && prototype.fingerprint) {
+    hash.add(*prototype.fingerprint).add(*site).add(prototype.depends_on_time ? time() : 0);
+    said.hash = std::max<std::uint64_t>(1, hash.hash());
+  }
+  site_.surroundings = std::make_shared<const Surroundings>(std::move(said));
 }
 
 void Emitter::section(const Frame& local, std::uint64_t key, bool is_capped, FunctionRef<LoftSection()> make) {

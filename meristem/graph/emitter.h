@@ -170,8 +170,15 @@ class Emitter : private Emitted {
   /// The key for the positions of children on the stem that is emitted next, if it brings its branching.
   RandomKey places_on_next_stem() const { return key_of_places(site_.key.child("stem").child(stems_of_instance_)); }
 
+  /// Says something else of the space that all stands in which hangs on the instance: `said` is what its surroundings
+  /// say, with the changes. It holds for the sites and stems that the instance emits from then on. What it is made of
+  /// are the instance's parameters and site and nothing else.
+  void surround(Surroundings said);
+
   const Scene& scene() const;
-  /// Toward the light, and down: what turns by them asks at the site where it turns.
+  /// What has been said of the space that the instance stands in.
+  const Surroundings& surroundings() const;
+  /// Toward the light, and down, in the instance's surroundings: what turns by them asks at the place where it turns.
   const Directions& directions() const;
   const Limits& limits() const;
   const std::string& component() const;  ///< id, for errors
@@ -213,9 +220,10 @@ class Emitter : private Emitted {
   Site site_;             // site of the present instance, with the instance's own frame
   Frame geometry_frame_;  // that frame moved by `place`
   Vec3 tint_{1};
-  const ComponentBase* base_ = nullptr;  // parameters of the present instance
-  std::uint64_t parent_section_ = 0;     // section that the instance stands on
-  std::uint64_t section_ = 0;            // section that the instance has given
+  std::shared_ptr<const Surroundings> surroundings_;  // of the present instance; null: nothing is said
+  const ComponentBase* base_ = nullptr;               // parameters of the present instance
+  std::uint64_t parent_section_ = 0;                  // section that the instance stands on
+  std::uint64_t section_ = 0;                         // section that the instance has given
   bool is_placed_ = false;
   bool visible_ = true;
   bool has_child_sites_ = false;

@@ -97,7 +97,7 @@ class LinkSites::Writer {
   bool is_full() const { return sites_.size() > room_; }
 
   PlacementContext context_of(const EmittedStem& stem) const {
-    PlacementContext context{.directions = all_.directions_,
+    PlacementContext context{.directions = directions_at(stem.site, all_.directions_),
                              .parent = stem.site,
                              .limits = &all_.graph_.limits,
                              .obstacles = &all_.scene_.obstacles,

@@ -55,7 +55,7 @@ void expand(const Colonize& tree, const Site& site, Emitter& out) {
     assign_pipe_radii(skeleton, tree.growth.radii);
     assign_axes(skeleton);
   }
-  out.stem(std::move(skeleton), tree.surface);
+  out.stem(std::move(skeleton), tree.surface, nullptr, tree.trim);
 }
 
 void check_colonize(const Colonize& tree, const DocumentPath& path, ParameterReader& reader) {
@@ -165,7 +165,7 @@ ComponentType colonize_component() {
                  .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
                  .makes_stems = true,
                  .stance = BranchStance::on_axis,
-                 .after_growth = {"surface", "shed"}},
+                 .after_growth = {"surface", "trim", "shed"}},
       .parameters =
           Table<Colonize>("a colonize", "A tree that grows into a cloud of attraction points.")
               .object("crown", &Colonize::crown, crown_table,
@@ -185,6 +185,7 @@ ComponentType colonize_component() {
                          "Condition at the base of a branch for shedding it after growth, as in \"height < 2 && radius "
                          "< 0.01\".")
               .object("surface", &Colonize::surface, surface_table, "How the skeleton becomes a surface.")
+              .choice("trim", &Colonize::trim, trim_modes(), kTrimDoc)
               .only_where({{"surface.style", {"tubes"}}}, {"texture"})
               .without(names_off_stems(), kWhyOffStems)
               .only_with("roots", {"one_crown"})

@@ -3,6 +3,7 @@
 
 #include "meristem/components/parts/stem_path.h"
 #include "meristem/graph/component.h"
+#include "meristem/plant/trim.h"
 
 namespace meristem {
 
@@ -17,6 +18,7 @@ struct Horn : ComponentBase {
   int ribs = 12;              ///< sites evenly along the curve, both ends included
   int around = 24;            ///< corners around primitives
   Surface surface;            ///< of a ring's stem
+  TrimMode trim = TrimMode::cut;  ///< what a body around its stems does to them
 };
 
 ComponentType horn_component();

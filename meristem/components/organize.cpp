@@ -110,7 +110,7 @@ void show_supports(const Organize& tree, Emitter& out) {
 void expand(const Organize& tree, const Site& site, Emitter& out) {
   const Skeleton skeleton = out.take_grown();
   show_supports(tree, out);
-  out.stem(skeleton, tree.surface);
+  out.stem(skeleton, tree.surface, nullptr, tree.trim);
   offer_leaves(tree, skeleton, glm::length(site.frame.heading()), out);
 }
 
@@ -202,7 +202,7 @@ ComponentType organize_component() {
                  .makes_stems = true,
                  .has_ribs = true,
                  .stance = BranchStance::on_axis,
-                 .after_growth = {"surface", "leaf_age", "leaf_angle"}},
+                 .after_growth = {"surface", "trim", "leaf_age", "leaf_angle"}},
       .parameters =
           Table<Organize>("an organize", "Trees whose buds compete for light and room.")
               .members(&Organize::growth, organize_growth_table())
@@ -220,6 +220,7 @@ ComponentType organize_component() {
                       "Angle between a shoot and its leaves.")
               .members(&Organize::growth, &OrganizeParameters::radii, pipe_table())
               .object("surface", &Organize::surface, surface_table, "How the skeleton becomes a surface.")
+              .choice("trim", &Organize::trim, trim_modes(), kTrimDoc)
               .only_where({{"surface.style", {"tubes"}}}, {"texture"})
               .without(names_off_stems(), kWhyOffStems)
               .only_where({{"operations"}, {"training"}}, {"damage", "takeover", "resource.pass_back"})

@@ -19,6 +19,7 @@
 #include "meristem/graph/table/plant_source.h"
 #include "meristem/graph/table/site.h"
 #include "meristem/graph/table/varying.h"
+#include "meristem/graph/trimmed_stem.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
 #include "meristem/shape/tube/loft.h"
@@ -43,6 +44,7 @@ struct EmittedStem {
   float moved_scale = 1;          ///< how many times larger it is there
   /// Number of the root that each node stands on, where each root is a plant of its own; else empty.
   std::vector<std::uint32_t> root_of_node{};
+  std::shared_ptr<const TrimmedStem> trimmed{};  ///< of which `skeleton` is what is left; null: it is whole
 
   std::uint64_t id() const { return site.key.bits(); }  ///< what Site::stem says of sites on it
   /// What Site::individual says of sites on the root of this number, and on this node.
@@ -135,15 +137,23 @@ class Emitter : private Emitted {
   /// equal `key` share what one of them makes.
   void section(const Frame& local, std::uint64_t key, bool is_capped, FunctionRef<LoftSection()> make);
   /// A skeleton in world space. The instance's `place` moves it, but not what hangs on it.
-  /// `branching`, if given, says where the children of branch links stand, as far as the links do not.
-  void stem(Skeleton skeleton, const Surface& surface, const Placement* branching = nullptr);
+  /// `branching`, if given, says where the children of branch links stand, as far as the links do not. A body that the
+  /// surroundings give trims it as `trim` says; the nodes that the calls below name are those of the whole skeleton.
+  void stem(Skeleton skeleton, const Surface& surface, const Placement* branching = nullptr,
+            TrimMode trim = TrimMode::cut);
   /// One that is not seen, for the children of branch links.
-  void unseen_stem(Skeleton skeleton);
+  void unseen_stem(Skeleton skeleton, TrimMode trim = TrimMode::cut);
+  /// Where a frame in world space that stands on `node` of the stem emitted last stands on what is left of it, or
+  /// nothing where it is gone; as it is for kNoNode.
+  std::optional<Frame> on_stem_left(NodeIndex node, const Frame& frame) const;
+  /// Share of the length that is left of the stem emitted last, which is a single axis; 1 where it is whole.
+  float length_left() const;
   /// A site for children, relative to the instance's frame, as are the length and radius that they see; called n times
   /// it multiplies them. Without a call, children stand in the instance's frame, unless `no_children` was called.
   void child_site(const Frame& local, float length = 0, float radius = 0);
-  /// A site for children as `child_site` offers it, with its frame in world space.
-  void child_site_in_world(const Frame& frame, float length, float radius);
+  /// A site for children at the tip of the stem emitted last, which is a single axis: its frame, the stem's length and
+  /// the radius there, all in world space and of the whole stem.
+  void tip_site(const Frame& frame, float length, float radius);
   /// Children stand only where `child_site` says: for components whose number of children may be 0.
   void no_children() { has_child_sites_ = true; }
   /// The values of a number for each of `count` children of the instance, in the struct's unit. Expressions see the
@@ -208,6 +218,9 @@ class Emitter : private Emitted {
   void number_named_sites();
   bool is_individual() const { return site_.individual == site_.key.bits(); }
   void tell_roots_apart(EmittedStem& stem);
+  void offer_child(const Frame& frame, float length, float radius);
+  std::optional<StemPosition> left_of(StemPosition whole) const;
+  void put_on_stem(StemPosition whole, Site& site) const;
   std::uint32_t number_of_individual();
   void add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius);
   void count_sites();

@@ -103,23 +103,11 @@ class Trimmer {
     }
   }
 
-  /// Metres along its axis at each node, from where the axis springs.
-  static std::vector<float> arcs_of(const Skeleton& skeleton) {
-    std::vector<float> arc(skeleton.node_count(), 0);
-    for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
-      if (skeleton.is_root(node)) continue;
-      const NodeIndex parent = skeleton.parent[node];
-      const bool goes_on = skeleton.axis[parent] == skeleton.axis[node];
-      arc[node] = (goes_on ? arc[parent] : 0) + glm::distance(skeleton.position[parent], skeleton.position[node]);
-    }
-    return arc;
-  }
-
   void fit_radii() {
     Skeleton& skeleton = trimmed_.skeleton;
     const Axes before(whole_);
-    const std::vector<float> arcs = arcs_of(whole_);
-    const std::vector<float> new_arcs = arcs_of(skeleton);
+    const std::vector<float> arcs = arcs_along_axes(whole_);
+    const std::vector<float> new_arcs = arcs_along_axes(skeleton);
     const Axes after(skeleton);
     std::vector<AxisIndex> whole_axis(after.count(), 0);
     for (AxisIndex axis = 0; axis < before.count(); ++axis) {
@@ -156,6 +144,17 @@ class Trimmer {
 };
 
 }  // namespace
+
+std::vector<float> arcs_along_axes(const Skeleton& skeleton) {
+  std::vector<float> arc(skeleton.node_count(), 0);
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    if (skeleton.is_root(node)) continue;
+    const NodeIndex parent = skeleton.parent[node];
+    const bool goes_on = skeleton.axis[parent] == skeleton.axis[node];
+    arc[node] = (goes_on ? arc[parent] : 0) + glm::distance(skeleton.position[parent], skeleton.position[node]);
+  }
+  return arc;
+}
 
 TrimmedSkeleton trim_skeleton(const Skeleton& whole, StayInside stays_inside, TrimMode mode) {
   assert(mode != TrimMode::none);

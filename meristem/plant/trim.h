@@ -43,4 +43,7 @@ struct TrimmedSkeleton {
 /// linear in nodes.
 TrimmedSkeleton trim_skeleton(const Skeleton& whole, StayInside stays_inside, TrimMode mode);
 
+/// Metres along its axis at each node, from where the axis springs; 0 at roots.
+std::vector<float> arcs_along_axes(const Skeleton& skeleton);
+
 }  // namespace meristem

@@ -119,7 +119,7 @@ class AxisMesher {
     advance_v(last);
     finish(before);
     assert(next_triangle_ == plan_.first_triangle + plan_.triangles());
-    assert(next_vertex_ == plan_.first_vertex + plan_.vertices(path_.is_lateral(), surface_.cap));
+    assert(next_vertex_ == plan_.first_vertex + plan_.vertices(path_.is_lateral()));
   }
 
  private:
@@ -324,7 +324,7 @@ class AxisMesher {
     const float width = radius(last);
     const Vec3 centre = position(last);
     const float before = slope(last - 1);
-    switch (surface_.cap) {
+    switch (plan_.cap) {
       case Surface::Cap::pointed:  // a cone as high as it is wide
         ring(centre, width, Mitre(direction), before, -1);
         join();

@@ -159,6 +159,13 @@ TEST(Trim, TrimsHornsOfEverySection) {
   }
 }
 
+TEST(Trim, TellsWhereNothingIsLeft) {
+  const auto faults = faults_of([] { pole("cut", -0.5).grow(); });
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].path, "components.pole");
+  EXPECT_NE(faults[0].message.find("trimming leaves nothing"), std::string::npos);
+}
+
 TEST(Trim, SameBytesOnAnyNumberOfThreads) {
   const auto hash = [] {
     auto builder = pole("fit");

@@ -15,7 +15,7 @@ namespace meristem {
 
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kUnreachable = std::numeric_limits<double>::infinity();
 
 /// Squared distance of the k-th point of a curve from the segment between two others.
 double squared_distance(const std::vector<double>& x, const std::vector<double>& y, std::size_t k, std::size_t a,
@@ -27,7 +27,7 @@ double squared_distance(const std::vector<double>& x, const std::vector<double>&
 /// Which of many numbers is the least; ties go to the lower index.
 class LeastOf {
  public:
-  explicit LeastOf(std::size_t count) : leaves_(std::bit_ceil(count)), numbers_(leaves_, kNever), best_(2 * leaves_) {
+  explicit LeastOf(std::size_t count) : leaves_(std::bit_ceil(count)), numbers_(leaves_, kUnreachable), best_(2 * leaves_) {
     for (std::size_t k = 0; k < leaves_; ++k) best_[leaves_ + k] = static_cast<std::uint32_t>(k);
   }
 
@@ -95,7 +95,7 @@ ReductionOrder reduction_order(const GrassLeaf& leaf, const std::vector<std::vec
     largest = std::max(largest, errors.least());
     order.points.push_back(gone);
     order.errors.push_back(std::sqrt(largest));
-    errors.set(gone, kNever);
+    errors.set(gone, kUnreachable);
     const std::uint32_t a = before[gone], b = after[gone];
     after[a] = b;
     before[b] = a;

@@ -35,7 +35,7 @@
 namespace meristem {
 namespace {
 
-constexpr float kLeastCosine = 0.25881905F;  // of half a bend: the sharpest mitre
+constexpr float kSharpestMitre = 0.25881905F;  // of half a bend: the sharpest mitre
 constexpr float kInnerReach = 0.45F;         // of the shorter segment; two neighbours leave a tenth of it free
 constexpr float kFanSpacing = 0.05F;         // between a fan's rings, in radii
 constexpr float kStartDepth = 0.5F;          // how far a lateral's closed start reaches back, in radii
@@ -314,7 +314,7 @@ class AxisMesher {
   float inner_stretch(std::size_t i, float half_cosine) const {
     const float half_sine = std::sqrt(std::max(0.0F, 1 - half_cosine * half_cosine));
     const float room = kInnerReach * std::min(length(i - 1), length(i));
-    const float mitre = 1 / std::max(half_cosine, kLeastCosine);
+    const float mitre = 1 / std::max(half_cosine, kSharpestMitre);
     return room < mitre * radius(i) * half_sine ? room / (radius(i) * half_sine) : mitre;
   }
 

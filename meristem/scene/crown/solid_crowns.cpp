@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/scene/crown/solid_crowns.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "meristem/scene/crown/line_distance.h"
 
 namespace meristem {
 
@@ -27,6 +30,15 @@ bool EllipsoidCrown::contains(Vec3 point) const {
   return glm::dot(scaled, scaled) <= 1;
 }
 
+/// To first order of the distance over the radii; exact for spheres.
+double EllipsoidCrown::distance(Vec3 point) const {
+  const DVec3 way = DVec3(point) - centre_;
+  const double share = glm::length(way / radii_);
+  const double slope = glm::length(way / (radii_ * radii_));
+  if (!(slope > 0)) return -std::min({radii_.x, radii_.y, radii_.z});
+  return share * (share - 1) / slope;
+}
+
 Box EllipsoidCrown::bounds() const { return outward(centre_ - radii_, centre_ + radii_); }
 
 bool ConeCrown::contains(Vec3 point) const {
@@ -35,6 +47,14 @@ bool ConeCrown::contains(Vec3 point) const {
   // r / radius <= 1 - y / height, without dividing.
   const double reach = radius_ * (height_ - from_base.y);
   return (from_base.x * from_base.x + from_base.z * from_base.z) * height_ * height_ <= reach * reach;
+}
+
+double ConeCrown::distance(Vec3 point) const {
+  const DVec3 way = DVec3(point) - base_;
+  const glm::dvec2 at(std::sqrt(way.x * way.x + way.z * way.z), way.y);
+  const double away = std::sqrt(std::min(squared_distance_to_line(at, {0, 0}, {radius_, 0}),
+                                         squared_distance_to_line(at, {radius_, 0}, {0, height_})));
+  return contains(point) ? -away : away;
 }
 
 Box ConeCrown::bounds() const {
@@ -46,6 +66,11 @@ bool BoxCrown::contains(Vec3 point) const {
     if (point[k] < box_.low[k] || point[k] > box_.high[k]) return false;
   }
   return true;
+}
+
+double BoxCrown::distance(Vec3 point) const {
+  const DVec3 beyond = glm::max(DVec3(box_.low) - DVec3(point), DVec3(point) - DVec3(box_.high));
+  return glm::length(glm::max(beyond, DVec3(0))) + std::min(0.0, std::max({beyond.x, beyond.y, beyond.z}));
 }
 
 }  // namespace meristem

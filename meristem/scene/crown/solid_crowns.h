@@ -11,6 +11,7 @@ class EllipsoidCrown : public Crown {
  public:
   EllipsoidCrown(Vec3 centre, Vec3 radii) : centre_(centre), radii_(radii) {}
   bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
   Box bounds() const override;
 
  private:
@@ -24,6 +25,7 @@ class ConeCrown : public Crown {
   /// `base` is the middle of the disc; the apex stands `height` over it.
   ConeCrown(Vec3 base, double radius, double height) : base_(base), radius_(radius), height_(height) {}
   bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
   Box bounds() const override;
 
  private:
@@ -37,6 +39,7 @@ class BoxCrown : public Crown {
  public:
   explicit BoxCrown(const Box& box) : box_(box) {}
   bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
   Box bounds() const override { return box_; }
 
  private:

@@ -13,11 +13,13 @@ class TurnedCrown : public Crown {
   /// `axes` takes directions of the crown to those of the space; they must be independent.
   TurnedCrown(CrownPointer crown, const Mat3& axes);
   bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
   Box bounds() const override { return bounds_; }
 
  private:
   CrownPointer crown_;
   glm::dmat3 back_;
+  double scale_;  // the least of the axes
   Box bounds_;
 };
 

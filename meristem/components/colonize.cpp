@@ -44,8 +44,10 @@ std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowC
     for (Vec3& point : all[k].points) point = crown.point(point);
     seedlings.push_back({.root = site.frame.point(tree.roots[k]), .points = std::move(all[k].points)});
   }
-  return make_colonizer(context.stand, std::move(seedlings), growth_of(tree, *scale), site.key.child("growth"),
-                        context.scene, context.limits, context.component, context.progress);
+  ColonizeParameters growth = growth_of(tree, *scale);
+  growth.directions = context.directions;
+  return make_colonizer(context.stand, std::move(seedlings), growth, site.key.child("growth"), context.scene,
+                        context.limits, context.component, context.progress);
 }
 
 void expand(const Colonize& tree, const Site& site, Emitter& out) {

@@ -136,13 +136,13 @@ StemPath unit_path(const StemParameters& unit, float length, const Site& site, S
 }
 
 /// The key of how the world bends the curve of a horn that stands at a site.
-std::uint64_t world_key(const Site& site, const StemTropisms& tropisms) {
+std::uint64_t world_key(const Site& site, const StemTropisms& tropisms, const Surroundings& surroundings) {
   if (!tropisms.act()) return 0;
   const Mat3 axes = even_frame(site.frame).axes / glm::length(site.frame.heading());
   const Vec3 right = axes[0], heading = axes[1];
   const std::uint64_t key = shape_key(
       {tropisms.gravitropism, tropisms.phototropism, right.x, right.y, right.z, heading.x, heading.y, heading.z});
-  return RandomKey(key).child(tropisms.directions.key_at(site.frame.origin)).bits();
+  return RandomKey(key).child(tropisms.directions->key_at(site.frame.origin)).child(surroundings.hash).bits();
 }
 
 void emit_outline(const Horn& horn, const Site& site, const StemTropisms& tropisms, CurveLeft left, Emitter& out) {
@@ -153,7 +153,7 @@ void emit_outline(const Horn& horn, const Site& site, const StemTropisms& tropis
   const std::uint64_t form = shape_key({unit.radius, unit.curl, unit.spiral, unit.gnarl, unit.gnarl_waves, horn.twist});
   const std::uint64_t chance = unit.gnarl == 0 ? 0 : site.key.bits();
   const std::uint64_t trimmed = left.share == 1 ? 0 : shape_key({left.share, left.fits ? 1.0 : 0.0});
-  const std::uint64_t key = RandomKey(form).child(chance).child(world_key(site, tropisms)).child(trimmed).bits();
+  const std::uint64_t key = RandomKey(form).child(chance).child(world_key(site, tropisms, out.surroundings())).child(trimmed).bits();
   Frame frame{glm::inverse(site.frame.axes) * even_frame(site.frame).axes, Vec3(0)};
   const auto length = static_cast<float>(horn.stem.length);
   frame.axes *= length;
@@ -177,7 +177,7 @@ void emit_primitives(const Horn& horn, const Site& site, const std::vector<Rib>&
 }
 
 void expand(const Horn& horn, const Site& site, Emitter& out) {
-  const StemTropisms tropisms{out.directions(), horn.gravitropism, horn.phototropism};
+  const StemTropisms tropisms{&out.directions(), horn.gravitropism, horn.phototropism};
   StemPath path = grow_stem(horn.stem, site, tropisms);
   out.expect_children(static_cast<std::uint64_t>(horn.ribs));
   const std::vector<Rib> ribs = ribs_of(horn, path);

@@ -52,8 +52,10 @@ std::unique_ptr<Grower> grow(const Organize& tree, const Site& site, const GrowC
     seed.frame.origin = site.frame.point(root);
     seed.room = room;
   }
-  return make_organizer(context.stand, std::move(seeds), growth_of(tree, *scale, site.frame.axes),
-                        site.key.child("growth"), context.scene, context.limits, context.component);
+  OrganizeParameters growth = growth_of(tree, *scale, site.frame.axes);
+  growth.directions = context.directions;
+  return make_organizer(context.stand, std::move(seeds), growth, site.key.child("growth"), context.scene,
+                        context.limits, context.component);
 }
 
 /// A site for a leaf beside each lateral bud of the young metamers. A tree that no longer grows has none.

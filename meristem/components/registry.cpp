@@ -20,6 +20,7 @@
 #include "meristem/components/subdocument.h"
 #include "meristem/components/tree.h"
 #include "meristem/components/trim.h"
+#include "meristem/components/world.h"
 #include "meristem/components/wreath.h"
 
 namespace meristem {
@@ -30,6 +31,7 @@ const Registry& builtin_components() {
       grassleaf_component(), tree_component(),   horn_component(),       hydra_component(),       wreath_component(),
       phiball_component(),   field_component(),  places_component(),     subdocument_component(), colonize_component(),
       organize_component(),  cloud_component(),  lsystem_component(),    skeleton_component(),    trim_component(),
+      world_component(),
   });
   return registry;
 }

@@ -43,7 +43,7 @@ std::vector<StemBend> deflections(const Tree& tree, const Site& site, const Emit
 }
 
 void expand(const Tree& tree, const Site& site, Emitter& out) {
-  const StemTropisms tropisms{out.directions(), tree.gravitropism, tree.phototropism};
+  const StemTropisms tropisms{&out.directions(), tree.gravitropism, tree.phototropism};
   std::vector<StemBend> bends;
   if (tree.deflection != 0) bends = deflections(tree, site, out);
   StemPath path = grow_stem(tree.stem, site, tropisms, bends);

@@ -31,7 +31,7 @@ OrganizedTree::OrganizedTree(const OrganizedSpecies& species, StandSpace& space,
       key_(key),
       number_(number),
       room_(species.parameters.light.kind == BudLightModel::Kind::shadow ? seed.room : nullptr),
-      tree_(species.scene, space, root_,
+      tree_({species.scene, species.directions, root_}, space,
             Metamers(normalized_or(seed.frame.heading(), -species.directions.down(root_)),
                      normalized_or(seed.frame.right(), Vec3(1, 0, 0)), key),
             species.parameters.sag, species.parameters.radii),
@@ -142,8 +142,11 @@ Vec3 OrganizedTree::wanted_heading(const Growth& growth, MetamerIndex from, Vec3
   const DirectionWeights& weights = growth.rank == 0 && parameters.stem ? *parameters.stem : parameters.direction;
   const double steps = weights.fades_by_order ? growth.rank : growth.iteration - 1;
   const double up = weights.up_later + (weights.up - weights.up_later) * math::pow(weights.up_fade, steps);
-  const Vec3 straight_up = -species_->directions.down(root_ + metamers_.tip[from]);
-  DVec3 sum = weights.persistence * DVec3(bud) + weights.light * DVec3(growth.sprout.way) + up * DVec3(straight_up);
+  const Directions& directions = species_->directions;
+  const Vec3 position = root_ + metamers_.tip[from];
+  const Vec3 straight_up = -directions.gravity(position).vector();
+  const DVec3 light = DVec3(growth.sprout.way) + DVec3(directions.light_sense().given_at(position));
+  DVec3 sum = weights.persistence * DVec3(bud) + weights.light * light + up * DVec3(straight_up);
   if (is_first_of_lateral && metamers_.terminal[from].is_damaged()) {
     sum += parameters.takeover * DVec3(metamers_.heading(from));
   }

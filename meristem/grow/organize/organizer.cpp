@@ -53,7 +53,7 @@ class Organizer : public Grower {
  public:
   Organizer(Stand& stand, std::vector<OrganizeSeed> seeds, const OrganizeParameters& parameters, RandomKey key,
             const Scene& scene, const Limits& limits, std::string component)
-      : species_{parameters, scene, limits, std::move(component), scene.directions()},
+      : species_{parameters, scene, limits, std::move(component), parameters.directions.value_or(scene.directions())},
         space_(stand.commons<StandSpace>()) {
     for (std::size_t k = 0; k < seeds.size(); ++k) {
       require_open(seeds[k].frame.origin);

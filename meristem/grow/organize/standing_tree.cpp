@@ -5,10 +5,10 @@
 
 namespace meristem {
 
-StandingTree::StandingTree(const Scene& scene, StandSpace& space, Vec3 root, Metamers seed,
-                           const std::optional<Sag>& sag, const PipeModel& radii)
-    : space_(space), root_(root), metamers_(std::move(seed)), scene_light_(scene, root) {
-  if (sag) load_.emplace(*sag, radii, scene.directions(), root);
+StandingTree::StandingTree(const Place& place, StandSpace& space, Metamers seed, const std::optional<Sag>& sag,
+                           const PipeModel& radii)
+    : space_(space), root_(place.root), metamers_(std::move(seed)), scene_light_(place.scene, place.root) {
+  if (sag) load_.emplace(*sag, radii, place.directions, place.root);
 }
 
 MetamerIndex StandingTree::grow(MetamerIndex from, bool is_lateral, int iteration, Vec3 tip, Vec3 side) {

@@ -20,8 +20,14 @@ namespace meristem {
 /// `space` outlive it; it stays where it is, as others keep references to its parts.
 class StandingTree {
  public:
-  /// `seed` is one metamer, at `root` in world space. Branches bend under their load where a `sag` is given.
-  StandingTree(const Scene& scene, StandSpace& space, Vec3 root, Metamers seed, const std::optional<Sag>& sag,
+  /// What surrounds the tree.
+  struct Place {
+    const Scene& scene;
+    const Directions& directions;  ///< of gravity
+    Vec3 root{0};                  ///< world space
+  };
+  /// `seed` is one metamer, at the place's root. Branches bend under their load where a `sag` is given.
+  StandingTree(const Place& place, StandSpace& space, Metamers seed, const std::optional<Sag>& sag,
                const PipeModel& radii);
   StandingTree(const StandingTree&) = delete;
   StandingTree& operator=(const StandingTree&) = delete;

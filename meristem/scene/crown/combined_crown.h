@@ -20,6 +20,7 @@ class CombinedCrown : public Crown {
   /// At least one crown, none of them null; throws std::invalid_argument otherwise.
   CombinedCrown(CombineKind kind, std::vector<CrownPointer> crowns);
   bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
   Box bounds() const override { return bounds_; }
   /// The axis of the first crown, also of what remains of it after a subtraction.
   Vec2 axis() const override;

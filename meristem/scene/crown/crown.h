@@ -18,6 +18,9 @@ class Crown {
   virtual bool contains(Vec3 point) const = 0;
   /// A box that holds all of it; empty only where the crown is.
   virtual Box bounds() const = 0;
+  /// Metres from the crown's surface, negative inside. Exact near the surface of the project's own bodies; of others,
+  /// it is measured toward the middle of their bounds.
+  virtual double distance(Vec3 point) const;
   /// Where (x and z) its vertical axis stands, from which zones measure what is outer: the middle of the bounds, and
   /// the root for profiles.
   virtual Vec2 axis() const {

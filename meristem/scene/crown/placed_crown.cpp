@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/scene/crown/placed_crown.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <glm/matrix.hpp>
@@ -8,7 +9,10 @@
 namespace meristem {
 
 PlacedCrown::PlacedCrown(CrownPointer crown, const Frame& frame)
-    : crown_(std::move(crown)), origin_(frame.origin), back_(glm::inverse(DMat3(frame.axes))) {
+    : crown_(std::move(crown)),
+      origin_(frame.origin),
+      back_(glm::inverse(DMat3(frame.axes))),
+      scale_(std::min({glm::length(frame.axes[0]), glm::length(frame.axes[1]), glm::length(frame.axes[2])})) {
   const Box own = crown_->bounds();
   if (own.is_empty()) return;
   for (int corner = 0; corner < 8; ++corner) {
@@ -21,5 +25,9 @@ PlacedCrown::PlacedCrown(CrownPointer crown, const Frame& frame)
 }
 
 bool PlacedCrown::contains(Vec3 point) const { return crown_->contains(Vec3(back_ * (DVec3(point) - origin_))); }
+
+double PlacedCrown::distance(Vec3 point) const {
+  return scale_ * crown_->distance(Vec3(back_ * (DVec3(point) - origin_)));
+}
 
 }  // namespace meristem

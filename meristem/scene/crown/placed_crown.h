@@ -12,6 +12,7 @@ class PlacedCrown : public Crown {
   /// `frame` takes the crown's coordinates to those of the space around it; its axes must be independent.
   PlacedCrown(CrownPointer crown, const Frame& frame);
   bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
   Box bounds() const override { return bounds_; }
   bool is_convex() const override { return crown_->is_convex(); }
 
@@ -19,6 +20,7 @@ class PlacedCrown : public Crown {
   CrownPointer crown_;
   DVec3 origin_;
   DMat3 back_;  // from the directions around it to the crown's
+  double scale_;  // the least of the axes
   Box bounds_;
 };
 

@@ -11,6 +11,7 @@ class EllipsoidCrown : public Crown {
  public:
   EllipsoidCrown(Vec3 centre, Vec3 radii) : centre_(centre), radii_(radii) {}
   bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
   Box bounds() const override;
   bool is_convex() const override { return true; }
 
@@ -25,6 +26,7 @@ class ConeCrown : public Crown {
   /// `base` is the middle of the disc; the apex stands `height` over it.
   ConeCrown(Vec3 base, double radius, double height) : base_(base), radius_(radius), height_(height) {}
   bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
   Box bounds() const override;
   bool is_convex() const override { return true; }
 
@@ -40,6 +42,7 @@ class CylinderCrown : public Crown {
   /// `base` is the middle of the lower disc.
   CylinderCrown(Vec3 base, double radius, double height) : base_(base), radius_(radius), height_(height) {}
   bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
   Box bounds() const override;
   bool is_convex() const override { return true; }
 
@@ -55,6 +58,7 @@ class PyramidCrown : public Crown {
   /// `base` is the middle of the square, whose sides are `width` long; the apex stands `height` over it.
   PyramidCrown(Vec3 base, double width, double height) : base_(base), half_width_(width / 2), height_(height) {}
   bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
   Box bounds() const override;
   bool is_convex() const override { return true; }
 
@@ -70,6 +74,7 @@ class HalfSpaceCrown : public Crown {
   /// `normal`, of any length above 0, points out of the half space; `point` lies on the plane.
   HalfSpaceCrown(Vec3 point, Vec3 normal) : point_(point), normal_(normal) {}
   bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
   /// A box with sides of 2 kEndlessReach.
   Box bounds() const override;
   bool is_convex() const override { return true; }
@@ -84,6 +89,7 @@ class BoxCrown : public Crown {
  public:
   explicit BoxCrown(const Box& box) : box_(box) {}
   bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
   Box bounds() const override { return box_; }
   bool is_convex() const override { return true; }
 

@@ -27,6 +27,11 @@ GraphBuilder pole(const Value& trim, double height = 2.1) {
   return builder.link("view", "body").link("body", "pole").link("pole", "twig", LinkKind::branch);
 }
 
+MeshScene clothed(const Plant& plant) {
+  Progress progress;
+  return make_mesh_scene(plant, {}, progress);
+}
+
 float highest(const Plant& plant) {
   float height = -1e9F;
   for (const Stem& stem : plant.stems) {
@@ -82,7 +87,7 @@ TEST(Trim, StemsThatFitTaperToTheBoundaryAndBearAllTheirBranches) {
 
 TEST(Trim, NoVertexLiesOutsideByMoreThanTheRadiusThere) {
   for (const char* mode : {"cut", "fit"}) {
-    const MeshScene scene = make_mesh_scene(pole(mode).grow());
+    const MeshScene scene = clothed(pole(mode).grow());
     for (const MeshInstances& part : scene.meshes) {
       for (const Vec3 position : part.mesh->positions) EXPECT_LT(position.y, 2.1F + 0.1F + 1e-3F) << mode;
     }
@@ -90,7 +95,7 @@ TEST(Trim, NoVertexLiesOutsideByMoreThanTheRadiusThere) {
 }
 
 TEST(Trim, ACutStemHasAFlatEnd) {
-  const MeshScene scene = make_mesh_scene(pole("cut").grow());
+  const MeshScene scene = clothed(pole("cut").grow());
   float height = 0;
   for (const MeshInstances& part : scene.meshes) {
     EXPECT_TRUE(check_mesh(*part.mesh));
@@ -147,11 +152,11 @@ TEST(Trim, TrimsHornsOfEverySection) {
         horn.emplace_back("outline", Value::List{Value::List{-1, -1}, Value::List{1, -1}, Value::List{1, 1}});
       }
       builder.component("horn", "horn", horn).link("view", "body").link("body", "horn");
-      const MeshScene scene = make_mesh_scene(builder.grow());
+      const MeshScene scene = clothed(builder.grow());
       float height = 0;
       for (const MeshInstances& part : scene.meshes) {
-        for (std::size_t k = 0; k < part.instance_count(); ++k) {
-          for (const Vec3 position : part.mesh->positions) height = std::max(height, part.frame(k).point(position).y);
+        for (std::size_t k = 0; k < part.frames.size(); ++k) {
+          for (const Vec3 position : part.mesh->positions) height = std::max(height, part.frames[k].point(position).y);
         }
       }
       EXPECT_NEAR(height, 2, 0.25) << section << mode;

@@ -169,12 +169,12 @@ const ParameterTable& cone_table() {
 
 const ParameterTable& cylinder_table() {
   static const ParameterTable table =
-      Table<CylinderParameters>("a cylinder", "An upright cylinder.")
-          .vector("base", &CylinderParameters::base, kCoordinate, "Centre of the cylinder's base, relative to the root.")
+      Table<UprightCylinderParameters>("a cylinder", "An upright cylinder.")
+          .vector("base", &UprightCylinderParameters::base, kCoordinate, "Centre of the cylinder's base, relative to the root.")
           .required()
-          .number("radius", &CylinderParameters::radius, kLength, "Radius of the cylinder.")
+          .number("radius", &UprightCylinderParameters::radius, kLength, "Radius of the cylinder.")
           .required()
-          .number("height", &CylinderParameters::height, kLength, "Height of the cylinder.")
+          .number("height", &UprightCylinderParameters::height, kLength, "Height of the cylinder.")
           .required();
   return table;
 }

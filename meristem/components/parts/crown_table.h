@@ -38,7 +38,7 @@ struct ConeParameters {
   double height = 2;
 };
 
-struct CylinderParameters {
+struct UprightCylinderParameters {
   Vec3 base{0};
   double radius = 1;
   double height = 2;
@@ -65,7 +65,7 @@ struct CrownParameters {
   std::optional<EllipsoidParameters> ellipsoid;
   std::optional<SphereParameters> sphere;
   std::optional<ConeParameters> cone;
-  std::optional<CylinderParameters> cylinder;
+  std::optional<UprightCylinderParameters> cylinder;
   std::optional<PyramidParameters> pyramid;
   std::optional<HalfSpaceParameters> half_space;
   std::optional<Box> box;

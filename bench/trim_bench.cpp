@@ -65,8 +65,8 @@ void trimmed_stems(benchmark::State& state) {
     const auto begin = std::chrono::steady_clock::now();
     meristem::parallel_for(stems.size(), 256, [&](std::size_t first, std::size_t end) {
       for (std::size_t k = first; k < end; ++k) {
-        const auto left =
-            trim_skeleton(stems[k], [&](Vec3 from, Vec3 to) { return body.reach(from, to); }, mode);
+        const auto left = trim_skeleton(
+            stems[k], [&](Vec3 from, Vec3 to) { return body.reach(from, to); }, mode);
         shortened[k] = left.is_whole ? 0 : 1;
       }
     });
@@ -86,7 +86,8 @@ void trimmed_stems(benchmark::State& state) {
   for (const std::uint64_t count : found) inside += count;
   state.counters["shortened"] = share / static_cast<double>(stems.size());
   state.counters["triangles"] = static_cast<double>(mesh->triangle_count());
-  state.counters["stems"] = benchmark::Counter(static_cast<double>(stems.size()), benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["stems"] =
+      benchmark::Counter(static_cast<double>(stems.size()), benchmark::Counter::kIsIterationInvariantRate);
   if (inside == 0) state.SkipWithError("no node is inside");
 }
 BENCHMARK(trimmed_stems)->ArgName("fit")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -94,7 +95,7 @@ BENCHMARK(trimmed_stems)->ArgName("fit")->Arg(0)->Arg(1)->Unit(benchmark::kMilli
 }  // namespace
 
 int main(int count, char** arguments) {
-  return meristem::bench::run(count, arguments,
-                              {{"trimmed_stems/fit:0", "ms", Asked::at_most, 1000},
-                               {"trimmed_stems/fit:1", "ms", Asked::at_most, 1000}});
+  return meristem::bench::run(
+      count, arguments,
+      {{"trimmed_stems/fit:0", "ms", Asked::at_most, 1000}, {"trimmed_stems/fit:1", "ms", Asked::at_most, 1000}});
 }

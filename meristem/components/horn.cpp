@@ -153,7 +153,8 @@ void emit_outline(const Horn& horn, const Site& site, const StemTropisms& tropis
   const std::uint64_t form = shape_key({unit.radius, unit.curl, unit.spiral, unit.gnarl, unit.gnarl_waves, horn.twist});
   const std::uint64_t chance = unit.gnarl == 0 ? 0 : site.key.bits();
   const std::uint64_t trimmed = left.share == 1 ? 0 : shape_key({left.share, left.fits ? 1.0 : 0.0});
-  const std::uint64_t key = RandomKey(form).child(chance).child(world_key(site, tropisms, out.surroundings())).child(trimmed).bits();
+  const std::uint64_t key =
+      RandomKey(form).child(chance).child(world_key(site, tropisms, out.surroundings())).child(trimmed).bits();
   Frame frame{glm::inverse(site.frame.axes) * even_frame(site.frame).axes, Vec3(0)};
   const auto length = static_cast<float>(horn.stem.length);
   frame.axes *= length;

@@ -53,7 +53,7 @@ struct SkeletonFromFile : ComponentBase {
   double pipe_exponent = 2.4;
   SkeletonFinish finish;
   Surface surface;
-  TrimMode trim = TrimMode::cut;  ///< what a body around its stems does to them
+  TrimMode trim = TrimMode::cut;               ///< what a body around its stems does to them
   std::shared_ptr<const Skeleton> skeleton{};  ///< what all of the above come to
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a body does to a stem is the stem's own matter (its row `trim`); here the body is set in its frame. Bodies within
-// bodies are intersected.
+// What a body does to a stem is the stem's own matter (its row `trim`); here the body is set in its frame. Bodies
+// within bodies are intersected.
 #include "meristem/components/trim.h"
 
 #include <memory>

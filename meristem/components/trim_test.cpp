@@ -68,8 +68,9 @@ TEST(Trim, BranchesOfACutStemAreThoseOfTheWholeOne) {
   const Skeleton cut = pole("cut").grow().stems.at(0).skeleton;
   for (NodeIndex node = 0; node < cut.node_count(); ++node) {
     if (cut.axis[node] == 0) continue;
-    EXPECT_TRUE(std::ranges::any_of(whole.position, [&](Vec3 at) { return glm::distance(at, cut.position[node]) < 1e-5F; }))
-        << node;
+    EXPECT_TRUE(std::ranges::any_of(whole.position, [&](Vec3 at) {
+      return glm::distance(at, cut.position[node]) < 1e-5F;
+    })) << node;
   }
 }
 
@@ -109,8 +110,9 @@ TEST(Trim, ACutStemHasAFlatEnd) {
 TEST(Trim, StandsInItsFrameAndLiesWithinTheOneAbove) {
   GraphBuilder builder(builtin_components());
   builder.component("view", "camera").component("outer", "trim", {{"body", Value::Object{{"box", box(-1, 3)}}}});
-  builder.component("inner", "trim", {{"body", Value::Object{{"box", box(-1, 1)}}},
-                                      {"frame", Value::Object{{"translate", Value::List{0, 2.5, 0}}}}});
+  builder.component(
+      "inner", "trim",
+      {{"body", Value::Object{{"box", box(-1, 1)}}}, {"frame", Value::Object{{"translate", Value::List{0, 2.5, 0}}}}});
   builder.component("off", "trim", {{"off", true}});
   builder.component("pole", "tree", {{"length", 9}}).component("high", "tree", {{"length", 9}});
   builder.component("free", "tree", {{"length", 9}});
@@ -197,7 +199,7 @@ TEST(Trim, RefusesABodyWithoutSizeAndABodyBesideOff) {
   EXPECT_NE(fault({{"off", true}, {"body", Value::Object{{"box", box(-1, 2)}}}}), "");
   EXPECT_NE(fault({{"body", Value::Object{{"box", box(2, 2)}}}}), "");
   EXPECT_EQ(fault({{"body", Value::Object{{"half_space", Value::Object{{"point", Value::List{0, 1, 0}},
-                                                                      {"normal", Value::List{0, 0, 0}}}}}}}),
+                                                                       {"normal", Value::List{0, 0, 0}}}}}}}),
             "the normal has no length");
 }
 

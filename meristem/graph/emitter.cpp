@@ -256,8 +256,8 @@ void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* b
   std::shared_ptr<const TrimmedStem> trimmed;
   const Crown* const body = surroundings().trim.get();
   if (body != nullptr && trim != TrimMode::none) {
-    TrimmedSkeleton left =
-        trim_skeleton(skeleton, [&](Vec3 from, Vec3 to) { return body->reach(from, to); }, trim);
+    TrimmedSkeleton left = trim_skeleton(
+        skeleton, [&](Vec3 from, Vec3 to) { return body->reach(from, to); }, trim);
     if (!left.is_whole) {
       trimmed = std::make_shared<const TrimmedStem>(std::move(skeleton), std::move(left), trim);
       skeleton = trimmed->left();

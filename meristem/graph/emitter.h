@@ -188,8 +188,8 @@ class Emitter : private Emitted {
   const Scene& scene() const;
   /// What the components above say of the space that the instance stands in.
   const Surroundings& surroundings() const;
-  /// The directions toward the light and down, at any position of the instance's surroundings; components ask them where
-  /// they bend.
+  /// The directions toward the light and down, at any position of the instance's surroundings; components ask them
+  /// where they bend.
   const Directions& directions() const;
   const Limits& limits() const;
   const std::string& component() const;  ///< id, for errors

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nodes come in their order, parents first, so one pass finds what is left: a node stays if its parent does and the way
-// from there stays inside; if the way leaves, a node on the boundary ends the axis. What grows on a node that is gone is
-// gone. A second pass gives shortened axes their taper.
+// from there stays inside; if the way leaves, a node on the boundary ends the axis. What grows on a node that is gone
+// is gone. A second pass gives shortened axes their taper.
 #include "meristem/plant/trim.h"
 
 #include <algorithm>

@@ -124,7 +124,8 @@ OutlineOverlap outline_overlap(const MeshScene& whole, const MeshScene& level, c
   overlap.growth.resize(directions.size());
   parallel_for(directions.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      const OutlineView view = view_along(directions[k], DVec3(box.centre()), 0.5 * size / (kBallMargin * radius), size);
+      const OutlineView view =
+          view_along(directions[k], DVec3(box.centre()), 0.5 * size / (kBallMargin * radius), size);
       const Compared sums = compare(covered_pixels(whole, view, options.samples, progress),
                                     covered_pixels(level, view, options.samples, progress));
       overlap.of_direction[k] = share(sums.both, sums.any);

@@ -170,7 +170,8 @@ const ParameterTable& cone_table() {
 const ParameterTable& cylinder_table() {
   static const ParameterTable table =
       Table<UprightCylinderParameters>("a cylinder", "An upright cylinder.")
-          .vector("base", &UprightCylinderParameters::base, kCoordinate, "Centre of the cylinder's base, relative to the root.")
+          .vector("base", &UprightCylinderParameters::base, kCoordinate,
+                  "Centre of the cylinder's base, relative to the root.")
           .required()
           .number("radius", &UprightCylinderParameters::radius, kLength, "Radius of the cylinder.")
           .required()
@@ -292,8 +293,8 @@ const ParameterTable& crown_table() {
           .file("mesh", &CrownParameters::mesh, read_closed_mesh,
                 "File with a closed mesh (OBJ, PLY or GLB) as the crown.")
           .members(&CrownParameters::mesh_place, import_table())
-          .one_of({"profile", "profiles", "union", "intersection", "difference", "ellipsoid", "sphere", "cone", "cylinder",
-                   "pyramid", "half_space", "box", "mesh"})
+          .one_of({"profile", "profiles", "union", "intersection", "difference", "ellipsoid", "sphere", "cone",
+                   "cylinder", "pyramid", "half_space", "box", "mesh"})
           .only_with("mesh", import_names())
           .check(check_crown);
   return table;

@@ -44,7 +44,8 @@ bool CombinedCrown::contains(Vec3 point) const {
 }
 
 bool CombinedCrown::is_convex() const {
-  return kind_ == CombineKind::intersect && std::ranges::all_of(crowns_, [](const CrownPointer& crown) { return crown->is_convex(); });
+  return kind_ == CombineKind::intersect &&
+         std::ranges::all_of(crowns_, [](const CrownPointer& crown) { return crown->is_convex(); });
 }
 
 double CombinedCrown::distance(Vec3 point) const {

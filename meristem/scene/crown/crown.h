@@ -30,10 +30,10 @@ class Crown {
   /// Whether every straight way between two positions in the crown lies in it; false also where that is not known.
   virtual bool is_convex() const { return false; }
 
-  /// Share of the straight way from `from` to `to` before it first leaves the crown: 1 where it does not, 0 where `from`
-  /// is not in the crown. The position at that share is in the crown, and at most a 65,536th of the way (or of a 64th of
-  /// the crown's size, where that is less) before the boundary. In crowns that are not convex, gaps thinner than that
-  /// 64th may be passed over.
+  /// Share of the straight way from `from` to `to` before it first leaves the crown: 1 where it does not, 0 where
+  /// `from` is not in the crown. The position at that share is in the crown, and at most a 65,536th of the way (or of a
+  /// 64th of the crown's size, where that is less) before the boundary. In crowns that are not convex, gaps thinner
+  /// than that 64th may be passed over.
   float reach(Vec3 from, Vec3 to) const;
 };
 

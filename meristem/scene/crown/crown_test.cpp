@@ -10,9 +10,9 @@
 
 #include "meristem/base/random.h"
 #include "meristem/scene/crown/combined_crown.h"
+#include "meristem/scene/crown/placed_crown.h"
 #include "meristem/scene/crown/profile_crown.h"
 #include "meristem/scene/crown/solid_crowns.h"
-#include "meristem/scene/crown/placed_crown.h"
 
 namespace meristem {
 namespace {

@@ -19,7 +19,7 @@ class PlacedCrown : public Crown {
  private:
   CrownPointer crown_;
   DVec3 origin_;
-  DMat3 back_;  // from the directions around it to the crown's
+  DMat3 back_;    // from the directions around it to the crown's
   double scale_;  // the least of the axes
   Box bounds_;
 };

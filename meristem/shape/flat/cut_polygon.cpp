@@ -23,8 +23,8 @@ namespace {
 using Point = glm::dvec2;
 using Polygon = std::vector<Point>;
 
-constexpr double kSliverArea = 1e-6;    // twice the area over the longest edge squared of triangles that are not made
-constexpr double kBetter = 1e-9;  // of shape, for which a diagonal is worth to be changed
+constexpr double kSliverArea = 1e-6;  // twice the area over the longest edge squared of triangles that are not made
+constexpr double kBetter = 1e-9;      // of shape, for which a diagonal is worth to be changed
 constexpr int kFlipPasses = 8;
 
 /// Twice the signed area, positive counter-clockwise.

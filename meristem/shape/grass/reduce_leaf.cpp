@@ -110,7 +110,8 @@ ReductionOrder reduction_order(const GrassLeaf& leaf, const std::vector<std::vec
     const std::uint32_t a = before[gone], b = after[gone];
     after[a] = b;
     before[b] = a;
-    errors.set({gone, a, b}, {kUnreachable, a > 0 ? squared_error(a) : kUnreachable, b + 1 < count ? squared_error(b) : kUnreachable});
+    errors.set({gone, a, b}, {kUnreachable, a > 0 ? squared_error(a) : kUnreachable,
+                              b + 1 < count ? squared_error(b) : kUnreachable});
   }
   return order;
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMostHalvings = 40;       // halvings
 constexpr double kPointError = 1e-3;    // of a cell
-constexpr double kSlopeStep = 0.05;  // of a cell
+constexpr double kSlopeStep = 0.05;     // of a cell
 constexpr double kGradientReach = 0.2;  // cells outside to which values count, for gradients
 constexpr std::array<Vec3, 4> kCorners{Vec3(1, -1, -1), Vec3(-1, -1, 1), Vec3(-1, 1, -1), Vec3(1, 1, 1)};
 

@@ -15,7 +15,7 @@ namespace {
 
 using Kind = BodyClause::Kind;
 
-constexpr double kPolyFading = 2.455;     // natural logarithms a width
+constexpr double kPolyFading = 2.455;          // natural logarithms a width
 constexpr double kOuterHalfDiagonal = 0.8661;  // of a cube, a little more than sqrt(3) / 2
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 

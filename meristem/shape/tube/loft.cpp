@@ -20,10 +20,10 @@ namespace meristem {
 namespace {
 
 constexpr double kSharpCosine = 0.766;  // of 40°
-constexpr double kSamePlace = 1e-6;      // of a section's extent; points of neighbours that are nearer are one
-constexpr double kDegenerate = 1e-8;     // twice a triangle's area over its longest edge squared
-constexpr double kFacing = 0.02;          // cosine between a normal and its triangle, below which the triangle's counts
-constexpr double kSameLength = 1e-6;     // a diagonal is preferred if it is shorter by this share
+constexpr double kSamePlace = 1e-6;     // of a section's extent; points of neighbours that are nearer are one
+constexpr double kDegenerate = 1e-8;    // twice a triangle's area over its longest edge squared
+constexpr double kFacing = 0.02;        // cosine between a normal and its triangle, below which the triangle's counts
+constexpr double kSameLength = 1e-6;    // a diagonal is preferred if it is shorter by this share
 constexpr std::uint32_t kOfCap = 0xffffffffU;
 
 /// The vertices along a section, a column each; those of a ring begin and end at its first point.

@@ -33,7 +33,8 @@ std::optional<LoftFault> find_fault(const LoftSection& section) {
   const std::string wanted = section.is_closed ? "at least 3 points, or 1 for a tip" : "at least 2, or 1 for a tip";
   if (points.empty()) return LoftFault{"it has no points", wanted, {}};
   if (section.is_closed && points.size() == 2) return LoftFault{"a ring of 2 points encloses nothing", wanted, {}};
-  if (points.size() > kMostSectionPoints) return LoftFault{"it has too many points", "at most 1000", kMostSectionPoints};
+  if (points.size() > kMostSectionPoints)
+    return LoftFault{"it has too many points", "at most 1000", kMostSectionPoints};
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (std::isfinite(points[k].x) && std::isfinite(points[k].y) && std::isfinite(points[k].z)) continue;
     return LoftFault{"this point is not finite", "finite numbers", k};

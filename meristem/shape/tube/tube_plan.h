@@ -26,8 +26,8 @@ struct AxisPlan {
   float sink = 0;  ///< metres: how far the parent's flats may lie below its bark
   std::optional<Collar> collar;
   Surface::Cap cap = Surface::Cap::pointed;  ///< flat where the axis has been cut off
-  std::uint32_t mesh = 0;          ///< in which it stands
-  std::uint64_t first_vertex = 0;  ///< of that mesh
+  std::uint32_t mesh = 0;                    ///< in which it stands
+  std::uint64_t first_vertex = 0;            ///< of that mesh
   std::uint64_t first_triangle = 0;
 
   // A lateral's start is one hidden point; a root's is a flat disc with vertices of its own. A tip has a point per

@@ -36,10 +36,10 @@ namespace meristem {
 namespace {
 
 constexpr float kSharpestMitre = 0.25881905F;  // of half a bend: the sharpest mitre
-constexpr float kInnerReach = 0.45F;         // of the shorter segment; two neighbours leave a tenth of it free
-constexpr float kFanSpacing = 0.05F;         // between a fan's rings, in radii
-constexpr float kStartDepth = 0.5F;          // how far a lateral's closed start reaches back, in radii
-constexpr float kHiddenFillet = 0.3F;        // of a fillet that runs on below the parent's bark
+constexpr float kInnerReach = 0.45F;           // of the shorter segment; two neighbours leave a tenth of it free
+constexpr float kFanSpacing = 0.05F;           // between a fan's rings, in radii
+constexpr float kStartDepth = 0.5F;            // how far a lateral's closed start reaches back, in radii
+constexpr float kHiddenFillet = 0.3F;          // of a fillet that runs on below the parent's bark
 constexpr std::array<float, AxisPlan::kFlareRings> kFlareShares{0.1F, 0.25F, 0.5F};  // of the first segment
 constexpr float kSqrt2 = 1.4142135F;
 constexpr auto kDomeStep = static_cast<float>(kPi / 2 / (AxisPlan::kDomeRings + 1));  // along a dome, in radii

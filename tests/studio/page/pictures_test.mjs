@@ -9,7 +9,7 @@ import { after, before, test } from 'node:test';
 import { draw_all, kFolder, kMostBytes, kPictures } from './pictures.mjs';
 import { kSource, start_browser, temporary_folder } from './support.mjs';
 
-/// Of 255, how far pictures may differ on average in squares of 16 pixels: letters look otherwise on other machines,
+/// How far, in steps of 255, pictures may differ on average in squares of 16 pixels: letters look otherwise on other machines,
 /// and times are other ones; another plant, panel or theme is further away.
 const kNear = 6;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The edge of a panel, by which it is made wider: dragged, or moved by the arrow keys; a double click puts it back.
+// The edge of a panel changes its width: it is dragged, or moved by the arrow keys; a double click puts it back.
 import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useRef } from 'react';
 

@@ -483,10 +483,12 @@ class OutlineCollapse::State {
     std::vector<double> wrong(views_.size());
     double mean = 0;
     for (std::size_t view = 0; view < views_.size(); ++view) {
+      int pixels = 0;
       for (std::uint32_t pixel = 0; pixel < kSize * kSize; ++pixel) {
         const bool is_wanted = is_wanted_[view * planes_ * kSize * kSize + pixel] != 0;
-        if (is_wanted != (count(view, 0, pixel) > 0)) wrong[view] += even[view];
+        if (is_wanted != (count(view, 0, pixel) > 0)) ++pixels;
       }
+      wrong[view] = pixels * even[view];
       mean += wrong[view] / static_cast<double>(views_.size());
     }
     if (!(mean > 0)) return;

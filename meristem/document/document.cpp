@@ -24,7 +24,7 @@ namespace meristem {
 
 namespace {
 
-/// Of each the lower.
+/// The lower of each two limits.
 Limits within(const Limits& own, const Limits& outer) {
   Limits both = own;
   for (std::uint64_t Limits::*const limit :
@@ -56,7 +56,7 @@ class DocumentReader {
     }
     if (const Value* format = root_.find("meristem");
         format != nullptr && format->number() != nullptr && *format->number() > kDocumentFormat) {
-      return {{.message = fmt::format("this program is too old for the document's format {}", *format->number()),
+      return {{.message = fmt::format("the document's format {} is newer than this program", *format->number()),
                .expected = fmt::format("at most {}", kDocumentFormat),
                .path = "meristem"}};
     }

@@ -167,6 +167,12 @@ void StandingWood::thicken(Skeleton& skeleton, const PipeModel& model) const {
     skeleton.radius[node] =
         gained > 0 ? static_cast<float>(math::pow(stood + gained * of_tip, 1 / model.exponent)) : radius_[node];
   }
+  // Wood is not thinner than what it bears, unless it was measured so.
+  for (std::size_t node = skeleton.node_count(); node-- > 1;) {
+    const NodeIndex parent = skeleton.parent[node];
+    if (parent >= radius_.size() || (node < radius_.size() && radius_[node] > radius_[parent])) continue;
+    skeleton.radius[parent] = std::max(skeleton.radius[parent], skeleton.radius[node]);
+  }
 }
 
 }  // namespace meristem

@@ -112,7 +112,7 @@ class Planting {
       from = add({.from = from,
                   .is_lateral = is_lateral && k == 1,
                   .tip = k == pieces ? end : glm::mix(begin, end, along),
-                  .radius = glm::mix(thick, wood_.radius[node], along),
+                  .radius = std::lerp(thick, wood_.radius[node], along),  // exact at equal ends, and monotonic
                   .node = k == pieces ? node : kNoNode});
     }
     return from;

@@ -183,11 +183,12 @@ TEST(StandingWood, CastsItsShadeFromTheFirstRoundOn) {
   OrganizeParameters parameters = full(10);
   const Skeleton crown = grow_organized(parameters);
   parameters.iterations = 1;
+  const Scene scene;
   Stand stand;
   Frame beside;
   beside.origin = Vec3(1, 0, 0);
   stand.add(make_organizer(stand, {{Frame{}, nullptr, std::make_shared<const Skeleton>(crown)}, {beside, nullptr}},
-                           parameters, RandomKey(1), Scene(), Limits(), "tree"));
+                           parameters, RandomKey(1), scene, Limits(), "tree"));
   Progress progress;
   stand.grow(progress);
   const Skeleton both = std::move(stand.take_skeletons(progress)[0]);

@@ -30,7 +30,7 @@ class Planting {
     for (NodeIndex node = 1; node < wood.node_count(); ++node) {
       Fork& fork = forks_[wood.parent[node]];
       ++fork.laterals;
-      // Metamers tell which bud has grown them.
+      // The axes of metamers tell which bud has grown each.
       if (has_metamers && wood.parent[node] != 0 && wood.axis[node] != wood.axis[wood.parent[node]]) continue;
       if (fork.successor == kNoNode || goes_on_before(node, fork.successor)) fork.successor = node;
     }
@@ -112,7 +112,7 @@ class Planting {
       from = add({.from = from,
                   .is_lateral = is_lateral && k == 1,
                   .tip = k == pieces ? end : glm::mix(begin, end, along),
-                  .radius = glm::mix(thick, wood_.radius[node], along),
+                  .radius = std::lerp(thick, wood_.radius[node], along),  // exact at equal ends, and monotonic
                   .node = k == pieces ? node : kNoNode});
     }
     return from;
@@ -166,6 +166,12 @@ void StandingWood::thicken(Skeleton& skeleton, const PipeModel& model) const {
     const double stood = math::pow(static_cast<double>(radius_[node]), model.exponent);
     skeleton.radius[node] =
         gained > 0 ? static_cast<float>(math::pow(stood + gained * of_tip, 1 / model.exponent)) : radius_[node];
+  }
+  // Wood is not thinner than what it bears, unless it was measured so.
+  for (std::size_t node = skeleton.node_count(); node-- > 1;) {
+    const NodeIndex parent = skeleton.parent[node];
+    if (parent >= radius_.size() || (node < radius_.size() && radius_[node] > radius_[parent])) continue;
+    skeleton.radius[parent] = std::max(skeleton.radius[parent], skeleton.radius[node]);
   }
 }
 

@@ -20,14 +20,15 @@ struct WoodMetamer {
   NodeIndex node = kNoNode;  ///< the node at its tip; kNoNode within an internode of the skeleton
 };
 
-/// The metamers of a tree with one root, which stands at the origin and is the seed; what bears comes before what it
-/// bears. Where the column `bud_angle` says that the nodes are metamers, each is one, and stays on its axis. Else an
-/// internode is as many equal metamers as come nearest to `length`, and nodes closer together are thinned out first.
-/// The terminal bud goes on as the child of the node's own axis, or where there is none as the thickest child. A
-/// metamer has one lateral bud: where a node bears more laterals, short metamers before the next node bear the others.
+/// The metamers of a tree with one root, which stands at the origin and is the seed. A metamer comes after the one that
+/// bears it. Where the column `bud_angle` says that the nodes are metamers, each node is one metamer and stays on its
+/// axis. In all other trees an internode is as many equal metamers as come nearest to `length`, and nodes closer
+/// together are thinned out first. The child on a node's own axis, or where there is none the thickest child, goes on
+/// from the terminal bud. A metamer has one lateral bud: where a node bears more laterals, short metamers before the
+/// next node bear the others.
 std::vector<WoodMetamer> metamers_of_wood(const Skeleton& wood, double length);
 
-/// The most metamers that the wood can become.
+/// The largest number of metamers that can be made of a tree.
 double most_metamers_of_wood(const Skeleton& wood, double length);
 
 /// What is remembered of wood that stood already, by metamer.

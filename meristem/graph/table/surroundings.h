@@ -17,7 +17,7 @@ struct Surroundings {
   std::shared_ptr<const Directions> directions{};    ///< of light and gravity; null: the scene's
   std::shared_ptr<const Deformation> deformation{};  ///< of what is seen of the instance; null: none
   std::shared_ptr<const TrimBody> trim{};            ///< that stems end at; null: none
-  /// Of all of it: equal for equal surroundings, and 0 where it is not known what they were made of.
+  /// Hash of all of it: equal for equal surroundings, and 0 where it is not known what they were made of.
   std::uint64_t hash = 0;
 };
 

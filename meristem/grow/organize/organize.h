@@ -96,7 +96,7 @@ struct OrganizeParameters {
   std::optional<Sag> sag;
   PipeModel radii;
   std::vector<Operation> operations;  ///< that act in this order
-  /// Of light and gravity: light that the scene does not have itself adds to the light that a bud finds, by its weight.
+  /// Directions of light and gravity. Light that the scene does not have itself adds to the light that a bud finds.
   std::optional<Directions> directions{};  ///< unset: the scene's
 };
 

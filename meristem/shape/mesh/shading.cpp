@@ -7,7 +7,7 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kTrianglesBetweenChecks = 65536;
+constexpr std::size_t kTrianglesPerCheck = 65536;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ Mesh flat_shaded(const Mesh& mesh, Progress& progress) {
   flat.triangles.reserve(mesh.triangle_count());
   if (!mesh.uvs.empty()) flat.uvs.reserve(3 * mesh.triangle_count());
   for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {
-    if (flat.triangles.size() % kTrianglesBetweenChecks == 0) progress.check();
+    if (flat.triangles.size() % kTrianglesPerCheck == 0) progress.check();
     const auto first = static_cast<std::uint32_t>(flat.vertex_count());
     const Vec3 a = mesh.positions[triangle[0]];
     const Vec3 front = glm::cross(mesh.positions[triangle[1]] - a, mesh.positions[triangle[2]] - a);

@@ -12,7 +12,7 @@
 #include "meristem/components/parts/organize_table.h"
 #include "meristem/components/parts/pipe_table.h"
 #include "meristem/components/parts/surface_table.h"
-#include "meristem/scene/crown/turned_crown.h"
+#include "meristem/scene/crown/placed_crown.h"
 #include "meristem/shape/solid/primitives.h"
 
 namespace meristem {
@@ -45,7 +45,7 @@ std::unique_ptr<Grower> grow(const Organize& tree, const Site& site, const GrowC
   if (!scale) return make_nothing();
   std::vector<OrganizeSeed> seeds;
   CrownPointer room = tree.light.room ? build_crown(*tree.light.room) : nullptr;
-  if (room && site.frame.axes != Mat3(1)) room = std::make_shared<TurnedCrown>(std::move(room), site.frame.axes);
+  if (room && site.frame.axes != Mat3(1)) room = std::make_shared<PlacedCrown>(std::move(room), Frame{site.frame.axes});
   for (const Vec3 root : tree.roots) {
     OrganizeSeed& seed = seeds.emplace_back();
     seed.frame = site.frame;
@@ -112,7 +112,7 @@ void show_supports(const Organize& tree, Emitter& out) {
 void expand(const Organize& tree, const Site& site, Emitter& out) {
   const Skeleton skeleton = out.take_grown();
   show_supports(tree, out);
-  out.stem(skeleton, tree.surface);
+  out.stem(skeleton, tree.surface, nullptr, tree.trim);
   offer_leaves(tree, skeleton, glm::length(site.frame.heading()), out);
 }
 
@@ -132,10 +132,12 @@ void check_balance(const Organize& tree, const DocumentPath& path, ParameterRead
   }
   if (growth.resource.division != ResourceModel::Division::borchert_honda || growth.resource.alpha0 != 0) return;
   if (std::abs(of_bud - growth.lateral_threshold) >= kEdge * growth.lateral_threshold) return;
-  reader.warn(alpha, fmt::format("growth is unstable here: a bud in full light makes a resource of {:.4g}, and "
-                                 "lateral buds open at {:.4g}; small changes make trees with and without branches. "
-                                 "Keep 'alpha' at least {:.0f} % away from there",
-                                 of_bud, growth.lateral_threshold, 100 * kEdge));
+  reader.warn(
+      alpha,
+      fmt::format(
+          "growth is unstable here: a bud in full light makes a resource of {:.4g}, and lateral buds open at {:.4g}; "
+          "small changes make trees with and without branches. Keep 'alpha' at least {:.0f} % away from this value",
+          of_bud, growth.lateral_threshold, 100 * kEdge));
 }
 
 /// Warns of operations that never act. Where the age of the tree follows a variable, such as the time, they may.
@@ -147,9 +149,11 @@ void check_schedules(const Organize& tree, const DocumentPath& path, ParameterRe
     const int first = common.at.value_or(common.from);
     if (first <= tree.growth.iterations) continue;
     const DocumentPath operation(operations, k);
-    reader.warn(DocumentPath(operation, common.at ? "at" : "from"),
-                fmt::format("it never acts: growth ends after iteration {}, and it is for iteration {}",
-                            tree.growth.iterations, first));
+    reader.warn(
+        DocumentPath(operation, common.at ? "at" : "from"),
+        fmt::format(
+            "the operation never acts: growth ends after iteration {}, and the operation begins at iteration {}",
+            tree.growth.iterations, first));
   }
 }
 
@@ -204,11 +208,11 @@ ComponentType organize_component() {
                  .makes_stems = true,
                  .has_ribs = true,
                  .stance = BranchStance::on_axis,
-                 .after_growth = {"surface", "leaf_age", "leaf_angle"}},
+                 .after_growth = {"surface", "trim", "leaf_age", "leaf_angle"}},
       .parameters =
           Table<Organize>("an organize", "Trees whose buds compete for light and room.")
               .members(&Organize::growth, organize_growth_table())
-              .object("light", &Organize::light, organize_light_table, "What light or room the buds find.")
+              .object("light", &Organize::light, organize_light_table, "Light or room that buds find.")
               .positions("roots", &Organize::roots, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-20, 20}},
                          "Positions of the trees; they compete with each other for light and room.")
               .list_of_kinds("operations", &Organize::operations, operation_kinds, operation_table,
@@ -222,6 +226,7 @@ ComponentType organize_component() {
                       "Angle between a shoot and its leaves.")
               .members(&Organize::growth, &OrganizeParameters::radii, pipe_table())
               .object("surface", &Organize::surface, surface_table, "How the skeleton becomes a surface.")
+              .choice("trim", &Organize::trim, trim_modes(), kTrimDoc)
               .only_where({{"surface.style", {"tubes"}}}, {"texture"})
               .without(names_off_stems(), kWhyOffStems)
               .only_where({{"operations"}, {"training"}}, {"damage", "takeover", "resource.pass_back"})

@@ -10,6 +10,7 @@
 #include "meristem/components/parts/training.h"
 #include "meristem/graph/component.h"
 #include "meristem/grow/organize/organize.h"
+#include "meristem/plant/trim.h"
 
 namespace meristem {
 
@@ -23,6 +24,7 @@ struct Organize : GrowingComponent {
   int leaf_age = 1;
   double leaf_angle = radians(50);
   Surface surface;
+  TrimMode trim = TrimMode::cut;  ///< what a body around its stems does to them
 };
 
 ComponentType organize_component();

@@ -19,6 +19,7 @@
 #include "meristem/components/skeleton.h"
 #include "meristem/components/subdocument.h"
 #include "meristem/components/tree.h"
+#include "meristem/components/trim.h"
 #include "meristem/components/world.h"
 #include "meristem/components/wreath.h"
 
@@ -29,7 +30,8 @@ const Registry& builtin_components() {
       camera_component(),    simple_component(), revolution_component(), leaf_component(),        needles_component(),
       grassleaf_component(), tree_component(),   horn_component(),       hydra_component(),       wreath_component(),
       phiball_component(),   field_component(),  places_component(),     subdocument_component(), colonize_component(),
-      organize_component(),  cloud_component(),  lsystem_component(),    skeleton_component(),    world_component(),
+      organize_component(),  cloud_component(),  lsystem_component(),    skeleton_component(),    trim_component(),
+      world_component(),
   });
   return registry;
 }

@@ -128,7 +128,7 @@ void expand(const SkeletonFromFile& plant, const Site& site, Emitter& out) {
     skeleton.position[node] = site.frame.point(skeleton.position[node]);
     skeleton.radius[node] *= scale;
   }
-  out.stem(std::move(skeleton), plant.surface);
+  out.stem(std::move(skeleton), plant.surface, nullptr, plant.trim);
 }
 
 const ParameterTable& features_table() {
@@ -199,6 +199,7 @@ ComponentType skeleton_component() {
               .object("finish", &SkeletonFromFile::finish, metre_finish_table,
                       "What is done to the skeleton after reading: nodes removed, forks softened, curves smoothed.")
               .object("surface", &SkeletonFromFile::surface, surface_table, "How the skeleton becomes a surface.")
+              .choice("trim", &SkeletonFromFile::trim, trim_modes(), kTrimDoc)
               .only_where({{"surface.style", {"tubes"}}}, {"texture"})
               .without(names_off_stems(), kWhyOffStems)
               .prepare(prepare),

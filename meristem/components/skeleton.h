@@ -11,6 +11,7 @@
 #include "meristem/plant/mtg/mtg.h"
 #include "meristem/plant/plant.h"
 #include "meristem/plant/skeleton.h"
+#include "meristem/plant/trim.h"
 
 namespace meristem {
 
@@ -52,6 +53,7 @@ struct SkeletonFromFile : ComponentBase {
   double pipe_exponent = 2.4;
   SkeletonFinish finish;
   Surface surface;
+  TrimMode trim = TrimMode::cut;               ///< what a body around its stems does to them
   std::shared_ptr<const Skeleton> skeleton{};  ///< what all of the above come to
 };
 

@@ -101,7 +101,8 @@ std::uint64_t BatchResult::bytes() const {
            bytes_of(block.child_sites) + bytes_of(block.branch_sites) + bytes_of(block.named_sites) +
            bytes_of(block.founded) + bytes_of(block.individuals) + bytes_of(block.plants);
     for (const EmittedStem& stem : block.stems) {
-      sum += bytes_of(stem.skeleton) + (stem.moved ? bytes_of(*stem.moved) : 0) + bytes_of(stem.root_of_node);
+      sum += bytes_of(stem.skeleton) + (stem.moved ? bytes_of(*stem.moved) : 0) + bytes_of(stem.root_of_node) +
+             (stem.trimmed != nullptr ? stem.trimmed->bytes() : 0);
     }
   }
   return sum;

@@ -83,6 +83,7 @@ void PlantAssembly::add(ComponentIndex component, std::shared_ptr<const BatchRes
 }
 
 Plant PlantAssembly::run(std::uint64_t mesh_bytes, Progress& progress) const {
+  require_stems_left();
   const Individuals individuals = find_individuals();
   const std::vector<Surfaces> surfaces = join_surfaces(individuals, mesh_bytes, progress);
   Plant plant;
@@ -98,6 +99,26 @@ Plant PlantAssembly::run(std::uint64_t mesh_bytes, Progress& progress) const {
   }
   plant.stems = joined_stems(material_of_component, individuals);
   return plant;
+}
+
+/// Where bodies have trimmed all stems of the plant to nothing, they stand in the wrong place.
+void PlantAssembly::require_stems_left() const {
+  const Made* trimmed = nullptr;
+  for (const Made& made : batches_) {
+    for (const Emitted& block : made.result->blocks) {
+      for (const EmittedStem& stem : block.stems) {
+        if (stem.skeleton.node_count() > 0) return;
+        if (stem.trimmed != nullptr && trimmed == nullptr) trimmed = &made;
+      }
+    }
+  }
+  if (trimmed == nullptr) return;
+  const std::string& id = graph_.components[trimmed->component].id;
+  throw InputError(Diagnostic{.message = fmt::format("trimming leaves nothing: all stems of '{}' begin outside the "
+                                                     "body that is given above it",
+                                                     id),
+                              .expected = "a body around the base of the stems, or \"trim\": \"none\"",
+                              .path = "components." + id});
 }
 
 std::uint32_t PlantAssembly::Individuals::number(std::uint64_t id) const {

@@ -26,7 +26,8 @@ class PlantAssembly {
   /// The plant: materials with sketches of their textures (equal ones share it), prototypes and organs in the order of
   /// the components, those of one component in the order of its batches, then surfaces; stems in the order of the
   /// batches, joined; individuals in the order in which batches found them. The batches' meshes take `mesh_bytes`.
-  /// Throws InputError where textures have too many pixels or surfaces too many bytes, Cancelled.
+  /// Throws InputError where textures have too many pixels or surfaces too many bytes, or trimming has left no stem;
+  /// Cancelled.
   Plant run(std::uint64_t mesh_bytes, Progress& progress) const;
 
  private:
@@ -45,6 +46,7 @@ class PlantAssembly {
     std::uint32_t number(std::uint64_t id) const;
   };
 
+  void require_stems_left() const;
   Individuals find_individuals() const;
   std::vector<Surfaces> join_surfaces(const Individuals& individuals, std::uint64_t mesh_bytes,
                                       Progress& progress) const;

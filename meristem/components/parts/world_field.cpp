@@ -108,7 +108,7 @@ void check_field(const WorldField& field, const DocumentPath& path, ParameterRea
   }
 }
 
-/// The unit vector of a direction in one instance, whose numbers may have come to nothing.
+/// The unit vector of one instance, whose numbers may have come to nothing.
 Vec3 unit_of(Vec3 direction, const FieldPlace& place) {
   if (!vanishes(direction)) return glm::normalize(direction);
   throw InputError(Diagnostic{.message = fmt::format("a direction of the {} has no length", place.what),

@@ -96,7 +96,8 @@ struct OrganizeParameters {
   std::optional<Sag> sag;
   PipeModel radii;
   std::vector<Operation> operations;  ///< that act in this order
-  /// Directions of light and gravity. Light that the scene does not have itself adds to the light that a bud finds.
+  /// Directions of light and gravity: light that the scene does not have itself adds to the light that a bud finds, by
+  /// its weight.
   std::optional<Directions> directions{};  ///< unset: the scene's
 };
 

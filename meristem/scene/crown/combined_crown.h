@@ -24,6 +24,8 @@ class CombinedCrown : public Crown {
   Box bounds() const override { return bounds_; }
   /// The axis of the first crown, also of what remains of it after a subtraction.
   Vec2 axis() const override;
+  /// Where convex crowns are intersected.
+  bool is_convex() const override;
 
  private:
   CombineKind kind_;

@@ -7,9 +7,9 @@
 #include "meristem/base/random.h"
 #include "meristem/scene/crown/combined_crown.h"
 #include "meristem/scene/crown/mesh_crown.h"
+#include "meristem/scene/crown/placed_crown.h"
 #include "meristem/scene/crown/profile_crown.h"
 #include "meristem/scene/crown/solid_crowns.h"
-#include "meristem/scene/crown/turned_crown.h"
 
 namespace meristem {
 namespace {
@@ -39,6 +39,9 @@ void check_distance(const Crown& crown, double slack) {
 TEST(CrownDistance, OfBodiesWithPlanesAndCones) {
   check_distance(BoxCrown(Box{{-1, -0.5F, -2}, {1, 2, 0.5F}}), 0);
   check_distance(ConeCrown({0.2F, -1, 0}, 1.2, 2.5), 0);
+  check_distance(CylinderCrown({0.2F, -1, 0}, 1.2, 2.5), 0);
+  check_distance(PyramidCrown({0.2F, -1, 0}, 2.2, 2.5), 0);
+  check_distance(HalfSpaceCrown({0, 0.5F, 0}, {0.3F, 2, 0}), 0);
   EXPECT_DOUBLE_EQ(BoxCrown(Box{{0, 0, 0}, {2, 2, 2}}).distance({5, 6, 1}), 5);
   EXPECT_DOUBLE_EQ(BoxCrown(Box{{0, 0, 0}, {2, 2, 2}}).distance({1, 1.5F, 1}), -0.5);
 }
@@ -66,7 +69,7 @@ TEST(CrownDistance, OfMeshesCombinationsAndTurnedBodies) {
   for (const CombineKind kind : {CombineKind::unite, CombineKind::intersect, CombineKind::subtract}) {
     check_distance(CombinedCrown(kind, {ball, box}), 0);
   }
-  check_distance(TurnedCrown(box, 1.5F * rotation({0, 0, 1}, 0.7)), 0);
+  check_distance(PlacedCrown(box, Frame{1.5F * rotation({0, 0, 1}, 0.7), {0.2F, 0.1F, 0}}), 0);
 }
 
 /// Only says what it contains.

@@ -61,6 +61,49 @@ Box ConeCrown::bounds() const {
   return outward(base_ - DVec3(radius_, 0, radius_), base_ + DVec3(radius_, height_, radius_));
 }
 
+bool CylinderCrown::contains(Vec3 point) const {
+  const DVec3 from_base = DVec3(point) - base_;
+  if (from_base.y < 0 || from_base.y > height_) return false;
+  return from_base.x * from_base.x + from_base.z * from_base.z <= radius_ * radius_;
+}
+
+double CylinderCrown::distance(Vec3 point) const {
+  const DVec3 way = DVec3(point) - base_;
+  const glm::dvec2 beyond(std::sqrt(way.x * way.x + way.z * way.z) - radius_, std::max(-way.y, way.y - height_));
+  return glm::length(glm::max(beyond, glm::dvec2(0))) + std::min(0.0, std::max(beyond.x, beyond.y));
+}
+
+Box CylinderCrown::bounds() const {
+  return outward(base_ - DVec3(radius_, 0, radius_), base_ + DVec3(radius_, height_, radius_));
+}
+
+bool PyramidCrown::contains(Vec3 point) const {
+  const DVec3 from_base = DVec3(point) - base_;
+  if (from_base.y < 0 || from_base.y > height_) return false;
+  const double reach = half_width_ * (height_ - from_base.y);
+  return std::max(std::abs(from_base.x), std::abs(from_base.z)) * height_ <= reach;
+}
+
+/// From the nearest of its planes: exact but beyond edges and corners, which are farther than it says.
+double PyramidCrown::distance(Vec3 point) const {
+  const DVec3 way = DVec3(point) - base_;
+  const double side = std::max(std::abs(way.x), std::abs(way.z));
+  const double slant = (side * height_ + (way.y - height_) * half_width_) / std::hypot(height_, half_width_);
+  return std::max(slant, -way.y);
+}
+
+Box PyramidCrown::bounds() const {
+  return outward(base_ - DVec3(half_width_, 0, half_width_), base_ + DVec3(half_width_, height_, half_width_));
+}
+
+bool HalfSpaceCrown::contains(Vec3 point) const { return glm::dot(DVec3(point) - point_, normal_) <= 0; }
+
+double HalfSpaceCrown::distance(Vec3 point) const {
+  return glm::dot(DVec3(point) - point_, normal_) / glm::length(normal_);
+}
+
+Box HalfSpaceCrown::bounds() const { return {.low = Vec3(-kEndlessReach), .high = Vec3(kEndlessReach)}; }
+
 bool BoxCrown::contains(Vec3 point) const {
   for (int k = 0; k < 3; ++k) {
     if (point[k] < box_.low[k] || point[k] > box_.high[k]) return false;

@@ -13,6 +13,7 @@ class EllipsoidCrown : public Crown {
   bool contains(Vec3 point) const override;
   double distance(Vec3 point) const override;
   Box bounds() const override;
+  bool is_convex() const override { return true; }
 
  private:
   DVec3 centre_;
@@ -27,11 +28,60 @@ class ConeCrown : public Crown {
   bool contains(Vec3 point) const override;
   double distance(Vec3 point) const override;
   Box bounds() const override;
+  bool is_convex() const override { return true; }
 
  private:
   DVec3 base_;
   double radius_;
   double height_;
+};
+
+/// An upright cylinder on a horizontal disc.
+class CylinderCrown : public Crown {
+ public:
+  /// `base` is the middle of the lower disc.
+  CylinderCrown(Vec3 base, double radius, double height) : base_(base), radius_(radius), height_(height) {}
+  bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
+  Box bounds() const override;
+  bool is_convex() const override { return true; }
+
+ private:
+  DVec3 base_;
+  double radius_;
+  double height_;
+};
+
+/// A pyramid on a horizontal square with its sides along x and z.
+class PyramidCrown : public Crown {
+ public:
+  /// `base` is the middle of the square, whose sides are `width` long; the apex stands `height` over it.
+  PyramidCrown(Vec3 base, double width, double height) : base_(base), half_width_(width / 2), height_(height) {}
+  bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
+  Box bounds() const override;
+  bool is_convex() const override { return true; }
+
+ private:
+  DVec3 base_;
+  double half_width_;
+  double height_;
+};
+
+/// All that lies on one side of a plane.
+class HalfSpaceCrown : public Crown {
+ public:
+  /// `normal`, of any length above 0, points out of the half space; `point` lies on the plane.
+  HalfSpaceCrown(Vec3 point, Vec3 normal) : point_(point), normal_(normal) {}
+  bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
+  /// A box with sides of 2 kEndlessReach.
+  Box bounds() const override;
+  bool is_convex() const override { return true; }
+
+ private:
+  DVec3 point_;
+  DVec3 normal_;
 };
 
 /// A box with its edges along x, y and z.
@@ -41,6 +91,7 @@ class BoxCrown : public Crown {
   bool contains(Vec3 point) const override;
   double distance(Vec3 point) const override;
   Box bounds() const override { return box_; }
+  bool is_convex() const override { return true; }
 
  private:
   Box box_;

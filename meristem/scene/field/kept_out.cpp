@@ -38,7 +38,7 @@ Vec3 KeptOut::open_heading(const Section& section) const {
   const double wanted = glm::dot(section.heading, out);
   const double least = std::min(1.0, -away / near);
   if (wanted >= least) return section.heading;
-  // Turn within the plane of heading and way out, to the first direction that rises enough.
+  // Take the nearest direction that rises enough, in the plane of heading and way out.
   const Vec3 along = normalized_or(section.heading - static_cast<float>(wanted) * out, any_perpendicular(out));
   return glm::normalize(static_cast<float>(std::sqrt(1 - least * least)) * along + static_cast<float>(least) * out);
 }

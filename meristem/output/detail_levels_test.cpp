@@ -147,6 +147,12 @@ TEST(MakeLevels, EndsBeforeTheFirstLevelThatIsNotWorthAFile) {
   EXPECT_EQ(fault_of(model, before, model.level(all.worthless->number), all.worthless->number), all.worthless->reason);
 }
 
+TEST(MakeLevels, CrownsWithTunnelsHaveASecondLevel) {
+  for (const char* name : {"low-poly-birch", "low-poly-oak", "low-poly-shrub"}) {
+    EXPECT_EQ(made_levels(Model(name), 2).triangles.size(), 2U) << name;
+  }
+}
+
 TEST(MakeLevels, GivesAsManyAsAreAskedForWhereAllAreWorthAFile) {
   const Model model("low-poly-poplar");
   EXPECT_TRUE(made_levels(model, 0).triangles.empty());

@@ -38,9 +38,14 @@ void StandingTree::sag(int iteration) {
   if (load_) move(load_->bend(metamers_, iteration));
 }
 
-void StandingTree::damage(MetamerIndex metamer, bool is_lateral) {
+void StandingTree::settle() {
+  constexpr int kNever = -1;  // an iteration without leaves
+  if (load_) load_->take(load_->bend(metamers_, kNever).moment);
+}
+
+void StandingTree::close(MetamerIndex metamer, bool is_lateral, Bud closed) {
   Bud& bud = (is_lateral ? metamers_.lateral : metamers_.terminal)[metamer];
-  if (bud.is_open()) bud = Bud::damaged();
+  if (bud.is_open()) bud = closed;
 }
 
 void StandingTree::remove(std::vector<std::uint8_t>& gone, const BudsLeft& after) {

@@ -42,13 +42,13 @@ OrganizeParameters growth_of(const Organize& tree, double scale, const Mat3& axe
 }
 
 /// Where a tree stands, in the component's frame.
-struct Place {
+struct RootPlace {
   Vec3 root{0};
   const Skeleton* wood = nullptr;  // that stands there already, in the same frame; null: none
 };
 
-std::vector<Place> places_of(const Organize& tree) {
-  std::vector<Place> places;
+std::vector<RootPlace> places_of(const Organize& tree) {
+  std::vector<RootPlace> places;
   for (const Vec3 root : tree.roots) {
     if (!tree.standing) places.push_back({root, nullptr});
     if (!tree.standing) continue;
@@ -73,7 +73,7 @@ std::unique_ptr<Grower> grow(const Organize& tree, const Site& site, const GrowC
   std::vector<OrganizeSeed> seeds;
   CrownPointer room = tree.light.room ? build_crown(*tree.light.room) : nullptr;
   if (room && site.frame.axes != Mat3(1)) room = std::make_shared<PlacedCrown>(std::move(room), Frame{site.frame.axes});
-  for (const Place& place : places_of(tree)) {
+  for (const RootPlace& place : places_of(tree)) {
     OrganizeSeed& seed = seeds.emplace_back();
     seed.frame = site.frame;
     seed.frame.origin = site.frame.point(place.root);
@@ -122,7 +122,7 @@ void show_rod(Vec3 from, Vec3 to, double radius, Emitter& out) {
 
 /// The poles and wires of each tree.
 void show_supports(const Organize& tree, Emitter& out) {
-  const std::vector<Place> places = places_of(tree);
+  const std::vector<RootPlace> places = places_of(tree);
   const auto show = [&](const AnyOperation& operation) {
     for (const SeenLine& line : seen_lines(operation, tree.growth.length)) {
       const std::optional<int>& number = common_of(operation).tree;

@@ -24,7 +24,7 @@ namespace meristem {
 
 namespace {
 
-/// Of each the lower.
+/// The lower of each two limits.
 Limits within(const Limits& own, const Limits& outer) {
   Limits both = own;
   for (std::uint64_t Limits::*const limit :

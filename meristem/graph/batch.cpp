@@ -99,7 +99,7 @@ std::uint64_t BatchResult::bytes() const {
   for (const Emitted& block : blocks) {
     sum += bytes_of(block.prototypes) + bytes_of(block.organs) + bytes_of(block.sections) + bytes_of(block.stems) +
            bytes_of(block.child_sites) + bytes_of(block.branch_sites) + bytes_of(block.named_sites) +
-           bytes_of(block.founded) + bytes_of(block.individuals) + bytes_of(block.plants);
+           bytes_of(block.founded) + bytes_of(block.deformed) + bytes_of(block.individuals) + bytes_of(block.plants);
     for (const EmittedStem& stem : block.stems) {
       sum += bytes_of(stem.skeleton) + (stem.moved ? bytes_of(*stem.moved) : 0) + bytes_of(stem.root_of_node) +
              (stem.trimmed != nullptr ? stem.trimmed->bytes() : 0);

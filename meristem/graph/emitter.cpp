@@ -111,8 +111,9 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   first_child_ = child_sites.size();
   first_branch_ = branch_sites.size();
   first_named_ = named_sites.size();
-  if (is_individual() && !context_->prototype.type->bears_plants) {
-    founded.push_back({site_.individual, site_.frame.origin});
+  const ComponentTraits& traits = *context_->prototype.type;
+  if (is_individual() && !traits.bears_plants && !traits.speaks_of_space) {
+    founded.push_back({site_.individual, site_.frame.origin, deformation_at(site_)});
   }
 }
 
@@ -172,7 +173,15 @@ void Emitter::add_organ(const Frame& local, std::uint64_t key, bool is_blade, Fu
   if (!visible_) return;
   const auto [found, is_new] = prototype_by_key_.try_emplace(key, static_cast<std::uint32_t>(prototypes.size()));
   if (is_new) prototypes.push_back({key, shared_mesh(key, make), is_blade});
+  note_deformation();
   organs.push_back({geometry_frame_ * local, found->second, tint, site_.birth, number_of_individual()});
+}
+
+/// Where organs stand in another deformation than those before.
+void Emitter::note_deformation() {
+  const std::shared_ptr<const Deformation>& own = deformation_at(site_);
+  const bool is_other = deformed.empty() ? own != nullptr : deformed.back().deformation != own;
+  if (is_other) deformed.push_back({organs.size(), own});
 }
 
 /// Number within the block of the plant that the instance is part of.
@@ -188,7 +197,8 @@ std::uint32_t Emitter::number_of_individual() {
 
 void Emitter::plant(const Frame& local, std::shared_ptr<const PlantSource> source, PlantRequest request) {
   request.time = context_->time;
-  plants.push_back({geometry_frame_ * local, std::move(source), std::move(request), site_.birth, visible_});
+  plants.push_back(
+      {geometry_frame_ * local, std::move(source), std::move(request), site_.birth, visible_, deformation_at(site_)});
 }
 
 void Emitter::give(std::span<const double> numbers, bool to_named) {
@@ -235,7 +245,8 @@ void Emitter::section(const Frame& local, std::uint64_t key, bool is_capped, Fun
                       .parent = parent_section_,
                       .tint = is_first ? tint_ : context_->tinting.tint(*base_, site_.surface.child("colour")),
                       .birth = site_.birth,
-                      .individual = site_.individual});
+                      .individual = site_.individual,
+                      .deformation = deformation_at(site_)});
 }
 
 std::shared_ptr<const Mesh> Emitter::shared_mesh(std::uint64_t key, FunctionRef<Mesh()> make) {
@@ -295,7 +306,7 @@ void Emitter::tell_roots_apart(EmittedStem& stem) {
     if (roots == 0) {
       founded.back().foot = foot;
     } else {
-      founded.push_back({stem.individual_of_root(roots), foot});
+      founded.push_back({stem.individual_of_root(roots), foot, stem.deformation()});
     }
     stem.root_of_node[node] = roots++;
   }

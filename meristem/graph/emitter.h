@@ -47,6 +47,7 @@ struct EmittedStem {
   std::shared_ptr<const TrimmedStem> trimmed{};  ///< of which `skeleton` is what is left; null: it is whole
 
   std::uint64_t id() const { return site.key.bits(); }  ///< what Site::stem says of sites on it
+  const std::shared_ptr<const Deformation>& deformation() const { return deformation_at(site); }
   /// What Site::individual says of sites on the root of this number, and on this node.
   std::uint64_t individual_of_root(std::uint32_t root) const {
     return root == 0 ? site.individual : site.key.child("root").child(root).bits();
@@ -73,6 +74,7 @@ struct EmittedSection {
   Vec3 tint{1};
   float birth = 0;
   std::uint64_t individual = 0;  ///< as in Site
+  std::shared_ptr<const Deformation> deformation{};
 };
 
 /// What the instances of one block have emitted. It depends on the component, its instances and the scene alone, and
@@ -87,9 +89,16 @@ struct Emitted {
   struct Founded {
     std::uint64_t id = 0;
     Vec3 foot{0};
+    std::shared_ptr<const Deformation> deformation{};
+  };
+  /// From that organ of the block on, up to the next of these.
+  struct DeformedFrom {
+    std::size_t organ = 0;
+    std::shared_ptr<const Deformation> deformation;  ///< null: none
   };
   std::vector<EmittedPrototype> prototypes;
   std::vector<Organ> organs;  ///< the prototypes and individuals that organs name are numbered within this block
+  std::vector<DeformedFrom> deformed;  ///< empty where no organ is
   std::vector<Founded> founded;
   std::vector<std::uint64_t> individuals;  ///< ids of those that the organs belong to
   std::vector<EmittedSection> sections;
@@ -104,6 +113,7 @@ struct Emitted {
     PlantRequest request;
     float birth = 0;
     bool is_visible = true;
+    std::shared_ptr<const Deformation> deformation{};
   };
   std::vector<PlacedPlant> plants;
 };
@@ -216,6 +226,7 @@ class Emitter : private Emitted {
   void begin_instance(const ComponentBase& base, const Site& site);
   void end_instance();
   void add_organ(const Frame& local, std::uint64_t key, bool is_blade, FunctionRef<Mesh()> make, Vec3 tint);
+  void note_deformation();
   void number_named_sites();
   bool is_individual() const { return site_.individual == site_.key.bits(); }
   void tell_roots_apart(EmittedStem& stem);

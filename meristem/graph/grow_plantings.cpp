@@ -6,6 +6,7 @@
 #include <exception>
 #include <map>
 #include <set>
+#include <tuple>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -93,9 +94,10 @@ class PlantingGrower {
       wanted_.push_back({&plant, component, key, nullptr});
       if (wanted_.size() > kMostVariants) throw_too_many(component);
     }
-    const auto [place, is_first] = planting_of_.try_emplace({component, known->second}, plantings_.size());
+    const auto [place, is_first] =
+        planting_of_.try_emplace({component, known->second, plant.deformation.get()}, plantings_.size());
     if (is_first) {
-      plantings_.push_back({id(component), nullptr, {}});
+      plantings_.push_back({id(component), nullptr, {}, plant.deformation});
       variant_of_.push_back(known->second);
     }
     plantings_[place->second].places.push_back({plant.frame, instance, plant.birth});
@@ -178,7 +180,7 @@ class PlantingGrower {
   Progress& progress_;
   std::vector<Wanted> wanted_;
   std::unordered_map<std::uint64_t, std::size_t> wanted_by_key_;
-  std::map<std::pair<ComponentIndex, std::size_t>, std::size_t> planting_of_;
+  std::map<std::tuple<ComponentIndex, std::size_t, const Deformation*>, std::size_t> planting_of_;
   std::vector<Planting> plantings_;
   std::vector<std::size_t> variant_of_;  // of each planting, among those wanted
   std::map<ComponentIndex, std::uint32_t> instances_;

@@ -150,7 +150,8 @@ class LinkSites::Writer {
   void add_child(const Site& site) {
     Site& child = sites_.emplace_back(site);
     child.key = child_key(site.key).child(site.i);
-    if (from_.bears_plants) child.individual = child.key.bits();
+    const bool is_plant = from_.speaks_of_space && site.individual == site.key.bits();
+    if (from_.bears_plants || is_plant) child.individual = child.key.bits();
     count_depth(child);
   }
 

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <span>
 
 #include <glm/matrix.hpp>
 
 #include "meristem/base/math.h"
+#include "meristem/plant/deform_plant.h"
 #include "meristem/plant/plant.h"
 
 namespace meristem {
@@ -58,9 +61,20 @@ void move(Skeleton& skeleton, const Frame& frame) {
   for (float& radius : skeleton.radius) radius *= scale;
 }
 
+void move(Stem& stem, const Frame& frame) {
+  move(stem.skeleton, frame);
+  if (stem.undeformed == nullptr) return;
+  Skeleton undeformed = *stem.undeformed;
+  move(undeformed, frame);
+  stem.undeformed = std::make_shared<const Skeleton>(std::move(undeformed));
+  for (StemPart& part : stem.parts) {
+    if (part.deformation != nullptr) part.deformation = part.deformation->moved_to(frame);
+  }
+}
+
 class Expander {
  public:
-  Expander(Plant& to, const Progress& progress) : to_(to), progress_(progress) {
+  Expander(Plant& to, const Limits& limits, const Progress& progress) : to_(to), limits_(limits), progress_(progress) {
     for (const Stem& stem : to.stems) {
       for (const StemPart& part : stem.parts) count(part.component, part.instance);
     }
@@ -75,10 +89,15 @@ class Expander {
   void add_plantings(const std::vector<Planting>& plantings, const Frame& frame, const std::string& prefix) {
     for (const Planting& planting : plantings) {
       const std::string own = prefix + planting.component;
+      const auto deformation = planting.deformation != nullptr ? planting.deformation->moved_to(frame) : nullptr;
       for (const Planting::Place& place : planting.places) {
         progress_.check();
-        individual_ = individual_at(own, place.instance, (frame * place.frame).origin);
+        const std::size_t stems = to_.stems.size(), organs = to_.organs.size();
+        Vec3 foot = (frame * place.frame).origin;
+        if (deformation != nullptr) deformation->map(std::span(&foot, 1), own);
+        individual_ = individual_at(own, place.instance, foot);
         add(*planting.variant, frame * place.frame, own + ".", place.birth);
+        if (deformation != nullptr) deform_from(stems, organs, deformation);
       }
     }
   }
@@ -97,7 +116,7 @@ class Expander {
     std::map<std::string, std::uint32_t> next;  // instances of this site begin here
     for (const Stem& stem : plant.stems) {
       Stem& copy = to_.stems.emplace_back(stem);
-      move(copy.skeleton, frame);
+      move(copy, frame);
       const auto roots = std::ranges::count(copy.skeleton.parent, kNoNode);
       copy.individual_of_root.assign(static_cast<std::size_t>(roots), individual);
       for (float& own : copy.skeleton.birth) own += birth;
@@ -118,6 +137,17 @@ class Expander {
       to_.organs.push_back(organ);
     }
     add_plantings(plant.plantings, frame, prefix);
+  }
+
+  /// Deforms what has been added since there were that many stems and organs.
+  void deform_from(std::size_t stems, std::size_t organs, const std::shared_ptr<const Deformation>& deformation) {
+    for (std::size_t k = stems; k < to_.stems.size(); ++k) {
+      deform(to_.stems[k], std::vector(to_.stems[k].parts.size(), deformation));
+    }
+    const DeformedOrgans row{organs, to_.organs.size() - organs, deformation};
+    const std::size_t prototypes = to_.prototypes.size();
+    deform_organs(to_, std::span(&row, 1), mesh_bytes_, limits_, progress_);
+    for (std::size_t k = prototypes; k < to_.prototypes.size(); ++k) mesh_bytes_ += to_.prototypes[k].mesh->bytes();
   }
 
   /// A variant that the same way of components leads to has its materials and prototypes once.
@@ -153,7 +183,9 @@ class Expander {
   }
 
   Plant& to_;
+  const Limits& limits_;
   const Progress& progress_;
+  std::uint64_t mesh_bytes_ = 0;  // of what has been deformed
   std::map<std::pair<const PlantVariant*, std::string>, Numbers> numbers_;
   std::map<std::string, std::uint32_t> instances_;                              // the next number of each component
   std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> individuals_;  // by component and number
@@ -182,8 +214,25 @@ Plant expanded(const Plant& plant, const Limits& limits, const Progress& progres
   const PlantTotals totals = totals_of(plant);
   all.stems.reserve(totals.stems);
   all.organs.reserve(totals.organs);
-  Expander(all, progress).add_plantings(plant.plantings, Frame{}, "");
+  Expander(all, limits, progress).add_plantings(plant.plantings, Frame{}, "");
   return all;
+}
+
+namespace {
+
+bool is_deformed(const Planting& planting) { return planting.deformation != nullptr; }
+
+}  // namespace
+
+bool has_deformed_plantings(const Plant& plant) { return std::ranges::any_of(plant.plantings, is_deformed); }
+
+Plant with_deformed_copies(const Plant& plant, const Limits& limits, const Progress& progress) {
+  Plant deformed = plant;
+  std::erase_if(deformed.plantings, [](const Planting& planting) { return !is_deformed(planting); });
+  deformed = expanded(deformed, limits, progress);
+  std::ranges::copy_if(plant.plantings, std::back_inserter(deformed.plantings),
+                       [](const Planting& planting) { return !is_deformed(planting); });
+  return deformed;
 }
 
 PlantTotals totals_of(const Plant& plant) {

@@ -58,6 +58,12 @@ inline const Directions& directions_at(const Site& site, const Directions& of_sc
   return is_said ? *site.surroundings->directions : of_scene;
 }
 
+/// What deforms what is seen of an instance at a site; null: nothing.
+inline const std::shared_ptr<const Deformation>& deformation_at(const Site& site) {
+  static const std::shared_ptr<const Deformation> nothing;
+  return site.surroundings != nullptr ? site.surroundings->deformation : nothing;
+}
+
 /// Names that parameters' expressions may use, in the order in which `site_variable` gives their values:
 /// v i n u depth order x y z hx hy hz t length radius.
 std::span<const std::string> site_variables();

@@ -30,7 +30,7 @@ class Planting {
     for (NodeIndex node = 1; node < wood.node_count(); ++node) {
       Fork& fork = forks_[wood.parent[node]];
       ++fork.laterals;
-      // Of metamers it is known which bud has grown them.
+      // Metamers tell which bud has grown them.
       if (has_metamers && wood.parent[node] != 0 && wood.axis[node] != wood.axis[wood.parent[node]]) continue;
       if (fork.successor == kNoNode || goes_on_before(node, fork.successor)) fork.successor = node;
     }

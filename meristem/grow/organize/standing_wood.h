@@ -22,12 +22,12 @@ struct WoodMetamer {
 
 /// The metamers of a tree with one root, which stands at the origin and is the seed; what bears comes before what it
 /// bears. Where the column `bud_angle` says that the nodes are metamers, each is one, and stays on its axis. Else an
-/// internode is as many equal metamers as come nearest to `length`, and nodes closer together are thinned out first. Of
-/// a node's children that of its own axis, or where there is none the thickest, goes on from the terminal bud. A
+/// internode is as many equal metamers as come nearest to `length`, and nodes closer together are thinned out first.
+/// The terminal bud goes on as the child of the node's own axis, or where there is none as the thickest child. A
 /// metamer has one lateral bud: where a node bears more laterals, short metamers before the next node bear the others.
 std::vector<WoodMetamer> metamers_of_wood(const Skeleton& wood, double length);
 
-/// At most so many metamers are made of it.
+/// The most metamers that the wood can become.
 double most_metamers_of_wood(const Skeleton& wood, double length);
 
 /// What is remembered of wood that stood already, by metamer.

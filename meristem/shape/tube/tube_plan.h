@@ -57,9 +57,10 @@ struct TubeWear {
 class TubePlan {
  public:
   /// `wear_of_axis` holds an index into `wears` for each axis; empty: all wear the first. `mesh_of_axis` holds the mesh
-  /// of each axis; empty: that of its wear. The skeleton outlives the plan.
+  /// of each axis; empty: that of its wear. Where the mesh is to be deformed, `deformed` holds where nodes come to lie:
+  /// what bends there keeps its rings. Skeleton and positions outlive the plan.
   TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::vector<std::uint32_t> wear_of_axis = {},
-           const std::vector<std::uint32_t>& mesh_of_axis = {});
+           const std::vector<std::uint32_t>& mesh_of_axis = {}, std::span<const Vec3> deformed = {});
 
   /// The size of each mesh.
   const std::vector<TubeSize>& sizes() const { return sizes_; }
@@ -82,7 +83,8 @@ class TubePlan {
   bool find_whether_it_goes_on(AxisIndex axis) const;
   void smooth_radii(AxisIndex axis);
   void choose_rings(AxisIndex axis);
-  bool is_straight(std::span<const NodeIndex> nodes, std::size_t from, std::size_t to, float error) const;
+  bool is_straight(std::span<const Vec3> positions, std::span<const NodeIndex> nodes, std::size_t from, std::size_t to,
+                   float error) const;
   void choose_sides(AxisIndex axis);
   void count_rings(AxisIndex axis);
   Surface::Cap cap(AxisIndex axis) const;
@@ -90,6 +92,7 @@ class TubePlan {
   float room_inside(NodeIndex node) const;
 
   const Skeleton* skeleton_;
+  std::span<const Vec3> deformed_;
   std::vector<TubeWear> wears_;
   std::vector<std::uint32_t> wear_of_axis_;
   Axes axes_;

@@ -104,7 +104,7 @@ TEST(World, TurnedWithThePlantItTurnsThePlant) {
   ASSERT_EQ(from.node_count(), to.node_count());
   EXPECT_GT(glm::distance(from.position.back(), Vec3(0, 3, 0)), 0.5F);
   for (std::size_t node = 0; node < from.node_count(); ++node) {
-    EXPECT_LT(glm::distance(frame.point(from.position[node]), to.position[node]), 2e-3F) << node;
+    EXPECT_LT(glm::distance(frame.point(from.position[node]), to.position[node]), 5e-3F) << node;
   }
 }
 
@@ -149,7 +149,7 @@ TEST(World, LeavesTurnTheirFacesAndHeadings) {
 }
 
 TEST(World, GrammarsBendWhereItPulls) {
-  const Object plant{{"grammar", "#axiom\nF F F F F F F F"}, {"length", 0.2}, {"elasticity", 0.4}};
+  const Object plant{{"grammar", "#axiom\nF F F F F F F F"}, {"steps", 1}, {"length", 0.2}, {"elasticity", 0.4}};
   const auto tip = [&](const Object& world) {
     return only_stem(in_world(world, "lsystem", plant).grow()).position.back();
   };

@@ -150,7 +150,7 @@ const ParameterTable& world_field_table() {
           .object("formula", &WorldField::formula, formula_table,
                   "Expressions for the pull along x, y and z; its length counts as strength.")
           .vector("uniform", &WorldField::uniform, kDirection,
-                  "Direction of a pull that is the same everywhere; its length counts as strength.")
+                  "Direction of an even pull; its length counts as strength.")
           .vector("toward", &WorldField::toward, kPlace, "Point that the field pulls to.")
           .vector("away", &WorldField::away, kPlace, "Point that the field pushes away from.")
           .number("reach", &WorldField::reach, kDistance,

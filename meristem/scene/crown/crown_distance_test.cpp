@@ -24,7 +24,9 @@ void check_distance(const Crown& crown, double slack) {
   for (std::uint64_t k = 0; k < 500; ++k) {
     const Vec3 point = random_point(k);
     const double distance = crown.distance(point);
-    if (std::abs(distance) > 1e-4) EXPECT_EQ(crown.contains(point), distance < 0) << k;
+    if (std::abs(distance) > 1e-4) {
+      EXPECT_EQ(crown.contains(point), distance < 0) << k;
+    }
     for (std::uint64_t way = 0; way < 20; ++way) {
       const Vec3 direction = RandomKey(k).child("way").direction(way);
       const auto near = static_cast<float>((1 - slack) * std::abs(distance) - 1e-4);

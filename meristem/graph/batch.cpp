@@ -33,7 +33,7 @@ class Packed {
 
 std::uint64_t hash_of(const Site& site) {
   const auto& [frame, key, i, n, u, length, radius, birth, order, depth, stem, node, along, section, surface,
-               individual, depths, values] = site;
+               individual, row, depths, values] = site;
   Packed packed;
   packed.add(frame.axes);
   packed.add(frame.origin);
@@ -52,6 +52,7 @@ std::uint64_t hash_of(const Site& site) {
   packed.add(section);
   packed.add(surface.bits());
   packed.add(individual);
+  packed.add(row);
   packed.add(depths);
   packed.add(values == nullptr ? std::uint64_t{0} : values->hash());
   return packed.hash();

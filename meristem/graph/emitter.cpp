@@ -99,7 +99,7 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   first_branch_ = branch_sites.size();
   first_named_ = named_sites.size();
   if (is_individual() && !context_->prototype.type->bears_plants) {
-    founded.push_back({site_.individual, site_.frame.origin});
+    founded.push_back({site_.individual, site_.frame.origin, site_.row});
   }
 }
 
@@ -169,7 +169,7 @@ std::uint32_t Emitter::number_of_individual() {
 
 void Emitter::plant(const Frame& local, std::shared_ptr<const PlantSource> source, PlantRequest request) {
   request.time = context_->time;
-  plants.push_back({geometry_frame_ * local, std::move(source), std::move(request), site_.birth, visible_});
+  plants.push_back({geometry_frame_ * local, std::move(source), std::move(request), site_.birth, visible_, site_.row});
 }
 
 void Emitter::give(std::span<const double> numbers, bool to_named) {
@@ -184,6 +184,12 @@ void Emitter::give(std::span<const double> numbers, bool to_named) {
   values.numbers.resize(context_->site_names, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t k = 0; k < slots.size(); ++k) values.numbers[slots[k]] = numbers[k];
   site.values = std::make_shared<const SiteValues>(std::move(values));
+}
+
+void Emitter::from_row(std::uint32_t row, bool is_named) {
+  if (!is_named && child_sites.size() == first_child_) return;  // no link wants it
+  Site& site = is_named ? named_sites.back().second : child_sites.back();
+  site.row = row;
 }
 
 void Emitter::section(const Frame& local, std::uint64_t key, bool is_capped, FunctionRef<LoftSection()> make) {
@@ -254,7 +260,7 @@ void Emitter::tell_roots_apart(EmittedStem& stem) {
     if (roots == 0) {
       founded.back().foot = foot;
     } else {
-      founded.push_back({stem.individual_of_root(roots), foot});
+      founded.push_back({stem.individual_of_root(roots), foot, site_.row});
     }
     stem.root_of_node[node] = roots++;
   }

@@ -85,6 +85,7 @@ struct Emitted {
   struct Founded {
     std::uint64_t id = 0;
     Vec3 foot{0};
+    std::uint32_t row = kNoRow;
   };
   std::vector<EmittedPrototype> prototypes;
   std::vector<Organ> organs;  ///< the prototypes and individuals that organs name are numbered within this block
@@ -102,6 +103,7 @@ struct Emitted {
     PlantRequest request;
     float birth = 0;
     bool is_visible = true;
+    std::uint32_t row = kNoRow;
   };
   std::vector<PlacedPlant> plants;
 };
@@ -166,6 +168,8 @@ class Emitter : private Emitted {
   /// Gives those numbers to the site that was offered last, by child_site or named_site, under the names that the
   /// type's `gives` tells; all that hangs on it sees them.
   void give(std::span<const double> numbers, bool to_named);
+  /// Says which row of a table has placed the site that was offered last, by child_site or named_site.
+  void from_row(std::uint32_t row, bool is_named);
 
   /// The key for the positions of children on the stem that is emitted next, if it brings its branching.
   RandomKey places_on_next_stem() const { return key_of_places(site_.key.child("stem").child(stems_of_instance_)); }

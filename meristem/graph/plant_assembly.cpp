@@ -113,7 +113,10 @@ PlantAssembly::Individuals PlantAssembly::find_individuals() const {
       for (const Emitted::Founded& founded : block.founded) {
         const auto next = static_cast<std::uint32_t>(individuals.list.size());
         if (!individuals.number_by_id.try_emplace(founded.id, next).second) continue;
-        individuals.list.push_back({graph_.components[made.component].id, counts[made.component]++, founded.foot});
+        individuals.list.push_back({.component = graph_.components[made.component].id,
+                                    .number = counts[made.component]++,
+                                    .foot = founded.foot,
+                                    .row = founded.row});
       }
     }
   }

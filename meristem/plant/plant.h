@@ -85,6 +85,7 @@ struct Individual {
   std::string component;     ///< id of the instance that stands there
   std::uint32_t number = 0;  ///< among the individuals of that component
   Vec3 foot{0};              ///< where it stands
+  std::uint32_t row = kNoRow;  ///< of the table that has placed it, from 0
 };
 
 /// What one component's instance has given to a skeleton.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The curve is a stem's. A ring along it is that stem itself; an outline is lofted through the stem's nodes; primitives
-// stand on the ribs. All but rings have an unseen stem, for links that place children along it.
+// The curve is that of a stem. The section 'ring' is this stem itself; an outline is lofted through the stem's nodes;
+// primitives stand on the ribs. All sections but rings have an invisible stem, for links that set children along it.
 #include "meristem/components/horn.h"
 
 #include <algorithm>
@@ -201,8 +201,8 @@ ComponentType horn_component() {
           Table<Horn>("a horn", "A cross-section or a row of primitives along a curve.")
               .members(&Horn::stem, stem_form_table())
               .choice("section", &Horn::section, {"ring", "outline", "box", "sphere", "cylinder", "cone", "torus"},
-                      "What the curve carries: 'ring' makes a stem that others join, 'outline' a surface through "
-                      "copies of it, a primitive one on each rib.")
+                      "What follows the curve: with 'ring' a stem that other stems can join, with 'outline' a surface "
+                      "through copies of the outline, else the named primitive on each rib.")
               .points("outline", &Horn::outline, {.min = -1e4, .max = 1e4},
                       "Points [x, z] of the cross-section for the section 'outline', as shares of the radius.")
               .number("twist", &Horn::twist, {.unit = Unit::degree, .min = -36000, .max = 36000, .usual = {-720, 720}},
@@ -211,7 +211,7 @@ ComponentType horn_component() {
                        "Number of ribs evenly along the curve, both ends included; they bear primitives and the "
                        "children of branch links.")
               .integer("around", &Horn::around, {.min = 3, .max = 512, .usual = {3, 64}, .fixed = true},
-                       "Number of corners around each primitive; raised, rounder and heavier.")
+                       "Number of corners around each primitive; raised, rounder, with more triangles.")
               .object("surface", &Horn::surface, surface_table, "How the stem of the section 'ring' becomes a surface.")
               .only_where({{"section", {"outline"}}}, {"outline"})
               .only_where({{"section", {"sphere", "cylinder", "cone", "torus"}}}, {"around"})

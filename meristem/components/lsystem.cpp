@@ -189,7 +189,7 @@ std::vector<PlacedComponent> placed(const Lsystem& plant) {
 void check_lsystem(const Lsystem& plant, const DocumentPath& path, ParameterReader& reader) {
   if (!plant.grammar && !plant.file) return;  // told by the table
   if (!plant.steps && !plant.source().grammar.steps) {
-    reader.fault(path, "nothing says how many steps the grammar takes", "'steps', or #steps in the grammar");
+    reader.fault(path, "the number of steps of the grammar is not given", "'steps', or #steps in the grammar");
   }
   const bool counts_steps = plant.finish && (plant.finish->decimate > 0 || plant.finish->subdivide > 0);
   if (counts_steps && plant.turtle.length == 0) {
@@ -268,7 +268,7 @@ ComponentType lsystem_component() {
                       "azimuth.")
               .members(&Lsystem::turtle, turtle_table())
               .object("width_decay", &Lsystem::width_decay, decay_table,
-                      "How the radius of stems falls along each segment, for grammars without ! and #.")
+                      "Decrease of the radius of stems along each segment, for grammars without ! and #.")
               .colours("palette", &Lsystem::palette,
                        "Colours of polygons, in the order in which the symbol ' counts; the last holds for all higher "
                        "numbers.")

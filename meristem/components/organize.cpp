@@ -130,10 +130,12 @@ void check_balance(const Organize& tree, const DocumentPath& path, ParameterRead
   }
   if (growth.resource.division != ResourceModel::Division::borchert_honda || growth.resource.alpha0 != 0) return;
   if (std::abs(of_bud - growth.lateral_threshold) >= kEdge * growth.lateral_threshold) return;
-  reader.warn(alpha, fmt::format("growth is unstable here: a bud in full light makes a resource of {:.4g}, and "
-                                 "lateral buds open at {:.4g}; small changes make trees with and without branches. "
-                                 "Keep 'alpha' at least {:.0f} % away from there",
-                                 of_bud, growth.lateral_threshold, 100 * kEdge));
+  reader.warn(
+      alpha,
+      fmt::format(
+          "growth is unstable here: a bud in full light makes a resource of {:.4g}, and lateral buds open at {:.4g}; "
+          "small changes make trees with and without branches. Keep 'alpha' at least {:.0f} % away from this value",
+          of_bud, growth.lateral_threshold, 100 * kEdge));
 }
 
 /// Warns of operations that never act. Where the age of the tree follows a variable, such as the time, they may.
@@ -145,9 +147,11 @@ void check_schedules(const Organize& tree, const DocumentPath& path, ParameterRe
     const int first = common.at.value_or(common.from);
     if (first <= tree.growth.iterations) continue;
     const DocumentPath operation(operations, k);
-    reader.warn(DocumentPath(operation, common.at ? "at" : "from"),
-                fmt::format("it never acts: growth ends after iteration {}, and it is for iteration {}",
-                            tree.growth.iterations, first));
+    reader.warn(
+        DocumentPath(operation, common.at ? "at" : "from"),
+        fmt::format(
+            "the operation never acts: growth ends after iteration {}, and the operation begins at iteration {}",
+            tree.growth.iterations, first));
   }
 }
 
@@ -206,7 +210,7 @@ ComponentType organize_component() {
       .parameters =
           Table<Organize>("an organize", "Trees whose buds compete for light and room.")
               .members(&Organize::growth, organize_growth_table())
-              .object("light", &Organize::light, organize_light_table, "What light or room the buds find.")
+              .object("light", &Organize::light, organize_light_table, "Light or room that buds find.")
               .positions("roots", &Organize::roots, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-20, 20}},
                          "Positions of the trees; they compete with each other for light and room.")
               .list_of_kinds("operations", &Organize::operations, operation_kinds, operation_table,

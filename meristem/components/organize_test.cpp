@@ -315,7 +315,7 @@ TEST(OrganizeComponent, WarnsOfOperationsThatNeverAct) {
     const Value::Object cut{{"do", "cut"}, {"at", at}, {"shoots", "main"}, {"above", 3}};
     return warnings({{"operations", Value::List{Value(cut)}}, {"iterations", std::move(iterations)}});
   };
-  EXPECT_NE(late(8, 9).find("tree.operations[0].at: it never acts"), std::string::npos) << late(8, 9);
+  EXPECT_NE(late(8, 9).find("tree.operations[0].at: the operation never acts"), std::string::npos) << late(8, 9);
   EXPECT_EQ(late(9, 9), "");
   EXPECT_NE(warnings(operation({{"at", 21}, {"above", 3}})), "") << "after the default";
   // The age may follow the time.

@@ -67,8 +67,8 @@ ComponentType tree_component() {
                         .members(&Tree::stem, stem_form_table())
                         .number("deflection", &Tree::deflection,
                                 {.unit = Unit::degree, .min = -180, .max = 180, .usual = {-45, 45}},
-                                "Angle of the stem's bend away from each of its branches; raised, a zigzag, which "
-                                "needs a segment per branch.")
+                                "Angle that the stem bends away from each of its branches; raised, a zigzag, which "
+                                "needs at least one segment per branch.")
                         .members(&Tree::branching, placement_table())
                         .object("surface", &Tree::surface, surface_table, "How the stem becomes a surface.")
                         .only_where({{"surface.style", {"tubes"}}}, {"texture"})

@@ -45,7 +45,7 @@ class DocumentReader {
     }
     if (const Value* format = root_.find("meristem");
         format != nullptr && format->number() != nullptr && *format->number() > kDocumentFormat) {
-      return {{.message = fmt::format("this program is too old for the document's format {}", *format->number()),
+      return {{.message = fmt::format("the document's format {} is newer than this program", *format->number()),
                .expected = fmt::format("at most {}", kDocumentFormat),
                .path = "meristem"}};
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A document is read as it stands when it is named, so that its faults are told at once, and read again with the values
-// that are set in it for each variant that is grown.
+// A document is read without changes when another document names it, so that its faults are reported at once, and read
+// again with the set values for each variant that is grown.
 #include "meristem/document/sources.h"
 
 #include <filesystem>
@@ -209,13 +209,13 @@ PlantSources::Opened DocumentSources::open(const std::string& name, const FileAc
   for (const DocumentChain* link = options_.chain; link != nullptr; link = link->before) {
     if (link->file != here.file) continue;
     throw InputError(Diagnostic{
-        .message = fmt::format("the documents {} lead in an endless circle", chain_text(options_.chain, name)),
-        .expected = "a document that does not lead back here"});
+        .message = fmt::format("the documents {} contain each other in a circle", chain_text(options_.chain, name)),
+        .expected = "a document that does not contain this one"});
   }
   if (length_of(&here) > kMostNested) {
-    throw InputError(Diagnostic{
-        .message = fmt::format("the documents {} lie too deep in each other", chain_text(options_.chain, name)),
-        .expected = fmt::format("at most {}", kMostNested)});
+    throw InputError(
+        Diagnostic{.message = fmt::format("the documents {} are nested too deep", chain_text(options_.chain, name)),
+                   .expected = fmt::format("at most {}", kMostNested)});
   }
 
   ReadOptions options{.root = is_model && !options_.root.empty() ? options_.models : options_.root,

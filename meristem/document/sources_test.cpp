@@ -237,7 +237,7 @@ TEST_F(Garden, ReadsNothingOutsideOfItsRoot) {
   options_.root = folder_.path().string();
   const std::string found =
       fault(R"j("oak": {"type": "document", "file": ")j" + (elsewhere / "secret.json").string() + R"j("})j");
-  EXPECT_NE(found.find("outside of the folder"), std::string::npos) << found;
+  EXPECT_NE(found.find("outside the folder"), std::string::npos) << found;
   EXPECT_TRUE(faults(R"j("oak": {"type": "document", "file": "twig.json"})j").empty());
 }
 

@@ -73,12 +73,13 @@ const ParameterTable& component_base_table() {
           .colour("colour", &ComponentBase::colour,
                   "Mean colour of the surface; by default, the component type's own or its picture's.")
           .colours("colours", &ComponentBase::colours,
-                   "Colours in place of one: each instance has one of them, or a mixture of two neighbours.")
+                   "Colours of the instances, in place of 'colour': each instance has one of them, or a mixture of two "
+                   "neighbours.")
           .number(
               "colour_at", &ComponentBase::colour_at, {.min = 0, .max = 1},
               "Position of an instance's colour in 'colours', from the first (0) to the last (1); by default, random.")
           .number("variety", &ComponentBase::variety, {.min = 0, .max = 1, .usual = {0, 0.5}, .fixed = true},
-                  "Range in which instances differ in lightness and tone; raised, a more mottled crown.")
+                  "Range over which instances differ in lightness and tone; raised, a more mottled crown.")
           .object("texture", &ComponentBase::texture, texture_table, "Texture of the surface.")
           .number("roughness", &ComponentBase::roughness, {.min = 0, .max = 1, .fixed = true},
                   "Roughness of the surface: 0 is glossy, 1 is matt; by default, the component type's own.")

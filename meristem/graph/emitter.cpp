@@ -84,9 +84,10 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   is_placed_ = place.axes != Mat3(1) || place.origin != Vec3(0);
   geometry_frame_ = site_.frame * place;
   if (!is_finite(site_.frame) || !is_finite(geometry_frame_)) {
-    throw InputError(Diagnostic{.message = fmt::format("the frame of instance {} of {} is not finite", site.i, site.n),
-                                .expected = "smaller scales and shifts, here or in what it hangs on",
-                                .path = "components." + component()});
+    throw InputError(
+        Diagnostic{.message = fmt::format("the frame of instance {} of {} is not finite", site.i, site.n),
+                   .expected = "smaller scales and shifts, in this component or in those that it stands on",
+                   .path = "components." + component()});
   }
   tint_ = context_->tinting.tint(base, site.key.child("colour"));
   base_ = &base;

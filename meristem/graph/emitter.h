@@ -113,7 +113,7 @@ inline RandomKey key_of_places(RandomKey stem) { return stem.child("branching");
 
 /// Takes what the instances of one block emit. One thread uses one emitter; blocks are merged in their order.
 ///
-/// An instance whose frame has shrunk to nothing emits nothing, nor does what hangs on it. Throws InputError for frames
+/// An instance whose frame has shrunk to nothing emits nothing, nor do its children. Throws InputError for frames
 /// that are not finite, when the sites for children pass the limit of instances, the stems the limit of nodes, or the
 /// meshes the limit of bytes.
 class Emitter : private Emitted {
@@ -136,10 +136,10 @@ class Emitter : private Emitted {
   /// children by child and leaf links give sections too, their surface is one with it. Instances of one component with
   /// equal `key` share what one of them makes.
   void section(const Frame& local, std::uint64_t key, bool is_capped, FunctionRef<LoftSection()> make);
-  /// A skeleton in world space. The instance's `place` moves it, but not what hangs on it.
+  /// A skeleton in world space. The instance's `place` moves it, but not its children.
   /// `branching`, if given, says where the children of branch links stand, as far as the links do not.
   void stem(Skeleton skeleton, const Surface& surface, const Placement* branching = nullptr);
-  /// One that is not seen, for the children of branch links.
+  /// An invisible skeleton, for the children of branch links.
   void unseen_stem(Skeleton skeleton);
   /// A site for children, relative to the instance's frame, as are the length and radius that they see; called n times
   /// it multiplies them. Without a call, children stand in the instance's frame, unless `no_children` was called.
@@ -165,8 +165,8 @@ class Emitter : private Emitted {
   /// on `node` of the stem emitted last, or kNoNode.
   void named_site(std::uint32_t name, const Frame& frame, float length, float radius, NodeIndex node);
 
-  /// Gives those numbers to the site that was offered last, by child_site or named_site, under the names that the
-  /// type's `gives` tells; all that hangs on it sees them.
+  /// Gives these numbers to the site that was offered last, by child_site or named_site, under the names that the
+  /// type's `gives` lists; all descendants see them.
   void give(std::span<const double> numbers, bool to_named);
   /// Says which row of a table has placed the site that was offered last, by child_site or named_site.
   void from_row(std::uint32_t row, bool is_named);
@@ -175,7 +175,7 @@ class Emitter : private Emitted {
   RandomKey places_on_next_stem() const { return key_of_places(site_.key.child("stem").child(stems_of_instance_)); }
 
   const Scene& scene() const;
-  /// Toward the light, and down: what turns by them asks at the site where it turns.
+  /// The directions toward the light and down, at any position; components ask them where they bend.
   const Directions& directions() const;
   const Limits& limits() const;
   const std::string& component() const;  ///< id, for errors

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blocks of the parent's instances are followed side by side. Which fault is thrown does not depend on which of them
-// comes first: it is the one that following them in their order meets first.
+// Blocks of the parent's instances are followed side by side. The fault that is thrown does not depend on their timing:
+// it is the first one in the order of the blocks.
 #include "meristem/graph/link_sites.h"
 
 #include <algorithm>

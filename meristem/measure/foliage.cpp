@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Areas of organs. What of a triangle a texture's mask covers is found once for each triangle of a prototype, at the
-// middles of even small triangles about a pixel wide: a picture that fills half of its rectangle counts half.
+// Areas of organs. The share of a triangle that a texture's mask covers is found once per triangle of a prototype, at
+// the middles of equal small triangles about a pixel wide: a picture that fills half of its rectangle counts half.
 #include "meristem/measure/foliage.h"
 
 #include <algorithm>

@@ -55,9 +55,9 @@ std::vector<OrganArea> organ_areas(const Plant& plant, Progress& progress);
 /// organ_areas.
 Foliage measure_foliage(const Plant& plant, Progress& progress);
 
-/// Leaf area in layers so high, metres above 0: triangles are cut at the layers' borders, and share their holes out
-/// evenly. The sum is Foliage::area. Begins two stages of `progress`, which count organs. The areas are equal on any
-/// number of threads. Throws as organ_areas, and InputError for more than 100,000 layers.
+/// Leaf area in layers of this height in metres, counted from 0: triangles are cut at the borders of the layers, and
+/// the holes of a triangle count evenly. The sum is Foliage::area. Begins two stages of `progress`, which count organs.
+/// The areas are equal on any number of threads. Throws as organ_areas, and InputError for more than 100,000 layers.
 LeafLayers measure_leaf_layers(const Plant& plant, double layer_height, Progress& progress);
 
 }  // namespace meristem

@@ -49,7 +49,7 @@ inline constexpr double kBreastHeight = 1.3;  ///< metres above the root
 inline constexpr double kStemShare = 1.0 / 3;
 
 /// `skeleton` has one root, its first node. The crown is what lies past the first fork on the way from the root.
-/// Throws Cancelled if `progress`, where given, says so.
+/// Throws Cancelled if `progress`, where given, was cancelled.
 TreeForm measure_form(const Skeleton& skeleton, const Children& children, const Progress* progress = nullptr);
 
 }  // namespace meristem

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Variants may have plantings of their own. They are walked over with a list of what is ahead, each variant with the
-// frame that leads to it; how deep they lie in each other is bounded where documents are read.
+// Variants may have plantings of their own. A list of the variants ahead, each with the frame that leads to it,
+// replaces recursion; their depth is bounded where documents are read.
 #include "meristem/plant/plant_variant.h"
 
 #include <algorithm>

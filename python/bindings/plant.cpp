@@ -515,7 +515,7 @@ of `scene`, or of growth if not given.)")
            py::arg("lod") = 0, py::arg("cards") = 0, py::arg("threads") = 0, py::arg("progress") = py::none(),
            R"(Writes the plant to a file, its format by its ending: .glb, .obj, .ply, .skeleton.ply, .csv, .mtg.
 
-`instanced` writes leaves to .glb as instances of one mesh, as is done by itself beyond 5 million triangles: small files,
+`instanced` writes leaves into .glb as instances of one mesh, the default beyond 5 million triangles: small files,
 which not every program reads; `nodes` writes them as nodes there, which every program reads. `lod` (0 to 8) is the level
 of detail: each has about a quarter of the triangles of the one before. `cards` (0 to 16) writes this number of upright crossed
 cards, pictures of the plant, instead. The file is there whole or not at all. Raises ValueError for levels that

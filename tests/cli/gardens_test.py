@@ -86,7 +86,7 @@ class Gardens(cli_case.Case):
     def test_documents_that_use_each_other_are_named_in_order(self):
         self.write("a.json", '{"meristem": 1, "components": {"b": {"type": "document", "file": "b.json"}}}')
         self.write("b.json", '{"meristem": 1, "components": {"a": {"type": "document", "file": "a.json"}}}')
-        self.assertIn("a.json -> b.json -> a.json lead in an endless circle", self.assert_ends(WRONG_INPUT, "check", "a.json"))
+        self.assertIn("a.json -> b.json -> a.json contain each other in a circle", self.assert_ends(WRONG_INPUT, "check", "a.json"))
 
 
 if __name__ == "__main__":

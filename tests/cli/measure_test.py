@@ -88,7 +88,7 @@ class Measuring(cli_case.Case):
             self.assertEqual(done.stdout, self.read("leaves.csv"))
 
     def test_wrong_uses_of_the_table_of_organs(self):
-        for arguments, message in ((["tree.json", "--organs", "tree.json"], "would be written over, and it is read"),
+        for arguments, message in ((["tree.json", "--organs", "tree.json"], "would be overwritten, and it is read"),
                                    (["tree.json", "--organs", "-"], "would be written to one file"),
                                    (["tree.json", "--organs", "./a", "-o", "a"], "would be written to one file"),
                                    (["walnut.mtg", "--organs", "a.csv"], "--organs has no effect on 'walnut.mtg'"),
@@ -109,8 +109,8 @@ class Measuring(cli_case.Case):
                                                                   "--diameter", "Thickness", "--coordinates",
                                                                   "XX,YY,ZZ")["stem_diameter"])
         done = self.run_program("measure", "walnut.mtg")
-        self.assertEqual(done.stderr.decode(), "warning: walnut.mtg: the plant is 400 m high; --unit says what its "
-                                               "coordinates are in\n")
+        self.assertEqual(done.stderr.decode(), "warning: walnut.mtg: the plant is 400 m high; --unit gives the unit "
+                                               "of its coordinates\n")
         self.assertIn(b"stem_diameter            -\n", done.stdout)
 
     def test_mtg_faults_have_file_line_and_column(self):

@@ -158,6 +158,13 @@ class LightStudy(Page):
                   f"{none['crown_hull_area'] * none['lit_share_day']:.1f} m² over the day")
 
 
+class GrowthInTheLight(Page):
+    PAGE = "light.md"
+
+    def test_nodes_of_the_evaluation_tree(self):
+        self.says(f"(900 points, {round(LightStudy.mean('shift', 'A', 0)['nodes'], -2):,.0f} nodes)")
+
+
 class CutStudy(Page):
     PAGE = "cut-study.md"
 

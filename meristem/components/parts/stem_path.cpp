@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stem grows section by section: each turns as its axis does, by its share of the curl, by what the noise has changed
-// since the last one, away from what pushes it, and toward gravity and light. The shares are set so that a stem ends
-// the same however many sections it has.
+// A stem grows section by section. Each section turns with the given axis, by its share of the curl, by the change of
+// the noise since the section before, away from branches that push it, and toward gravity and light. The shares are set
+// so that the form of a stem does not depend on the number of its sections.
 #include "meristem/components/parts/stem_path.h"
 
 #include <algorithm>
@@ -215,14 +215,14 @@ const ParameterTable& stem_form_table() {
               "axis", &StemParameters::axis, {.unit = Unit::metre, .min = -1e4, .max = 1e4},
               "Points of a spline from the origin, in the stem's own frame, whose form the stem takes; its length "
               "stays 'length'.")
-          .number(
-              "curl", &StemParameters::curl, {.unit = Unit::degree, .min = -3600, .max = 3600},
-              "Bend from base to tip, away from the upper side of the stem, which on a branch faces its parent's tip.")
+          .number("curl", &StemParameters::curl, {.unit = Unit::degree, .min = -3600, .max = 3600},
+                  "Bend of the stem from base to tip, away from its upper side; the upper side of a branch faces the "
+                  "tip of its parent.")
           .number("spiral", &StemParameters::spiral,
                   {.unit = Unit::degree, .min = -36000, .max = 36000, .usual = {-1080, 1080}},
                   "Turn of the curl's direction about the stem from base to tip; raised, a corkscrew.")
           .number("gnarl", &StemParameters::gnarl, {.unit = Unit::degree, .min = 0, .max = 180, .usual = {0, 60}},
-                  "Random deviation of the stem's direction along its way; raised, a more crooked stem.")
+                  "Random deviation of the stem's direction along its length; raised, a more crooked stem.")
           .number("gnarl_waves", &StemParameters::gnarl_waves, {.min = 0, .max = 1000},
                   "Number of random bends from base to tip; raised, shorter bends.")
           .only_with("gnarl", {"gnarl_waves"});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One step of growth: every node that the cloud says is pulled gets a child. What the children do to the points, the
-// cloud finds out before the next round. Growth happens relative to the root, so that a tree far from the world's
-// origin loses no digits; the finished skeleton is moved to its position.
+// One step of growth: every node that attraction points pull gets a child. The cloud removes the points that the
+// children have reached before the next round. Growth is computed relative to the root, so that a tree far from the
+// world's origin loses no digits; the finished skeleton is moved to its position.
 //
 // Deviations, so that growth ends: a child that would stand where its node already has one (points balanced on both
 // sides pull a node the same way for ever) is turned by a keyed draw, a little more each time and kMostTurns times at

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// One iteration: what light the buds have, what resource that makes and how it is divided, which buds grow how many
-// metamers, which shoots are shed, what people do to the tree. Light is that of the round's begin, so all plants of a
-// stand see the same. After the last iteration one more round counts light and resource for the skeleton's columns.
+// One iteration: the light of the buds, the resource that this light makes, its division among the buds, the growth of
+// new metamers, the shedding of shoots, and the operations on the tree. All plants of a stand use the light at the
+// beginning of the round. After the last iteration, one more round counts light and resource for the skeleton's
+// columns.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -25,12 +26,12 @@ namespace {
 constexpr std::size_t kMostTreeBlocks = 256;  // of trees that a thread takes at once
 
 void check_parameters(const OrganizeParameters& parameters) {
-  require(parameters.iterations >= 0 && parameters.iterations < 65536, "organize: iterations are 0 to 65535");
+  require(parameters.iterations >= 0 && parameters.iterations < 65536, "organize: iterations must be 0 to 65535");
   require(parameters.every >= 1 && parameters.longest_shoot >= 1 && parameters.maturity >= 1,
-          "organize: every, longest_shoot and maturity are at least 1");
-  require(parameters.length > 0 && std::isfinite(parameters.length), "organize: length is above 0");
+          "organize: every, longest_shoot and maturity must be at least 1");
+  require(parameters.length > 0 && std::isfinite(parameters.length), "organize: length must be above 0");
   for (const Operation& operation : parameters.operations) {
-    require(operation.when.from >= 1 && operation.when.every >= 1, "organize: operations act from iteration 1 on");
+    require(operation.when.from >= 1 && operation.when.every >= 1, "organize: operations must act from iteration 1 on");
     const Cut* const cut = std::get_if<Cut>(&operation.what);
     require(cut == nullptr || cut->above >= 0, "organize: a cut has negative numbers");
     require(cut == nullptr || cut->place != Cut::Place::outside || cut->outside, "organize: a cut has no body");
@@ -46,7 +47,8 @@ void check_parameters(const OrganizeParameters& parameters) {
     require(bend == nullptr || (bend->below >= 0 && bend->iterations >= 1 && bend->metamers >= 1),
             "organize: a bend is out of its ranges");
   }
-  require(parameters.light.voxel >= 0 && parameters.light.full >= 0, "organize: light has no negative numbers");
+  require(parameters.light.voxel >= 0 && parameters.light.full >= 0,
+          "organize: the numbers of light must not be negative");
 }
 
 class Organizer : public Grower {

@@ -51,7 +51,7 @@ std::vector<std::uint32_t> organ_instances(const Plant& plant) {
 void write_organ_csv(const Plant& grown, std::span<const LitOrgan> lit, const std::string& path, Progress& progress) {
   const ExpandedPlant expanded(grown, progress);
   const Plant& plant = *expanded;
-  if (lit.size() != plant.organs.size()) throw std::invalid_argument("each organ has its light");
+  if (lit.size() != plant.organs.size()) throw std::invalid_argument("there must be one light per organ");
   std::vector<std::string> components;  // of each prototype, as fields
   std::size_t longest = 0;
   for (const OrganPrototype& prototype : plant.prototypes) {

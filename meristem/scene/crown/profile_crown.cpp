@@ -14,7 +14,7 @@ namespace meristem {
 namespace {
 
 Curve radius_over_height(const ProfileCrown::Profile& profile) {
-  if (profile.size() < 2) throw std::invalid_argument("crown profile: at least two points wanted");
+  if (profile.size() < 2) throw std::invalid_argument("crown profile: at least two points are needed");
   std::vector<Vec2> points;
   points.reserve(profile.size());
   for (const Vec2 marked : profile) points.emplace_back(marked.y, marked.x);

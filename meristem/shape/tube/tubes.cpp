@@ -454,7 +454,7 @@ class AxisMesher {
 }  // namespace
 
 Mesh make_tubes(const Skeleton& skeleton, const Surface& surface, Progress& progress) {
-  if (!(surface.uv_scale > 0)) throw std::invalid_argument("a surface's uv_scale is above 0");
+  if (!(surface.uv_scale > 0)) throw std::invalid_argument("a surface's uv_scale must be above 0");
   return std::move(make_tubes(TubePlan(skeleton, {{surface}}), progress)[0]);
 }
 

@@ -278,7 +278,8 @@ TEST(Measures, EachTreeHasItsRowAndItsLeaves) {
   EXPECT_DOUBLE_EQ(*stand.trees[1].leaf_area, 0.5);
   EXPECT_DOUBLE_EQ(*stand.trees[1].leaf_area_index, 0.5 / stand.trees[1].crown_ground_area);
   EXPECT_DOUBLE_EQ(*stand.whole.leaf_area, 2);
-  EXPECT_NEAR(*stand.whole.leaf_exposure, (3 * *stand.trees[0].leaf_exposure + *stand.trees[1].leaf_exposure) / 4, 1e-12);
+  EXPECT_NEAR(*stand.whole.leaf_exposure, (3 * *stand.trees[0].leaf_exposure + *stand.trees[1].leaf_exposure) / 4,
+              1e-12);
   EXPECT_EQ(trees_of_organs(leafy_trees(3, 1), Progress()), (std::vector<std::uint32_t>{0, 0, 0, 1}));
 }
 

@@ -380,7 +380,8 @@ Columns are read-only arrays over the plant's own memory, one entry an organ.)")
           "(n,) uint32: its number among the organs of its component, from 0.")
       .def_property_readonly(
           "tree", [](const Organs& o) { return trees_in_python(o.plant); },
-          "(n,) int64: index of its tree in measure(each=True)[\"each\"]; -1 where several trees share it, or where the "
+          "(n,) int64: index of its tree in measure(each=True)[\"each\"]; -1 where several trees share it, or where "
+          "the "
           "trees cannot be told apart.")
       .def_property_readonly(
           "prototype", [](const Organs& o) { return o.column<std::uint32_t>(&Organ::prototype, {}); },

@@ -44,8 +44,10 @@ std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowC
     for (Vec3& point : all[k].points) point = crown.point(point);
     seedlings.push_back({.root = site.frame.point(tree.roots[k]), .points = std::move(all[k].points)});
   }
-  return make_colonizer(context.stand, std::move(seedlings), growth_of(tree, *scale), site.key.child("growth"),
-                        context.scene, context.limits, context.component, context.progress);
+  ColonizeParameters growth = growth_of(tree, *scale);
+  growth.directions = context.directions;
+  return make_colonizer(context.stand, std::move(seedlings), growth, site.key.child("growth"), context.scene,
+                        context.limits, context.component, context.progress);
 }
 
 void expand(const Colonize& tree, const Site& site, Emitter& out) {
@@ -55,7 +57,7 @@ void expand(const Colonize& tree, const Site& site, Emitter& out) {
     assign_pipe_radii(skeleton, tree.growth.radii);
     assign_axes(skeleton);
   }
-  out.stem(std::move(skeleton), tree.surface);
+  out.stem(std::move(skeleton), tree.surface, nullptr, tree.trim);
 }
 
 void check_colonize(const Colonize& tree, const DocumentPath& path, ParameterReader& reader) {
@@ -166,7 +168,7 @@ ComponentType colonize_component() {
                  .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
                  .makes_stems = true,
                  .stance = BranchStance::on_axis,
-                 .after_growth = {"surface", "shed"}},
+                 .after_growth = {"surface", "trim", "shed"}},
       .parameters =
           Table<Colonize>("a colonize", "A tree that grows into a cloud of attraction points.")
               .object("crown", &Colonize::crown, crown_table,
@@ -186,6 +188,7 @@ ComponentType colonize_component() {
                          "Condition at the base of a branch for shedding it after growth, as in \"height < 2 && radius "
                          "< 0.01\".")
               .object("surface", &Colonize::surface, surface_table, "How the skeleton becomes a surface.")
+              .choice("trim", &Colonize::trim, trim_modes(), kTrimDoc)
               .only_where({{"surface.style", {"tubes"}}}, {"texture"})
               .without(names_off_stems(), kWhyOffStems)
               .only_with("roots", {"one_crown"})

@@ -183,7 +183,7 @@ void note_forces(const Grassleaf& grass, const Site& site, const Emitter& out, c
                  ShapeNumbers& numbers) {
   if (!grass.forces || !grass.stages.bend) return;
   const GrassForces& forces = *grass.forces;
-  const Vec3 all = forces.pull + static_cast<float>(forces.light) * out.directions().toward_light(site.frame.origin);
+  const Vec3 all = forces.pull + static_cast<float>(forces.light) * out.directions().light(site.frame.origin).vector();
   // The pressure of wind on a plate over the weight of the blade.
   const double speed = glm::length(forces.wind);
   const Vec3 wind = static_cast<float>(0.5 * kAirDensity * speed / forces.weight) * forces.wind;
@@ -194,7 +194,7 @@ void note_forces(const Grassleaf& grass, const Site& site, const Emitter& out, c
   };
   set(all, numbers.pull_x, numbers.pull_y);
   set(wind, numbers.wind_x, numbers.wind_y);
-  set(out.directions().down(site.frame.origin), numbers.gravity_x, numbers.gravity_y);
+  set(out.directions().gravity(site.frame.origin).vector(), numbers.gravity_x, numbers.gravity_y);
   numbers.stiffness = round.own_octaves(forces.strip.stiffness, kRadiusSteps);
   numbers.tip_thickness = round.own_octaves(forces.strip.tip_thickness, kRadiusSteps);
 }

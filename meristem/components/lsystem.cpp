@@ -107,9 +107,11 @@ void emit_polygons(const Lsystem& plant, const Site& site, const Drawing& drawin
     out.progress().check();
     const PolygonShape shape = shape_of(drawing, polygon);
     if (shape.extent == 0) continue;
+    const std::optional<Frame> stands = out.on_stem_left(polygon.node, {polygon.frame.axes, shape.base});
+    if (!stands) continue;
     Frame local;
-    local.axes = to_instance * (shape.extent * polygon.frame.axes);
-    local.origin = to_instance * (shape.base - site.frame.origin);
+    local.axes = to_instance * (shape.extent * stands->axes);
+    local.origin = to_instance * (stands->origin - site.frame.origin);
     out.blade(
         local, shape.key, [&] { return make_polygon(shape.corners); }, tint_of(plant, polygon.colour));
   }
@@ -172,10 +174,10 @@ void expand(const Lsystem& plant, const Site& site, Emitter& out) {
     throw_placed(error, plant, out.component());
   }
   if (plant.finish) finish_drawing(plant, site, drawing, out);
-  emit_polygons(plant, site, drawing, out);
   const float length = glm::length(site.frame.heading()) * static_cast<float>(plant.turtle.length);
   const std::vector<TurtleSite> places = std::move(drawing.places);
-  out.stem(std::move(drawing.skeleton), plant.surface);
+  out.stem(std::move(drawing.skeleton), plant.surface, nullptr, plant.trim);
+  emit_polygons(plant, site, drawing, out);
   for (const TurtleSite& mark : places) {
     out.progress().check();
     out.named_site(plant.source().placed_of_letter[mark.letter], mark.frame, length, mark.radius, mark.node);
@@ -276,6 +278,7 @@ ComponentType lsystem_component() {
                       "What is done to the drawn skeleton, in steps of 'length': nodes removed, forks softened, curves "
                       "smoothed; by default, nothing.")
               .object("surface", &Lsystem::surface, surface_table, "How the skeleton becomes a surface.")
+              .choice("trim", &Lsystem::trim, trim_modes(), kTrimDoc)
               .only_where({{"surface.style", {"tubes"}}}, {"texture"})
               .without(names_off_stems(), kWhyOffStems)
               .never_with("angle", {"angles"})

@@ -108,6 +108,8 @@ struct ReadOptions {
   std::string models{};
   /// The documents that contain this one, each within the one before; null for a document that a user opens.
   const DocumentChain* chain = nullptr;
+  /// Limits that hold besides the document's own: those of the document that places it.
+  std::optional<Limits> within{};
   /// Takes the document paths of all expressions, as far as they were read; may be null.
   std::vector<std::string>* expression_paths = nullptr;
 };

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <system_error>
 #include <unordered_map>
 #include <utility>
@@ -81,6 +82,7 @@ class DocumentSource : public PlantSource {
         models_(options.models),
         chain_(whole_chain(options.chain)),
         tree_(document.source.tree),
+        within_(options.within),
         painted_(std::make_shared<PaintedTextures>()) {
     for (const Variable& variable : document.variables) variables_.push_back(variable.name);
     Fingerprint fingerprint;
@@ -125,9 +127,10 @@ class DocumentSource : public PlantSource {
   }
 
   std::shared_ptr<const PlantVariant> grow(const PlantRequest& request, const Progress& progress) const override {
-    ReadOptions options{.seed = request.seed, .root = root_, .models = models_, .chain = &chain_.back()};
+    ReadOptions options{
+        .seed = request.seed, .root = root_, .models = models_, .chain = &chain_.back(), .within = within_};
     for (const auto& [name, value] : request.values) options.overrides.push_back({name, Value(value), "set " + name});
-    auto document = std::make_shared<const Document>(read_document(text_, file_, registry_, options));
+    const auto document = std::make_shared<const Document>(read_document(text_, file_, registry_, options));
     Progress part(&progress);
     auto variant = std::make_shared<PlantVariant>();
     try {
@@ -160,6 +163,7 @@ class DocumentSource : public PlantSource {
   std::string models_;
   std::vector<DocumentChain> chain_;
   Value tree_;
+  std::optional<Limits> within_;
   std::vector<std::string> variables_;
   std::uint64_t fingerprint_ = 0;
   std::shared_ptr<PaintedTextures> painted_;
@@ -221,7 +225,8 @@ PlantSources::Opened DocumentSources::open(const std::string& name, const FileAc
   ReadOptions options{.root = is_model && !options_.root.empty() ? options_.models : options_.root,
                       .store = options_.store,
                       .models = options_.models,
-                      .chain = &here};
+                      .chain = &here,
+                      .within = limits_};
   std::string text = read_text_file(file);
   const Document document = read_document(text, file, registry_, options);
   Opened opened;

@@ -351,5 +351,21 @@ TEST_F(Garden, RejectsVariablesOfInstancesThatNeedEachOther) {
   EXPECT_NE(found.find("hue -> tone -> hue"), std::string::npos) << found;
 }
 
+TEST_F(Garden, ItsLimitsHoldForPlacedPlantsToo) {
+  const char* one = R"j("oak": {"type": "document", "file": "twig.json", "seed": 1})j";
+  const std::string single = fault(one, "[]", R"j("limits": {"instances": 5}, )j");
+  EXPECT_NE(single.find("limits.instances"), std::string::npos) << single;
+  const std::string nodes = fault(one, "[]", R"j("limits": {"nodes": 5}, )j");
+  EXPECT_NE(nodes.find("limits.nodes"), std::string::npos) << nodes;
+}
+
+TEST_F(Garden, ItsLimitsHoldForAllVariantsTogether) {
+  const std::string row = std::string(kRow) + R"j("oak": {"type": "document", "file": "twig.json"})j";
+  const std::string links = R"j([["row", "oak"]])j";
+  const std::string found = fault(row, links, R"j("limits": {"instances": 60}, )j");
+  EXPECT_NE(found.find("the plants of other documents have more than 60 leaves"), std::string::npos) << found;
+  EXPECT_EQ(fault(row, links, R"j("limits": {"instances": 200}, )j"), "no fault");
+}
+
 }  // namespace
 }  // namespace meristem

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <string_view>
 
@@ -31,9 +32,29 @@ class Packed {
   std::size_t size_ = 0;
 };
 
-std::uint64_t hash_of(const Site& site) {
+std::uint64_t hash_of_numbers(const std::vector<std::uint64_t>& numbers) {
+  return hash64(
+      std::string_view(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(std::uint64_t)));
+}
+
+template <class Element>
+std::uint64_t bytes_of(const std::vector<Element>& elements) {
+  return elements.capacity() * sizeof(Element);
+}
+
+std::uint64_t bytes_of(const Skeleton& skeleton) {
+  std::uint64_t sum = bytes_of(skeleton.parent) + bytes_of(skeleton.position) + bytes_of(skeleton.radius) +
+                      bytes_of(skeleton.axis) + bytes_of(skeleton.order) + bytes_of(skeleton.birth);
+  for (const auto& [name, values] : skeleton.extra) sum += bytes_of(values);
+  return sum;
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> hash_of(const Site& site) {
   const auto& [frame, key, i, n, u, length, radius, birth, order, depth, stem, node, along, section, surface,
-               individual, row, depths, values] = site;
+               individual, row, depths, values, surroundings] = site;
+  if (surroundings != nullptr && surroundings->hash == 0) return std::nullopt;
   Packed packed;
   packed.add(frame.axes);
   packed.add(frame.origin);
@@ -55,34 +76,23 @@ std::uint64_t hash_of(const Site& site) {
   packed.add(row);
   packed.add(depths);
   packed.add(values == nullptr ? std::uint64_t{0} : values->hash());
+  packed.add(surroundings == nullptr ? std::uint64_t{0} : surroundings->hash);
   return packed.hash();
 }
 
-std::uint64_t hash_of_numbers(const std::vector<std::uint64_t>& numbers) {
-  return hash64(
-      std::string_view(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(std::uint64_t)));
-}
-
-template <class Element>
-std::uint64_t bytes_of(const std::vector<Element>& elements) {
-  return elements.capacity() * sizeof(Element);
-}
-
-std::uint64_t bytes_of(const Skeleton& skeleton) {
-  std::uint64_t sum = bytes_of(skeleton.parent) + bytes_of(skeleton.position) + bytes_of(skeleton.radius) +
-                      bytes_of(skeleton.axis) + bytes_of(skeleton.order) + bytes_of(skeleton.birth);
-  for (const auto& [name, values] : skeleton.extra) sum += bytes_of(values);
-  return sum;
-}
-
-}  // namespace
-
-std::uint64_t hash_of(const std::vector<Site>& sites) {
+std::optional<std::uint64_t> hash_of(const std::vector<Site>& sites) {
   std::vector<std::uint64_t> hashes(sites.size());
+  std::atomic<bool> is_known{true};
   parallel_for(sites.size(), kHashedTogether, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) hashes[k] = hash_of(sites[k]);
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::optional<std::uint64_t> hash = hash_of(sites[k]);
+      if (hash)
+        hashes[k] = *hash;
+      else
+        is_known = false;
+    }
   });
-  return hash_of_numbers(hashes);
+  return is_known ? std::optional(hash_of_numbers(hashes)) : std::nullopt;
 }
 
 std::uint64_t BatchResult::bytes() const {
@@ -90,9 +100,10 @@ std::uint64_t BatchResult::bytes() const {
   for (const Emitted& block : blocks) {
     sum += bytes_of(block.prototypes) + bytes_of(block.organs) + bytes_of(block.sections) + bytes_of(block.stems) +
            bytes_of(block.child_sites) + bytes_of(block.branch_sites) + bytes_of(block.named_sites) +
-           bytes_of(block.founded) + bytes_of(block.individuals) + bytes_of(block.plants);
+           bytes_of(block.founded) + bytes_of(block.deformed) + bytes_of(block.individuals) + bytes_of(block.plants);
     for (const EmittedStem& stem : block.stems) {
-      sum += bytes_of(stem.skeleton) + (stem.moved ? bytes_of(*stem.moved) : 0) + bytes_of(stem.root_of_node);
+      sum += bytes_of(stem.skeleton) + (stem.moved ? bytes_of(*stem.moved) : 0) + bytes_of(stem.root_of_node) +
+             (stem.trimmed != nullptr ? stem.trimmed->bytes() : 0);
     }
   }
   return sum;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "meristem/graph/emitter.h"
@@ -15,13 +16,15 @@ namespace meristem {
 
 struct Sites {
   std::vector<Site> sites;
-  std::uint64_t hash = 0;  ///< of all bytes of the sites; 0 where nobody will ask for it
+  std::optional<std::uint64_t> hash{};  ///< of the sites; nothing where nobody will ask for it, or it is not known
 
   std::uint64_t bytes() const { return sites.capacity() * sizeof(Site); }
 };
 
-/// Hash of every field, equal on any number of threads.
-std::uint64_t hash_of(const std::vector<Site>& sites);
+/// Hash of every field; nothing where that of its surroundings is not known.
+std::optional<std::uint64_t> hash_of(const Site& site);
+/// Hash of all of them, equal on any number of threads.
+std::optional<std::uint64_t> hash_of(const std::vector<Site>& sites);
 
 /// What the instances of one batch have made, block by block.
 struct BatchResult {

@@ -55,14 +55,15 @@ const ParameterTable& growing_component_table() {
 Frame instance_frame(const ComponentBase& base, const Frame& site, Tropism tropism, const Directions& directions) {
   Frame frame = site * base.frame.frame();
   if (tropism == Tropism::none) return frame;
-  const auto turn = [&](int column, Vec3 target, double share) {
+  const auto turn = [&](int column, const Pulling& pulling, double share) {
     const Vec3 fallback = normalized_or(frame.axes[column == 1 ? 0 : 1], kUp);
     const Vec3 from = normalized_or(frame.axes[column], kUp);
-    frame.axes = rotation_toward(from, target, share, fallback) * frame.axes;
+    const double pulled = share_pulled(share, pulling.strength);
+    frame.axes = rotation_toward(from, pulling.toward, pulled, fallback) * frame.axes;
   };
-  if (base.gravitropism != 0) turn(1, directions.down(frame.origin), base.gravitropism);
+  if (base.gravitropism != 0) turn(1, directions.gravity(frame.origin), base.gravitropism);
   if (base.phototropism != 0) {
-    turn(tropism == Tropism::face ? 2 : 1, directions.toward_light(frame.origin), base.phototropism);
+    turn(tropism == Tropism::face ? 2 : 1, directions.light(frame.origin), base.phototropism);
   }
   return frame;
 }

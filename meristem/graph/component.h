@@ -88,7 +88,7 @@ struct Prototype;
 /// What a growing component may ask for.
 struct GrowContext {
   const Scene& scene;
-  const Directions& directions;  ///< the scene's
+  const Directions& directions;  ///< at the site of the instance
   const Limits& limits;
   const std::string& component;  ///< id, for errors
   Stand& stand;                  ///< the stand that the component will grow in

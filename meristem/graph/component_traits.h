@@ -37,13 +37,14 @@ struct ComponentTraits {
   std::string name;
   std::string doc;  ///< one sentence
   Material material;
-  double variety = 0;           ///< variety of colours where the document gives none
-  BladeLook blades;             ///< look of what the component emits as blades
-  bool has_geometry = true;     ///< false: it has no geometry of its own and no parameters of looks
-  bool is_whole_plant = false;  ///< what it places has looks and tropisms of its own
-  bool is_camera = false;       ///< the root of every graph
-  bool bears_plants = false;    ///< each instance that stands on it directly is a plant of its own (Individual)
-  bool makes_stems = false;     ///< branch links place children along stems
+  double variety = 0;            ///< variety of colours where the document gives none
+  BladeLook blades;              ///< look of what the component emits as blades
+  bool has_geometry = true;      ///< false: it has no geometry of its own and no parameters of looks
+  bool is_whole_plant = false;   ///< what it places has looks and tropisms of its own
+  bool is_camera = false;        ///< the root of every graph
+  bool bears_plants = false;     ///< each instance that stands on it directly is a plant of its own (Individual)
+  bool speaks_of_space = false;  ///< it makes nothing: what stands on it directly is a plant of its own where it is one
+  bool makes_stems = false;      ///< branch links place children along stems
   bool has_twigs =
       false;              ///< by default children stand along the twigs of its stems alone; what grows has twigs anyway
   bool has_ribs = false;  ///< branch links without placement keys stand at the branch sites, others along the stems

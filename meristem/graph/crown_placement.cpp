@@ -100,8 +100,8 @@ std::vector<Site> place_in_crown(const Skeleton& skeleton, const Surface& surfac
       site.key = site.key.child(static_cast<std::uint32_t>(along));
     }
     site.frame.origin = places[k].position;
-    site.frame.axes =
-        drooped(axes_at(places[k], placement, site.key), placement.droop, context.directions.down(site.frame.origin));
+    site.frame.axes = drooped(axes_at(places[k], placement, site.key), placement.droop,
+                              context.directions.gravity(site.frame.origin));
     site.u = static_cast<float>(std::clamp((places[k].position.y - base) / height, 0.0, 1.0));
     site.length = static_cast<float>(height);
     site.radius = 0;

@@ -11,8 +11,10 @@
 #include <fmt/format.h>
 #include <glm/matrix.hpp>
 
+#include "meristem/base/fingerprint.h"
 #include "meristem/base/hash.h"
 #include "meristem/base/math.h"
+#include "meristem/graph/batch.h"
 #include "meristem/graph/emitter_context.h"
 #include "meristem/graph/vanished.h"
 
@@ -21,6 +23,8 @@ namespace meristem {
 namespace {
 
 constexpr std::uint64_t kCountedTogether = 1024;  // sites; an atomic addition for each would slow threads down
+
+constexpr std::uint32_t kCutOff = 0;  // in place of the number of siblings: the site is gone with a part of the stem
 
 bool is_finite(const Frame& frame) {
   const auto finite = [](Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
@@ -51,7 +55,14 @@ std::uint64_t shape_key(std::initializer_list<double> numbers) {
 }
 
 const Scene& Emitter::scene() const { return context_->scene; }
-const Directions& Emitter::directions() const { return context_->directions; }
+const Surroundings& Emitter::surroundings() const {
+  static const Surroundings nothing;
+  return surroundings_ != nullptr ? *surroundings_ : nothing;
+}
+const Directions& Emitter::directions() const {
+  const bool is_said = surroundings_ != nullptr && surroundings_->directions != nullptr;
+  return is_said ? *surroundings_->directions : context_->directions;
+}
 const Limits& Emitter::limits() const { return context_->limits; }
 const std::string& Emitter::component() const { return context_->prototype.id; }
 Progress& Emitter::progress() const { return *context_->progress; }
@@ -79,7 +90,8 @@ void Emitter::instance(const ComponentBase& base, const Site& site, std::size_t 
 
 void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   site_ = site;
-  site_.frame = instance_frame(base, site.frame, context_->prototype.type->tropism, context_->directions);
+  surroundings_ = site.surroundings;
+  site_.frame = instance_frame(base, site.frame, context_->prototype.type->tropism, directions());
   const Frame place = base.place.frame();
   is_placed_ = place.axes != Mat3(1) || place.origin != Vec3(0);
   geometry_frame_ = site_.frame * place;
@@ -99,8 +111,9 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   first_child_ = child_sites.size();
   first_branch_ = branch_sites.size();
   first_named_ = named_sites.size();
-  if (is_individual() && !context_->prototype.type->bears_plants) {
-    founded.push_back({site_.individual, site_.frame.origin, site_.row});
+  const ComponentTraits& traits = *context_->prototype.type;
+  if (is_individual() && !traits.bears_plants && !traits.speaks_of_space) {
+    founded.push_back({site_.individual, site_.frame.origin, deformation_at(site_), site_.row});
   }
 }
 
@@ -122,8 +135,10 @@ void Emitter::end_instance() {
     const auto count = static_cast<std::uint32_t>(sites.size() - first);
     for (std::uint32_t k = 0; k < count; ++k) {
       sites[first + k].i = k;
-      sites[first + k].n = count;
+      if (sites[first + k].n != kCutOff) sites[first + k].n = count;
     }
+    const auto begin = sites.begin() + static_cast<std::ptrdiff_t>(first);
+    sites.erase(std::remove_if(begin, sites.end(), [](const Site& site) { return site.n == kCutOff; }), sites.end());
   };
   number(child_sites, first_child_);
   number(branch_sites, first_branch_);
@@ -137,6 +152,10 @@ void Emitter::number_named_sites() {
   for (std::size_t k = first_named_; k < named_sites.size(); ++k) {
     named_sites[k].second.i = count[named_sites[k].first]++;
   }
+  const auto begin = named_sites.begin() + static_cast<std::ptrdiff_t>(first_named_);
+  named_sites.erase(
+      std::remove_if(begin, named_sites.end(), [](const auto& named) { return named.second.n == kCutOff; }),
+      named_sites.end());
   for (std::size_t k = first_named_; k < named_sites.size(); ++k) {
     named_sites[k].second.n = count[named_sites[k].first];
   }
@@ -154,7 +173,15 @@ void Emitter::add_organ(const Frame& local, std::uint64_t key, bool is_blade, Fu
   if (!visible_) return;
   const auto [found, is_new] = prototype_by_key_.try_emplace(key, static_cast<std::uint32_t>(prototypes.size()));
   if (is_new) prototypes.push_back({key, shared_mesh(key, make), is_blade});
+  note_deformation();
   organs.push_back({geometry_frame_ * local, found->second, tint, site_.birth, number_of_individual()});
+}
+
+/// Where organs stand in another deformation than those before.
+void Emitter::note_deformation() {
+  const std::shared_ptr<const Deformation>& own = deformation_at(site_);
+  const bool is_other = deformed.empty() ? own != nullptr : deformed.back().deformation != own;
+  if (is_other) deformed.push_back({organs.size(), own});
 }
 
 /// Number within the block of the plant that the instance is part of.
@@ -170,7 +197,8 @@ std::uint32_t Emitter::number_of_individual() {
 
 void Emitter::plant(const Frame& local, std::shared_ptr<const PlantSource> source, PlantRequest request) {
   request.time = context_->time;
-  plants.push_back({geometry_frame_ * local, std::move(source), std::move(request), site_.birth, visible_, site_.row});
+  plants.push_back({geometry_frame_ * local, std::move(source), std::move(request), site_.birth, visible_,
+                    deformation_at(site_), site_.row});
 }
 
 void Emitter::give(std::span<const double> numbers, bool to_named) {
@@ -193,6 +221,17 @@ void Emitter::from_row(std::uint32_t row, bool is_named) {
   site.row = row;
 }
 
+void Emitter::surround(Surroundings said) {
+  Fingerprint hash;
+  said.hash = 0;
+  const Prototype& prototype = context_->prototype;
+  if (const std::optional<std::uint64_t> site = hash_of(site_); site && prototype.fingerprint) {
+    hash.add(*prototype.fingerprint).add(*site).add(prototype.depends_on_time ? time() : 0);
+    said.hash = std::max<std::uint64_t>(1, hash.hash());
+  }
+  site_.surroundings = std::make_shared<const Surroundings>(std::move(said));
+}
+
 void Emitter::section(const Frame& local, std::uint64_t key, bool is_capped, FunctionRef<LoftSection()> make) {
   if (!visible_) return;
   std::shared_ptr<const SectionOutline>& outline = outline_by_key_[key];
@@ -212,7 +251,8 @@ void Emitter::section(const Frame& local, std::uint64_t key, bool is_capped, Fun
                       .parent = parent_section_,
                       .tint = is_first ? tint_ : context_->tinting.tint(*base_, site_.surface.child("colour")),
                       .birth = site_.birth,
-                      .individual = site_.individual});
+                      .individual = site_.individual,
+                      .deformation = deformation_at(site_)});
 }
 
 std::shared_ptr<const Mesh> Emitter::shared_mesh(std::uint64_t key, FunctionRef<Mesh()> make) {
@@ -228,8 +268,18 @@ std::shared_ptr<const Mesh> Emitter::shared_mesh(std::uint64_t key, FunctionRef<
              "components." + component());
 }
 
-void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* branching) {
+void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* branching, TrimMode trim) {
   count_nodes(skeleton.node_count());
+  std::shared_ptr<const TrimmedStem> trimmed;
+  const Crown* const body = surroundings().trim.get();
+  if (body != nullptr && trim != TrimMode::none) {
+    TrimmedSkeleton left = trim_skeleton(
+        skeleton, [&](Vec3 from, Vec3 to) { return body->reach(from, to); }, trim);
+    if (!left.is_whole) {
+      trimmed = std::make_shared<const TrimmedStem>(std::move(skeleton), std::move(left), trim);
+      skeleton = trimmed->left();
+    }
+  }
   if (branching == nullptr) {
     branching_ = nullptr;
   } else if (branching_ == nullptr || !(*branching_ == *branching)) {
@@ -237,6 +287,7 @@ void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* b
   }
   EmittedStem& stem =
       stems.emplace_back(EmittedStem{std::move(skeleton), surface, branching_, site_, visible_, tint_, {}});
+  stem.trimmed = std::move(trimmed);
   if (stem.surface.crown) stem.surface.crown->scale(glm::length(site_.frame.heading()));
   stem.site.key = site_.key.child("stem").child(stems_of_instance_++);
   if (is_individual()) tell_roots_apart(stem);
@@ -261,24 +312,52 @@ void Emitter::tell_roots_apart(EmittedStem& stem) {
     if (roots == 0) {
       founded.back().foot = foot;
     } else {
-      founded.push_back({stem.individual_of_root(roots), foot, site_.row});
+      founded.push_back({stem.individual_of_root(roots), foot, stem.deformation(), site_.row});
     }
     stem.root_of_node[node] = roots++;
   }
 }
 
-void Emitter::unseen_stem(Skeleton skeleton) {
+void Emitter::unseen_stem(Skeleton skeleton, TrimMode trim) {
   const bool was_visible = std::exchange(visible_, false);
-  stem(std::move(skeleton), {});
+  stem(std::move(skeleton), {}, nullptr, trim);
   visible_ = was_visible;
+}
+
+/// Where a position of the whole stem emitted last stands on what is left of it.
+std::optional<StemPosition> Emitter::left_of(StemPosition whole) const {
+  const auto& trimmed = stems.back().trimmed;
+  return trimmed == nullptr ? std::optional(whole) : trimmed->left_of(whole);
+}
+
+std::optional<Frame> Emitter::on_stem_left(NodeIndex node, const Frame& frame) const {
+  if (node == kNoNode || stems.back().trimmed == nullptr) return frame;
+  const std::optional<StemPosition> left = left_of({node, 1});
+  if (!left) return std::nullopt;
+  return stems.back().trimmed->moved(frame, {node, 1}, *left);
+}
+
+float Emitter::length_left() const {
+  const auto& trimmed = stems.back().trimmed;
+  if (trimmed == nullptr) return 1;
+  if (trimmed->left().node_count() == 0) return 0;
+  return arcs_along_axes(trimmed->left()).back() / arcs_along_axes(trimmed->whole()).back();
 }
 
 void Emitter::child_site(const Frame& local, float length, float radius) {
   const float scale = glm::length(site_.frame.heading());
-  child_site_in_world(site_.frame * local, scale * length, scale * radius);
+  offer_child(site_.frame * local, scale * length, scale * radius);
 }
 
-void Emitter::child_site_in_world(const Frame& frame, float length, float radius) {
+void Emitter::tip_site(const Frame& frame, float length, float radius) {
+  const auto& trimmed = stems.back().trimmed;
+  const std::size_t before = child_sites.size();
+  offer_child(frame, length_left() * length, radius);
+  if (trimmed == nullptr || child_sites.size() == before) return;
+  put_on_stem({static_cast<NodeIndex>(trimmed->whole().node_count() - 1), 1}, child_sites.back());
+}
+
+void Emitter::offer_child(const Frame& frame, float length, float radius) {
   has_child_sites_ = true;
   const bool for_branches = context_->wants_branch_sites && !context_->prototype.type->makes_stems;
   if (context_->wants_child_sites || for_branches) add_site(child_sites, frame, 1, length, radius);
@@ -293,9 +372,7 @@ void Emitter::branch_site_on_stem(const Frame& frame, float u, float length, flo
                                   float along) {
   if (!context_->wants_branch_sites) return;
   add_site(branch_sites, frame, u, length, radius);
-  branch_sites.back().node = node;
-  branch_sites.back().along = along;
-  branch_sites.back().individual = stems.back().individual_at(node);
+  put_on_stem({node, along}, branch_sites.back());
 }
 
 void Emitter::named_site(std::uint32_t name, const Frame& frame, float length, float radius, NodeIndex node) {
@@ -306,11 +383,23 @@ void Emitter::named_site(std::uint32_t name, const Frame& frame, float length, f
   site.length = length;
   site.radius = radius;
   if (node == kNoNode) return;
-  site.order = stems.back().skeleton.order[node];
-  site.stem = stems.back().id();
-  site.node = node;
-  site.along = 1;
-  site.individual = stems.back().individual_at(node);
+  put_on_stem({node, 1}, site);
+  if (site.n != kCutOff) site.order = stems.back().skeleton.order[site.node];
+}
+
+/// Sets what a site that stands at a position of the whole stem emitted last has of what is left of it.
+void Emitter::put_on_stem(StemPosition whole, Site& site) const {
+  const EmittedStem& stem = stems.back();
+  const std::optional<StemPosition> left = left_of(whole);
+  if (!left) {
+    site.n = kCutOff;
+    return;
+  }
+  if (stem.trimmed != nullptr) site.frame = stem.trimmed->moved(site.frame, whole, *left);
+  site.stem = stem.id();
+  site.node = left->node;
+  site.along = left->along;
+  site.individual = stem.individual_at(left->node);
 }
 
 void Emitter::add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius) {

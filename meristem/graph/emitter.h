@@ -19,6 +19,7 @@
 #include "meristem/graph/table/plant_source.h"
 #include "meristem/graph/table/site.h"
 #include "meristem/graph/table/varying.h"
+#include "meristem/graph/trimmed_stem.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
 #include "meristem/shape/tube/loft.h"
@@ -43,8 +44,10 @@ struct EmittedStem {
   float moved_scale = 1;          ///< how many times larger it is there
   /// Number of the root that each node stands on, where each root is a plant of its own; else empty.
   std::vector<std::uint32_t> root_of_node{};
+  std::shared_ptr<const TrimmedStem> trimmed{};  ///< of which `skeleton` is what is left; null: it is whole
 
   std::uint64_t id() const { return site.key.bits(); }  ///< what Site::stem says of sites on it
+  const std::shared_ptr<const Deformation>& deformation() const { return deformation_at(site); }
   /// What Site::individual says of sites on the root of this number, and on this node.
   std::uint64_t individual_of_root(std::uint32_t root) const {
     return root == 0 ? site.individual : site.key.child("root").child(root).bits();
@@ -71,6 +74,7 @@ struct EmittedSection {
   Vec3 tint{1};
   float birth = 0;
   std::uint64_t individual = 0;  ///< as in Site
+  std::shared_ptr<const Deformation> deformation{};
 };
 
 /// What the instances of one block have emitted. It depends on the component, its instances and the scene alone, and
@@ -85,10 +89,17 @@ struct Emitted {
   struct Founded {
     std::uint64_t id = 0;
     Vec3 foot{0};
+    std::shared_ptr<const Deformation> deformation{};
     std::uint32_t row = kNoRow;
+  };
+  /// From that organ of the block on, up to the next of these.
+  struct DeformedFrom {
+    std::size_t organ = 0;
+    std::shared_ptr<const Deformation> deformation;  ///< null: none
   };
   std::vector<EmittedPrototype> prototypes;
   std::vector<Organ> organs;  ///< the prototypes and individuals that organs name are numbered within this block
+  std::vector<DeformedFrom> deformed;  ///< empty where no organ is
   std::vector<Founded> founded;
   std::vector<std::uint64_t> individuals;  ///< ids of those that the organs belong to
   std::vector<EmittedSection> sections;
@@ -103,6 +114,7 @@ struct Emitted {
     PlantRequest request;
     float birth = 0;
     bool is_visible = true;
+    std::shared_ptr<const Deformation> deformation{};
     std::uint32_t row = kNoRow;
   };
   std::vector<PlacedPlant> plants;
@@ -137,15 +149,23 @@ class Emitter : private Emitted {
   /// equal `key` share what one of them makes.
   void section(const Frame& local, std::uint64_t key, bool is_capped, FunctionRef<LoftSection()> make);
   /// A skeleton in world space. The instance's `place` moves it, but not its children.
-  /// `branching`, if given, says where the children of branch links stand, as far as the links do not.
-  void stem(Skeleton skeleton, const Surface& surface, const Placement* branching = nullptr);
+  /// `branching`, if given, says where the children of branch links stand, as far as the links do not. A body that the
+  /// surroundings give trims it as `trim` says; the nodes that the calls below name are those of the whole skeleton.
+  void stem(Skeleton skeleton, const Surface& surface, const Placement* branching = nullptr,
+            TrimMode trim = TrimMode::cut);
   /// An invisible skeleton, for the children of branch links.
-  void unseen_stem(Skeleton skeleton);
+  void unseen_stem(Skeleton skeleton, TrimMode trim = TrimMode::cut);
+  /// Where a frame in world space that stands on `node` of the stem emitted last stands on what is left of it, or
+  /// nothing where it is gone; as it is for kNoNode.
+  std::optional<Frame> on_stem_left(NodeIndex node, const Frame& frame) const;
+  /// Share of the length that is left of the stem emitted last, which is a single axis; 1 where it is whole.
+  float length_left() const;
   /// A site for children, relative to the instance's frame, as are the length and radius that they see; called n times
   /// it multiplies them. Without a call, children stand in the instance's frame, unless `no_children` was called.
   void child_site(const Frame& local, float length = 0, float radius = 0);
-  /// A site for children as `child_site` offers it, with its frame in world space.
-  void child_site_in_world(const Frame& frame, float length, float radius);
+  /// A site for children at the tip of the stem emitted last, which is a single axis: its frame, the stem's length and
+  /// the radius there, all in world space and of the whole stem.
+  void tip_site(const Frame& frame, float length, float radius);
   /// Children stand only where `child_site` says: for components whose number of children may be 0.
   void no_children() { has_child_sites_ = true; }
   /// The values of a number for each of `count` children of the instance, in the struct's unit. Expressions see the
@@ -174,8 +194,16 @@ class Emitter : private Emitted {
   /// The key for the positions of children on the stem that is emitted next, if it brings its branching.
   RandomKey places_on_next_stem() const { return key_of_places(site_.key.child("stem").child(stems_of_instance_)); }
 
+  /// Changes what all that hangs on the instance is told of the space around it: `said` is what its surroundings
+  /// say, with the changes. It holds for the sites and stems that the instance emits from then on. What it is made of
+  /// are the instance's parameters and site and nothing else.
+  void surround(Surroundings said);
+
   const Scene& scene() const;
-  /// The directions toward the light and down, at any position; components ask them where they bend.
+  /// What the components above say of the space that the instance stands in.
+  const Surroundings& surroundings() const;
+  /// The directions toward the light and down, at any position of the instance's surroundings; components ask them
+  /// where they bend.
   const Directions& directions() const;
   const Limits& limits() const;
   const std::string& component() const;  ///< id, for errors
@@ -202,9 +230,13 @@ class Emitter : private Emitted {
   void begin_instance(const ComponentBase& base, const Site& site);
   void end_instance();
   void add_organ(const Frame& local, std::uint64_t key, bool is_blade, FunctionRef<Mesh()> make, Vec3 tint);
+  void note_deformation();
   void number_named_sites();
   bool is_individual() const { return site_.individual == site_.key.bits(); }
   void tell_roots_apart(EmittedStem& stem);
+  void offer_child(const Frame& frame, float length, float radius);
+  std::optional<StemPosition> left_of(StemPosition whole) const;
+  void put_on_stem(StemPosition whole, Site& site) const;
   std::uint32_t number_of_individual();
   void add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius);
   void count_sites();
@@ -217,9 +249,10 @@ class Emitter : private Emitted {
   Site site_;             // site of the present instance, with the instance's own frame
   Frame geometry_frame_;  // that frame moved by `place`
   Vec3 tint_{1};
-  const ComponentBase* base_ = nullptr;  // parameters of the present instance
-  std::uint64_t parent_section_ = 0;     // section that the instance stands on
-  std::uint64_t section_ = 0;            // section that the instance has given
+  std::shared_ptr<const Surroundings> surroundings_;  // of the present instance; null: nothing is said
+  const ComponentBase* base_ = nullptr;               // parameters of the present instance
+  std::uint64_t parent_section_ = 0;                  // section that the instance stands on
+  std::uint64_t section_ = 0;                         // section that the instance has given
   bool is_placed_ = false;
   bool visible_ = true;
   bool has_child_sites_ = false;

@@ -168,7 +168,8 @@ class Expansion {
 
   CacheKey fingerprint_of_growth(const Batch& batch) const {
     const CacheKey own = fingerprint_of(batch.component, graph_.components[batch.component].growth_fingerprint);
-    return own ? CacheKey(Fingerprint().add(*own).add(batch.places->hash).hash()) : std::nullopt;
+    if (!own || !batch.places->hash) return std::nullopt;
+    return Fingerprint().add(*own).add(*batch.places->hash).hash();
   }
 
   /// What each batch of a stand has grown. Where a plant changes, all that compete with it grow anew.
@@ -225,7 +226,7 @@ class Expansion {
 
   void plant(ComponentIndex component, const Site& site, Stand& stand) {
     const Prototype& prototype = graph_.components[component];
-    const GrowContext context{scene_, directions_, graph_.limits, prototype.id, stand, progress_};
+    const GrowContext context{scene_, directions_at(site, directions_), graph_.limits, prototype.id, stand, progress_};
     stand.add(prototype.type->grow(prototype, site, time_, context));
   }
 
@@ -258,9 +259,9 @@ class Expansion {
 
   CacheKey key_of(const Batch& batch, const std::vector<LinkIndex>& links, const Grown& grown) const {
     const CacheKey own = fingerprint_of(batch.component, graph_.components[batch.component].fingerprint);
-    if (!own || (grown.batch != nullptr && !grown.key)) return std::nullopt;
+    if (!own || !batch.places->hash || (grown.batch != nullptr && !grown.key)) return std::nullopt;
     Fingerprint key;
-    key.add(*own).add(batch.places->hash).add(wants(links, false)).add(wants(links, true));
+    key.add(*own).add(*batch.places->hash).add(wants(links, false)).add(wants(links, true));
     return key.add(grown.key.value_or(0)).hash();
   }
 

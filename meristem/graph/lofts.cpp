@@ -288,8 +288,9 @@ class SectionJoiner {
     for (std::size_t k = 0; k < chain.sections.size(); ++k) {
       if (!begins_piece(chain, k)) continue;
       const SurfaceSection& section = sections_[chain.sections[k]];
-      pieces[piece++].organs.push_back(
+      pieces[piece].organs.push_back(
           {.frame = frame, .tint = section.tint, .birth = section.birth, .individual = section.individual});
+      pieces[piece++].deformations.push_back(section.deformation);
     }
   }
 

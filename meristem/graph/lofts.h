@@ -26,6 +26,7 @@ struct SurfacePiece {
   std::shared_ptr<const Mesh> mesh;
   bool is_open = false;       ///< of a surface that encloses nothing: it is seen from both sides
   std::vector<Organ> organs;  ///< without prototypes
+  std::vector<std::shared_ptr<const Deformation>> deformations;  ///< one per organ: that of the section it begins with
 };
 
 /// Joins the sections of children to those of their parents.

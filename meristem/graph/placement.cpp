@@ -261,7 +261,7 @@ class AxisWriter {
     site.stem = context_.stem;
     site.node = piece.to;
     site.along = along;
-    site.frame.axes = drooped(site.frame.axes, placement_.droop, context_.directions.down(site.frame.origin));
+    site.frame.axes = drooped(site.frame.axes, placement_.droop, context_.directions.gravity(site.frame.origin));
     Mat3& axes = site.frame.axes;
     if (placement_.face) {
       if (const auto way = faced(site.frame.origin)) {
@@ -269,8 +269,9 @@ class AxisWriter {
       }
     }
     if (placement_.face_light > 0) {
-      const Vec3 light = context_.directions.toward_light(site.frame.origin);
-      axes = rotation_toward(axes[2], light, placement_.face_light, axes[1]) * axes;
+      const Pulling light = context_.directions.light(site.frame.origin);
+      const double share = share_pulled(placement_.face_light, light.strength);
+      axes = rotation_toward(axes[2], light.toward, share, axes[1]) * axes;
     }
     site.frame.axes *= static_cast<float>(std::max(0.0, placement_.size(site.u)));
   }
@@ -297,8 +298,9 @@ class AxisWriter {
 
 }  // namespace
 
-Mat3 drooped(const Mat3& axes, double droop, Vec3 down) {
-  return droop == 0 ? axes : rotation_toward(axes[1], down, droop, axes[0]) * axes;
+Mat3 drooped(const Mat3& axes, double droop, const Pulling& gravity) {
+  if (droop == 0) return axes;
+  return rotation_toward(axes[1], gravity.toward, share_pulled(droop, gravity.strength), axes[0]) * axes;
 }
 
 std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context) {

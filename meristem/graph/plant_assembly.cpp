@@ -2,7 +2,9 @@
 #include "meristem/graph/plant_assembly.h"
 
 #include <algorithm>
+#include <span>
 #include <unordered_map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -83,21 +85,44 @@ void PlantAssembly::add(ComponentIndex component, std::shared_ptr<const BatchRes
 }
 
 Plant PlantAssembly::run(std::uint64_t mesh_bytes, Progress& progress) const {
+  require_stems_left();
   const Individuals individuals = find_individuals();
   const std::vector<Surfaces> surfaces = join_surfaces(individuals, mesh_bytes, progress);
   Plant plant;
   plant.individuals = individuals.list;
   std::vector<std::uint32_t> material_of_component(batches_of_.size(), 0);
   SharedTextures textures;
+  Rows deformed;
   for (ComponentIndex c = 0; c < batches_of_.size(); ++c) {
     progress.check();
     const std::uint32_t material = material_of_component[c] = add_materials(c, surfaces[c], plant);
     for (std::size_t k = material; k < plant.materials.size(); ++k) textures.share(plant.materials[k], graph_.limits);
-    add_organs(c, material, individuals, plant);
-    add_surfaces(c, material, surfaces[c], plant);
+    add_organs(c, material, individuals, plant, deformed);
+    add_surfaces(c, material, surfaces[c], plant, deformed);
   }
   plant.stems = joined_stems(material_of_component, individuals);
+  deform(plant, deformed, mesh_bytes, graph_.limits, progress);
   return plant;
+}
+
+/// Where bodies have trimmed all stems of the plant to nothing, they stand in the wrong place.
+void PlantAssembly::require_stems_left() const {
+  const Made* trimmed = nullptr;
+  for (const Made& made : batches_) {
+    for (const Emitted& block : made.result->blocks) {
+      for (const EmittedStem& stem : block.stems) {
+        if (stem.skeleton.node_count() > 0) return;
+        if (stem.trimmed != nullptr && trimmed == nullptr) trimmed = &made;
+      }
+    }
+  }
+  if (trimmed == nullptr) return;
+  const std::string& id = graph_.components[trimmed->component].id;
+  throw InputError(Diagnostic{.message = fmt::format("trimming leaves nothing: all stems of '{}' begin outside the "
+                                                     "body that is given above it",
+                                                     id),
+                              .expected = "a body around the base of the stems, or \"trim\": \"none\"",
+                              .path = "components." + id});
 }
 
 std::uint32_t PlantAssembly::Individuals::number(std::uint64_t id) const {
@@ -113,10 +138,10 @@ PlantAssembly::Individuals PlantAssembly::find_individuals() const {
       for (const Emitted::Founded& founded : block.founded) {
         const auto next = static_cast<std::uint32_t>(individuals.list.size());
         if (!individuals.number_by_id.try_emplace(founded.id, next).second) continue;
-        individuals.list.push_back({.component = graph_.components[made.component].id,
-                                    .number = counts[made.component]++,
-                                    .foot = founded.foot,
-                                    .row = founded.row});
+        const std::string& component = graph_.components[made.component].id;
+        individuals.list.push_back({component, counts[made.component]++, founded.foot, founded.row});
+        if (founded.deformation == nullptr) continue;
+        founded.deformation->map(std::span(&individuals.list.back().foot, 1), component);
       }
     }
   }
@@ -134,11 +159,58 @@ std::vector<PlantAssembly::Surfaces> PlantAssembly::join_surfaces(const Individu
       }
     }
   }
+  turn_sections(sections);
   std::vector<Surfaces> surfaces(batches_of_.size());
   for (SurfacePiece& piece : join_sections(sections, graph_, mesh_bytes, progress)) {
     surfaces[piece.component].push_back(std::move(piece));
   }
   return surfaces;
+}
+
+/// Moves sections by what deforms axes; what deforms geometry is left for the surfaces through them.
+void PlantAssembly::turn_sections(std::vector<SurfaceSection>& sections) const {
+  for (std::size_t begin = 0, end = 0; begin < sections.size(); begin = end) {
+    const std::shared_ptr<const Deformation> own = sections[begin].deformation;
+    const ComponentIndex component = sections[begin].component;
+    const auto is_of_run = [&](std::size_t k) {
+      return sections[k].deformation == own && sections[k].component == component;
+    };
+    for (end = begin; end < sections.size() && is_of_run(end); ++end) {
+    }
+    if (own == nullptr) continue;
+    const auto of_axes = own->of_axes();
+    const auto of_surface = own->of_surface();
+    std::vector<Frame> frames;
+    for (std::size_t k = begin; k < end; ++k) frames.push_back(sections[k].frame);
+    if (of_axes != nullptr) meristem::deform(frames, *of_axes, graph_.components[component].id);
+    for (std::size_t k = begin; k < end; ++k) {
+      sections[k].frame = frames[k - begin];
+      sections[k].deformation = of_surface;
+    }
+  }
+}
+
+/// Deforms those organs, and stems by what their parts say.
+void PlantAssembly::deform(Plant& plant, const Rows& organs, std::uint64_t mesh_bytes, const Limits& limits,
+                           Progress& progress) {
+  const auto is_deformed = [](const Stem& stem) {
+    return std::ranges::any_of(stem.parts, [](const StemPart& part) { return part.deformation != nullptr; });
+  };
+  const auto stems = static_cast<std::uint64_t>(std::ranges::count_if(plant.stems, is_deformed));
+  if (organs.empty() && stems == 0) return;
+  progress.begin("deforming", stems + 1);
+  parallel_for(plant.stems.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      Stem& stem = plant.stems[k];
+      if (!is_deformed(stem)) continue;
+      std::vector<std::shared_ptr<const Deformation>> of_part;
+      for (StemPart& part : stem.parts) of_part.push_back(std::exchange(part.deformation, nullptr));
+      meristem::deform(stem, of_part);
+      progress.advance();
+    }
+  });
+  deform_organs(plant, organs, mesh_bytes, limits, progress);
+  progress.advance();
 }
 
 /// Returns the number of the component's own material, or of the one that its own would be.
@@ -155,7 +227,7 @@ std::uint32_t PlantAssembly::add_materials(ComponentIndex component, const Surfa
 
 /// Blocks keep their order; what has one key is one prototype.
 void PlantAssembly::add_organs(ComponentIndex component, std::uint32_t material, const Individuals& individuals,
-                               Plant& plant) const {
+                               Plant& plant, Rows& deformed) const {
   const auto blades = static_cast<std::uint32_t>(plant.materials.size() - 1);  // the last, where there are any
   std::unordered_map<std::uint64_t, std::uint32_t> prototype_by_key;
   std::vector<OrgansOfBlock> blocks;
@@ -163,6 +235,11 @@ void PlantAssembly::add_organs(ComponentIndex component, std::uint32_t material,
   for (const BatchResult* batch : batches_of_[component]) {
     for (const Emitted& block : batch->blocks) {
       OrgansOfBlock& organs = blocks.emplace_back(OrgansOfBlock{&block, {}, {}, count});
+      for (std::size_t k = 0; k < block.deformed.size(); ++k) {
+        const auto& [first, deformation] = block.deformed[k];
+        const std::size_t end = k + 1 < block.deformed.size() ? block.deformed[k + 1].organ : block.organs.size();
+        if (deformation != nullptr) deformed.push_back({count + first, end - first, deformation});
+      }
       count += block.organs.size();
       for (const std::uint64_t id : block.individuals) organs.individual.push_back(individuals.number(id));
       for (const Emitted::EmittedPrototype& made : block.prototypes) {
@@ -188,9 +265,11 @@ void PlantAssembly::add_organs(ComponentIndex component, std::uint32_t material,
 }
 
 void PlantAssembly::add_surfaces(ComponentIndex component, std::uint32_t material, const Surfaces& surfaces,
-                                 Plant& plant) const {
+                                 Plant& plant, Rows& deformed) const {
   for (const SurfacePiece& piece : surfaces) {
-    for (Organ organ : piece.organs) {
+    for (std::size_t k = 0; k < piece.organs.size(); ++k) {
+      Organ organ = piece.organs[k];
+      if (piece.deformations[k] != nullptr) deformed.push_back({plant.organs.size(), 1, piece.deformations[k]});
       organ.prototype = static_cast<std::uint32_t>(plant.prototypes.size());
       plant.organs.push_back(organ);
     }
@@ -226,7 +305,8 @@ std::vector<Stem> PlantAssembly::joined_stems(const std::vector<std::uint32_t>& 
                      .instance = instances[made.component]++,
                      .material = material_of_component[made.component],
                      .surface = emitted.surface,
-                     .tint = emitted.tint};
+                     .tint = emitted.tint,
+                     .deformation = emitted.deformation()};
         if (is_moved && stem.part.surface.crown) stem.part.surface.crown->scale(emitted.moved_scale);
         stem.node = emitted.site.node;
         stem.along = emitted.site.along;

@@ -10,11 +10,13 @@
 #include "meristem/graph/batch.h"
 #include "meristem/graph/graph.h"
 #include "meristem/graph/lofts.h"
+#include "meristem/plant/deform_plant.h"
 #include "meristem/plant/plant.h"
 
 namespace meristem {
 
-/// Puts a plant together from what its batches have made.
+/// Puts a plant together from what its batches have made, and deforms it: batches know nothing of deformations, so all
+/// grows and is placed in undeformed space.
 class PlantAssembly {
  public:
   /// `graph` outlives it.
@@ -26,7 +28,8 @@ class PlantAssembly {
   /// The plant: materials with sketches of their textures (equal ones share it), prototypes and organs in the order of
   /// the components, those of one component in the order of its batches, then surfaces; stems in the order of the
   /// batches, joined; individuals in the order in which batches found them. The batches' meshes take `mesh_bytes`.
-  /// Throws InputError where textures have too many pixels or surfaces too many bytes, Cancelled.
+  /// Throws InputError where textures have too many pixels, surfaces or deformed shapes too many bytes, trimming has
+  /// left no stem, and as Deformation::map does; Cancelled.
   Plant run(std::uint64_t mesh_bytes, Progress& progress) const;
 
  private:
@@ -36,6 +39,7 @@ class PlantAssembly {
   };
 
   using Surfaces = std::vector<SurfacePiece>;
+  using Rows = std::vector<DeformedOrgans>;
 
   /// The plants of the document, with their numbers by the ids that sites have.
   struct Individuals {
@@ -45,12 +49,18 @@ class PlantAssembly {
     std::uint32_t number(std::uint64_t id) const;
   };
 
+  void require_stems_left() const;
   Individuals find_individuals() const;
   std::vector<Surfaces> join_surfaces(const Individuals& individuals, std::uint64_t mesh_bytes,
                                       Progress& progress) const;
   std::uint32_t add_materials(ComponentIndex component, const Surfaces& surfaces, Plant& plant) const;
-  void add_organs(ComponentIndex component, std::uint32_t material, const Individuals& individuals, Plant& plant) const;
-  void add_surfaces(ComponentIndex component, std::uint32_t material, const Surfaces& surfaces, Plant& plant) const;
+  void add_organs(ComponentIndex component, std::uint32_t material, const Individuals& individuals, Plant& plant,
+                  Rows& deformed) const;
+  void add_surfaces(ComponentIndex component, std::uint32_t material, const Surfaces& surfaces, Plant& plant,
+                    Rows& deformed) const;
+  void turn_sections(std::vector<SurfaceSection>& sections) const;
+  static void deform(Plant& plant, const Rows& organs, std::uint64_t mesh_bytes, const Limits& limits,
+                     Progress& progress);
   std::vector<Stem> joined_stems(const std::vector<std::uint32_t>& material_of_component,
                                  const Individuals& individuals) const;
 

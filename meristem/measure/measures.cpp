@@ -11,6 +11,7 @@
 #include "meristem/measure/strahler.h"
 #include "meristem/measure/tree_form.h"
 #include "meristem/plant/plant_variant.h"
+#include "meristem/plant/split_trees.h"
 #include "meristem/shape/body_meshes.h"
 
 namespace meristem {

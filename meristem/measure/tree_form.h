@@ -11,10 +11,6 @@
 
 namespace meristem {
 
-/// One skeleton for each root, in the order of the roots; axes are numbered anew from 0, all else stays. A skeleton
-/// with one root comes back as a copy.
-std::vector<Skeleton> split_trees(const Skeleton& skeleton);
-
 /// Size, shape and order of one tree. Lengths in metres.
 struct TreeForm {
   std::uint64_t nodes = 0;

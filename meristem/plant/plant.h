@@ -17,6 +17,8 @@
 
 namespace meristem {
 
+class Deformation;
+
 /// How bodies grow together where they meet.
 enum class BlendKind {
   poly,   ///< a fillet of bounded reach
@@ -94,7 +96,8 @@ struct StemPart {
   std::uint32_t instance = 0;  ///< which instance of that component
   std::uint32_t material = 0;  ///< index into Plant::materials
   Surface surface;
-  Vec3 tint{1};  ///< linear factors on the material's colour
+  Vec3 tint{1};                                      ///< linear factors on the material's colour
+  std::shared_ptr<const Deformation> deformation{};  ///< of its surface, once that is made; null: none
 };
 
 /// One grown skeleton with its looks. Where stems grow on stems, whatever made them, they are one skeleton.
@@ -102,11 +105,15 @@ struct Stem {
   std::vector<StemPart> parts{1};           ///< the first is the root's
   std::vector<std::uint32_t> part_of_axis;  ///< index into parts, one per axis; empty where there is one part
   Skeleton skeleton;                        ///< in world space
+  /// What its surface is made of where parts have a deformation, which then takes that to where `skeleton` lies; null:
+  /// `skeleton` itself. It differs from that in positions and radii only.
+  std::shared_ptr<const Skeleton> undeformed{};
   /// Index into Plant::individuals for each root of the skeleton, in the order of nodes; empty: all stand on the first.
   std::vector<std::uint32_t> individual_of_root{};
 
   std::size_t part_index(AxisIndex axis) const { return part_of_axis.empty() ? 0 : part_of_axis[axis]; }
   const StemPart& part(AxisIndex axis) const { return parts[part_index(axis)]; }
+  const Skeleton& skeleton_of_surface() const { return undeformed != nullptr ? *undeformed : skeleton; }
   /// The individual of all roots, or kNoIndividual where they differ.
   std::uint32_t individual() const;
   /// The individual of each axis.

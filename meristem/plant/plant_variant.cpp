@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <span>
 
 #include <glm/matrix.hpp>
 
 #include "meristem/base/math.h"
+#include "meristem/plant/deform_plant.h"
 #include "meristem/plant/plant.h"
 
 namespace meristem {
@@ -58,9 +61,20 @@ void move(Skeleton& skeleton, const Frame& frame) {
   for (float& radius : skeleton.radius) radius *= scale;
 }
 
+void move(Stem& stem, const Frame& frame) {
+  move(stem.skeleton, frame);
+  if (stem.undeformed == nullptr) return;
+  Skeleton undeformed = *stem.undeformed;
+  move(undeformed, frame);
+  stem.undeformed = std::make_shared<const Skeleton>(std::move(undeformed));
+  for (StemPart& part : stem.parts) {
+    if (part.deformation != nullptr) part.deformation = part.deformation->moved_to(frame);
+  }
+}
+
 class Expander {
  public:
-  Expander(Plant& to, const Progress& progress) : to_(to), progress_(progress) {
+  Expander(Plant& to, const Limits& limits, const Progress& progress) : to_(to), limits_(limits), progress_(progress) {
     for (const Stem& stem : to.stems) {
       for (const StemPart& part : stem.parts) count(part.component, part.instance);
     }
@@ -77,12 +91,16 @@ class Expander {
                      std::uint32_t row = kNoRow) {
     for (const Planting& planting : plantings) {
       const std::string own = prefix + planting.component;
+      const auto deformation = planting.deformation != nullptr ? planting.deformation->moved_to(frame) : nullptr;
       for (const Planting::Place& place : planting.places) {
         progress_.check();
-        const Frame there = frame * place.frame;
+        const std::size_t stems = to_.stems.size(), organs = to_.organs.size();
         const std::uint32_t from = row == kNoRow ? place.row : row;
-        individual_ = individual_at(own, place.instance, there.origin, from);
-        add(*planting.variant, there, own + ".", place.birth, from);
+        Vec3 foot = (frame * place.frame).origin;
+        if (deformation != nullptr) deformation->map(std::span(&foot, 1), own);
+        individual_ = individual_at(own, place.instance, foot, from);
+        add(*planting.variant, frame * place.frame, own + ".", place.birth, from);
+        if (deformation != nullptr) deform_from(stems, organs, deformation);
       }
     }
   }
@@ -101,7 +119,7 @@ class Expander {
     std::map<std::string, std::uint32_t> next;  // instances of this site begin here
     for (const Stem& stem : plant.stems) {
       Stem& copy = to_.stems.emplace_back(stem);
-      move(copy.skeleton, frame);
+      move(copy, frame);
       const auto roots = std::ranges::count(copy.skeleton.parent, kNoNode);
       copy.individual_of_root.assign(static_cast<std::size_t>(roots), individual);
       for (float& own : copy.skeleton.birth) own += birth;
@@ -122,6 +140,17 @@ class Expander {
       to_.organs.push_back(organ);
     }
     add_plantings(plant.plantings, frame, prefix, row);
+  }
+
+  /// Deforms what has been added since there were that many stems and organs.
+  void deform_from(std::size_t stems, std::size_t organs, const std::shared_ptr<const Deformation>& deformation) {
+    for (std::size_t k = stems; k < to_.stems.size(); ++k) {
+      deform(to_.stems[k], std::vector(to_.stems[k].parts.size(), deformation));
+    }
+    const DeformedOrgans row{organs, to_.organs.size() - organs, deformation};
+    const std::size_t prototypes = to_.prototypes.size();
+    deform_organs(to_, std::span(&row, 1), mesh_bytes_, limits_, progress_);
+    for (std::size_t k = prototypes; k < to_.prototypes.size(); ++k) mesh_bytes_ += to_.prototypes[k].mesh->bytes();
   }
 
   /// A variant that the same way of components leads to has its materials and prototypes once.
@@ -157,7 +186,9 @@ class Expander {
   }
 
   Plant& to_;
+  const Limits& limits_;
   const Progress& progress_;
+  std::uint64_t mesh_bytes_ = 0;  // of what has been deformed
   std::map<std::pair<const PlantVariant*, std::string>, Numbers> numbers_;
   std::map<std::string, std::uint32_t> instances_;                              // the next number of each component
   std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> individuals_;  // by component and number
@@ -186,8 +217,25 @@ Plant expanded(const Plant& plant, const Limits& limits, const Progress& progres
   const PlantTotals totals = totals_of(plant);
   all.stems.reserve(totals.stems);
   all.organs.reserve(totals.organs);
-  Expander(all, progress).add_plantings(plant.plantings, Frame{}, "");
+  Expander(all, limits, progress).add_plantings(plant.plantings, Frame{}, "");
   return all;
+}
+
+namespace {
+
+bool is_deformed(const Planting& planting) { return planting.deformation != nullptr; }
+
+}  // namespace
+
+bool has_deformed_plantings(const Plant& plant) { return std::ranges::any_of(plant.plantings, is_deformed); }
+
+Plant with_deformed_copies(const Plant& plant, const Limits& limits, const Progress& progress) {
+  Plant deformed = plant;
+  std::erase_if(deformed.plantings, [](const Planting& planting) { return !is_deformed(planting); });
+  deformed = expanded(deformed, limits, progress);
+  std::ranges::copy_if(plant.plantings, std::back_inserter(deformed.plantings),
+                       [](const Planting& planting) { return !is_deformed(planting); });
+  return deformed;
 }
 
 PlantTotals totals_of(const Plant& plant) {

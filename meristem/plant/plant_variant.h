@@ -45,6 +45,11 @@ bool has_plantings(const Plant& plant);
 /// made, and Cancelled.
 Plant expanded(const Plant& plant, const Limits& limits, const Progress& progress);
 
+/// Whether a plant has plantings that are deformed, each place in its own way.
+bool has_deformed_plantings(const Plant& plant);
+/// The plant with copies at the sites of those plantings alone; the others stay plantings.
+Plant with_deformed_copies(const Plant& plant, const Limits& limits, const Progress& progress);
+
 /// The plant itself, or its expansion where it has plantings.
 class ExpandedPlant {
  public:

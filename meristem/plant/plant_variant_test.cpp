@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/plant/deform_plant.h"
 #include "meristem/plant/plant.h"
+#include "tests/support/space_maps.h"
 
 namespace meristem {
 namespace {
@@ -98,6 +100,49 @@ TEST(Planting, ExpansionStopsAtTheLimitsBeforeItCopies) {
   }
   limits.nodes = 2000;
   EXPECT_EQ(expanded(plant, limits, Progress()).stems.size(), 1000U);
+}
+
+/// Half as much to the side as a point is high.
+std::shared_ptr<const Deformation> lean(DeformedPart part) {
+  auto map = std::make_shared<const FunctionMap>(functions("x + y/2", "", ""));
+  return std::make_shared<const Deformation>(
+      std::vector<Deformation::Level>{{std::move(map), {}, part, "components.wind"}});
+}
+
+TEST(Planting, DeformedOnesAreCopiedOutAndDeformedAtEachPlace) {
+  Plant plant;
+  plant.plantings.push_back(
+      {"oak", twig(), {{at({2, 0, 0}), 0, 5}, {at({0, 2, 4}, 2), 1, 0}}, lean(DeformedPart::geometry)});
+  plant.plantings.push_back({"elm", twig(), {{at({0, 0, 9}), 0, 0}}});
+  EXPECT_TRUE(has_deformed_plantings(plant));
+  const Plant part = with_deformed_copies(plant, {}, Progress());
+  ASSERT_EQ(part.plantings.size(), 1U);
+  EXPECT_EQ(part.plantings[0].component, "elm");
+  const Plant all = expanded(plant, {}, Progress());
+  EXPECT_EQ(all.stems.size(), 3U);
+  for (const Plant* found : {&part, &all}) {
+    ASSERT_GE(found->stems.size(), 2U);
+    EXPECT_EQ(found->stems[0].skeleton.position[1], Vec3(2.5F, 1, 0));
+    EXPECT_EQ(found->stems[1].skeleton.position[0], Vec3(1, 2, 4));
+    EXPECT_EQ(found->stems[1].skeleton.position[1], Vec3(2, 4, 4));
+    EXPECT_EQ(found->organs[0].frame.origin, Vec3(2.5F, 1, 0));
+    ASSERT_NE(found->stems[1].undeformed, nullptr);
+    EXPECT_EQ(found->stems[1].undeformed->position[1], Vec3(0, 4, 4));
+    EXPECT_EQ(found->individuals.at(1).foot, Vec3(1, 2, 4));
+  }
+}
+
+TEST(Planting, WhatIsDeformedWithinAPlacedPlantIsDeformedInItsWorld) {
+  auto inner = std::make_shared<Plant>();
+  inner->plantings.push_back({"twig", twig(), {{at({0, 0, 0}), 0, 0}}, lean(DeformedPart::axes)});
+  auto variant = std::make_shared<PlantVariant>();
+  variant->plant = inner;
+  Plant plant;
+  const Frame turned{rotation(kUp, kPi / 2) * 2.0F, {5, 0, 0}};
+  plant.plantings.push_back({"clump", variant, {{turned, 0, 0}}});
+  const Plant all = expanded(plant, {}, Progress());
+  EXPECT_LT(glm::distance(all.stems.at(0).skeleton.position[1], Vec3(5, 2, -1)), 1e-6F);
+  EXPECT_LT(glm::distance(all.organs.at(0).frame.origin, Vec3(5, 2, -1)), 1e-6F);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 namespace meristem {
 
+class Deformation;
 struct PlantVariant;
 
 inline constexpr std::uint32_t kNoRow = 0xffffffffU;  ///< in place of the number of a table's row
@@ -25,6 +26,8 @@ struct Planting {
   std::string component;  ///< id of the component that places it
   std::shared_ptr<const PlantVariant> variant;
   std::vector<Place> places;
+  /// Deformation of what stands on the places, which then differs from place to place; null: none.
+  std::shared_ptr<const Deformation> deformation{};
 };
 
 }  // namespace meristem

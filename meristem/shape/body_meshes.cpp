@@ -7,11 +7,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
 #include "meristem/base/parallel.h"
 #include "meristem/shape/cached_meshes.h"
+#include "meristem/shape/deformation_hashes.h"
 #include "meristem/shape/implicit/isosurface.h"
 #include "meristem/shape/implicit/plant_body.h"
 #include "meristem/shape/mesh/front_normals.h"
@@ -25,7 +27,8 @@ namespace {
 constexpr std::size_t kToldOneByOne = 8;       // bodies that each tell their stages; more are meshed at once
 constexpr std::size_t kFewestTriangles = 200;  // of a body in any level; with a quarter of that crowns were boulders
 
-/// One body to mesh: of all parts of a stem that one component has made of one material, whatever their tints.
+/// One body to mesh: of all parts of a stem that one component has made of one material and one deformation deforms,
+/// whatever their tints.
 struct BodyTask {
   const Stem* stem = nullptr;
   std::vector<const StemPart*> parts;
@@ -36,6 +39,8 @@ struct BodyTask {
   const Surface& surface() const { return first().surface; }
   /// From where the body's mesh counts: floats are finer near it.
   Vec3 origin() const { return stem->skeleton.position[0]; }
+  /// From where it counts until it is deformed.
+  Vec3 undeformed_origin() const { return stem->skeleton_of_surface().position[0]; }
   std::vector<AxisIndex> axes() const {
     std::vector<AxisIndex> all;
     for (const std::vector<AxisIndex>& axes : axes_of_part) all.insert(all.end(), axes.begin(), axes.end());
@@ -57,11 +62,13 @@ std::vector<BodyTask> groups_of(const Stem& stem) {
   AxisIndex axes = 0;
   for (const AxisIndex axis : stem.skeleton.axis) axes = std::max(axes, axis + 1);
   for (AxisIndex axis = 0; axis < axes; ++axis) axes_of_part[stem.part_index(axis)].push_back(axis);
-  std::map<std::pair<std::string_view, std::uint32_t>, std::size_t> number;
+  std::map<std::tuple<std::string_view, std::uint32_t, std::uint64_t>, std::size_t> number;
   std::vector<BodyTask> groups;
+  DeformationHashes hashes;
   for (std::size_t k = 0; k < stem.parts.size(); ++k) {
     const StemPart& part = stem.parts[k];
-    const auto [known, is_new] = number.try_emplace({part.component, part.material}, groups.size());
+    const auto [known, is_new] =
+        number.try_emplace({part.component, part.material, hashes.of(part.deformation)}, groups.size());
     if (is_new) groups.emplace_back().stem = &stem;
     groups[known->second].parts.push_back(&part);
     groups[known->second].axes_of_part.push_back(std::move(axes_of_part[k]));
@@ -86,18 +93,19 @@ std::vector<BodyTask> tasks_of(const Plant& plant) {
 }
 
 ImplicitBody body_of(const BodyTask& task) {
-  const Skeleton& skeleton = task.stem->skeleton;
+  const Skeleton& skeleton = task.stem->skeleton_of_surface();
   const Surface& surface = task.surface();
+  const Vec3 origin = task.undeformed_origin();
   if (!task.is_crown) {
     const std::vector<AxisIndex> axes = task.axes();
     const double least_radius = find_thickening(skeleton, axes, surface).least_radius;
-    return make_stem_body(skeleton, axes, surface, least_radius, task.origin());
+    return make_stem_body(skeleton, axes, surface, least_radius, origin);
   }
   // Each part has balls of its own scale.
   ImplicitBody body;
   for (std::size_t k = 0; k < task.parts.size(); ++k) {
     const CrownBody& crown = *task.parts[k]->surface.crown;
-    body.blend(make_crown_body(skeleton, task.axes_of_part[k], crown, task.origin()), crown.blend, crown.fuse);
+    body.blend(make_crown_body(skeleton, task.axes_of_part[k], crown, origin), crown.blend, crown.fuse);
   }
   return body;
 }
@@ -122,6 +130,9 @@ Mesh mesh_of(const BodyTask& task, const Detail& detail, const Limits& limits, P
     progress.begin("simplifying bodies", mesh.triangle_count() - target);
     mesh = simplify(mesh, {.triangles = target}, progress);
     if (!is_flat) turn_to_front(mesh, progress);
+  }
+  if (const auto& deformation = task.first().deformation; deformation != nullptr) {
+    deformation->map(mesh, task.undeformed_origin(), task.origin(), task.first().component);
   }
   if (is_flat) mesh = flat_shaded(mesh, progress);
   return mesh;
@@ -184,7 +195,7 @@ Thickening find_thickening(const Plant& plant) {
   Thickening whole;
   for (const BodyTask& task : tasks_of(plant)) {
     if (task.is_crown) continue;
-    const Thickening thickening = find_thickening(task.stem->skeleton, task.axes(), task.surface());
+    const Thickening thickening = find_thickening(task.stem->skeleton_of_surface(), task.axes(), task.surface());
     whole.least_radius = std::max(whole.least_radius, thickening.least_radius);
     whole.length += thickening.length;
     whole.thickened += thickening.thickened;

@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "meristem/shape/deformation_hashes.h"
+
 namespace meristem {
 
 namespace {
@@ -33,7 +35,12 @@ std::uint64_t VariantMeshes::bytes() const {
 }
 
 void add_skeleton(const Stem& stem, Fingerprint& to) {
-  const auto& [parent, position, radius, axis, order, birth, extra] = stem.skeleton;
+  const auto& [parent, position, radius, axis, order, birth, extra] = stem.skeleton_of_surface();
+  // Which rings a tube has depends on where the deformed nodes lie, too.
+  to.add(stem.undeformed != nullptr);
+  if (stem.undeformed != nullptr) to.add_array(stem.skeleton.position);
+  DeformationHashes hashes;
+  for (const StemPart& part : stem.parts) to.add(hashes.of(part.deformation));
   to.add_array(parent).add_array(position).add_array(radius).add_array(axis).add_array(order).add_array(birth);
   for (const auto& [name, values] : extra) to.add_text(name).add_array(values);
 }

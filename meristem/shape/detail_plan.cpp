@@ -47,7 +47,7 @@ std::vector<float> thinnest_below(const Skeleton& skeleton, std::size_t axes) {
 /// The plan without its thinnest axes, with no more than `triangles` triangles unless a single axis has more.
 TubePlan without_thin_axes(const Skeleton& skeleton, const TubePlan& plan, std::vector<TubeWear> wears,
                            std::vector<std::uint32_t> wear_of_axis, const std::vector<std::uint32_t>& mesh_of_axis,
-                           std::uint64_t triangles) {
+                           std::span<const Vec3> deformed, std::uint64_t triangles) {
   const std::vector<float> radius = thinnest_below(skeleton, plan.axis_count());
   std::vector<AxisIndex> order(plan.axis_count());
   std::iota(order.begin(), order.end(), 0);
@@ -64,7 +64,7 @@ TubePlan without_thin_axes(const Skeleton& skeleton, const TubePlan& plan, std::
     if (count > triangles && !is_first) wear_of_axis[axis] += seen;
     is_first = false;
   }
-  return {skeleton, std::move(wears), std::move(wear_of_axis), mesh_of_axis};
+  return {skeleton, std::move(wears), std::move(wear_of_axis), mesh_of_axis, deformed};
 }
 
 /// The numbers of each component's organs, in their order.
@@ -144,8 +144,8 @@ void coarsen_all(const Plant& plant, const DetailBudget& budget, int level,
 
 TubePlan plan_tubes(const Skeleton& skeleton, const std::vector<TubeWear>& wears,
                     const std::vector<std::uint32_t>& wear_of_axis, double share,
-                    const std::vector<std::uint32_t>& mesh_of_axis) {
-  TubePlan plan(skeleton, wears, wear_of_axis, mesh_of_axis);
+                    const std::vector<std::uint32_t>& mesh_of_axis, std::span<const Vec3> deformed) {
+  TubePlan plan(skeleton, wears, wear_of_axis, mesh_of_axis, deformed);
   if (share >= 1) return plan;
   const auto wanted = static_cast<std::uint64_t>(share * static_cast<double>(triangle_count(plan)));
   std::vector<TubeWear> coarse = wears;
@@ -153,13 +153,13 @@ TubePlan plan_tubes(const Skeleton& skeleton, const std::vector<TubeWear>& wears
     const double sides = wear.surface.sides * std::sqrt(share);
     wear.surface.sides = std::max(3, static_cast<int>(sides + 0.5));
   }
-  plan = TubePlan(skeleton, coarse, wear_of_axis, mesh_of_axis);
+  plan = TubePlan(skeleton, coarse, wear_of_axis, mesh_of_axis, deformed);
   for (float error = 2 * kLeastError; triangle_count(plan) > wanted && error <= kMostError; error *= 2) {
     for (TubeWear& wear : coarse) wear.surface.error = std::max(wear.surface.error, error);
-    plan = TubePlan(skeleton, coarse, wear_of_axis, mesh_of_axis);
+    plan = TubePlan(skeleton, coarse, wear_of_axis, mesh_of_axis, deformed);
   }
   if (triangle_count(plan) <= wanted) return plan;
-  return without_thin_axes(skeleton, plan, coarse, wear_of_axis, mesh_of_axis, wanted);
+  return without_thin_axes(skeleton, plan, coarse, wear_of_axis, mesh_of_axis, deformed, wanted);
 }
 
 OrganDetail plan_organs(const Plant& plant, const Detail& detail, const DetailBudget& budget) {

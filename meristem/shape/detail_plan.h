@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "meristem/base/mesh.h"
@@ -17,10 +18,10 @@ namespace meristem {
 
 /// The tubes of one skeleton with a `share` of their triangles, above 0; from 1 on all. With less they have fewer
 /// sides, then fewer rings, and then the thinnest axes, with what stands on them, are left out until the share is met;
-/// the thickest axis stays. Wears and meshes of the axes are as in TubePlan.
+/// the thickest axis stays. Wears and meshes of the axes and where nodes come to lie are as in TubePlan.
 TubePlan plan_tubes(const Skeleton& skeleton, const std::vector<TubeWear>& wears,
                     const std::vector<std::uint32_t>& wear_of_axis, double share,
-                    const std::vector<std::uint32_t>& mesh_of_axis = {});
+                    const std::vector<std::uint32_t>& mesh_of_axis = {}, std::span<const Vec3> deformed = {});
 
 /// What is shown of a plant's organs.
 struct OrganDetail {

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <typeinfo>
@@ -18,6 +19,7 @@
 
 #include <glm/vector_relational.hpp>
 
+#include "meristem/base/deform/deformation.h"
 #include "meristem/base/parallel.h"
 #include "meristem/plant/plant_variant.h"
 #include "meristem/shape/body_meshes.h"
@@ -130,7 +132,10 @@ std::vector<std::unique_ptr<StemDress>> plan_stems(const Plant& plant, double sh
       const Stem& stem = plant.stems[i];
       if (dresses[i]->tubes != nullptr) continue;
       const StemLooks& looks = dresses[i]->looks;
-      dresses[i]->plan = plan_tubes(stem.skeleton, wears_of(stem, looks), stem.part_of_axis, share, looks.mesh_of_axis);
+      const auto deformed =
+          stem.undeformed != nullptr ? std::span<const Vec3>(stem.skeleton.position) : std::span<const Vec3>();
+      dresses[i]->plan = plan_tubes(stem.skeleton_of_surface(), wears_of(stem, looks), stem.part_of_axis, share,
+                                    looks.mesh_of_axis, deformed);
     }
   });
   return dresses;
@@ -189,6 +194,8 @@ std::shared_ptr<const StemTubes> make_stem(const StemDress& dress, const std::ve
   tubes->sizes = dress.plan->sizes();
   std::vector<Mesh> meshes = make_tubes(*dress.plan, progress);
   for (std::size_t k = 0; k < meshes.size(); ++k) {
+    const StemPart& look = *dress.looks.first_part[k];
+    if (look.deformation != nullptr) look.deformation->map(meshes[k], Vec3(0), Vec3(0), look.component);
     if (needs_tangents(materials[dress.looks.first_part[k]->material])) add_tangents(meshes[k]);
     tubes->meshes.push_back(std::make_shared<const Mesh>(std::move(meshes[k])));
   }
@@ -539,6 +546,9 @@ class PlantingClothier {
 
 MeshScene make_mesh_scene(const Plant& plant, const Limits& limits, Progress& progress, const Detail& detail,
                           Cache* cache) {
+  if (has_deformed_plantings(plant)) {
+    return make_mesh_scene(with_deformed_copies(plant, limits, progress), limits, progress, detail, cache);
+  }
   check_references(plant);
   check_detail(detail);
   MeshScene scene = clothe_own(plant, limits, progress, detail, cache);

@@ -30,17 +30,17 @@ constexpr int kViews = 20;
 constexpr int kSize = 96;              // pixels
 constexpr double kGroupWeight = 0.15;  // weight of a group's outline; other groups may hide much of it
 constexpr double kShapeWeight = 0.08;  // of the volume between old and new faces; raised, rounder, and outlines suffer
-constexpr double kLeastCosine = 0.2;   // cosine of the angle that a face may turn at once
+constexpr double kLeastFaceCosine = 0.2;  // cosine of the angle that a face may turn at once
 constexpr std::size_t kTriedTargets = 5;  // of a point's neighbours, those nearest to its planes
-constexpr std::size_t kSmallPiece = 8;    // faces, that may go at once
+constexpr std::size_t kFewFaces = 8;      // faces, that may go at once
 constexpr int kFitRounds = 4;
-constexpr std::array kLastReaches = {0.2, 0.08, 0.2, 0.08, 0.2, 0.08};  // of edges, by which points move at the end
+constexpr std::array kLastReaches = {0.2, 0.08, 0.2, 0.08, 0.2, 0.08};  // of edges: how far points move at the end
 constexpr double kLeastViewWeight = 0.5;  // of a view that fits well; more extreme, and what lies between views suffers
 constexpr double kMostViewWeight = 2;
 constexpr double kStage = 0.6;       // of the faces, that a stage leaves: points move between stages, too
 constexpr double kLeastGain = 1e-7;  // of the whole outline, for which a point moves
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kInfiniteCost = std::numeric_limits<double>::infinity();
 
 /// Pixels that a step would change, of one view.
 struct Scratch {
@@ -49,7 +49,7 @@ struct Scratch {
 };
 
 struct Step {
-  double cost = kNever;
+  double cost = kInfiniteCost;
   std::uint32_t to = kNone;  // none: the whole piece goes
   bool is_stale = false;
 };
@@ -229,7 +229,7 @@ class OutlineCollapse::State {
     for (std::size_t k = 0; k < points.size(); ++k) {
       for (const std::uint32_t f : around_[points[k]]) {
         if (std::find(faces.begin(), faces.end(), f) != faces.end()) continue;
-        if (faces.size() == kSmallPiece) return {};
+        if (faces.size() == kFewFaces) return {};
         faces.push_back(f);
         for (const std::uint32_t other : soup_.faces[f].points) {
           if (std::find(points.begin(), points.end(), other) == points.end()) points.push_back(other);
@@ -308,7 +308,7 @@ class OutlineCollapse::State {
       const DVec3 after = area_vector(face.points, point, target);
       const double square = glm::length(after);
       if (!(square > 1e-6 * longest_edge(face, point, target))) return false;
-      return glm::dot(before, after) > kLeastCosine * glm::length(before) * square;
+      return glm::dot(before, after) > kLeastFaceCosine * glm::length(before) * square;
     });
   }
 
@@ -358,7 +358,7 @@ class OutlineCollapse::State {
   std::uint32_t cheapest() {
     for (std::size_t round = 0; round <= steps_.size(); ++round) {
       std::uint32_t best = kNone;
-      double cost = kNever;
+      double cost = kInfiniteCost;
       for (std::uint32_t k = 0; k < steps_.size(); ++k) {
         if (steps_[k].cost < cost) {
           cost = steps_[k].cost;

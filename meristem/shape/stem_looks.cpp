@@ -6,13 +6,16 @@
 #include <tuple>
 #include <utility>
 
+#include "meristem/shape/deformation_hashes.h"
+
 namespace meristem {
 
 StemLooks::StemLooks(const Stem& stem) {
-  using Look = std::tuple<std::string_view, std::uint32_t, float, float, float>;
+  using Look = std::tuple<std::string_view, std::uint32_t, float, float, float, std::uint64_t>;
   std::map<Look, std::uint32_t> number;
+  DeformationHashes hashes;
   for (const StemPart& part : stem.parts) {
-    const Look look(part.component, part.material, part.tint.r, part.tint.g, part.tint.b);
+    const Look look(part.component, part.material, part.tint.r, part.tint.g, part.tint.b, hashes.of(part.deformation));
     const auto [known, is_new] = number.try_emplace(look, static_cast<std::uint32_t>(first_part.size()));
     if (is_new) first_part.push_back(&part);
     mesh_of_part.push_back(known->second);

@@ -8,7 +8,8 @@
 
 namespace meristem {
 
-/// The axes of a stem by their looks: those of one component, material, tint and individual share a mesh.
+/// The axes of a stem by their looks: those of one component, material, tint, deformation and individual
+/// share a mesh.
 struct StemLooks {
   std::vector<const StemPart*> first_part;  ///< of each mesh
   std::vector<std::uint32_t> individual;    ///< of each mesh

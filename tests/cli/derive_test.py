@@ -177,7 +177,7 @@ class Derive(cli_case.Case):
         self.write("endless.txt", "A(0)" + "B" * 100_000 + "\nA(x) -> A(x+1)\n")
         before = sorted(os.listdir(self.folder))
         errors = self.stop(signal.SIGINT, "derive", "endless.txt", "--steps", "1000000", "-o", "word.txt")
-        self.assertIn("nothing was left half-written", errors)
+        self.assertIn("no file was left half-written", errors)
         self.assertEqual(sorted(os.listdir(self.folder)), before)
 
 

@@ -2,6 +2,8 @@
 #include "tests/support/test_components.h"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 
 namespace meristem {
 namespace {
@@ -103,6 +105,24 @@ ComponentType pole() {
   });
 }
 
+struct Space : ComponentBase {
+  std::optional<Vec3> down;
+};
+
+ComponentType space() {
+  return define_component<Space>({
+      .traits = {.name = "space", .doc = "Says which way gravity pulls.", .has_geometry = false},
+      .parameters = Table<Space>("a space", "Says which way gravity pulls.")
+                        .vector("down", &Space::down, {.min = -1, .max = 1}, "Unset: as in the scene."),
+      .expand =
+          [](const Space& space, const Site&, Emitter& out) {
+            Surroundings said = out.surroundings();
+            said.directions = space.down ? std::make_shared<const Directions>(kUp, *space.down) : nullptr;
+            out.surround(std::move(said));
+          },
+  });
+}
+
 struct Root : ComponentBase {};
 
 }  // namespace
@@ -118,6 +138,7 @@ const Registry& test_components() {
       star(),
       ribs(),
       pole(),
+      space(),
   });
   return registry;
 }

@@ -12,6 +12,7 @@ namespace meristem {
 /// - `star` (`number`, `step`): nothing; children stand `step` metres apart along x.
 /// - `ribs` (`number`): nothing; branch children stand along y, others at its end. With number 0 no branch children.
 /// - `pole` (`height`, `nodes`): a straight stem upward from its site, of radius 0.01 m.
+/// - `space` (`down`): nothing; says which way gravity pulls for all below it, unset: as in the scene.
 const Registry& test_components();
 
 }  // namespace meristem

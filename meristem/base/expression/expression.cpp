@@ -7,6 +7,7 @@
 
 #include "meristem/base/expression/expression_bytecode.h"
 #include "meristem/base/expression/expression_parser.h"
+#include "meristem/base/fingerprint.h"
 
 namespace meristem {
 
@@ -45,8 +46,8 @@ Expression Expression::compile(std::string_view text, const ExpressionNames& nam
   return Expression(std::make_shared<const Program>(Program{std::string(text), parse_expression(text, names)}));
 }
 
-void Expression::evaluate(std::size_t count, std::span<const double* const> variables, std::span<const RandomKey> keys,
-                          double* out) const {
+void Expression::require(std::size_t count, std::span<const double* const> variables,
+                         std::span<const RandomKey> keys) const {
   const ExpressionBytecode& code = program_->code;
   for (std::size_t k = 0; k < code.variable_count; ++k) {
     if (code.used[k] && (k >= variables.size() || variables[k] == nullptr)) {
@@ -54,7 +55,19 @@ void Expression::evaluate(std::size_t count, std::span<const double* const> vari
     }
   }
   if (code.is_random && keys.size() < count) throw std::invalid_argument("fewer keys than lanes");
-  code.run(count, variables, keys, out);
+}
+
+void Expression::evaluate(std::size_t count, std::span<const double* const> variables, std::span<const RandomKey> keys,
+                          double* out) const {
+  require(count, variables, keys);
+  program_->code.run(count, variables, keys, out);
+}
+
+void Expression::evaluate_with_slopes(std::size_t count, std::span<const double* const> variables,
+                                      std::span<const RandomKey> keys, double* out, std::span<const std::size_t> by,
+                                      std::span<double* const> slopes) const {
+  require(count, variables, keys);
+  program_->code.run(count, variables, keys, out, by, slopes);
 }
 
 double Expression::evaluate(std::span<const double> variables, RandomKey key) const {
@@ -87,5 +100,15 @@ bool Expression::is_constant() const {
   return !is_random() && std::find(used.begin(), used.end(), true) == used.end();
 }
 const std::string& Expression::text() const { return program_->text; }
+
+std::uint64_t Expression::hash() const {
+  const ExpressionBytecode& code = program_->code;
+  Fingerprint hash;
+  hash.add(code.variable_count).add(code.result);
+  for (const auto& [op, out, in, place, value] : code.instructions) {
+    hash.add(op).add(out).add(in[0]).add(in[1]).add(in[2]).add(place).add(value);
+  }
+  return hash.hash();
+}
 
 }  // namespace meristem

@@ -80,6 +80,11 @@ class Expression {
   /// variables. Missing variables or keys are a std::invalid_argument.
   void evaluate(std::size_t count, std::span<const double* const> variables, std::span<const RandomKey> keys,
                 double* out) const;
+  /// The same values, and in slopes[k] their derivatives by the by[k]-th variable, `count` each. They are exact but for
+  /// noise (symmetric differences, right to about 1e-8). At kinks they are those of one side, at steps 0.
+  void evaluate_with_slopes(std::size_t count, std::span<const double* const> variables,
+                            std::span<const RandomKey> keys, double* out, std::span<const std::size_t> by,
+                            std::span<double* const> slopes) const;
   /// One lane.
   double evaluate(std::span<const double> variables = {}, RandomKey key = RandomKey()) const;
 
@@ -87,9 +92,12 @@ class Expression {
   bool is_random() const;                 ///< whether rand, gauss, ran or nran occurs
   bool is_constant() const;               ///< no variable, nothing random
   const std::string& text() const;
+  /// Equal for expressions that do the same with the same variables, however they are written.
+  std::uint64_t hash() const;
 
  private:
   struct Program;
+  void require(std::size_t count, std::span<const double* const> variables, std::span<const RandomKey> keys) const;
   explicit Expression(std::shared_ptr<const Program> program);
   std::shared_ptr<const Program> program_;
 };

@@ -94,9 +94,9 @@ struct ExpressionBytecode {
   std::uint32_t result = 0;  ///< register with the value, after the last instruction
   bool is_random = false;
 
-  /// Values of all lanes; see Expression::evaluate.
-  void run(std::size_t count, std::span<const double* const> variables, std::span<const RandomKey> keys,
-           double* out) const;
+  /// Values of all lanes, and `slopes` in the variables `by` where they are asked for; see Expression::evaluate.
+  void run(std::size_t count, std::span<const double* const> variables, std::span<const RandomKey> keys, double* out,
+           std::span<const std::size_t> by = {}, std::span<double* const> slopes = {}) const;
 };
 
 /// Runs one instruction for one lane; folding uses it, so folded constants have the bits they would have had.

@@ -6,9 +6,11 @@
 #include <bit>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "meristem/base/degrees.h"
 #include "meristem/base/expression/expression_bytecode.h"
+#include "meristem/base/expression/expression_slopes.h"
 #include "meristem/base/math.h"
 #include "meristem/base/noise.h"
 
@@ -292,14 +294,43 @@ struct Batch {
   const RandomKey* keys;
   double* scratch;
   double* out;
+  ExpressionSlopes* slopes = nullptr;        // null where nobody asks for them
+  std::span<double* const> slopes_out = {};  // by variable
 };
+
+/// Runs the block's instructions and carries slopes along.
+template <std::size_t lanes>
+void run_with_slopes(const ExpressionBytecode& code, const Batch& batch, const Block<lanes>& block) {
+  const RandomKey* const keys = batch.keys != nullptr ? batch.keys + block.start : nullptr;
+  for (const ExpressionInstruction& instruction : code.instructions) {
+    run_instruction(instruction, block, batch.keys);
+    const std::size_t operands = operand_count(instruction.op);
+    const double* in[3] = {};
+    for (std::size_t k = 0; k < operands; ++k) in[k] = block.in(instruction.in[k]);
+    batch.slopes->follow(instruction, std::span(in).first(operands), block.out(instruction.out), lanes, keys);
+  }
+  for (std::size_t k = 0; k < batch.slopes_out.size(); ++k) {
+    double* const out = batch.slopes_out[k] + block.start;
+    const double* const slope = batch.slopes->slope(code.result, k);
+    if (slope == nullptr) {
+      std::fill_n(out, lanes, 0.0);
+    } else {
+      std::copy_n(slope, lanes, out);
+    }
+  }
+}
 
 /// Runs as many full blocks of this many lanes as there are from `start` on; returns the first lane not done.
 template <std::size_t lanes>
 std::size_t run_blocks(const ExpressionBytecode& code, const Batch& batch, std::size_t start) {
   for (; batch.count - start >= lanes; start += lanes) {
     const Block<lanes> block{batch.variables, code.variable_count, start, batch.scratch};
-    for (const ExpressionInstruction& instruction : code.instructions) run_instruction(instruction, block, batch.keys);
+    if (batch.slopes != nullptr) {
+      run_with_slopes(code, batch, block);
+    } else {
+      for (const ExpressionInstruction& instruction : code.instructions)
+        run_instruction(instruction, block, batch.keys);
+    }
     std::copy_n(block.in(code.result), lanes, batch.out + start);
   }
   return start;
@@ -308,7 +339,8 @@ std::size_t run_blocks(const ExpressionBytecode& code, const Batch& batch, std::
 }  // namespace
 
 void ExpressionBytecode::run(std::size_t count, std::span<const double* const> variables,
-                             std::span<const RandomKey> keys, double* out) const {
+                             std::span<const RandomKey> keys, double* out, std::span<const std::size_t> by,
+                             std::span<double* const> slopes) const {
   // Nearly all expressions fit into scratch memory on the stack.
   constexpr std::size_t kRegistersOnStack = 16;
   double on_stack[kRegistersOnStack * kExpressionLanes];
@@ -321,6 +353,11 @@ void ExpressionBytecode::run(std::size_t count, std::span<const double* const> v
 
   Batch batch{count, variables.data(), keys.data(), scratch, nullptr};
   batch.out = out;
+  std::optional<ExpressionSlopes> carried;
+  if (!slopes.empty()) {
+    batch.slopes = &carried.emplace(*this, by);
+    batch.slopes_out = slopes;
+  }
   std::size_t done = run_blocks<kExpressionLanes>(*this, batch, 0);
   done = run_blocks<8>(*this, batch, done);
   run_blocks<1>(*this, batch, done);

@@ -10,7 +10,7 @@
 #include "meristem/base/frame.h"
 #include "meristem/base/math.h"
 #include "meristem/grow/prune/layers.h"
-#include "meristem/scene/crown/turned_crown.h"
+#include "meristem/scene/crown/placed_crown.h"
 
 namespace meristem {
 
@@ -293,7 +293,7 @@ struct OperationBuilder {
     } else {
       cut.place = Cut::Place::outside;
       cut.outside = build_crown(*form.outside);
-      if (axes != Mat3(1)) cut.outside = std::make_shared<TurnedCrown>(std::move(cut.outside), axes);
+      if (axes != Mat3(1)) cut.outside = std::make_shared<PlacedCrown>(std::move(cut.outside), Frame{axes});
     }
     return cut;
   }

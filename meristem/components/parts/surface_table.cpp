@@ -36,6 +36,11 @@ const ParameterTable& crown_body_table() {
 
 }  // namespace
 
+const std::vector<std::string>& trim_modes() {
+  static const std::vector<std::string> names = {"cut", "fit", "none"};
+  return names;
+}
+
 const std::vector<std::string>& names_off_stems() {
   static const std::vector<std::string> names = {"texture.picture.repeat_u", "texture.picture.repeat_v",
                                                  "texture.picture.shift_u", "texture.picture.shift_v"};

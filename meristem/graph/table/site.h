@@ -10,6 +10,7 @@
 
 #include "meristem/base/frame.h"
 #include "meristem/base/random.h"
+#include "meristem/graph/table/surroundings.h"
 #include "meristem/plant/planting.h"
 #include "meristem/plant/skeleton.h"
 
@@ -50,7 +51,20 @@ struct Site {
   std::uint32_t row = kNoRow;       ///< of the table that has placed the site or what it hangs on, from 0
   std::array<std::uint16_t, kMaxRecursionLevels> depths{};  ///< by level of nested recursions
   std::shared_ptr<const SiteValues> values{};               ///< null where nothing has been given
+  std::shared_ptr<const Surroundings> surroundings{};       ///< null where nothing has been said of them
 };
+
+/// The directions of light and gravity at a site: those that its surroundings say, or else the scene's.
+inline const Directions& directions_at(const Site& site, const Directions& of_scene) {
+  const bool is_said = site.surroundings != nullptr && site.surroundings->directions != nullptr;
+  return is_said ? *site.surroundings->directions : of_scene;
+}
+
+/// What deforms what is seen of an instance at a site; null: nothing.
+inline const std::shared_ptr<const Deformation>& deformation_at(const Site& site) {
+  static const std::shared_ptr<const Deformation> nothing;
+  return site.surroundings != nullptr ? site.surroundings->deformation : nothing;
+}
 
 /// Names that parameters' expressions may use, in the order in which `site_variable` gives their values:
 /// v i n u depth order x y z hx hy hz t length radius.

@@ -55,11 +55,15 @@ class Organizer : public Grower {
  public:
   Organizer(Stand& stand, std::vector<OrganizeSeed> seeds, const OrganizeParameters& parameters, RandomKey key,
             const Scene& scene, const Limits& limits, std::string component)
-      : species_{parameters, scene, limits, std::move(component), scene.directions()},
+      : species_{parameters, scene, limits, std::move(component), parameters.directions.value_or(scene.directions())},
         space_(stand.commons<StandSpace>()) {
+    require_wood(seeds);
     for (std::size_t k = 0; k < seeds.size(); ++k) {
       require_open(seeds[k].frame.origin);
-      trees_.emplace_back(species_, space_, seeds[k], key.child(k), static_cast<int>(k));
+      OrganizedTree& tree = trees_.emplace_back(species_, space_, seeds[k], key.child(k), static_cast<int>(k));
+      if (seeds[k].wood == nullptr) continue;
+      tree.stand(*seeds[k].wood);
+      tree.tell();  // so that all feel it in the first round
     }
   }
 
@@ -126,6 +130,17 @@ class Organizer : public Grower {
     if (metamers <= species_.limits.nodes) return;
     throw_limit(fmt::format("metamers in iteration {}", iteration), static_cast<double>(metamers),
                 species_.limits.nodes, "nodes", species_.path("resource.alpha"));
+  }
+
+  /// Counts what stands already before it is made metamers.
+  void require_wood(const std::vector<OrganizeSeed>& seeds) const {
+    double metamers = 0;
+    for (const OrganizeSeed& seed : seeds) {
+      if (seed.wood) metamers += most_metamers_of_wood(*seed.wood, species_.parameters.length);
+    }
+    if (metamers <= static_cast<double>(species_.limits.nodes)) return;
+    throw_limit("metamers of the trees that stand there", metamers, species_.limits.nodes, "nodes",
+                species_.path("length"));
   }
 
   void require_open(Vec3 root) const {

@@ -25,11 +25,11 @@ namespace meristem {
 
 namespace {
 
-constexpr double kLeastWidth = 0.02;  // of the largest, with which a joint is as stiff as one of none
+constexpr double kStiffWidth = 0.02;  // of the largest, with which a joint is as stiff as one of none
 constexpr double kSettled = 1e-10;    // radians: the last step of pieces that have come to rest
 constexpr double kBalanced = 1e-8;    // radians: the same between rounds of wind
 constexpr double kMostTurn = 0.5;     // radians that a step may turn a piece
-constexpr int kSteps = 400;
+constexpr int kSearchSteps = 400;
 constexpr int kRounds = 300;  // of wind
 constexpr int kLoadSteps = 8;
 constexpr double kMostLoad = 1000;
@@ -47,7 +47,7 @@ class Chain {
       lengths_.push_back(glm::length(along));
       areas_.push_back(lengths_[k] * ratio * 0.5 * (leaf.r[k] + leaf.r[k + 1]));
       const double thickness = 1 - (1 - strip.tip_thickness) * leaf.s[k];
-      const double share = std::max(kLeastWidth, leaf.r[k]) * thickness * thickness * thickness;
+      const double share = std::max(kStiffWidth, leaf.r[k]) * thickness * thickness * thickness;
       // The stiffness of the joint before this piece.
       const double spacing = k == 0 ? lengths_[0] : 0.5 * (lengths_[k - 1] + lengths_[k]);
       stiffness_.push_back(strip.stiffness * ratio * share / spacing);
@@ -158,7 +158,7 @@ class Chain {
   bool minimize(std::vector<double>& angles) {
     double more = 0;
     double energy = differentiate(angles);
-    for (int k = 0; k < kSteps; ++k) {
+    for (int k = 0; k < kSearchSteps; ++k) {
       if (!find_step(more)) {
         more = std::max(1e-6, 4 * more);
         continue;

@@ -16,7 +16,7 @@ namespace meristem {
 
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kUnreachable = std::numeric_limits<double>::infinity();
 
 /// Squared distance of the k-th point of a curve from the segment between two others.
 double squared_distance(const std::vector<double>& x, const std::vector<double>& y, std::size_t k, std::size_t a,
@@ -29,7 +29,7 @@ double squared_distance(const std::vector<double>& x, const std::vector<double>&
 class LeastOf {
  public:
   explicit LeastOf(std::size_t count)
-      : leaves_(std::bit_ceil(count)), least_(2 * leaves_, kNever), index_(2 * leaves_) {
+      : leaves_(std::bit_ceil(count)), least_(2 * leaves_, kUnreachable), index_(2 * leaves_) {
     for (std::size_t k = 0; k < leaves_; ++k) index_[leaves_ + k] = static_cast<std::uint32_t>(k);
   }
 
@@ -110,7 +110,8 @@ ReductionOrder reduction_order(const GrassLeaf& leaf, const std::vector<std::vec
     const std::uint32_t a = before[gone], b = after[gone];
     after[a] = b;
     before[b] = a;
-    errors.set({gone, a, b}, {kNever, a > 0 ? squared_error(a) : kNever, b + 1 < count ? squared_error(b) : kNever});
+    errors.set({gone, a, b}, {kUnreachable, a > 0 ? squared_error(a) : kUnreachable,
+                              b + 1 < count ? squared_error(b) : kUnreachable});
   }
   return order;
 }

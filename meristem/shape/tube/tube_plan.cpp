@@ -4,6 +4,7 @@
 #include "meristem/base/frame.h"
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
+#include "meristem/plant/trim.h"
 
 namespace meristem {
 namespace {
@@ -31,8 +32,12 @@ float flare_factor(const Surface& surface, float base_radius, float metres) {
 }
 
 TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::vector<std::uint32_t> wear_of_axis,
-                   const std::vector<std::uint32_t>& mesh_of_axis)
-    : skeleton_(&skeleton), wears_(std::move(wears)), wear_of_axis_(std::move(wear_of_axis)), axes_(skeleton) {
+                   const std::vector<std::uint32_t>& mesh_of_axis, std::span<const Vec3> deformed)
+    : skeleton_(&skeleton),
+      deformed_(deformed),
+      wears_(std::move(wears)),
+      wear_of_axis_(std::move(wear_of_axis)),
+      axes_(skeleton) {
   thickest_.resize(wears_.size(), 0);
   for (std::size_t node = 0; node < skeleton.node_count(); ++node) {
     float& thickest = thickest_[wear(skeleton.axis[node])];
@@ -76,7 +81,7 @@ TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::v
     TubeSize& size = sizes_[plan.mesh];
     plan.first_vertex = size.vertices;
     plan.first_triangle = size.triangles;
-    size.vertices += plan.vertices(path(static_cast<AxisIndex>(axis)).is_lateral(), surface(axis).cap);
+    size.vertices += plan.vertices(path(static_cast<AxisIndex>(axis)).is_lateral());
     size.triangles += plan.triangles();
   }
 }
@@ -171,26 +176,31 @@ void TubePlan::choose_rings(AxisIndex axis) {
   const std::span<const NodeIndex> nodes = axes_.of(axis);
   const std::span<NodeIndex> kept = std::span(kept_).subspan(axes_.first[axis], nodes.size());
   const float error = surface(axis).error;
+  const auto are_straight = [&](std::size_t from, std::size_t to) {
+    return is_straight(skeleton_->position, nodes, from, to, error) &&
+           (deformed_.empty() || is_straight(deformed_, nodes, from, to, error));
+  };
   std::uint32_t count = 0;
   for (std::size_t i = 0; i < nodes.size();) {
     kept[count++] = nodes[i];
     std::size_t next = i + 1;
     // Only a few at a time, so that the cost stays linear.
     const std::size_t last = std::min(nodes.size() - 1, i + kLongestRun);
-    while (error > 0 && i > 0 && next < last && is_straight(nodes, i, next + 1, error)) ++next;
+    while (error > 0 && i > 0 && next < last && are_straight(i, next + 1)) ++next;
     i = next;
   }
   kept_count_[axis] = count;
 }
 
 /// Whether the axis's nodes between two of it lie on the line that joins them, and their radii too.
-bool TubePlan::is_straight(std::span<const NodeIndex> nodes, std::size_t from, std::size_t to, float error) const {
-  const Vec3 base = skeleton_->position[nodes[from]];
-  const Vec3 chord = skeleton_->position[nodes[to]] - base;
+bool TubePlan::is_straight(std::span<const Vec3> positions, std::span<const NodeIndex> nodes, std::size_t from,
+                           std::size_t to, float error) const {
+  const Vec3 base = positions[nodes[from]];
+  const Vec3 chord = positions[nodes[to]] - base;
   const float length2 = glm::dot(chord, chord);
   if (!(length2 > 0)) return false;
   for (std::size_t i = from + 1; i < to; ++i) {
-    const Vec3 offset = skeleton_->position[nodes[i]] - base;
+    const Vec3 offset = positions[nodes[i]] - base;
     const float share = glm::dot(offset, chord) / length2;
     const float radius = radii_[nodes[i]];
     const Vec3 aside = offset - share * chord;
@@ -225,7 +235,14 @@ void TubePlan::count_rings(AxisIndex axis) {
     plan.rings += fan_size(glm::dot(before, after));
     before = after;
   }
-  if (surface(axis).cap == Surface::Cap::round) plan.rings += AxisPlan::kDomeRings;
+  plan.cap = cap(axis);
+  if (plan.cap == Surface::Cap::round) plan.rings += AxisPlan::kDomeRings;
+}
+
+Surface::Cap TubePlan::cap(AxisIndex axis) const {
+  const auto cut = skeleton_->extra.find(kCutColumn);
+  const bool is_cut = cut != skeleton_->extra.end() && cut->second[axes_.of(axis).back()] != 0;
+  return is_cut ? Surface::Cap::flat : surface(axis).cap;
 }
 
 void TubePlan::plan_start(const AxisPath& points, AxisPlan& plan, AxisIndex axis) const {

@@ -25,14 +25,15 @@ struct AxisPlan {
   float start_radius = 0;
   float sink = 0;  ///< metres: how far the parent's flats may lie below its bark
   std::optional<Collar> collar;
-  std::uint32_t mesh = 0;          ///< in which it stands
-  std::uint64_t first_vertex = 0;  ///< of that mesh
+  Surface::Cap cap = Surface::Cap::pointed;  ///< flat where the axis has been cut off
+  std::uint32_t mesh = 0;                    ///< in which it stands
+  std::uint64_t first_vertex = 0;            ///< of that mesh
   std::uint64_t first_triangle = 0;
 
   // A lateral's start is one hidden point; a root's is a flat disc with vertices of its own. A tip has a point per
   // side, a flat one a disc.
   std::uint64_t start_vertices(bool is_lateral) const { return is_lateral ? 1 : sides + 1; }
-  std::uint64_t vertices(bool is_lateral, Surface::Cap cap) const {
+  std::uint64_t vertices(bool is_lateral) const {
     const std::uint64_t end = cap == Surface::Cap::flat ? sides + 1 : sides;
     return rings == 0 ? 0 : std::uint64_t{rings} * (sides + 1) + start_vertices(is_lateral) + end;
   }
@@ -56,9 +57,10 @@ struct TubeWear {
 class TubePlan {
  public:
   /// `wear_of_axis` holds an index into `wears` for each axis; empty: all wear the first. `mesh_of_axis` holds the mesh
-  /// of each axis; empty: that of its wear. The skeleton outlives the plan.
+  /// of each axis; empty: that of its wear. Where the mesh is to be deformed, `deformed` holds where nodes come to lie:
+  /// what bends there keeps its rings. Skeleton and positions outlive the plan.
   TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::vector<std::uint32_t> wear_of_axis = {},
-           const std::vector<std::uint32_t>& mesh_of_axis = {});
+           const std::vector<std::uint32_t>& mesh_of_axis = {}, std::span<const Vec3> deformed = {});
 
   /// The size of each mesh.
   const std::vector<TubeSize>& sizes() const { return sizes_; }
@@ -81,13 +83,16 @@ class TubePlan {
   bool find_whether_it_goes_on(AxisIndex axis) const;
   void smooth_radii(AxisIndex axis);
   void choose_rings(AxisIndex axis);
-  bool is_straight(std::span<const NodeIndex> nodes, std::size_t from, std::size_t to, float error) const;
+  bool is_straight(std::span<const Vec3> positions, std::span<const NodeIndex> nodes, std::size_t from, std::size_t to,
+                   float error) const;
   void choose_sides(AxisIndex axis);
   void count_rings(AxisIndex axis);
+  Surface::Cap cap(AxisIndex axis) const;
   void plan_start(const AxisPath& points, AxisPlan& plan, AxisIndex axis) const;
   float room_inside(NodeIndex node) const;
 
   const Skeleton* skeleton_;
+  std::span<const Vec3> deformed_;
   std::vector<TubeWear> wears_;
   std::vector<std::uint32_t> wear_of_axis_;
   Axes axes_;

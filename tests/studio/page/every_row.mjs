@@ -47,7 +47,7 @@ function subjects_of(document, tables) {
   for (const [k, said] of links.entries()) if (!Array.isArray(said)) add(`${said.from} → ${said.to}`, `links[${k}]`, said, 'link', `link ${said.kind ?? ''}`);
   for (const part of ['scene', 'output', 'limits']) if (document.said[part]) add(part[0].toUpperCase() + part.slice(1), part, document.said[part], part);
   add('Document', '', document.said, 'document');
-  // Of several links of the same name the outline's first is meant.
+  // Links may have the same name; then a hand takes the outline's first.
   return found.filter((one, k) => found.findIndex((other) => other.title === one.title) === k);
 }
 

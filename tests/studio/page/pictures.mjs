@@ -40,6 +40,7 @@ export const kPictures = [
       await page.keyboard.press('t');
       await retype(page, '"foliage*0.48', '"folaige*0.48');
       await page.locator('.fault-list button').first().click();
+      await page.keyboard.press('f');
     },
   },
   {

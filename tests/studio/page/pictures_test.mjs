@@ -9,8 +9,8 @@ import { after, before, test } from 'node:test';
 import { draw_all, kFolder, kMostBytes, kPictures } from './pictures.mjs';
 import { kSource, start_browser, temporary_folder } from './support.mjs';
 
-/// Of 255, how far pictures may differ on average in squares of 16 pixels: letters look otherwise on other machines,
-/// and times are other ones; another plant, panel or theme is further away.
+/// How far pictures may differ on average, out of 255, in squares of 16 pixels. Letters look otherwise on other machines,
+/// and times are other ones; pictures of another plant, panel or theme differ by more.
 const kNear = 6;
 
 let place, browser, out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The edge of a panel, by which it is made wider: dragged, or moved by the arrow keys; a double click puts it back.
+// The edge of a panel. A drag or the arrow keys change the panel's width; a double click restores it.
 import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
 import { useRef } from 'react';
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Newton's iteration: the mean of a matrix and of its inverse, transposed, is nearer to a rotation than the matrix.
+// Until it is near, both are scaled to the same size.
+#include "meristem/base/deform/polar.h"
+
+#include <cmath>
+
+#include <glm/matrix.hpp>
+
+namespace meristem {
+
+namespace {
+
+constexpr int kMostSteps = 40;          // a stretch of 1e12 takes 12
+constexpr double kNearRotation = 1e-2;  // from here on the steps double the digits that are right by themselves
+constexpr double kDone = 1e-15;         // of a change, squared
+
+double squared_size(const DMat3& m) { return glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]); }
+
+}  // namespace
+
+DMat3 nearest_rotation(const DMat3& matrix) {
+  DMat3 m = matrix;
+  bool is_near = false;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const DMat3 other = glm::transpose(glm::inverse(m));
+    const double change = squared_size(m - other);
+    if (!(change > kDone * kDone)) break;
+    const double scale = is_near ? 1 : std::sqrt(std::sqrt(squared_size(other) / squared_size(m)));
+    m = 0.5 * (scale * m + other / scale);
+    is_near = change < kNearRotation;
+  }
+  return m;
+}
+
+}  // namespace meristem

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/ffd.h"
+
+namespace meristem {
+
+namespace {
+
+void expand(const Ffd& ffd, const Site& site, Emitter& out) {
+  std::shared_ptr<const SpaceMap> map;
+  if (!ffd.functions.is_empty()) {
+    map = std::make_shared<const FunctionMap>(map_of(ffd.functions, site, out.time()));
+  }
+  deform_below(ffd.deforming, std::move(map), site, out);
+}
+
+}  // namespace
+
+ComponentType ffd_component() {
+  return define_component<Ffd>({
+      .traits = {.name = "ffd",
+                 .doc = "A free-form deformation by functions: all that hangs on it is bent, twisted or stretched.",
+                 .has_geometry = false,
+                 .speaks_of_space = true},
+      .parameters = Table<Ffd>("an ffd", "A free-form deformation by functions of space.")
+                        .members(&Ffd::functions, space_functions_table())
+                        .members(&Ffd::deforming, deforming_table()),
+      .expand = expand,
+  });
+}
+
+}  // namespace meristem

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "meristem/components/parts/deforming.h"
+
+namespace meristem {
+
+/// A free-form deformation by functions of space.
+struct Ffd : ComponentBase {
+  SpaceFunctions functions;
+  Deforming deforming;
+};
+
+ComponentType ffd_component();
+
+}  // namespace meristem

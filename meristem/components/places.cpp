@@ -332,9 +332,11 @@ void expand(const Places& places, const Site& site, Emitter& out) {
     for (std::size_t c = 0; c < given.size(); ++c) numbers[c] = given[c]->numbers[k];
     out.child_site(frame);
     out.give(numbers, false);
+    if (places.table) out.from_row(k, false);
     if (chosen == nullptr) continue;
     out.named_site(chosen->texts[k], site.frame * frame, 0, 0, kNoNode);
     out.give(numbers, true);
+    out.from_row(k, true);
   }
 }
 

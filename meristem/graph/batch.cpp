@@ -53,7 +53,7 @@ std::uint64_t bytes_of(const Skeleton& skeleton) {
 
 std::optional<std::uint64_t> hash_of(const Site& site) {
   const auto& [frame, key, i, n, u, length, radius, birth, order, depth, stem, node, along, section, surface,
-               individual, depths, values, surroundings] = site;
+               individual, row, depths, values, surroundings] = site;
   if (surroundings != nullptr && surroundings->hash == 0) return std::nullopt;
   Packed packed;
   packed.add(frame.axes);
@@ -73,6 +73,7 @@ std::optional<std::uint64_t> hash_of(const Site& site) {
   packed.add(section);
   packed.add(surface.bits());
   packed.add(individual);
+  packed.add(row);
   packed.add(depths);
   packed.add(values == nullptr ? std::uint64_t{0} : values->hash());
   packed.add(surroundings == nullptr ? std::uint64_t{0} : surroundings->hash);

@@ -113,7 +113,7 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   first_named_ = named_sites.size();
   const ComponentTraits& traits = *context_->prototype.type;
   if (is_individual() && !traits.bears_plants && !traits.speaks_of_space) {
-    founded.push_back({site_.individual, site_.frame.origin, deformation_at(site_)});
+    founded.push_back({site_.individual, site_.frame.origin, deformation_at(site_), site_.row});
   }
 }
 
@@ -197,8 +197,8 @@ std::uint32_t Emitter::number_of_individual() {
 
 void Emitter::plant(const Frame& local, std::shared_ptr<const PlantSource> source, PlantRequest request) {
   request.time = context_->time;
-  plants.push_back(
-      {geometry_frame_ * local, std::move(source), std::move(request), site_.birth, visible_, deformation_at(site_)});
+  plants.push_back({geometry_frame_ * local, std::move(source), std::move(request), site_.birth, visible_,
+                    deformation_at(site_), site_.row});
 }
 
 void Emitter::give(std::span<const double> numbers, bool to_named) {
@@ -213,6 +213,12 @@ void Emitter::give(std::span<const double> numbers, bool to_named) {
   values.numbers.resize(context_->site_names, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t k = 0; k < slots.size(); ++k) values.numbers[slots[k]] = numbers[k];
   site.values = std::make_shared<const SiteValues>(std::move(values));
+}
+
+void Emitter::from_row(std::uint32_t row, bool is_named) {
+  if (!is_named && child_sites.size() == first_child_) return;  // no link wants it
+  Site& site = is_named ? named_sites.back().second : child_sites.back();
+  site.row = row;
 }
 
 void Emitter::surround(Surroundings said) {
@@ -306,7 +312,7 @@ void Emitter::tell_roots_apart(EmittedStem& stem) {
     if (roots == 0) {
       founded.back().foot = foot;
     } else {
-      founded.push_back({stem.individual_of_root(roots), foot, stem.deformation()});
+      founded.push_back({stem.individual_of_root(roots), foot, stem.deformation(), site_.row});
     }
     stem.root_of_node[node] = roots++;
   }

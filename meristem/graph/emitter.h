@@ -90,6 +90,7 @@ struct Emitted {
     std::uint64_t id = 0;
     Vec3 foot{0};
     std::shared_ptr<const Deformation> deformation{};
+    std::uint32_t row = kNoRow;
   };
   /// From that organ of the block on, up to the next of these.
   struct DeformedFrom {
@@ -114,6 +115,7 @@ struct Emitted {
     float birth = 0;
     bool is_visible = true;
     std::shared_ptr<const Deformation> deformation{};
+    std::uint32_t row = kNoRow;
   };
   std::vector<PlacedPlant> plants;
 };
@@ -186,6 +188,8 @@ class Emitter : private Emitted {
   /// Gives these numbers to the site that was offered last, by child_site or named_site, under the names that the
   /// type's `gives` lists; all descendants see them.
   void give(std::span<const double> numbers, bool to_named);
+  /// Says which row of a table has placed the site that was offered last, by child_site or named_site.
+  void from_row(std::uint32_t row, bool is_named);
 
   /// The key for the positions of children on the stem that is emitted next, if it brings its branching.
   RandomKey places_on_next_stem() const { return key_of_places(site_.key.child("stem").child(stems_of_instance_)); }

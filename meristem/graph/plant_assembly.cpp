@@ -139,7 +139,7 @@ PlantAssembly::Individuals PlantAssembly::find_individuals() const {
         const auto next = static_cast<std::uint32_t>(individuals.list.size());
         if (!individuals.number_by_id.try_emplace(founded.id, next).second) continue;
         const std::string& component = graph_.components[made.component].id;
-        individuals.list.push_back({component, counts[made.component]++, founded.foot});
+        individuals.list.push_back({component, counts[made.component]++, founded.foot, founded.row});
         if (founded.deformation == nullptr) continue;
         founded.deformation->map(std::span(&individuals.list.back().foot, 1), component);
       }

@@ -217,10 +217,7 @@ Foliage measure_foliage(const Plant& grown, Progress& progress) {
   const std::vector<OrganArea> areas = organ_areas(plant, progress);
   Foliage foliage;
   for (std::size_t k = 0; k < areas.size(); ++k) {
-    if (!is_leaf(plant, plant.prototypes[plant.organs[k].prototype])) continue;
-    ++foliage.leaves;
-    foliage.area += areas[k].blade;
-    foliage.petiole_area += areas[k].petiole;
+    if (is_leaf(plant, plant.prototypes[plant.organs[k].prototype])) foliage.add(areas[k]);
   }
   return foliage;
 }

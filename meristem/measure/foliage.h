@@ -9,12 +9,25 @@
 
 namespace meristem {
 
+/// What of an organ's surface is there.
+struct OrganArea {
+  double blade = 0;    ///< square metres of the organ's triangles outside its texture's holes; one side of blades
+  double petiole = 0;  ///< square metres of its petiole's triangles
+};
+
 /// The leaves of a plant. A leaf is an organ whose material is two-sided: a blade without thickness, as the components
 /// `leaf` makes them (petals made so count as well); closed organs such as fruits are none.
 struct Foliage {
   std::uint64_t leaves = 0;
   double area = 0;          ///< square metres of blades, one side, without the holes of their textures
   double petiole_area = 0;  ///< square metres of their petioles' surface
+
+  /// One more leaf.
+  void add(const OrganArea& leaf) {
+    ++leaves;
+    area += leaf.blade;
+    petiole_area += leaf.petiole;
+  }
 };
 
 /// Leaf area by height, in layers of equal height that count from y = 0.
@@ -25,12 +38,6 @@ struct LeafLayers {
 
   double low(std::size_t layer) const { return height * static_cast<double>(first + static_cast<std::int64_t>(layer)); }
   double high(std::size_t layer) const { return low(layer + 1); }
-};
-
-/// What of an organ's surface is there.
-struct OrganArea {
-  double blade = 0;    ///< square metres of the organ's triangles outside its texture's holes; one side of blades
-  double petiole = 0;  ///< square metres of its petiole's triangles
 };
 
 /// Whether organs of this prototype are leaves.

@@ -91,10 +91,12 @@ def test_organs_tell_what_made_them_and_where_they_stand() -> None:
     assert set(organs.component) == {"leaf"}
     np.testing.assert_array_equal(organs.instance, np.arange(len(organs)))
     np.testing.assert_array_equal(organs.position, organs.frame[:, 3])
-    for name in ("component", "instance", "position"):
+    assert set(organs.tree) == {0}
+    for name in ("component", "instance", "tree", "position"):
         np.testing.assert_array_equal(light[name], getattr(organs, name))
     [tree] = plant.measure(each=True)["each"]
-    assert (tree["component"], tree["instance"]) == ("tree", 0)
+    assert (tree["component"], tree["instance"], tree["row"]) == ("tree", 0, None)
+    assert tree["leaf_count"] == len(organs)
     np.testing.assert_array_equal(tree["position"], plant.stems[0].skeleton.position[0])
     assert plant.stems[0].skeleton.measure(each=True)["each"][0]["component"] is None
 

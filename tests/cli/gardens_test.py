@@ -3,6 +3,8 @@
 """Documents that place the plants of others, and tables of places. Usage: gardens_test.py PROGRAM [unittest options]"""
 
 import collections
+import csv
+import io
 import json
 import struct
 import unittest
@@ -56,7 +58,16 @@ class Gardens(cli_case.Case):
         self.assertEqual(instances, {("oak.stem", "0"), ("oak.stem", "1"), ("oak.stem", "2")})
 
     def test_measures_count_each_place(self):
-        self.assert_ends(DONE, "measure", "garden.json")
+        self.assert_ends(DONE, "measure", "garden.json", "--each", "--json", "--organs", "leaves.csv", "-o", "garden.txt")
+        trees = json.loads(self.read("garden.txt"))["each"]
+        self.assertEqual([(tree["component"], tree["row"]) for tree in trees],
+                         [("oak.stem", 0), ("oak.stem", 2), ("oak.stem", 1)])
+        self.assertEqual([tree["position"] for tree in trees], [[0, 0, 0], [9, 0, -2], [5, 0, -1]])
+        self.assertEqual([tree["leaf_count"] for tree in trees], [5, 5, 5])
+        leaves = list(csv.DictReader(io.StringIO(self.read("leaves.csv").decode())))
+        for number, tree in enumerate(trees):
+            areas = [float(leaf["area"]) for leaf in leaves if leaf["tree"] == str(number)]
+            self.assertAlmostEqual(sum(areas), tree["leaf_area"], places=6)
 
     def faults(self, table):
         self.write("trees.csv", table)

@@ -49,7 +49,8 @@ class Measuring(cli_case.Case):
         self.assertEqual((measures["trees"], len(measures["each"])), (2, 2))
         self.assertEqual(sum(tree["nodes"] for tree in measures["each"]), measures["nodes"])
         self.assertEqual(max(tree["height"] for tree in measures["each"]), measures["height"])
-        self.assertNotIn("leaf_count", measures["each"][0])
+        self.assertNotIn("triangles", measures["each"][0])
+        self.assertEqual([tree["row"] for tree in measures["each"]], [None, None])
         self.assertEqual([(tree["component"], tree["instance"], tree["position"]) for tree in measures["each"]],
                          [("left", 0, [-3, 0, 0]), ("right", 0, [3, 0, 0])])
         self.assertIn(b"\ntree 2: right 0, at 3, 0, 0\n", self.run_program("measure", "stand.json", "--each").stdout)
@@ -76,6 +77,7 @@ class Measuring(cli_case.Case):
         rows = list(csv.DictReader(io.StringIO(self.read("leaves.csv").decode())))
         self.assertEqual([int(row["instance"]) for row in rows], list(range(measures["leaf_count"])))
         self.assertEqual({row["component"] for row in rows}, {"leaf"})
+        self.assertEqual({row["tree"] for row in rows}, {"0"})
         area = sum(float(row["area"]) for row in rows)
         self.assertAlmostEqual(area, measures["leaf_area"], places=5)
         for column in ("exposure", "irradiance"):

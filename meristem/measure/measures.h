@@ -60,7 +60,7 @@ struct Measures {
   std::uint64_t pipe_unsolved = 0;
   Distribution area_ratio;
 
-  // Of plants only, and of a tree where its leaves are known to be its own.
+  // Measures of plants, and of a tree where its leaves are known to be its own.
   std::optional<std::uint64_t> leaf_count;
   std::optional<double> leaf_area;
   std::optional<double> petiole_area;
@@ -68,7 +68,7 @@ struct Measures {
   std::optional<double> leaf_exposure;  ///< this and the next only where options ask for the light on organs
   std::optional<double> leaf_irradiance;
 
-  // Of whole plants only.
+  // Measures of whole plants.
   std::optional<double> thickened_below;  ///< this and the next two for blended stems alone
   std::optional<double> thickened_length;
   std::optional<double> thickened_volume;

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """How many plants a second a batch grows on 1 and 2 worker processes, and in the calling process.
 
-    PYTHONPATH=build/release/python bench/python_batch.py [--model oak] [--plants 24] [--rounds 3]
+    PYTHONPATH=build/python/python /usr/bin/python3 bench/python_batch.py [--model oak] [--plants 24] [--rounds 3]
 
 The ways take turns, ROUNDS times, as other programs disturb them; the best of each counts, and every round's ratio is
 printed. `cores` is the processor time of the growing processes over the wall's: two workers that are not disturbed have
@@ -19,7 +19,9 @@ import resource
 import time
 
 import meristem
-from meristem import _batch, _job
+from meristem._batch import pickle_job
+from meristem._job import Job, Task
+from meristem._pool import Pool
 
 
 def measure_and_clock(plant):
@@ -30,9 +32,12 @@ def measure_and_clock(plant):
 
 def grow_on_workers(document, plants, processes):
     """By the pool also for one process, for which batch() has none."""
-    job = pickle.dumps(_job.Job(document, measure_and_clock))
-    tasks = (_job.Task(seed, {}) for seed in range(plants))
-    return [result.result for result in _batch._grow_on_pool(job, processes, tasks, plants, None)], 0.0
+    pool = Pool(pickle_job(Job(document, measure_and_clock)), processes)
+    try:
+        tasks = (Task(seed, {}) for seed in range(plants))
+        return [pickle.loads(result) for _, result in pool.run(tasks, lambda: None)], 0.0
+    finally:
+        pool.stop()
 
 
 def grow_here(document, plants, _):

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fewer triangles: a crown of spheres from 0.5 and 5 million triangles, and a forked trunk with thin ends. Counters:
-// triangles that come in and that are left, triangles a second that come in, volume and area of what is left over those
-// of the whole, 1 for `closed` if each edge has two triangles that agree, and the milliseconds that stopping took at
-// worst. The label is the hash of the result's positions. For comparison, the time that mapping each vertex to a grid
-// and back takes (`to_grid`: vertices of a cell become one, no errors, holes and all), measured in the same run.
+// triangles that come in and that are left, triangles per second that come in, volume and area of what is left over
+// those of the whole, 1 for `closed` if each edge has two triangles that agree, and the milliseconds that stopping took
+// at worst. The label is the hash of the result's positions. For comparison, the time that mapping each vertex to a
+// grid and back takes (`to_grid`: vertices of a cell become one, no errors, holes and all), measured in the same run.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>

@@ -3,10 +3,10 @@
 //
 // A figure of following is the time from the browser's stamp of an input to the end of the first frame that shows the
 // plant with the new value, less the time that drawing this frame once more takes. Each is measured 100 times while the
-// mouse holds a slider and waits for each
-// picture before it goes on, so that a slow picture lets the server begin the detail of rest in between. The reference is a sapling of a few triangles in the same run: what the way from hand to picture
-// costs at all. The table's lines go to the file that MERISTEM_BENCH_TABLE names; MERISTEM_BENCH=small runs everything
-// a few times. MERISTEM, MERISTEM_CHROMIUM: as for the page's tests.
+// mouse holds a slider and waits for each picture before it goes on, so that a slow picture lets the server begin the
+// detail of rest in between. The reference is a sapling of a few triangles in the same run: what the way from hand to
+// picture costs at all. The table's lines go to the file that MERISTEM_BENCH_TABLE names; MERISTEM_BENCH=small runs
+// everything a few times. MERISTEM, MERISTEM_CHROMIUM: as for the page's tests.
 import { appendFile, readFile } from 'node:fs/promises';
 import os from 'node:os';
 import path from 'node:path';

@@ -3,7 +3,7 @@
 
     PYTHONPATH=build/python/python /usr/bin/python3 studies/fit_plants.py -o out/fit-study
 
-Writes `fits.csv` (a row per variable), `table.md` (a row per planting), `expectations.csv` and `found.jpg` into a folder.
+Writes `fits.csv` (a row per variable), `table.md` (a row per planting), `expectations.csv` and `found.png` into a folder.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ def run_study(folder: Path, quick: bool, resume: bool) -> None:
     findings = check(found, growths)
     write_findings(folder / "expectations.csv", findings)
     (folder / "table.md").write_text("\n".join(table_lines(found)) + "\n", encoding="utf-8")
-    draw_found(folder / "found.jpg", found, ends)
+    draw_found(folder / "found.png", found, ends)
     print_findings(findings)
 
 

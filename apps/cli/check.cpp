@@ -51,14 +51,12 @@ void check(const CheckOptions& options) {
 }  // namespace
 
 void add_check(CLI::App& app, Run& run) {
-  CLI::App* command =
-      app.add_subcommand("check", "Report all that is wrong with a document, also what growing it would find");
+  CLI::App* command = app.add_subcommand("check", "Report every fault of a document, and of growing it");
   auto options = std::make_shared<CheckOptions>();
   options->document.add_to(*command);
-  command->add_flag("--quick", options->is_quick,
-                    "Only read the document, without growing its plants to see whether they can");
+  command->add_flag("--quick", options->is_quick, "Only read the document; do not grow its plants");
   command->add_flag("--expand", options->expands,
-                    "Print the operations that trainings stand for, as documents write them");
+                    "Print the operations that each training stands for, as a document would list them");
   command->footer("Example: meristem check models/oak.json");
   command->callback([options, &run] { run = [options] { check(*options); }; });
 }

@@ -7,7 +7,8 @@
 namespace meristem::cli {
 
 void add_completion(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("completion", "Print a script that has a shell complete commands and options");
+  CLI::App* command =
+      app.add_subcommand("completion", "Print a script with which a shell completes commands and options");
   auto shell = std::make_shared<std::string>();
   auto manual = std::make_shared<bool>(false);
   CLI::Option* const named = command->add_option("shell", *shell, "Shell to complete in: bash, zsh or fish")

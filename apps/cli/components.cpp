@@ -45,7 +45,7 @@ struct Part {
 
 std::vector<Part> other_parts() {
   return {{"link",
-           "What stands on what; a link on stems or into a crown says where.",
+           "Joins two components: the child stands on the parent, along its stems or in its crown.",
            {&placement_table(), &crown_placement_table()}},
           {"variable", variable_table().doc, {&variable_table()}},
           {"document", "The top level of a document.", {&head_table()}},
@@ -84,12 +84,12 @@ void list_components() {
 }  // namespace
 
 void add_components(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("components", "List the types of components, or one type's parameters");
+  CLI::App* command = app.add_subcommand("components", "List component types, or one type's parameters");
   auto name = std::make_shared<std::string>();
   auto schema = std::make_shared<bool>(false);
   auto json = std::make_shared<bool>(false);
   auto markdown = std::make_shared<bool>(false);
-  command->add_option("name", *name, "A type, for its parameters; or link, variable, document, limits")
+  command->add_option("name", *name, "Component type whose parameters to list; or link, variable, document, limits")
       ->type_name("NAME");
   command->add_flag("--schema", *schema, "Print the JSON Schema of documents");
   command->add_flag("--json", *json, "Print all tables as JSON for editors")->excludes("--schema");

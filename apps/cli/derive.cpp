@@ -86,7 +86,7 @@ Grammar read(const DeriveOptions& command, std::vector<std::string>& inputs) {
 int steps_of(const DeriveOptions& command, const Grammar& grammar) {
   if (command.steps) return *command.steps;
   if (grammar.steps) return *grammar.steps;
-  throw InputError(Diagnostic{.message = "the grammar does not say how many steps to derive",
+  throw InputError(Diagnostic{.message = "the grammar does not give the number of steps",
                               .expected = "'#steps N' in it, or --steps N",
                               .file = command.file()});
 }
@@ -136,20 +136,20 @@ void add_derive(CLI::App& app, Run& run) {
   command->add_option("grammar", options->path, "A grammar's text, or - for standard input")
       ->required()
       ->type_name("FILE");
-  command->add_option("--steps", options->steps, "Number of steps to derive; the grammar's #steps if not given")
+  command->add_option("--steps", options->steps, "Number of steps to derive; by default, the grammar's #steps")
       ->type_name("N")
       ->check(CLI::Range(0, kMostSteps));
-  command->add_option("--seed", options->seed, "Seed of the random draws; 1 if not given")
+  command->add_option("--seed", options->seed, "Seed of the random draws; by default, 1")
       ->type_name("N")
       ->check(is_seed());
   command
       ->add_option("--define", options->defines,
-                   "Give a name of the grammar's #define lines another value (angle=22.5, r=1/3); may be repeated")
+                   "Set a name that the grammar defines with #define (angle=22.5, r=1/3); may be repeated")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   command->add_flag("--drawn", options->drawn, "Apply the interpretation rules, as drawing does");
   command->add_flag("--stats", options->stats, "Write the word's length and counts of symbols as JSON instead");
-  command->add_option("-o,--output", options->output, "File to write; standard output if not given")->type_name("FILE");
+  command->add_option("-o,--output", options->output, "File to write; by default, standard output")->type_name("FILE");
   add_run_options(*command, options->threads, options->quiet);
   command->footer("Example: meristem derive bush.txt --steps 4 --define angle=22.5 -o bush-word.txt");
   command->callback([options, &run] { run = [options] { derive(*options); }; });

@@ -36,7 +36,7 @@ std::vector<Override> overrides_of(const DocumentOptions& options) {
 }  // namespace
 
 void add_run_options(CLI::App& command, int& threads, bool& quiet) {
-  command.add_option("--threads", threads, "Number of threads to use; all cores if not given")
+  command.add_option("--threads", threads, "Number of threads; by default, one per core")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   command.add_flag("-q,--quiet", quiet, "Print errors only");
@@ -57,7 +57,7 @@ void add_plugin_option(CLI::App& command) {
 
 CLI::Validator is_seed() {
   const auto fault = [](const std::string& text) {
-    return seed_of_text(text) ? "" : fmt::format("'{}' is no seed; expected {}", text, kSeedRange);
+    return seed_of_text(text) ? "" : fmt::format("'{}' is not a seed; expected {}", text, kSeedRange);
   };
   return CLI::Validator(fault, "");
 }

@@ -58,7 +58,7 @@ std::vector<double> frame_times(const std::string& text) {
   const double begin = numbers[0];
   const double step = numbers[2];
   if (!(step > 0)) throw wrong_time(text, "a step above 0");
-  if (!(numbers[1] >= begin)) throw wrong_time(text, "an end that is not before the begin");
+  if (!(numbers[1] >= begin)) throw wrong_time(text, "an end that is not before the start");
   // A last step that rounding has carried past the end still counts.
   const double steps = std::floor((numbers[1] - begin) / step + 1e-9);
   if (!(steps < kMostFrames)) throw wrong_time(text, fmt::format("at most {} frames", kMostFrames));

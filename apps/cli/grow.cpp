@@ -98,7 +98,7 @@ std::vector<std::vector<PlannedFile>> planned_files(const GrowOptions& options,
     for (int level = 1; level <= lod; ++level) {
       const std::string path = detail_path(*formats[k], output, level);
       if (std::find(options.outputs.begin(), options.outputs.end(), path) != options.outputs.end()) {
-        throw wrong_lod(fmt::format("'{}' would be written twice, as a level of detail too", path), "another name");
+        throw wrong_lod(fmt::format("'{}' would be written twice: also as a level of detail", path), "another name");
       }
       levels[static_cast<std::size_t>(level)].push_back({formats[k], path});
     }
@@ -114,7 +114,7 @@ std::vector<PlannedFile> planned_cards(const GrowOptions& options, const std::ve
     if (!formats[k]->has_textures() || output == "-") continue;
     files.push_back({formats[k], cards_path(*formats[k], output)});
     if (std::find(options.outputs.begin(), options.outputs.end(), files.back().path) == options.outputs.end()) continue;
-    throw wrong_lod(fmt::format("'{}' would be written twice, with cards too", files.back().path), "another name");
+    throw wrong_lod(fmt::format("'{}' would be written twice: also with cards", files.back().path), "another name");
   }
   return files;
 }
@@ -219,33 +219,33 @@ void add_grow(CLI::App& app, Run& run) {
   options->document.add_to(*command);
   command
       ->add_option("-o,--output", options->outputs,
-                   "File to write, its format by its ending, see below; - for standard output; may be repeated")
+                   "File to write, in the format of its ending (see below); - for standard output; may be repeated")
       ->required()
       ->type_name("FILE")
       ->allow_extra_args(false);
-  command->add_option("--time", options->time, "Grow the document as it stands at this time, its t, in seconds")
+  command->add_option("--time", options->time, "Grow the document at this time in seconds, the t of its expressions")
       ->type_name("T");
   command
       ->add_option("--lod", options->lod,
-                   "Number of coarser levels of detail to write too, oak_lod1.glb, oak_lod2.glb, ...; the document's "
-                   "output.lod if not given")
+                   "Number of coarser levels of detail to write as well: oak_lod1.glb, oak_lod2.glb, ...; by default, "
+                   "the document's output.lod")
       ->type_name("N");
   command
       ->add_option("--cards", options->cards,
-                   "Number of upright crossed cards, pictures of the plant, to write as a last level, oak_cards.glb; "
-                   "the document's output.cards if not given")
+                   "Number of upright crossed cards, pictures of the plant, to write as a last level: oak_cards.glb; "
+                   "by default, the document's output.cards")
       ->type_name("N");
-  CLI::Option* const instanced = command->add_flag(
-      "--instanced", options->instanced,
-      "Write leaves to .glb as instances of one mesh, as is done by itself beyond 5 million triangles: "
-      "small files, that not every program reads");
+  CLI::Option* const instanced =
+      command->add_flag("--instanced", options->instanced,
+                        "Write leaves into .glb as instances of one mesh, which is the default beyond 5 million "
+                        "triangles: small files, which not every program reads");
   command
-      ->add_flag("--nodes", options->nodes,
-                 "Beyond 5 million triangles, write leaves to .glb as nodes instead: large files, that every program "
-                 "reads")
+      ->add_flag(
+          "--nodes", options->nodes,
+          "Write leaves into .glb as nodes, also beyond 5 million triangles: large files, which every program reads")
       ->excludes(instanced);
   command->add_flag("--obstacles", options->obstacles,
-                    "Write the scene's obstacles into .glb, .obj and .ply as well, but those that are hidden");
+                    "Also write the scene's visible obstacles into .glb, .obj and .ply");
   std::string endings;
   for (const Format& format : formats()) endings += fmt::format("  {:<14} {}\n", format.ending, format.doc);
   command->footer("Files end in:\n" + endings +

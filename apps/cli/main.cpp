@@ -51,14 +51,14 @@ int report_usage(const CLI::App& app, const CLI::ParseError& error) {
   }
   const auto chosen = app.get_subcommands();
   cli::print_status("meristem: " + diagnostic.text());
-  cli::print_status(
-      fmt::format("'meristem {}--help' tells more.", chosen.empty() ? "" : chosen.front()->get_name() + " "));
+  cli::print_status(fmt::format("'meristem {}--help' lists what is allowed.",
+                                chosen.empty() ? "" : chosen.front()->get_name() + " "));
   return kWrongInput;
 }
 
 /// Ends as the signal would have ended the program, so that shells and makefiles see it.
 int end_by_signal() {
-  cli::print_status("meristem: stopped; nothing was left half-written");
+  cli::print_status("meristem: stopped; no file was left half-written");
   std::signal(cli::received_signal(), SIG_DFL);
   std::raise(cli::received_signal());
   return kFailed;
@@ -88,7 +88,7 @@ int run_and_report(const cli::Run& run) {
 
 /// Where the system refuses a thread that a library needs, no exception can be caught.
 [[noreturn]] void end_with_a_word() {
-  std::string reason = "an error that was not expected";
+  std::string reason = "an unexpected error";
   try {
     if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
   } catch (const std::exception& error) {

@@ -85,7 +85,7 @@ void check_organs(const MeasureCommand& command, std::span<const std::string> in
   check_output(command.organs, inputs);
   if (is_same_place(command.organs, command.output)) {
     throw InputError(Diagnostic{.message = "the measures and the table of organs would be written to one file",
-                                .expected = "-o FILE and --organs FILE to be different"});
+                                .expected = "different files for -o and --organs"});
   }
 }
 
@@ -151,10 +151,10 @@ StandMeasures measure_mtg(const MeasureCommand& command) {
     warnings.push_back({.severity = Severity::warning, .message = std::move(message), .file = path});
   };
   if (stand.whole.height > kTallestTree) {
-    warn(fmt::format("the plant is {:.0f} m high; --unit says what its coordinates are in", stand.whole.height));
+    warn(fmt::format("the plant is {:.0f} m high; --unit gives the unit of its coordinates", stand.whole.height));
   }
   if (read.guessed > 0) {
-    warn(fmt::format("entities without coordinates stand where they are borne: {}", read.guessed));
+    warn(fmt::format("entities without coordinates stand where their parents end: {}", read.guessed));
   }
   print_diagnostics(warnings);
   return stand;
@@ -177,22 +177,22 @@ void list_measures() {
 }
 
 void add_mtg_options(CLI::App& command, MeasureCommand& options) {
-  const char* const group = "For .mtg files, in which plants are coded and digitised";
+  const char* const group = "For .mtg files, which hold digitised or coded plants";
   command
       .add_option("--coordinates", options.coordinates,
-                  "The features with the coordinates to the east, to the north and up; XX,YY,ZZ if not given")
+                  "Features with the coordinates to the east, to the north and up; by default, XX,YY,ZZ")
       ->type_name("X,Y,Z")
       ->group(group);
-  command.add_option("--diameter", options.diameter, "The feature with diameters; TopDia or TopDiameter if not given")
+  command.add_option("--diameter", options.diameter, "Feature with the diameters; by default, TopDia or TopDiameter")
       ->type_name("NAME")
       ->group(group);
   std::vector<std::string> names;
   for (const auto& [name, metres] : units()) names.push_back(name);
-  command.add_option("--unit", options.unit, "Unit of coordinates; m if not given")
+  command.add_option("--unit", options.unit, "Unit of coordinates; by default, m")
       ->type_name("UNIT")
       ->check(CLI::IsMember(names))
       ->group(group);
-  command.add_option("--diameter-unit", options.diameter_unit, "Unit of diameters; that of --unit if not given")
+  command.add_option("--diameter-unit", options.diameter_unit, "Unit of diameters; by default, that of --unit")
       ->type_name("UNIT")
       ->check(CLI::IsMember(names))
       ->group(group);
@@ -205,33 +205,33 @@ void add_measure(CLI::App& app, Run& run) {
   auto options = std::make_shared<MeasureCommand>();
   options->document.add_to(*command);
   command->get_option("document")->required(false);
-  command->add_option("-o,--output", options->output, "File to write; standard output if not given")->type_name("FILE");
+  command->add_option("-o,--output", options->output, "File to write; by default, standard output")->type_name("FILE");
   command->add_flag("--json", options->json, "Write JSON instead of a table");
-  command->add_flag("--each", options->each, "Measure each tree on its own as well");
+  command->add_flag("--each", options->each, "Also measure each tree by itself");
   command
       ->add_option("--fork-diameter", options->measures.fork_diameter,
-                   "Area ratios count from forks of this thickness; 0.02 if not given")
+                   "Diameter of a fork's parent from which area ratios count the fork; by default, 0.02")
       ->type_name("METRES")
       ->check(CLI::Range(0.0, 1000.0));
   command->add_flag("--light", options->measures.organ_light,
                     "Measure the light on the leaves, which may take seconds");
   command
       ->add_option("--sun", options->sun,
-                   "Measure under this sun, which need not be the one of growth: {\"day\": 172, \"hour\": 15}, or "
+                   "Measure under this sun, which may differ from the sun of growth: {\"day\": 172, \"hour\": 15}, or "
                    "another value of scene.sun")
       ->type_name("JSON");
   command
       ->add_option("--layers", options->measures.layer_height,
-                   "Tell the leaf area by height as well, in layers so high")
+                   "Also print the leaf area by height, in layers of this height")
       ->type_name("METRES")
       ->check(CLI::Range(0.001, 1000.0));
-  command->add_option("--time", options->time, "Measure the document as it stands at this time, its t, in seconds")
+  command->add_option("--time", options->time, "Measure the document at this time in seconds, the t of its expressions")
       ->type_name("T");
   command
       ->add_option("--organs", options->organs,
-                   "Table in CSV to write, with the light on every organ; - for standard output")
+                   "CSV table to write, with the light on every organ; - for standard output")
       ->type_name("FILE");
-  command->add_flag("--list", options->list, "List what is measured");
+  command->add_flag("--list", options->list, "List all measures");
   command->add_flag("--markdown", options->markdown, "Print all measures as the table of the manual")
       ->excludes("--list");
   add_mtg_options(*command, *options);

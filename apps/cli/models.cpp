@@ -36,8 +36,8 @@ void add_models(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("models", "List the shipped models");
   auto paths = std::make_shared<bool>(false);
   auto names = std::make_shared<bool>(false);
-  command->add_flag("--paths", *paths, "Print their files instead");
-  command->add_flag("--names", *names, "Print their names alone")->excludes("--paths");
+  command->add_flag("--paths", *paths, "Print the paths of their files");
+  command->add_flag("--names", *names, "Print only their names")->excludes("--paths");
   command->footer("Example: meristem models");
   command->callback([paths, names, &run] { run = [paths, names] { list_models(*paths, *names); }; });
 }

@@ -297,8 +297,8 @@ std::string man_page(const CLI::App& app) {
     if (!command.footer.empty()) text += fmt::format(".PP\n.nf\n{}\n.fi\n", man_text(command.footer));
   }
   return text +
-         ".SH EXIT STATUS\n0 where all is done, 1 where it could not be done, 2 where the command line or the document "
-         "is wrong.\n";
+         ".SH EXIT STATUS\n0 if all is done, 1 if a file, the disk or the memory failed, 2 if the command line or the "
+         "document is wrong.\n";
 }
 
 }  // namespace meristem::cli

@@ -57,8 +57,8 @@ std::vector<Picture> planned_pictures(const RenderOptions& options) {
                                 .expected = fmt::format("1 to {} frames", kMostFrames)});
   }
   if (options.turntable && times.size() > 1) {
-    throw InputError(Diagnostic{.message = "--turntable goes around a plant that stands still",
-                                .expected = "a single --time with it"});
+    throw InputError(
+        Diagnostic{.message = "--turntable needs a plant that stands still", .expected = "a single --time beside it"});
   }
   const int count = options.turntable.value_or(static_cast<int>(times.size()));
   const std::vector<std::string> paths = frame_paths(options.output, count);
@@ -163,7 +163,7 @@ std::vector<Diagnostic> take_pictures(const Document& document, const std::vecto
 void render(const RenderOptions& options) {
   // Everything that can be wrong with the command line and the document comes before any work.
   if (options.output.empty()) {
-    throw InputError(Diagnostic{.message = "there is no file to write", .expected = "-o FILE, or --fingerprint"});
+    throw InputError(Diagnostic{.message = "no file to write is given", .expected = "-o FILE, or --fingerprint"});
   }
   if (!options.fingerprint) check_picture_file(options.output, options.transparent, chosen_file(options));
   if (options.detail.level < 0 || options.detail.level > kCoarsestDetail) {
@@ -208,39 +208,48 @@ void add_render(CLI::App& app, Run& run) {
           ->type_name("FILE");
   CLI::Option* const fingerprint =
       command->add_flag("--fingerprint", options->fingerprint,
-                        "Draw nothing and print 16 digits that change when the picture would change");
+                        "Draw nothing; print 16 digits that change whenever the picture would change");
   output->excludes(fingerprint);
   command
       ->add_option("--quality", options->quality,
-                   "Quality of a JPEG, 1 to 100, 90 if not given: higher is closer to the picture and larger")
+                   "Quality of a JPEG from 1 to 100; by default, 90. Higher: closer to the picture, larger file")
       ->type_name("N");
   command
       ->add_option("--max-size", options->max_kilobytes,
                    "Lower the quality of a JPEG until the file has at most this many kilobytes")
       ->type_name("KB");
-  command->add_option("--size", options->size, "Pixels; the document's output.size if not given")->type_name("WxH");
-  command->add_option("--samples", options->samples, "Most paths per pixel: more are slower and less noisy")
+  command->add_option("--size", options->size, "Width and height in pixels; by default, the document's output.size")
+      ->type_name("WxH");
+  command
+      ->add_option("--samples", options->samples,
+                   "Largest number of light paths per pixel; more take longer and give less noise")
       ->type_name("N");
   command
-      ->add_option("--view", options->view,
-                   "Where the camera stands, degrees from north over east and over the horizon")
+      ->add_option(
+          "--view", options->view,
+          "Direction from the plant to the camera in degrees: azimuth from north over east, altitude above the horizon")
       ->type_name("AZIMUTH,ALTITUDE");
   command
-      ->add_option("--turntable", options->turntable,
-                   "Number of pictures to write, numbered, the camera going once around: oak_000.png, oak_001.png, ...")
+      ->add_option(
+          "--turntable", options->turntable,
+          "Number of pictures to write while the camera goes once around the plant: oak_000.png, oak_001.png, ...")
       ->type_name("N");
   command
       ->add_option("--time", options->time,
-                   "Show the document at time T, its t, in seconds; FROM:TO:STEP writes a numbered picture for each")
+                   "Draw the document at this time in seconds, the t of its expressions; FROM:TO:STEP writes one "
+                   "numbered picture per time")
       ->type_name("T|FROM:TO:STEP");
-  command->add_option("--lod", options->detail.level, "Show this level of detail, 0 if not given: see grow --lod")
+  command
+      ->add_option("--lod", options->detail.level,
+                   "Draw this level of detail (see grow --lod); by default, 0, the whole plant")
       ->type_name("LEVEL");
   command
-      ->add_option("--cards", options->cards, "Show the plant as this many crossed cards, as grow --cards writes them")
+      ->add_option("--cards", options->cards,
+                   "Draw the plant as this number of crossed cards, which grow --cards writes")
       ->type_name("N");
-  command->add_flag("--transparent", options->transparent, "No sky and no ground, with an alpha channel");
+  command->add_flag("--transparent", options->transparent, "Leave out sky and ground, and add an alpha channel");
   command->add_flag("--hull", options->hull,
-                    "Draw the convex hull of each tree's crown as wires: what lit_share is measured of");
+                    "Draw the convex hull of each tree's crown, whose lit_share is measured, as wires");
   command->footer("Example: meristem render models/oak.json -o oak.png --size 800x800 --samples 64");
   command->callback([options, &run] {
     if (options->fingerprint) options->output = "picture.png";  // names numbered frames; nothing is written to it

@@ -125,27 +125,26 @@ void add_surfaces(CLI::App& command, ShadeCommand& options) {
   panels->excludes(facade);
   command
       .add_option("--spacing", options.request.spacing,
-                  "Distance between the points that are asked, 0.25 if not given: lower is finer and slower")
+                  "Distance between the points of the surface; by default, 0.25. Lower is finer and slower")
       ->type_name("METRES");
 }
 
 void add_times(CLI::App& command, ShadeCommand& options) {
   command
       .add_option("--days", options.request.days,
-                  "Days of the year or dates, with commas: 172, 2026-06-21, or FROM:TO:STEP of either")
+                  "Days of the year or dates, separated by commas: 172, 2026-06-21, or FROM:TO:STEP of either")
       ->required()
       ->type_name("DAYS");
   command
-      .add_option(
-          "--hours", options.request.hours,
-          "Hours with commas: 15.5, 15:30, or FROM:TO:STEP; 0:23:1 if not given. True solar time, or clock time "
-          "where a longitude and an offset are known")
+      .add_option("--hours", options.request.hours,
+                  "Hours, separated by commas: 15.5, 15:30, or FROM:TO:STEP; by default, 0:23:1. True solar time, or "
+                  "clock time if a longitude and an offset are known")
       ->type_name("HOURS");
-  command.add_option("--latitude", options.request.latitude, "Latitude of the scene; the document's if not given")
+  command.add_option("--latitude", options.request.latitude, "Latitude of the scene; by default, the document's")
       ->type_name("DEGREES");
   command
       .add_option("--longitude", options.request.longitude,
-                  "Longitude of the scene, east positive, for clock time; that of the document's sun if not given")
+                  "Longitude of the scene, east positive, for clock time; by default, that of the document's sun")
       ->type_name("DEGREES");
   command
       .add_option("--utc-offset", options.request.utc_offset,
@@ -162,17 +161,17 @@ void add_shade(CLI::App& app, Run& run) {
   options->document.add_to(*command);
   add_surfaces(*command, *options);
   add_times(*command, *options);
-  command->add_option("--time", options->time, "Grow the document as it stands at this time, its t, in seconds")
+  command->add_option("--time", options->time, "Grow the document at this time in seconds, the t of its expressions")
       ->type_name("T");
   command
       ->add_option("-o,--output", options->outputs,
-                   "File to write: a table (.csv, .json) or a picture (.png, .jpg); standard output if not given; may "
+                   "File to write: a table (.csv, .json) or a picture (.png, .jpg); by default, standard output; may "
                    "be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false);
   command
       ->add_option("--points", options->points,
-                   "Table in CSV to write, with the share of moments in which each point lies in shade")
+                   "CSV table to write, with the share of moments in which each point lies in shade")
       ->type_name("FILE");
   command->add_flag("--json", options->json, "Write JSON to standard output instead of CSV");
   command->footer(

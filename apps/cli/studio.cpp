@@ -99,19 +99,19 @@ void add_studio(CLI::App& app, Run& run) {
   auto options = std::make_shared<StudioOptions>();
   command
       ->add_option("document", options->document,
-                   "A plant document or the name of a shipped model; the oak if not given")
+                   "A plant document or the name of a shipped model; by default, the oak")
       ->type_name("DOC");
   command
       ->add_option(
           "--port", options->port,
-          fmt::format("Port of 127.0.0.1 to listen on; {} or one of the next if not given", studio::kUsualPort))
+          fmt::format("Port of 127.0.0.1 to listen on; by default, the first free one from {}", studio::kUsualPort))
       ->type_name("N")
       ->check(CLI::Range(0, 65535));
   command->add_flag("--no-browser", options->no_browser, "Print the address and open no browser");
   command
-      ->add_option("--root", options->root,
-                   "The one folder in which documents and the files that they name are read and written; the "
-                   "document's own, or the present one, if not given")
+      ->add_option(
+          "--root", options->root,
+          "Folder below which all files are read and written; by default, the document's folder, or the current one")
       ->type_name("DIR");
   add_plugin_option(*command);
   command->footer("Example: meristem studio oak\nCtrl-C ends it.");

@@ -150,7 +150,7 @@ Value formats_value() {
 
 void check_export(const ExportOptions& options) {
   if (!is_picture(options) && !is_document(options) && format_with(options.format) == nullptr)
-    throw Refusal("there is no such format to export");
+    throw Refusal("this format cannot be exported");
   if (!options.instances.empty() && options.instances != "automatic" && options.instances != "rows" &&
       options.instances != "nodes") {
     throw Refusal("'instances' is one of automatic, rows and nodes");

@@ -46,10 +46,9 @@ void JobWatch::run() {
 std::optional<Refusal> JobWatch::reached() const {
   switch (reached_.load()) {
     case Limit::time:
-      return limit_refusal(fmt::format("it was stopped after {} seconds (job_seconds)", limits_.job_seconds),
-                           "job_seconds");
+      return limit_refusal(fmt::format("stopped after {} seconds (job_seconds)", limits_.job_seconds), "job_seconds");
     case Limit::memory:
-      return limit_refusal(fmt::format("it was stopped as the program had more than {:.1f} GB in use (memory_bytes)",
+      return limit_refusal(fmt::format("stopped, because the program used more than {:.1f} GB (memory_bytes)",
                                        static_cast<double>(limits_.memory_bytes) / 1e9),
                            "memory_bytes");
     case Limit::none:

@@ -22,7 +22,7 @@ class JobWatch {
   JobWatch(const JobWatch&) = delete;
   JobWatch& operator=(const JobWatch&) = delete;
 
-  /// The limit for which it was cancelled; nothing where it was not, or by others.
+  /// The limit for which the job was cancelled; nullopt if it was not, or by others.
   std::optional<Refusal> reached() const;
 
  private:

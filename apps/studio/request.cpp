@@ -36,20 +36,20 @@ class Members {
 
   const std::string& text(const char* name) const {
     const std::string* text = value(name).text();
-    if (text == nullptr) throw Refusal(fmt::format("'{}' is no text", name));
+    if (text == nullptr) throw Refusal(fmt::format("'{}' is not a text", name));
     return *text;
   }
 
   double number(const char* name, double low, double high) const {
     const double* number = value(name).number();
     if (number == nullptr || !(*number >= low && *number <= high))
-      throw Refusal(fmt::format("'{}' is no number from {} to {}", name, low, high));
+      throw Refusal(fmt::format("'{}' is not a number from {} to {}", name, low, high));
     return *number;
   }
 
   std::uint64_t whole(const char* name, double low = 0, double high = kGreatestWhole) const {
     const double whole = number(name, low, high);
-    if (whole != std::floor(whole)) throw Refusal(fmt::format("'{}' is no whole number", name));
+    if (whole != std::floor(whole)) throw Refusal(fmt::format("'{}' is not a whole number", name));
     return static_cast<std::uint64_t>(whole);
   }
 
@@ -61,14 +61,14 @@ class Members {
 
   const Value::List& list(const char* name) const {
     const Value::List* list = value(name).list();
-    if (list == nullptr) throw Refusal(fmt::format("'{}' is no list", name));
+    if (list == nullptr) throw Refusal(fmt::format("'{}' is not a list", name));
     if (list->size() > kMostParts) throw Refusal(fmt::format("'{}' has more than {} parts", name, kMostParts));
     return *list;
   }
 
   const Value::Object& object(const char* name) const {
     const Value::Object* object = value(name).object();
-    if (object == nullptr) throw Refusal(fmt::format("'{}' is no object", name));
+    if (object == nullptr) throw Refusal(fmt::format("'{}' is not an object", name));
     if (object->size() > kMostParts) throw Refusal(fmt::format("'{}' has more than {} parts", name, kMostParts));
     return *object;
   }
@@ -159,7 +159,8 @@ Vec3 vector_of(const Members& members, const char* name) {
   Vec3 vector(0);
   for (std::size_t k = 0; k < 3; ++k) {
     const double* number = list.size() == 3 ? list[k].number() : nullptr;
-    if (number == nullptr || !(std::abs(*number) <= 1e6)) throw Refusal(fmt::format("'{}' is no [x, y, z]", name));
+    if (number == nullptr || !(std::abs(*number) <= 1e6))
+      throw Refusal(fmt::format("'{}' is not a list [x, y, z]", name));
     vector[static_cast<int>(k)] = static_cast<float>(*number);
   }
   return vector;
@@ -231,12 +232,12 @@ Value read_json(std::string_view message) {
   try {
     return parse_json(message, message_limits());
   } catch (const InputError& error) {
-    throw Refusal(fmt::format("the message is no JSON: {}", error.what()));
+    throw Refusal(fmt::format("the message is not JSON: {}", error.what()));
   }
 }
 
 double id_of(const Value& message) {
-  if (message.object() == nullptr) throw Refusal("the message is no object");
+  if (message.object() == nullptr) throw Refusal("the message is not an object");
   return static_cast<double>(Members(message).whole("id"));
 }
 

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLongestPath = 1000;
 constexpr std::size_t kMostEntries = 5000;  // of a folder that are listed
 
-[[noreturn]] void refuse_outside() { throw Refusal("this is outside of the folder that may be read"); }
+[[noreturn]] void refuse_outside() { throw Refusal("this lies outside the folder that may be read"); }
 
 bool is_name(std::string_view name) { return !name.empty() && name[0] != '.' && name.find('\0') == std::string::npos; }
 
@@ -34,7 +34,7 @@ bool is_name(std::string_view name) { return !name.empty() && name[0] != '.' && 
 RootFolder::RootFolder(const std::string& path) {
   std::error_code error;
   const fs::path real = fs::canonical(path, error);
-  if (error || !fs::is_directory(real, error)) throw MachineError(fmt::format("'{}' is no folder", path));
+  if (error || !fs::is_directory(real, error)) throw MachineError(fmt::format("'{}' is not a folder", path));
   path_ = real.string();
 }
 
@@ -103,7 +103,7 @@ void RootFolder::write(const std::string& file, const std::string& text, const s
   const std::string path = absolute(file);
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (fs::exists(status) && !fs::is_regular_file(status)) throw Refusal("this is no file");
+  if (fs::exists(status) && !fs::is_regular_file(status)) throw Refusal("this is not a file");
   if (!over) {
     std::optional<std::string> there;
     if (fs::exists(status)) {
@@ -114,7 +114,7 @@ void RootFolder::write(const std::string& file, const std::string& text, const s
       }
     }
     if (there != known) {
-      throw Refusal(there ? "the file has been changed by somebody else" : "the file is not there any more",
+      throw Refusal(there ? "the file has been changed by somebody else" : "the file no longer exists",
                     {{"changed", true}});
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One thread for all sockets, which never waits; one for messages, so that reading a document stops no other page.
-// Nothing that a page says is taken before its Host, its token and, for sockets, its Origin are found to be right.
+// A request of a page is read only after its Host, its token and, for sockets, its Origin have been checked.
 #include "server.h"
 
 #include <algorithm>
@@ -231,7 +231,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     const auto hosts = request.equal_range(http::field::host);
     const std::string_view host = header(http::field::host);
     if (std::distance(hosts.first, hosts.second) != 1 || !is_own_host(host, serving_.port))
-      return refuse(http::status::forbidden, "this is not the host that serves");
+      return refuse(http::status::forbidden, "the studio does not serve this host");
     const auto name = name_below_token({request.target().data(), request.target().size()}, serving_.token);
     if (!name) return refuse(http::status::not_found, "there is nothing here");
     if (*name == "socket") return upgrade();
@@ -284,7 +284,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     beast::error_code error;
     http::file_body::value_type body;
     if (path) body.open(path->c_str(), beast::file_mode::scan, error);
-    if (!path || error) return refuse(http::status::not_found, "there is nothing here any more");
+    if (!path || error) return refuse(http::status::not_found, "this no longer exists");
     auto response = begin_response<http::file_body>(http::status::ok, media_type(file));
     response.set(http::field::content_disposition, "attachment; filename=\"" + file + "\"");
     response.body() = std::move(body);

@@ -110,8 +110,8 @@ void StudioSession::receive(std::string_view message) {
   std::optional<double> id;
   try {
     if (message.size() > host_.limits.message_bytes) {
-      throw limit_refusal(fmt::format("the message has {} bytes, where {} are allowed (message_bytes)", message.size(),
-                                      host_.limits.message_bytes),
+      throw limit_refusal(fmt::format("the message has {} bytes; at most {} are allowed (message_bytes)",
+                                      message.size(), host_.limits.message_bytes),
                           "message_bytes");
     }
     require_rate();
@@ -163,7 +163,7 @@ Session& StudioSession::session() {
 
 void StudioSession::require_base(const std::string& base) {
   session();
-  if (base != hash_) throw Refusal("the edit is of another text than the server's", {{"stale", true}});
+  if (base != hash_) throw Refusal("the edit belongs to another text than the server's", {{"stale", true}});
 }
 
 /// A session of the text where the one before stood.
@@ -368,7 +368,7 @@ void StudioSession::run_later(double id, const char* job, Work work) {
     } catch (const Cancelled&) {
       const std::optional<Refusal> limit = watch.reached();
       outbox->send_text(limit ? refused_text(id, limit->what(), limit->members())
-                              : refused_text(id, "it was cancelled", {{"cancelled", true}}));
+                              : refused_text(id, "cancelled", {{"cancelled", true}}));
     } catch (const InputError& error) {
       outbox->send_text(refused_text(id, error.what(), {{"faults", faults_value(error.diagnostics(), {}, "")}}));
     } catch (const std::bad_alloc&) {

@@ -518,7 +518,7 @@ TEST(StudioSession, ReadsNothingOutsideOfItsFolder) {
       "open",
       R"("text": "{\"meristem\": 1, \"components\": {\"a\": {\"type\": \"lsystem\", \"file\": \"/etc/passwd\"}}}")");
   EXPECT_FALSE(*answer.find("good")->boolean());
-  EXPECT_NE(write_json_line(*answer.find("faults")).find("outside of the folder"), std::string::npos);
+  EXPECT_NE(write_json_line(*answer.find("faults")).find("outside the folder"), std::string::npos);
 }
 
 TEST(StudioSession, EndsInTheMiddleOfWork) {

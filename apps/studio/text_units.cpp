@@ -43,7 +43,7 @@ class Walk {
   }
   void to_unit(std::size_t unit) {
     while (unit_ < unit && !is_at_end()) step();
-    if (unit_ != unit) throw std::invalid_argument("a splice lies outside of the text or within a character");
+    if (unit_ != unit) throw std::invalid_argument("a splice lies outside the text or within a character");
   }
   void to_byte(std::size_t byte) {
     while (byte_ < byte && !is_at_end()) step();
@@ -101,14 +101,14 @@ Patch in_bytes(std::string_view text, const std::vector<UnitSplice>& splices) {
   Patch patch;
   Walk walk(text);
   for (const UnitSplice& splice : splices) {
-    if (splice.offset < walk.unit()) throw std::invalid_argument("splices overlap or do not rise");
+    if (splice.offset < walk.unit()) throw std::invalid_argument("splices overlap or are not in order");
     walk.to_unit(splice.offset);
     const std::size_t begin = walk.byte();
-    if (splice.length > text.size()) throw std::invalid_argument("a splice lies outside of the text");
+    if (splice.length > text.size()) throw std::invalid_argument("a splice lies outside the text");
     walk.to_unit(splice.offset + splice.length);
     patch.push_back({begin, walk.byte() - begin, splice.replacement});
   }
-  if (!is_sound(patch, text.size())) throw std::invalid_argument("splices overlap or do not rise");
+  if (!is_sound(patch, text.size())) throw std::invalid_argument("splices overlap or are not in order");
   return patch;
 }
 

@@ -98,7 +98,7 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::write(const void* data, std::size_t size) {
-  if (descriptor_ < 0) throw std::invalid_argument("a file is not written to after its end");
+  if (descriptor_ < 0) throw std::invalid_argument("a file cannot be written to after its end");
   const auto* bytes = static_cast<const std::byte*>(data);
   size_ += size;
   if (buffer_.size() + size > kBufferBytes) flush();
@@ -107,7 +107,7 @@ void AtomicFile::write(const void* data, std::size_t size) {
 }
 
 void AtomicFile::commit() {
-  if (descriptor_ < 0) throw std::invalid_argument("a file is committed once");
+  if (descriptor_ < 0) throw std::invalid_argument("a file can be committed only once");
   flush();
   close();
   if (temporary_.empty()) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one run of a computation leaves for the next one. Results are found by their type and by a fingerprint of all
-// that they depend on, so whoever has a result of a type of its own can cache it; Cache knows none of them.
+// Keeps the results of one run of a computation for the next run. A result is found by its type and by a fingerprint of
+// everything that it depends on. Any type of result can be cached; Cache knows none of these types.
 #pragma once
 
 #include <cstdint>
@@ -15,22 +15,22 @@
 
 namespace meristem {
 
-/// How much of something was made anew, and how much was there already.
+/// Number of results that were made anew, and number that the cache had.
 struct Reuse {
   std::uint64_t made = 0;
   std::uint64_t reused = 0;
 };
 
-/// The fingerprint that a result is found by; nothing where it cannot be said what the result depends on, or nobody
-/// will ask for it.
+/// Fingerprint of everything that a result depends on; nullopt if the dependencies are not known or the result will not
+/// be needed again.
 using CacheKey = std::optional<std::uint64_t>;
 
-/// Results of any types that tell their heap memory by `bytes()`. The cache holds what the last run of each type has
-/// used. The results of a run that did not come to its end stay, beside those of the run before, until the next run has
-/// begun. One run at a time may use the cache.
+/// Results of any types with a function `bytes()` for their heap memory. The cache holds the results that the last run
+/// of each type has used. The results of an interrupted run stay, beside those of the run before, until the next run
+/// has begun. One run at a time may use the cache.
 class Cache {
  public:
-  /// How many results the last run of a type has found and made, as far as it came.
+  /// How many results the last run of a type has found and made so far.
   template <class Result>
   Reuse reuse() const {
     const auto shelf = shelves_.find(typeid(Result));
@@ -38,7 +38,7 @@ class Cache {
   }
   /// Heap memory of all results.
   std::uint64_t bytes() const;
-  /// Lets go of all of it.
+  /// Removes all results.
   void clear() { shelves_.clear(); }
 
  private:
@@ -64,19 +64,19 @@ class Cache {
 /// stores none.
 class CacheRun {
  public:
-  /// Begins a run of these types; `cache`, if there is one (null: none), outlives it.
+  /// Begins a run of these types; `cache` (null: no cache) must outlive the run.
   CacheRun(Cache* cache, std::initializer_list<std::type_index> types);
 
-  /// Ends it: what it has not used is let go. Not called where the run fails.
+  /// Ends the run and removes the results that it has not used. Not called if the run fails.
   void end();
 
-  /// What `make()` gives, a fingerprint or none. Without a cache it is not called, as nobody will ask.
+  /// The key that `make()` returns. Without a cache, `make` is not called and the key is nullopt.
   template <class Make>
   CacheKey key(const Make& make) const {
     return cache_ == nullptr ? std::nullopt : CacheKey(make());
   }
 
-  /// Null where there is none; without a key there never is.
+  /// The result with this key, or null; always null without a key.
   template <class Result>
   std::shared_ptr<Result> find(CacheKey key) {
     Cache::Entry* const entry = find_entry(typeid(Result), key);
@@ -84,14 +84,14 @@ class CacheRun {
     return std::static_pointer_cast<Result>(std::const_pointer_cast<void>(entry->result));
   }
 
-  /// In place of an earlier one with this key. Does nothing without a key.
+  /// Stores a result, in place of an earlier one with this key. Does nothing without a key.
   template <class Result>
   void store(CacheKey key, std::shared_ptr<Result> result) {
     store_entry(typeid(Result), key, std::move(result),
                 [](const void* stored) -> std::uint64_t { return static_cast<const Result*>(stored)->bytes(); });
   }
 
-  /// Tells the cache how much of a type was found, or had to be made.
+  /// Adds to the counts of results of a type that were found, or had to be made.
   template <class Result>
   void count(bool is_reused, std::uint64_t many = 1) {
     count(typeid(Result), is_reused, many);

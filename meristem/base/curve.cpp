@@ -11,12 +11,12 @@
 namespace meristem {
 
 Curve::Curve(std::vector<Vec2> points, CurveKind kind) : points_(std::move(points)), kind_(kind) {
-  if (points_.empty()) throw std::invalid_argument("a curve needs a point");
+  if (points_.empty()) throw std::invalid_argument("a curve needs at least one point");
   for (std::size_t k = 0; k < points_.size(); ++k) {
     if (!std::isfinite(points_[k].x) || !std::isfinite(points_[k].y)) {
-      throw std::invalid_argument("a curve's points are finite");
+      throw std::invalid_argument("a curve's points must be finite");
     }
-    if (k > 0 && points_[k].x <= points_[k - 1].x) throw std::invalid_argument("a curve's points rise in x");
+    if (k > 0 && points_[k].x <= points_[k - 1].x) throw std::invalid_argument("a curve's points must rise in x");
   }
   if (kind_ == CurveKind::spline) second_ = natural_moments(points_);
 }

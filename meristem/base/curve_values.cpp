@@ -29,11 +29,13 @@ std::vector<double> natural_moments(std::span<const Vec2> points) {
 }
 
 CurvePositions::CurvePositions(std::span<const Vec2> points, std::span<const double> rising)
-    : first_(points.size() + 1),
-      left_(rising.size()),
-      right_(rising.size()),
-      left_bend_(rising.size()),
-      right_bend_(rising.size()) {
+    : count_(rising.size()),
+      first_(points.size() + 1),
+      parts_(std::make_unique_for_overwrite<double[]>(4 * count_)),
+      left_(parts_.get()),
+      right_(left_ + count_),
+      left_bend_(right_ + count_),
+      right_bend_(left_bend_ + count_) {
   std::size_t next = 0;
   while (next < rising.size() && rising[next] <= points.front().x) ++next;
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
@@ -55,7 +57,7 @@ CurvePositions::CurvePositions(std::span<const Vec2> points, std::span<const dou
 }
 
 std::vector<double> CurvePositions::values(std::span<const Vec2> points, CurveKind kind) const {
-  std::vector<double> values(left_.size(), points.back().y);
+  std::vector<double> values(count_, points.back().y);
   std::fill_n(values.begin(), first_[0], points.front().y);
   const std::vector<double> moments = kind == CurveKind::spline ? natural_moments(points) : std::vector<double>();
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {

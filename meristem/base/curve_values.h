@@ -2,6 +2,8 @@
 // Curves, for those that need many values at once.
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -22,9 +24,12 @@ class CurvePositions {
   std::vector<double> values(std::span<const Vec2> points, CurveKind kind) const;
 
  private:
-  std::vector<std::size_t> first_;              // by piece, of the positions in it; and those beyond the last
-  std::vector<double> left_, right_;            // by position, how much of the piece's ends its value has
-  std::vector<double> left_bend_, right_bend_;  // and how much of the second derivatives there, in squares of widths
+  std::size_t count_;                // of positions
+  std::vector<std::size_t> first_;   // by piece, of the positions in it; and those beyond the last
+  std::unique_ptr<double[]> parts_;  // what follows, in one piece of memory, and only of the positions on pieces
+  // By position, how much of the piece's ends its value has, and how much of the second derivatives there, in squares
+  // of widths.
+  double *left_, *right_, *left_bend_, *right_bend_;
 };
 
 }  // namespace meristem

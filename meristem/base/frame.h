@@ -34,7 +34,7 @@ struct DFrame {
   DMat3 axes{1};
   DVec3 origin{0};
 
-  /// Outer coordinates of a local point; whoever stores it in 32 bits rounds it there, once.
+  /// Outer coordinates of a local point in 64 bits; callers that store 32 bits round it once.
   DVec3 point(DVec3 local) const { return origin + axes * local; }
 };
 

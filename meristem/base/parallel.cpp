@@ -212,7 +212,7 @@ void run_together(Blocks& blocks, int threads) {
 }  // namespace
 
 void parallel_for(std::size_t count, std::size_t grain, FunctionRef<void(std::size_t, std::size_t)> body) {
-  if (grain == 0) throw std::invalid_argument("a parallel loop's grain is at least 1");
+  if (grain == 0) throw std::invalid_argument("a parallel loop's grain must be at least 1");
   Blocks blocks(count, grain, body);
   const int threads = thread_count();
   if (threads == 1 || blocks.size() <= 1) {
@@ -226,7 +226,7 @@ void parallel_for(std::size_t count, std::size_t grain, FunctionRef<void(std::si
 int thread_count() { return thread_limit > 0 ? available_threads(thread_limit) : core_count(); }
 
 ThreadLimit::ThreadLimit(int threads) : previous_(thread_limit) {
-  if (threads < 0) throw std::invalid_argument("a thread limit is at least 1, or 0 for all cores");
+  if (threads < 0) throw std::invalid_argument("a thread limit must be at least 1, or 0 for all cores");
   thread_limit = threads;
   // Set aside and not dismissed: this thread may be at work for it.
   previous_crew_ = exchange_crew(nullptr);

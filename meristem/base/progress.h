@@ -28,8 +28,8 @@ class Progress {
 
   Progress() = default;
   explicit Progress(Observer observer) : observer_(std::move(observer)) {}
-  /// A part of `whole`, which outlives it: it tells nobody and stops when the whole does. For calls that each have
-  /// their stages, made on many threads within one stage of the whole.
+  /// A part of `whole`, which must outlive it: it reports nothing and stops when the whole does. For calls with stages
+  /// of their own that run on many threads within one stage of the whole.
   explicit Progress(const Progress* whole) : whole_(whole) {}
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

@@ -146,7 +146,7 @@ class ColumnReader {
                   .nearest = nearest_name(form.name, names)});
       } else if (const auto again = std::find(at + 1, names.end(), form.name); again != names.end()) {
         fault(cells_[static_cast<std::size_t>(again - names.begin())].offset,
-              {.message = fmt::format("the column '{}' is there twice", form.name)});
+              {.message = fmt::format("the column '{}' appears twice", form.name)});
       }
     }
   }
@@ -264,7 +264,7 @@ class TableReader {
     for (const Cell& cell : cells_) {
       std::string name(cell.text.substr(0, kLongestName));
       if (!name.empty() && std::ranges::find(names, name) != names.end()) {
-        fault(cell.offset, {.message = fmt::format("the column {} is there twice", in_quotes(name))});
+        fault(cell.offset, {.message = fmt::format("the column {} appears twice", in_quotes(name))});
         if (faults_.size() >= limits_.diagnostics) return;
       }
       names.push_back(name);

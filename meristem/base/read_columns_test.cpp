@@ -98,7 +98,7 @@ TEST(ReadColumns, RejectsAMissingColumnWithTheNearestName) {
 
 TEST(ReadColumns, RejectsAColumnThatIsThereTwiceAtItsSecondPlace) {
   const Diagnostic found = fault_of("x,y,x\n1,2,3\n");
-  EXPECT_EQ(found.message, "the column 'x' is there twice");
+  EXPECT_EQ(found.message, "the column 'x' appears twice");
   EXPECT_EQ(found.line, 1);
   EXPECT_EQ(found.column, 5);
   EXPECT_EQ(read("x,y,note,note\n1,2,3,4\n").row_count(), 1U) << "nobody asks for it";

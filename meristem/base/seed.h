@@ -11,10 +11,10 @@ namespace meristem {
 /// Up to here a JSON number holds every whole number exactly: 2^53.
 inline constexpr std::uint64_t kLargestSeed = 1ULL << 53U;
 
-/// What every door says that a seed must be.
+/// What the messages of all programs say that a seed must be.
 inline constexpr std::string_view kSeedRange = "a whole number from 0 to 9007199254740992";
 
-/// The seed that a text of digits is; nothing for any other text, be it only a space too many.
+/// The seed that a text of digits gives; nullopt for any other text, even with a space added.
 std::optional<std::uint64_t> seed_of_text(std::string_view text);
 
 }  // namespace meristem

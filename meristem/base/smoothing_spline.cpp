@@ -5,8 +5,8 @@
 // points solve a system of five bands,
 //   (R + roughness * Q' W^-1 Q) c = Q' y,   and   f = y - roughness * W^-1 Q c.
 // The distance rises with the roughness, and its logarithm nearly evenly with that of the roughness: the secant rule
-// finds the right one in a few solutions. Taken is the first number of the bisection of all roughnesses that meets the
-// distance, so that the values do not hang on the last digits of the search.
+// finds the right one in a few solutions. The result is the first number of the bisection of all roughnesses that meets
+// the distance, so that the values do not depend on the last digits of the search.
 // Based on: C. H. Reinsch: Smoothing by spline functions (1967); P. J. Green, B. W. Silverman: Nonparametric regression
 // and generalized linear models (1994), section 2.3.
 #include "meristem/base/smoothing_spline.h"
@@ -43,16 +43,19 @@ void check(std::span<const double> x, const std::vector<std::vector<double>>& va
     return std::all_of(all.begin(), all.end(), [](double value) { return std::isfinite(value); });
   };
   require(are_finite(x) && std::adjacent_find(x.begin(), x.end(), std::greater_equal<>()) == x.end(),
-          "the positions of a smoothing spline rise");
+          "the positions of a smoothing spline must rise");
   for (const std::vector<double>& of_one : values) {
-    require(of_one.size() == x.size(), "a smoothing spline has a value per position");
-    require(are_finite(of_one), "the values of a smoothing spline are finite");
+    require(of_one.size() == x.size(), "a smoothing spline needs one value per position");
+    require(are_finite(of_one), "the values of a smoothing spline must be finite");
   }
-  require(weights.empty() || weights.size() == x.size(), "a smoothing spline has a weight per position");
+  require(weights.empty() || weights.size() == x.size(), "a smoothing spline needs one weight per position");
   require(std::all_of(weights.begin(), weights.end(), [](double weight) { return weight > 0; }),
-          "the weights of a smoothing spline are above 0");
-  require(std::isfinite(distance) && distance >= 0, "the distance of a smoothing spline is at least 0");
+          "the weights of a smoothing spline must be above 0");
+  require(std::isfinite(distance) && distance >= 0, "the distance of a smoothing spline must be at least 0");
 }
+
+// Two functions at once, which a processor solves in the time of one; what is missing to a pair is 0.
+using Pair [[gnu::vector_size(2 * sizeof(double))]] = double;
 
 class Smoother {
  public:
@@ -62,30 +65,33 @@ class Smoother {
         inner_(x.size() - 2),
         weights_(points_, 1),
         inverse_weights_(points_),
-        rows_(inner_) {
+        rows_(inner_ + 2 * kEdge),
+        columns_((given.size() + 1) / 2) {
     if (!weights.empty()) weights_.assign(weights.begin(), weights.end());
     for (std::size_t i = 0; i < points_; ++i) inverse_weights_[i] = 1 / weights_[i];
     const double length = x.back() - x.front();
     unit_ = length * length * length / static_cast<double>(points_);
     for (std::size_t i = 0; i < inner_; ++i) {
       const double left = x[i + 1] - x[i], right = x[i + 2] - x[i + 1];
-      rows_[i].difference = {1 / left, -(1 / left) - 1 / right, 1 / right};
-      rows_[i].stiffness = {(left + right) / 3, i + 1 < inner_ ? right / 6 : 0};
+      row(i).difference = {1 / left, -(1 / left) - 1 / right, 1 / right};
+      row(i).stiffness = {(left + right) / 3, i + 1 < inner_ ? right / 6 : 0};
     }
     for (std::size_t i = 0; i < inner_; ++i) {
       for (std::size_t band = 0; band < 3 && i + band < inner_; ++band) {
         for (std::size_t k = band; k < 3; ++k) {
-          rows_[i].penalty[band] +=
-              rows_[i].difference[k] * rows_[i + band].difference[k - band] * inverse_weights_[i + k];
+          row(i).penalty[band] += row(i).difference[k] * row(i + band).difference[k - band] * inverse_weights_[i + k];
         }
       }
     }
-    second_.resize(inner_ * given.size());
-    differences_.reserve(second_.size());
-    for (const std::vector<double>& of_one : given) {
-      for (std::size_t i = 0; i < inner_; ++i) {
-        const Bands& q = rows_[i].difference;
-        differences_.push_back(q[0] * of_one[i] + q[1] * of_one[i + 1] + q[2] * of_one[i + 2]);
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+      columns_[c].differences.resize(inner_);
+      columns_[c].second.resize(inner_ + 2 * kEdge);
+      for (std::size_t lane = 0; lane < 2 && 2 * c + lane < given.size(); ++lane) {
+        const std::vector<double>& of_one = given[2 * c + lane];
+        for (std::size_t i = 0; i < inner_; ++i) {
+          const Bands& q = row(i).difference;
+          columns_[c].differences[i][lane] = q[0] * of_one[i] + q[1] * of_one[i + 1] + q[2] * of_one[i + 2];
+        }
       }
     }
   }
@@ -95,16 +101,16 @@ class Smoother {
   double squares(double roughness) {
     roughness_ = roughness * unit_;
     factorize();
-    std::copy(differences_.begin(), differences_.end(), second_.begin());
     double sum = 0;
-    for (std::size_t k = 0; k < given_.size(); ++k) {
-      solve(second_.data() + k * inner_);
-      double of_one = 0;
+    for (Column& column : columns_) {
+      solve(column);
+      Pair of_each{};
       for (std::size_t i = 0; i < points_; ++i) {
-        const double off = shift(k, i);
-        of_one += off * off * weights_[i];
+        const Pair off = shift(column, i);
+        of_each += off * off * weights_[i];
       }
-      sum += of_one;
+      sum += of_each[0];
+      sum += of_each[1];
     }
     return sum;
   }
@@ -113,7 +119,7 @@ class Smoother {
   std::vector<std::vector<double>> values() const {
     std::vector<std::vector<double>> smooth = given_;
     for (std::size_t k = 0; k < smooth.size(); ++k) {
-      for (std::size_t i = 0; i < points_; ++i) smooth[k][i] -= shift(k, i);
+      for (std::size_t i = 0; i < points_; ++i) smooth[k][i] -= shift(columns_[k / 2], i)[k % 2];
     }
     return smooth;
   }
@@ -121,6 +127,7 @@ class Smoother {
   double weights() const { return std::accumulate(weights_.begin(), weights_.end(), 0.0); }
 
  private:
+  static constexpr std::size_t kEdge = 2;  // of zeros, before the first and after the last inner point
   using Bands = std::array<double, 3>;
   struct Row {                          // by inner point
     Bands difference{};                 // of Q': the second difference, on the points before, at and after it
@@ -128,6 +135,12 @@ class Smoother {
     Bands penalty{};                    // of Q' W^-1 Q, the diagonal and the two bands above it
     Bands factors{};                    // 1 / D, and the two columns of L below each diagonal
   };
+  struct Column {
+    std::vector<Pair> differences;  // Q' y
+    std::vector<Pair> second;       // c, with its edges
+  };
+
+  Row& row(std::size_t inner) { return rows_[inner + kEdge]; }
 
   /// L D L' of the banded matrix.
   void factorize() {
@@ -135,49 +148,55 @@ class Smoother {
       double diagonal = 0, near = 0, far = 0;  // D, and the two of L below it
     };
     Pivot before, before_that;
-    for (Row& row : rows_) {
+    for (std::size_t i = 0; i < inner_; ++i) {
+      Row& here = row(i);
       Pivot pivot;
-      pivot.diagonal = row.stiffness[0] + roughness_ * row.penalty[0] - before.diagonal * before.near * before.near -
+      pivot.diagonal = here.stiffness[0] + roughness_ * here.penalty[0] - before.diagonal * before.near * before.near -
                        before_that.diagonal * before_that.far * before_that.far;
-      const double next = row.stiffness[1] + roughness_ * row.penalty[1] - before.diagonal * before.near * before.far;
+      const double next = here.stiffness[1] + roughness_ * here.penalty[1] - before.diagonal * before.near * before.far;
       // One division a row, on which the next one waits.
       const double inverse = 1 / pivot.diagonal;
       pivot.near = next * inverse;
-      pivot.far = roughness_ * row.penalty[2] * inverse;
-      row.factors = {inverse, pivot.near, pivot.far};
+      pivot.far = roughness_ * here.penalty[2] * inverse;
+      here.factors = {inverse, pivot.near, pivot.far};
       before_that = before;
       before = pivot;
     }
   }
 
-  void solve(double* column) const {
+  void solve(Column& column) const {
+    // What lies beyond the edges is 0.
+    Pair before{}, before_that{};
     for (std::size_t i = 0; i < inner_; ++i) {
-      if (i >= 1) column[i] -= rows_[i - 1].factors[1] * column[i - 1];
-      if (i >= 2) column[i] -= rows_[i - 2].factors[2] * column[i - 2];
+      const Pair here = column.differences[i] - rows_[i + 1].factors[1] * before - rows_[i].factors[2] * before_that;
+      column.second[i + kEdge] = here;
+      before_that = before;
+      before = here;
     }
+    before = before_that = Pair{};
     for (std::size_t i = inner_; i-- > 0;) {
-      column[i] *= rows_[i].factors[0];
-      if (i + 1 < inner_) column[i] -= rows_[i].factors[1] * column[i + 1];
-      if (i + 2 < inner_) column[i] -= rows_[i].factors[2] * column[i + 2];
+      const Bands& factors = rows_[i + kEdge].factors;
+      const Pair here = column.second[i + kEdge] * factors[0] - factors[1] * before - factors[2] * before_that;
+      column.second[i + kEdge] = here;
+      before_that = before;
+      before = here;
     }
   }
 
-  /// What the last roughness takes from the k-th function's value at point i.
-  double shift(std::size_t k, std::size_t i) const {
-    const double* const second = second_.data() + k * inner_;
-    double bend = 0;
-    for (std::size_t j = 0; j < 3; ++j) {
-      if (i >= j && i - j < inner_) bend += rows_[i - j].difference[j] * second[i - j];
-    }
+  /// What the last roughness takes from the values at point i.
+  Pair shift(const Column& column, std::size_t i) const {
+    const Row* const rows = rows_.data() + i;
+    const Pair* const second = column.second.data() + i;
+    const Pair bend =
+        rows[2].difference[0] * second[2] + rows[1].difference[1] * second[1] + rows[0].difference[2] * second[0];
     return roughness_ * inverse_weights_[i] * bend;
   }
 
   const std::vector<std::vector<double>>& given_;
   std::size_t points_, inner_;
   std::vector<double> weights_, inverse_weights_;
-  std::vector<Row> rows_;
-  std::vector<double> differences_;  // Q' y, function after function
-  std::vector<double> second_;       // c, likewise
+  std::vector<Row> rows_;  // with their edges
+  std::vector<Column> columns_;
   double roughness_ = 0, unit_ = 1;
 };
 

@@ -13,12 +13,12 @@ const ParameterTable& view_table() {
                   "Position of the camera; by default, one from which the whole plant is seen.")
           .vector("target", &View::target, {.unit = Unit::metre, .min = -1e7, .max = 1e7, .usual = {-50, 50}},
                   "Point that the camera looks at; by default, the middle of the plant.")
-          .number("azimuth", &View::azimuth,
-                  {.unit = Unit::degree, .min = -360, .max = 360, .usual = {0, 360}, .fixed = true},
-                  "Azimuth of the camera as seen from the target, from north (0) over east (90); a given position "
-                  "replaces it.")
+          .number(
+              "azimuth", &View::azimuth,
+              {.unit = Unit::degree, .min = -360, .max = 360, .usual = {0, 360}, .fixed = true},
+              "Azimuth of the camera as seen from the target, from north (0) over east (90); 'position' replaces it.")
           .number("altitude", &View::altitude, {.unit = Unit::degree, .min = -89, .max = 89, .fixed = true},
-                  "Angle of the camera above the horizon as seen from the target; a given position replaces it.")
+                  "Angle of the camera above the horizon as seen from the target; 'position' replaces it.")
           .number("field_of_view", &View::field_of_view,
                   {.unit = Unit::degree, .min = 1, .max = 150, .usual = {10, 90}, .fixed = true},
                   "Vertical opening angle of the camera; raised, the view gets wider and its perspective stronger.")

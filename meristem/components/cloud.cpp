@@ -86,9 +86,8 @@ void expand(const Cloud& cloud, const Site&, Emitter& out) {
 ComponentType cloud_component() {
   return define_component<Cloud>({
       .traits = {.name = "cloud",
-                 .doc =
-                     "The attraction points of a crown as dots, to see what a crown, a distribution or the scene makes "
-                     "of them.",
+                 .doc = "The attraction points of a crown as dots, which show the effect of a crown, a distribution or "
+                        "the scene.",
                  .material = {.colour = kDotColour, .roughness = 0.9F},
                  .shows = {.type = "colonize",
                            .rows = {{"crown", "crown"},
@@ -101,10 +100,9 @@ ComponentType cloud_component() {
                                     {"phototropism", "phototropism"}}}},
       .parameters =
           Table<Cloud>("a cloud", "The attraction points of a crown as dots.")
-              .text(
-                  "of", &Cloud::of,
-                  "Id of a colonize component beside the cloud, whose own attraction points the dots then show: crown, "
-                  "points, roots, light limit and frame are those of the tree unless the cloud gives its own.")
+              .text("of", &Cloud::of,
+                    "Id of a colonize component whose attraction points the dots show; crown, points, roots, light "
+                    "limit and frame are the tree's unless the cloud gives its own.")
               .object("crown", &Cloud::crown, crown_table,
                       "Envelope that the attraction points fill; required unless the points come from a file.")
               .object("points", &Cloud::points, points_table, "Number, distribution or file of the attraction points.")

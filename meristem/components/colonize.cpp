@@ -44,8 +44,10 @@ std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowC
     for (Vec3& point : all[k].points) point = crown.point(point);
     seedlings.push_back({.root = site.frame.point(tree.roots[k]), .points = std::move(all[k].points)});
   }
-  return make_colonizer(context.stand, std::move(seedlings), growth_of(tree, *scale), site.key.child("growth"),
-                        context.scene, context.limits, context.component, context.progress);
+  ColonizeParameters growth = growth_of(tree, *scale);
+  growth.directions = context.directions;
+  return make_colonizer(context.stand, std::move(seedlings), growth, site.key.child("growth"), context.scene,
+                        context.limits, context.component, context.progress);
 }
 
 void expand(const Colonize& tree, const Site& site, Emitter& out) {
@@ -55,7 +57,7 @@ void expand(const Colonize& tree, const Site& site, Emitter& out) {
     assign_pipe_radii(skeleton, tree.growth.radii);
     assign_axes(skeleton);
   }
-  out.stem(std::move(skeleton), tree.surface);
+  out.stem(std::move(skeleton), tree.surface, nullptr, tree.trim);
 }
 
 void check_colonize(const Colonize& tree, const DocumentPath& path, ParameterReader& reader) {
@@ -63,10 +65,11 @@ void check_colonize(const Colonize& tree, const DocumentPath& path, ParameterRea
               reader);
   const ColonizeParameters& growth = tree.growth;
   if (growth.kill >= growth.influence) {
-    reader.fault(DocumentPath(path, "kill"),
-                 fmt::format("'kill' {:.7g} m is not below 'influence' {:.7g} m, so points would go before they pull",
-                             growth.kill, growth.influence),
-                 fmt::format("a number (m) below {:.7g}", growth.influence));
+    reader.fault(
+        DocumentPath(path, "kill"),
+        fmt::format("'kill' {:.7g} m is not below 'influence' {:.7g} m, so points would vanish before they pull",
+                    growth.kill, growth.influence),
+        fmt::format("a number (m) below {:.7g}", growth.influence));
   }
   if (growth.step > growth.kill) {
     reader.fault(DocumentPath(path, "step"),
@@ -94,7 +97,7 @@ const ParameterTable& shade_form_table() {
 const ParameterTable& shade_table() {
   static const ParameterTable table =
       Table<ShadeResponse>("a shade response",
-                           "How the tree answers to the shade that all plants of the stand cast as they grow.")
+                           "Response of the tree to the shade that all plants of the stand cast as they grow.")
           .number("bears", &ShadeResponse::bears, {.min = 0, .max = 1},
                   "Light below which points do not pull, from 1 in the open to 0 in darkness; raised, the tree "
                   "tolerates less shade.")
@@ -104,10 +107,10 @@ const ParameterTable& shade_table() {
 
 const ParameterTable& response_table() {
   static const ParameterTable table =
-      Table<LightResponse>("a light response", "How the tree answers to the light of the scene.")
+      Table<LightResponse>("a light response", "Response of the tree to the light of the scene.")
           .number("sunlit_weight", &LightResponse::sunlit_weight, {.min = 0, .max = 100, .usual = {0, 2}},
-                  "Weight of light that reaches a node, over that of light an obstacle blocks (1); raised, branches "
-                  "turn to the sun more strongly.")
+                  "Weight of light that reaches a node, relative to light that an obstacle blocks (1); raised, "
+                  "branches turn to the sun more strongly.")
           .boolean("hold_height", &LightResponse::hold_height,
                    "Whether the top of the attraction points keeps its height while they move toward the light.")
           .object("limit", &LightResponse::limit, limit_table,
@@ -119,17 +122,17 @@ const ParameterTable& response_table() {
 
 const ParameterTable& light_table() {
   static const ParameterTable table =
-      Table<LightResponseParameters>("a light response", "How the tree answers to the light of the scene.")
+      Table<LightResponseParameters>("a light response", "Response of the tree to the light of the scene.")
           .number("shift", &LightResponseParameters::shift, {.unit = Unit::step, .min = 0, .max = 1, .usual = {0, 0.2}},
-                  "Distance that all attraction points together move toward brighter places per step; raised, the tree "
+                  "Distance that all attraction points together move per step toward more light; raised, the tree "
                   "leans more.")
           .number("shift_m", &LightResponseParameters::shift_m,
                   {.unit = Unit::metre, .min = 0, .max = 1000, .usual = {0, 0.02}},
-                  "Distance in metres that all attraction points together move toward brighter places per step; "
-                  "replaces 'shift'.")
+                  "Distance in metres that all attraction points together move per step toward more light; replaces "
+                  "'shift'.")
           .number("drift", &LightResponseParameters::drift, {.unit = Unit::step, .min = 0, .max = 1, .usual = {0, 0.2}},
-                  "Distance that each attraction point moves per step to where its nearest node finds more light; "
-                  "raised, branches turn to it more.")
+                  "Distance that each attraction point moves per step, in the direction in which its nearest node "
+                  "finds more light; raised, branches turn to the light more.")
           .members(&LightResponseParameters::response, response_table())
           .never_with("shift", {"shift_m"})
           .only_where({{"shift"}, {"shift_m"}, {"drift"}}, {"sunlit_weight", "hold_height"});
@@ -165,7 +168,7 @@ ComponentType colonize_component() {
                  .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
                  .makes_stems = true,
                  .stance = BranchStance::on_axis,
-                 .after_growth = {"surface", "shed"}},
+                 .after_growth = {"surface", "trim", "shed"}},
       .parameters =
           Table<Colonize>("a colonize", "A tree that grows into a cloud of attraction points.")
               .object("crown", &Colonize::crown, crown_table,
@@ -179,12 +182,13 @@ ComponentType colonize_component() {
               .boolean("one_crown", &Colonize::one_crown,
                        "Whether all roots share one crown, which stands at the component's origin.")
               .members(&Colonize::growth, growth_table())
-              .object("light", &Colonize::light, light_table, "How the tree answers to the light of the scene.")
+              .object("light", &Colonize::light, light_table, "Response of the tree to the light of the scene.")
               .members(&Colonize::growth, &ColonizeParameters::radii, pipe_table())
               .condition("shed", &Colonize::shed, node_variables(),
                          "Condition at the base of a branch for shedding it after growth, as in \"height < 2 && radius "
                          "< 0.01\".")
               .object("surface", &Colonize::surface, surface_table, "How the skeleton becomes a surface.")
+              .choice("trim", &Colonize::trim, trim_modes(), kTrimDoc)
               .only_where({{"surface.style", {"tubes"}}}, {"texture"})
               .without(names_off_stems(), kWhyOffStems)
               .only_with("roots", {"one_crown"})

@@ -8,6 +8,7 @@
 #include "meristem/graph/component.h"
 #include "meristem/graph/table/selection.h"
 #include "meristem/grow/colonize/colonize.h"
+#include "meristem/plant/trim.h"
 
 namespace meristem {
 
@@ -29,6 +30,7 @@ struct Colonize : GrowingComponent {
   LightResponseParameters light;
   std::optional<Condition> shed;  ///< branches that are gone when growth is done
   Surface surface;
+  TrimMode trim = TrimMode::cut;  ///< what a body around its stems does to them
 };
 
 /// The type of that name.

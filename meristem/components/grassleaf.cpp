@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A field has a million leaves. Unless they are to be exact, what of a leaf's shape varies from leaf to leaf is rounded
-// so that many share a mesh; a number that is the same for all of them makes no more meshes, and stays as it is. The
-// mesh is made for a length of 1 and scaled: its width over its length to an eighth of an octave (and stretched to the
-// exact one, by at most 4.4 %), angles to 5°, its age to 32 steps of full growth, forces to a quarter of the leaf's
-// weight. Lives are drawn from a number of variants.
+// A field has a million leaves. Unless leaves are exact, those numbers of their shape that vary from leaf to leaf are
+// rounded, so that many leaves share a mesh; a number that all leaves have in common stays exact. The mesh is made for
+// a length of 1 and scaled: the ratio of width to length is rounded to an eighth of an octave (and the mesh stretched
+// by at most 4.4 %), angles to 5°, the age to 32 steps of full growth, forces to a quarter of the leaf's weight. Lives
+// are drawn from a number of variants.
 #include "meristem/components/grassleaf.h"
 
 #include <algorithm>
@@ -68,7 +68,7 @@ Choice choose(const Grassleaf& grass, const Site& site, const Emitter& out) {
   const std::span<const std::uint32_t> midribs = stock.midrib_index.find(grass.rank, grass.leaf);
   if (midribs.empty() && grass.leaf && !stock.midrib_index.find(grass.rank).empty()) {
     throw_at(out, "leaf", fmt::format("there is no leaf {} of rank {}", *grass.leaf, grass.rank),
-             "the lindex of one that the file has");
+             "a lindex that the file has");
   }
   if (midribs.empty()) {
     throw_at(out, "rank",
@@ -86,7 +86,7 @@ Choice choose(const Grassleaf& grass, const Site& site, const Emitter& out) {
   }
   choice.widths = widths.front();
   if (grass.stages.age && grass.age > midrib.family.last_age() + kAgeTolerance) {
-    throw_at(out, "age", fmt::format("the age {} is outside of the midribs' ages", grass.age),
+    throw_at(out, "age", fmt::format("the age {} is outside the midribs' ages", grass.age),
              fmt::format("at most {}, such as \"min({}, ...)\"", midrib.family.last_age(), midrib.family.last_age()));
   }
   return choice;
@@ -183,7 +183,7 @@ void note_forces(const Grassleaf& grass, const Site& site, const Emitter& out, c
                  ShapeNumbers& numbers) {
   if (!grass.forces || !grass.stages.bend) return;
   const GrassForces& forces = *grass.forces;
-  const Vec3 all = forces.pull + static_cast<float>(forces.light) * out.directions().toward_light(site.frame.origin);
+  const Vec3 all = forces.pull + static_cast<float>(forces.light) * out.directions().light(site.frame.origin).vector();
   // The pressure of wind on a plate over the weight of the blade.
   const double speed = glm::length(forces.wind);
   const Vec3 wind = static_cast<float>(0.5 * kAirDensity * speed / forces.weight) * forces.wind;
@@ -194,7 +194,7 @@ void note_forces(const Grassleaf& grass, const Site& site, const Emitter& out, c
   };
   set(all, numbers.pull_x, numbers.pull_y);
   set(wind, numbers.wind_x, numbers.wind_y);
-  set(out.directions().down(site.frame.origin), numbers.gravity_x, numbers.gravity_y);
+  set(out.directions().gravity(site.frame.origin).vector(), numbers.gravity_x, numbers.gravity_y);
   numbers.stiffness = round.own_octaves(forces.strip.stiffness, kRadiusSteps);
   numbers.tip_thickness = round.own_octaves(forces.strip.tip_thickness, kRadiusSteps);
 }
@@ -394,7 +394,7 @@ void expand(const Grassleaf& grass, const Site& site, Emitter& out) {
   if (grass.stages.age && !(grass.age > 0)) return;
   if (grass.sheath.length > 0 && grass.stages.blade) emit_sheath(grass, site, out);
   if (grass.vary.acts() && grass.stages.vary && grass.age > kMostLifeSteps * grass.vary.step) {
-    throw_at(out, "vary.step", fmt::format("the life to the age {} has too many steps", grass.age),
+    throw_at(out, "vary.step", fmt::format("the life up to the age {} has too many steps", grass.age),
              fmt::format("a step of {} or more", grass.age / kMostLifeSteps));
   }
   const Choice choice = choose(grass, site, out);

@@ -195,7 +195,7 @@ TEST(Grassleaf, WavesThatItsPolygonsCannotShowAreWarnedOf) {
   const auto warnings = warnings_of(strip({{"waves", waves}, {"polygons", 20}}));
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_EQ(warnings[0].severity, Severity::warning);
-  EXPECT_EQ(warnings[0].message, "20 polygons are too few to show 6 waves, which are left out; it takes 24 or more");
+  EXPECT_EQ(warnings[0].message, "20 polygons are too few to show 6 waves, which are left out; 24 or more show them");
   EXPECT_TRUE(warnings_of(strip({{"waves", waves}, {"polygons", 24}})).empty());
   EXPECT_TRUE(warnings_of(strip({{"waves", waves}, {"polygons", 20}, {"stages", Object{{"reduce", false}}}})).empty());
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The curve is a stem's. A ring along it is that stem itself; an outline is lofted through the stem's nodes; primitives
-// stand on the ribs. All but rings have an unseen stem, for links that place children along it.
+// The curve is that of a stem. The section 'ring' is this stem itself; an outline is lofted through the stem's nodes;
+// primitives stand on the ribs. All sections but rings have an invisible stem, for links that set children along it.
 #include "meristem/components/horn.h"
 
 #include <algorithm>
@@ -64,6 +64,31 @@ Rib rib_at(const Horn& horn, const StemPath& path, double u) {
           .along = share};
 }
 
+/// What the surroundings have left of the curve.
+struct CurveLeft {
+  float share = 1;    ///< of its length
+  bool fits = false;  ///< its radii are those of the whole curve, over the length that is left
+
+  /// Where on the whole curve it is as thick as at `u`.
+  double thick_as(double u) const { return fits && share > 0 ? u / share : u; }
+};
+
+/// The ribs that are left to bear primitives.
+std::vector<Rib> ribs_left(const Horn& horn, const StemPath& path, const std::vector<Rib>& ribs, CurveLeft left) {
+  std::vector<Rib> stay;
+  for (const Rib& rib : ribs) {
+    if (left.share == 1) {
+      stay.push_back(rib);
+    } else if (left.fits) {
+      stay.push_back(rib_at(horn, path, rib.u * left.share));
+      stay.back().radius = rib.radius;
+    } else if (rib.u <= left.share) {
+      stay.push_back(rib);
+    }
+  }
+  return stay;
+}
+
 std::vector<Rib> ribs_of(const Horn& horn, const StemPath& path) {
   std::vector<Rib> ribs;
   for (int k = 0; k < horn.ribs; ++k) {
@@ -72,21 +97,25 @@ std::vector<Rib> ribs_of(const Horn& horn, const StemPath& path) {
   return ribs;
 }
 
-Mesh make_outline_mesh(const Horn& horn, const StemParameters& stem, const StemPath& path) {
+Mesh make_outline_mesh(const Horn& horn, const StemParameters& stem, const StemPath& path, CurveLeft left) {
   std::vector<LoftSection> sections;
-  for (std::size_t k = 0; k < path.frames.size(); ++k) {
-    const double u = static_cast<double>(k) / static_cast<double>(path.frames.size() - 1);
-    const Frame frame = twisted(path.frames[k], horn.twist * u);
-    const double radius = radius_at(stem, u);
+  const auto add = [&](const Frame& frame, double u) {
+    const double radius = radius_at(stem, left.thick_as(u));
     LoftSection& section = sections.emplace_back();
     if (radius < kThinnest * stem.length) {
       section.points.push_back(frame.origin);
-      continue;
+      return;
     }
     for (const Vec2 point : horn.outline) {
       section.points.push_back(frame.point(static_cast<float>(radius) * Vec3(point.x, 0, point.y)));
     }
+  };
+  for (std::size_t k = 0; k < path.frames.size(); ++k) {
+    const double u = static_cast<double>(k) / static_cast<double>(path.frames.size() - 1);
+    if (u > left.share) break;
+    add(twisted(path.frames[k], horn.twist * u), u);
   }
+  if (left.share < 1) add(rib_at(horn, path, left.share).frame, left.share);
   return make_loft(sections).mesh;
 }
 
@@ -107,26 +136,29 @@ StemPath unit_path(const StemParameters& unit, float length, const Site& site, S
 }
 
 /// The key of how the world bends the curve of a horn that stands at a site.
-std::uint64_t world_key(const Site& site, const StemTropisms& tropisms) {
+std::uint64_t world_key(const Site& site, const StemTropisms& tropisms, const Surroundings& surroundings) {
   if (!tropisms.act()) return 0;
   const Mat3 axes = even_frame(site.frame).axes / glm::length(site.frame.heading());
   const Vec3 right = axes[0], heading = axes[1];
   const std::uint64_t key = shape_key(
       {tropisms.gravitropism, tropisms.phototropism, right.x, right.y, right.z, heading.x, heading.y, heading.z});
-  return RandomKey(key).child(tropisms.directions.key_at(site.frame.origin)).bits();
+  return RandomKey(key).child(tropisms.directions->key_at(site.frame.origin)).child(surroundings.hash).bits();
 }
 
-void emit_outline(const Horn& horn, const Site& site, const StemTropisms& tropisms, Emitter& out) {
+void emit_outline(const Horn& horn, const Site& site, const StemTropisms& tropisms, CurveLeft left, Emitter& out) {
+  if (left.share == 0) return;
   StemParameters unit = horn.stem;
   unit.radius = to_octaves(horn.stem.radius / horn.stem.length, kRadiiAnOctave);
   unit.length = 1;
   const std::uint64_t form = shape_key({unit.radius, unit.curl, unit.spiral, unit.gnarl, unit.gnarl_waves, horn.twist});
   const std::uint64_t chance = unit.gnarl == 0 ? 0 : site.key.bits();
-  const std::uint64_t key = RandomKey(form).child(chance).child(world_key(site, tropisms)).bits();
+  const std::uint64_t trimmed = left.share == 1 ? 0 : shape_key({left.share, left.fits ? 1.0 : 0.0});
+  const std::uint64_t key =
+      RandomKey(form).child(chance).child(world_key(site, tropisms, out.surroundings())).child(trimmed).bits();
   Frame frame{glm::inverse(site.frame.axes) * even_frame(site.frame).axes, Vec3(0)};
   const auto length = static_cast<float>(horn.stem.length);
   frame.axes *= length;
-  out.organ(frame, key, [&] { return make_outline_mesh(horn, unit, unit_path(unit, length, site, tropisms)); });
+  out.organ(frame, key, [&] { return make_outline_mesh(horn, unit, unit_path(unit, length, site, tropisms), left); });
 }
 
 /// As wide and as high as the curve is thick there, and in its middle.
@@ -146,26 +178,27 @@ void emit_primitives(const Horn& horn, const Site& site, const std::vector<Rib>&
 }
 
 void expand(const Horn& horn, const Site& site, Emitter& out) {
-  const StemTropisms tropisms{out.directions(), horn.gravitropism, horn.phototropism};
+  const StemTropisms tropisms{&out.directions(), horn.gravitropism, horn.phototropism};
   StemPath path = grow_stem(horn.stem, site, tropisms);
   out.expect_children(static_cast<std::uint64_t>(horn.ribs));
   const std::vector<Rib> ribs = ribs_of(horn, path);
   if (horn.section == Horn::Section::ring) {
-    out.stem(std::move(path.skeleton), horn.surface);
+    out.stem(std::move(path.skeleton), horn.surface, nullptr, horn.trim);
   } else {
-    out.unseen_stem(std::move(path.skeleton));
+    out.unseen_stem(std::move(path.skeleton), horn.trim);
+    const CurveLeft left{out.length_left(), horn.trim == TrimMode::fit};
     if (horn.section == Horn::Section::outline) {
-      emit_outline(horn, site, tropisms, out);
+      emit_outline(horn, site, tropisms, left, out);
     } else {
-      emit_primitives(horn, site, ribs, out);
+      emit_primitives(horn, site, ribs_left(horn, path, ribs, left), out);
     }
   }
   const float scale = glm::length(site.frame.heading());
   for (const Rib& rib : ribs) {
     out.branch_site_on_stem(rib.frame, rib.u, path.length, scale * rib.radius, rib.node, rib.along);
   }
-  out.child_site_in_world(twisted(path.frames.back(), horn.twist), path.length,
-                          scale * static_cast<float>(radius_at(horn.stem, 1)));
+  out.tip_site(twisted(path.frames.back(), horn.twist), path.length,
+               scale * static_cast<float>(radius_at(horn.stem, 1)));
 }
 
 void check_horn(const Horn& horn, const DocumentPath& place, ParameterReader& reader) {
@@ -201,8 +234,8 @@ ComponentType horn_component() {
           Table<Horn>("a horn", "A cross-section or a row of primitives along a curve.")
               .members(&Horn::stem, stem_form_table())
               .choice("section", &Horn::section, {"ring", "outline", "box", "sphere", "cylinder", "cone", "torus"},
-                      "What the curve carries: 'ring' makes a stem that others join, 'outline' a surface through "
-                      "copies of it, a primitive one on each rib.")
+                      "What follows the curve: with 'ring' a stem that other stems can join, with 'outline' a surface "
+                      "through copies of the outline, else the named primitive on each rib.")
               .points("outline", &Horn::outline, {.min = -1e4, .max = 1e4},
                       "Points [x, z] of the cross-section for the section 'outline', as shares of the radius.")
               .number("twist", &Horn::twist, {.unit = Unit::degree, .min = -36000, .max = 36000, .usual = {-720, 720}},
@@ -211,8 +244,9 @@ ComponentType horn_component() {
                        "Number of ribs evenly along the curve, both ends included; they bear primitives and the "
                        "children of branch links.")
               .integer("around", &Horn::around, {.min = 3, .max = 512, .usual = {3, 64}, .fixed = true},
-                       "Number of corners around each primitive; raised, rounder and heavier.")
+                       "Number of corners around each primitive; raised, rounder, with more triangles.")
               .object("surface", &Horn::surface, surface_table, "How the stem of the section 'ring' becomes a surface.")
+              .choice("trim", &Horn::trim, trim_modes(), kTrimDoc)
               .only_where({{"section", {"outline"}}}, {"outline"})
               .only_where({{"section", {"sphere", "cylinder", "cone", "torus"}}}, {"around"})
               .only_where({{"section", {"ring"}}}, {"surface"})

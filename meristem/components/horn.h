@@ -3,6 +3,7 @@
 
 #include "meristem/components/parts/stem_path.h"
 #include "meristem/graph/component.h"
+#include "meristem/plant/trim.h"
 
 namespace meristem {
 
@@ -13,10 +14,11 @@ struct Horn : ComponentBase {
   StemParameters stem;
   double twist = 0;  ///< radians: turn of the section about the curve from base to tip
   Section section = Section::ring;
-  std::vector<Vec2> outline;  ///< x and z, shares of the radius
-  int ribs = 12;              ///< sites evenly along the curve, both ends included
-  int around = 24;            ///< corners around primitives
-  Surface surface;            ///< of a ring's stem
+  std::vector<Vec2> outline;      ///< x and z, shares of the radius
+  int ribs = 12;                  ///< sites evenly along the curve, both ends included
+  int around = 24;                ///< corners around primitives
+  Surface surface;                ///< of a ring's stem
+  TrimMode trim = TrimMode::cut;  ///< what a body around its stems does to them
 };
 
 ComponentType horn_component();

@@ -132,22 +132,24 @@ Table<LeafBlade> with_outline(Table<LeafBlade> table) {
       .number("width", &LeafBlade::width, {.unit = Unit::metre, .min = 1e-5, .max = 100, .usual = {0.005, 0.2}},
               "Width of the blade at its widest.")
       .curve("outline", &LeafBlade::outline,
-             "Half width of the blade from base (0) to tip (1), as a share of the largest.")
-      .points(
-          "polygon", &LeafBlade::polygon, {.min = -2, .max = 2, .usual = {0, 1}},
-          "Right edge as points [half width, along] from base to tip, for lobes that overhang; replaces the outline.")
+             "Half width of the blade from base (0) to tip (1), as a share of the largest half width.")
+      .points("polygon", &LeafBlade::polygon, {.min = -2, .max = 2, .usual = {0, 1}},
+              "Points [half width, distance from the base] of the right edge, as shares of the largest half width and "
+              "of the length, for lobes that overhang; replaces 'outline'.")
       .choice("corners", &LeafBlade::corners, {"sharp", "round"},
               "Whether the corners of the polygon are sharp or round.")
       .never_with("polygon", {"outline"})
       .only_with("polygon", {"corners"})
       .number("heart", &LeafBlade::heart, {.min = 0, .max = 1, .usual = {0, 0.4}, .fixed = true},
-              "How far the base reaches back beside the stalk, as a share of the length; raised, a deeper heart shape.")
+              "Distance that the base reaches back beside the stalk, as a share of the length; raised, a deeper heart "
+              "shape.")
       .integer("teeth", &LeafBlade::teeth, {.min = 0, .max = 200, .usual = {0, 60}, .fixed = true},
                "Number of teeth along each edge; they get smaller toward base and tip.")
       .number("teeth_depth", &LeafBlade::teeth_depth, {.min = 0, .max = 0.9, .usual = {0, 0.4}, .fixed = true},
               "Depth of the largest tooth, as a share of the half width; raised, the edge is cut deeper.")
       .number("teeth_lean", &LeafBlade::teeth_lean, {.min = 0, .max = 1, .fixed = true},
-              "Lean of the teeth toward the tip: 0 is symmetric, 1 cuts the side toward the tip straight in.")
+              "Lean of the teeth toward the tip: 0 makes both sides of a tooth equal, 1 makes the side toward the tip "
+              "steep.")
       .only_with("teeth", {"teeth_depth", "teeth_lean"});
 }
 
@@ -158,12 +160,12 @@ Table<LeafBlade> with_bends(Table<LeafBlade> table) {
       .number("curl_across", &LeafBlade::curl_across, {.unit = Unit::degree, .min = -350, .max = 350},
               "Bend of the blade from edge to edge; raised, the edges sink more.")
       .number("fold", &LeafBlade::fold, {.unit = Unit::degree, .min = -85, .max = 85},
-              "Angle of both halves above the flat blade, about the midrib; raised, a steeper V.")
+              "Angle that each half of the blade is raised about the midrib; raised, a steeper V.")
       .curve("profile", &LeafBlade::profile,
              "Height of the blade's surface from midrib (0) to edge (1), as a share of the half width; needs 'across' "
              "above 2.")
       .integer("waves", &LeafBlade::waves, {.min = 0, .max = 32, .fixed = true},
-               "Number of waves along each edge; each takes at least four rows of quads.")
+               "Number of waves along each edge; each wave needs at least four rows of quads.")
       .number("waves_depth", &LeafBlade::waves_depth, {.min = -1, .max = 1, .usual = {0, 0.5}, .fixed = true},
               "Height of the waves' crests at the edge, as a share of the half width.")
       .only_with("waves", {"waves_depth"})
@@ -182,8 +184,8 @@ const ParameterTable& leaf_blade_table() {
           .integer("across", &LeafBlade::across, {.min = 2, .max = 64, .usual = {2, 16}, .fixed = true},
                    "Number of quads from edge to edge, which must be even; raised, bends across are smoother.")
           .choice("edge", &LeafBlade::edge, {"shape", "picture"},
-                  "How the edge is made: 'shape' follows the outline with the mesh, 'picture' cuts it out of a simple "
-                  "hull by the texture.");
+                  "How the edge is made: with 'shape', the mesh follows the outline; with 'picture', the texture cuts "
+                  "the outline out of a simple hull.");
   return table;
 }
 

@@ -107,9 +107,11 @@ void emit_polygons(const Lsystem& plant, const Site& site, const Drawing& drawin
     out.progress().check();
     const PolygonShape shape = shape_of(drawing, polygon);
     if (shape.extent == 0) continue;
+    const std::optional<Frame> stands = out.on_stem_left(polygon.node, {polygon.frame.axes, shape.base});
+    if (!stands) continue;
     Frame local;
-    local.axes = to_instance * (shape.extent * polygon.frame.axes);
-    local.origin = to_instance * (shape.base - site.frame.origin);
+    local.axes = to_instance * (shape.extent * stands->axes);
+    local.origin = to_instance * (stands->origin - site.frame.origin);
     out.blade(
         local, shape.key, [&] { return make_polygon(shape.corners); }, tint_of(plant, polygon.colour));
   }
@@ -172,10 +174,10 @@ void expand(const Lsystem& plant, const Site& site, Emitter& out) {
     throw_placed(error, plant, out.component());
   }
   if (plant.finish) finish_drawing(plant, site, drawing, out);
-  emit_polygons(plant, site, drawing, out);
   const float length = glm::length(site.frame.heading()) * static_cast<float>(plant.turtle.length);
   const std::vector<TurtleSite> places = std::move(drawing.places);
-  out.stem(std::move(drawing.skeleton), plant.surface);
+  out.stem(std::move(drawing.skeleton), plant.surface, nullptr, plant.trim);
+  emit_polygons(plant, site, drawing, out);
   for (const TurtleSite& mark : places) {
     out.progress().check();
     out.named_site(plant.source().placed_of_letter[mark.letter], mark.frame, length, mark.radius, mark.node);
@@ -189,7 +191,7 @@ std::vector<PlacedComponent> placed(const Lsystem& plant) {
 void check_lsystem(const Lsystem& plant, const DocumentPath& path, ParameterReader& reader) {
   if (!plant.grammar && !plant.file) return;  // told by the table
   if (!plant.steps && !plant.source().grammar.steps) {
-    reader.fault(path, "nothing says how many steps the grammar takes", "'steps', or #steps in the grammar");
+    reader.fault(path, "the number of steps of the grammar is not given", "'steps', or #steps in the grammar");
   }
   const bool counts_steps = plant.finish && (plant.finish->decimate > 0 || plant.finish->subdivide > 0);
   if (counts_steps && plant.turtle.length == 0) {
@@ -268,7 +270,7 @@ ComponentType lsystem_component() {
                       "azimuth.")
               .members(&Lsystem::turtle, turtle_table())
               .object("width_decay", &Lsystem::width_decay, decay_table,
-                      "How the radius of stems falls along each segment, for grammars without ! and #.")
+                      "Decrease of the radius of stems along each segment, for grammars without ! and #.")
               .colours("palette", &Lsystem::palette,
                        "Colours of polygons, in the order in which the symbol ' counts; the last holds for all higher "
                        "numbers.")
@@ -276,6 +278,7 @@ ComponentType lsystem_component() {
                       "What is done to the drawn skeleton, in steps of 'length': nodes removed, forks softened, curves "
                       "smoothed; by default, nothing.")
               .object("surface", &Lsystem::surface, surface_table, "How the skeleton becomes a surface.")
+              .choice("trim", &Lsystem::trim, trim_modes(), kTrimDoc)
               .only_where({{"surface.style", {"tubes"}}}, {"texture"})
               .without(names_off_stems(), kWhyOffStems)
               .never_with("angle", {"angles"})

@@ -9,6 +9,7 @@
 #include "meristem/graph/table/asset.h"
 #include "meristem/grow/lsystem/turtle.h"
 #include "meristem/plant/finish.h"
+#include "meristem/plant/trim.h"
 
 namespace meristem {
 
@@ -36,6 +37,7 @@ struct Lsystem : ComponentBase {
   std::vector<Vec3> palette;     ///< of polygons, by the number of their colour; empty: the green of leaves
   std::optional<Finish> finish;  ///< of the skeleton, in steps of the turtle's length
   Surface surface;
+  TrimMode trim = TrimMode::cut;  ///< what a body around its stems does to them
 
   const PlantGrammar& source() const { return grammar ? *grammar : *file; }
 };

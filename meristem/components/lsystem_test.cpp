@@ -157,7 +157,7 @@ std::string fault_of(const Value::Object& parameters) {
 }
 
 TEST(Lsystem, SaysWhatIsWrong) {
-  EXPECT_THAT(fault_of({{"grammar", "F"}}), HasSubstr("nothing says how many steps the grammar takes"));
+  EXPECT_THAT(fault_of({{"grammar", "F"}}), HasSubstr("the number of steps of the grammar is not given"));
   EXPECT_THAT(fault_of({{"steps", 1}}), HasSubstr("grammar"));
   EXPECT_THAT(fault_of({{"grammar", 3}, {"steps", 1}}), HasSubstr("a text or a list of its lines"));
   EXPECT_THAT(fault_of({{"grammar", Value::List{"F", 3}}, {"steps", 1}}), HasSubstr("a text or a list of its lines"));

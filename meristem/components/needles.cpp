@@ -72,13 +72,13 @@ const ParameterTable& shoot_table() {
                   "Angle between a bundle's middle and its outer needles; raised, the bundle opens.")
           .number("curl", &NeedleShoot::curl, {.unit = Unit::degree, .min = -120, .max = 120},
                   "Bend of a needle from base to tip; raised, it bends away from the shoot.")
-          .number(
-              "flatten", &NeedleShoot::flatten, {.min = 0, .max = 1, .fixed = true},
-              "How far needles are combed to both sides: 0 leaves them all around the shoot, 1 lays them in one plane.")
+          .number("flatten", &NeedleShoot::flatten, {.min = 0, .max = 1, .fixed = true},
+                  "Flattening of the needles: 0 leaves them all around the shoot, 1 combs them to both sides into one "
+                  "plane.")
           .number("irregular", &NeedleShoot::irregular, {.min = 0, .max = 0.9, .usual = {0, 0.5}, .fixed = true},
                   "Random variation of the needles' length and direction, as a share; raised, a rougher shoot.")
           .integer("sides", &NeedleShoot::sides, {.min = 2, .max = 3, .fixed = true},
-                   "Sides of a needle: 2 is a flat one of two triangles, 3 a spike of three.")
+                   "Number of sides of a needle: 2 makes a flat needle of two triangles, 3 a spike of three.")
           .number("axis_radius", &NeedleShoot::axis_radius,
                   {.unit = Unit::metre, .min = 0, .max = 1, .usual = {0, 0.01}},
                   "Radius of a thin twig along the shoot, in the colour of the needles; 0 makes none.")

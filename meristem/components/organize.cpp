@@ -12,7 +12,8 @@
 #include "meristem/components/parts/organize_table.h"
 #include "meristem/components/parts/pipe_table.h"
 #include "meristem/components/parts/surface_table.h"
-#include "meristem/scene/crown/turned_crown.h"
+#include "meristem/plant/split_trees.h"
+#include "meristem/scene/crown/placed_crown.h"
 #include "meristem/shape/solid/primitives.h"
 
 namespace meristem {
@@ -40,20 +41,49 @@ OrganizeParameters growth_of(const Organize& tree, double scale, const Mat3& axe
   return growth;
 }
 
+/// Where a tree stands, in the component's frame.
+struct RootPlace {
+  Vec3 root{0};
+  const Skeleton* wood = nullptr;  // that stands there already, in the same frame; null: none
+};
+
+std::vector<RootPlace> places_of(const Organize& tree) {
+  std::vector<RootPlace> places;
+  for (const Vec3 root : tree.roots) {
+    if (!tree.standing) places.push_back({root, nullptr});
+    if (!tree.standing) continue;
+    for (const Skeleton& wood : *tree.standing) places.push_back({root + wood.position[0], &wood});
+  }
+  return places;
+}
+
+/// A tree that stands already as seeds take it: its root at the origin, along the axes of the world.
+std::shared_ptr<const Skeleton> standing_in(const Frame& frame, Skeleton wood, double scale) {
+  const Vec3 root = wood.position[0];
+  for (NodeIndex node = 0; node < wood.node_count(); ++node) {
+    wood.position[node] = frame.axes * (wood.position[node] - root);
+    wood.radius[node] *= static_cast<float>(scale);
+  }
+  return std::make_shared<const Skeleton>(std::move(wood));
+}
+
 std::unique_ptr<Grower> grow(const Organize& tree, const Site& site, const GrowContext& context) {
   const std::optional<double> scale = growth_scale(site.frame);
   if (!scale) return make_nothing();
   std::vector<OrganizeSeed> seeds;
   CrownPointer room = tree.light.room ? build_crown(*tree.light.room) : nullptr;
-  if (room && site.frame.axes != Mat3(1)) room = std::make_shared<TurnedCrown>(std::move(room), site.frame.axes);
-  for (const Vec3 root : tree.roots) {
+  if (room && site.frame.axes != Mat3(1)) room = std::make_shared<PlacedCrown>(std::move(room), Frame{site.frame.axes});
+  for (const RootPlace& place : places_of(tree)) {
     OrganizeSeed& seed = seeds.emplace_back();
     seed.frame = site.frame;
-    seed.frame.origin = site.frame.point(root);
+    seed.frame.origin = site.frame.point(place.root);
     seed.room = room;
+    if (place.wood != nullptr) seed.wood = standing_in(site.frame, *place.wood, *scale);
   }
-  return make_organizer(context.stand, std::move(seeds), growth_of(tree, *scale, site.frame.axes),
-                        site.key.child("growth"), context.scene, context.limits, context.component);
+  OrganizeParameters growth = growth_of(tree, *scale, site.frame.axes);
+  growth.directions = context.directions;
+  return make_organizer(context.stand, std::move(seeds), growth, site.key.child("growth"), context.scene,
+                        context.limits, context.component);
 }
 
 /// A site for a leaf beside each lateral bud of the young metamers. A tree that no longer grows has none.
@@ -92,13 +122,14 @@ void show_rod(Vec3 from, Vec3 to, double radius, Emitter& out) {
 
 /// The poles and wires of each tree.
 void show_supports(const Organize& tree, Emitter& out) {
+  const std::vector<RootPlace> places = places_of(tree);
   const auto show = [&](const AnyOperation& operation) {
     for (const SeenLine& line : seen_lines(operation, tree.growth.length)) {
       const std::optional<int>& number = common_of(operation).tree;
-      for (std::size_t root = 0; root < tree.roots.size(); ++root) {
-        if (number && static_cast<std::size_t>(*number) != root) continue;
-        for (std::size_t k = 1; k < line.points.size(); ++k) {
-          show_rod(tree.roots[root] + line.points[k - 1], tree.roots[root] + line.points[k], line.radius, out);
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        if (number && static_cast<std::size_t>(*number) != k) continue;
+        for (std::size_t end = 1; end < line.points.size(); ++end) {
+          show_rod(places[k].root + line.points[end - 1], places[k].root + line.points[end], line.radius, out);
         }
       }
     }
@@ -110,7 +141,7 @@ void show_supports(const Organize& tree, Emitter& out) {
 void expand(const Organize& tree, const Site& site, Emitter& out) {
   const Skeleton skeleton = out.take_grown();
   show_supports(tree, out);
-  out.stem(skeleton, tree.surface);
+  out.stem(skeleton, tree.surface, nullptr, tree.trim);
   offer_leaves(tree, skeleton, glm::length(site.frame.heading()), out);
 }
 
@@ -130,10 +161,12 @@ void check_balance(const Organize& tree, const DocumentPath& path, ParameterRead
   }
   if (growth.resource.division != ResourceModel::Division::borchert_honda || growth.resource.alpha0 != 0) return;
   if (std::abs(of_bud - growth.lateral_threshold) >= kEdge * growth.lateral_threshold) return;
-  reader.warn(alpha, fmt::format("growth is unstable here: a bud in full light makes a resource of {:.4g}, and "
-                                 "lateral buds open at {:.4g}; small changes make trees with and without branches. "
-                                 "Keep 'alpha' at least {:.0f} % away from there",
-                                 of_bud, growth.lateral_threshold, 100 * kEdge));
+  reader.warn(
+      alpha,
+      fmt::format(
+          "growth is unstable here: a bud in full light makes a resource of {:.4g}, and lateral buds open at {:.4g}; "
+          "small changes make trees with and without branches. Keep 'alpha' at least {:.0f} % away from this value",
+          of_bud, growth.lateral_threshold, 100 * kEdge));
 }
 
 /// Warns of operations that never act. Where the age of the tree follows a variable, such as the time, they may.
@@ -145,26 +178,28 @@ void check_schedules(const Organize& tree, const DocumentPath& path, ParameterRe
     const int first = common.at.value_or(common.from);
     if (first <= tree.growth.iterations) continue;
     const DocumentPath operation(operations, k);
-    reader.warn(DocumentPath(operation, common.at ? "at" : "from"),
-                fmt::format("it never acts: growth ends after iteration {}, and it is for iteration {}",
-                            tree.growth.iterations, first));
+    reader.warn(
+        DocumentPath(operation, common.at ? "at" : "from"),
+        fmt::format(
+            "the operation never acts: growth ends after iteration {}, and the operation begins at iteration {}",
+            tree.growth.iterations, first));
   }
 }
 
-/// Operations for a root that there is not.
+/// Operations for a tree that there is not.
 void check_trees(const Organize& tree, const DocumentPath& path, ParameterReader& reader) {
+  const std::size_t trees = places_of(tree).size();
   const DocumentPath operations(path, "operations");
   for (std::size_t k = 0; k < tree.operations.size(); ++k) {
     const std::optional<int>& number = common_of(tree.operations[k]).tree;
-    if (!number || static_cast<std::size_t>(*number) < tree.roots.size()) continue;
+    if (!number || static_cast<std::size_t>(*number) < trees) continue;
     const DocumentPath operation(operations, k);
-    reader.fault(DocumentPath(operation, "tree"), fmt::format("there is no root {}", *number),
-                 fmt::format("a number of 'roots', from 0 to {}", tree.roots.size() - 1));
+    reader.fault(DocumentPath(operation, "tree"), fmt::format("there is no tree {}", *number),
+                 fmt::format("a number of the trees at 'roots', from 0 to {}", trees - 1));
   }
 }
 
 void check_organize(const Organize& tree, const DocumentPath& path, ParameterReader& reader) {
-  check_trees(tree, path, reader);
   const BudLightModel& light = tree.light.model;
   const DocumentPath light_place(path, "light");
   if (light.voxel > 0 && light.voxel * kMostVoxelsAMetamer < tree.growth.length) {
@@ -183,6 +218,13 @@ void check_organize(const Organize& tree, const DocumentPath& path, ParameterRea
 
 void prepare_organize(Organize& tree, const DocumentPath& path, ParameterReader& reader) {
   if (tree.training) prepare_training(*tree.training, tree.growth.length, DocumentPath(path, "training"), reader);
+  if (tree.skeleton) {
+    std::optional<Skeleton> standing = read_skeleton(*tree.skeleton, DocumentPath(path, "skeleton"), reader);
+    if (!standing) return;
+    fill_radii(*standing, tree.growth.radii);
+    tree.standing = std::make_shared<const std::vector<Skeleton>>(split_trees(*standing));
+  }
+  check_trees(tree, path, reader);
 }
 
 }  // namespace
@@ -202,13 +244,16 @@ ComponentType organize_component() {
                  .makes_stems = true,
                  .has_ribs = true,
                  .stance = BranchStance::on_axis,
-                 .after_growth = {"surface", "leaf_age", "leaf_angle"}},
+                 .after_growth = {"surface", "trim", "leaf_age", "leaf_angle"}},
       .parameters =
           Table<Organize>("an organize", "Trees whose buds compete for light and room.")
               .members(&Organize::growth, organize_growth_table())
-              .object("light", &Organize::light, organize_light_table, "What light or room the buds find.")
+              .object("light", &Organize::light, organize_light_table, "Light or room that buds find.")
               .positions("roots", &Organize::roots, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-20, 20}},
                          "Positions of the trees; they compete with each other for light and room.")
+              .object("skeleton", &Organize::skeleton, skeleton_source_table,
+                      "Tree from a file that stands at each of 'roots' already and goes on growing; by default, trees "
+                      "begin as seeds.")
               .list_of_kinds("operations", &Organize::operations, operation_kinds, operation_table,
                              "Cuts and other operations on the trees as they grow, in this order.")
               .object("training", &Organize::training, training_table,
@@ -220,6 +265,7 @@ ComponentType organize_component() {
                       "Angle between a shoot and its leaves.")
               .members(&Organize::growth, &OrganizeParameters::radii, pipe_table())
               .object("surface", &Organize::surface, surface_table, "How the skeleton becomes a surface.")
+              .choice("trim", &Organize::trim, trim_modes(), kTrimDoc)
               .only_where({{"surface.style", {"tubes"}}}, {"texture"})
               .without(names_off_stems(), kWhyOffStems)
               .only_where({{"operations"}, {"training"}}, {"damage", "takeover", "resource.pass_back"})

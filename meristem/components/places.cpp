@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sites of an area are thrown one after another at random and stay where they keep their distance from those before:
-// even, but without rows. Where the area has no room for the number that is asked for, there are fewer.
+// Sites of an area are drawn one after another at random, and a site is kept if it keeps its distance from those
+// before: the sites lie evenly, but not in rows. If the area has no room for the wanted number, there are fewer sites.
 #include "meristem/components/places.h"
 
 #include <algorithm>
@@ -213,7 +213,7 @@ std::vector<Place> table_places(const Places& places, const Site& site, const Em
     throw InputError(
         Diagnostic{.message = fmt::format("line {} of '{}' stands within an obstacle, at ({:.4g}, {:.4g}, {:.4g})",
                                           table.table.lines[row], table.file, at.x, at.y, at.z),
-                   .expected = "a position outside of all obstacles",
+                   .expected = "a position outside all obstacles",
                    .path = "components." + out.component()});
   }
   return all;
@@ -332,9 +332,11 @@ void expand(const Places& places, const Site& site, Emitter& out) {
     for (std::size_t c = 0; c < given.size(); ++c) numbers[c] = given[c]->numbers[k];
     out.child_site(frame);
     out.give(numbers, false);
+    if (places.table) out.from_row(k, false);
     if (chosen == nullptr) continue;
     out.named_site(chosen->texts[k], site.frame * frame, 0, 0, kNoNode);
     out.give(numbers, true);
+    out.from_row(k, true);
   }
 }
 
@@ -349,20 +351,20 @@ ComponentType places_component() {
       .parameters =
           Table<Places>("places", "Sites on the ground.")
               .text_file("table", &Places::table, read_place_table,
-                         "CSV with one row per site: 'x' and 'z', or 'x' and 'y' to the north, or 'lon' and 'lat'; "
-                         "'height', 'rotation' and 'scale' where given; children can name every column of numbers.")
+                         "CSV file with one row per site: 'x' and 'z', 'x' and 'y' (north), or 'lon' and 'lat'; also "
+                         "'height', 'rotation', 'scale'. Expressions of children can use all columns of numbers.")
               .object("area", &Places::area, area_table, "Area in which the sites lie evenly at random.")
               .object("line", &Places::line, line_table, "Line along which the sites lie.")
-              .number(
-                  "origin_x", &Places::origin_x, {.min = -1e9, .max = 1e9, .usual = {-1000, 1000}, .fixed = true},
-                  "The table's 'x' or 'lon' at the origin of this component; by default 0, and the middle of 'lon'.")
+              .number("origin_x", &Places::origin_x, {.min = -1e9, .max = 1e9, .usual = {-1000, 1000}, .fixed = true},
+                      "Value of the table's 'x' or 'lon' at this component's origin; by default, 0 for 'x' and the "
+                      "middle of the column for 'lon'.")
               .number("origin_y", &Places::origin_y, {.min = -1e9, .max = 1e9, .usual = {-1000, 1000}, .fixed = true},
-                      "The table's 'y', 'z' or 'lat' at the origin of this component; by default 0, and the middle of "
-                      "'lat'.")
+                      "Value of the table's 'y', 'z' or 'lat' at this component's origin; by default, 0 for 'y' and "
+                      "'z' and the middle of the column for 'lat'.")
               .text("choose", &Places::choose,
                     "Column of the table whose text is the id of the component that stands at the row's site.")
               .map("names", &Places::names, name_table,
-                   "Ids of components for those texts of the column that are none.")
+                   "Ids of components for those texts of the column that are not ids themselves.")
               .per_child(
                   "turn", &Places::turn, {.unit = Unit::degree, .min = -36000, .max = 36000, .usual = {0, 360}},
                   "Turn of each child about the vertical, on top of the table's 'rotation' or the line's direction.")

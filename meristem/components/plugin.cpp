@@ -38,7 +38,7 @@ template <class Function>
 Function* find_function(void* library, const char* name, const std::string& path) {
   auto* function = reinterpret_cast<Function*>(::dlsym(library, name));
   if (function == nullptr) {
-    fail(path, fmt::format("the library is no plug-in: it has no '{}'", name),
+    fail(path, fmt::format("the library is not a plug-in: it has no '{}'", name),
          "a library with MERISTEM_PLUGIN(...) in one of its sources");
   }
   return function;
@@ -52,7 +52,7 @@ std::vector<ComponentType> load_plugin(const std::string& path) {
   if (!fs::exists(file, error)) {
     fail(path, "there is no such file", "a plug-in, such as libthorn.so", nearest_name(path, libraries_beside(file)));
   }
-  if (!fs::is_regular_file(file, error)) fail(path, "this is no plain file", "a plug-in, such as libthorn.so");
+  if (!fs::is_regular_file(file, error)) fail(path, "this is not a regular file", "a plug-in, such as libthorn.so");
 
   // By its whole path, or the loader would look for it elsewhere. It stays, for types point into it.
   void* const library = ::dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
@@ -80,7 +80,7 @@ Registry with_plugin(const Registry& known, const std::string& path) {
     if (type.name.empty()) fail(path, "a component type of the plug-in has no name", "a name for each");
     for (const ComponentType& other : types) {
       if (other.name == type.name) {
-        fail(path, fmt::format("there is a component type '{}' already", type.name), "a type of another name");
+        fail(path, fmt::format("there is already a component type '{}'", type.name), "a type of another name");
       }
     }
     types.push_back(std::move(type));

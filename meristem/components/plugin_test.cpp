@@ -32,7 +32,7 @@ TEST(Plugin, RefusesWhatIsNoLibrary) {
             (folder / "libtorn.so").string() +
                 ": there is no such file; expected a plug-in, such as libthorn.so; did you mean '" + text + "'?");
   EXPECT_NE(fault_of(text).find(": the library cannot be loaded: "), std::string::npos) << fault_of(text);
-  EXPECT_NE(fault_of(folder.path().string()).find("this is no plain file"), std::string::npos);
+  EXPECT_NE(fault_of(folder.path().string()).find("this is not a regular file"), std::string::npos);
 }
 
 TEST(Plugin, RefusesALibraryThatIsNoPlugin) {
@@ -40,7 +40,7 @@ TEST(Plugin, RefusesALibraryThatIsNoPlugin) {
   const std::string library = "/lib/x86_64-linux-gnu/libm.so.6";
   if (!std::ifstream(library)) GTEST_SKIP() << "there is no " << library;
   EXPECT_EQ(fault_of(library), library +
-                                   ": the library is no plug-in: it has no 'meristem_plugin_interface'; expected a "
+                                   ": the library is not a plug-in: it has no 'meristem_plugin_interface'; expected a "
                                    "library with MERISTEM_PLUGIN(...) in one of its sources");
 }
 

@@ -21,6 +21,8 @@
 #include "meristem/components/skeleton.h"
 #include "meristem/components/subdocument.h"
 #include "meristem/components/tree.h"
+#include "meristem/components/trim.h"
+#include "meristem/components/world.h"
 #include "meristem/components/wreath.h"
 
 namespace meristem {
@@ -31,7 +33,7 @@ const Registry& builtin_components() {
       grassleaf_component(),  tree_component(),   horn_component(),       hydra_component(),       wreath_component(),
       phiball_component(),    field_component(),  places_component(),     subdocument_component(), colonize_component(),
       organize_component(),   cloud_component(),  lsystem_component(),    skeleton_component(),    ffd_component(),
-      hyperpatch_component(),
+      hyperpatch_component(), trim_component(),   world_component(),
   });
   return registry;
 }

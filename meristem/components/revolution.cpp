@@ -43,13 +43,13 @@ const ParameterTable& body_table() {
           .choice("kind", &SolidOfRevolution::kind, {"spline", "linear"},
                   "How the points of the silhouette are joined: by a smooth 'spline' or by 'linear' pieces.")
           .integer("segments", &SolidOfRevolution::segments, {.min = 3, .max = 512, .usual = {3, 64}, .fixed = true},
-                   "Number of corners around a whole turn; raised, rounder and heavier.")
+                   "Number of corners around a whole turn; raised, rounder, with more triangles.")
           .integer("rings", &SolidOfRevolution::rings, {.min = 1, .max = 512, .usual = {1, 64}, .fixed = true},
-                   "Number of quads along a spline silhouette, at least one from point to point; raised, smoother and "
-                   "heavier.")
-          .number(
-              "sweep", &SolidOfRevolution::sweep, {.unit = Unit::degree, .min = 1, .max = 360, .fixed = true},
-              "Angle through which the silhouette is turned about the axis; below 360 a wedge between two flat sides.")
+                   "Number of quads along a spline silhouette, at least one between two points; raised, smoother, with "
+                   "more triangles.")
+          .number("sweep", &SolidOfRevolution::sweep, {.unit = Unit::degree, .min = 1, .max = 360, .fixed = true},
+                  "Angle through which the silhouette is turned about the axis; below 360, the body is a wedge between "
+                  "two flat sides.")
           .only_where({{"kind", {"spline"}}}, {"rings"});
   return table;
 }
@@ -62,13 +62,12 @@ ComponentType revolution_component() {
                  .doc = "A body of revolution about y: a cone, nut, fruit or pot; children stand at its tip.",
                  .material = {.colour = {0.48F, 0.33F, 0.2F}, .roughness = 0.6F},
                  .variety = 0.05},
-      .parameters =
-          Table<Revolution>("a revolution", "A body of revolution.")
-              .members(&Revolution::body, body_table())
-              .choice("shading", &Revolution::shading, {"smooth", "flat"},
-                      "How light falls on triangles: 'smooth' over their edges, 'flat' with a plane for each, "
-                      "the low-poly look.")
-              .check(check_silhouette),
+      .parameters = Table<Revolution>("a revolution", "A body of revolution.")
+                        .members(&Revolution::body, body_table())
+                        .choice("shading", &Revolution::shading, {"smooth", "flat"},
+                                "Shading: 'smooth' hides the edges between triangles, 'flat' shows each triangle as a "
+                                "plane, the low-poly look.")
+                        .check(check_silhouette),
       .expand = expand,
   });
 }

@@ -102,18 +102,18 @@ ComponentType simple_component() {
       .parameters =
           Table<Simple>("a simple", "A primitive that stands on its frame, or a section of a surface.")
               .choice("shape", &Simple::shape, {"box", "sphere", "cylinder", "cone", "torus", "none", "area", "tube"},
-                      "A primitive, nothing, or a section of a surface: 'area' is an open row of points, 'tube' a "
-                      "closed ring.")
+                      "Kind of shape: a primitive, 'none', or a section of a surface, which is an open row of points "
+                      "('area') or a closed ring ('tube').")
               .vector("size", &Simple::size, {.unit = Unit::metre, .min = 1e-6, .max = 1e4, .usual = {0.001, 0.5}},
-                      "Width (x), height (y) and depth (z).")
+                      "Width (x), height (y) and depth (z) of the shape.")
               .integer("segments", &Simple::segments, {.min = 3, .max = 512, .usual = {3, 64}},
-                       "Number of corners around; raised, rounder and heavier.")
+                       "Number of corners around the shape; raised, rounder, with more triangles.")
               .choice("shading", &Simple::shading, {"smooth", "flat"},
-                      "How light falls on a primitive's triangles: 'smooth' over their edges, 'flat' with a plane for "
-                      "each, the low-poly look.")
+                      "Shading of a primitive: 'smooth' hides the edges between triangles, 'flat' shows each triangle "
+                      "as a plane, the low-poly look.")
               .points("outline", &Simple::outline, {.unit = Unit::metre, .min = -1e4, .max = 1e4},
-                      "Points [x, z] of an area or tube across the heading, one for a tip; by default a line over the "
-                      "width, or an ellipse over width and depth.")
+                      "Points [x, z] of an area or tube in the plane across the heading; a single point makes a tip. "
+                      "By default, a line over the width, or an ellipse over width and depth.")
               .boolean("cap", &Simple::cap, "Whether a tube is closed where its surface ends.")
               .only_where({{"shape", {"area", "tube"}}}, {"outline"})
               .only_where({{"shape", {"sphere", "cylinder", "cone", "torus", "tube"}}}, {"segments"})

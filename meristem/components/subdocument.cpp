@@ -15,7 +15,8 @@ namespace {
 const ParameterTable& set_table() {
   static const ParameterTable table =
       Table<SetNumber>("a set value", "A number that is set in another document.")
-          .number("value", &SetNumber::value, {}, "Number in the unit that the other document gives it there.")
+          .number("value", &SetNumber::value, {},
+                  "Value of the variable or parameter, in the unit that it has in the other document.")
           .required()
           .shorthand("value");
   return table;
@@ -77,8 +78,9 @@ ComponentType subdocument_component() {
                    "Values of the other document's variables by name, or of its parameters by path ('leaf.length').")
               .number("seed", &Subdocument::seed, {.min = 0, .max = static_cast<double>(kLargestSeed)},
                       "Seed of the plant; by default, each instance has its own.")
-              .integer("variants", &Subdocument::variants, {.min = 1, .max = 1e6, .usual = {1, 20}, .fixed = true},
-                       "Number of seeds that instances draw from; raised, more different plants and a longer growth.")
+              .integer(
+                  "variants", &Subdocument::variants, {.min = 1, .max = 1e6, .usual = {1, 20}, .fixed = true},
+                  "Number of seeds that the instances draw from; raised, more different plants and a longer growth.")
               .never_with("seed", {"variants"})
               .prepare(open),
       .expand = expand,

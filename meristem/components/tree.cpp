@@ -43,13 +43,13 @@ std::vector<StemBend> deflections(const Tree& tree, const Site& site, const Emit
 }
 
 void expand(const Tree& tree, const Site& site, Emitter& out) {
-  const StemTropisms tropisms{out.directions(), tree.gravitropism, tree.phototropism};
+  const StemTropisms tropisms{&out.directions(), tree.gravitropism, tree.phototropism};
   std::vector<StemBend> bends;
   if (tree.deflection != 0) bends = deflections(tree, site, out);
   StemPath path = grow_stem(tree.stem, site, tropisms, bends);
   const float tip_radius = path.skeleton.radius.back();
-  out.stem(std::move(path.skeleton), tree.surface, &tree.branching);
-  out.child_site_in_world(path.frames.back(), path.length, tip_radius);
+  out.stem(std::move(path.skeleton), tree.surface, &tree.branching, tree.trim);
+  out.tip_site(path.frames.back(), path.length, tip_radius);
 }
 
 }  // namespace
@@ -67,10 +67,11 @@ ComponentType tree_component() {
                         .members(&Tree::stem, stem_form_table())
                         .number("deflection", &Tree::deflection,
                                 {.unit = Unit::degree, .min = -180, .max = 180, .usual = {-45, 45}},
-                                "Angle of the stem's bend away from each of its branches; raised, a zigzag, which "
-                                "needs a segment per branch.")
+                                "Angle that the stem bends away from each of its branches; raised, a zigzag, which "
+                                "needs at least one segment per branch.")
                         .members(&Tree::branching, placement_table())
                         .object("surface", &Tree::surface, surface_table, "How the stem becomes a surface.")
+                        .choice("trim", &Tree::trim, trim_modes(), kTrimDoc)
                         .only_where({{"surface.style", {"tubes"}}}, {"texture"})
                         .without(names_off_stems(), kWhyOffStems)
                         .check([](const Tree& tree, const DocumentPath& path, ParameterReader& reader) {

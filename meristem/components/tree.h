@@ -3,6 +3,7 @@
 
 #include "meristem/components/parts/stem_path.h"
 #include "meristem/graph/component.h"
+#include "meristem/plant/trim.h"
 
 namespace meristem {
 
@@ -13,6 +14,7 @@ struct Tree : ComponentBase {
   double deflection = 0;  ///< radians: bend away from each of its branches
   Placement branching;    ///< where they stand, as far as links do not say
   Surface surface;
+  TrimMode trim = TrimMode::cut;  ///< what a body around its stems does to them
 };
 
 ComponentType tree_component();

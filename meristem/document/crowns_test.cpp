@@ -331,10 +331,11 @@ TEST_F(CrownFiles, EveryFaultSaysItsPlaceInTheDocumentAndInTheFile) {
             "'scans/tree.xyz'?");
   EXPECT_EQ(fault_here(R"("crown": {"mesh": "tetr.obj"})"),
             "d.json:2:19: components.tree.crown.mesh: 'tetr.obj': there is no such file; did you mean 'tetra.obj'?");
-  EXPECT_EQ(fault_here(R"("crown": {"mesh": "open.obj"})"),
-            "d.json:2:19: components.tree.crown.mesh: 'open.obj': 3 edges are open, with a triangle on one side only; "
-            "the first "
-            "goes from (1, 0, 0) to (0, 1, 0); expected a closed mesh, whose every edge has a triangle on both sides");
+  EXPECT_EQ(
+      fault_here(R"("crown": {"mesh": "open.obj"})"),
+      "d.json:2:19: components.tree.crown.mesh: 'open.obj': 3 edges are open, with a triangle on one side only; "
+      "the first "
+      "goes from (1, 0, 0) to (0, 1, 0); expected a closed mesh, in which every edge has a triangle on both sides");
   EXPECT_NE(fault_here(R"("crown": {"mesh": "scans"})").find("'scans': this is a folder"), std::string::npos);
   EXPECT_NE(fault_here(R"("crown": {"mesh": ""})").find("'': there is no such file"), std::string::npos);
   EXPECT_NE(fault_here(R"("crown": {"mesh": 3})").find("'mesh' cannot be the number 3; expected the path of a file"),

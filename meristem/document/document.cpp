@@ -24,6 +24,17 @@ namespace meristem {
 
 namespace {
 
+/// The lower of each two limits.
+Limits within(const Limits& own, const Limits& outer) {
+  Limits both = own;
+  for (std::uint64_t Limits::*const limit :
+       {&Limits::points, &Limits::nodes, &Limits::modules, &Limits::instances, &Limits::triangles, &Limits::mesh_bytes,
+        &Limits::file_bytes, &Limits::picture_pixels, &Limits::texture_pixels}) {
+    both.*limit = std::min(own.*limit, outer.*limit);
+  }
+  return both;
+}
+
 /// Fills a Document from the tree of its text; the reader collects what is wrong.
 class DocumentReader {
  public:
@@ -45,13 +56,16 @@ class DocumentReader {
     }
     if (const Value* format = root_.find("meristem");
         format != nullptr && format->number() != nullptr && *format->number() > kDocumentFormat) {
-      return {{.message = fmt::format("this program is too old for the document's format {}", *format->number()),
+      return {{.message = fmt::format("the document's format {} is newer than this program", *format->number()),
                .expected = fmt::format("at most {}", kDocumentFormat),
                .path = "meristem"}};
     }
 
     // Limits and variables come first: everything else may use them.
     read_limits(document.graph.limits);
+    if (options_.within) document.graph.limits = within(document.graph.limits, *options_.within);
+    sources_.set_limits(document.graph.limits);
+    sources_.set_limits(document.graph.limits);
     const Value* given_variables = root_.find("variables");
     const VariableValues solved = solve_variables(given_variables, document.graph.limits);
 

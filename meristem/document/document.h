@@ -38,7 +38,7 @@ struct VariableNote {
   std::vector<std::size_t> uses;  ///< notes of the variables that it is worked out from
 };
 
-/// Defaults for doors that make pictures and files.
+/// Defaults for programs that make pictures and files.
 struct OutputParameters {
   std::vector<int> size{1200, 1200};  ///< width and height, pixels
   int samples = 64;                   ///< paths per pixel
@@ -47,7 +47,7 @@ struct OutputParameters {
 };
 
 /// One `--set PATH=VALUE`: a variable's name ("age"), a component's parameter ("stem.length"), or a key
-/// ("links[1].density", "scene.latitude", "seed"). A variable goes before a key of its name.
+/// ("links[1].density", "scene.latitude", "seed"). A variable is preferred to a key of its name.
 struct Override {
   std::string path;
   Value value;
@@ -70,7 +70,7 @@ struct Source {
   void place(std::vector<Diagnostic>& diagnostics) const;
 };
 
-/// A document that was read and found good: what grows, in which scene, and what doors show of it.
+/// A document that was read without faults: what grows, in which scene, and the defaults for output.
 struct Document {
   std::string name;
   std::string description;
@@ -97,24 +97,26 @@ struct DocumentChain {
 
 /// How a document is read.
 struct ReadOptions {
-  std::vector<Override> overrides{};    ///< values that go before those of the text
+  std::vector<Override> overrides{};    ///< values that replace those of the text
   std::optional<std::uint64_t> seed{};  ///< in place of the document's
-  /// Nothing that the document names is read outside of this folder, wherever links and dots lead, and messages tell
-  /// nothing of what is there. Empty: any file may be read.
+  /// Files outside this folder are not read, wherever links and dots lead, and messages do not reveal what is there.
+  /// Empty: any file may be read.
   std::string root{};
-  /// What earlier reads made of files is found there, and left for later ones; null: every file is read.
+  /// Results of earlier reads of files are found here and kept for later reads; null: every file is read.
   ReadStore* store = nullptr;
   /// Folder of the shipped models, which documents may name; empty: there are none.
   std::string models{};
-  /// The documents that have led to this one, each naming the next; null for one that a user opens.
+  /// The documents that contain this one, each within the one before; null for a document that a user opens.
   const DocumentChain* chain = nullptr;
+  /// Limits that hold besides the document's own: those of the document that places it.
+  std::optional<Limits> within{};
   /// Takes the document paths of all expressions, as far as they were read; may be null.
   std::vector<std::string>* expression_paths = nullptr;
 };
 
-/// Reads a document's text. `file` is its name in messages, and the files that it names are
-/// sought from that one's folder. Throws one InputError with all faults (up to the limit),
-/// each with line, column and document path.
+/// Reads a document's text. `file` is the name of the document in messages; paths in the document start from the
+/// folder of `file`. Throws one InputError with all faults (up to the limit), each with line, column and document
+/// path.
 Document read_document(std::string text, const std::string& file, const Registry& registry,
                        const ReadOptions& options = {});
 

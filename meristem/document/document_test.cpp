@@ -108,7 +108,7 @@ TEST_P(RejectedDocument, SaysWhatIsWrongAndWhere) {
 const Rejection kRejections[] = {
     {"NoObject", "[1]", "1:1: the document is a list of 1; expected an object with \"meristem\": 1"},
     {"NewerFormat", R"({"meristem": 2, "future": []})",
-     "1:14: meristem: this program is too old for the document's format 2; expected at most 1"},
+     "1:14: meristem: the document's format 2 is newer than this program; expected at most 1"},
     {"NoFormat", R"({"components": {"a": {"type": "simple"}}})",
      "1:1: a document has no 'meristem'; expected a whole number from 1 to 1"},
     {"NoComponents", R"({"meristem": 1})",
@@ -151,22 +151,22 @@ const Rejection kRejections[] = {
     {"VariableNameBesideExpressions", with("\"variables\": {\"2 a\": 3}, \"seed\": \"1+1\","),
      "2:15: variables.2 a: '2 a' is not a name; expected letters, digits and _, not beginning with a digit"},
     {"VariableShadowsFunction", with("\"variables\": {\"sin\": 3},"),
-     "2:15: variables.sin: 'sin' has a meaning in expressions already; expected another name"},
+     "2:15: variables.sin: 'sin' already has a meaning in expressions; expected another name"},
     {"VariableShadowsSite", with("\"variables\": {\"u\": 3},"),
-     "2:15: variables.u: 'u' has a meaning in expressions already; expected another name"},
+     "2:15: variables.u: 'u' already has a meaning in expressions; expected another name"},
     {"VariableShadowsPlacement", with("\"variables\": {\"tip_distance\": 3},"),
-     "2:15: variables.tip_distance: 'tip_distance' has a meaning in expressions already; expected another name"},
+     "2:15: variables.tip_distance: 'tip_distance' already has a meaning in expressions; expected another name"},
     {"VariableWithoutValue", with("\"variables\": {\"a\": {\"min\": 0}},"),
      "2:20: variables.a: a variable has no 'value'; expected a number"},
     {"VariableBounds", with("\"variables\": {\"a\": {\"value\": 1, \"min\": 5, \"max\": 2}},"),
-     "2:40: variables.a.min: 'min' 5 lies above 'max' 2; expected min of at most max"},
+     "2:40: variables.a.min: 'min' 5 lies above 'max' 2; expected a 'min' of at most 'max'"},
     {"SunTwice", with(R"("scene": {"latitude": 5, "sun": {"day": 1, "azimuth": 1, "altitude": 2}},)"),
      "2:33: scene.sun: the sun is given both by its position and by a day; expected {\"azimuth\": 180, \"altitude\": "
      "61} "
      "or "
      "{\"day\": 126, \"hour\": 9.5}"},
     {"SunHalf", with(R"("scene": {"sun": {"azimuth": 1}},)"),
-     "2:18: scene.sun: the sun has only one of azimuth and altitude; expected both, as in {\"azimuth\": 180, "
+     "2:18: scene.sun: the sun has only one of 'azimuth' and 'altitude'; expected both, as in {\"azimuth\": 180, "
      "\"altitude\": "
      "61}"},
     {"DayWithoutLatitude", with(R"("scene": {"sun": {"day": 1}},)"),
@@ -221,7 +221,7 @@ TEST(Document, RejectsLinksThatMakeNoTree) {
                 .find("d.json:2:11: links[0]: the link leads to the camera 'c'"),
             std::string::npos);
   EXPECT_NE(faults_of(with(R"("links": [["a", "b"], ["b", "a"]],)", two))
-                .find("d.json:2:23: links[1]: the links a > b > a lead in an endless circle"),
+                .find("d.json:2:23: links[1]: the links a > b > a form an endless circle"),
             std::string::npos);
   EXPECT_NE(faults_of(with(R"("links": [["c", "a"]],)", two + R"(, "c": {"type": "camera"})"))
                 .find("components.b: 'b' cannot be reached from the camera by links"),

@@ -21,7 +21,7 @@ enum class GrownPart {
 /// A document that has grown: skeletons and organs, and the meshes that clothe them.
 struct GrownDocument {
   Plant plant;
-  MeshScene meshes;                    ///< empty where only the plant was asked for
+  MeshScene meshes;                    ///< empty if only the plant was made
   GrownPart up_to = GrownPart::plant;  ///< what there is of it; without textures, materials have sketches of them
   std::vector<Diagnostic> warnings;    ///< what is odd about the plant but not wrong, placed in the document's text
 };
@@ -48,13 +48,13 @@ struct GrowthOptions {
   GrowthCache* cache = nullptr;
 };
 
-/// Grows a document: the one call behind every door. The same document gives the same bytes on any number of threads,
-/// with and without a cache. Throws InputError (limits, numbers that are not finite; placed in the document's text),
-/// Cancelled.
+/// Grows a document: the one call that all programs make. The same document gives the same bytes on any number of
+/// threads, with and without a cache. Throws InputError (limits, numbers that are not finite; placed in the document's
+/// text), Cancelled.
 GrownDocument grow_document(const Document& document, Progress& progress, const GrowthOptions& options = {});
 
-/// Makes what is missing of a growth of the document up to a part: as if it had been asked for at once, but for a
-/// detail of meshes that there are already. Throws as grow_document does, and leaves what there was.
+/// Completes a growth of the document up to a part, with the result that grow_document would have given for this part;
+/// meshes that exist keep their detail. Throws as grow_document does, and then leaves `grown` unchanged.
 void complete_growth(const Document& document, GrownDocument& grown, Progress& progress,
                      const GrowthOptions& options = {});
 

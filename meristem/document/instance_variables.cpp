@@ -39,7 +39,7 @@ class InstanceVariableReader {
         drafts_.push_back({.name = name, .said = &said, .value = {}});
       } else {
         reader_.fault_name(DocumentPath(path_, name),
-                           fmt::format("'{}' has a meaning in expressions already, or is no name", name),
+                           fmt::format("'{}' already has a meaning in expressions, or is no name", name),
                            "another name", "");
       }
     }
@@ -49,7 +49,7 @@ class InstanceVariableReader {
     for (const Draft& draft : drafts_) {
       if (std::ranges::find(graph_.site_names, draft.name) != graph_.site_names.end()) {
         reader_.fault_name(DocumentPath(path_, draft.name),
-                           fmt::format("'{}' is a column of places already", draft.name), "another name", "");
+                           fmt::format("'{}' is already a column of places", draft.name), "another name", "");
       }
       names.push_back(draft.name);
     }
@@ -140,8 +140,8 @@ class InstanceVariableReader {
     std::string text;
     for (const std::size_t k : way) text += drafts_[k].name + " -> ";
     reader_.fault(DocumentPath(DocumentPath(path_, drafts_[at].name), "value"),
-                  fmt::format("the variables {}{} lead in an endless circle", text, drafts_[at].name),
-                  "an expression of variables that can be worked out before");
+                  fmt::format("the variables {}{} depend on each other in a circle", text, drafts_[at].name),
+                  "an expression without this circle");
   }
 
   const Value::Object& given_;
@@ -216,18 +216,18 @@ void check_given_names(const Value& root, const Graph& graph, std::vector<Diagno
       const Prototype& prototype = graph.components[c];
       const Value* said = components == nullptr ? nullptr : components->find(prototype.id);
       if (said == nullptr || !reached[c] || sees[c] || !mentions_in_expression(*said, name)) continue;
-      diagnostics.push_back(
-          {.message = fmt::format("'{}' uses '{}', which only what stands on {} is given", prototype.id, name, who),
-           .expected = fmt::format("links that lead to '{}' through {} alone", prototype.id, who),
-           .path = "components." + prototype.id});
+      diagnostics.push_back({.message = fmt::format("'{}' uses '{}', which only components that stand on {} have",
+                                                    prototype.id, name, who),
+                             .expected = fmt::format("links that lead to '{}' through {} alone", prototype.id, who),
+                             .path = "components." + prototype.id});
     }
     for (const InstanceVariable& variable : graph.instance_variables) {
       if (!variable.value.expression || !variable.value.expression->uses(site_variables().size() + slot)) continue;
       if (!reached[variable.owner] || sees[variable.owner]) continue;
-      diagnostics.push_back(
-          {.message = fmt::format("'{}' uses '{}', which only what stands on {} is given", variable.name, name, who),
-           .expected = fmt::format("a component of that kind as the \"per\" of '{}'", variable.name),
-           .path = variable.value.path});
+      diagnostics.push_back({.message = fmt::format("'{}' uses '{}', which only components that stand on {} have",
+                                                    variable.name, name, who),
+                             .expected = fmt::format("a component of that kind as the \"per\" of '{}'", variable.name),
+                             .path = variable.value.path});
     }
   }
 }

@@ -51,7 +51,7 @@ bool has_days(const SunParameters& sun) { return sun.day || !sun.days.empty() ||
 
 void check_clock(const SunParameters& sun, const DocumentPath& path, ParameterReader& reader) {
   if (!sun.date.empty() && !parse_date(sun.date)) {
-    reader.fault(DocumentPath(path, "date"), fmt::format("'{}' is no date", sun.date),
+    reader.fault(DocumentPath(path, "date"), fmt::format("'{}' is not a date", sun.date),
                  "a day from 1900 to 2100, such as \"2026-06-21\"");
   }
   if (!sun.time || (sun.longitude && sun.utc_offset)) return;
@@ -72,7 +72,7 @@ void check_sun(const SunParameters& sun, const DocumentPath& path, ParameterRead
                         R"({"azimuth": 180, "altitude": 61} or {"day": 126, "hour": 9.5})");
   }
   if (by_place && !(sun.azimuth && sun.altitude)) {
-    return reader.fault(path, "the sun has only one of azimuth and altitude",
+    return reader.fault(path, "the sun has only one of 'azimuth' and 'altitude'",
                         R"(both, as in {"azimuth": 180, "altitude": 61})");
   }
   if (sun.every_hours || !sun.days.empty()) check_positions(sun, path, reader);
@@ -91,24 +91,24 @@ const ParameterTable& sun_table() {
           .number("day", &SunParameters::day, {.unit = Unit::day, .min = 1, .max = 366},
                   "Day of the year, from 1 for 1 January.")
           .integers("days", &SunParameters::days, 2, {.unit = Unit::day, .min = 1, .max = 366},
-                    "First and last day of a season, which may go on into the next year.")
+                    "First and last day of a season, which may extend into the next year.")
           .number("every_days", &SunParameters::every_days, {.unit = Unit::day, .min = 1, .max = 366, .usual = {1, 60}},
                   "Days from one sampled day of the season to the next; lowered, more positions of the sun and slower "
                   "growth.")
           .number("every_hours", &SunParameters::every_hours,
                   {.unit = Unit::hour, .min = 0, .max = 24, .usual = {0.25, 6}, .above_min = true},
-                  "Hours between positions of the sun, before and after noon, for light of a whole day; by default 1 "
-                  "in a season.")
+                  "Hours between sampled positions of the sun, before and after noon, for the light of a whole day; by "
+                  "default, 1 in a season.")
           .number("hour", &SunParameters::hour, {.unit = Unit::hour, .min = 0, .max = 24},
                   "Hour of the day in true solar time, with the sun highest at 12; for a whole day or season, the hour "
-                  "of pictures.")
+                  "that pictures show.")
           .text("date", &SunParameters::date, "Date of the day, such as \"2026-06-21\", in place of its number.")
           .number("time", &SunParameters::time, {.unit = Unit::hour, .min = 0, .max = 24},
                   "Time of the day as a clock shows it, such as \"15:30\", in place of the solar hour.")
           .number("longitude", &SunParameters::longitude, {.unit = Unit::degree, .min = -180, .max = 180},
-                  "Longitude of the scene, east positive, from which clock time is worked out.")
+                  "Longitude of the scene, east positive, which clock time needs.")
           .number("utc_offset", &SunParameters::utc_offset, {.unit = Unit::hour, .min = -14, .max = 14},
-                  "Hours that the clock is ahead of universal time: 1 in central Europe, 2 in its summer time.")
+                  "Hours that the clock is ahead of universal time: 1 in central Europe, 2 in summer time there.")
           .never_with("day", {"days", "date"})
           .never_with("days", {"date"})
           .only_with("days", {"every_days"})
@@ -205,9 +205,8 @@ const ParameterTable& light_table() {
           .object("sun", &LightParameters::sun, sun_table,
                   "Position of the sun; by default, light comes from the zenith.")
           .number("sky", &LightParameters::sky, {.min = 0, .max = 1},
-                  "Share of the directional light that comes from the whole sky, the rest being the sun's; raised, "
-                  "sides and "
-                  "shade get more light.")
+                  "Share of the directional light that comes from the whole sky; the rest comes from the sun. Raised, "
+                  "the sides of plants and the shade get more light.")
           .list("lamps", &LightParameters::lamps, lamp_table, "Lamps within the scene.")
           .only_where({{"sun.day"}, {"sun.days"}, {"sun.date"}}, {"latitude"});
   return table;

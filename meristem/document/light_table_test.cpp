@@ -82,13 +82,13 @@ TEST(SceneLight, SaysWhatIsWrongWithAClock) {
   const auto fault = [](const std::string& sun) {
     return faults_of(fmt::format("{{\"latitude\": 50, \"sun\": {}}}", sun));
   };
-  EXPECT_NE(fault(R"({"date": "2026-06-31"})").find("scene.sun.date: '2026-06-31' is no date"), std::string::npos);
+  EXPECT_NE(fault(R"({"date": "2026-06-31"})").find("scene.sun.date: '2026-06-31' is not a date"), std::string::npos);
   EXPECT_NE(fault(R"({"date": "2026-06-21", "time": "15:30"})").find("needs a 'longitude' and a 'utc_offset'"),
             std::string::npos);
   EXPECT_NE(fault(R"({"date": "2026-06-21", "time": "15:30", "longitude": 7})").find("needs a 'utc_offset'"),
             std::string::npos);
   EXPECT_NE(fault(R"({"date": "2026-06-21", "time": "15:70", "longitude": 7, "utc_offset": 1})")
-                .find("scene.sun.time: '15:70' is no time"),
+                .find("scene.sun.time: '15:70' is not a time"),
             std::string::npos);
   EXPECT_NE(fault(R"({"date": "2026-06-21", "time": 25, "longitude": 7, "utc_offset": 1})").find("scene.sun.time"),
             std::string::npos);

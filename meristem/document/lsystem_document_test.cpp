@@ -164,7 +164,7 @@ TEST(LsystemDocument, RefusesNamesThatRulesMakeOfOthers) {
 TEST(LsystemDocument, RefusesToPlaceItself) {
   EXPECT_THAT(faults_of_text(R"json({"meristem": 1, "components": {
     "plant": {"type": "lsystem", "steps": 0, "grammar": "#symbols plant\nF~plant"}}})json"),
-              HasSubstr("lead in an endless circle"));
+              HasSubstr("form an endless circle"));
 }
 
 TEST(LsystemDocument, MayPlaceItselfToADepth) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The documents that are shipped, which users name without path and ending. Each door knows their folder.
+// The shipped documents, which users name without path and ending. Each program knows their folder.
 #pragma once
 
 #include <string>

@@ -83,8 +83,8 @@ const ParameterTable& obstacle_table() {
           .file("mesh", &ObstacleParameters::mesh, read_obstacle_mesh, "File with a closed mesh (OBJ, PLY or GLB).")
           .members(&ObstacleParameters::pose, import_table())
           .boolean("broken", &ObstacleParameters::broken,
-                   "Whether a mesh that is not closed is used anyway; two of three views, along x, y and z, decide "
-                   "what is inside it.")
+                   "Whether a mesh that is not closed is used anyway; a point counts as inside if two of three views, "
+                   "along x, y and z, show it inside.")
           .colour("colour", &ObstacleParameters::colour, "Colour of the obstacle in pictures; its surface is matt.")
           .boolean("hidden", &ObstacleParameters::hidden,
                    "Whether pictures leave the obstacle out; it still blocks growth and light.")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stems are asked by segments, so that nothing thin is missed. From what is drawn about a path, such as a horn, some
-// vertices are looked at: between them it may pass through a wall that is thinner than it is fine.
+// Stems are tested by segments, so that thin obstacles are not missed. Shapes that are drawn about a path, such as
+// horns, are tested at some of their vertices: a wall that is thinner than the distance between these may be missed.
 #include "meristem/document/obstacle_warnings.h"
 
 #include <algorithm>

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A document is read as it stands when it is named, so that its faults are told at once, and read again with the values
-// that are set in it for each variant that is grown.
+// A document is read without changes when another document names it, so that its faults are reported at once, and read
+// again with the set values for each variant that is grown.
 #include "meristem/document/sources.h"
 
 #include <filesystem>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <system_error>
 #include <unordered_map>
 #include <utility>
@@ -81,6 +82,7 @@ class DocumentSource : public PlantSource {
         models_(options.models),
         chain_(whole_chain(options.chain)),
         tree_(document.source.tree),
+        within_(options.within),
         painted_(std::make_shared<PaintedTextures>()) {
     for (const Variable& variable : document.variables) variables_.push_back(variable.name);
     Fingerprint fingerprint;
@@ -125,9 +127,10 @@ class DocumentSource : public PlantSource {
   }
 
   std::shared_ptr<const PlantVariant> grow(const PlantRequest& request, const Progress& progress) const override {
-    ReadOptions options{.seed = request.seed, .root = root_, .models = models_, .chain = &chain_.back()};
+    ReadOptions options{
+        .seed = request.seed, .root = root_, .models = models_, .chain = &chain_.back(), .within = within_};
     for (const auto& [name, value] : request.values) options.overrides.push_back({name, Value(value), "set " + name});
-    auto document = std::make_shared<const Document>(read_document(text_, file_, registry_, options));
+    const auto document = std::make_shared<const Document>(read_document(text_, file_, registry_, options));
     Progress part(&progress);
     auto variant = std::make_shared<PlantVariant>();
     try {
@@ -160,6 +163,7 @@ class DocumentSource : public PlantSource {
   std::string models_;
   std::vector<DocumentChain> chain_;
   Value tree_;
+  std::optional<Limits> within_;
   std::vector<std::string> variables_;
   std::uint64_t fingerprint_ = 0;
   std::shared_ptr<PaintedTextures> painted_;
@@ -209,19 +213,20 @@ PlantSources::Opened DocumentSources::open(const std::string& name, const FileAc
   for (const DocumentChain* link = options_.chain; link != nullptr; link = link->before) {
     if (link->file != here.file) continue;
     throw InputError(Diagnostic{
-        .message = fmt::format("the documents {} lead in an endless circle", chain_text(options_.chain, name)),
-        .expected = "a document that does not lead back here"});
+        .message = fmt::format("the documents {} contain each other in a circle", chain_text(options_.chain, name)),
+        .expected = "a document that does not contain this one"});
   }
   if (length_of(&here) > kMostNested) {
-    throw InputError(Diagnostic{
-        .message = fmt::format("the documents {} lie too deep in each other", chain_text(options_.chain, name)),
-        .expected = fmt::format("at most {}", kMostNested)});
+    throw InputError(
+        Diagnostic{.message = fmt::format("the documents {} are nested too deep", chain_text(options_.chain, name)),
+                   .expected = fmt::format("at most {}", kMostNested)});
   }
 
   ReadOptions options{.root = is_model && !options_.root.empty() ? options_.models : options_.root,
                       .store = options_.store,
                       .models = options_.models,
-                      .chain = &here};
+                      .chain = &here,
+                      .within = limits_};
   std::string text = read_text_file(file);
   const Document document = read_document(text, file, registry_, options);
   Opened opened;

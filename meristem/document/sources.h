@@ -18,11 +18,14 @@ class DocumentSources : public PlantSources {
   /// open() is called.
   DocumentSources(const Registry& registry, const ReadOptions& options) : registry_(registry), options_(options) {}
 
+  /// What is opened from now on, and all that it opens, is read and grown within these limits as well as its own.
+  void set_limits(const Limits& limits) { limits_ = limits; }
   Opened open(const std::string& name, const FileAccess& access) override;
 
  private:
   const Registry& registry_;
   const ReadOptions& options_;
+  Limits limits_;
 };
 
 }  // namespace meristem

@@ -237,7 +237,7 @@ TEST_F(Garden, ReadsNothingOutsideOfItsRoot) {
   options_.root = folder_.path().string();
   const std::string found =
       fault(R"j("oak": {"type": "document", "file": ")j" + (elsewhere / "secret.json").string() + R"j("})j");
-  EXPECT_NE(found.find("outside of the folder"), std::string::npos) << found;
+  EXPECT_NE(found.find("outside the folder"), std::string::npos) << found;
   EXPECT_TRUE(faults(R"j("oak": {"type": "document", "file": "twig.json"})j").empty());
 }
 
@@ -349,6 +349,22 @@ TEST_F(Garden, RejectsVariablesOfInstancesThatNeedEachOther) {
                                   R"j("variables": {"hue": {"value": "tone", "per": "tulip"},
                                                    "tone": {"value": "1 - hue", "per": "tulip"}}, )j");
   EXPECT_NE(found.find("hue -> tone -> hue"), std::string::npos) << found;
+}
+
+TEST_F(Garden, ItsLimitsHoldForPlacedPlantsToo) {
+  const char* one = R"j("oak": {"type": "document", "file": "twig.json", "seed": 1})j";
+  const std::string single = fault(one, "[]", R"j("limits": {"instances": 5}, )j");
+  EXPECT_NE(single.find("limits.instances"), std::string::npos) << single;
+  const std::string nodes = fault(one, "[]", R"j("limits": {"nodes": 5}, )j");
+  EXPECT_NE(nodes.find("limits.nodes"), std::string::npos) << nodes;
+}
+
+TEST_F(Garden, ItsLimitsHoldForAllVariantsTogether) {
+  const std::string row = std::string(kRow) + R"j("oak": {"type": "document", "file": "twig.json"})j";
+  const std::string links = R"j([["row", "oak"]])j";
+  const std::string found = fault(row, links, R"j("limits": {"instances": 60}, )j");
+  EXPECT_NE(found.find("the plants of other documents have more than 60 leaves"), std::string::npos) << found;
+  EXPECT_EQ(fault(row, links, R"j("limits": {"instances": 200}, )j"), "no fault");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ const ParameterTable& ground_table() {
 
 const ParameterTable& scene_table() {
   static const ParameterTable table =
-      Table<SceneParameters>("a scene", "What surrounds the plants.")
+      Table<SceneParameters>("a scene", "Surroundings of the plants.")
           .members(&SceneParameters::light, light_table())
           .list("obstacles", &SceneParameters::obstacles, obstacle_table,
                 "Bodies that plants do not enter and that shade them.")
@@ -63,7 +63,8 @@ const ParameterTable& head_table() {
           .text("licence", &DocumentHead::licence, "Licence of the document, which is named in exported files.")
           .integer("seed", &DocumentHead::seed, {.min = 0, .max = kLargestSeed, .usual = {0, 100}},
                    "Seed of all random numbers; another number gives another plant of this kind.")
-          .object("scene", &DocumentHead::scene, scene_table, "What surrounds the plants: light, obstacles and ground.")
+          .object("scene", &DocumentHead::scene, scene_table,
+                  "Surroundings of the plants: light, obstacles and ground.")
           .object("output", &DocumentHead::output, output_table, "Defaults for pictures and files.")
           .elsewhere({"variables", "components", "links", "limits"});
   return table;
@@ -71,7 +72,7 @@ const ParameterTable& head_table() {
 
 const ParameterTable& variable_table() {
   static const ParameterTable table =
-      Table<Variable>("a variable", "A handle that expressions use by name.")
+      Table<Variable>("a variable", "A number of the document that expressions use by name.")
           .number("value", &Variable::value, {},
                   "Value of the variable unless a command sets another one; an expression may use the other variables.")
           .required()
@@ -79,11 +80,11 @@ const ParameterTable& variable_table() {
           .number("max", &Variable::max, {}, "Largest sensible value of the variable.")
           .text("unit", &Variable::unit, "Unit of the variable as shown to users.")
           .text("doc", &Variable::doc, "What the variable does, in one sentence.")
-          .text(
-              "per", &Variable::per,
-              "Id of a component: the value is drawn once for each of its instances, and all that hangs on it sees it.")
+          .text("per", &Variable::per,
+                "Id of a component: each of its instances draws a value of its own, which everything that stands on "
+                "the instance uses.")
           .boolean("private", &Variable::is_private,
-                   "Whether the variable is only a name for what several expressions share, and no handle for users.")
+                   "Whether the variable is only shared by expressions and not shown to users as a handle.")
           .shorthand("value");
   return table;
 }
@@ -102,7 +103,7 @@ const ParameterTable& limits_table() {
           .integer("instances", &Limits::instances, {.min = 1, .max = 4e9},
                    "Largest number of instances of all components together.")
           .integer("triangles", &Limits::triangles, {.min = 1, .max = kLargestWhole},
-                   "Largest number of triangles, each instance counted, but a plant of another document once.")
+                   "Largest number of triangles; each instance counts, but a plant of another document counts once.")
           .integer("mesh_bytes", &Limits::mesh_bytes, {.min = 1, .max = kLargestWhole},
                    "Largest memory for distinct geometry in bytes.")
           .integer("file_bytes", &Limits::file_bytes, {.min = 1, .max = kLargestWhole},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A variable is worked out after those that it uses, which a walk into depth over what the expressions name finds out,
-// without recursion and in time in proportion to the names. A way back to a variable on the present way is a circle.
+// A variable is computed after those that it uses. A depth-first walk over the names in the expressions finds the
+// order, without recursion and in time proportional to the number of names. A way back to a variable on the walk is a
+// circle.
 #include "meristem/document/variables.h"
 
 #include <algorithm>
@@ -153,7 +154,7 @@ Variable read_variable(ParameterReader& reader, const std::string& name, const V
     reader.fault_name(path, fmt::format("'{}' is not a name", name),
                       "letters, digits and _, not beginning with a digit", "");
   } else if (has_meaning(name)) {
-    reader.fault_name(path, fmt::format("'{}' has a meaning in expressions already", name), "another name", "");
+    reader.fault_name(path, fmt::format("'{}' already has a meaning in expressions", name), "another name", "");
   }
   Variable variable;
   reader.read(variable_table(), &variable, value, path);
@@ -165,7 +166,7 @@ Variable read_variable(ParameterReader& reader, const std::string& name, const V
   if (variable.min > variable.max) {
     reader.fault(DocumentPath(path, "min"),
                  fmt::format("'min' {:.12g} lies above 'max' {:.12g}", variable.min, variable.max),
-                 "min of at most max");
+                 "a 'min' of at most 'max'");
   }
   return variable;
 }
@@ -218,10 +219,10 @@ std::vector<Variable> read_variables(const Value* given, const VariableValues& s
     const std::string& first = solved.constants[circle.front()].name;
     const DocumentPath variable(path, first);
     reader.fault(value_place(variable, *given->find(first)),
-                 circle.size() == 1
-                     ? fmt::format("'{}' is worked out from itself", first)
-                     : fmt::format("the variables {} lead in an endless circle", circle_text(solved.constants, circle)),
-                 "an expression of variables that can be worked out before");
+                 circle.size() == 1 ? fmt::format("'{}' depends on itself", first)
+                                    : fmt::format("the variables {} depend on each other in a circle",
+                                                  circle_text(solved.constants, circle)),
+                 "an expression without this circle");
   }
   return variables;
 }

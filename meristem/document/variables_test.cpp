@@ -79,25 +79,26 @@ TEST(Variables, MayGiveTheRangeOfOthers) {
 }
 
 TEST(Variables, ThatGoRoundAreNamed) {
-  EXPECT_EQ(faults_of(with(R"("top": "c", "c": {"value": "1 + a"}, "a": "b", "b": "c + size", "size": 2)", "top")),
-            "d.json:2:42: variables.c.value: the variables c -> a -> b -> c lead in an endless circle; expected an "
-            "expression of variables that can be worked out before");
+  EXPECT_EQ(
+      faults_of(with(R"("top": "c", "c": {"value": "1 + a"}, "a": "b", "b": "c + size", "size": 2)", "top")),
+      "d.json:2:42: variables.c.value: the variables c -> a -> b -> c depend on each other in a circle; expected an "
+      "expression without this circle");
   EXPECT_EQ(faults_of(with(R"("age": "age + 1")", "age")),
-            "d.json:2:22: variables.age: 'age' is worked out from itself; expected an expression of variables that can "
-            "be worked out before");
+            "d.json:2:22: variables.age: 'age' depends on itself; expected an expression without this circle");
   // Two circles are two faults, and what hangs on them is none.
-  EXPECT_EQ(faults_of(with(R"("a": "b", "b": "a", "c": "d", "d": "c", "last": "a + c")", "last")),
-            "d.json:2:20: variables.a: the variables a -> b -> a lead in an endless circle; expected an expression of "
-            "variables that can be worked out before\n"
-            "d.json:2:40: variables.c: the variables c -> d -> c lead in an endless circle; expected an expression of "
-            "variables that can be worked out before");
+  EXPECT_EQ(
+      faults_of(with(R"("a": "b", "b": "a", "c": "d", "d": "c", "last": "a + c")", "last")),
+      "d.json:2:20: variables.a: the variables a -> b -> a depend on each other in a circle; expected an expression "
+      "without this circle\n"
+      "d.json:2:40: variables.c: the variables c -> d -> c depend on each other in a circle; expected an expression "
+      "without this circle");
 }
 
 TEST(Variables, ThatAreSetInACircleSaySo) {
-  EXPECT_EQ(
-      faults_of(with(R"("a": 1, "b": "a")", "b"), {"a=b"}),
-      "--set a: variables.a: the variables a -> b -> a lead in an endless circle; expected an expression of variables "
-      "that can be worked out before");
+  EXPECT_EQ(faults_of(with(R"("a": 1, "b": "a")", "b"), {"a=b"}),
+            "--set a: variables.a: the variables a -> b -> a depend on each other in a circle; expected an expression "
+            "without "
+            "this circle");
 }
 
 TEST(Variables, NameTheNearestOfAnUnknownName) {

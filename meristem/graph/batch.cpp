@@ -53,7 +53,7 @@ std::uint64_t bytes_of(const Skeleton& skeleton) {
 
 std::optional<std::uint64_t> hash_of(const Site& site) {
   const auto& [frame, key, i, n, u, length, radius, birth, order, depth, stem, node, along, section, surface,
-               individual, depths, values, surroundings] = site;
+               individual, row, depths, values, surroundings] = site;
   if (surroundings != nullptr && surroundings->hash == 0) return std::nullopt;
   Packed packed;
   packed.add(frame.axes);
@@ -73,6 +73,7 @@ std::optional<std::uint64_t> hash_of(const Site& site) {
   packed.add(section);
   packed.add(surface.bits());
   packed.add(individual);
+  packed.add(row);
   packed.add(depths);
   packed.add(values == nullptr ? std::uint64_t{0} : values->hash());
   packed.add(surroundings == nullptr ? std::uint64_t{0} : surroundings->hash);
@@ -101,7 +102,8 @@ std::uint64_t BatchResult::bytes() const {
            bytes_of(block.child_sites) + bytes_of(block.branch_sites) + bytes_of(block.named_sites) +
            bytes_of(block.founded) + bytes_of(block.deformed) + bytes_of(block.individuals) + bytes_of(block.plants);
     for (const EmittedStem& stem : block.stems) {
-      sum += bytes_of(stem.skeleton) + (stem.moved ? bytes_of(*stem.moved) : 0) + bytes_of(stem.root_of_node);
+      sum += bytes_of(stem.skeleton) + (stem.moved ? bytes_of(*stem.moved) : 0) + bytes_of(stem.root_of_node) +
+             (stem.trimmed != nullptr ? stem.trimmed->bytes() : 0);
     }
   }
   return sum;

@@ -55,14 +55,15 @@ const ParameterTable& growing_component_table() {
 Frame instance_frame(const ComponentBase& base, const Frame& site, Tropism tropism, const Directions& directions) {
   Frame frame = site * base.frame.frame();
   if (tropism == Tropism::none) return frame;
-  const auto turn = [&](int column, Vec3 target, double share) {
+  const auto turn = [&](int column, const Pulling& pulling, double share) {
     const Vec3 fallback = normalized_or(frame.axes[column == 1 ? 0 : 1], kUp);
     const Vec3 from = normalized_or(frame.axes[column], kUp);
-    frame.axes = rotation_toward(from, target, share, fallback) * frame.axes;
+    const double pulled = share_pulled(share, pulling.strength);
+    frame.axes = rotation_toward(from, pulling.toward, pulled, fallback) * frame.axes;
   };
-  if (base.gravitropism != 0) turn(1, directions.down(frame.origin), base.gravitropism);
+  if (base.gravitropism != 0) turn(1, directions.gravity(frame.origin), base.gravitropism);
   if (base.phototropism != 0) {
-    turn(tropism == Tropism::face ? 2 : 1, directions.toward_light(frame.origin), base.phototropism);
+    turn(tropism == Tropism::face ? 2 : 1, directions.light(frame.origin), base.phototropism);
   }
   return frame;
 }
@@ -73,12 +74,13 @@ const ParameterTable& component_base_table() {
           .colour("colour", &ComponentBase::colour,
                   "Mean colour of the surface; by default, the component type's own or its picture's.")
           .colours("colours", &ComponentBase::colours,
-                   "Colours in place of one: each instance has one of them, or a mixture of two neighbours.")
+                   "Colours of the instances, in place of 'colour': each instance has one of them, or a mixture of two "
+                   "neighbours.")
           .number(
               "colour_at", &ComponentBase::colour_at, {.min = 0, .max = 1},
               "Position of an instance's colour in 'colours', from the first (0) to the last (1); by default, random.")
           .number("variety", &ComponentBase::variety, {.min = 0, .max = 1, .usual = {0, 0.5}, .fixed = true},
-                  "Range in which instances differ in lightness and tone; raised, a more mottled crown.")
+                  "Range over which instances differ in lightness and tone; raised, a more mottled crown.")
           .object("texture", &ComponentBase::texture, texture_table, "Texture of the surface.")
           .number("roughness", &ComponentBase::roughness, {.min = 0, .max = 1, .fixed = true},
                   "Roughness of the surface: 0 is glossy, 1 is matt; by default, the component type's own.")

@@ -58,13 +58,13 @@ struct ComponentBase {
   std::optional<double> roughness;
   std::optional<double> translucency;
   Transform place;                ///< moves this component's geometry only
-  Transform frame;                ///< moves its coordinate system and all that hangs on it
+  Transform frame;                ///< moves its coordinate system with all that stands on it
   double phototropism = 0;        ///< share of the turn toward the light; negative: away from it
   double gravitropism = 0;        ///< share of the turn straight down; negative: straight up
   int recursion = 1;              ///< instances that a link back makes of this component in a row, the first included
   std::optional<Selection> omit;  ///< instances without geometry
   std::optional<Selection> only;  ///< all others are without
-  bool omit_keeps_children = false;  ///< what hangs on an omitted instance stays
+  bool omit_keeps_children = false;  ///< the children of an omitted instance stay
   bool hidden = false;               ///< no geometry; children stay
 };
 
@@ -136,7 +136,7 @@ struct Prototype {
   const ComponentType* type = nullptr;
   std::shared_ptr<void> parameters;  ///< what does not vary
   std::vector<Varying> varyings;
-  /// Hash of all that is said of it; nothing where that is not known, and then nothing it makes can be kept.
+  /// Hash of all that the document says of it; nullopt if that is not known, and then its results are not cached.
   std::optional<std::uint64_t> fingerprint{};
   std::optional<std::uint64_t> growth_fingerprint{};  ///< of everything that the component's growth depends on
   bool depends_on_time = true;                        ///< whether an expression of it may ask for t

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a component type is: the facts that it says of itself, once. Its definition gives them, its type holds them, and
-// whoever has a prototype reads them there.
+// The facts that a component type states about itself. The type's definition gives them, the type holds them, and the
+// graph reads them through a prototype.
 #pragma once
 
 #include <string>

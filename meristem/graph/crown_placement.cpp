@@ -47,7 +47,7 @@ Mat3 axes_at(const BodyPoint& place, const CrownPlacement& placement, RandomKey 
 
 const ParameterTable& crown_placement_table() {
   static const ParameterTable table =
-      Table<CrownPlacement>("a crown link", "Where children stand in a crown body.")
+      Table<CrownPlacement>("a crown link", "Positions of children in a crown body.")
           .number("density", &CrownPlacement::density,
                   {.unit = Unit::per_cubic_metre, .min = 0, .max = 1e9, .above_min = true},
                   "Density of the sites in the crown body; raised, more children.")
@@ -56,9 +56,10 @@ const ParameterTable& crown_placement_table() {
           .number("turn", &CrownPlacement::turn, {.unit = Unit::degree, .min = 0, .max = 180, .usual = {0, 90}},
                   "Largest random turn of outward children to any side.")
           .number("droop", &CrownPlacement::droop, {.min = -1, .max = 1},
-                  "How far children hang: 1 turns their heading straight down, -1 straight up.")
+                  "Share of the turn of the children's heading straight down: 1 lets them hang, 0 leaves them as they "
+                  "are, -1 turns them straight up.")
           .number("depth", &CrownPlacement::depth, {.unit = Unit::metre, .min = 0, .max = 1e6, .above_min = true},
-                  "Depth below the crown body's surface to which children stand; by default, they fill it.")
+                  "Depth below the crown body's surface within which children stand; by default, they fill the body.")
           .only_where({{"orient", {"outward"}}}, {"turn"})
           .elsewhere({"from", "to", "kind"});
   return table;
@@ -99,8 +100,8 @@ std::vector<Site> place_in_crown(const Skeleton& skeleton, const Surface& surfac
       site.key = site.key.child(static_cast<std::uint32_t>(along));
     }
     site.frame.origin = places[k].position;
-    site.frame.axes =
-        drooped(axes_at(places[k], placement, site.key), placement.droop, context.directions.down(site.frame.origin));
+    site.frame.axes = drooped(axes_at(places[k], placement, site.key), placement.droop,
+                              context.directions.gravity(site.frame.origin));
     site.u = static_cast<float>(std::clamp((places[k].position.y - base) / height, 0.0, 1.0));
     site.length = static_cast<float>(height);
     site.radius = 0;

@@ -24,6 +24,8 @@ namespace {
 
 constexpr std::uint64_t kCountedTogether = 1024;  // sites; an atomic addition for each would slow threads down
 
+constexpr std::uint32_t kCutOff = 0;  // in place of the number of siblings: the site is gone with a part of the stem
+
 bool is_finite(const Frame& frame) {
   const auto finite = [](Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
   return finite(frame.origin) && finite(frame.axes[0]) && finite(frame.axes[1]) && finite(frame.axes[2]);
@@ -94,9 +96,10 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   is_placed_ = place.axes != Mat3(1) || place.origin != Vec3(0);
   geometry_frame_ = site_.frame * place;
   if (!is_finite(site_.frame) || !is_finite(geometry_frame_)) {
-    throw InputError(Diagnostic{.message = fmt::format("the frame of instance {} of {} is not finite", site.i, site.n),
-                                .expected = "smaller scales and shifts, here or in what it hangs on",
-                                .path = "components." + component()});
+    throw InputError(
+        Diagnostic{.message = fmt::format("the frame of instance {} of {} is not finite", site.i, site.n),
+                   .expected = "smaller scales and shifts, in this component or in those that it stands on",
+                   .path = "components." + component()});
   }
   tint_ = context_->tinting.tint(base, site.key.child("colour"));
   base_ = &base;
@@ -110,7 +113,7 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   first_named_ = named_sites.size();
   const ComponentTraits& traits = *context_->prototype.type;
   if (is_individual() && !traits.bears_plants && !traits.speaks_of_space) {
-    founded.push_back({site_.individual, site_.frame.origin, deformation_at(site_)});
+    founded.push_back({site_.individual, site_.frame.origin, deformation_at(site_), site_.row});
   }
 }
 
@@ -132,8 +135,10 @@ void Emitter::end_instance() {
     const auto count = static_cast<std::uint32_t>(sites.size() - first);
     for (std::uint32_t k = 0; k < count; ++k) {
       sites[first + k].i = k;
-      sites[first + k].n = count;
+      if (sites[first + k].n != kCutOff) sites[first + k].n = count;
     }
+    const auto begin = sites.begin() + static_cast<std::ptrdiff_t>(first);
+    sites.erase(std::remove_if(begin, sites.end(), [](const Site& site) { return site.n == kCutOff; }), sites.end());
   };
   number(child_sites, first_child_);
   number(branch_sites, first_branch_);
@@ -147,6 +152,10 @@ void Emitter::number_named_sites() {
   for (std::size_t k = first_named_; k < named_sites.size(); ++k) {
     named_sites[k].second.i = count[named_sites[k].first]++;
   }
+  const auto begin = named_sites.begin() + static_cast<std::ptrdiff_t>(first_named_);
+  named_sites.erase(
+      std::remove_if(begin, named_sites.end(), [](const auto& named) { return named.second.n == kCutOff; }),
+      named_sites.end());
   for (std::size_t k = first_named_; k < named_sites.size(); ++k) {
     named_sites[k].second.n = count[named_sites[k].first];
   }
@@ -188,8 +197,8 @@ std::uint32_t Emitter::number_of_individual() {
 
 void Emitter::plant(const Frame& local, std::shared_ptr<const PlantSource> source, PlantRequest request) {
   request.time = context_->time;
-  plants.push_back(
-      {geometry_frame_ * local, std::move(source), std::move(request), site_.birth, visible_, deformation_at(site_)});
+  plants.push_back({geometry_frame_ * local, std::move(source), std::move(request), site_.birth, visible_,
+                    deformation_at(site_), site_.row});
 }
 
 void Emitter::give(std::span<const double> numbers, bool to_named) {
@@ -204,6 +213,12 @@ void Emitter::give(std::span<const double> numbers, bool to_named) {
   values.numbers.resize(context_->site_names, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t k = 0; k < slots.size(); ++k) values.numbers[slots[k]] = numbers[k];
   site.values = std::make_shared<const SiteValues>(std::move(values));
+}
+
+void Emitter::from_row(std::uint32_t row, bool is_named) {
+  if (!is_named && child_sites.size() == first_child_) return;  // no link wants it
+  Site& site = is_named ? named_sites.back().second : child_sites.back();
+  site.row = row;
 }
 
 void Emitter::surround(Surroundings said) {
@@ -253,8 +268,18 @@ std::shared_ptr<const Mesh> Emitter::shared_mesh(std::uint64_t key, FunctionRef<
              "components." + component());
 }
 
-void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* branching) {
+void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* branching, TrimMode trim) {
   count_nodes(skeleton.node_count());
+  std::shared_ptr<const TrimmedStem> trimmed;
+  const Crown* const body = surroundings().trim.get();
+  if (body != nullptr && trim != TrimMode::none) {
+    TrimmedSkeleton left = trim_skeleton(
+        skeleton, [&](Vec3 from, Vec3 to) { return body->reach(from, to); }, trim);
+    if (!left.is_whole) {
+      trimmed = std::make_shared<const TrimmedStem>(std::move(skeleton), std::move(left), trim);
+      skeleton = trimmed->left();
+    }
+  }
   if (branching == nullptr) {
     branching_ = nullptr;
   } else if (branching_ == nullptr || !(*branching_ == *branching)) {
@@ -262,6 +287,7 @@ void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* b
   }
   EmittedStem& stem =
       stems.emplace_back(EmittedStem{std::move(skeleton), surface, branching_, site_, visible_, tint_, {}});
+  stem.trimmed = std::move(trimmed);
   if (stem.surface.crown) stem.surface.crown->scale(glm::length(site_.frame.heading()));
   stem.site.key = site_.key.child("stem").child(stems_of_instance_++);
   if (is_individual()) tell_roots_apart(stem);
@@ -286,24 +312,52 @@ void Emitter::tell_roots_apart(EmittedStem& stem) {
     if (roots == 0) {
       founded.back().foot = foot;
     } else {
-      founded.push_back({stem.individual_of_root(roots), foot, stem.deformation()});
+      founded.push_back({stem.individual_of_root(roots), foot, stem.deformation(), site_.row});
     }
     stem.root_of_node[node] = roots++;
   }
 }
 
-void Emitter::unseen_stem(Skeleton skeleton) {
+void Emitter::unseen_stem(Skeleton skeleton, TrimMode trim) {
   const bool was_visible = std::exchange(visible_, false);
-  stem(std::move(skeleton), {});
+  stem(std::move(skeleton), {}, nullptr, trim);
   visible_ = was_visible;
+}
+
+/// Where a position of the whole stem emitted last stands on what is left of it.
+std::optional<StemPosition> Emitter::left_of(StemPosition whole) const {
+  const auto& trimmed = stems.back().trimmed;
+  return trimmed == nullptr ? std::optional(whole) : trimmed->left_of(whole);
+}
+
+std::optional<Frame> Emitter::on_stem_left(NodeIndex node, const Frame& frame) const {
+  if (node == kNoNode || stems.back().trimmed == nullptr) return frame;
+  const std::optional<StemPosition> left = left_of({node, 1});
+  if (!left) return std::nullopt;
+  return stems.back().trimmed->moved(frame, {node, 1}, *left);
+}
+
+float Emitter::length_left() const {
+  const auto& trimmed = stems.back().trimmed;
+  if (trimmed == nullptr) return 1;
+  if (trimmed->left().node_count() == 0) return 0;
+  return arcs_along_axes(trimmed->left()).back() / arcs_along_axes(trimmed->whole()).back();
 }
 
 void Emitter::child_site(const Frame& local, float length, float radius) {
   const float scale = glm::length(site_.frame.heading());
-  child_site_in_world(site_.frame * local, scale * length, scale * radius);
+  offer_child(site_.frame * local, scale * length, scale * radius);
 }
 
-void Emitter::child_site_in_world(const Frame& frame, float length, float radius) {
+void Emitter::tip_site(const Frame& frame, float length, float radius) {
+  const auto& trimmed = stems.back().trimmed;
+  const std::size_t before = child_sites.size();
+  offer_child(frame, length_left() * length, radius);
+  if (trimmed == nullptr || child_sites.size() == before) return;
+  put_on_stem({static_cast<NodeIndex>(trimmed->whole().node_count() - 1), 1}, child_sites.back());
+}
+
+void Emitter::offer_child(const Frame& frame, float length, float radius) {
   has_child_sites_ = true;
   const bool for_branches = context_->wants_branch_sites && !context_->prototype.type->makes_stems;
   if (context_->wants_child_sites || for_branches) add_site(child_sites, frame, 1, length, radius);
@@ -318,9 +372,7 @@ void Emitter::branch_site_on_stem(const Frame& frame, float u, float length, flo
                                   float along) {
   if (!context_->wants_branch_sites) return;
   add_site(branch_sites, frame, u, length, radius);
-  branch_sites.back().node = node;
-  branch_sites.back().along = along;
-  branch_sites.back().individual = stems.back().individual_at(node);
+  put_on_stem({node, along}, branch_sites.back());
 }
 
 void Emitter::named_site(std::uint32_t name, const Frame& frame, float length, float radius, NodeIndex node) {
@@ -331,11 +383,23 @@ void Emitter::named_site(std::uint32_t name, const Frame& frame, float length, f
   site.length = length;
   site.radius = radius;
   if (node == kNoNode) return;
-  site.order = stems.back().skeleton.order[node];
-  site.stem = stems.back().id();
-  site.node = node;
-  site.along = 1;
-  site.individual = stems.back().individual_at(node);
+  put_on_stem({node, 1}, site);
+  if (site.n != kCutOff) site.order = stems.back().skeleton.order[site.node];
+}
+
+/// Sets what a site that stands at a position of the whole stem emitted last has of what is left of it.
+void Emitter::put_on_stem(StemPosition whole, Site& site) const {
+  const EmittedStem& stem = stems.back();
+  const std::optional<StemPosition> left = left_of(whole);
+  if (!left) {
+    site.n = kCutOff;
+    return;
+  }
+  if (stem.trimmed != nullptr) site.frame = stem.trimmed->moved(site.frame, whole, *left);
+  site.stem = stem.id();
+  site.node = left->node;
+  site.along = left->along;
+  site.individual = stem.individual_at(left->node);
 }
 
 void Emitter::add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius) {

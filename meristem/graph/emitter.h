@@ -19,6 +19,7 @@
 #include "meristem/graph/table/plant_source.h"
 #include "meristem/graph/table/site.h"
 #include "meristem/graph/table/varying.h"
+#include "meristem/graph/trimmed_stem.h"
 #include "meristem/plant/plant.h"
 #include "meristem/scene/scene.h"
 #include "meristem/shape/tube/loft.h"
@@ -43,6 +44,7 @@ struct EmittedStem {
   float moved_scale = 1;          ///< how many times larger it is there
   /// Number of the root that each node stands on, where each root is a plant of its own; else empty.
   std::vector<std::uint32_t> root_of_node{};
+  std::shared_ptr<const TrimmedStem> trimmed{};  ///< of which `skeleton` is what is left; null: it is whole
 
   std::uint64_t id() const { return site.key.bits(); }  ///< what Site::stem says of sites on it
   const std::shared_ptr<const Deformation>& deformation() const { return deformation_at(site); }
@@ -88,6 +90,7 @@ struct Emitted {
     std::uint64_t id = 0;
     Vec3 foot{0};
     std::shared_ptr<const Deformation> deformation{};
+    std::uint32_t row = kNoRow;
   };
   /// From that organ of the block on, up to the next of these.
   struct DeformedFrom {
@@ -112,6 +115,7 @@ struct Emitted {
     float birth = 0;
     bool is_visible = true;
     std::shared_ptr<const Deformation> deformation{};
+    std::uint32_t row = kNoRow;
   };
   std::vector<PlacedPlant> plants;
 };
@@ -121,7 +125,7 @@ inline RandomKey key_of_places(RandomKey stem) { return stem.child("branching");
 
 /// Takes what the instances of one block emit. One thread uses one emitter; blocks are merged in their order.
 ///
-/// An instance whose frame has shrunk to nothing emits nothing, nor does what hangs on it. Throws InputError for frames
+/// An instance whose frame has shrunk to nothing emits nothing, nor do its children. Throws InputError for frames
 /// that are not finite, when the sites for children pass the limit of instances, the stems the limit of nodes, or the
 /// meshes the limit of bytes.
 class Emitter : private Emitted {
@@ -144,16 +148,24 @@ class Emitter : private Emitted {
   /// children by child and leaf links give sections too, their surface is one with it. Instances of one component with
   /// equal `key` share what one of them makes.
   void section(const Frame& local, std::uint64_t key, bool is_capped, FunctionRef<LoftSection()> make);
-  /// A skeleton in world space. The instance's `place` moves it, but not what hangs on it.
-  /// `branching`, if given, says where the children of branch links stand, as far as the links do not.
-  void stem(Skeleton skeleton, const Surface& surface, const Placement* branching = nullptr);
-  /// One that is not seen, for the children of branch links.
-  void unseen_stem(Skeleton skeleton);
+  /// A skeleton in world space. The instance's `place` moves it, but not its children.
+  /// `branching`, if given, says where the children of branch links stand, as far as the links do not. A body that the
+  /// surroundings give trims it as `trim` says; the nodes that the calls below name are those of the whole skeleton.
+  void stem(Skeleton skeleton, const Surface& surface, const Placement* branching = nullptr,
+            TrimMode trim = TrimMode::cut);
+  /// An invisible skeleton, for the children of branch links.
+  void unseen_stem(Skeleton skeleton, TrimMode trim = TrimMode::cut);
+  /// Where a frame in world space that stands on `node` of the stem emitted last stands on what is left of it, or
+  /// nothing where it is gone; as it is for kNoNode.
+  std::optional<Frame> on_stem_left(NodeIndex node, const Frame& frame) const;
+  /// Share of the length that is left of the stem emitted last, which is a single axis; 1 where it is whole.
+  float length_left() const;
   /// A site for children, relative to the instance's frame, as are the length and radius that they see; called n times
   /// it multiplies them. Without a call, children stand in the instance's frame, unless `no_children` was called.
   void child_site(const Frame& local, float length = 0, float radius = 0);
-  /// A site for children as `child_site` offers it, with its frame in world space.
-  void child_site_in_world(const Frame& frame, float length, float radius);
+  /// A site for children at the tip of the stem emitted last, which is a single axis: its frame, the stem's length and
+  /// the radius there, all in world space and of the whole stem.
+  void tip_site(const Frame& frame, float length, float radius);
   /// Children stand only where `child_site` says: for components whose number of children may be 0.
   void no_children() { has_child_sites_ = true; }
   /// The values of a number for each of `count` children of the instance, in the struct's unit. Expressions see the
@@ -173,22 +185,25 @@ class Emitter : private Emitted {
   /// on `node` of the stem emitted last, or kNoNode.
   void named_site(std::uint32_t name, const Frame& frame, float length, float radius, NodeIndex node);
 
-  /// Gives those numbers to the site that was offered last, by child_site or named_site, under the names that the
-  /// type's `gives` tells; all that hangs on it sees them.
+  /// Gives these numbers to the site that was offered last, by child_site or named_site, under the names that the
+  /// type's `gives` lists; all descendants see them.
   void give(std::span<const double> numbers, bool to_named);
+  /// Says which row of a table has placed the site that was offered last, by child_site or named_site.
+  void from_row(std::uint32_t row, bool is_named);
 
   /// The key for the positions of children on the stem that is emitted next, if it brings its branching.
   RandomKey places_on_next_stem() const { return key_of_places(site_.key.child("stem").child(stems_of_instance_)); }
 
-  /// Says something else of the space that all stands in which hangs on the instance: `said` is what its surroundings
+  /// Changes what all that hangs on the instance is told of the space around it: `said` is what its surroundings
   /// say, with the changes. It holds for the sites and stems that the instance emits from then on. What it is made of
   /// are the instance's parameters and site and nothing else.
   void surround(Surroundings said);
 
   const Scene& scene() const;
-  /// What has been said of the space that the instance stands in.
+  /// What the components above say of the space that the instance stands in.
   const Surroundings& surroundings() const;
-  /// Toward the light, and down, in the instance's surroundings: what turns by them asks at the place where it turns.
+  /// The directions toward the light and down, at any position of the instance's surroundings; components ask them
+  /// where they bend.
   const Directions& directions() const;
   const Limits& limits() const;
   const std::string& component() const;  ///< id, for errors
@@ -219,6 +234,9 @@ class Emitter : private Emitted {
   void number_named_sites();
   bool is_individual() const { return site_.individual == site_.key.bits(); }
   void tell_roots_apart(EmittedStem& stem);
+  void offer_child(const Frame& frame, float length, float radius);
+  std::optional<StemPosition> left_of(StemPosition whole) const;
+  void put_on_stem(StemPosition whole, Site& site) const;
   std::uint32_t number_of_individual();
   void add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius);
   void count_sites();

@@ -30,13 +30,13 @@ struct Structure {
   std::vector<Recursion> recursions;
 };
 
-/// A variable that is drawn once for each instance of a component, and that all that hangs on it sees.
+/// A variable that is drawn once for each instance of a component and used by all that stands on the instance.
 struct InstanceVariable {
   std::string name;
   ComponentIndex owner = kNoIndex;
   Varying value;                  ///< over the owner's sites
   std::uint32_t slot = 0;         ///< index into Graph::site_names
-  std::uint64_t fingerprint = 0;  ///< hash of all that is said of it
+  std::uint64_t fingerprint = 0;  ///< hash of all that the document says of it
 };
 
 struct Graph {
@@ -53,7 +53,7 @@ struct Graph {
 std::string link_path(const Graph& graph, LinkIndex link);
 
 /// Sets the graph's structure: finds root and recursions, or reports all that is wrong with the links: no or two roots,
-/// components that hang on nothing, links to the camera, cycles without a recursion, crossing recursions (both named).
+/// components without a parent, links to the camera, cycles without a recursion, crossing recursions (both named).
 /// Two recursions cross where one begins inside the other and ends outside, having part of the way in common; one that
 /// begins inside and goes its own way lies within the other. Reports at most `graph.limits.diagnostics` faults. The
 /// structure is meaningful only if no error was added.

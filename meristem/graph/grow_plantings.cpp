@@ -5,6 +5,7 @@
 #include <atomic>
 #include <exception>
 #include <map>
+#include <set>
 #include <tuple>
 #include <unordered_map>
 
@@ -20,6 +21,8 @@ namespace meristem {
 namespace {
 
 constexpr std::size_t kMostVariants = 1000;
+constexpr std::uint64_t kMostPlants =
+    10'000;  // with those that stand in others; each takes some tens of kilobytes at least
 
 std::uint64_t key_of(const Emitted::PlacedPlant& plant) {
   Fingerprint key;
@@ -35,6 +38,26 @@ struct Wanted {
   std::uint64_t key = 0;
   std::shared_ptr<const PlantVariant> grown;
 };
+
+/// What a plant holds in memory, with the plants that stand in it, each once.
+struct Held {
+  std::uint64_t plants = 0;
+  std::uint64_t nodes = 0;
+  std::uint64_t organs = 0;
+};
+
+Held held_by(const Plant& plant) {
+  Held held{1, plant.node_count(), plant.organs.size()};
+  std::set<const PlantVariant*> seen;
+  for (const Planting& planting : plant.plantings) {
+    if (!seen.insert(planting.variant.get()).second) continue;
+    const Held within = held_by(*planting.variant->plant);  // no deeper than documents lie in each other
+    held.plants += within.plants;
+    held.nodes += within.nodes;
+    held.organs += within.organs;
+  }
+  return held;
+}
 
 /// "components.oak grows 'oak' with age = 40 and seed 7".
 std::string told(const Wanted& wanted) {
@@ -77,7 +100,7 @@ class PlantingGrower {
       plantings_.push_back({id(component), nullptr, {}, plant.deformation});
       variant_of_.push_back(known->second);
     }
-    plantings_[place->second].places.push_back({plant.frame, instance, plant.birth});
+    plantings_[place->second].places.push_back({plant.frame, instance, plant.birth, plant.row});
   }
 
   [[noreturn]] void throw_too_many(ComponentIndex component) const {
@@ -88,23 +111,31 @@ class PlantingGrower {
                    .path = "components." + id(component)});
   }
 
-  /// Which of several faults is thrown does not depend on threads: the first wanted plant's.
+  /// Which of several faults is thrown does not depend on threads: the first wanted plant's. Those after it are not
+  /// grown, as documents in documents would make each level repeat what the level below has failed in.
   void grow_all() {
     progress_.begin("growing plants", wanted_.size());
     std::vector<std::exception_ptr> faults(wanted_.size());
-    std::atomic<std::uint64_t> nodes{0};
+    std::atomic<std::uint64_t> plants{0}, nodes{0}, organs{0};
+    std::atomic<std::size_t> first_fault{wanted_.size()};
     for (Wanted& wanted : wanted_) {
       wanted.grown = results_.find<const PlantVariant>(wanted.key);
       results_.count<PlantVariant>(wanted.grown != nullptr);
     }
     parallel_for(wanted_.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
-        if (nodes > graph_.limits.nodes) return;
+        if (k > first_fault) return;
+        if (plants > kMostPlants || nodes > graph_.limits.nodes || organs > graph_.limits.instances) return;
         try {
           if (wanted_[k].grown == nullptr) wanted_[k].grown = grow(wanted_[k]);
-          nodes += wanted_[k].grown->plant->node_count();
+          const Held held = held_by(*wanted_[k].grown->plant);
+          plants += held.plants;
+          nodes += held.nodes;
+          organs += held.organs;
         } catch (const InputError&) {
           faults[k] = std::current_exception();
+          for (std::size_t known = first_fault; k < known && !first_fault.compare_exchange_weak(known, k);) {
+          }
         }
         progress_.advance();
       }
@@ -112,13 +143,18 @@ class PlantingGrower {
     for (const std::exception_ptr& fault : faults) {
       if (fault) std::rethrow_exception(fault);
     }
-    if (nodes > graph_.limits.nodes) {
-      throw InputError(Diagnostic{
-          .message = fmt::format("the plants of other documents have more than {} nodes", graph_.limits.nodes),
-          .expected = fmt::format("at most {} (limits.nodes)", graph_.limits.nodes),
-          .path = "components." + id(wanted_.front().component)});
-    }
+    require_at_most(plants, "plants in them", kMostPlants, "");
+    require_at_most(nodes, "nodes", graph_.limits.nodes, " (limits.nodes)");
+    require_at_most(organs, "leaves and other organs", graph_.limits.instances, " (limits.instances)");
     for (Wanted& wanted : wanted_) results_.store(wanted.key, std::const_pointer_cast<PlantVariant>(wanted.grown));
+  }
+
+  void require_at_most(std::uint64_t count, const char* what, std::uint64_t limit, const char* limit_name) const {
+    if (count <= limit) return;
+    throw InputError(
+        Diagnostic{.message = fmt::format("the plants of other documents have more than {} {}", limit, what),
+                   .expected = fmt::format("fewer \"variants\", or smaller plants{}", limit_name),
+                   .path = "components." + id(wanted_.front().component)});
   }
 
   std::shared_ptr<const PlantVariant> grow(const Wanted& wanted) const {

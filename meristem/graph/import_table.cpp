@@ -19,7 +19,7 @@ DFrame ImportPose::frame() const {
 
 const ParameterTable& import_table() {
   static const ParameterTable table =
-      Table<ImportPose>("an import", "How the content of a file comes to stand in the scene.")
+      Table<ImportPose>("an import", "Transform of the content of a file into the scene.")
           .choice("up", &ImportPose::up, {"y", "z"},
                   "Axis of the file that points up; with z, the file's y points north.")
           .number("scale", &ImportPose::scale, {.min = 1e-6, .max = 1e6, .usual = {0.001, 10}},

@@ -44,7 +44,7 @@ struct Link {
   ComponentIndex from = 0;
   ComponentIndex to = 0;
   std::variant<ChildLink, BranchLink, LeafLink, CrownLink, PlacedLink> kind;
-  std::optional<std::uint64_t> fingerprint{};  ///< hash of all that is said of it, if that is known
+  std::optional<std::uint64_t> fingerprint{};  ///< hash of all that the document says of it
 
   template <class Kind>
   bool is() const {

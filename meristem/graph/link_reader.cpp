@@ -18,8 +18,8 @@ const ParameterTable& link_table() {
           .text("to", &LinkHead::to, "Id of the child, which stands on the parent.")
           .required()
           .choice("kind", &LinkHead::kind, {"child", "branch", "leaf", "crown"},
-                  "Where children stand: 'child' where the parent ends, 'branch' along its stems or ribs, 'leaf' at "
-                  "tips or where a recursion ends, 'crown' in its crown body.");
+                  "Position of the children: 'child' at the end of the parent, 'branch' along its stems or ribs, "
+                  "'leaf' at tips or where a recursion ends, 'crown' in its crown body.");
   return table;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blocks of the parent's instances are followed side by side. Which fault is thrown does not depend on which of them
-// comes first: it is the one that following them in their order meets first.
+// Blocks of the parent's instances are followed side by side. The fault that is thrown does not depend on their timing:
+// it is the first one in the order of the blocks.
 #include "meristem/graph/link_sites.h"
 
 #include <algorithm>
@@ -8,7 +8,9 @@
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <tuple>
 #include <unordered_map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -115,16 +117,17 @@ class LinkSites::Writer {
       context.stance = BranchStance::on_axis;
     context.has_twigs = from_.has_twigs;
     context.stem = stem.id();
-    if (!stem.branching) return add_on(stem, place_along(stem.skeleton, branch.placement, context));
+    const Skeleton& skeleton = placed_on(stem);
+    if (!stem.branching) return add_on(stem, place_along(skeleton, branch.placement, context));
     // A stem's own branching, but for the keys that the link gives.
     if (!(branch.placement.density || branch.placement.count)) {
       context.path = "components." + all_.graph_.components[link_.from].id;
     }
     if (branch.given.is_empty()) {
       context.places = key_of_places(stem.site.key);
-      return add_on(stem, place_along(stem.skeleton, *stem.branching, context));
+      return add_on(stem, place_along(skeleton, *stem.branching, context));
     }
-    add_on(stem, place_along(stem.skeleton, overridden(*stem.branching, branch.placement, branch.given), context));
+    add_on(stem, place_along(skeleton, overridden(*stem.branching, branch.placement, branch.given), context));
   }
 
   void add_in_crown(const EmittedStem& stem, const CrownPlacement& placement) {
@@ -139,7 +142,7 @@ class LinkSites::Writer {
   void add_tips(const EmittedStem& stem) {
     if (is_full()) return;
     const RandomKey key = child_key(stem.site.key);
-    std::vector<Site> tips = tip_sites(stem.skeleton, stem.id(), stem.site);
+    std::vector<Site> tips = tip_sites(placed_on(stem), stem.id(), stem.site);
     for (Site& site : tips) site.key = key.child(site.i);
     add_on(stem, std::move(tips));
   }
@@ -152,8 +155,24 @@ class LinkSites::Writer {
     count_depth(child);
   }
 
-  /// Adds sites on nodes of a stem.
+  /// The skeleton along which the children of a stem stand: children of a cut stem are those of the whole one that
+  /// stand on what is left.
+  static const Skeleton& placed_on(const EmittedStem& stem) {
+    const bool is_cut = stem.trimmed != nullptr && stem.trimmed->mode() == TrimMode::cut;
+    return is_cut ? stem.trimmed->whole() : stem.skeleton;
+  }
+
+  static void leave_out_cut(const TrimmedStem& stem, std::vector<Site>& sites) {
+    std::erase_if(sites, [&](Site& site) {
+      const std::optional<StemPosition> left = stem.left_of({site.node, site.along});
+      if (left) std::tie(site.node, site.along) = std::pair(left->node, left->along);
+      return !left;
+    });
+  }
+
+  /// Adds sites on nodes of the skeleton that `placed_on` gives.
   void add_on(const EmittedStem& stem, std::vector<Site> sites) {
+    if (&placed_on(stem) != &stem.skeleton) leave_out_cut(*stem.trimmed, sites);
     if (!stem.root_of_node.empty()) {
       for (Site& site : sites) site.individual = stem.individual_at(site.node);
     }

@@ -14,7 +14,7 @@ namespace meristem {
 
 const ParameterTable& placement_table() {
   static const ParameterTable table =
-      Table<Placement>("a branch link", "Where children stand along stems.")
+      Table<Placement>("a branch link", "Positions of children along stems.")
           .number("density", &Placement::density, {.unit = Unit::per_metre, .min = 0, .max = 1e9, .usual = {0, 200}},
                   "Density of the sites along the stem; 40 where neither density nor count is given.")
           .integer("count", &Placement::count, {.min = 0, .max = 2e9, .usual = {0, 500}},
@@ -29,32 +29,34 @@ const ParameterTable& placement_table() {
                   "Divergence angle, the turn about the axis from site to site: 137.508 for a spiral, 180 for two "
                   "rows, 90 with whorls of 2 for crossed pairs.")
           .number("roll", &Placement::roll, {.unit = Unit::degree, .min = -360, .max = 360},
-                  "Position of the first child around the axis, counted from the upper side to the right of what makes "
-                  "the stem; by default, random.")
+                  "Angle of the first child around the axis, from the upper side of the stem toward its right; by "
+                  "default, random.")
           .per_site("angle", &Placement::angle, {.unit = Unit::degree, .min = 0, .max = 180},
-                    "Angle between the axis and each child, which a link may also give as a range over the children of "
-                    "an axis, an expression or a sample; raised, children stand off more.")
+                    "Angle between the axis and each child; raised, children stand off more. A link may give a range, "
+                    "an expression or a sample, for one angle per child.")
           .number("angle_tip", &Placement::angle_tip, {.unit = Unit::degree, .min = 0, .max = 180},
                   "Angle between the axis and each child at the axis's tip; by default, the one given by 'angle'.")
           .number("angle_spread", &Placement::angle_spread,
                   {.unit = Unit::degree, .min = 0, .max = 180, .usual = {0, 45}},
                   "Largest random deviation of the angle between axis and child, to both sides.")
           .curve("size", &Placement::size,
-                 "Scale of the children over u, from base (0) to tip (1) of each axis; there are none where it is 0 or "
-                 "below.")
+                 "Scale of the children over u, from base (0) to tip (1) of each axis; where it is 0 or less, there "
+                 "are no children.")
           .curve("spread", &Placement::spread,
                  "Relative density of the sites over u, from base (0) to tip (1) of each axis; [[0, 0], [1, 1]] crowds "
                  "the tip.")
           .number("droop", &Placement::droop, {.min = -1, .max = 1},
-                  "How far children hang: 1 turns their heading straight down, -1 straight up.")
-          .facing(
-              "face", &Placement::face,
-              "Direction of the world that the children's upper face turns to, whatever the light; \"surface\": away "
-              "from the nearest surface of an obstacle, as leaves on a wall.")
+                  "Share of the turn of the children's heading straight down: 1 lets them hang, 0 leaves them as they "
+                  "are, -1 turns them straight up.")
+          .facing("face", &Placement::face,
+                  "Direction that the children's upper faces turn to, whatever the light; \"surface\" turns them away "
+                  "from the nearest surface of an obstacle, as leaves on a wall.")
           .number("face_share", &Placement::face_share, {.min = 0, .max = 1},
-                  "Share of the turn of the children's upper face to where 'face' says: 0 not at all, 1 all the way.")
+                  "Share of the turn of the children's upper faces to the direction of 'face': 0 leaves them as they "
+                  "are, 1 turns them fully.")
           .number("face_light", &Placement::face_light, {.min = 0, .max = 1},
-                  "Share of the turn of the children's upper face to the light: 0 not at all, 1 all the way.")
+                  "Share of the turn of the children's upper faces to the light: 0 leaves them as they are, 1 turns "
+                  "them fully.")
           .number("start", &Placement::start, {.min = 0, .max = 1}, "Share of each axis that is left free at its base.")
           .number("end", &Placement::end, {.min = 0, .max = 1},
                   "Position along each axis at which the sites end, as a share of its length.")
@@ -69,7 +71,7 @@ void check_placement(const Placement& placement, const DocumentPath& path, Param
     reader.fault(DocumentPath(path, "count"), "there is both a density and a count", "one of them");
   }
   if (placement.start > placement.end) {
-    reader.fault(DocumentPath(path, "start"), "'start' lies behind 'end'", "start of at most end");
+    reader.fault(DocumentPath(path, "start"), "'start' lies beyond 'end'", "a 'start' of at most 'end'");
   }
 }
 
@@ -259,7 +261,7 @@ class AxisWriter {
     site.stem = context_.stem;
     site.node = piece.to;
     site.along = along;
-    site.frame.axes = drooped(site.frame.axes, placement_.droop, context_.directions.down(site.frame.origin));
+    site.frame.axes = drooped(site.frame.axes, placement_.droop, context_.directions.gravity(site.frame.origin));
     Mat3& axes = site.frame.axes;
     if (placement_.face) {
       if (const auto way = faced(site.frame.origin)) {
@@ -267,8 +269,9 @@ class AxisWriter {
       }
     }
     if (placement_.face_light > 0) {
-      const Vec3 light = context_.directions.toward_light(site.frame.origin);
-      axes = rotation_toward(axes[2], light, placement_.face_light, axes[1]) * axes;
+      const Pulling light = context_.directions.light(site.frame.origin);
+      const double share = share_pulled(placement_.face_light, light.strength);
+      axes = rotation_toward(axes[2], light.toward, share, axes[1]) * axes;
     }
     site.frame.axes *= static_cast<float>(std::max(0.0, placement_.size(site.u)));
   }
@@ -295,8 +298,9 @@ class AxisWriter {
 
 }  // namespace
 
-Mat3 drooped(const Mat3& axes, double droop, Vec3 down) {
-  return droop == 0 ? axes : rotation_toward(axes[1], down, droop, axes[0]) * axes;
+Mat3 drooped(const Mat3& axes, double droop, const Pulling& gravity) {
+  if (droop == 0) return axes;
+  return rotation_toward(axes[1], gravity.toward, share_pulled(droop, gravity.strength), axes[0]) * axes;
 }
 
 std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context) {

@@ -76,9 +76,9 @@ struct PlacementContext {
   std::string path;                      ///< path of what gives the placement in the document, for errors: "links[1]"
 };
 
-/// Unit axes turned so that the heading comes nearer to `down`, or for a negative `droop` to its opposite, by that
-/// share.
-Mat3 drooped(const Mat3& axes, double droop, Vec3 down);
+/// Unit axes turned so that the heading comes nearer to where gravity pulls, or for a negative `droop` to its opposite,
+/// by that share at a gravity of strength 1.
+Mat3 drooped(const Mat3& axes, double droop, const Pulling& gravity);
 
 /// The sites of `placement` on `skeleton`, axis by axis from base to tip; i, n, u count along each axis. An organ's
 /// frame stands on the bark, heads away from the axis by the angle, and turns its upper face (z) toward the axis's tip.

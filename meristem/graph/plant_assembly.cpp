@@ -85,6 +85,7 @@ void PlantAssembly::add(ComponentIndex component, std::shared_ptr<const BatchRes
 }
 
 Plant PlantAssembly::run(std::uint64_t mesh_bytes, Progress& progress) const {
+  require_stems_left();
   const Individuals individuals = find_individuals();
   const std::vector<Surfaces> surfaces = join_surfaces(individuals, mesh_bytes, progress);
   Plant plant;
@@ -104,6 +105,26 @@ Plant PlantAssembly::run(std::uint64_t mesh_bytes, Progress& progress) const {
   return plant;
 }
 
+/// Where bodies have trimmed all stems of the plant to nothing, they stand in the wrong place.
+void PlantAssembly::require_stems_left() const {
+  const Made* trimmed = nullptr;
+  for (const Made& made : batches_) {
+    for (const Emitted& block : made.result->blocks) {
+      for (const EmittedStem& stem : block.stems) {
+        if (stem.skeleton.node_count() > 0) return;
+        if (stem.trimmed != nullptr && trimmed == nullptr) trimmed = &made;
+      }
+    }
+  }
+  if (trimmed == nullptr) return;
+  const std::string& id = graph_.components[trimmed->component].id;
+  throw InputError(Diagnostic{.message = fmt::format("trimming leaves nothing: all stems of '{}' begin outside the "
+                                                     "body that is given above it",
+                                                     id),
+                              .expected = "a body around the base of the stems, or \"trim\": \"none\"",
+                              .path = "components." + id});
+}
+
 std::uint32_t PlantAssembly::Individuals::number(std::uint64_t id) const {
   const auto found = number_by_id.find(id);
   return found == number_by_id.end() ? kNoIndividual : found->second;
@@ -118,7 +139,7 @@ PlantAssembly::Individuals PlantAssembly::find_individuals() const {
         const auto next = static_cast<std::uint32_t>(individuals.list.size());
         if (!individuals.number_by_id.try_emplace(founded.id, next).second) continue;
         const std::string& component = graph_.components[made.component].id;
-        individuals.list.push_back({component, counts[made.component]++, founded.foot});
+        individuals.list.push_back({component, counts[made.component]++, founded.foot, founded.row});
         if (founded.deformation == nullptr) continue;
         founded.deformation->map(std::span(&individuals.list.back().foot, 1), component);
       }

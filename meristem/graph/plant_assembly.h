@@ -28,8 +28,8 @@ class PlantAssembly {
   /// The plant: materials with sketches of their textures (equal ones share it), prototypes and organs in the order of
   /// the components, those of one component in the order of its batches, then surfaces; stems in the order of the
   /// batches, joined; individuals in the order in which batches found them. The batches' meshes take `mesh_bytes`.
-  /// Throws InputError where textures have too many pixels, surfaces or deformed shapes too many bytes, and as
-  /// Deformation::map does; Cancelled.
+  /// Throws InputError where textures have too many pixels, surfaces or deformed shapes too many bytes, trimming has
+  /// left no stem, and as Deformation::map does; Cancelled.
   Plant run(std::uint64_t mesh_bytes, Progress& progress) const;
 
  private:
@@ -49,6 +49,7 @@ class PlantAssembly {
     std::uint32_t number(std::uint64_t id) const;
   };
 
+  void require_stems_left() const;
   Individuals find_individuals() const;
   std::vector<Surfaces> join_surfaces(const Individuals& individuals, std::uint64_t mesh_bytes,
                                       Progress& progress) const;

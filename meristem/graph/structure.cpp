@@ -121,7 +121,7 @@ class Analysis {
     Structure::Recursion recursion{.head = head};
     for (auto visit = head_at; visit != path_end; ++visit) recursion.members.push_back(visit->component);
     if (graph_.components[head].base().recursion < 2) {
-      error(link_path(graph_, link), fmt::format("the links {} lead in an endless circle", cycle_text(recursion)),
+      error(link_path(graph_, link), fmt::format("the links {} form an endless circle", cycle_text(recursion)),
             fmt::format("a \"recursion\" of at least 2 in '{}', or no link back", id(head)));
     }
     structure_.recursion_of_link[link] = static_cast<std::uint32_t>(structure_.recursions.size());

@@ -103,9 +103,9 @@ TEST(Structure, CrossingRecursionsAreRefusedWithBothNamed) {
 
 TEST(Structure, ACycleWithoutARecursionIsRefusedAtItsLink) {
   EXPECT_EQ(fault(graph(2, {{"v", "A"}, {"A", "B"}, {"B", "A"}}, 1)),
-            "links[2]: the links A > B > A lead in an endless circle; "
+            "links[2]: the links A > B > A form an endless circle; "
             "expected a \"recursion\" of at least 2 in 'A', or no link back");
-  EXPECT_NE(fault(graph(1, {{"v", "A"}, {"A", "A"}}, 1)).find("A > A lead in an endless circle"), std::string::npos);
+  EXPECT_NE(fault(graph(1, {{"v", "A"}, {"A", "A"}}, 1)).find("A > A form an endless circle"), std::string::npos);
 }
 
 TEST(Structure, TooManyLevelsAreRefused) {

@@ -91,9 +91,9 @@ const ParameterTable& picture_table() {
                   "Number of pictures from base to tip of a surface other than a stem's tubes; raised, smaller ones; "
                   "negative, mirrored.")
           .number("shift_u", &PictureParameters::shift_u, kShift,
-                  "Shift of the pictures across the surface, in pictures.")
+                  "Shift of the pictures across the surface, in widths of a picture.")
           .number("shift_v", &PictureParameters::shift_v, kShift,
-                  "Shift of the pictures from base to tip of the surface, in pictures.")
+                  "Shift of the pictures from base to tip of the surface, in heights of a picture.")
           .shorthand("colour");
   return table;
 }
@@ -209,9 +209,9 @@ const ParameterTable& texture_table() {
           .object("leaf", &TextureParameters::leaf, leaf_table, "A leaf with its veins that the program paints.")
           .object("petal", &TextureParameters::petal, petal_table, "A petal that the program paints.")
           .object("picture", &TextureParameters::picture, picture_table, "Pictures of your own (PNG or JPEG).")
-          .integer(
-              "pixels", &TextureParameters::pixels, {.min = 16, .max = 2048, .fixed = true},
-              "Width and height in pixels of a texture that the program paints; raised, finer detail and larger files.")
+          .integer("pixels", &TextureParameters::pixels, {.min = 16, .max = 2048, .fixed = true},
+                   "Width and height, in pixels, of a texture that the program paints; raised, finer detail and larger "
+                   "files.")
           .never_with("bark", {"leaf", "petal", "picture"})
           .never_with("leaf", {"petal", "picture"})
           .never_with("petal", {"picture"})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// In space by qhull, which is told to triangulate and whose messages go nowhere. A large cloud is first thinned: no
-// point inside the hull of some of the points is on the hull of all. In the plane by sorting and walking once along
-// either side.
+// In space, qhull makes the hull from triangles; its messages are dropped. A large cloud is first thinned: a point
+// inside the hull of some of the points is not on the hull of all. In the plane, the points are sorted, and one pass
+// along either side finds the hull.
 //
 // Based on: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, The Quickhull algorithm for convex hulls, 1996; A. M. Andrew,
 // Another efficient algorithm for convex hulls in two dimensions, 1979.

@@ -11,7 +11,7 @@ namespace meristem {
 
 /// The convex hull of points (finite, metres) as a closed mesh without normals: its vertices are among the points, its
 /// triangles face outward. Points that lie in one plane, nearly so, or are fewer than four have no hull: an empty mesh.
-/// Throws Cancelled if `progress`, where given, says so; it is asked every few milliseconds.
+/// Throws Cancelled if `progress`, where given, was cancelled; it is checked every few milliseconds.
 Mesh convex_hull(std::span<const Vec3> points, const Progress* progress = nullptr);
 
 /// The convex hull of points in a plane, counter-clockwise from the lowest x (of these the lowest y), without points in

@@ -8,7 +8,7 @@
 
 namespace meristem {
 
-/// The sizes that every door reports after growing.
+/// The sizes that all programs report after growing.
 struct Counts {
   std::uint64_t nodes = 0;
   std::uint64_t axes = 0;

@@ -23,7 +23,7 @@ inline constexpr std::uint64_t kCrownRays = 100'000;
 
 /// `hull` is closed, convex and faces outward, as convex_hull makes it. A position on it is lit if its face looks
 /// toward the sun and no obstacle stands between. Without obstacles the shares are exact and cost no rays. The same on
-/// any number of threads. Throws Cancelled if `progress`, where given, says so.
+/// any number of threads. Throws Cancelled if `progress`, where given, was cancelled.
 CrownLight measure_crown_light(const Mesh& hull, const Scene& scene, std::uint64_t rays = kCrownRays,
                                const Progress* progress = nullptr);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Areas of organs. What of a triangle a texture's mask covers is found once for each triangle of a prototype, at the
-// middles of even small triangles about a pixel wide: a picture that fills half of its rectangle counts half.
+// Areas of organs. The share of a triangle that a texture's mask covers is found once per triangle of a prototype, at
+// the middles of equal small triangles about a pixel wide: a picture that fills half of its rectangle counts half.
 #include "meristem/measure/foliage.h"
 
 #include <algorithm>
@@ -217,10 +217,7 @@ Foliage measure_foliage(const Plant& grown, Progress& progress) {
   const std::vector<OrganArea> areas = organ_areas(plant, progress);
   Foliage foliage;
   for (std::size_t k = 0; k < areas.size(); ++k) {
-    if (!is_leaf(plant, plant.prototypes[plant.organs[k].prototype])) continue;
-    ++foliage.leaves;
-    foliage.area += areas[k].blade;
-    foliage.petiole_area += areas[k].petiole;
+    if (is_leaf(plant, plant.prototypes[plant.organs[k].prototype])) foliage.add(areas[k]);
   }
   return foliage;
 }

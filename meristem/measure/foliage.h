@@ -9,12 +9,25 @@
 
 namespace meristem {
 
+/// What of an organ's surface is there.
+struct OrganArea {
+  double blade = 0;    ///< square metres of the organ's triangles outside its texture's holes; one side of blades
+  double petiole = 0;  ///< square metres of its petiole's triangles
+};
+
 /// The leaves of a plant. A leaf is an organ whose material is two-sided: a blade without thickness, as the components
 /// `leaf` makes them (petals made so count as well); closed organs such as fruits are none.
 struct Foliage {
   std::uint64_t leaves = 0;
   double area = 0;          ///< square metres of blades, one side, without the holes of their textures
   double petiole_area = 0;  ///< square metres of their petioles' surface
+
+  /// One more leaf.
+  void add(const OrganArea& leaf) {
+    ++leaves;
+    area += leaf.blade;
+    petiole_area += leaf.petiole;
+  }
 };
 
 /// Leaf area by height, in layers of equal height that count from y = 0.
@@ -25,12 +38,6 @@ struct LeafLayers {
 
   double low(std::size_t layer) const { return height * static_cast<double>(first + static_cast<std::int64_t>(layer)); }
   double high(std::size_t layer) const { return low(layer + 1); }
-};
-
-/// What of an organ's surface is there.
-struct OrganArea {
-  double blade = 0;    ///< square metres of the organ's triangles outside its texture's holes; one side of blades
-  double petiole = 0;  ///< square metres of its petiole's triangles
 };
 
 /// Whether organs of this prototype are leaves.
@@ -48,9 +55,9 @@ std::vector<OrganArea> organ_areas(const Plant& plant, Progress& progress);
 /// organ_areas.
 Foliage measure_foliage(const Plant& plant, Progress& progress);
 
-/// Leaf area in layers so high, metres above 0: triangles are cut at the layers' borders, and share their holes out
-/// evenly. The sum is Foliage::area. Begins two stages of `progress`, which count organs. The areas are equal on any
-/// number of threads. Throws as organ_areas, and InputError for more than 100,000 layers.
+/// Leaf area in layers of this height in metres, counted from 0: triangles are cut at the borders of the layers, and
+/// the holes of a triangle count evenly. The sum is Foliage::area. Begins two stages of `progress`, which count organs.
+/// The areas are equal on any number of threads. Throws as organ_areas, and InputError for more than 100,000 layers.
 LeafLayers measure_leaf_layers(const Plant& plant, double layer_height, Progress& progress);
 
 }  // namespace meristem

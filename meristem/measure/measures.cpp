@@ -11,6 +11,7 @@
 #include "meristem/measure/strahler.h"
 #include "meristem/measure/tree_form.h"
 #include "meristem/plant/plant_variant.h"
+#include "meristem/plant/split_trees.h"
 #include "meristem/shape/body_meshes.h"
 
 namespace meristem {
@@ -140,6 +141,76 @@ bool has_one_root(const Skeleton& skeleton) {
   return std::count(skeleton.parent.begin(), skeleton.parent.end(), kNoNode) == 1;
 }
 
+/// The individual of each tree: of each root of each stem.
+std::vector<std::uint32_t> individuals_of_trees(const Plant& plant) {
+  std::vector<std::uint32_t> individuals;
+  for (const Stem& stem : plant.stems) {
+    const auto& parents = stem.skeleton.parent;
+    const auto roots = static_cast<std::size_t>(std::count(parents.begin(), parents.end(), kNoNode));
+    for (std::size_t root = 0; root < roots; ++root) {
+      individuals.push_back(root < stem.individual_of_root.size() ? stem.individual_of_root[root] : 0);
+    }
+  }
+  return individuals;
+}
+
+/// The tree of each individual, which is kNoTree where it has none or several.
+std::vector<std::uint32_t> trees_of_individuals(const Plant& plant, const std::vector<std::uint32_t>& of_trees) {
+  const std::size_t count = std::max<std::size_t>(plant.individuals.size(), 1);
+  std::vector<std::uint32_t> tree(count, kNoTree);
+  std::vector<std::uint32_t> trees(count, 0);
+  for (std::uint32_t k = 0; k < of_trees.size(); ++k) {
+    if (of_trees[k] >= count) continue;
+    tree[of_trees[k]] = k;
+    ++trees[of_trees[k]];
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    if (trees[k] != 1) tree[k] = kNoTree;
+  }
+  return tree;
+}
+
+/// Leaves, and the light on them if it is known.
+struct Leaves {
+  Foliage foliage;
+  MeanLight light;
+
+  void tell(Measures& measures) const {
+    measures.leaf_count = foliage.leaves;
+    measures.leaf_area = foliage.area;
+    measures.petiole_area = foliage.petiole_area;
+    if (measures.crown_ground_area > 0) measures.leaf_area_index = foliage.area / measures.crown_ground_area;
+    const LitOrgan mean = light.mean();
+    if (!(mean.area > 0)) return;
+    measures.leaf_exposure = mean.exposure;
+    measures.leaf_irradiance = mean.irradiance;
+  }
+};
+
+/// Measures the leaves of all trees together, and of each tree unless leaves belong to several trees.
+void measure_leaves(const Plant& plant, StandMeasures& stand, Progress& progress) {
+  const std::vector<OrganArea> areas = organ_areas(plant, progress);
+  const std::vector<std::uint32_t> tree_of_organ = trees_of_organs(plant, progress);
+  Leaves whole;
+  std::vector<Leaves> of_tree(stand.trees.size());
+  bool are_apart = true;
+  for (std::size_t k = 0; k < areas.size(); ++k) {
+    if (!is_leaf(plant, plant.prototypes[plant.organs[k].prototype])) continue;
+    const auto add_to = [&](Leaves& leaves) {
+      leaves.foliage.add(areas[k]);
+      if (!stand.organs.empty()) leaves.light.add(stand.organs[k]);
+    };
+    add_to(whole);
+    if (tree_of_organ[k] != kNoTree) add_to(of_tree[tree_of_organ[k]]);
+    are_apart = are_apart && plant.organs[k].individual != kNoIndividual;
+  }
+  whole.tell(stand.whole);
+  if (!are_apart) return;
+  for (const std::uint32_t tree : trees_of_individuals(plant, individuals_of_trees(plant))) {
+    if (tree != kNoTree) of_tree[tree].tell(stand.trees[tree]);
+  }
+}
+
 }  // namespace
 
 StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, const Scene* scene,
@@ -177,6 +248,17 @@ StandMeasures measure_skeletons(std::span<const Skeleton* const> skeletons, cons
   return stand;
 }
 
+std::vector<std::uint32_t> trees_of_organs(const Plant& grown, const Progress& progress) {
+  const ExpandedPlant plant(grown, progress);
+  const std::vector<std::uint32_t> tree = trees_of_individuals(*plant, individuals_of_trees(*plant));
+  std::vector<std::uint32_t> trees;
+  trees.reserve(plant->organs.size());
+  for (const Organ& organ : plant->organs) {
+    trees.push_back(organ.individual < tree.size() ? tree[organ.individual] : kNoTree);
+  }
+  return trees;
+}
+
 StandMeasures measure_plant(const Plant& grown, const MeshScene& meshes, const Scene& scene,
                             const MeasureOptions& options, Progress& progress) {
   const ExpandedPlant expanded(grown, progress);
@@ -184,18 +266,18 @@ StandMeasures measure_plant(const Plant& grown, const MeshScene& meshes, const S
   std::vector<const Skeleton*> skeletons;
   for (const Stem& stem : plant.stems) skeletons.push_back(&stem.skeleton);
   StandMeasures stand = measure_skeletons(skeletons, &scene, options, progress);
-  for (TreeOrigin& origin : stand.origins) {
+  const std::vector<std::uint32_t> individuals = individuals_of_trees(plant);
+  for (std::size_t k = 0; k < stand.origins.size(); ++k) {
+    TreeOrigin& origin = stand.origins[k];
     const StemPart& root = plant.stems[origin.skeleton].parts.front();
     origin.component = root.component;
     origin.instance = root.instance;
+    if (individuals[k] < plant.individuals.size()) origin.row = plant.individuals[individuals[k]].row;
   }
-  const Foliage foliage = measure_foliage(plant, progress);
+  if (options.organ_light) stand.organs = measure_organ_light(plant, meshes, scene, progress);
+  measure_leaves(plant, stand, progress);
   Measures& whole = stand.whole;
-  whole.leaf_count = foliage.leaves;
-  whole.leaf_area = foliage.area;
-  whole.petiole_area = foliage.petiole_area;
   if (options.layer_height > 0) stand.layers = measure_leaf_layers(plant, options.layer_height, progress);
-  if (whole.crown_ground_area > 0) whole.leaf_area_index = foliage.area / whole.crown_ground_area;
   const Thickening thickening = find_thickening(plant);
   if (thickening.length > 0) {
     whole.thickened_below = thickening.least_radius;
@@ -209,13 +291,6 @@ StandMeasures measure_plant(const Plant& grown, const MeshScene& meshes, const S
     bytes +=
         mesh.mesh->bytes() + (mesh.frames.size() + (mesh.places == nullptr ? 0 : mesh.places->size())) * sizeof(Frame);
   whole.bytes = bytes;
-  if (!options.organ_light) return stand;
-  stand.organs = measure_organ_light(plant, meshes, scene, progress);
-  const LitOrgan leaves = mean_leaf_light(plant, stand.organs);
-  if (leaves.area > 0) {
-    whole.leaf_exposure = leaves.exposure;
-    whole.leaf_irradiance = leaves.irradiance;
-  }
   return stand;
 }
 

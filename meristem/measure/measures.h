@@ -60,13 +60,15 @@ struct Measures {
   std::uint64_t pipe_unsolved = 0;
   Distribution area_ratio;
 
-  // Whole plants only: organs and meshes do not say which tree they belong to.
+  // Measures of plants, and of a tree where its leaves are known to be its own.
   std::optional<std::uint64_t> leaf_count;
   std::optional<double> leaf_area;
   std::optional<double> petiole_area;
   std::optional<double> leaf_area_index;
   std::optional<double> leaf_exposure;  ///< this and the next only where options ask for the light on organs
   std::optional<double> leaf_irradiance;
+
+  // Measures of whole plants.
   std::optional<double> thickened_below;  ///< this and the next two for blended stems alone
   std::optional<double> thickened_length;
   std::optional<double> thickened_volume;
@@ -81,6 +83,7 @@ struct TreeOrigin {
   Vec3 position{0};            ///< position of the tree's root, metres
   std::string component;       ///< id of what made its root; empty for skeletons that are of no plant
   std::uint32_t instance = 0;  ///< number among the component's instances, from 0
+  std::uint32_t row = kNoRow;  ///< of the table that has placed it, from 0
 };
 
 /// A stand and its trees: each root of each skeleton is a tree.
@@ -91,6 +94,13 @@ struct StandMeasures {
   std::vector<LitOrgan> organs;      ///< in the plant's order; empty unless options ask for them
   std::optional<LeafLayers> layers;  ///< unset unless options ask for them
 };
+
+/// In place of the number of a tree.
+inline constexpr std::uint32_t kNoTree = 0xffffffffU;
+
+/// The number of each organ's tree among those that measure_plant measures, the roots of the plant's stems one after
+/// another: kNoTree where several trees share the organ, or where their leaves cannot be told apart.
+std::vector<std::uint32_t> trees_of_organs(const Plant& plant, const Progress& progress);
 
 /// What is measured besides, and how finely.
 struct MeasureOptions {

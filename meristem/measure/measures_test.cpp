@@ -240,6 +240,63 @@ TEST(Measures, LightOnOrgansIsMeasuredIfAskedFor) {
   EXPECT_NEAR(*with.whole.leaf_irradiance, 0.5, 1e-6);
 }
 
+/// Two stems that fork, each with as many leaves of half a square metre as given.
+Plant leafy_trees(std::size_t first, std::size_t second) {
+  Plant plant;
+  plant.materials.resize(1);
+  plant.materials[0].two_sided = true;
+  Mesh blade;
+  blade.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}};
+  blade.triangles = {{0, 1, 2}};
+  plant.prototypes = {{"leaf", 0, std::make_shared<const Mesh>(blade)}};
+  plant.individuals = {{.component = "oak", .row = 7}, {.component = "oak", .number = 1, .row = 3}};
+  for (const std::uint32_t tree : {0U, 1U}) {
+    Stem& stem = plant.stems.emplace_back();
+    stem.parts[0].component = "oak.stem";
+    stem.skeleton = random_tree(tree + 1, {20.0F * static_cast<float>(tree), 0, 0}, 40);
+    stem.individual_of_root = {tree};
+    for (std::size_t k = 0; k < (tree == 0 ? first : second); ++k) {
+      plant.organs.push_back({.frame = {.origin = {20 * tree, 3 + k, 0}}, .individual = tree});
+    }
+  }
+  return plant;
+}
+
+StandMeasures measured(const Plant& plant, const MeasureOptions& options = {}) {
+  Progress progress;
+  return measure_plant(plant, make_mesh_scene(plant, {}, progress), {}, options, progress);
+}
+
+TEST(Measures, EachTreeHasItsRowAndItsLeaves) {
+  const StandMeasures stand = measured(leafy_trees(3, 1), {.organ_light = true});
+  ASSERT_EQ(stand.trees.size(), 2U);
+  EXPECT_EQ(stand.origins[0].row, 7U);
+  EXPECT_EQ(stand.origins[1].row, 3U);
+  EXPECT_EQ(stand.trees[0].leaf_count, 3U);
+  EXPECT_EQ(stand.trees[1].leaf_count, 1U);
+  EXPECT_DOUBLE_EQ(*stand.trees[0].leaf_area, 1.5);
+  EXPECT_DOUBLE_EQ(*stand.trees[1].leaf_area, 0.5);
+  EXPECT_DOUBLE_EQ(*stand.trees[1].leaf_area_index, 0.5 / stand.trees[1].crown_ground_area);
+  EXPECT_DOUBLE_EQ(*stand.whole.leaf_area, 2);
+  EXPECT_NEAR(*stand.whole.leaf_exposure, (3 * *stand.trees[0].leaf_exposure + *stand.trees[1].leaf_exposure) / 4,
+              1e-12);
+  EXPECT_EQ(trees_of_organs(leafy_trees(3, 1), Progress()), (std::vector<std::uint32_t>{0, 0, 0, 1}));
+}
+
+TEST(Measures, LeavesOfATreeAreUnknownWhereTreesShareThem) {
+  Plant shared = leafy_trees(3, 1);
+  shared.organs[0].individual = kNoIndividual;  // in a crown about both
+  StandMeasures stand = measured(shared);
+  EXPECT_EQ(stand.whole.leaf_count, 4U);
+  for (const Measures& tree : stand.trees) EXPECT_FALSE(tree.leaf_count);
+  Plant clump = leafy_trees(3, 1);
+  clump.stems[1].individual_of_root = {0};  // two stems of one plant
+  stand = measured(clump);
+  for (const Measures& tree : stand.trees) EXPECT_FALSE(tree.leaf_area);
+  EXPECT_EQ(stand.origins[1].row, 7U);
+  EXPECT_EQ(trees_of_organs(clump, Progress()), std::vector<std::uint32_t>(4, kNoTree));
+}
+
 TEST(Measures, AnEmptyPlantHasNothing) {
   Progress progress;
   const StandMeasures stand = measure_plant({}, {}, {}, {}, progress);

@@ -173,15 +173,11 @@ std::vector<LitOrgan> measure_organ_light(const Plant& grown, const MeshScene& m
 }
 
 LitOrgan mean_leaf_light(const Plant& plant, const std::vector<LitOrgan>& organs) {
-  LitOrgan sum;
+  MeanLight light;
   for (std::size_t k = 0; k < organs.size(); ++k) {
-    if (!is_leaf(plant, plant.prototypes[plant.organs[k].prototype])) continue;
-    sum.area += organs[k].area;
-    sum.exposure += organs[k].area * organs[k].exposure;
-    sum.irradiance += organs[k].area * organs[k].irradiance;
+    if (is_leaf(plant, plant.prototypes[plant.organs[k].prototype])) light.add(organs[k]);
   }
-  if (!(sum.area > 0)) return {};
-  return {sum.area, sum.exposure / sum.area, sum.irradiance / sum.area};
+  return light.mean();
 }
 
 }  // namespace meristem

@@ -29,6 +29,24 @@ struct LitOrgan {
 std::vector<LitOrgan> measure_organ_light(const Plant& plant, const MeshScene& meshes, const Scene& scene,
                                           Progress& progress);
 
+/// Organs as one: their area together, and means by area.
+class MeanLight {
+ public:
+  void add(const LitOrgan& organ) {
+    sum_.area += organ.area;
+    sum_.exposure += organ.area * organ.exposure;
+    sum_.irradiance += organ.area * organ.irradiance;
+  }
+  /// All 0 without area.
+  LitOrgan mean() const {
+    if (!(sum_.area > 0)) return {};
+    return {sum_.area, sum_.exposure / sum_.area, sum_.irradiance / sum_.area};
+  }
+
+ private:
+  LitOrgan sum_;  // shares times area
+};
+
 /// All leaves (foliage.h) as one organ: their area together, and means by area. 0 without leaves.
 LitOrgan mean_leaf_light(const Plant& plant, const std::vector<LitOrgan>& organs);
 

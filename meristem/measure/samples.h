@@ -6,7 +6,7 @@
 
 namespace meristem {
 
-/// What is said about many numbers. All are 0 where there are none.
+/// Statistics of many numbers; all are 0 if there are no numbers.
 struct Distribution {
   std::size_t count = 0;
   double mean = 0;

@@ -11,10 +11,6 @@
 
 namespace meristem {
 
-/// One skeleton for each root, in the order of the roots; axes are numbered anew from 0, all else stays. A skeleton
-/// with one root comes back as a copy.
-std::vector<Skeleton> split_trees(const Skeleton& skeleton);
-
 /// Size, shape and order of one tree. Lengths in metres.
 struct TreeForm {
   std::uint64_t nodes = 0;
@@ -49,7 +45,7 @@ inline constexpr double kBreastHeight = 1.3;  ///< metres above the root
 inline constexpr double kStemShare = 1.0 / 3;
 
 /// `skeleton` has one root, its first node. The crown is what lies past the first fork on the way from the root.
-/// Throws Cancelled if `progress`, where given, says so.
+/// Throws Cancelled if `progress`, where given, was cancelled.
 TreeForm measure_form(const Skeleton& skeleton, const Children& children, const Progress* progress = nullptr);
 
 }  // namespace meristem

@@ -163,32 +163,5 @@ TEST(TreeForm, TwiceTheSizeHasTwiceTheLengthsAndFourTimesTheAreas) {
   EXPECT_EQ(large.axes_by_order, small.axes_by_order);
 }
 
-TEST(SplitTrees, AForestFallsIntoItsTrees) {
-  // Two candelabras whose nodes alternate, the second one moved.
-  const Skeleton one = candelabra();
-  Skeleton forest;
-  for (NodeIndex node = 0; node < one.node_count(); ++node) {
-    for (NodeIndex which = 0; which < 2; ++which) {
-      const NodeIndex parent = one.is_root(node) ? kNoNode : 2 * one.parent[node] + which;
-      const NodeIndex added = forest.add_node(parent, one.position[node] + Vec3(which, 0, 0), one.birth[node]);
-      forest.axis[added] = 2 * one.axis[node] + which;
-      forest.order[added] = one.order[node];
-      forest.radius[added] = one.radius[node];
-    }
-  }
-  forest.extra["light"].resize(forest.node_count());
-  for (NodeIndex node = 0; node < forest.node_count(); ++node) forest.extra["light"][node] = static_cast<float>(node);
-  const std::vector<Skeleton> trees = split_trees(forest);
-  ASSERT_EQ(trees.size(), 2U);
-  for (std::size_t which = 0; which < 2; ++which) {
-    EXPECT_TRUE(check_skeleton(trees[which]));
-    EXPECT_EQ(trees[which].parent, one.parent);
-    EXPECT_EQ(trees[which].axis, one.axis);
-    EXPECT_EQ(trees[which].radius, one.radius);
-    EXPECT_EQ(trees[which].extra.at("light")[3], static_cast<float>(6 + which));
-    EXPECT_EQ(trees[which].position[5], one.position[5] + Vec3(which, 0, 0));
-  }
-}
-
 }  // namespace
 }  // namespace meristem

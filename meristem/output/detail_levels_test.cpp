@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -94,6 +95,27 @@ TEST(FaultOfLevel, IsTooManyTrianglesOrAnotherOutline) {
   EXPECT_NE(fault_of(model, model.grown.meshes.triangle_count(), bare, 1).find("outline"), std::string::npos);
 }
 
+TEST(FaultOfLevel, LevelsOfLargePlantsKeepTheirOutlines) {
+  for (const char* name : {"wheat", "fern", "bush"}) {
+    const Model model(name);
+    ASSERT_GT(model.grown.meshes.triangle_count(), 50'000U) << name;
+    std::uint64_t before = model.grown.meshes.triangle_count();
+    for (const auto& [level, least] : {std::pair(1, 0.9), std::pair(2, 0.8)}) {
+      const MeshScene scene = model.level(level);
+      EXPECT_EQ(fault_of(model, before, scene, level), "") << name << level;
+      EXPECT_GE(overlap_of(model, scene, level).least(), least) << name << level;
+      before = scene.triangle_count();
+    }
+  }
+}
+
+TEST(FaultOfLevel, ALevelOfALargePlantWithoutItsLeavesIsNone) {
+  const Model model("bush");
+  MeshScene bare = model.level(1);
+  std::erase_if(bare.meshes, [](const MeshInstances& part) { return part.component == "leaf"; });
+  EXPECT_NE(fault_of(model, model.grown.meshes.triangle_count(), bare, 1).find("80 % are wanted"), std::string::npos);
+}
+
 struct MadeLevels {
   std::vector<std::uint64_t> triangles;  // of those that were given, from level 1 on
   std::optional<WorthlessLevel> worthless;
@@ -123,6 +145,12 @@ TEST(MakeLevels, EndsBeforeTheFirstLevelThatIsNotWorthAFile) {
     before = all.triangles[k];
   }
   EXPECT_EQ(fault_of(model, before, model.level(all.worthless->number), all.worthless->number), all.worthless->reason);
+}
+
+TEST(MakeLevels, CrownsWithTunnelsHaveASecondLevel) {
+  for (const char* name : {"low-poly-birch", "low-poly-oak", "low-poly-shrub"}) {
+    EXPECT_EQ(made_levels(Model(name), 2).triangles.size(), 2U) << name;
+  }
 }
 
 TEST(MakeLevels, GivesAsManyAsAreAskedForWhereAllAreWorthAFile) {

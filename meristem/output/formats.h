@@ -12,7 +12,7 @@
 
 namespace meristem {
 
-/// What a door may ask of a format.
+/// Properties of a format, for programs.
 struct FormatOptions {
   GltfInstances instances = GltfInstances::automatic;  ///< how organs share a mesh, in formats that can
   EncodedPictures* pictures = nullptr;                 ///< shared with other files; null: none

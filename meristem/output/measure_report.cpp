@@ -61,6 +61,7 @@ Value::Object as_object(const TreeOrigin& origin) {
   const bool is_known = !origin.component.empty();
   object.emplace_back("component", is_known ? Value(origin.component) : Value());
   object.emplace_back("instance", is_known ? Value(static_cast<double>(origin.instance)) : Value());
+  object.emplace_back("row", origin.row == kNoRow ? Value() : Value(static_cast<double>(origin.row)));
   object.emplace_back("position", Value::List{origin.position.x, origin.position.y, origin.position.z});
   return object;
 }
@@ -87,7 +88,8 @@ std::string heading_of(const TreeOrigin& origin, std::size_t number) {
   const Vec3 position = origin.position;
   const std::string standing = fmt::format("at {:.4g}, {:.4g}, {:.4g}", position.x, position.y, position.z);
   if (origin.component.empty()) return fmt::format("tree {}, {}", number, standing);
-  return fmt::format("tree {}: {} {}, {}", number, origin.component, origin.instance, standing);
+  const std::string row = origin.row == kNoRow ? "" : fmt::format("row {}, ", origin.row);
+  return fmt::format("tree {}: {} {}, {}{}", number, origin.component, origin.instance, row, standing);
 }
 
 }  // namespace

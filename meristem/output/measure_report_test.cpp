@@ -16,7 +16,7 @@ StandMeasures two_trees() {
   stand.whole.inclination_altitude = kPi / 4;
   stand.whole.leaf_count = 7;
   stand.trees.resize(2);
-  stand.origins = {{}, {.skeleton = 1, .position = {1, 0, -2.5F}, .component = "lime", .instance = 4}};
+  stand.origins = {{}, {.skeleton = 1, .position = {1, 0, -2.5F}, .component = "lime", .instance = 4, .row = 9}};
   stand.trees[1].height = 3;
   return stand;
 }
@@ -37,12 +37,15 @@ TEST(MeasureReport, EachTreeFollowsWithoutWhatOnlyTheWholeHas) {
   const Value::List& trees = *value.find("each")->list();
   ASSERT_EQ(trees.size(), 2U);
   EXPECT_EQ(*trees[1].find("height"), Value(3));
-  EXPECT_EQ(trees[1].find("leaf_count"), nullptr);
+  EXPECT_EQ(trees[1].find("triangles"), nullptr);
+  EXPECT_TRUE(trees[1].find("leaf_count")->is_null());
   EXPECT_NE(trees[1].find("nodes"), nullptr);
   EXPECT_EQ(*trees[1].find("component"), Value("lime"));
   EXPECT_EQ(*trees[1].find("instance"), Value(4));
   EXPECT_EQ(*trees[1].find("position"), Value(Value::List{1, 0, -2.5}));
+  EXPECT_EQ(*trees[1].find("row"), Value(9));
   EXPECT_TRUE(trees[0].find("component")->is_null());
+  EXPECT_TRUE(trees[0].find("row")->is_null());
 }
 
 TEST(MeasureReport, TextHasALineForEachRow) {
@@ -55,7 +58,7 @@ TEST(MeasureReport, TextHasALineForEachRow) {
   EXPECT_EQ(text.find("\ntree 1"), std::string::npos);
   const std::string each = measures_text(two_trees(), true);
   EXPECT_NE(each.find("\n\ntree 1, at 0, 0, 0\n"), std::string::npos) << each;
-  EXPECT_NE(each.find("\n\ntree 2: lime 4, at 1, 0, -2.5\n"), std::string::npos) << each;
+  EXPECT_NE(each.find("\n\ntree 2: lime 4, row 9, at 1, 0, -2.5\n"), std::string::npos) << each;
 }
 
 TEST(MeasureReport, LayersFollowTheMeasures) {

@@ -24,7 +24,7 @@ void check_output(const std::string& path, std::span<const std::string> inputs) 
   std::error_code ignored;
   for (const std::string& input : inputs) {
     if (!fs::equivalent(path, input, ignored)) continue;
-    throw InputError(Diagnostic{.message = fmt::format("'{}' would be written over, and it is read", input),
+    throw InputError(Diagnostic{.message = fmt::format("'{}' would be overwritten, and it is read", input),
                                 .expected = "another name or folder for what is written"});
   }
   const fs::file_status status = fs::status(path, ignored);

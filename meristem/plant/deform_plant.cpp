@@ -49,7 +49,7 @@ std::vector<DVec3> directions_of(const Skeleton& skeleton) {
   return directions;
 }
 
-/// By how much the section at right angles to a unit vector is stretched, as a length.
+/// The stretch, as of a length, of the section at right angles to a unit vector.
 double stretch_across(const DMat3& jacobian, const DVec3& along) {
   return std::sqrt(glm::determinant(jacobian) / glm::length(jacobian * along));
 }

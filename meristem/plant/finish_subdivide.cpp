@@ -186,7 +186,7 @@ Skeleton subdivide(const Skeleton& skeleton, double spacing) {
 }
 
 Skeleton subdivide(const Skeleton& skeleton, double spacing, IsOpen is_open, TrackedNodes* tracked) {
-  if (!(spacing > 0)) throw std::invalid_argument("subdivide: a spacing above 0 wanted");
+  if (!(spacing > 0)) throw std::invalid_argument("subdivide: the spacing must be above 0");
   const Children children(skeleton);
   const std::vector<std::uint8_t> ends = find_ends(skeleton, children, tracked);
   Subdivision subdivision{skeleton, {}, std::vector<NodeIndex>(skeleton.node_count(), kNoNode)};

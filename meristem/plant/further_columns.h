@@ -10,6 +10,8 @@ namespace meristem {
 /// The further column in which a growth model numbers its metamers: along an axis from 1 at its base, 0 at a root. All
 /// nodes of one metamer have its number. Numbers stay when metamers are shed.
 inline constexpr std::string_view kMetamerColumn = "metamer";
+/// Radians about the axis from its upper side to the lateral bud at a metamer's tip; in plants of metamers.
+inline constexpr std::string_view kBudAngleColumn = "bud_angle";
 
 /// The further column that counts the tips which each node has lost: what stood on them was shed or cut.
 inline constexpr std::string_view kShedColumn = "shed";

@@ -25,7 +25,8 @@ std::vector<double> count_tips(std::span<const NodeIndex> parent, std::span<cons
 }
 
 std::vector<float> pipe_radii(std::span<const NodeIndex> parent, std::span<const float> lost, const PipeModel& model) {
-  if (!(model.tip_radius > 0 && model.exponent > 0)) throw std::invalid_argument("pipe model: numbers above 0 wanted");
+  if (!(model.tip_radius > 0 && model.exponent > 0))
+    throw std::invalid_argument("pipe model: tip radius and exponent must be above 0");
   const std::vector<double> tips = count_tips(parent, lost, model.memory);
   std::vector<float> radius(parent.size());
   // Parents come first, and most nodes continue theirs without a fork.

@@ -84,9 +84,10 @@ inline constexpr std::uint32_t kNoIndividual = 0xffffffffU;  ///< in place of an
 /// of a field. Each instance directly under the camera or under a component that bears plants
 /// (ComponentTraits::bears_plants) is an individual; where its skeleton has several roots, each root is one.
 struct Individual {
-  std::string component;     ///< id of the instance that stands there
-  std::uint32_t number = 0;  ///< among the individuals of that component
-  Vec3 foot{0};              ///< where it stands
+  std::string component;       ///< id of the instance that stands there
+  std::uint32_t number = 0;    ///< among the individuals of that component
+  Vec3 foot{0};                ///< where it stands
+  std::uint32_t row = kNoRow;  ///< of the table that has placed it, from 0
 };
 
 /// What one component's instance has given to a skeleton.

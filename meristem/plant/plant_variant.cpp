@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Variants may have plantings of their own. They are walked over with a list of what is ahead, each variant with the
-// frame that leads to it; how deep they lie in each other is bounded where documents are read.
+// Variants may have plantings of their own. A list of the variants ahead, each with the frame that leads to it,
+// replaces recursion; their depth is bounded where documents are read.
 #include "meristem/plant/plant_variant.h"
 
 #include <algorithm>
@@ -86,17 +86,20 @@ class Expander {
   }
 
   /// Adds copies of all that stands on the plantings of a plant whose world lies at `frame`.
-  void add_plantings(const std::vector<Planting>& plantings, const Frame& frame, const std::string& prefix) {
+  /// `row` has placed that plant itself.
+  void add_plantings(const std::vector<Planting>& plantings, const Frame& frame, const std::string& prefix,
+                     std::uint32_t row = kNoRow) {
     for (const Planting& planting : plantings) {
       const std::string own = prefix + planting.component;
       const auto deformation = planting.deformation != nullptr ? planting.deformation->moved_to(frame) : nullptr;
       for (const Planting::Place& place : planting.places) {
         progress_.check();
         const std::size_t stems = to_.stems.size(), organs = to_.organs.size();
+        const std::uint32_t from = row == kNoRow ? place.row : row;
         Vec3 foot = (frame * place.frame).origin;
         if (deformation != nullptr) deformation->map(std::span(&foot, 1), own);
-        individual_ = individual_at(own, place.instance, foot);
-        add(*planting.variant, frame * place.frame, own + ".", place.birth);
+        individual_ = individual_at(own, place.instance, foot, from);
+        add(*planting.variant, frame * place.frame, own + ".", place.birth, from);
         if (deformation != nullptr) deform_from(stems, organs, deformation);
       }
     }
@@ -109,7 +112,7 @@ class Expander {
     std::uint32_t prototype = 0;
   };
 
-  void add(const PlantVariant& variant, const Frame& frame, const std::string& prefix, float birth) {
+  void add(const PlantVariant& variant, const Frame& frame, const std::string& prefix, float birth, std::uint32_t row) {
     const Plant& plant = *variant.plant;
     const std::uint32_t individual = individual_;
     const Numbers first = numbers_of(variant, prefix);
@@ -136,7 +139,7 @@ class Expander {
       organ.individual = individual;
       to_.organs.push_back(organ);
     }
-    add_plantings(plant.plantings, frame, prefix);
+    add_plantings(plant.plantings, frame, prefix, row);
   }
 
   /// Deforms what has been added since there were that many stems and organs.
@@ -169,11 +172,11 @@ class Expander {
   }
 
   /// Each place is a plant; those of the document's own components are known as such.
-  std::uint32_t individual_at(const std::string& component, std::uint32_t instance, Vec3 foot) {
+  std::uint32_t individual_at(const std::string& component, std::uint32_t instance, Vec3 foot, std::uint32_t row) {
     const auto next = static_cast<std::uint32_t>(to_.individuals.size());
     const std::uint32_t number = component.find('.') == std::string::npos ? instance : nested_[component]++;
     const auto [known, is_new] = individuals_.try_emplace({component, number}, next);
-    if (is_new) to_.individuals.push_back({.component = component, .number = number, .foot = foot});
+    if (is_new) to_.individuals.push_back({.component = component, .number = number, .foot = foot, .row = row});
     return known->second;
   }
 

@@ -67,6 +67,19 @@ TEST(Planting, PlantingsWithinPlantingsMultiply) {
   EXPECT_EQ(totals.organs, 6U);
 }
 
+TEST(Planting, EachPlaceIsAnIndividualOfItsRow) {
+  auto clump = std::make_shared<Plant>();
+  clump->plantings.push_back({"twig", twig(), {{at({1, 0, 0}), 0, 0, 8}, {at({-1, 0, 0}), 1, 0}}});
+  auto variant = std::make_shared<PlantVariant>();
+  variant->plant = clump;
+  Plant plant;
+  plant.plantings.push_back({"clump", variant, {{at({0, 0, 5}), 0, 0, 2}, {at({0, 0, 9}), 1, 0}}});
+  const Plant all = expanded(plant, {}, Progress());
+  std::vector<std::uint32_t> rows;
+  for (const Stem& stem : all.stems) rows.push_back(all.individuals[stem.individual()].row);
+  EXPECT_EQ(rows, (std::vector<std::uint32_t>{2, 2, 8, kNoRow})) << "the outermost table counts";
+}
+
 TEST(Planting, APlantWithoutPlantingsIsItsOwnExpansion) {
   const std::shared_ptr<const PlantVariant> variant = twig();
   const Plant& plant = *variant->plant;

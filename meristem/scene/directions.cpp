@@ -1,39 +1,124 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/scene/directions.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "meristem/base/fingerprint.h"
 #include "meristem/base/frame.h"
+#include "meristem/base/math.h"
+#include "meristem/scene/field/ready_fields.h"
 
 namespace meristem {
 
-Directions::Directions(const Light& light, SkyDirection shown) {
-  if (light.sun.size() == 1) {
-    toward_light_ = light.sun[0].toward;  // to the last bit
-  } else if (!light.sun.empty()) {
-    DVec3 sum(0);
-    for (const DirectionalLight& sun : light.sun) sum += sun.strength * DVec3(sun.toward);
-    toward_light_ = normalized_or(Vec3(sum), kUp);
-  } else if (shown.altitude > 0) {
-    toward_light_ = unit_vector(shown);
-  }
-  for (const DirectionalLight& directional : light.sun) directional_strength_ += directional.strength;
-  for (const DirectionalLight& directional : light.sky) directional_strength_ += directional.strength;
-  if (!light.lamps.empty()) lamps_ = std::make_shared<const std::vector<Lamp>>(light.lamps);
+namespace {
+
+constexpr float kUnitSlack = 1e-6F;  // within which a squared length counts as 1
+constexpr float kNoPull = 1e-24F;    // squared length of what pulls nothing
+
+/// Unit vectors stay as they are, to the last bit.
+Pulling pulling(Vec3 vector) {
+  const float squared = glm::dot(vector, vector);
+  if (std::abs(squared - 1) < kUnitSlack) return {vector, 1};
+  if (!(squared > kNoPull)) return {Vec3(0), 0};
+  const float length = std::sqrt(squared);
+  return {vector / length, length};
 }
 
-Vec3 Directions::toward_all(Vec3 position) const {
-  DVec3 sum = directional_strength_ * DVec3(toward_light_);
-  for (const Lamp& lamp : *lamps_) {
-    const LightRay ray = Light::ray_to(lamp, position);
-    sum += ray.strength * DVec3(ray.toward);
+/// The light of lamps and of what shines from one direction, as a unit vector.
+class LampField : public VectorField {
+ public:
+  LampField(std::vector<Lamp> lamps, DVec3 directional) : lamps_(std::move(lamps)), directional_(directional) {}
+
+  Vec3 at(Vec3 position) const override {
+    DVec3 sum = directional_;
+    for (const Lamp& lamp : lamps_) {
+      const LightRay ray = Light::ray_to(lamp, position);
+      sum += ray.strength * DVec3(ray.toward);
+    }
+    return normalized_or(Vec3(sum), kUp);
   }
-  return normalized_or(Vec3(sum), kUp);
+
+ private:
+  std::vector<Lamp> lamps_;
+  DVec3 directional_;
+};
+
+Vec3 toward_directional_light(const Light& light, SkyDirection shown) {
+  if (light.sun.size() == 1) return light.sun[0].toward;  // to the last bit
+  if (!light.sun.empty()) {
+    DVec3 sum(0);
+    for (const DirectionalLight& sun : light.sun) sum += sun.strength * DVec3(sun.toward);
+    return normalized_or(Vec3(sum), kUp);
+  }
+  return shown.altitude > 0 ? unit_vector(shown) : kUp;
+}
+
+Sense sense_of(const Light& light, SkyDirection shown) {
+  const Vec3 toward = toward_directional_light(light, shown);
+  if (light.lamps.empty()) return Sense(toward);
+  double strength = 0;
+  for (const DirectionalLight& directional : light.sun) strength += directional.strength;
+  for (const DirectionalLight& directional : light.sky) strength += directional.strength;
+  return Sense(std::make_shared<const LampField>(light.lamps, strength * DVec3(toward)));
+}
+
+}  // namespace
+
+double share_pulled(double share, float strength) {
+  if (strength == 1) return share;
+  const double open = 1 - std::min(1.0, std::abs(share));
+  return std::copysign(strength > 0 ? 1 - math::pow(open, strength) : 0, share);
+}
+
+Sense Sense::with(FieldPointer field, bool adds) const {
+  Sense made;
+  if (adds) {
+    made.own_ = given_ == nullptr && own_ == nullptr ? std::make_shared<const UniformField>(uniform_.toward) : own_;
+    if (given_ != nullptr) field = std::make_shared<const SumField>(given_, std::move(field));
+  }
+  made.given_ = std::move(field);
+  made.varies_ = (made.own_ != nullptr && !made.own_->is_uniform()) || !made.given_->is_uniform();
+  if (!made.varies_) made.uniform_ = made.sum_at(Vec3(0));
+  return made;
+}
+
+Pulling Sense::sum_at(Vec3 position) const {
+  const Vec3 own = own_ == nullptr ? Vec3(0) : own_->at(position);
+  return pulling(own + given_at(position));
+}
+
+Directions::Directions(const Light& light, SkyDirection shown) : light_(sense_of(light, shown)) {}
+
+Directions Directions::with(Sense light, Sense gravity) const {
+  Directions made = *this;
+  made.light_ = std::move(light);
+  made.gravity_ = std::move(gravity);
+  return made;
+}
+
+Directions Directions::with(std::shared_ptr<const KeptOut> body) const {
+  std::vector<std::shared_ptr<const KeptOut>> bodies;
+  bodies.push_back(std::move(body));
+  if (kept_out_ != nullptr) bodies.insert(bodies.end(), kept_out_->begin(), kept_out_->end());
+  Directions made = *this;
+  made.kept_out_ = std::make_shared<const std::vector<std::shared_ptr<const KeptOut>>>(std::move(bodies));
+  return made;
+}
+
+Vec3 Directions::kept_out(KeptOut::Section section) const {
+  for (const std::shared_ptr<const KeptOut>& body : *kept_out_) section.heading = body->open_heading(section);
+  return section.heading;
 }
 
 std::uint64_t Directions::key_at(Vec3 position) const {
   Fingerprint key;
-  for (const Vec3 direction : {toward_light(position), down(position)})
-    key.add(direction.x).add(direction.y).add(direction.z);
+  for (const Pulling& felt : {light(position), gravity(position)}) {
+    key.add(felt.toward.x).add(felt.toward.y).add(felt.toward.z).add(felt.strength);
+  }
+  const bool varies = !light_.is_uniform() || !gravity_.is_uniform() || kept_out_ != nullptr;
+  if (varies) key.add(position.x).add(position.y).add(position.z);
   return key.hash();
 }
 

@@ -21,7 +21,7 @@ struct Scene {
   Obstacles obstacles;                 ///< that shade them and that they do not enter
   SkyDirection sun{0, kPi / 2};        ///< in pictures; unless named, in the zenith
   Vec3 ground_colour = kGroundColour;  ///< sRGB
-  std::optional<double> latitude{};    ///< radians, north positive, where it is said
+  std::optional<double> latitude{};    ///< radians, north positive, if it is known
   std::optional<ClockZone> clock{};    ///< where the sun is given by a clock
   /// Hash of all that it was made of, if that is known: what grew in a scene with the same one need not grow again.
   std::optional<std::uint64_t> fingerprint{};

@@ -14,7 +14,7 @@ double Detail::kept(int of_level) const {
 void check_detail(const Detail& detail) {
   if (detail.level < 0 || detail.level > kCoarsestDetail)
     throw std::invalid_argument("there is no such level of detail");
-  if (!(detail.share > 0 && detail.share < 1)) throw std::invalid_argument("a level's share lies between 0 and 1");
+  if (!(detail.share > 0 && detail.share < 1)) throw std::invalid_argument("a level's share must lie between 0 and 1");
 }
 
 }  // namespace meristem

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is seen of a plant from afar is area, so triangles are worth what they cover. A tube counts by its whole
-// surface, twice what it shows beside a leaf: where leaves are left out others are enlarged, where tubes are left out
-// none are.
+// Seen from afar, a plant is area, so triangles are worth the area that they cover. A tube counts by its whole surface,
+// twice as much as a leaf of equal visible area: leaves that are left out make others larger, tubes that are left out
+// do not.
 #include "meristem/shape/detail_budget.h"
 
 #include <algorithm>

@@ -47,7 +47,7 @@ void check_references(const Plant& plant) {
     }
     for (const StemPart& part : stem.parts) {
       require(part.material < plant.materials.size(), "a stem has no such material");
-      require(part.surface.uv_scale > 0, "a surface's uv_scale is above 0");
+      require(part.surface.uv_scale > 0, "a surface's uv_scale must be above 0");
     }
   }
   for (const OrganPrototype& prototype : plant.prototypes) {

@@ -14,8 +14,8 @@ namespace meristem {
 
 namespace {
 
-constexpr double kMargin = 1.2;  // radii of the ball around the plant to the picture's border: for what sticks out
-constexpr std::size_t kTrianglesBetweenChecks = 100'000;
+constexpr double kBallMargin = 1.2;  // radii of the ball around the plant to the picture's border: for what sticks out
+constexpr std::size_t kDrawnBetweenChecks = 100'000;
 
 /// The samples of a picture that are covered, as many as pixels times samples along each side.
 std::vector<std::uint8_t> covered_samples(const MeshScene& scene, const OutlineView& view, Progress& progress) {
@@ -36,7 +36,7 @@ std::vector<std::uint8_t> covered_samples(const MeshScene& scene, const OutlineV
         });
       }
       unchecked += part.mesh->triangle_count();
-      if (unchecked < kTrianglesBetweenChecks) continue;
+      if (unchecked < kDrawnBetweenChecks) continue;
       progress.check();
       unchecked = 0;
     }
@@ -124,7 +124,8 @@ OutlineOverlap outline_overlap(const MeshScene& whole, const MeshScene& level, c
   overlap.growth.resize(directions.size());
   parallel_for(directions.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      const OutlineView view = view_along(directions[k], DVec3(box.centre()), 0.5 * size / (kMargin * radius), size);
+      const OutlineView view =
+          view_along(directions[k], DVec3(box.centre()), 0.5 * size / (kBallMargin * radius), size);
       const Compared sums = compare(covered_pixels(whole, view, options.samples, progress),
                                     covered_pixels(level, view, options.samples, progress));
       overlap.of_direction[k] = share(sums.both, sums.any);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys of what a mesh scene is made of, so that whoever shows one scene after another takes over only what has changed.
+// Keys of the parts of a mesh scene, so that a viewer of one scene after another takes over only what has changed.
 #pragma once
 
 #include <cstdint>

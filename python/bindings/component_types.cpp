@@ -69,7 +69,7 @@ void bind_component_types(py::module_& module) {
 
 path: of the library, as in "build/libthorn.so". It stays loaded as long as Python runs. Worker processes load it by
 themselves: name it in their `initializer`.
-Raises InputError for a file that is not there, is no plug-in, was built for another version of Meristem, or has a
+Raises InputError for a file that does not exist, is not a plug-in, was built for another version of Meristem, or has a
 type of a name that is taken.)");
   module.def("components", &components, R"(The types of components and their parameters: {type: {"doc", "parameters"}}.
 

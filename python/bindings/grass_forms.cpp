@@ -104,7 +104,7 @@ the length is kept. Raises ValueError.)")
       .def(
           "angles", [](const MidribFamily& f, double age) { return array_of(in_degrees(f.angles(age))); },
           py::arg("age"),
-          "(n,) float64: degrees away from the stem of each piece. Ages outside of the family count as its nearest.")
+          "(n,) float64: degrees away from the stem of each piece. Ages outside the family count as its nearest.")
       .def("__repr__", [](const MidribFamily& f) {
         return fmt::format("<meristem.grass.MidribFamily of ages {:.4g} to {:.4g}>", f.first_age(), f.last_age());
       });

@@ -89,6 +89,15 @@ py::object components_of_organs(const PlantPointer& plant) {
   return array.attr("take")(array_of(std::move(numbers)));
 }
 
+/// The numbers of the organs' trees, -1 where they are of none alone.
+py::object trees_in_python(const PlantPointer& plant) {
+  std::vector<std::int64_t> trees;
+  for (const std::uint32_t tree : trees_of_organs(plant->plant(), Progress())) {
+    trees.push_back(tree == kNoTree ? -1 : static_cast<std::int64_t>(tree));
+  }
+  return array_of(std::move(trees));
+}
+
 const Scene& measured_scene(const PlantPointer& plant, const std::shared_ptr<Scene>& other) {
   return other != nullptr ? *other : plant->origin->document.scene;
 }
@@ -109,6 +118,7 @@ py::dict organ_light(const PlantPointer& plant, const std::shared_ptr<Scene>& sc
   py::dict columns;
   columns["component"] = components_of_organs(plant);
   columns["instance"] = array_of(organ_instances(plant->plant()));
+  columns["tree"] = trees_in_python(plant);
   columns["position"] = organs_of_plant.position();
   columns["area"] = column(&LitOrgan::area);
   columns["exposure"] = column(&LitOrgan::exposure);
@@ -139,6 +149,7 @@ py::dict origin_in_python(const TreeOrigin& origin) {
   py::dict values;
   values["component"] = is_known ? py::object(py::str(origin.component)) : py::none();
   values["instance"] = is_known ? py::object(py::int_(origin.instance)) : py::none();
+  values["row"] = origin.row != kNoRow ? py::object(py::int_(origin.row)) : py::none();
   values["position"] = array_of(std::vector<float>{origin.position.x, origin.position.y, origin.position.z});
   return values;
 }
@@ -368,6 +379,11 @@ Columns are read-only arrays over the plant's own memory, one entry an organ.)")
           "instance", [](const Organs& o) { return array_of(organ_instances(o.plant->plant())); },
           "(n,) uint32: its number among the organs of its component, from 0.")
       .def_property_readonly(
+          "tree", [](const Organs& o) { return trees_in_python(o.plant); },
+          "(n,) int64: index of its tree in measure(each=True)[\"each\"]; -1 where several trees share it, or where "
+          "the "
+          "trees cannot be told apart.")
+      .def_property_readonly(
           "prototype", [](const Organs& o) { return o.column<std::uint32_t>(&Organ::prototype, {}); },
           "(n,) uint32: index in Plant.prototypes.")
       .def_property_readonly(
@@ -481,12 +497,14 @@ pictures on them, are made when something first asks for them, which then raises
            R"(Measures the plant: a dict of numbers, lists and None by the names that the manual lists; metres, degrees.
 
 `light` measures the light on leaves too, which may take seconds. `each` adds a list "each" with the measures of each
-tree, its "component", "instance" and "position". The light is that of `scene`, or of growth if not given. Area ratios count from forks of `fork_diameter` metres; the lit share takes `crown_rays` rays.)")
+tree, its "component", "instance" and "position", and the "row" of the table that has placed it, from 0, or None. The
+light is that of `scene`, or of growth if not given. Area ratios count from forks of `fork_diameter` metres; the lit
+share takes `crown_rays` rays.)")
       .def("organ_light", &organ_light, py::kw_only(), py::arg("scene") = py::none(), py::arg("threads") = 0,
            py::arg("progress") = py::none(),
            R"(The light on each organ, in their order: a dict of arrays.
 
-"component", "instance" and "position" as in Organs; (n,) float64 "area" (m², of a blade one side), "exposure" (the share
+"component", "instance", "tree" and "position" as in Organs; (n,) float64 "area" (m², of a blade one side), "exposure" (the share
 of the light's rays that arrive) and "irradiance" (that times the cosine to the surface), both 0 to 1. The light is that
 of `scene`, or of growth if not given.)")
       .def("leaf_layers", &leaf_layers, py::arg("height") = 1.0, py::kw_only(), py::arg("threads") = 0,
@@ -498,7 +516,7 @@ of `scene`, or of growth if not given.)")
            py::arg("lod") = 0, py::arg("cards") = 0, py::arg("threads") = 0, py::arg("progress") = py::none(),
            R"(Writes the plant to a file, its format by its ending: .glb, .obj, .ply, .skeleton.ply, .csv, .mtg.
 
-`instanced` writes leaves to .glb as instances of one mesh, as is done by itself beyond 5 million triangles: small files,
+`instanced` writes leaves into .glb as instances of one mesh, the default beyond 5 million triangles: small files,
 which not every program reads; `nodes` writes them as nodes there, which every program reads. `lod` (0 to 8) is the level
 of detail: each has about a quarter of the triangles of the one before. `cards` (0 to 16) writes this number of upright crossed
 cards, pictures of the plant, instead. The file is there whole or not at all. Raises ValueError for levels that

@@ -235,7 +235,7 @@ void bind_session(py::module_& module) {
 Edits change the text where they must and nowhere else, and can be undone. Where the text is faulty it is kept with its
 faults, and document and growth stay those of the last text without. Growing makes only what has changed. `content`,
 `file`, `set` and `seed` are as those of Document; or `content` is a Document, and the session has its text as it was
-written, with the values that set() gave it edited in. Nothing that the document names is read outside of the folder
+written, with the values that set() gave it edited in. Nothing that the document names is read outside the folder
 `root`, if one is given. One thread at a time; another one that comes meanwhile gets a RuntimeError.)");
   session.def(py::init(&session_of), py::arg("content"), py::kw_only(), py::arg("file") = "",
               py::arg("set") = py::none(), py::arg("seed") = py::none(), py::arg("root") = "");

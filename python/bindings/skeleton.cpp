@@ -11,11 +11,11 @@
 #include "call.h"
 #include "document.h"
 #include "meristem/base/read_file.h"
-#include "meristem/measure/tree_form.h"
 #include "meristem/output/skeleton/skeleton_mtg.h"
 #include "meristem/plant/axis_labels.h"
 #include "meristem/plant/mtg/mtg_skeleton.h"
 #include "meristem/plant/pipe_radii.h"
+#include "meristem/plant/split_trees.h"
 #include "values.h"
 
 namespace meristem::python {

@@ -58,7 +58,7 @@ Grammar read(const GrammarSource& source, GrammarOptions options) {
 int steps_of(std::optional<int> steps, const Grammar& grammar, const std::string& file) {
   if (steps) return *steps;
   if (grammar.steps) return *grammar.steps;
-  throw InputError(Diagnostic{.message = "the grammar does not say how many steps to derive",
+  throw InputError(Diagnostic{.message = "the grammar does not give the number of steps",
                               .expected = "'#steps N' in it, or the argument steps",
                               .file = file});
 }

@@ -72,7 +72,7 @@ def batch(
     sets = _sets_of_values(grid, samples)
     total = _total(seeds, sets)
     if (grid is not None or samples is not None) and iter(seeds) is seeds:
-        raise ValueError("beside grid or samples, seeds must be a list or range: they are gone through for every set")
+        raise ValueError("beside grid or samples, seeds must be a list or range: every set of values uses all of them")
     job = Job(document, check_measure(measure))
     tasks = _checked_tasks(job, (Task(seed, values) for values in map(_values_of, sets) for seed in seeds))
     pickled = pickle_job(job) if count > 1 else None
@@ -190,7 +190,7 @@ def pickle_job(job: Job) -> bytes:
         name = getattr(job.measure, "__qualname__", repr(job.measure))
         how = "define it at the top of a module, or grow with processes=1"
         if module == "__main__" and program is None:  # a notebook or a prompt
-            raise TypeError(f"a worker cannot import {name}, as this session is no file; {how}")
+            raise TypeError(f"a worker cannot import {name}, because this session is not a file; {how}")
         try:
             pickle.dumps(job.measure)
         except Exception as error:

@@ -56,7 +56,7 @@ def _by_name(dicts: Sequence[Mapping[str, Any]]) -> dict[str, list[Any]]:
 
 def _add(columns: dict[str, NDArray[Any]], name: str, column: NDArray[Any]) -> None:
     if name in columns:
-        raise ValueError(f"two columns would have the name {name!r}; give the result another")
+        raise ValueError(f"two columns would have the name {name!r}; give the result another name")
     columns[name] = column
 
 

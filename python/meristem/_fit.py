@@ -361,7 +361,7 @@ def _numbers_of(name: str, results: Sequence[Mapping[str, Any]]) -> tuple[list[f
             if math.isfinite(numbers[-1]):
                 continue
             return [], f"a plant has no finite {name}"
-        raise TypeError(f"the measure {name!r} is no number but {type(value).__name__}; a fit needs numbers")
+        raise TypeError(f"the measure {name!r} is not a number but {type(value).__name__}; a fit needs numbers")
     return numbers, None
 
 

@@ -67,7 +67,7 @@ def _handle(document: Document, name: Any, given: Range) -> Handle:
         raise ValueError(f"{_name_of(document)} has no variable {name!r}; {_expected(name, open_ones)}")
     if variable.expression is not None:
         behind = [other for other in open_ones if other in variable.expression]
-        source = f"the variable {name!r} is worked out as {variable.expression!r}"
+        source = f"the variable {name!r} is computed as {variable.expression!r}"
         raise ValueError(f"{source}; {_expected(name, behind or open_ones)}")
     if variable.private:
         raise ValueError(f"the variable {name!r} is private; {_expected(name, open_ones)}")

@@ -74,7 +74,7 @@ def save_html(
     """
     target = Path(path)
     if not is_page(target):
-        raise ValueError(f"'{target.name}' is no page; expected a name that ends in .html")
+        raise ValueError(f"'{target.name}' is not a page; expected a name that ends in .html")
     _write_whole(target, to_html(self, triangles=triangles, view=view, threads=threads, progress=progress))
 
 

@@ -71,11 +71,11 @@ def _checked(name: str, target: Target) -> CheckedTarget:
         raise ValueError(f"{where} is a band from {low:g} down to {high:g}; expected (low, high)")
     scale = _number(f"{where}.scale", target.scale if target.scale is not None else _usual_scale(low, high, is_azimuth))
     if scale <= 0:
-        reason = "its value is 0, so say by `scale` which error counts as 1" if target.scale is None else "it must be over 0"
+        reason = "its value is 0, so give the error that counts as 1 by `scale`" if target.scale is None else "it must be above 0"
         raise ValueError(f"{where} has no scale: {reason}" if target.scale is None else f"{where}.scale: {reason}")
     weight = _number(f"{where}.weight", target.weight)
     if weight <= 0:
-        raise ValueError(f"{where}.weight must be over 0; leave out what shall not count")
+        raise ValueError(f"{where}.weight must be above 0; leave out measures that should not count")
     return CheckedTarget(name, low, high, scale, weight)
 
 

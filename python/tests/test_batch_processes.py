@@ -176,7 +176,7 @@ def test_a_session_without_a_file_grows_batches_of_measures(tmp_path: Path) -> N
 
 def test_a_session_without_a_file_is_told_that_its_functions_cannot_be_imported(tmp_path: Path) -> None:
     ended = run(["-c", "def height(plant): return 1\n" + UNGUARDED.replace('"nodes"', "height")], tmp_path)
-    assert "TypeError: a worker cannot import height, as this session is no file" in ended.stderr
+    assert "TypeError: a worker cannot import height, because this session is not a file" in ended.stderr
 
 
 def test_a_program_from_standard_input_is_told_to_be_a_file(tmp_path: Path) -> None:

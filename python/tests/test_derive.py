@@ -137,7 +137,7 @@ def test_faults_have_their_places(tmp_path: Path) -> None:
     (fault,) = caught.value.diagnostics
     assert (fault.file, fault.line) == (str(file), 2)
     assert fault.message.startswith("'1/(x-1)' is not a finite number where")
-    with pytest.raises(meristem.InputError, match=r"<python>: the grammar does not say how many steps to derive"):
+    with pytest.raises(meristem.InputError, match=r"<python>: the grammar does not give the number of steps"):
         meristem.derive("F")
     with pytest.raises(meristem.InputError, match=r"<python>:2: .* modules of a word are too many"):
         meristem.derive("F\nF -> FF", 1000)

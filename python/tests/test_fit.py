@@ -205,7 +205,7 @@ def test_what_the_function_raises_is_raised() -> None:
         fit_quickly(comb, ["tall"], {"height": 2}, measure=lambda plant: {"height": 1 / 0})
     with pytest.raises(ValueError, match="gave no 'height'; it gave width"):
         fit_quickly(comb, ["tall"], {"height": 2}, measure=lambda plant: {"width": 1})
-    with pytest.raises(TypeError, match="is no number but list"):
+    with pytest.raises(TypeError, match="is not a number but list"):
         fit_quickly(comb, ["tall"], {"length_by_order": 2})
 
 
@@ -217,7 +217,7 @@ def test_what_the_function_raises_is_raised() -> None:
     [
         (["tal"], "'Comb' has no variable 'tal'; expected 'tall', or another of tall, thick, teeth, reach, endless"),
         (["zzz"], "expected one of tall, thick"),
-        (["twice"], r"'twice' is worked out as '2\*reach'; expected one of reach"),
+        (["twice"], r"'twice' is computed as '2\*reach'; expected one of reach"),
         (["hidden"], "'hidden' is private; expected"),
         ([], "at least one name"),
         ({"tall": (3, 2)}, "the range of 'tall' is 3 to 2; expected one that rises"),
@@ -241,8 +241,8 @@ def test_variables_that_cannot_be_turned_are_refused(variables: Any, message: st
         ({"height": "2"}, TypeError, "a number or a band"),
         ({"height": math.nan}, ValueError, "finite"),
         ({"height": 0}, ValueError, "no scale: its value is 0"),
-        ({"height": meristem.Target(2, scale=-1)}, ValueError, "scale: it must be over 0"),
-        ({"height": meristem.Target(2, weight=0)}, ValueError, "weight must be over 0"),
+        ({"height": meristem.Target(2, scale=-1)}, ValueError, "scale: it must be above 0"),
+        ({"height": meristem.Target(2, weight=0)}, ValueError, "weight must be above 0"),
     ],
 )
 def test_targets_that_make_no_sense_are_refused(targets: Any, kind: type[Exception], message: str) -> None:

@@ -30,7 +30,7 @@ def test_a_quick_study_finds_what_was_planted(tmp_path: Path) -> None:
         assert {row["holds"] for row in csv.DictReader(file)} == {"True"}
     with open(tmp_path / "fits.csv", newline="", encoding="utf-8") as file:
         assert len(list(csv.DictReader(file))) == 4 * len(QUICK)
-    assert (tmp_path / "found.jpg").read_bytes().startswith(b"\xff\xd8\xff")
+    assert (tmp_path / "found.png").read_bytes().startswith(b"\x89PNG\r\n\x1a\n")
 
 
 def test_twenty_plantings_of_four_variables_cover_all_growth_systems() -> None:

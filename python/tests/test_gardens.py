@@ -54,7 +54,15 @@ def test_meshes_have_a_frame_for_each_place(garden: Path) -> None:
 
 
 def test_measures_count_each_place(garden: Path) -> None:
-    assert meristem.read(garden).grow().measure()["leaf_count"] == 15
+    plant = meristem.read(garden).grow()
+    measures = plant.measure(each=True)
+    assert measures["leaf_count"] == 15
+    assert [tree["row"] for tree in measures["each"]] == [0, 2, 1]
+    light = plant.organ_light()
+    for name in ("component", "instance", "tree", "position"):
+        np.testing.assert_array_equal(light[name], getattr(plant.organs, name))
+    areas = np.bincount(light["tree"], weights=light["area"])
+    np.testing.assert_allclose(areas, [tree["leaf_area"] for tree in measures["each"]], rtol=1e-9)
 
 
 def test_shipped_models_are_found_by_name(tmp_path: Path) -> None:

@@ -148,7 +148,7 @@ def test_pages_are_written_whole_under_names_of_pages(tmp_path: Path) -> None:
     page = (tmp_path / "tree.HTML").read_text(encoding="utf-8")
     assert page == plant.to_html(triangles=500)
     assert Packet(packet_of_page(page)).head["triangles"] <= 500
-    with pytest.raises(ValueError, match="'tree.glb' is no page; expected a name that ends in .html"):
+    with pytest.raises(ValueError, match="'tree.glb' is not a page; expected a name that ends in .html"):
         plant.save_html(tmp_path / "tree.glb")
     with pytest.raises(meristem.MachineError, match="cannot write '.*tree.html': No such file"):
         plant.save_html(tmp_path / "nowhere" / "tree.html")

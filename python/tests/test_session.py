@@ -114,7 +114,7 @@ def test_sessions_open_models_and_keep_to_a_root(tmp_path: Path) -> None:
         },
         root=tmp_path,
     )
-    assert outside.faults[0].message == "'/etc/passwd': this is outside of the folder that may be read"
+    assert outside.faults[0].message == "'/etc/passwd': this lies outside the folder that may be read"
     assert outside.document is None
     with pytest.raises(meristem.InputError):
         outside.grow()

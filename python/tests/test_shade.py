@@ -78,8 +78,8 @@ def test_wrong_requests_name_the_argument() -> None:
         ("facade.obstacle: no obstacle is called 'hose'.*did you mean 'house'", {"facade": "hose", "days": 80}),
         ("panels.tilt", {"panels": {"position": [0, 1, 0], "tilt": 100}, "days": 80}),
         ("one of facade, panels and ground", {"days": 80}),
-        ("days: 'june' is no day", {"facade": 0, "days": "june"}),
-        ("hours: '25' is no hour", {"facade": 0, "days": 80, "hours": 25}),
+        ("days: 'june' is not a day", {"facade": 0, "days": "june"}),
+        ("hours: '25' is not an hour", {"facade": 0, "days": 80, "hours": 25}),
         ("spacing", {"facade": 0, "days": 80, "spacing": -1}),
         ("latitude", {"facade": 0, "days": 80, "latitude": 100}),
     ):

@@ -74,7 +74,7 @@ def test_a_texture_that_the_document_reads_is_not_written_over() -> None:
     content = small_tree()
     content["components"]["tree"]["texture"] = {"picture": "bark.png"}
     Path("tree.json").write_text(json.dumps(content))
-    with pytest.raises(meristem.InputError, match="bark.png' would be written over, and it is read"):
+    with pytest.raises(meristem.InputError, match="bark.png' would be overwritten, and it is read"):
         meristem.read("tree.json").grow().show("bark.png", **TINY)
     assert Path("bark.png").read_bytes() == before
 

@@ -155,7 +155,7 @@ def test_numbers_of_threads_below_one_are_refused(tmp_path: Path) -> None:
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize("script", ["cut_leader", "fit_plants", "grass_leaves", "space_colonization_light"])
+@pytest.mark.parametrize("script", ["cut_leader", "fit_plants", "grass_leaves", "space_colonization_light", "train_trees"])
 @pytest.mark.parametrize("module", ["matplotlib", "numpy"])
 def test_a_missing_module_is_named_with_its_package(tmp_path: Path, script: str, module: str) -> None:
     (tmp_path / f"{module}.py").write_text(f"raise ModuleNotFoundError('no {module}', name='{module}')\n")

@@ -47,7 +47,7 @@ class Stand(NamedTuple):
 
     @property
     def ground(self) -> float:
-        """Square metres a plant."""
+        """Square metres per plant."""
         return self.row_spacing * self.spacing
 
 

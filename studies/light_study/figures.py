@@ -154,7 +154,7 @@ def draw_figures(folder: Path, trees: Sequence[Tree], means: Means) -> None:
         [Panel("Scene A, still sun", "shift", "A", still), Panel("Scene A, a day's sun", "shift", "A", day)],
         [
             Panel("Scene B, a day's sun", "shift", "B", day),
-            Panel(f"The same, all {HELD_HEIGHT} m high", "shift_scaled", "B", day),
+            Panel(f"Scene B, all {HELD_HEIGHT} m high", "shift_scaled", "B", day),
         ],
     ]
     shares_b = [

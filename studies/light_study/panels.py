@@ -22,11 +22,11 @@ FIRST_AZIMUTH = -45.0  #: axes of azimuths begin here, as the published ones, so
 WIDEST_SPREAD = 90.0  #: degrees; azimuths that scatter more have no mean worth drawing
 
 STRENGTH_NAMES = {
-    "shift": "shift of the cloud, m a step",
-    "shift_scaled": "shift of the cloud, m a step",
-    "shift_held": "shift of the cloud, m a step",
+    "shift": "shift of the cloud, m per step",
+    "shift_scaled": "shift of the cloud, m per step",
+    "shift_held": "shift of the cloud, m per step",
     "limit": "share of points left out",
-    "drift": "drift of the points, steps a step",
+    "drift": "drift of the points, steps per step",
 }
 
 

@@ -50,7 +50,7 @@ class Treatment(NamedTuple):
 
     response: str  #: "shift", "shift_scaled" (in a scaled cloud), "shift_held" (hold_height), "limit" or "drift"
     scene: str  #: "A" or "B"
-    strength: float  #: of the response: metres a step, the share of points left out, or steps a step; 0 is none
+    strength: float  #: of the response: metres per step, the share of points left out, or steps per step; 0 is none
 
 
 class Plan(NamedTuple):

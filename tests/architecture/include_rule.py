@@ -10,6 +10,8 @@ include what every program may, the public headers of all rooms, and not each ot
 them. A public header includes public headers only, and none of the heavy libraries, so that whoever includes it compiles fast. A
 source includes the header of its own name first, which shows that it compiles alone; the build checks the headers
 without a source. It says what it is for: in a sentence at its head, or above its first declaration. Every file of a room stands in one list of its CMakeLists.txt, so that no test is silently left out.
+Constants and types in unnamed namespaces have names that no other source of the room has, since sources are compiled
+in batches.
 A room links the rooms whose headers it includes and no others, so that the links are the architecture, and the folders
 of a room include each other without a circle.
 """
@@ -26,6 +28,8 @@ HEAVY = ("nlohmann/", "embree", "CLI/", "tbb/", "oneapi/", "png.h", "boost/", "t
 LISTS = ("SOURCES", "HEADERS", "TESTS", "PUBLIC", "PRIVATE", "TESTED_WITH")
 
 DECLARATION = re.compile(r"(?!(inline )?namespace\b)(//|[A-Za-z])")
+OWN_NAME = re.compile(r"(?:inline )?(?:constexpr|const) [^=;({]*?\b(?P<constant>k[A-Z]\w*)\b|"
+                      r"(?:struct|class|enum class|enum) (?P<type>\w+)(?!.*;$)")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?P<kind>["<])(?P<name>[^">]+)[">]')
 
 
@@ -228,6 +232,31 @@ def reached_from(edges: dict[str, dict[str, tuple[Path, int]]], begin: str) -> s
     return reached
 
 
+def names_of_its_own(path: Path) -> Iterator[tuple[int, str]]:
+    """The constants and types that a source defines at the left margin of an unnamed namespace, with their lines."""
+    inside = False
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+        if line == "namespace {":
+            inside = True
+        elif line == "}  // namespace":
+            inside = False
+        elif inside:
+            found = OWN_NAME.match(line)
+            if found:
+                yield number, found["constant"] or found["type"]
+
+
+def check_batches(root: Path, sources: list[Path]) -> Iterator[Fault]:
+    """In a batch of sources, two unnamed namespaces are one."""
+    first: dict[str, Path] = {}
+    for path in sources:
+        for line, name in names_of_its_own(path):
+            other = first.setdefault(name, path)
+            if other != path:
+                yield Fault(path, line, f"{name} has the name of one in {other.relative_to(root)}; in a batch of "
+                                        "sources they clash")
+
+
 def check_order(root: Path) -> Iterator[Fault]:
     """The build adds the rooms in the order of the line, and every folder is a room."""
     cmake = root / "meristem" / "CMakeLists.txt"
@@ -249,6 +278,8 @@ def check(root: Path) -> list[Fault]:
         faults += check_folders(root, room)
         faults += check_room_includes(root, room, public)
         faults += check_own_headers(root, room)
+        folder = root / "meristem" / room
+        faults += check_batches(root, [folder / name for name in lists[room]["SOURCES"] if (folder / name).is_file()])
     faults += check_sentences(root, public)
     for door in DOORS:
         faults += check_door_includes(root, door, public)

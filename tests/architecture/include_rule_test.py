@@ -136,6 +136,18 @@ class IncludeRule(unittest.TestCase):
         self.write("meristem/plant/a.h", licence + body % "/// A thing.\n")
         self.assertEqual(self.faults(), [])
 
+    def test_sources_of_a_batch_have_names_of_their_own(self) -> None:
+        own = '#include "meristem/shape/%s.h"\n\nnamespace {\n\n%s\n\n}  // namespace\n'
+        for first, second in (("constexpr double kStep = 1;", "constexpr int kStep = 2;"),
+                              ("struct Walk {\n};", "class Walk {\n};")):
+            self.write("meristem/shape/CMakeLists.txt", "meristem_room(shape HEADERS a.h SOURCES b.cpp c.cpp)")
+            for name, text in (("b", first), ("c", second)):
+                self.write(f"meristem/shape/{name}.h", "#pragma once\n")
+                self.write(f"meristem/shape/{name}.cpp", own % (name, text))
+            self.assert_only_fault("meristem/shape/c.cpp:5:", "meristem/shape/b.cpp")
+            self.write("meristem/shape/c.cpp", own % ("c", first.replace("kStep", "kOther").replace("Walk", "Way")))
+            self.assertEqual(self.faults(), [])
+
     def test_a_source_outside_all_lists_is_found(self) -> None:
         self.write("meristem/shape/forgotten_test.cpp", "")
         self.assert_only_fault("meristem/shape/forgotten_test.cpp:1:", "nothing compiles it")

@@ -21,8 +21,9 @@ from typing import Iterator
 
 # What a sentence within a paragraph may open with or have in it, but a tooltip may not.
 WITHIN_PARAGRAPHS = {"The same", "That ", "Its ", "It ", "They ", "Their ", "Also ", "Another ", "At the ", "Else",
-                     "Where it ", "How it ", "At which", "Within which", "the same", "so much", "as above", "see above", "mother",
-                     "daughter", "how they", "of which"}
+                     "Where ", "Which ", "The one ", "How it ", "At which", "Within which", "the same", "so much", "as above",
+                     "see above", "mother", "daughter", "how they", "of which", "hangs on", "worked out", "come to lie",
+                     "heavier"}
 MOST_BYTES = 200
 LEAST_SENTENCES = 1000  #: fewer in a whole project were read by a broken rule
 MADE = ("build", "node_modules", "out", "env")

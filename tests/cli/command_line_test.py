@@ -32,7 +32,7 @@ class CommandLine(cli_case.Case):
     def test_unknown_option_names_the_nearest(self):
         errors = self.assert_ends(WRONG_INPUT, "grow", "box.json", "-o", "a.glb", "--thread", "2")
         self.assertIn("'--thread' was not expected; did you mean '--threads'?", errors)
-        self.assertIn("'meristem grow --help' tells more", errors)
+        self.assertIn("'meristem grow --help' lists what is allowed", errors)
 
     def test_missing_or_wrong_option_values(self):
         for arguments in (["grow", "box.json"], ["grow", "-o", "a.glb"], ["grow", "box.json", "-o"],

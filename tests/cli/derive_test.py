@@ -118,7 +118,7 @@ class Derive(cli_case.Case):
         self.write("trees/parts/fir.txt", "#steps 2\nF\nF -> F-F\n")
         self.assertEqual(self.derive("trees/stand.txt", "--steps", "0", "--drawn"), "F-F-F-F+F-F-F-F\n")
         errors = self.assert_ends(WRONG_INPUT, "derive", "trees/stand.txt", "--steps", "0", "-o", "trees/parts/fir.txt")
-        self.assertIn("'trees/parts/fir.txt' would be written over, and it is read", errors)
+        self.assertIn("'trees/parts/fir.txt' would be overwritten, and it is read", errors)
         self.write("trees/stand.txt", "T+T\n#include parts/fire.txt as T\n")
         self.assertEqual(self.assert_ends(WRONG_INPUT, "derive", "trees/stand.txt", "--steps", "0"),
                          "trees/stand.txt:2:1: 'parts/fire.txt': there is no such file; did you mean "
@@ -132,12 +132,12 @@ class Derive(cli_case.Case):
                           ["koch.txt", "--define"], ["koch.txt", "--threads", "0"], ["koch.txt", "thousandfold.txt"]):
             self.assert_ends(WRONG_INPUT, "derive", *arguments)
         self.assertIn("'nowhere.txt'", self.assert_ends(FAILED, "derive", "nowhere.txt"))
-        self.assertIn("'koch.txt' would be written over, and it is read",
+        self.assertIn("'koch.txt' would be overwritten, and it is read",
                       self.assert_ends(WRONG_INPUT, "derive", "koch.txt", "-o", "koch.txt"))
         self.assertIn("nowhere/word.txt", self.assert_ends(FAILED, "derive", "koch.txt", "-o", "nowhere/word.txt"))
 
     def test_steps_must_be_said(self):
-        self.assert_refuses("F\n", "bad.txt: the grammar does not say how many steps to derive; expected '#steps N' in "
+        self.assert_refuses("F\n", "bad.txt: the grammar does not give the number of steps; expected '#steps N' in "
                             "it, or --steps N")
 
     def test_definitions_that_cannot_be(self):
@@ -147,7 +147,7 @@ class Derive(cli_case.Case):
         for value in ("", "wide", "1/0", "ran(1)", "1 2"):
             self.assert_refuses(KOCH, f"meristem: --define 'angle': '{value}' is not a number" + expected, "--define",
                                 "angle=" + value)
-        self.assert_refuses(KOCH, "bad.txt: the grammar does not define 'angel'; expected one that it defines: angle; "
+        self.assert_refuses(KOCH, "bad.txt: the grammar does not define 'angel'; expected a name that it defines: angle; "
                             "did you mean 'angle'?", "--define", "angel=3")
 
     def test_faults_and_warnings_have_file_line_and_column(self):
@@ -177,7 +177,7 @@ class Derive(cli_case.Case):
         self.write("endless.txt", "A(0)" + "B" * 100_000 + "\nA(x) -> A(x+1)\n")
         before = sorted(os.listdir(self.folder))
         errors = self.stop(signal.SIGINT, "derive", "endless.txt", "--steps", "1000000", "-o", "word.txt")
-        self.assertIn("nothing was left half-written", errors)
+        self.assertIn("no file was left half-written", errors)
         self.assertEqual(sorted(os.listdir(self.folder)), before)
 
 

@@ -47,7 +47,7 @@ class Documents(cli_case.Case):
     def test_links(self):
         boxes = '"components": {"a": {"type": "simple"}, "b": {"type": "simple"}}'
         self.assert_rejects('{"meristem": 1, %s, "links": [["a", "c"]]}' % boxes, "there is no component 'c'")
-        self.assert_rejects('{"meristem": 1, %s, "links": [["a", "b"], ["b", "a"]]}' % boxes, "a > b > a lead in")
+        self.assert_rejects('{"meristem": 1, %s, "links": [["a", "b"], ["b", "a"]]}' % boxes, "a > b > a form")
 
     def test_growth_that_cannot_be(self):
         tree = '{"meristem": 1, "components": {"t": {"type": "colonize", "crown": {"profile": %s}, %s}}}'

@@ -111,6 +111,16 @@ class SelfOrganizing(Page):
         self.says("| `... --set tree.resource.lambda=0.46`: {:.1f} m | 0.5: {:.1f} m | 0.52, the default: {:.1f} m | "
                   "0.54: {:.1f} m |".format(*heights))
 
+    def test_branching_angles(self):
+        document = str(FIGURES / "organize.json")
+        found = [measured_document(document, "--set", f"tree.branching_angle={angle}") for angle in (30, 45, 55, 65, 80)]
+        means = " | ".join(f"{one['branching_angle_mean']:.0f}°" for one in found)
+        ranges = " | ".join(f"{one['branching_angle_low']:.0f}° to {one['branching_angle_high']:.0f}°" for one in found)
+        self.says(f"| mean of the measured angles | {means} |", f"| 5th to 95th percentile | {ranges} |")
+        less, none = (measured_document(document, "--set", f"tree.direction.light={light}")["branching_angle_mean"]
+                      for light in (0.2, 0))
+        self.says(f"with 0.2 the mean at 55 is {less:.0f}°, and with 0 it is {none:.0f}°")
+
     def test_vigour(self):
         counts = [hundreds(measured(name)["metamers"]) for name in ("organize-alpha-19", "organize-lambda-52",
                                                                     "organize-alpha-23")]
@@ -154,6 +164,18 @@ class Light(Page):
                                   ["lit_share"] for seed in range(10)) for share in (0, 0.36, 0.6)]
         self.says("(Means over the seeds 0 to 9: {:.2f}, {:.2f} and {:.2f}.)".format(*means))
 
+    def test_heights_of_both_responses(self):
+        moved, held = (measured(name)["height"] for name in ("scene-b-7", "drift-held"))
+        self.says(f"![Response A: {moved:.1f} m high](figures/scene-b-7.jpg) ![Response B: {held:.1f} m high]")
+
+
+class PlantsFromParts(Page):
+    PAGE = "p-graph.md"
+
+    def test_the_sunflower(self):
+        flower = measured_document("sunflower")
+        self.says(f"The sunflower has {round(flower['instances'], -3):,} instances and {round(flower['triangles'], -4):,} triangles")
+
 
 class BushesAndTreesFromParts(Page):
     PAGE = "p-graph-trees.md"
@@ -164,6 +186,45 @@ class BushesAndTreesFromParts(Page):
         self.assertEqual(maple["instances"] - maple["leaf_count"], len(maple["order_histogram"]))
         self.says(f"{hundreds(sum(maple['order_histogram']))} stems have",
                   f"{round(maple['leaf_count'], -3):,} leaves have")
+        wood = measured_document("large-maple", "--set", "leaf.hidden=true")["triangles"]
+        self.says(f"stems have {wood / 1e6:.1f} million triangles", f"leaves have {(maple['triangles'] - wood) / 1e6:.1f} million")
+
+
+class Leaves(Page):
+    PAGE = "leaves.md"
+
+    @staticmethod
+    def triangles(**leaf):
+        document = {"meristem": 1, "components": {"leaf": {"type": "leaf", **leaf}}}
+        done = subprocess.run([PROGRAM, "measure", "-", "--json", "--quiet"], input=json.dumps(document), check=True,
+                              stdout=subprocess.PIPE, timeout=60, encoding="utf-8")
+        return json.loads(done.stdout)["triangles"]
+
+    def test_leaves_of_few_triangles(self):
+        kinds = ("kite", "broad", "oak", "lobed", "tuft", "frond")
+        counts = []
+        for kind in kinds:
+            hidden = [f"{other}.hidden={'false' if other == kind else 'true'}" for other in (*kinds, "side")]
+            counts.append(measured("low-leaves", *(word for setting in hidden for word in ("--set", setting)))["triangles"])
+        self.says("{}, {}, {}, {}, {} and {} triangles, the frond also from the side".format(*counts))
+
+    def test_pointed_leaves(self):
+        counts = [self.triangles(rows=rows) for rows in (2, 3, 4)]
+        self.says("has {} triangles with 2 `rows`, {} with 3, {} with 4".format(*counts))
+        self.assertEqual(self.triangles(rows=2, petiole=0.02) - counts[0], 9)
+        self.says("A `petiole` costs 9.")
+
+
+class LowPoly(Page):
+    PAGE = "low-poly.md"
+
+    def test_thickened_twigs(self):
+        measures = measured("twin-low")
+        below, length, volume = (measures[f"thickened_{what}"] for what in ("below", "length", "volume"))
+        self.says(f"thickened_below {below:.4g} m thickened_length {length:.4g} thickened_volume {volume:.4g}",
+                  f"{100 * length:.0f} % of the branches' length had a radius below {100 * below:.1f} cm")
+        self.assertEqual(round(1 + volume), 9)
+        self.says("the wood has nine times its volume")
 
 
 class Grass(Page):
@@ -210,10 +271,23 @@ class Files(Page):
                 [cell] = re.findall(rf"\| `{re.escape(ending)}` \| [^|]+ \| [^|]+ \| [^|]+ \| ([\d.]+) MB \|", self.text)
                 self.assertEqual(cell, f"{size:.0f}" if size >= 1 else f"{size:.1f}", ending)
         self.says(f"The oak takes {written_megabytes('oak', '--instanced'):.0f} MB instead of {written_megabytes('oak'):.0f}.",
-                  f"MB instead of {written_megabytes('chestnut'):.0f}.")
+                  f"the shipped chestnut has {written_megabytes('chestnut', '--nodes'):.0f} MB instead of "
+                  f"{written_megabytes('chestnut'):.0f}.")
+
+    def test_levels_of_low_poly_models(self):
+        levels = {}
+        for model in sorted((ROOT / "models").glob("low-poly-*.json")):
+            with tempfile.TemporaryDirectory() as folder:
+                subprocess.run([PROGRAM, "grow", str(model), "--quiet", "--lod", "8", "-o", f"{folder}/plant.ply"], check=True,
+                               timeout=300)
+                levels[model.stem] = len(list(pathlib.Path(folder).iterdir())) - 1
+        self.assertEqual(levels.pop("low-poly-palm"), 0)
+        self.assertEqual(set(levels.values()), {1})
+        self.assertEqual(len(levels), 7)
+        self.says("Seven of the low-poly models have a level 1, the palm has none, and none of them has a level 2.")
 
     def test_triangles_of_levels(self):
-        for model, row in (("oak", "oak, triangles"), ("apple", "apple")):
+        for model, row in (("oak", "oak, triangles"), ("apple", "apple"), ("spruce", "spruce")):
             with tempfile.TemporaryDirectory() as folder:
                 done = subprocess.run([PROGRAM, "grow", model, "--lod", "3", "-o", f"{folder}/plant.ply"], check=True,
                                       stderr=subprocess.PIPE, timeout=300, encoding="utf-8")
@@ -225,20 +299,21 @@ class Files(Page):
 class Gallery(Page):
     PAGE = "../gallery.md"
 
-    def test_small_plants(self):
-        """Triangles, height and leaf area of the plants that take no long time."""
+    def test_plants(self):
+        """Triangles, height and leaf area of all plants but the two scenes of more than a hundred million triangles."""
         rows = re.findall(r"\| \[`([\w-]+)`\]\([^)]+\) \| [^|]+ \| ([\d,]+) \| [\d.]+ \| [\d.]+ \| ([\d.]+|-) \| ([\d.,]+|-) \|",
                           self.text)
         models = {path.stem for path in (ROOT / "models").glob("*.json")}
         self.assertEqual({row[0] for row in rows}, models)
-        small = [row for row in rows if int(row[1].replace(",", "")) < 300_000]
-        self.assertGreater(len(small), 10)
-        for model, triangles, height, leaf_area in small:
+        plants = [row for row in rows if int(row[1].replace(",", "")) < 10_000_000]
+        self.assertGreaterEqual(len(plants), len(models) - 2)
+        for model, triangles, height, leaf_area in plants:
             with self.subTest(model=model):
                 measures = measured_document(model)
                 self.assertEqual(triangles, f"{measures['triangles']:,}")
                 self.assertEqual(height, f"{measures['height']:.2f}" if measures["height"] else "-")
-                self.assertEqual(leaf_area, f"{measures['leaf_area']:.3g}" if measures["leaf_area"] else "-")
+                area = measures["leaf_area"]
+                self.assertEqual(leaf_area, format(area, ".3g" if area < 100 else ",.0f") if area else "-")
 
 
 class LowPolyTrees(Page):
@@ -249,6 +324,25 @@ class LowPolyTrees(Page):
             triangles = measured_document(str(model))["triangles"]
             [cell] = re.findall(rf"\(\.\./\.\./models/{model.name}\) \| ([\d,]+) \|", self.text)
             self.assertEqual(cell, f"{triangles:,}", model.name)
+
+
+class ForGameMakers(Page):
+    PAGE = "for-game-makers.md"
+
+    def test_triangles_of_low_poly_trees(self):
+        counts = [measured_document(str(model))["triangles"] for model in sorted((ROOT / "models").glob("low-poly-*.json"))]
+        self.assertEqual(len(counts), 8)
+        self.says(f"Eight low-poly trees with flat shading are shipped, with {round(min(counts) / 50) * 50} to "
+                  f"{round(max(counts) / 50) * 50:,} triangles each")
+
+
+class Measures(Page):
+    PAGE = "measures.md"
+
+    def test_shadow_of_the_oaks_leaves(self):
+        oak = measured_document("oak", "--light")
+        self.says(f"{oak['leaf_area'] * oak['leaf_irradiance']:.1f} m² ({oak['leaf_area']:.1f} × {oak['leaf_irradiance']:.4f})",
+                  f"The {oak['leaf_count']:,} leaves of the oak")
 
 
 class ShippedTreesOfTheFitStudy(Page):

@@ -149,7 +149,7 @@ class Looks(cli_case.Case):
         picture = self.read("own_leaf_colour.png")
         self.write("own.json", TREE.replace('"type": "leaf"', '"type": "leaf", "texture": {"picture": {"colour": '
                                             '"own_leaf_colour.png"}}'))
-        refused = "would be written over, and it is read"
+        refused = "would be overwritten, and it is read"
         for command, output in (("grow", "own.obj"), ("render", "own_leaf_colour.png"), ("measure", "own.json"),
                                 ("render", "./own_leaf_colour.png")):
             options = {"grow": LONG_GROWTH, "render": LONG_RENDER, "measure": LONG_GROWTH}[command]

@@ -3,6 +3,8 @@
 """Documents that place the plants of others, and tables of places. Usage: gardens_test.py PROGRAM [unittest options]"""
 
 import collections
+import csv
+import io
 import json
 import struct
 import unittest
@@ -56,7 +58,16 @@ class Gardens(cli_case.Case):
         self.assertEqual(instances, {("oak.stem", "0"), ("oak.stem", "1"), ("oak.stem", "2")})
 
     def test_measures_count_each_place(self):
-        self.assert_ends(DONE, "measure", "garden.json")
+        self.assert_ends(DONE, "measure", "garden.json", "--each", "--json", "--organs", "leaves.csv", "-o", "garden.txt")
+        trees = json.loads(self.read("garden.txt"))["each"]
+        self.assertEqual([(tree["component"], tree["row"]) for tree in trees],
+                         [("oak.stem", 0), ("oak.stem", 2), ("oak.stem", 1)])
+        self.assertEqual([tree["position"] for tree in trees], [[0, 0, 0], [9, 0, -2], [5, 0, -1]])
+        self.assertEqual([tree["leaf_count"] for tree in trees], [5, 5, 5])
+        leaves = list(csv.DictReader(io.StringIO(self.read("leaves.csv").decode())))
+        for number, tree in enumerate(trees):
+            areas = [float(leaf["area"]) for leaf in leaves if leaf["tree"] == str(number)]
+            self.assertAlmostEqual(sum(areas), tree["leaf_area"], places=6)
 
     def faults(self, table):
         self.write("trees.csv", table)
@@ -69,13 +80,80 @@ class Gardens(cli_case.Case):
         self.assertIn("the row has 3 cells", self.faults("x,y,kind,years\n0,0,oak\n"))
         self.assertIn("has no rows", self.faults("x,y,kind,years\n"))
 
+    def test_species_without_a_component_are_named_with_the_way_out(self):
+        told = self.faults("x,y,kind,years\n0,0,oka,2\n")
+        self.assertIn("'oka'", told)
+        self.assertIn("did you mean 'oak'", told)
+
+    def test_a_row_in_an_obstacle_is_told_by_its_line(self):
+        document = json.loads(GARDEN)
+        document["scene"] = {"obstacles": [{"box": [[4, 0, -2], [6, 3, 0]]}]}
+        self.write("garden.json", json.dumps(document))
+        self.assertIn("line 3 of 'trees.csv' stands within an obstacle", self.assert_ends(WRONG_INPUT, "check", "garden.json"))
+
+    def test_degrees_become_metres_about_the_middle(self):
+        self.write("trees.csv", "lon,lat,kind,years\n10,60,oak,2\n10.001,60,oak,2\n10,60.001,oak,2\n")
+        self.assert_ends(DONE, "grow", "garden.json", "-o", "garden.csv")
+        rows = [line.split(",") for line in self.read("garden.csv").decode().splitlines()]
+        head = rows[0]
+        roots = [(float(row[head.index("x")]), float(row[head.index("z")])) for row in rows[1:] if row[head.index("parent")] == ""]
+        east = max(x for x, _ in roots) - min(x for x, _ in roots)
+        north = max(z for _, z in roots) - min(z for _, z in roots)
+        self.assertAlmostEqual(north, 111.2, delta=0.1)
+        self.assertAlmostEqual(east, 111.2 / 2, delta=0.1)
+
+    def test_limits_of_the_garden_hold_for_its_plants(self):
+        told = self.assert_ends(WRONG_INPUT, "grow", "garden.json", "--set", "limits.instances=4", "-o", "garden.glb")
+        self.assertIn("limits.instances", told)
+
+    def test_what_is_set_and_does_not_exist_is_told_with_the_nearest_name(self):
+        self.write("garden.json", GARDEN.replace('{"age": "years"}', '{"agee": 2}'))
+        self.assertIn("did you mean 'age'", self.assert_ends(WRONG_INPUT, "check", "garden.json"))
+        self.write("garden.json", GARDEN.replace('{"age": "years"}', '{"age": 20}'))
+        self.assertIn("1 to 9", self.assert_ends(WRONG_INPUT, "check", "garden.json"))
+
+    def test_trees_of_a_table_of_cylinders_go_on_growing(self):
+        self.write("qsm.txt", "radius\tlength\tstart_x\tstart_y\tstart_z\taxis_x\taxis_y\taxis_z\tparent\textension\tbranch\n"
+                   "0.1\t1\t5\t5\t0\t0\t0\t1\t0\t2\t1\n0.08\t0.5\t5\t5\t1\t0\t0\t1\t1\t0\t1\n0.05\t1\t5\t5\t1\t0.6\t0\t0.8\t1\t0\t2\n")
+        self.write("tree.json", '{"meristem": 1, "components": {"tree": {"type": "organize", "iterations": 5, '
+                   '"skeleton": {"file": "qsm.txt"}}}}')
+        self.assert_ends(DONE, "grow", "tree.json", "-o", "tree.mtg", "-o", "tree.glb")
+        # What was written goes on, too.
+        self.write("again.json", '{"meristem": 1, "components": {"tree": {"type": "organize", "iterations": 2, '
+                   '"skeleton": {"file": "tree.mtg"}}}}')
+        self.assert_ends(DONE, "grow", "again.json", "-o", "again.csv")
+        self.assertGreater(len(self.read("again.csv").splitlines()), 30)
+
+    def test_what_a_file_of_a_tree_lacks_is_told_with_its_line(self):
+        self.write("nodes.csv", "x,y,z,parent\n0,0,0,-1\n0,0,one,0\n")
+        self.write("tree.json", '{"meristem": 1, "components": {"tree": {"type": "organize", "skeleton": {"file": "nodes.csv"}}}}')
+        told = self.assert_ends(WRONG_INPUT, "check", "tree.json")
+        self.assertIn("components.tree.skeleton.file", told)
+        self.assertIn("nodes.csv:3", told)
+
+    def test_numbers_of_tables_have_the_ranges_of_documents(self):
+        self.assertIn("'trees.csv:3': 1e+30 in the column 'x' is out of its range", self.faults("x,y,kind,years\n0,0,oak,2\n1e30,0,oak,2\n"))
+        self.assertIn("a number from -90 to 90", self.faults("lon,lat,kind,years\n0,91,oak,2\n"))
+        told = self.faults("x,y,kind,years,scale,rotation\n0,0,oak,2,0,0\n1,1,oak,2,-1,1e300\n")
+        self.assertIn("'trees.csv:2': 0 in the column 'scale' is out of its range", told)
+        self.assertIn("'trees.csv:3': 1e+300 in the column 'rotation' is out of its range", told)
+
+    def test_documents_that_multiply_each_other_are_stopped(self):
+        """A hundred of a hundred of a hundred ...: the plants are counted as they grow, at all levels together."""
+        for level in range(1, 6):
+            self.write(f"{level}.json", '{"meristem": 1, "components": {"rows": {"type": "field", "rows": 10, "plants": 10}, '
+                       f'"next": {{"type": "document", "file": "{level + 1}.json"}}}}, "links": [["rows", "next"]]}}')
+        self.write("6.json", '{"meristem": 1, "components": {"leaf": {"type": "leaf", "rows": 1}}}')
+        told = self.assert_ends(WRONG_INPUT, "grow", "1.json", "-o", "plants.glb")
+        self.assertIn("the plants of other documents have more than 10000 plants in them", told)
+
     def test_ten_million_rows_are_refused_before_they_are_read(self):
         self.assertIn("the table has 10000000 rows", self.faults("x,y,kind,years\n" + 10_000_000 * "0,0,oak,2\n"))
 
     def test_documents_that_use_each_other_are_named_in_order(self):
         self.write("a.json", '{"meristem": 1, "components": {"b": {"type": "document", "file": "b.json"}}}')
         self.write("b.json", '{"meristem": 1, "components": {"a": {"type": "document", "file": "a.json"}}}')
-        self.assertIn("a.json -> b.json -> a.json lead in an endless circle", self.assert_ends(WRONG_INPUT, "check", "a.json"))
+        self.assertIn("a.json -> b.json -> a.json contain each other in a circle", self.assert_ends(WRONG_INPUT, "check", "a.json"))
 
 
 if __name__ == "__main__":

@@ -49,7 +49,8 @@ class Measuring(cli_case.Case):
         self.assertEqual((measures["trees"], len(measures["each"])), (2, 2))
         self.assertEqual(sum(tree["nodes"] for tree in measures["each"]), measures["nodes"])
         self.assertEqual(max(tree["height"] for tree in measures["each"]), measures["height"])
-        self.assertNotIn("leaf_count", measures["each"][0])
+        self.assertNotIn("triangles", measures["each"][0])
+        self.assertEqual([tree["row"] for tree in measures["each"]], [None, None])
         self.assertEqual([(tree["component"], tree["instance"], tree["position"]) for tree in measures["each"]],
                          [("left", 0, [-3, 0, 0]), ("right", 0, [3, 0, 0])])
         self.assertIn(b"\ntree 2: right 0, at 3, 0, 0\n", self.run_program("measure", "stand.json", "--each").stdout)
@@ -76,6 +77,7 @@ class Measuring(cli_case.Case):
         rows = list(csv.DictReader(io.StringIO(self.read("leaves.csv").decode())))
         self.assertEqual([int(row["instance"]) for row in rows], list(range(measures["leaf_count"])))
         self.assertEqual({row["component"] for row in rows}, {"leaf"})
+        self.assertEqual({row["tree"] for row in rows}, {"0"})
         area = sum(float(row["area"]) for row in rows)
         self.assertAlmostEqual(area, measures["leaf_area"], places=5)
         for column in ("exposure", "irradiance"):
@@ -86,7 +88,7 @@ class Measuring(cli_case.Case):
             self.assertEqual(done.stdout, self.read("leaves.csv"))
 
     def test_wrong_uses_of_the_table_of_organs(self):
-        for arguments, message in ((["tree.json", "--organs", "tree.json"], "would be written over, and it is read"),
+        for arguments, message in ((["tree.json", "--organs", "tree.json"], "would be overwritten, and it is read"),
                                    (["tree.json", "--organs", "-"], "would be written to one file"),
                                    (["tree.json", "--organs", "./a", "-o", "a"], "would be written to one file"),
                                    (["walnut.mtg", "--organs", "a.csv"], "--organs has no effect on 'walnut.mtg'"),
@@ -107,8 +109,8 @@ class Measuring(cli_case.Case):
                                                                   "--diameter", "Thickness", "--coordinates",
                                                                   "XX,YY,ZZ")["stem_diameter"])
         done = self.run_program("measure", "walnut.mtg")
-        self.assertEqual(done.stderr.decode(), "warning: walnut.mtg: the plant is 400 m high; --unit says what its "
-                                               "coordinates are in\n")
+        self.assertEqual(done.stderr.decode(), "warning: walnut.mtg: the plant is 400 m high; --unit gives the unit "
+                                               "of its coordinates\n")
         self.assertIn(b"stem_diameter            -\n", done.stdout)
 
     def test_mtg_faults_have_file_line_and_column(self):

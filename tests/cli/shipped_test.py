@@ -63,10 +63,11 @@ for picture in (repository / "docs").glob("**/*.*g"):
     if picture.stat().st_size > 250_000:
         fail(f"{picture}: a picture of {picture.stat().st_size} bytes; everyone who clones carries it")
     name = picture.relative_to(repository).as_posix()
-    # The tests of the studio's page draw its pictures, and `meristem shade` those of shade.
+    # JPEGs show plants and PNGs charts, which studies draw. The tests of the studio's page draw its pictures, and
+    # `meristem shade` draws those of shade.
     is_no_render = name.startswith(("docs/manual/studio/", "docs/manual/figures/shade-"))
     if picture.suffix == ".jpg" and not is_no_render and name not in manifest:
-        fail(f"{picture}: docs/pictures.txt does not say what it shows; draw it with ./dev gallery")
+        fail(f"{picture}: docs/pictures.txt does not say what it shows; draw it with ./dev gallery, and charts of studies as PNG")
 for name in manifest:
     if not (repository / name).is_file():
         fail(f"docs/pictures.txt: there is no picture {name}")

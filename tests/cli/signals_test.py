@@ -21,7 +21,7 @@ class Signals(cli_case.Case):
     def test_render_leaves_nothing(self):
         before = sorted(os.listdir(self.folder))
         errors = self.stop(signal.SIGINT, "render", "tree.json", "-o", "a.png", *LONG_RENDER)
-        self.assertIn("nothing was left half-written", errors)
+        self.assertIn("no file was left half-written", errors)
         self.assertEqual(sorted(os.listdir(self.folder)), before)
 
     def test_growth_leaves_an_existing_file(self):

@@ -158,6 +158,13 @@ class LightStudy(Page):
                   f"{none['crown_hull_area'] * none['lit_share_day']:.1f} m² over the day")
 
 
+class GrowthInTheLight(Page):
+    PAGE = "light.md"
+
+    def test_nodes_of_the_evaluation_tree(self):
+        self.says(f"(900 points, {round(LightStudy.mean('shift', 'A', 0)['nodes'], -2):,.0f} nodes)")
+
+
 class CutStudy(Page):
     PAGE = "cut-study.md"
 
@@ -394,6 +401,66 @@ class GrassStudy(Page):
                   "more in the sun",
                   f"in the field {gain(erect, 'in a field', self.SKY):.0f} and {gain(erect, 'in a field', self.SUN):.0f} % more",
                   f"{-gain(along, 'alone', self.SKY):.0f} % and {-gain(along, 'alone', self.SUN):.0f} % less alone")
+
+
+class TrainingStudy(Page):
+    PAGE = "training-study.md"
+
+    @staticmethod
+    def mean(name, column, **where):
+        return statistics.fmean(row[column] for row in table(f"training-study/{name}.csv")
+                                if all(row[key] == value for key, value in where.items()))
+
+    def test_poles(self):
+        for kind in ("slim", "full"):
+            free, light, heavy = (self.mean("poles", "mean", set=kind, weight=weight) for weight in (0, 1, 4))
+            self.says(f"| {kind} | {free:.2f} | {light:.2f} ({100 * light / free:.0f} %) | {heavy:.2f} ({100 * heavy / free:.0f} %) |")
+        self.says(f"Means over {len(table('training-study/poles.csv')) // 6} trees")
+
+    def test_vases(self):
+        for at in (8, 9, 10):
+            height, cut = (self.mean("vases", column, cut_at=at) for column in ("height", "height_cut"))
+            share, share_cut = (self.mean("vases", column, cut_at=at) for column in ("share", "share_cut"))
+            trees = sum(row["cut_at"] == at for row in table("training-study/vases.csv"))
+            self.says(f"| {at} | {trees} | {height:.1f} → {cut:.1f} (−{100 * (1 - cut / height):.1f} %) | "
+                      f"{share:.2f} → {share_cut:.2f} |")
+
+    def test_buds(self):
+        rows = table("training-study/buds.csv")
+        stretch = [row["stretch"] - row["stretch_cut"] for row in rows]
+        whole = [row["whole"] - row["whole_cut"] for row in rows]
+        self.says(f"{len(rows)} branches",
+                  f"| from the cut to the third metamer above it | about 20° | {statistics.fmean(stretch):.1f}° |",
+                  f"| from the branch's base to the same metamer | about 8° | {statistics.fmean(whole):.1f}° |",
+                  f"lower in {sum(fall > 0 for fall in stretch)} of {len(rows)} branches")
+
+    def test_espaliers(self):
+        arms = table("training-study/arms.csv")
+        self.says(f"{sum(row['left'] == 3 and row['right'] == 3 for row in arms)} of {len(arms)} trees have two arms in each layer",
+                  f"at most {max(row['inclination'] for row in arms):.1f}° from level",
+                  f"at most {max(row['off_plane'] for row in arms):.1f}° from the plane of the wires")
+
+    def test_upkeep(self):
+        for words, name in (("spurs and limit", "spurs and limit"), ("each shoot cut to 2", "shoots cut to 2")):
+            at = {row["iteration"]: row["metamers"] for row in table("training-study/upkeep.csv") if row["upkeep"] == name}
+            self.says(f"| {words} | {at[10]:,.0f} | {at[15]:,.0f} | {at[20]:,.0f} | {at[25]:,.0f} |")
+        at = {row["iteration"]: row["metamers"] for row in table("training-study/upkeep.csv") if row["upkeep"] == "none"}
+        self.says(f"| none | {at[10]:,.0f} | {at[15]:,.0f} | | |")
+
+    def test_adaptations(self):
+        for row in table("training-study/adaptations.csv"):
+            self.says(f"| {row['adaptation']} | {100 * row['two_arms']:.0f} % | {row['metamers']:,.0f} | {row['height']:.1f} m | "
+                      f"{row['inclination']:.0f}° |")
+
+    def test_cordons(self):
+        for light in ("shade from above", "shade along the light", "markers"):
+            branches, below, metamers, found = (self.mean("cordons", column, light=light)
+                                                for column in ("branches", "below", "metamers", "gathered"))
+            self.says(f"| {light} | {branches:.1f} | {below:.1f} | {metamers:.0f} | {found:.0f} |")
+
+    def test_expectations(self):
+        rows = table("training-study/expectations.csv")
+        self.says(f"{sum(row['holds'] == 'True' for row in rows)} of the {len(rows)} expectations hold")
 
 
 if __name__ == "__main__":

@@ -196,7 +196,7 @@ class StudioTest(unittest.TestCase):
             self.assertEqual(page.ask("save", path="../x.json", saved=None)["is"], "refused")
             named = page.ask("open", text='{"meristem": 1, "components": {"a": {"type": "lsystem", "file": "/etc/hostname"}}}')
             self.assertFalse(named["good"])
-            self.assertIn("outside of the folder", json.dumps(named["faults"]))
+            self.assertIn("outside the folder", json.dumps(named["faults"]))
 
     def test_exports_downloads(self) -> None:
         with self.studio.page() as page:

@@ -12,13 +12,15 @@ namespace meristem {
 /// What is wrong with a sentence that must stand alone; empty if nothing is.
 inline std::string sentence_fault(std::string_view sentence) {
   constexpr std::size_t kLongest = 200;  // bytes: three lines of a tooltip
-  constexpr std::array<std::string_view, 20> kOpenings = {
-      "Of ", "The same", "In its", "That ", "So many",  "How they",     "How it ", "By which", "By how", "Its ",
-      "It ", "They ",    "Their ", "Also ", "Another ", "Within which", "At the ", "At which", "Else",   "Where it ",
+  constexpr std::array<std::string_view, 22> kOpenings = {
+      "Of ",     "The same", "In its", "That ",  "So many", "How they", "How it ",  "By which",
+      "By how",  "Its ",     "It ",    "They ",  "Their ",  "Also ",    "Another ", "Within which",
+      "At the ", "At which", "Else",   "Where ", "Which ",  "The one ",
   };
-  constexpr std::array<std::string_view, 15> kLeanings = {
-      "the former", "the latter", "as above", "see above", "in its stead", "n its place", "mother",  "daughter",
-      " ditto",     "by which",   "of which", "the same",  "so many",      "so much",     "how they"};
+  constexpr std::array<std::string_view, 19> kLeanings = {
+      "the former", "the latter", "as above",   "see above",   "in its stead", "n its place", "mother",
+      "daughter",   " ditto",     "by which",   "of which",    "the same",     "so many",     "so much",
+      "how they",   "hangs on",   "worked out", "come to lie", "heavier"};
   if (sentence.empty()) return "is empty";
   if (sentence.size() > kLongest) return "is too long for a tooltip";
   if (sentence.back() != '.') return "does not end with a full stop";

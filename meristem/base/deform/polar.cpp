@@ -11,9 +11,9 @@ namespace meristem {
 
 namespace {
 
-constexpr int kMostSteps = 40;   // a stretch of 1e12 takes 12
-constexpr double kNear = 1e-2;   // from here on the steps double the digits that are right by themselves
-constexpr double kDone = 1e-15;  // of a change, squared
+constexpr int kMostSteps = 40;          // a stretch of 1e12 takes 12
+constexpr double kNearRotation = 1e-2;  // from here on the steps double the digits that are right by themselves
+constexpr double kDone = 1e-15;         // of a change, squared
 
 double squared_size(const DMat3& m) { return glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]); }
 
@@ -28,7 +28,7 @@ DMat3 nearest_rotation(const DMat3& matrix) {
     if (!(change > kDone * kDone)) break;
     const double scale = is_near ? 1 : std::sqrt(std::sqrt(squared_size(other) / squared_size(m)));
     m = 0.5 * (scale * m + other / scale);
-    is_near = change < kNear;
+    is_near = change < kNearRotation;
   }
   return m;
 }

@@ -12,7 +12,7 @@ const ParameterTable& around_table() {
                      "bent back.")
           .per_child("size", &Around::size, {.min = 0, .max = 1000, .usual = {0, 2}}, "Scale of each child.")
           .per_child("roll", &Around::roll, {.unit = Unit::degree, .min = -36000, .max = 36000},
-                     "Turn of each child around the heading, added to the even one.")
+                     "Turn of each child around the heading, in addition to the even spacing.")
           .number("arc", &Around::arc, {.unit = Unit::degree, .min = 0, .max = 360},
                   "Angle around the heading over which the children are spread; below 360 they form a fan.");
   return table;

@@ -93,6 +93,10 @@ void check_crown(const CrownParameters& crown, const DocumentPath& path, Paramet
   if (!crown.profile.empty() && !check_profile(crown.profile, DocumentPath(path, "profile"), reader)) return;
   if (!check_profiles(crown, DocumentPath(path, "profiles"), reader)) return;
   if (crown.box && !check_box(*crown.box, DocumentPath(path, "box"), reader)) return;
+  if (crown.half_space && crown.half_space->normal == Vec3(0)) {
+    return reader.fault(DocumentPath(DocumentPath(path, "half_space"), "normal"), "the normal has no length",
+                        "a direction such as [0, 1, 0]");
+  }
   const CrownPointer built = build_crown(crown);
   if (built == nullptr) {
     return reader.fault(path, "the crown is empty: its list has no parts", "at least one profile or crown in its list");
@@ -159,6 +163,43 @@ const ParameterTable& cone_table() {
           .number("radius", &ConeParameters::radius, kLength, "Radius of the cone's base.")
           .required()
           .number("height", &ConeParameters::height, kLength, "Height of the cone from its base to its apex.")
+          .required();
+  return table;
+}
+
+const ParameterTable& cylinder_table() {
+  static const ParameterTable table =
+      Table<UprightCylinderParameters>("a cylinder", "An upright cylinder.")
+          .vector("base", &UprightCylinderParameters::base, kCoordinate,
+                  "Centre of the cylinder's base, relative to the root.")
+          .required()
+          .number("radius", &UprightCylinderParameters::radius, kLength, "Radius of the cylinder.")
+          .required()
+          .number("height", &UprightCylinderParameters::height, kLength, "Height of the cylinder.")
+          .required();
+  return table;
+}
+
+const ParameterTable& pyramid_table() {
+  static const ParameterTable table =
+      Table<PyramidParameters>("a pyramid", "A pyramid on a square, with its apex up.")
+          .vector("base", &PyramidParameters::base, kCoordinate, "Centre of the pyramid's base, relative to the root.")
+          .required()
+          .number("width", &PyramidParameters::width, kLength, "Length of each side of the pyramid's square base.")
+          .required()
+          .number("height", &PyramidParameters::height, kLength, "Height of the pyramid from its base to its apex.")
+          .required();
+  return table;
+}
+
+const ParameterTable& half_space_table() {
+  static const ParameterTable table =
+      Table<HalfSpaceParameters>("a half space", "All that lies on one side of a plane.")
+          .vector("point", &HalfSpaceParameters::point, kCoordinate, "A position on the plane, relative to the root.")
+          .required()
+          .vector("normal", &HalfSpaceParameters::normal, {.min = -1e5, .max = 1e5, .usual = {-1, 1}},
+                  "Direction from the plane out of the half space, of any length above 0; [0, 1, 0] keeps what lies "
+                  "below the plane.")
           .required();
   return table;
 }
@@ -242,13 +283,18 @@ const ParameterTable& crown_table() {
                   "An ellipsoid along the axes, as the crown.")
           .object("sphere", &CrownParameters::sphere, sphere_table, "A sphere as the crown.")
           .object("cone", &CrownParameters::cone, cone_table, "A cone with its apex up, as the crown.")
+          .object("cylinder", &CrownParameters::cylinder, cylinder_table, "An upright cylinder as the crown.")
+          .object("pyramid", &CrownParameters::pyramid, pyramid_table,
+                  "A pyramid with a square base and its apex up, as the crown.")
+          .object("half_space", &CrownParameters::half_space, half_space_table,
+                  "All that lies on one side of a plane, to be intersected with or subtracted from other crowns.")
           .box("box", &CrownParameters::box, kCoordinate,
                "Lower and upper corner of a box, relative to the root, as the crown.")
           .file("mesh", &CrownParameters::mesh, read_closed_mesh,
                 "File with a closed mesh (OBJ, PLY or GLB) as the crown.")
           .members(&CrownParameters::mesh_place, import_table())
-          .one_of({"profile", "profiles", "union", "intersection", "difference", "ellipsoid", "sphere", "cone", "box",
-                   "mesh"})
+          .one_of({"profile", "profiles", "union", "intersection", "difference", "ellipsoid", "sphere", "cone",
+                   "cylinder", "pyramid", "half_space", "box", "mesh"})
           .only_with("mesh", import_names())
           .check(check_crown);
   return table;
@@ -280,7 +326,13 @@ void check_cloud(const std::optional<CrownParameters>& crown, const PointsParame
   if (!crown && !points.file) {
     reader.fault(path, fmt::format("{} has no 'crown'", component), "a 'crown', or 'points' with a 'file'");
   }
-  if (crown) check_shares(*crown, points, path, reader);
+  const CrownPointer built = crown ? build_crown(*crown) : nullptr;
+  if (built != nullptr && !points.file && is_endless(*built)) {
+    reader.fault(DocumentPath(path, "crown"), "the crown has no end, so its points cannot be spread over it",
+                 "an 'intersection' of the half space with another crown");
+  } else if (crown) {
+    check_shares(*crown, points, path, reader);
+  }
   const double count = static_cast<double>(points.count) * static_cast<double>(times);
   if (count > static_cast<double>(reader.limits().points)) {
     reader.fault_limit(DocumentPath(path, "points"), "attraction points", count, reader.limits().points, "points");
@@ -297,6 +349,13 @@ CrownPointer build_crown(const CrownParameters& form) {
   if (form.ellipsoid) return std::make_shared<EllipsoidCrown>(form.ellipsoid->centre, form.ellipsoid->radii);
   if (form.sphere) return std::make_shared<EllipsoidCrown>(form.sphere->centre, Vec3(form.sphere->radius));
   if (form.cone) return std::make_shared<ConeCrown>(form.cone->base, form.cone->radius, form.cone->height);
+  if (form.cylinder) {
+    return std::make_shared<CylinderCrown>(form.cylinder->base, form.cylinder->radius, form.cylinder->height);
+  }
+  if (form.pyramid) {
+    return std::make_shared<PyramidCrown>(form.pyramid->base, form.pyramid->width, form.pyramid->height);
+  }
+  if (form.half_space) return std::make_shared<HalfSpaceCrown>(form.half_space->point, form.half_space->normal);
   if (form.box) return std::make_shared<BoxCrown>(*form.box);
   if (form.mesh) return std::make_shared<MeshCrown>(form.mesh.content, form.mesh_place.frame());
 

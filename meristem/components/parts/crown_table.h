@@ -38,6 +38,23 @@ struct ConeParameters {
   double height = 2;
 };
 
+struct UprightCylinderParameters {
+  Vec3 base{0};
+  double radius = 1;
+  double height = 2;
+};
+
+struct PyramidParameters {
+  Vec3 base{0};
+  double width = 2;
+  double height = 2;
+};
+
+struct HalfSpaceParameters {
+  Vec3 point{0};
+  Vec3 normal{0, 1, 0};
+};
+
 /// Exactly one member is given.
 struct CrownParameters {
   std::vector<Vec2> profile;
@@ -48,6 +65,9 @@ struct CrownParameters {
   std::optional<EllipsoidParameters> ellipsoid;
   std::optional<SphereParameters> sphere;
   std::optional<ConeParameters> cone;
+  std::optional<UprightCylinderParameters> cylinder;
+  std::optional<PyramidParameters> pyramid;
+  std::optional<HalfSpaceParameters> half_space;
   std::optional<Box> box;
   Asset<ClosedMesh> mesh;
   ImportPose mesh_place;

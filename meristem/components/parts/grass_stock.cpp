@@ -108,8 +108,8 @@ const ParameterTable& fit_table() {
   static const ParameterTable table =
       Table<FitOptions>("a fit", "How closely fitted curves follow the measured points.")
           .number("smoothing", &FitOptions::smoothing, {.min = 0, .max = 1, .usual = {0, 0.02}, .fixed = true},
-                  "Tolerance of fitted midribs: mean distance from their points, as a share of the length; raised, "
-                  "smoother; 0 joins the points by lines.")
+                  "Tolerance of fitted midribs: mean distance from the measured points, as a share of the length; "
+                  "raised, smoother; 0 joins the points by lines.")
           .number("width_smoothing", &FitOptions::width_smoothing,
                   {.min = 0, .max = 1, .usual = {0, 0.1}, .fixed = true},
                   "Tolerance of fitted widths: mean distance from the measured ones, as a share of the largest; "
@@ -217,18 +217,19 @@ GrassStock make_stock(const GrassSource& source, const StockOptions& how) {
 
 const ParameterTable& grass_source_table() {
   static const ParameterTable table =
-      Table<GrassSource>("a grass leaf", "Where midribs and widths come from.")
+      Table<GrassSource>("a grass leaf", "Sources of midribs and widths.")
           .text_file("midrib", &GrassSource::midrib, read_midrib_file,
                      "CSV file of digitised midribs with columns x (away from the stem) and y (up), and rank, lindex "
                      "and age if there are several.")
           .points("midrib_points", &GrassSource::midrib_points, {.min = -1e4, .max = 1e4},
                   "Points [x, y] along one midrib from the collar: x away from the stem, y up the stem, of any size.")
           .list("midribs", &GrassSource::midribs, aged_points_table,
-                "Midribs of one leaf at several ages, which must rise.")
+                "Midribs of one leaf at several ages, in the order of their ages.")
           .text_file("widths", &GrassSource::widths, read_width_file,
                      "CSV file of widths with columns s (distance from the base, or share of the length) and r, and "
                      "rank (or rankclass) and lindex if there are several.")
-          .curve("profile", &GrassSource::profile, "Width from base (0) to tip (1), as a share of the largest.")
+          .curve("profile", &GrassSource::profile,
+                 "Width of the blade from base (0) to tip (1), as a share of the largest width.")
           .number("unit", &GrassSource::unit,
                   {.unit = Unit::metre, .min = 1e-6, .max = 1000, .usual = {0.001, 1}, .fixed = true},
                   "Length of one unit of the measured files.")

@@ -24,7 +24,7 @@ struct AgedPoints {
   std::vector<Vec2> points;
 };
 
-/// Where midribs and widths come from.
+/// Sources of midribs and widths.
 struct GrassSource {
   Asset<std::vector<MeasuredCurve>> midrib;
   std::vector<Vec2> midrib_points;  ///< instead of the file: one curve

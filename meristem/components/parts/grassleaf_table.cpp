@@ -121,7 +121,8 @@ const ParameterTable& sheath_table() {
 const ParameterTable& stages_table() {
   static const ParameterTable table =
       Table<GrassStages>("stages", "Stages that act on a leaf.")
-          .boolean("load", &GrassStages::load, "Whether the document's curves are used; otherwise the built-in leaf.")
+          .boolean("load", &GrassStages::load,
+                   "Whether the document's curves are used; otherwise the built-in leaf is.")
           .boolean("fit", &GrassStages::fit,
                    "Whether smooth curves are fitted to the points; otherwise lines join them.")
           .boolean("age", &GrassStages::age, "Whether the leaf has the form of its age; otherwise it is full grown.")
@@ -143,7 +144,7 @@ const ParameterTable& blade_table() {
           .curve("twist_along", &GrassBlade::twist_along,
                  "Share of the twist that is reached from base (0) to tip (1).")
           .number("fold", &GrassBlade::fold, {.unit = Unit::degree, .min = -85, .max = 85},
-                  "Angle of both halves above the flat blade, about the midrib; raised, a steeper V.")
+                  "Angle that each half of the blade is raised about the midrib; raised, a steeper V.")
           .number(
               "roll", &GrassBlade::roll, {.unit = Unit::degree, .min = -320, .max = 320},
               "Bend of the blade from edge to edge; raised, the edges rise more, as in drought and in young leaves.")
@@ -201,7 +202,7 @@ void warn_of_lost_waves(const Grassleaf& grass, const DocumentPath& path, Parame
   if (reader.is_worked_out(number) || reader.is_worked_out(polygons)) return;
   if (!(grass.polygons < kPiecesAWave * waves.number)) return;
   reader.warn(polygons,
-              fmt::format("{} polygons are too few to show {:.7g} waves, which are left out; it takes {} or more",
+              fmt::format("{} polygons are too few to show {:.7g} waves, which are left out; {} or more show them",
                           grass.polygons, waves.number, std::ceil(kPiecesAWave * waves.number)));
 }
 
@@ -224,7 +225,7 @@ void prepare_grassleaf(Grassleaf& grass, const DocumentPath& path, ParameterRead
   for (const StockedMidrib& midrib : grass.stock->midribs) {
     if (grass.full_age <= midrib.family.last_age()) continue;
     reader.fault(DocumentPath(path, "full_age"), fmt::format("the midribs end at the age {}", midrib.family.last_age()),
-                 "at most that, or the blade never comes out whole");
+                 "at most that age, or the blade never emerges fully");
     return;
   }
 }
@@ -255,7 +256,7 @@ Table<Grassleaf> grassleaf_table() {
               "stands off more.")
       .number("inclination_factor", &Grassleaf::inclination_factor, {.min = 0, .max = 10, .usual = {0, 3}},
               "Factor on the inclination; raised, the leaf stands off more.")
-      .list("turns", &Grassleaf::turns, turn_table, "Local turns of the midrib; all of them act.")
+      .list("turns", &Grassleaf::turns, turn_table, "Local turns of the midrib, which add up.")
       .object("forces", &Grassleaf::forces, forces_table,
               "Wind, light and other forces that bend the leaf as an elastic strip.")
       .members(&Grassleaf::blade, blade_table())

@@ -7,7 +7,7 @@ namespace meristem {
 
 const ParameterTable& limit_table() {
   static const ParameterTable table =
-      Table<LightLimit>("a limit", "Which attraction points are too dark to grow to.")
+      Table<LightLimit>("a limit", "Limit of light below which attraction points are removed.")
           .number("share", &LightLimit::share, {.min = 0, .max = 0.99},
                   "Share of the attraction points, the darkest first, that is removed; raised, a hollower crown.")
           .number(

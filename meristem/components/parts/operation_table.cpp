@@ -10,7 +10,7 @@
 #include "meristem/base/frame.h"
 #include "meristem/base/math.h"
 #include "meristem/grow/prune/layers.h"
-#include "meristem/scene/crown/turned_crown.h"
+#include "meristem/scene/crown/placed_crown.h"
 
 namespace meristem {
 
@@ -23,22 +23,23 @@ constexpr const char* kShootForms =
 
 const ParameterTable& common_table() {
   static const ParameterTable table =
-      Table<OperationParameters>("an operation", "When an operation acts, and on which shoots.")
-          .integer("at", &OperationParameters::at, kIteration, "The one iteration after whose growth it acts.")
-          .integer("from", &OperationParameters::from, kIteration, "First iteration in which it acts.")
-          .integer("every", &OperationParameters::every, {.min = 1, .max = kLastIteration, .usual = {1, 10}},
-                   "Number of iterations from one time to the next; raised, it acts less often.")
+      Table<OperationParameters>("an operation", "Times of an operation, and the shoots that it acts on.")
+          .integer("at", &OperationParameters::at, kIteration, "Iteration after which the operation acts, once.")
+          .integer("from", &OperationParameters::from, kIteration, "First iteration after which the operation acts.")
+          .integer(
+              "every", &OperationParameters::every, {.min = 1, .max = kLastIteration, .usual = {1, 10}},
+              "Number of iterations from one time that the operation acts to the next; raised, it acts less often.")
           .integer("to", &OperationParameters::to, kIteration,
-                   "Last iteration in which it acts; a support no longer holds after it.")
+                   "Last iteration after which the operation acts; a support holds until then.")
           .condition("when", &OperationParameters::when, tree_variables(),
-                     "Condition on the tree under which it acts, over iteration, height, width, metamers, laterals "
-                     "and leader_length.")
-          .boolean("once", &OperationParameters::once, "Whether it acts on each tree no more than once.")
+                     "Condition on the tree for the operation to act, over iteration, height, width, metamers, "
+                     "laterals and leader_length.")
+          .boolean("once", &OperationParameters::once, "Whether the operation acts on each tree only once.")
           .text("shoots", &OperationParameters::shoots,
-                "Which shoots: 'leader', a label such as main.4.2, or a condition over rank, length, age, light, "
-                "resource, radius, height, inclination, azimuth, clearance, inward and marked.")
+                "Shoots that the operation acts on: 'leader', a label (main.4.2) or a condition over rank, length, "
+                "age, light, resource, radius, height, inclination, azimuth, clearance, inward, marked.")
           .integer("tree", &OperationParameters::tree, {.min = 0, .max = 1e6, .usual = {0, 10}},
-                   "Number of the one root that it is for, from 0; by default, it is for all.")
+                   "Number of the root whose tree the operation is for, from 0; by default, it is for all trees.")
           .never_with("at", {"from", "every", "to", "once"});
   return table;
 }
@@ -80,12 +81,12 @@ const ParameterTable& bud_table() {
   static const ParameterTable table =
       Table<BudParameters>("a bud to cut to", "The sleeping bud that a shoot is cut back to.")
           .choice("toward", &BudParameters::toward, {"down", "up", "out", "direction"},
-                  "Where the bud faces: 'down', 'up', 'out' from the stem, or 'direction'.")
+                  "Side that the bud faces: 'down', 'up', 'out' from the stem, or the given 'direction'.")
           .vector("direction", &BudParameters::direction, {.min = -1e3, .max = 1e3, .usual = {-1, 1}},
                   "Direction [x, y, z] that the bud faces.")
           .integer("window", &BudParameters::window, {.min = 0, .max = 1e6, .usual = {0, 10}},
-                   "Number of metamers to each side of the middle within which the bud that faces best is chosen; "
-                   "with 0, the nearest that faces the right way.")
+                   "Number of metamers to each side of the middle, among whose buds the one that faces best is chosen; "
+                   "0 takes the nearest bud that faces that side.")
           .only_where({{"toward", {"direction"}}}, {"direction"})
           .shorthand("toward");
   return table;
@@ -107,17 +108,17 @@ const ParameterTable& cut_table() {
       Table<CutParameters>("a cut", "A cut, which removes shoots, or parts of them, just above a bud.")
           .include<OperationParameters>(common_table())
           .integer("above", &CutParameters::above, {.min = 0, .max = 1e9, .usual = {0, 20}},
-                   "Number of metamers of the shoot that stay; 0 removes it whole.")
+                   "Number of metamers that stay of a cut shoot, from its base; 0 removes the whole shoot.")
           .formula("above_lateral", &CutParameters::above_lateral, {},
                    "Number of the lateral shoot, from the base, above which the cut is made, such as "
                    "\"floor(rand(3, 5))\".")
           .object("to_bud", &CutParameters::to_bud, bud_table,
-                  "Cuts back to a sleeping bud near the middle of the youngest stretch that faces one way: 'down', "
-                  "'up', 'out'.")
+                  "Bud that the shoot is cut back to: a sleeping bud near the middle of the youngest stretch, which "
+                  "faces 'down', 'up', 'out' or a direction.")
           .object("outside", &CutParameters::outside, crown_table,
-                  "Body, relative to the root; what lies outside it is cut off.")
+                  "Body, relative to the root, outside which everything is cut off.")
           .boolean("leader", &CutParameters::leader,
-                   "Whether another shoot takes the lead of one that is cut; false makes an open tree.")
+                   "Whether another shoot takes the lead where the leader is cut; false makes an open tree.")
           .one_of({"above", "above_lateral", "to_bud", "outside"})
           .elsewhere({operation_kinds().key})
           .check(check_cut)
@@ -130,8 +131,8 @@ const ParameterTable& spur_table() {
       Table<SpurParameters>("a spur", "A rule that keeps shoots short and without branches.")
           .include<OperationParameters>(common_table())
           .integer("metamers", &SpurParameters::metamers, {.min = 0, .max = 1e6, .usual = {0, 20}},
-                   "Number of metamers: of 'spur' and 'limit', those that a shoot keeps; of 'layers', those of the "
-                   "leader in each layer; of 'bend', those that the bend goes over.")
+                   "Number of metamers that a shoot keeps ('spur', 'limit'), that the leader has from layer to layer "
+                   "('layers'), or that the bend extends over ('bend').")
           .elsewhere({operation_kinds().key})
           .check(check_only_common<SpurParameters>)
           .prepare(prepare<SpurParameters>);
@@ -156,20 +157,21 @@ const ParameterTable& layers_table() {
           .include<OperationParameters>(common_table())
           .integer("count", &LayersParameters::count, {.min = 1, .max = 1000, .usual = {1, 8}}, "Number of layers.")
           .integer("metamers", &LayersParameters::metamers, {.min = 3, .max = 1000, .usual = {3, 12}},
-                   "Number of metamers of the leader in each layer; raised, layers stand farther apart.")
+                   "Number of metamers of the leader from layer to layer; raised, layers stand farther apart.")
           .number("azimuth", &LayersParameters::azimuth,
                   {.unit = Unit::degree, .min = -360, .max = 360, .usual = {0, 180}},
-                  "Where the right arms point, from north over east; the left ones point the other way.")
+                  "Azimuth of the right arms, from north (0) over east (90); the left arms point the other way.")
           .number("angle", &LayersParameters::angle, {.unit = Unit::degree, .min = -60, .max = 80, .usual = {0, 60}},
                   "Angle of the arms above the horizontal.")
           .number("angle_last", &LayersParameters::angle_last,
                   {.unit = Unit::degree, .min = -60, .max = 80, .usual = {0, 70}},
-                  "Angle of the topmost layer's arms, to which the angle changes from layer to layer; by default, that "
-                  "of the others.")
+                  "Angle of the topmost layer's arms above the horizontal; layers between change evenly. By default, "
+                  "all layers have the angle 'angle'.")
           .number("weight", &LayersParameters::weight, kWeight,
-                  "Weight of the support's direction in the growth of tied shoots; raised, straighter.")
+                  "Weight of the support's direction in the growth of tied shoots; raised, shoots follow the support "
+                  "more closely.")
           .number("wires", &LayersParameters::wires, {.unit = Unit::metre, .min = 0, .max = 1000, .usual = {0, 3}},
-                  "Length of the wires that are seen, to each side of the stem; 0 shows none.")
+                  "Length of the visible wires to each side of the stem; 0 shows none.")
           .without({"shoots"}, "layers stand on the leader")
           .elsewhere({operation_kinds().key})
           .check(check_only_common<LayersParameters>)
@@ -196,13 +198,15 @@ const ParameterTable& support_table() {
       Table<SupportParameters>("a support", "A pole, rod or wire that shoots are tied to and grow along.")
           .include<OperationParameters>(common_table())
           .positions("line", &SupportParameters::line, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-3, 3}},
-                     "Points of the line from the root of each tree; shoots grow along it from the first to the last.")
+                     "Points of the support's line, relative to the root of each tree; shoots grow along the line from "
+                     "the first point to the last.")
           .required()
           .number("weight", &SupportParameters::weight, kWeight,
-                  "Weight of the support's direction in the growth of tied shoots; raised, straighter.")
+                  "Weight of the support's direction in the growth of tied shoots; raised, shoots follow the support "
+                  "more closely.")
           .number("thickness", &SupportParameters::thickness,
                   {.unit = Unit::metre, .min = 0, .max = 10, .usual = {0, 0.1}},
-                  "Diameter of the pole or wire that is seen; 0 shows none.")
+                  "Diameter of the visible pole or wire; 0 shows none.")
           .elsewhere({operation_kinds().key})
           .check(check_support)
           .prepare(prepare<SupportParameters>);
@@ -214,7 +218,7 @@ const ParameterTable& mark_table() {
       Table<MarkParameters>("a mark", "A mark on shoots, which other operations ask for by 'marked'.")
           .include<OperationParameters>(common_table())
           .number("chance", &MarkParameters::chance, {.min = 0, .max = 1},
-                  "Probability with which each of the shoots is marked.")
+                  "Probability that a shoot is marked; raised, more marked shoots.")
           .elsewhere({operation_kinds().key})
           .check(check_only_common<MarkParameters>)
           .prepare(prepare<MarkParameters>);
@@ -222,18 +226,20 @@ const ParameterTable& mark_table() {
 }
 
 constexpr NumberRange kBelow{.min = 0, .max = 1e6, .usual = {0, 20}};
-constexpr const char* kBelowDoc = "Number of metamers of the shoot below the ring or the bend.";
+constexpr const char* kBelowDoc =
+    "Number of metamers of the shoot below the ring or the bend; raised, farther from the shoot's base.";
 constexpr NumberRange kDuration{.min = 1, .max = kLastIteration, .usual = {1, 10}};
-constexpr const char* kDurationDoc =
-    "Number of iterations that a ring stays open before it has healed, or that the bending of a shoot takes.";
+constexpr const char* kDurationDoc = "Number of iterations until a ring has healed, or until a shoot is fully bent.";
 
 const ParameterTable& girdle_table() {
   static const ParameterTable table =
-      Table<GirdleParameters>("a girdle", "A ring of bark that is taken off: what leaves above it make stays above it.")
+      Table<GirdleParameters>("a girdle",
+                              "A ring of bark that is taken off, so that the resource made above it stays above it.")
           .include<OperationParameters>(common_table())
           .integer("below", &GirdleParameters::below, kBelow, kBelowDoc)
           .number("share", &GirdleParameters::share, {.min = 0, .max = 1},
-                  "Share of the resource made above the ring that does not pass it to the root and stays above.")
+                  "Share of the resource made above the ring that stays there instead of passing the ring toward the "
+                  "root; raised, the shoot grows more.")
           .integer("iterations", &GirdleParameters::iterations, kDuration, kDurationDoc)
           .elsewhere({operation_kinds().key})
           .check(check_only_common<GirdleParameters>)
@@ -247,10 +253,10 @@ const ParameterTable& bend_table() {
           .include<OperationParameters>(common_table())
           .integer("below", &BendParameters::below, kBelow, kBelowDoc)
           .integer("metamers", &BendParameters::metamers, {.min = 1, .max = 1e6, .usual = {1, 12}},
-                   "Number of metamers that the bend goes over; raised, wider.")
+                   "Number of metamers that the bend extends over; raised, a wider bend.")
           .number("inclination", &BendParameters::inclination,
                   {.unit = Unit::degree, .min = -90, .max = 90, .usual = {-60, 60}},
-                  "Angle above level to which the shoot is bent; negative, it points down.")
+                  "Angle above the horizontal to which the shoot is bent; negative, the shoot points down.")
           .integer("iterations", &BendParameters::iterations, kDuration, kDurationDoc)
           .elsewhere({operation_kinds().key})
           .check(check_only_common<BendParameters>)
@@ -287,7 +293,7 @@ struct OperationBuilder {
     } else {
       cut.place = Cut::Place::outside;
       cut.outside = build_crown(*form.outside);
-      if (axes != Mat3(1)) cut.outside = std::make_shared<TurnedCrown>(std::move(cut.outside), axes);
+      if (axes != Mat3(1)) cut.outside = std::make_shared<PlacedCrown>(std::move(cut.outside), Frame{axes});
     }
     return cut;
   }

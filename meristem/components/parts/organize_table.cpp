@@ -7,12 +7,12 @@ namespace {
 
 const ParameterTable& direction_table() {
   static const ParameterTable table =
-      Table<DirectionWeights>("directions", "Weights of the directions that a new metamer's direction is made of.")
+      Table<DirectionWeights>("directions", "Weights of the directions whose sum is the direction of a new metamer.")
           .number("persistence", &DirectionWeights::persistence, {.min = 0, .max = 100, .usual = {0, 2}},
                   "Weight of the direction so far; raised, straighter shoots.")
-          .number(
-              "light", &DirectionWeights::light, {.min = -100, .max = 100},
-              "Weight of the direction to light or free room; raised, shoots turn to it more; negative, away from it.")
+          .number("light", &DirectionWeights::light, {.min = -100, .max = 100},
+                  "Weight of the direction to light or free room; raised, shoots turn to light or room more; negative, "
+                  "away from it.")
           .number("up", &DirectionWeights::up, {.min = -100, .max = 100},
                   "Weight of straight up; raised, shoots rise more; negative, they turn down.")
           .number("up_later", &DirectionWeights::up_later, {.min = -100, .max = 100},
@@ -74,9 +74,9 @@ const ParameterTable& resource_table() {
                  "Factor on lambda over the tree's age, from the seed (0) to 'maturity' (1).")
           .object("weights", &ResourceModel::weights, weights_table,
                   "Weights of buds and laterals by rank, for the model 'priority'.")
-          .integer(
-              "until", &ResourceModel::until, {.min = 0, .max = 65535, .usual = {0, 40}},
-              "Number of first iterations in which the model 'priority' holds, before 'borchert_honda'; 0 for all.")
+          .integer("until", &ResourceModel::until, {.min = 0, .max = 65535, .usual = {0, 40}},
+                   "Number of iterations, from the first, in which the model 'priority' holds before 'borchert_honda'; "
+                   "0 for all.")
           .integer(
               "laterals", &ResourceModel::laterals, {.min = 0, .max = 1e6, .usual = {0, 50}},
               "Largest number of lateral shoots on an axis for which the model 'priority' holds; 0 for any number.")
@@ -90,7 +90,7 @@ const ParameterTable& resource_table() {
 
 const ParameterTable& shedding_table() {
   static const ParameterTable table =
-      Table<Shedding>("shedding", "Which shoots are shed for lack of light.")
+      Table<Shedding>("shedding", "Shedding of shoots for lack of light.")
           .number("below", &Shedding::below, {.min = 0, .max = 1000},
                   "Mean light per metamer below which a shoot is shed; raised, more bare stem; 0 sheds none.")
           .integer("after", &Shedding::after, {.min = 0, .max = 65535},
@@ -113,10 +113,10 @@ const ParameterTable& sag_table() {
 
 const ParameterTable& light_model_table() {
   static const ParameterTable table =
-      Table<BudLightModel>("a light model", "What light or room buds find.")
+      Table<BudLightModel>("a light model", "Light or room that buds find.")
           .choice("model", &BudLightModel::kind, {"shadow", "markers"},
-                  "What counts as light: 'shadow', what the shade of all plants leaves; 'markers', the free room that "
-                  "a bud sees.")
+                  "What counts as light of a bud: with 'shadow', the light that the shade of all plants leaves; with "
+                  "'markers', the free room that the bud sees.")
           .number("full", &BudLightModel::full, {.min = 0, .max = 1000},
                   "Light of a bud without any shade; raised, the tree grows faster.")
           .number("voxel", &BudLightModel::voxel, {.unit = Unit::metre, .min = 0, .max = 1000, .usual = {0, 0.5}},
@@ -137,8 +137,7 @@ const ParameterTable& light_model_table() {
           .number("spacing", &BudLightModel::spacing, {.min = 0.05, .max = 100, .usual = {0.3, 2}},
                   "Edge length of the voxels with one marker each, in lengths of a metamer; lowered, finer and slower.")
           .number("occupancy", &BudLightModel::occupancy, {.min = 0, .max = 100, .usual = {0, 5}},
-                  "Distance from a metamer within which it takes the markers, in lengths of a metamer; raised, sparser "
-                  "crowns.")
+                  "Distance within which a metamer takes the markers, in lengths of a metamer; raised, sparser crowns.")
           .number(
               "perception", &BudLightModel::perception, {.min = 0.1, .max = 100, .usual = {1, 10}},
               "Distance within which a bud sees markers, in lengths of a metamer; raised, shoots turn to room earlier.")
@@ -153,10 +152,10 @@ const ParameterTable& light_model_table() {
 
 const ParameterTable& organize_light_table() {
   static const ParameterTable table =
-      Table<OrganizeLight>("a light", "What light or room the buds find.")
+      Table<OrganizeLight>("a light", "Light or room that buds find.")
           .members(&OrganizeLight::model, light_model_table())
           .object("room", &OrganizeLight::room, crown_table,
-                  "Envelope that shoots do not leave, relative to each root; with markers, these exist in it alone.")
+                  "Envelope that shoots do not leave, relative to each root; markers exist only inside it.")
           .only_where({{"model", {"shadow"}}}, {"voxel", "a", "b", "depth", "reach", "lean"})
           .only_where({{"model", {"markers"}}}, {"spacing", "occupancy", "perception", "cone", "counts"});
   return table;
@@ -168,8 +167,8 @@ const ParameterTable& organize_growth_table() {
           .integer("iterations", &OrganizeParameters::iterations, {.min = 0, .max = 65535, .usual = {1, 40}},
                    "Number of iterations of growth; in each one, a bud can grow one shoot. Raised, an older tree.")
           .integer("every", &OrganizeParameters::every, {.min = 1, .max = 10000},
-                   "Steps that other plants of the stand take per iteration of this tree; raised, they grow faster "
-                   "beside it.")
+                   "Number of steps that other plants of the stand take per iteration of this tree; raised, the other "
+                   "plants grow faster.")
           .number("length", &OrganizeParameters::length,
                   {.unit = Unit::metre, .min = 1e-4, .max = 1000, .usual = {0.02, 0.5}}, "Length of a metamer.")
           .boolean("stretch", &OrganizeParameters::stretch,
@@ -178,7 +177,8 @@ const ParameterTable& organize_growth_table() {
           .integer("longest_shoot", &OrganizeParameters::longest_shoot, {.min = 1, .max = 1000, .usual = {1, 20}},
                    "Largest number of metamers that a bud grows per iteration.")
           .integer("maturity", &OrganizeParameters::maturity, {.min = 1, .max = 65535},
-                   "Number of iterations at which curves over the tree's age end.")
+                   "Age of the tree, in iterations, at which the curves over its age end; raised, the tree changes "
+                   "more slowly.")
           .object("resource", &OrganizeParameters::resource, resource_table,
                   "How light becomes resource and is divided among the buds.")
           .number("terminal_threshold", &OrganizeParameters::terminal_threshold, {.min = 0, .max = 1000},
@@ -190,15 +190,15 @@ const ParameterTable& organize_growth_table() {
           .boolean("damage", &OrganizeParameters::damage,
                    "Whether cut buds are damaged and never grow again; otherwise they may.")
           .number("takeover", &OrganizeParameters::takeover, {.min = 0, .max = 100},
-                  "Weight of the lost axis's direction for a lateral beside its cut terminal bud; raised, it takes "
-                  "over more upright.")
+                  "Weight of the lost axis's direction in the growth of a lateral beside the cut terminal bud; raised, "
+                  "the lateral takes over more upright.")
           .object("direction", &OrganizeParameters::direction, direction_table,
-                  "Weights of the directions that a new metamer's direction is made of.")
+                  "Weights of the directions whose sum is the direction of a new metamer.")
           .object("stem", &OrganizeParameters::stem, direction_table,
                   "Weights of the directions for the stem and for the shoots that lead after it; by default, those of "
                   "'direction'.")
           .members(&OrganizeParameters::phyllotaxis, phyllotaxis_table())
-          .object("shedding", &OrganizeParameters::shedding, shedding_table, "Which shoots are shed for lack of light.")
+          .object("shedding", &OrganizeParameters::shedding, shedding_table, "Shedding of shoots for lack of light.")
           .object("sag", &OrganizeParameters::sag, sag_table,
                   "Lets branches bend under their weight, also into obstacles; by default, they do not bend.");
   return table;

@@ -15,7 +15,7 @@ const ParameterTable& pipe_table() {
                   "Pipe exponent: the radius below a fork to this power is the sum of those above it; raised, thinner "
                   "trunks. 2 to 3.5 in nature.")
           .number("memory", &PipeModel::memory, {.min = 0, .max = 1},
-                  "Share of the thickness from shed branches that wood keeps; raised, thicker trunks.");
+                  "Share of the thickness that wood keeps from branches that are shed; raised, thicker trunks.");
   return table;
 }
 

@@ -16,6 +16,13 @@ namespace meristem {
 namespace {
 
 constexpr double kEarthRadius = 6371008.8;  // metres, the mean
+// What a column may have, as the same keys of documents may.
+struct ColumnRange {
+  double low = 0;
+  double high = 0;
+};
+constexpr ColumnRange kMetres{-1e7, 1e7}, kLongitudes{-360, 360}, kLatitudes{-90, 90}, kTurns{-1e6, 1e6},
+    kScales{1e-4, 1e4};
 
 /// Finds the columns that say where rows stand, and that they are numbers.
 class PlaceColumns {
@@ -28,10 +35,12 @@ class PlaceColumns {
     if (places_.height == nullptr) places_.height = optional("height");
     places_.rotation = optional("rotation");
     places_.scale = optional("scale");
-    for (const TextTable::Column* column :
-         {places_.east, places_.north, places_.height, places_.rotation, places_.scale}) {
-      if (column != nullptr) check_numbers(*column);
-    }
+    const bool is_on_globe = places_.ground == PlaceTable::Ground::degrees;
+    check_numbers(places_.east, is_on_globe ? kLongitudes : kMetres);
+    check_numbers(places_.north, is_on_globe ? kLatitudes : kMetres);
+    check_numbers(places_.height, kMetres);
+    check_numbers(places_.rotation, kTurns);
+    check_numbers(places_.scale, kScales);
     if (!faults_.empty()) throw InputError(std::move(faults_));
   }
 
@@ -70,19 +79,30 @@ class PlaceColumns {
                    .line = 1});
   }
 
-  void check_numbers(const TextTable::Column& column) {
-    const auto tell = [&](std::size_t row, int at, std::string_view cell) {
-      if (faults_.size() >= limits_.diagnostics) return;
-      faults_.push_back({.message = fmt::format("{} in the column '{}' is not a number", in_quotes(cell), column.name),
-                         .expected = "a finite number",
-                         .line = places_.table.lines[row],
-                         .column = at});
-    };
-    if (!column.has_numbers())
-      return tell(column.odd_row, column.odd_column, column.text(column.odd_row).substr(0, 40));
-    for (std::size_t row = 0; row < column.numbers.size(); ++row) {
-      if (!std::isfinite(column.numbers[row])) tell(row, 0, "");
+  /// That a column, which may be null, has numbers in a range.
+  void check_numbers(const TextTable::Column* found, ColumnRange range) {
+    if (found == nullptr) return;
+    const TextTable::Column& column = *found;
+    if (!column.has_numbers()) {
+      const std::string_view cell = std::string_view(column.text(column.odd_row)).substr(0, 40);
+      return tell(column.odd_row, column.odd_column,
+                  fmt::format("{} in the column '{}' is not a number", in_quotes(cell), column.name),
+                  "a finite number");
     }
+    for (std::size_t row = 0; row < column.numbers.size(); ++row) {
+      const double number = column.numbers[row];
+      if (number >= range.low && number <= range.high) continue;
+      tell(row, 0, fmt::format("{:.6g} in the column '{}' is out of its range", number, column.name),
+           fmt::format("a number from {:.6g} to {:.6g}", range.low, range.high));
+    }
+  }
+
+  void tell(std::size_t row, int column, std::string message, std::string expected) {
+    if (faults_.size() >= limits_.diagnostics) return;
+    faults_.push_back({.message = std::move(message),
+                       .expected = std::move(expected),
+                       .line = places_.table.lines[row],
+                       .column = column});
   }
 
   PlaceTable& places_;

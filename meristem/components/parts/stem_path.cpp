@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stem grows section by section: each turns as its axis does, by its share of the curl, by what the noise has changed
-// since the last one, away from what pushes it, and toward gravity and light. The shares are set so that a stem ends
-// the same however many sections it has.
+// A stem grows section by section. Each section turns with the given axis, by its share of the curl, by the change of
+// the noise since the section before, away from branches that push it, and toward gravity and light. The shares are set
+// so that the form of a stem does not depend on the number of its sections.
 #include "meristem/components/parts/stem_path.h"
 
 #include <algorithm>
@@ -21,10 +21,10 @@ constexpr double kStrongest = 0.995;      // share of an angle: at 1 the first s
 constexpr int kWaySteps = 64;             // pieces in which the length of an axis is measured, from point to point
 constexpr std::size_t kMostPoints = 500;  // of an axis
 
-/// What one of `sections` equal turns must close so that together they close `strength` of the angle.
-double share_of_turn(double strength, int sections) {
+/// What one turn must close of the angle so that 1 / `part` of them together close `strength` of it.
+double share_of_turn(double strength, double part) {
   const double open = 1 - std::min(std::abs(strength), kStrongest);
-  return 1 - math::pow(open, 1.0 / sections);
+  return 1 - math::pow(open, part);
 }
 
 /// The directions that a stem along a spline has in its `sections`, in the stem's own frame.
@@ -89,14 +89,14 @@ class StemPathBuilder {
     StemPath path;
     path.length = scale_ * static_cast<float>(form_.length);
     path.skeleton.reserve(static_cast<std::size_t>(form_.segments) + 1);
-    const float section = path.length / static_cast<float>(form_.segments);
+    section_ = path.length / static_cast<float>(form_.segments);
     Vec3 position = origin_;
     NodeIndex last = add_node(path.skeleton, kNoNode, position, 0);
     for (int k = 0; k < form_.segments; ++k) {
       const Vec3 heading = heading_, right = right_;
       turn(k, position);
       path.frames.push_back(k == 0 ? frame(position, heading_, right_) : frame_midway(position, heading, right));
-      position += section * heading_;
+      position += section_ * heading_;
       last = add_node(path.skeleton, last, position, k + 1);
     }
     path.frames.push_back(frame(position, heading_, right_));
@@ -106,8 +106,7 @@ class StemPathBuilder {
  private:
   NodeIndex add_node(Skeleton& skeleton, NodeIndex parent, Vec3 position, int section) const {
     const NodeIndex node = skeleton.add_node(parent, position, 0);
-    const double u = static_cast<double>(section) / form_.segments;
-    skeleton.radius[node] = scale_ * static_cast<float>(std::max(0.0, form_.taper(u)) * form_.radius);
+    skeleton.radius[node] = radius_at(section);
     return node;
   }
 
@@ -137,8 +136,26 @@ class StemPathBuilder {
     avoid(section);
     if (!tropisms_.act()) return;
     const Vec3 in_scene = tropisms_.origin + tropisms_.stretch * position;
-    follow(tropisms_.directions.down(in_scene), tropisms_.gravitropism);
-    follow(tropisms_.directions.toward_light(in_scene), tropisms_.phototropism);
+    const double gravitropism = tropisms_.gravitropism, phototropism = tropisms_.phototropism;
+    if (gravitropism != 0) follow(tropisms_.directions->gravity(in_scene), gravitropism);
+    if (phototropism != 0) follow(tropisms_.directions->light(in_scene), phototropism);
+    if (tropisms_.keep_out()) stay_out(section, in_scene);
+  }
+
+  /// Heads where the bodies around leave the way open.
+  void stay_out(int section, Vec3 in_scene) {
+    const double thickest = std::max(radius_at(section), radius_at(section + 1));
+    const Vec3 open = tropisms_.directions->open_heading({.position = in_scene,
+                                                          .heading = heading_,
+                                                          .step = tropisms_.stretch * section_,
+                                                          .radius = tropisms_.stretch * thickest});
+    if (open != heading_) rotate(rotation_between(heading_, open));
+  }
+
+  /// Metres, where a section begins.
+  float radius_at(int section) const {
+    const double u = static_cast<double>(section) / form_.segments;
+    return scale_ * static_cast<float>(std::max(0.0, form_.taper(u)) * form_.radius);
   }
 
   /// Turns as the spline does between the last section and this one.
@@ -171,12 +188,11 @@ class StemPathBuilder {
   }
 
   /// Turns toward what pulls, or for a negative strength away from it.
-  void follow(Vec3 pull, double strength) {
-    if (strength == 0) return;
-    const Vec3 target = strength > 0 ? pull : -pull;
+  void follow(const Pulling& pulling, double strength) {
+    const Vec3 target = strength > 0 ? pulling.toward : -pulling.toward;
     const double angle = math::acos(glm::dot(heading_, target));
     const Vec3 axis = normalized_or(glm::cross(heading_, target), right_);
-    rotate(rotation(axis, angle * share_of_turn(strength, form_.segments)));
+    rotate(rotation(axis, angle * share_of_turn(strength, pulling.strength / form_.segments)));
   }
 
   void rotate(const Mat3& turn) {
@@ -191,6 +207,7 @@ class StemPathBuilder {
   std::size_t next_bend_ = 0;
   RandomKey key_;
   float scale_ = 1;
+  float section_ = 0;  // its length, metres
   Vec3 heading_{0}, right_{0}, origin_{0};
   std::vector<Vec3> way_;
   Mat3 way_axes_{1};  // of the spline's own frame, carried along it without twist
@@ -215,14 +232,14 @@ const ParameterTable& stem_form_table() {
               "axis", &StemParameters::axis, {.unit = Unit::metre, .min = -1e4, .max = 1e4},
               "Points of a spline from the origin, in the stem's own frame, whose form the stem takes; its length "
               "stays 'length'.")
-          .number(
-              "curl", &StemParameters::curl, {.unit = Unit::degree, .min = -3600, .max = 3600},
-              "Bend from base to tip, away from the upper side of the stem, which on a branch faces its parent's tip.")
+          .number("curl", &StemParameters::curl, {.unit = Unit::degree, .min = -3600, .max = 3600},
+                  "Bend of the stem from base to tip, away from its upper side; the upper side of a branch faces the "
+                  "tip of its parent.")
           .number("spiral", &StemParameters::spiral,
                   {.unit = Unit::degree, .min = -36000, .max = 36000, .usual = {-1080, 1080}},
                   "Turn of the curl's direction about the stem from base to tip; raised, a corkscrew.")
           .number("gnarl", &StemParameters::gnarl, {.unit = Unit::degree, .min = 0, .max = 180, .usual = {0, 60}},
-                  "Random deviation of the stem's direction along its way; raised, a more crooked stem.")
+                  "Random deviation of the stem's direction along its length; raised, a more crooked stem.")
           .number("gnarl_waves", &StemParameters::gnarl_waves, {.min = 0, .max = 1000},
                   "Number of random bends from base to tip; raised, shorter bends.")
           .only_with("gnarl", {"gnarl_waves"});

@@ -35,14 +35,15 @@ struct StemBend {
 };
 
 struct StemTropisms {
-  Directions directions;    ///< of light and gravity
+  const Directions* directions = nullptr;  ///< of light and gravity, and what keeps the stem out; null: nothing does
   double gravitropism = 0;  ///< share of the angle to straight down that the tip closes; negative: to straight up
   double phototropism = 0;  ///< share of the angle to the light that the tip closes; negative: away from it
   /// Where in the scene a stem stands that is made elsewhere and smaller: its positions times `stretch`, from `origin`.
   Vec3 origin{0};
   float stretch = 1;
 
-  bool act() const { return gravitropism != 0 || phototropism != 0; }
+  bool act() const { return gravitropism != 0 || phototropism != 0 || keep_out(); }
+  bool keep_out() const { return directions != nullptr && directions->keep_out(); }
 };
 
 /// A stem in world space.

@@ -26,8 +26,8 @@ const ParameterTable& crown_body_table() {
               "resolution", &CrownBody::resolution, {.min = 10, .max = 1024, .fixed = true},
               "Number of cells along the crown body's longest side; doubled, finer, with four times as many triangles.")
           .integer("triangles", &CrownBody::triangles, {.min = 4, .max = 50e6, .usual = {100, 20000}, .fixed = true},
-                   "Number of triangles to which the crown body is simplified, if its holes let it; by default, all "
-                   "that the cells give.")
+                   "Number of triangles to which the crown body is simplified, as far as its holes allow; by default, "
+                   "it is not simplified.")
           .colour("colour", &CrownBody::colour, "Colour of the crown body.")
           .boolean("hidden", &CrownBody::hidden,
                    "Whether the crown body is invisible and only holds the children of crown links.");
@@ -35,6 +35,11 @@ const ParameterTable& crown_body_table() {
 }
 
 }  // namespace
+
+const std::vector<std::string>& trim_modes() {
+  static const std::vector<std::string> names = {"cut", "fit", "none"};
+  return names;
+}
 
 const std::vector<std::string>& names_off_stems() {
   static const std::vector<std::string> names = {"texture.picture.repeat_u", "texture.picture.repeat_v",
@@ -48,24 +53,26 @@ const ParameterTable& surface_table() {
           .choice("style", &Surface::style, {"tubes", "blend"},
                   "Kind of surface: 'tubes' along the axes, or 'blend', one closed body for low-poly plants.")
           .choice("shading", &Surface::shading, {"smooth", "flat"},
-                  "How light falls on triangles: 'smooth' over their edges, 'flat' with a plane for each.")
+                  "Shading: 'smooth' hides the edges between triangles, 'flat' shows each triangle as a plane.")
           .object("crown", &Surface::crown, crown_body_table, "A closed body around the ends of the branches.")
           .integer("resolution", &Surface::resolution, {.min = 10, .max = 1024, .fixed = true},
                    "Number of cells along the longest side of a blended surface; doubled, finer, with four times as "
                    "many triangles.")
           .number("blend", &Surface::blend, {.min = 0, .max = 4, .usual = {0, 2}, .fixed = true},
-                  "Distance over which a branch of a blended surface grows together with its parent, in its radii; 0 "
-                  "leaves a crease.")
+                  "Distance over which a branch of a blended surface grows together with its parent, in radii of the "
+                  "branch; 0 leaves a crease.")
           .boolean("thicken", &Surface::thicken,
                    "Whether twigs of a blended surface that are too thin for its cells are thickened; otherwise they "
                    "vanish.")
           .integer("triangles", &Surface::triangles, {.min = 4, .max = 50e6, .usual = {100, 20000}, .fixed = true},
-                   "Number of triangles to which a blended surface is simplified, if twigs and holes let it; by "
-                   "default, all that the cells give.")
-          .integer("sides", &Surface::sides, {.min = 3, .max = 64, .usual = {3, 32}, .fixed = true},
-                   "Number of sides of the thickest tube; thinner tubes have fewer. Raised, rounder and heavier.")
-          .number("error", &Surface::error, {.min = 0, .max = 1, .usual = {0, 0.2}, .fixed = true},
-                  "Tolerance of a tube along its skeleton, in its radii; raised, fewer rings along straight stems.")
+                   "Number of triangles to which a blended surface is simplified, as far as twigs and holes allow; by "
+                   "default, it is not simplified.")
+          .integer(
+              "sides", &Surface::sides, {.min = 3, .max = 64, .usual = {3, 32}, .fixed = true},
+              "Number of sides of the thickest tube; thinner tubes have fewer. Raised, rounder, with more triangles.")
+          .number(
+              "error", &Surface::error, {.min = 0, .max = 1, .usual = {0, 0.2}, .fixed = true},
+              "Tolerance of a tube along its skeleton, in radii of the tube; raised, fewer rings along straight stems.")
           .choice("cap", &Surface::cap, {"pointed", "round", "flat"}, "How tubes end at tips.")
           .number("uv_scale", &Surface::uv_scale,
                   {.unit = Unit::metre, .min = 0.001, .max = 100, .usual = {0.1, 5}, .fixed = true},
@@ -74,7 +81,7 @@ const ParameterTable& surface_table() {
                   "Distance along a stem over which steps of its radius at forks are smoothed, in radii to either "
                   "side; 0 keeps the steps.")
           .number("collar", &Surface::collar, {.min = 0, .max = 3, .usual = {0, 2}, .fixed = true},
-                  "Size of the collar with which a branch grows out of its parent, in the branch's radii; 0 leaves a "
+                  "Size of the collar with which a branch grows out of its parent, in radii of the branch; 0 leaves a "
                   "crease.")
           .number("flare", &Surface::flare, {.min = 0, .max = 5, .usual = {0, 2}, .fixed = true},
                   "Widening of the stem at the ground, as a share of its radius; 1 doubles it.")

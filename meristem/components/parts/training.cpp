@@ -174,9 +174,10 @@ struct ReadOperations {
 };
 
 const ParameterTable& read_table() {
-  static const ParameterTable table = Table<ReadOperations>("a list of operations", "What a training stands for.")
-                                          .list_of_kinds("operations", &ReadOperations::operations, operation_kinds,
-                                                         operation_table, "The operations.");
+  static const ParameterTable table =
+      Table<ReadOperations>("a list of operations", "The operations that a training stands for.")
+          .list_of_kinds("operations", &ReadOperations::operations, operation_kinds, operation_table,
+                         "The operations.");
   return table;
 }
 
@@ -195,17 +196,17 @@ const ParameterTable& training_table() {
           .integer("reach", &Training::reach, {.min = 1, .max = 100'000, .usual = {4, 30}},
                    "Number of metamers of an arm, or of a cordon's stem.")
           .integer("spurs", &Training::spurs, {.min = 0, .max = 1000, .usual = {1, 5}},
-                   "Number of metamers of the spurs on arms and stem.")
+                   "Number of metamers that spurs on arms and stem keep; raised, longer spurs.")
           .number("azimuth", &Training::azimuth, {.unit = Unit::degree, .min = -360, .max = 360, .usual = {0, 180}},
-                  "Where the right arms, or a cordon, point, from north over east.")
+                  "Azimuth of the right arms, or of a cordon, from north (0) over east (90).")
           .number("angle", &Training::angle, {.unit = Unit::degree, .min = 5, .max = 90, .usual = {30, 90}},
                   "Angle of a cordon above the horizontal.")
           .number("weight", &Training::weight, {.min = 0, .max = 1000, .usual = {0, 10}},
-                  "Weight of poles and wires in the growth of tied shoots; raised, straighter.")
+                  "Weight of the direction of poles and wires in the growth of tied shoots; raised, shoots follow them "
+                  "more closely.")
           .number("stem", &Training::stem, {.unit = Unit::metre, .min = 0, .max = 1000, .usual = {0, 3}},
-                  "Height of the clear stem below the branches; by default 1.8 m of a standard, 1.2 m of a half "
-                  "standard, and "
-                  "0.5 m of others.")
+                  "Height of the clear stem below the branches; by default, 1.8 m for a standard, 1.2 m for a half "
+                  "standard and 0.5 m for other forms.")
           .number("height", &Training::height,
                   {.unit = Unit::metre, .min = 0, .max = 1000, .usual = {0.5, 5}, .above_min = true},
                   "Height to which the tree is cut.")
@@ -217,7 +218,7 @@ const ParameterTable& training_table() {
                   "Depth to which a hedge is cut, along z.")
           .integer("from", &Training::from, {.min = 1, .max = kLastIteration, .usual = {1, 20}},
                    "First iteration in which the tree is cut to its form.")
-          .boolean("shown", &Training::shown, "Whether poles and wires are seen.")
+          .boolean("shown", &Training::shown, "Whether poles and wires are visible.")
           .only_where({{"form", {"espalier", "fan"}}}, {"layers", "spacing"})
           .only_where({{"form", {"espalier", "fan", "cordon"}}}, {"reach", "spurs", "azimuth"})
           .only_where({{"form", {"cordon"}}}, {"angle"})

@@ -100,7 +100,7 @@ void rename_in_expression(const LocatedTree& tree, LocatedValue value, const std
     std::size_t end = at;
     while (end < text.size() && is_of_name(text[end])) ++end;
     const std::string_view word = std::string_view(text).substr(at, end - at);
-    if (word == name) refuse_name(path, fmt::format("'{}' has a meaning here already", name), "another name");
+    if (word == name) refuse_name(path, fmt::format("'{}' already has a meaning here", name), "another name");
     if (word == variable) {
       if (places.empty()) places = places_of_bytes(tree.text(), tree.at(value).begin);
       patch.push_back({places[at], places[end] - places[at], name});
@@ -146,7 +146,7 @@ Patch rename_variable(const LocatedTree& tree, const std::string& variable, cons
     refuse_name(path, fmt::format("'{}' is not a name", name), "letters, digits and _, not beginning with a digit");
   }
   if (has_meaning(name)) {
-    refuse_name(path, fmt::format("'{}' has a meaning in expressions already", name), "another name");
+    refuse_name(path, fmt::format("'{}' already has a meaning in expressions", name), "another name");
   }
   Patch patch = rename_member(tree, path, name);
   if (patch.empty()) return patch;

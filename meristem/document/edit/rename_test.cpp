@@ -128,7 +128,7 @@ TEST(Rename, RefusesNamesThatMeanSomethingElse) {
   EXPECT_EQ(fault_of("components.leaf", "F").path, "components.plant.grammar");
   EXPECT_EQ(fault_of("components.leaf", "2nd").message, "'2nd' would have another meaning in the grammar");
   EXPECT_EQ(fault_of("size", "q").message, "'q' would have another meaning in the grammar");
-  EXPECT_EQ(fault_of("size", "u").message, "'u' has a meaning in expressions already");
+  EXPECT_EQ(fault_of("size", "u").message, "'u' already has a meaning in expressions");
   EXPECT_EQ(fault_of("size", "2").message, "'2' is not a name");
   EXPECT_EQ(fault_of("variables.sise", "s").nearest, "size");
 }

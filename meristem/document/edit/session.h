@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A document while it is being worked on: the one door through which editors change it.
+// A document that is being edited: the one interface through which editors change it.
 #pragma once
 
 #include <cstddef>
@@ -18,43 +18,43 @@
 
 namespace meristem {
 
-// What an edit does. Paths are those of overrides and of messages: "age" (a variable), "leaf.length" (of a component),
+// Kinds of edits. Paths are those of overrides and of messages: "age" (a variable), "leaf.length" (of a component),
 // "components.leaf.length", "links[1].density"; "links[]" is behind the last element. All throw an InputError for paths
-// that lead nowhere.
+// that do not exist.
 
-/// Has the path say the value. Members on the way that are not there are added, elements must be there.
+/// Sets the value at the path. Missing members along the path are added; elements of lists must exist.
 struct SetValue {
   std::string path;
   Value value;
 };
-/// Takes a member out where it is there, so that its default holds.
+/// Removes a member if it exists, so that its default holds.
 struct UnsetValue {
   std::string path;
 };
-/// Puts an element before that of the path, or adds a member that is not there yet, the last or number `index`.
+/// Inserts an element before that of the path, or a new member, as the last or at `index`.
 struct InsertValue {
   std::string path;
   Value value;
   std::optional<std::size_t> index{};
 };
-/// Takes out what is there; a component with all links from and to it.
+/// Removes a member or element that exists; a component together with all links from and to it.
 struct RemoveValue {
   std::string path;
 };
-/// Gives a member another name: components and variables wherever the document speaks of them, in links, expressions
-/// and grammars that stand in it. A component's chance follows its name, so that it will grow in another way.
+/// Renames a member; components and variables also in the document's links, expressions and grammars. The random
+/// numbers of a component follow its name, so a renamed component grows differently.
 struct RenameValue {
   std::string path;
   std::string name;
 };
-/// Moves a member or element within its object or list, so that it is number `index`.
+/// Moves a member or element within its object or list to `index`.
 struct MoveValue {
   std::string path;
   std::size_t index = 0;
 };
 using Edit = std::variant<SetValue, UnsetValue, InsertValue, RemoveValue, RenameValue, MoveValue>;
 
-/// A change of the text, and what takes it back.
+/// A change of the text, and the inverse change.
 struct Change {
   Patch patch;
   Patch inverse;
@@ -68,39 +68,39 @@ struct SessionOptions {
   std::size_t most_undone = 1000;       ///< edits that can be taken back; the oldest are forgotten
 };
 
-/// Text, document and what has grown of it, kept together. An edit changes the text's bytes that it must change and no
-/// others; where the new text is faulty the session keeps it with its faults, and document and growth stay those of the
-/// last text without. Reading and growing anew makes only what the edit has changed; files are read again by reload()
-/// alone. One call at a time.
+/// Text, document and grown plant, kept together. An edit changes only those bytes of the text that it must change. If
+/// the new text has faults, the session keeps the text with its faults, while document and growth stay those of the
+/// last text without faults. Reading and growing make anew only what an edit has changed; files are read again by
+/// reload() alone. One call at a time.
 class Session {
  public:
-  /// `file` is the text's name in messages, from whose folder the files that it names are sought. `registry` outlives
-  /// the session. Never throws for what the text says: see faults().
+  /// `file` is the name of the text in messages; paths in the text start from the folder of `file`. `registry` must
+  /// outlive the session. Never throws for faults of the text: see faults().
   Session(std::string text, std::string file, const Registry& registry, SessionOptions options = {});
 
   const std::string& text() const { return text_; }
   const std::string& file() const { return file_; }
   /// Errors of the present text, or if there are none the document's warnings.
   const std::vector<Diagnostic>& faults() const { return faults_; }
-  /// Whether the present text has no errors, so that document() is what it says.
+  /// Whether the present text has no errors, so that document() is the document of this text.
   bool is_good() const { return is_good_; }
-  /// The document of the last text without errors; null before there was one.
+  /// The document of the last text without errors; null if there was none yet.
   const Document* document() const { return document_ ? &*document_ : nullptr; }
 
-  /// Makes the edits, one after another, as one step. Throws an InputError where one of them cannot be made, or the
-  /// text is no JSON; then nothing has changed.
+  /// Makes the edits, one after another, as one step. Throws an InputError if one of them cannot be made or the text is
+  /// not JSON; then nothing has changed.
   Change edit(const std::vector<Edit>& edits);
   Change edit(std::string path, Value value) { return edit({SetValue{std::move(path), std::move(value)}}); }
-  /// Puts the patch into the text, as of somebody who types. Throws std::invalid_argument where it does not fit.
+  /// Applies a patch to the text, as when a user types. Throws std::invalid_argument if the patch does not fit.
   Change edit_text(const Patch& patch);
-  /// Takes the last step back, or makes it again; nothing where there is none.
+  /// Takes the last step back, or makes it again; nullopt if there is no such step.
   std::optional<Change> undo();
   std::optional<Change> redo();
   std::size_t undo_count() const { return done_.size(); }
   std::size_t redo_count() const { return undone_.size(); }
 
   const std::vector<Override>& overrides() const { return options_.overrides; }
-  /// Values that go before those of the text until others are given, as while a hand drags; the text stays.
+  /// Values that replace those of the text until the next call, as during the drag of a slider; the text stays.
   void set_overrides(std::vector<Override> overrides);
   /// Reads the files that have changed on the disk since they were read, and the document with them.
   void reload();
@@ -108,7 +108,7 @@ class Session {
   /// Grows the document with the session's own cache: what has changed since the last growth is made anew. Throws an
   /// InputError (limits; also where there was never a document), Cancelled; then grown() stays.
   const GrownDocument& grow(Progress& progress, GrowthOptions options = {});
-  /// The last that has grown; null before.
+  /// The last growth; null if there was none yet.
   const GrownDocument* grown() const { return grown_ ? &*grown_ : nullptr; }
   /// Keys of what has grown, and how it differs from the growth before.
   const SceneKeys& keys() const { return keys_; }

@@ -310,12 +310,12 @@ TEST_F(SessionWithFiles, NothingOutsideOfTheRootIsRead) {
   EXPECT_EQ(faults_with(crown("box.obj")), "none");
   for (const std::string path : {"../box.obj", "out/box.obj", "../nothing.obj", "dangling.obj", "/etc/passwd",
                                  "/etc/passwt", "../root/../box.obj"}) {
-    EXPECT_EQ(faults_with(crown(path)), "'" + path + "': this is outside of the folder that may be read");
+    EXPECT_EQ(faults_with(crown(path)), "'" + path + "': this lies outside the folder that may be read");
   }
   EXPECT_EQ(faults_with(crown("../root/box.obj")), "none");
   EXPECT_NE(faults_with(crown("bux.obj")).find("box.obj"), std::string::npos);
   const std::string included = faults_with(R"({"type": "lsystem", "file": "include.txt"})");
-  EXPECT_NE(included.find("this is outside of the folder that may be read"), std::string::npos) << included;
+  EXPECT_NE(included.find("this lies outside the folder that may be read"), std::string::npos) << included;
 }
 
 }  // namespace

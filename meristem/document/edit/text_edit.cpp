@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paths of edits, and what they come down to: one part of a list or object more, one less (part_edit.h), and
-// values that are written over others.
+// Translates edits at paths into changes of the text: a part of a list or object inserted or removed (part_edit.h), and
+// values that replace others.
 #include "meristem/document/edit/text_edit.h"
 
 #include <algorithm>
@@ -86,7 +86,7 @@ Patch rewritten(const LocatedTree& tree, std::string_view path, const Value& val
 Value with_steps(const PathTarget& target, const Value& value, std::string_view path) {
   Value made = value;
   for (std::size_t k = target.missing.size(); k-- > 1;) {
-    if (target.missing[k].is_index) refuse(path, "there is no list for the element", "a list that is there");
+    if (target.missing[k].is_index) refuse(path, "there is no list to put the element into", "a list that exists");
     Value::Object around;
     around.emplace_back(target.missing[k].name, std::move(made));
     made = Value(std::move(around));
@@ -127,10 +127,10 @@ Patch insert_value(const LocatedTree& tree, std::string_view path, const Value& 
     if (!is_element || at > count) throw_missing(target, path);
     return insert_part(tree, container, at, {nullptr, &value});
   }
-  if (is_there) refuse(path, fmt::format("'{}' is there already", path), "a name that is free");
+  if (is_there) refuse(path, fmt::format("'{}' exists already", path), "a name that is free");
   const bool is_member = target.missing.size() == 1 && !target.missing[0].is_index;
   if (container.value->object() == nullptr || !is_member) throw_missing(target, path);
-  if (index && *index > count) refuse(path, fmt::format("there are {} members", count), "an index up to that");
+  if (index && *index > count) refuse(path, fmt::format("there are {} members", count), "an index up to that number");
   return insert_part(tree, container, index.value_or(count), {&target.missing[0].name, &value});
 }
 

@@ -207,7 +207,7 @@ TEST(TextEdit, SaysWhereAPathEnds) {
   EXPECT_EQ(fault_of([] { set(kLeaf, "meristem.x", 1); }).message, "the number 1 has no member 'x'");
   EXPECT_EQ(fault_of([] { set(kLeaf, "links[x]", 1); }).message, "'links[x]' is not a path");
   EXPECT_EQ(fault_of([] { set(kLeaf, "", 1); }).message, "'' is not a path");
-  EXPECT_EQ(fault_of([] { insert(kLeaf, "components.leaf", 1); }).message, "'components.leaf' is there already");
+  EXPECT_EQ(fault_of([] { insert(kLeaf, "components.leaf", 1); }).message, "'components.leaf' exists already");
   EXPECT_EQ(fault_of([] { insert(kLeaf, "links[2]", 1); }).message, "there is no element [2] in a list of 1");
 }
 

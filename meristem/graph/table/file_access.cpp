@@ -36,7 +36,8 @@ void FileAccess::require_within(const std::string& path) const {
   if (root.empty()) return;
   const bool is_name = path.find('\0') == std::string::npos;
   if (is_name && is_within(resolved(path), resolved(root))) return;
-  throw InputError(Diagnostic{.message = "this is outside of the folder that may be read", .expected = "a file in it"});
+  throw InputError(
+      Diagnostic{.message = "this lies outside the folder that may be read", .expected = "a file in that folder"});
 }
 
 }  // namespace meristem

@@ -329,7 +329,7 @@ void read_value(const Parameter& self, Selection& member, const Value& value, co
         ends == nullptr ? low : reader.number(number_row, (*ends)[1], DocumentPath(entry_place, std::size_t{1}));
     if (!low || !high) continue;
     if (*low > *high) {
-      reader.fault(entry_place, fmt::format("the range from {:.12g} to {:.12g} falls", *low, *high),
+      reader.fault(entry_place, fmt::format("the range from {:.12g} to {:.12g} is in the wrong order", *low, *high),
                    "the lower number first");
       continue;
     }

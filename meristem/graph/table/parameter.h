@@ -130,7 +130,7 @@ class ParameterTable {
   std::string name;  ///< what messages and the schema call the struct
   std::string doc;
   std::vector<Parameter> parameters;
-  std::vector<std::string> elsewhere;            ///< further keys, which whoever owns the table reads itself ("type")
+  std::vector<std::string> elsewhere;            ///< further keys, which the caller reads itself ("type")
   std::string shorthand;                         ///< the parameter that a bare value sets, or empty
   std::vector<std::vector<std::string>> one_of;  ///< groups of parameters; exactly one of each group must be given
   /// A parameter that stands only beside another, or never beside it.

@@ -12,13 +12,13 @@
 
 namespace meristem {
 
-/// Keeps what reading a document makes of files and of other things that are dear to make, by the content that they
-/// were made of, for the next reads of the same or a changed document. So an edit reads no file anew: a file counts as
-/// it was first read until reload(). What the last reads without faults have not used is let go. One read at a time
-/// may use it.
+/// Keeps the expensive results of reading a document, such as those of files, by the content that they were made of,
+/// for the next reads of the same or a changed document. An edit reads no file again: until reload(), a file counts as
+/// it was first read. Results that the last reads without faults have not used are removed. One read at a time may use
+/// it.
 class ReadStore {
  public:
-  /// Has the next read look which files have changed, by size and time, and read those.
+  /// Makes the next read look which files have changed, by size and time, and read those again.
   void reload();
 
   /// What has been done since its beginning.
@@ -51,7 +51,7 @@ class ReadStore {
     std::uint64_t size = 0;
     std::int64_t time = 0;
     std::uint64_t hash = 0;
-    std::uint64_t read = 0;   // the last that asked for it
+    std::uint64_t read = 0;   // the last read that used it
     bool is_checked = false;  // since the last reload
   };
   struct Entry {

@@ -274,7 +274,7 @@ std::optional<double> ParameterReader::number(const Parameter& parameter, const 
   if (parameter.form.unit == Unit::hour && value.text()->find(':') != std::string::npos) {
     const std::optional<double> hours = parse_clock_hour(*value.text());
     if (!hours) {
-      fault(path, fmt::format("'{}' is no time", *value.text()), "hours and minutes such as \"15:30\", or a number");
+      fault(path, fmt::format("'{}' is not a time", *value.text()), "hours and minutes such as \"15:30\", or a number");
       return std::nullopt;
     }
     return check_range(parameter, *hours, path, "the time") ? hours : std::nullopt;

@@ -69,7 +69,7 @@ class ParameterReader {
   /// A fault for a parameter that means nothing where it stands, or nothing beside `other`.
   void fault_meaning(const DocumentPath& path, std::string message, std::string expected,
                      const DocumentPath* other = nullptr);
-  /// Document paths of such parameters so far, and of what they mean nothing beside, if it is that.
+  /// Document paths of such parameters so far, and of the parameter beside which they mean nothing, if there is one.
   struct Meaningless {
     std::string file_path, other;
   };

@@ -11,6 +11,7 @@
 #include "meristem/base/frame.h"
 #include "meristem/base/random.h"
 #include "meristem/graph/table/surroundings.h"
+#include "meristem/plant/planting.h"
 #include "meristem/plant/skeleton.h"
 
 namespace meristem {
@@ -47,6 +48,7 @@ struct Site {
   std::uint64_t section = 0;        ///< id of the section that the parent has given to a surface; 0: it gave none
   RandomKey surface = RandomKey();  ///< key of that surface
   std::uint64_t individual = 0;     ///< id of the plant that the site is part of; 0: of none
+  std::uint32_t row = kNoRow;       ///< of the table that has placed the site or what it hangs on, from 0
   std::array<std::uint16_t, kMaxRecursionLevels> depths{};  ///< by level of nested recursions
   std::shared_ptr<const SiteValues> values{};               ///< null where nothing has been given
   std::shared_ptr<const Surroundings> surroundings{};       ///< null where nothing has been said of them

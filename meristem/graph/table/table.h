@@ -242,7 +242,7 @@ class Table {
     table_.leave_out(std::move(names), std::move(reason));
     return std::move(*this);
   }
-  /// Further keys that whoever owns the table reads itself.
+  /// Further keys, which the caller reads itself.
   Table&& elsewhere(std::vector<std::string> names) && {
     table_.elsewhere = std::move(names);
     return std::move(*this);

@@ -10,7 +10,7 @@
 namespace meristem {
 
 /// What a person wrote, before anybody knows what it means: the tree of a document's text. Members keep their order.
-/// Nesting is bounded by whoever builds it, so recursion over it is safe.
+/// Its builders bound the nesting, so recursion over it is safe.
 class Value {
  public:
   using List = std::vector<Value>;
@@ -37,7 +37,7 @@ class Value {
   List* list() { return std::get_if<List>(&data_); }
   Object* object() { return std::get_if<Object>(&data_); }
 
-  /// The member of an object, or null where it has none or this is no object.
+  /// The member of an object, or null if it has none or this is not an object.
   const Value* find(std::string_view name) const;
   Value* find(std::string_view name);
 

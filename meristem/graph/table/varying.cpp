@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers that differ from instance to instance are worked out for a block of sites at once. Numbers that differ per
-// child are worked out by the multiplier itself, over sites that have the children's numbers.
+// Numbers that differ from instance to instance are computed for a block of sites at once. Numbers that differ per
+// child are computed by the multiplier itself, over sites that have the children's numbers.
 #include "meristem/graph/table/varying.h"
 
 #include <algorithm>

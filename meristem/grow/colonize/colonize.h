@@ -28,6 +28,7 @@ struct ColonizeParameters {
   double kill = 0.3;       ///< metres within which a node uses up a point that it pulls; smaller: denser twigs
   int iterations = 1000;   ///< largest number of steps
   Vec3 bias{0};            ///< added to each growth direction: (0, 0.2, 0) makes all grow upward a little
+  Directions directions;   ///< whose given light and gravity are added, too; the scene's own are not felt
   LightResponse light;
   Finish finish;
   PipeModel radii;

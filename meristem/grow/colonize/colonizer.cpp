@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One step of growth: every node that the cloud says is pulled gets a child. What the children do to the points, the
-// cloud finds out before the next round. Growth happens relative to the root, so that a tree far from the world's
-// origin loses no digits; the finished skeleton is moved to its position.
+// One step of growth: every node that attraction points pull gets a child. The cloud removes the points that the
+// children have reached before the next round. Growth is computed relative to the root, so that a tree far from the
+// world's origin loses no digits; the finished skeleton is moved to its position.
 //
 // Deviations, so that growth ends: a child that would stand where its node already has one (points balanced on both
 // sides pull a node the same way for ever) is turned by a keyed draw, a little more each time and kMostTurns times at
@@ -100,6 +100,7 @@ class Tree {
   bool grow_toward_cloud();
   bool grow_into_cloud(std::span<const Pull> pulls);
   std::optional<Vec3> place_child(const Pull& pull);
+  DVec3 bias_at(NodeIndex node) const;
   bool is_open(Vec3 from, Vec3 to) const { return is_way_open(species_->scene.obstacles, root_, from, to); }
   void add_node(NodeIndex parent, Vec3 position);
   void note_node(NodeIndex parent, Vec3 position);
@@ -175,10 +176,18 @@ bool Tree::grow_into_cloud(std::span<const Pull> pulls) {
   return true;
 }
 
+/// What is added to the direction in which a node's points pull.
+DVec3 Tree::bias_at(NodeIndex node) const {
+  const Directions& directions = species_->parameters.directions;
+  const Vec3 position = root_ + skeleton_.position[node];
+  const Vec3 given = directions.light_sense().given_at(position) + directions.gravity_sense().given_at(position);
+  return DVec3(species_->parameters.bias) + DVec3(given);
+}
+
 std::optional<Vec3> Tree::place_child(const Pull& pull) {
   const double step = species_->parameters.step;
   const DVec3 from(skeleton_.position[pull.node]);
-  const std::optional<DVec3> direction = growth_direction(pull.sum, species_->parameters.bias);
+  const std::optional<DVec3> direction = growth_direction(pull.sum, bias_at(pull.node));
   if (direction) {
     const Vec3 point(from + step * *direction);
     if (places_.is_free(skeleton_, pull.node, point)) return point;

@@ -32,7 +32,7 @@ Word axiom_word(const Grammar& grammar, const Limits& limits) {
       if (std::isfinite(word.parameters.back())) continue;
       Diagnostic diagnostic;
       diagnostic.message = fmt::format("{} in the axiom is not a finite number", in_quotes(expression.text()));
-      diagnostic.expected = "no division by zero";
+      diagnostic.expected = "an axiom without a division by zero";
       throw InputError(diagnostic);
     }
   }

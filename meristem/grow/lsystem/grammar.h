@@ -17,7 +17,7 @@ namespace meristem {
 
 /// The most parameters that both contexts and the predecessor of one rule have together, and so the most of one letter.
 inline constexpr std::size_t kMostVariables = 64;
-/// More steps than this are refused where they are asked for.
+/// Largest number of steps; more are refused.
 inline constexpr int kMostSteps = 1'000'000;
 
 /// A module of a successor or an axiom: an expression for each parameter.

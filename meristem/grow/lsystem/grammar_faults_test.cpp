@@ -144,7 +144,7 @@ TEST(GrammarFaults, FindsFaultsInDeclarations) {
   EXPECT_EQ(fault_of("#define e = 1"), "2:9: 'e' is a function or constant of every expression; expected another name");
   EXPECT_EQ(fault_of("#define x = y"), "2:13: 'y' is not a known name; expected a variable or a constant");
   EXPECT_EQ(fault_of("#define x = ran(1)"), "2:13: 'ran(1)' is drawn at random; expected a constant");
-  EXPECT_EQ(fault_of("#symbols"), "2:1: '#symbols' declares none; expected names of two characters or more");
+  EXPECT_EQ(fault_of("#symbols"), "2:1: '#symbols' declares no symbols; expected names of two characters or more");
   EXPECT_EQ(fault_of("#symbols A"),
             "2:10: 'A' cannot be declared; expected a name of 2 to 64 letters, digits and _, no digit first");
   EXPECT_EQ(fault_of("#symbols a-b"),
@@ -208,7 +208,7 @@ TEST(GrammarFaults, FindsOverridesOfWhatIsNotDefined) {
   options.file = "plant.txt";
   options.overrides = {{"lenght", 1}};
   EXPECT_EQ(faults_of("A(length)\nB(y)\n#define length 2\n", options),
-            (Texts{"plant.txt: the grammar does not define 'lenght'; expected one that it defines: length; did you "
+            (Texts{"plant.txt: the grammar does not define 'lenght'; expected a name that it defines: length; did you "
                    "mean 'length'?",
                    "plant.txt:2:3: 'y' is not a known name; expected a variable or a constant"}));
   EXPECT_EQ(faults_of("A", options),
@@ -217,9 +217,10 @@ TEST(GrammarFaults, FindsOverridesOfWhatIsNotDefined) {
   EXPECT_EQ(faults_of("A\n#define d2 = 1/\n", options).size(), 1U) << "the name is known though its value is wrong";
   std::string many = "A\n";
   for (int k = 10; k < 30; ++k) many += fmt::format("#define c{} = {}\n", k, k);
-  EXPECT_EQ(faults_of(many, options),
-            Texts{"plant.txt: the grammar does not define 'd2'; expected one that it defines: c10, c11, c12, c13, c14, "
-                  "c15, c16, c17, c18, c19, c20, c21, ..."});
+  EXPECT_EQ(
+      faults_of(many, options),
+      Texts{"plant.txt: the grammar does not define 'd2'; expected a name that it defines: c10, c11, c12, c13, c14, "
+            "c15, c16, c17, c18, c19, c20, c21, ..."});
 }
 
 TEST(GrammarFaults, MissesTheArrowOfARule) {

@@ -207,7 +207,7 @@ void GrammarReader::check_overrides(std::string_view place) {
     Diagnostic fault;
     fault.message = fmt::format("the grammar does not define {}", in_quotes(constant.name));
     fault.expected = names.empty() ? "a grammar with #define lines"
-                                   : fmt::format("one that it defines: {}{}", fmt::join(names, ", "),
+                                   : fmt::format("a name that it defines: {}{}", fmt::join(names, ", "),
                                                  names.size() < defined_.size() ? ", ..." : "");
     fault.nearest = nearest_name(constant.name, defined_);
     fault.file = options_.file;
@@ -217,7 +217,7 @@ void GrammarReader::check_overrides(std::string_view place) {
 
 void GrammarReader::read_symbols(const Directive& directive) {
   std::string_view rest = directive.rest;
-  if (rest.empty()) faults_.add(directive.all, "'#symbols' declares none", "names of two characters or more");
+  if (rest.empty()) faults_.add(directive.all, "'#symbols' declares no symbols", "names of two characters or more");
   while (!rest.empty() && !faults_.is_full()) {
     const std::string_view name = take_word(rest);
     rest = trimmed(rest);

@@ -6,7 +6,7 @@
 //   #axiom                     a word, here or on the next lines; "ω :" may stand before it
 //   #rules                     one per line:
 //       [id :] [left <] predecessor [> right] [: condition] [: weight] -> successor
-//   #decompose  #interpret     rules likewise
+//   #decompose  #interpret     rules, one per line
 //   #ignore +-                 symbols that contexts do not see; after "#ignore:" too
 //   #steps 5   #angle 22.5     a constant expression each
 //   #include fir.txt as T for 6 steps

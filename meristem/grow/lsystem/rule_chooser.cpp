@@ -90,7 +90,7 @@ void RuleChooser::keep_where_true(const OldWord& old, const RulePlan& plan, cons
     for (std::size_t lane = 0; lane < batch.size(); ++lane) {
       if (std::isnan(values[lane])) {
         throw_rule_fault(*plan.rule, fmt::format("the condition of {} has no value", in_quotes(plan.rule->text)),
-                         "one that does not divide by zero or the like");
+                         "a condition that does not divide by zero or the like");
       }
       if (values[lane] != 0) matching_[kept++] = batch[lane];
     }

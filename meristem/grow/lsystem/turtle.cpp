@@ -263,8 +263,11 @@ class Turtle {
   }
 
   void bend() {
-    // Adding zero makes negative zeros positive, as they are in a tropism that says the same.
-    const DVec3 pull = parameters_.tropism ? DVec3(*parameters_.tropism) : down() + 0.0;
+    // The sum has no negative zeros, so that gravity bends as a tropism that says the same.
+    const Vec3 position(state_.position);
+    DVec3 pull = DVec3(parameters_.directions.light_sense().given_at(position));
+    pull +=
+        parameters_.tropism ? DVec3(*parameters_.tropism) : DVec3(parameters_.directions.gravity(position).vector());
     const DVec3 torque = glm::cross(state_.heading, pull);
     const double length = glm::length(torque);
     if (length < kParallel) return;

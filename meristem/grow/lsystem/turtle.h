@@ -47,7 +47,7 @@ struct TurtleParameters {
       1;  ///< radius at a segment's end over its beginning, outside all brackets, where words have no ! and #
   double branch_decay = 1;      ///< radius at a segment's end over its beginning, within brackets
   std::optional<Vec3> tropism;  ///< what segments bend toward; unset: down, as it is where they end
-  Directions directions;        ///< the scene's directions: which way is down, for tropism and for $
+  Directions directions;        ///< which way is down, for tropism and for $; given light adds to the tropism
   double elasticity = 0;        ///< after each segment it turns by this times |heading x tropism|, radians
   bool stack_angles = true;     ///< a ] of the polar reading brings the angles back, and not the position alone
 };

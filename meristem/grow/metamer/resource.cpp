@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Both models first become one number per metamer: the share of what comes to it that goes to its lateral side. So one
-// pass from the root on divides the resource by either of them, and along any axis by another one. What damaged
-// terminal buds pass back is a share of the same, since it rises in proportion to what comes to the axis.
+// Both models are first reduced to one number per metamer: the share of its incoming resource that goes to the lateral
+// side. One pass from the root up then divides the resource by either model, or by different models on different axes.
+// The resource that damaged terminal buds pass back is proportional to that which the axis receives, so it is a share
+// too.
 #include "meristem/grow/metamer/resource.h"
 
 #include <algorithm>

@@ -96,6 +96,9 @@ struct OrganizeParameters {
   std::optional<Sag> sag;
   PipeModel radii;
   std::vector<Operation> operations;  ///< that act in this order
+  /// Directions of light and gravity: light that the scene does not have itself adds to the light that a bud finds, by
+  /// its weight.
+  std::optional<Directions> directions{};  ///< unset: the scene's
 };
 
 /// Where one tree begins. Its room is a crown over its root, or all space where there is none: markers exist in it
@@ -103,6 +106,9 @@ struct OrganizeParameters {
 struct OrganizeSeed {
   Frame frame;  ///< heads where the stem begins to grow
   CrownPointer room;
+  /// What stands there already and goes on growing, with its radii, which are above 0: a tree with one root at the
+  /// origin, in metres along the axes of the world. Null: the seed alone.
+  std::shared_ptr<const Skeleton> wood{};
 };
 
 /// Self-organizing trees in a stand, together one member of it and one skeleton: a node per metamer after the seeds'.
@@ -113,6 +119,9 @@ struct OrganizeSeed {
 /// `terminal_bud` and `lateral_bud` (states: 0 open, 1 grown, 2 damaged, 3 dead), `bud_angle` (radians about the axis
 /// from its upper side to the lateral bud, see bud_side), `shed` (tips lost); for trees with operations also `rank`
 /// (see leads.h) and `cut_at` (the last iteration in which something was cut off at its tip, 0 for never).
+///
+/// Wood that stood already has birth 0 and keeps its radii, which grow by the tips that it gains. All of its buds are
+/// open, unless its columns `terminal_bud` and `lateral_bud` tell their states and `bud_angle` where they stand.
 ///
 /// Growth throws InputError where nodes exceed the limits, before it makes them; where an operation names a shoot that
 /// none of its trees has; where a seed stands in an obstacle; and where nothing has grown at all. std::invalid_argument

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,6 +22,8 @@ constexpr int kTries = 4;                        // headings that a bud tries wh
 constexpr double kTryTurn = 0.5;                 // radians from the one it wants, more with each of them
 // Opposite buds are two metamers; the second has this share of the length of both.
 constexpr float kPairGap = 0.04F;
+constexpr std::string_view kTerminalBudColumn = "terminal_bud";
+constexpr std::string_view kLateralBudColumn = "lateral_bud";
 
 }  // namespace
 
@@ -31,7 +34,7 @@ OrganizedTree::OrganizedTree(const OrganizedSpecies& species, StandSpace& space,
       key_(key),
       number_(number),
       room_(species.parameters.light.kind == BudLightModel::Kind::shadow ? seed.room : nullptr),
-      tree_(species.scene, space, root_,
+      tree_({species.scene, species.directions, root_}, space,
             Metamers(normalized_or(seed.frame.heading(), -species.directions.down(root_)),
                      normalized_or(seed.frame.right(), Vec3(1, 0, 0)), key),
             species.parameters.sag, species.parameters.radii),
@@ -42,6 +45,40 @@ OrganizedTree::OrganizedTree(const OrganizedSpecies& species, StandSpace& space,
   if (!senses_->reaches(root_)) {
     species.refuse("roots", "a root is too far away from the origin for metamers so short",
                    "a position nearer to the origin, or a larger 'length'");
+  }
+}
+
+void OrganizedTree::stand(const Skeleton& wood) {
+  const std::vector<WoodMetamer> standing = metamers_of_wood(wood, species_->parameters.length);
+  const auto angles = wood.extra.find(kBudAngleColumn);
+  tree_.reserve(standing.size() + 1);
+  for (const WoodMetamer& next : standing) {
+    if (!senses_->reaches(root_ + next.tip)) {
+      species_->refuse("skeleton", "the tree is too far away from the origin, or too large, for metamers so short",
+                       "a smaller 'unit', a position nearer to the origin, or a larger 'length'");
+    }
+    const std::uint32_t number = next.is_lateral ? 1 : metamers_.number[next.from] + 1;
+    const Vec3 heading = normalized_or(next.tip - metamers_.tip[next.from], metamers_.heading(next.from));
+    const RandomKey key = metamers_.key_of_shoot(next.from, next.is_lateral).child("metamer").child(number);
+    const bool is_told = angles != wood.extra.end() && next.node != kNoNode;
+    const Vec3 side = is_told ? bud_side(heading, static_cast<double>(angles->second[next.node]))
+                              : next_side(next.from, next.is_lateral, number, heading, key);
+    tree_.grow(next.from, next.is_lateral, 0, next.tip, side);
+  }
+  for (MetamerIndex k = 0; k < standing.size(); ++k) close_buds(wood, standing[k].node, k + 1);
+  wood_.stand(metamers_, wood.radius[0], standing);
+  tree_.settle();
+  has_grown_ = !standing.empty();
+}
+
+void OrganizedTree::close_buds(const Skeleton& wood, NodeIndex node, MetamerIndex metamer) {
+  if (node == kNoNode) return;
+  for (const bool is_lateral : {false, true}) {
+    const auto states = wood.extra.find(is_lateral ? kLateralBudColumn : kTerminalBudColumn);
+    if (states == wood.extra.end()) continue;
+    const float state = states->second[node];
+    if (state == static_cast<float>(Bud::State::damaged)) tree_.close(metamer, is_lateral, Bud::damaged());
+    if (state == static_cast<float>(Bud::State::dead)) tree_.close(metamer, is_lateral, Bud::dead());
   }
 }
 
@@ -142,8 +179,11 @@ Vec3 OrganizedTree::wanted_heading(const Growth& growth, MetamerIndex from, Vec3
   const DirectionWeights& weights = growth.rank == 0 && parameters.stem ? *parameters.stem : parameters.direction;
   const double steps = weights.fades_by_order ? growth.rank : growth.iteration - 1;
   const double up = weights.up_later + (weights.up - weights.up_later) * math::pow(weights.up_fade, steps);
-  const Vec3 straight_up = -species_->directions.down(root_ + metamers_.tip[from]);
-  DVec3 sum = weights.persistence * DVec3(bud) + weights.light * DVec3(growth.sprout.way) + up * DVec3(straight_up);
+  const Directions& directions = species_->directions;
+  const Vec3 position = root_ + metamers_.tip[from];
+  const Vec3 straight_up = -directions.gravity(position).vector();
+  const DVec3 light = DVec3(growth.sprout.way) + DVec3(directions.light_sense().given_at(position));
+  DVec3 sum = weights.persistence * DVec3(bud) + weights.light * light + up * DVec3(straight_up);
   if (is_first_of_lateral && metamers_.terminal[from].is_damaged()) {
     sum += parameters.takeover * DVec3(metamers_.heading(from));
   }
@@ -218,6 +258,7 @@ void OrganizedTree::shed(int iteration) {
 /// Takes metamers away, here and in what is told of the iteration's metamers.
 void OrganizedTree::remove(std::vector<std::uint8_t>& gone, const BudsLeft& after) {
   tree_.remove(gone, after);
+  wood_.remove(gone);
   if (!is_pruned()) return;
   bows_.remove(gone);
   if (!ringed_.empty()) {
@@ -241,7 +282,7 @@ Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
   const std::size_t count = metamers.count();
   Skeleton skeleton;
   skeleton.position.resize(count);
-  std::vector<float>& angle = skeleton.extra["bud_angle"];
+  std::vector<float>& angle = skeleton.extra[std::string(kBudAngleColumn)];
   angle.resize(count);
   parallel_for(count, kMetamersPerBlock, [&](std::size_t begin, std::size_t end) {
     progress.check();
@@ -270,8 +311,8 @@ Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
     std::ranges::transform(buds, column.begin(), [](Bud bud) { return static_cast<float>(bud.state()); });
     return column;
   };
-  skeleton.extra["terminal_bud"] = states(metamers.terminal);
-  skeleton.extra["lateral_bud"] = states(metamers.lateral);
+  skeleton.extra[std::string(kTerminalBudColumn)] = states(metamers.terminal);
+  skeleton.extra[std::string(kLateralBudColumn)] = states(metamers.lateral);
   skeleton.extra[std::string(kShedColumn)] = std::move(metamers.lost_tips);
   if (is_pruned()) {
     cut_at_.resize(count, 0);
@@ -282,6 +323,7 @@ Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
   }
   progress.check();
   assign_pipe_radii(skeleton, species_->parameters.radii);
+  wood_.thicken(skeleton, species_->parameters.radii);
   return skeleton;
 }
 

@@ -13,6 +13,7 @@
 #include "meristem/grow/organize/bud_sense.h"
 #include "meristem/grow/organize/species.h"
 #include "meristem/grow/organize/standing_tree.h"
+#include "meristem/grow/organize/standing_wood.h"
 #include "meristem/grow/organize/tree_bows.h"
 #include "meristem/grow/organize/tree_ties.h"
 #include "meristem/grow/prune/leads.h"
@@ -30,6 +31,9 @@ class OrganizedTree {
   OrganizedTree(const OrganizedTree&) = delete;
   OrganizedTree& operator=(const OrganizedTree&) = delete;
 
+  /// Lets wood that stood already stand as metamers of iteration 0; once, before the first sense(). Throws InputError
+  /// where it is too far from the world's origin.
+  void stand(const Skeleton& wood);
   /// Counts the light of all buds as the stand's space is now, and divides the resource that it makes.
   void sense(int iteration, const Progress& progress);
   /// Finds the buds that will grow in this iteration; after sense(). Returns how many metamers they will make at most.
@@ -70,6 +74,8 @@ class OrganizedTree {
   };
 
   bool is_pruned() const { return !species_->parameters.operations.empty(); }
+  /// Gives the buds of standing wood the states that its columns tell, if it has such.
+  void close_buds(const Skeleton& wood, NodeIndex node, MetamerIndex metamer);
   void grow(const Sprout& sprout, int iteration);
   Vec3 wanted_heading(const Growth& growth, MetamerIndex from, Vec3 bud) const;
   std::optional<Vec3> free_heading(MetamerIndex from, Vec3 wanted, float length, RandomKey key, double jitter) const;
@@ -98,6 +104,7 @@ class OrganizedTree {
   BudLight light_;
   ResourceFlow flow_;
   std::vector<Sprout> sprouts_;  // of the iteration
+  StandingWood wood_;
   // For trees with operations alone.
   Leads leads_;
   TreeTies ties_;

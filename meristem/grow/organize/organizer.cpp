@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// One iteration: what light the buds have, what resource that makes and how it is divided, which buds grow how many
-// metamers, which shoots are shed, what people do to the tree. Light is that of the round's begin, so all plants of a
-// stand see the same. After the last iteration one more round counts light and resource for the skeleton's columns.
+// One iteration: the light of the buds, the resource that this light makes, its division among the buds, the growth of
+// new metamers, the shedding of shoots, and the operations on the tree. All plants of a stand use the light at the
+// beginning of the round. After the last iteration, one more round counts light and resource for the skeleton's
+// columns.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -25,12 +26,12 @@ namespace {
 constexpr std::size_t kMostTreeBlocks = 256;  // of trees that a thread takes at once
 
 void check_parameters(const OrganizeParameters& parameters) {
-  require(parameters.iterations >= 0 && parameters.iterations < 65536, "organize: iterations are 0 to 65535");
+  require(parameters.iterations >= 0 && parameters.iterations < 65536, "organize: iterations must be 0 to 65535");
   require(parameters.every >= 1 && parameters.longest_shoot >= 1 && parameters.maturity >= 1,
-          "organize: every, longest_shoot and maturity are at least 1");
-  require(parameters.length > 0 && std::isfinite(parameters.length), "organize: length is above 0");
+          "organize: every, longest_shoot and maturity must be at least 1");
+  require(parameters.length > 0 && std::isfinite(parameters.length), "organize: length must be above 0");
   for (const Operation& operation : parameters.operations) {
-    require(operation.when.from >= 1 && operation.when.every >= 1, "organize: operations act from iteration 1 on");
+    require(operation.when.from >= 1 && operation.when.every >= 1, "organize: operations must act from iteration 1 on");
     const Cut* const cut = std::get_if<Cut>(&operation.what);
     require(cut == nullptr || cut->above >= 0, "organize: a cut has negative numbers");
     require(cut == nullptr || cut->place != Cut::Place::outside || cut->outside, "organize: a cut has no body");
@@ -46,18 +47,23 @@ void check_parameters(const OrganizeParameters& parameters) {
     require(bend == nullptr || (bend->below >= 0 && bend->iterations >= 1 && bend->metamers >= 1),
             "organize: a bend is out of its ranges");
   }
-  require(parameters.light.voxel >= 0 && parameters.light.full >= 0, "organize: light has no negative numbers");
+  require(parameters.light.voxel >= 0 && parameters.light.full >= 0,
+          "organize: the numbers of light must not be negative");
 }
 
 class Organizer : public Grower {
  public:
   Organizer(Stand& stand, std::vector<OrganizeSeed> seeds, const OrganizeParameters& parameters, RandomKey key,
             const Scene& scene, const Limits& limits, std::string component)
-      : species_{parameters, scene, limits, std::move(component), scene.directions()},
+      : species_{parameters, scene, limits, std::move(component), parameters.directions.value_or(scene.directions())},
         space_(stand.commons<StandSpace>()) {
+    require_wood(seeds);
     for (std::size_t k = 0; k < seeds.size(); ++k) {
       require_open(seeds[k].frame.origin);
-      trees_.emplace_back(species_, space_, seeds[k], key.child(k), static_cast<int>(k));
+      OrganizedTree& tree = trees_.emplace_back(species_, space_, seeds[k], key.child(k), static_cast<int>(k));
+      if (seeds[k].wood == nullptr) continue;
+      tree.stand(*seeds[k].wood);
+      tree.tell();  // so that all feel it in the first round
     }
   }
 
@@ -124,6 +130,17 @@ class Organizer : public Grower {
     if (metamers <= species_.limits.nodes) return;
     throw_limit(fmt::format("metamers in iteration {}", iteration), static_cast<double>(metamers),
                 species_.limits.nodes, "nodes", species_.path("resource.alpha"));
+  }
+
+  /// Counts what stands already before it is made metamers.
+  void require_wood(const std::vector<OrganizeSeed>& seeds) const {
+    double metamers = 0;
+    for (const OrganizeSeed& seed : seeds) {
+      if (seed.wood) metamers += most_metamers_of_wood(*seed.wood, species_.parameters.length);
+    }
+    if (metamers <= static_cast<double>(species_.limits.nodes)) return;
+    throw_limit("metamers of the trees that stand there", metamers, species_.limits.nodes, "nodes",
+                species_.path("length"));
   }
 
   void require_open(Vec3 root) const {

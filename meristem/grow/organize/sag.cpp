@@ -50,7 +50,7 @@ Pose BranchLoad::bend(const Metamers& metamers, int iteration) const {
     }
     const DVec3 lever = first[metamer] - mass[metamer] * DVec3(metamers.tip[parent]);
     // The moment of weights m at a lever r is r x g m.
-    const DVec3 down(directions_.down(root_ + metamers.tip[parent]));
+    const DVec3 down(directions_.gravity(root_ + metamers.tip[parent]).vector());
     const DVec3 moment = kGravity * glm::cross(lever, down);
     const DVec3 grown = moment - DVec3(pose.moment[metamer]);
     pose.moment[metamer] = Vec3(moment);

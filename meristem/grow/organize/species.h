@@ -15,7 +15,7 @@ struct OrganizedSpecies {
   const Scene& scene;
   Limits limits;
   std::string component;
-  Directions directions;  ///< of the scene
+  Directions directions;  ///< of light and gravity where it stands
 
   /// The path of a parameter in the document.
   std::string path(const std::string& parameter) const;

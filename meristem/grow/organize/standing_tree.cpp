@@ -5,10 +5,10 @@
 
 namespace meristem {
 
-StandingTree::StandingTree(const Scene& scene, StandSpace& space, Vec3 root, Metamers seed,
-                           const std::optional<Sag>& sag, const PipeModel& radii)
-    : space_(space), root_(root), metamers_(std::move(seed)), scene_light_(scene, root) {
-  if (sag) load_.emplace(*sag, radii, scene.directions(), root);
+StandingTree::StandingTree(const Place& place, StandSpace& space, Metamers seed, const std::optional<Sag>& sag,
+                           const PipeModel& radii)
+    : space_(space), root_(place.root), metamers_(std::move(seed)), scene_light_(place.scene, place.root) {
+  if (sag) load_.emplace(*sag, radii, place.directions, place.root);
 }
 
 MetamerIndex StandingTree::grow(MetamerIndex from, bool is_lateral, int iteration, Vec3 tip, Vec3 side) {
@@ -38,9 +38,14 @@ void StandingTree::sag(int iteration) {
   if (load_) move(load_->bend(metamers_, iteration));
 }
 
-void StandingTree::damage(MetamerIndex metamer, bool is_lateral) {
+void StandingTree::settle() {
+  constexpr int kNever = -1;  // an iteration without leaves
+  if (load_) load_->take(load_->bend(metamers_, kNever).moment);
+}
+
+void StandingTree::close(MetamerIndex metamer, bool is_lateral, Bud closed) {
   Bud& bud = (is_lateral ? metamers_.lateral : metamers_.terminal)[metamer];
-  if (bud.is_open()) bud = Bud::damaged();
+  if (bud.is_open()) bud = closed;
 }
 
 void StandingTree::remove(std::vector<std::uint8_t>& gone, const BudsLeft& after) {

@@ -20,8 +20,14 @@ namespace meristem {
 /// `space` outlive it; it stays where it is, as others keep references to its parts.
 class StandingTree {
  public:
-  /// `seed` is one metamer, at `root` in world space. Branches bend under their load where a `sag` is given.
-  StandingTree(const Scene& scene, StandSpace& space, Vec3 root, Metamers seed, const std::optional<Sag>& sag,
+  /// What surrounds the tree.
+  struct Place {
+    const Scene& scene;
+    const Directions& directions;  ///< of gravity
+    Vec3 root{0};                  ///< world space
+  };
+  /// `seed` is one metamer, at the place's root. Branches bend under their load where a `sag` is given.
+  StandingTree(const Place& place, StandSpace& space, Metamers seed, const std::optional<Sag>& sag,
                const PipeModel& radii);
   StandingTree(const StandingTree&) = delete;
   StandingTree& operator=(const StandingTree&) = delete;
@@ -42,7 +48,11 @@ class StandingTree {
   /// Takes metamers away as Metamers::remove().
   void remove(std::vector<std::uint8_t>& gone, const BudsLeft& after);
   /// Damages a metamer's terminal or lateral bud if that is open.
-  void damage(MetamerIndex metamer, bool is_lateral);
+  void damage(MetamerIndex metamer, bool is_lateral) { close(metamer, is_lateral, Bud::damaged()); }
+  /// Makes a metamer's terminal or lateral bud a damaged or dead one if it is open.
+  void close(MetamerIndex metamer, bool is_lateral, Bud closed);
+  /// Takes the present load as one that the branches stand under already: only more of it will bend them.
+  void settle();
   /// Ties a shoot to a line by its number, 0 to none.
   void tie(AxisIndex axis, std::uint32_t line) { metamers_.axes[axis].tie = line; }
   /// Lets no other shoot succeed this one.

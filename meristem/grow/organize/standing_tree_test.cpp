@@ -61,7 +61,8 @@ struct Grown {
     grid = &space.shade({.voxel = 0.3, .depth = 4}, kMuch, "shade");
     field = &space.markers({.spacing = 0.2, .occupancy = 0.5}, RandomKey(1), scene.obstacles, seeker, kMuch, "markers");
     volume = field->add_volume(nullptr, kRoot);
-    tree = std::make_unique<StandingTree>(scene, space, kRoot, Metamers(kUp, Vec3(1, 0, 0), key), kSoft, kPipes);
+    tree = std::make_unique<StandingTree>(StandingTree::Place{scene, scene.directions(), kRoot}, space,
+                                          Metamers(kUp, Vec3(1, 0, 0), key), kSoft, kPipes);
     for (MetamerIndex metamer = 1; metamer < like.count(); ++metamer) {
       tree->grow(like.parent[metamer], like.begins_shoot(metamer), like.birth[metamer], pose.tip[metamer],
                  pose.side[metamer]);

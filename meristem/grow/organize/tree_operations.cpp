@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What people do to a tree. What an operation does is worked out in grow/prune from the metamers alone; here it is
-// done. Supports are set before the growth of an iteration, so that what grows in it follows them; all else acts after
-// it, in the document's order.
+// Applies the operations to a tree. The effect of each operation is computed in grow/prune from the metamers alone.
+// Supports are set before the growth of an iteration, so that the new metamers follow them; all other operations act
+// after the growth, in the document's order.
 #include <algorithm>
 #include <variant>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where shoots are ringed and bent.
+// Finds the metamers at which shoots are ringed and bent.
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -31,7 +31,7 @@ constexpr std::size_t kShownNames = 12;
   if (names.size() > kShownNames) names.resize(kShownNames);
   throw InputError(Diagnostic{
       .message = fmt::format("there is no shoot '{}' after iteration {}", operation.shoots.text, tree.iteration),
-      .expected = fmt::format("one that is there, such as {}", fmt::join(names, ", ")),
+      .expected = fmt::format("a shoot that exists, such as {}", fmt::join(names, ", ")),
       .nearest = nearest,
       .path = operation.path + ".shoots"});
 }

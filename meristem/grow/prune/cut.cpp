@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where cuts are made. A cut is named by the first metamer that it takes away.
+// Finds the positions of cuts. A cut is given by the first metamer that it removes.
 //
 // Based on: J. Stevens: Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, sections 4.2.3
 // and 4.2.4. There the bud that is cut back to is the first near the middle that faces down; `window` also lets the one
@@ -83,7 +83,7 @@ class Cutter {
     refuse(operation_, "above_lateral",
            fmt::format("'{}' has {:.0f} lateral shoots after iteration {}, and the cut is above number {:.6g}",
                        operation_.shoots.text, found, tree_.iteration, wanted),
-           "a number of a lateral shoot that is there, from 1");
+           "the number of a lateral shoot that exists, from 1");
   }
 
   /// Which way its bud should face, where a metamer stands.
@@ -128,7 +128,7 @@ class Cutter {
     refuse(operation_, "to_bud",
            fmt::format("no sleeping bud of '{}' faces that way after iteration {}", operation_.shoots.text,
                        tree_.iteration),
-           "another way, or another shoot");
+           "another side, or another shoot");
   }
 
   /// The nearest number of metamers that may stay: the last has a living lateral bud or shoot, and pairs stay whole.

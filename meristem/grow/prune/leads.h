@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who leads. Where the terminal bud of a shoot is cut, the shoot at the cut metamer leads on, or the next one below it;
-// while its bud sleeps nobody does. A shoot with those that succeed it is a lead. Ranks count leads and not axes: 0 the
-// leader of the tree, 1 the arms and branches on it, 2 what stands on these.
+// while its bud sleeps, no shoot leads. A shoot with those that succeed it is a lead. Ranks count leads and not axes: 0
+// the leader of the tree, 1 the arms and branches on it, 2 what stands on these.
 #pragma once
 
 #include <cstdint>

@@ -2,8 +2,8 @@
 // Rules that keep a trained tree as it is, year after year: spurs that stay short, arms that stay in their room.
 //
 // Based on: J. Stevens: Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, section 4.3.3. A
-// deviation: what is cut back at a lateral bud may grow from there again, as the ring of buds at its base lets it;
-// damaged for good, all spurs would starve in a few years.
+// deviation: a lateral bud whose shoot was cut back may grow again, as from the ring of buds at the base of a shoot;
+// with buds that never grow again, all spurs would die in a few years.
 #include "meristem/grow/prune/work.h"
 
 namespace meristem {

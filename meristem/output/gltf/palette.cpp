@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colours begin as one group. The group that its mean stands for worst is parted in two, along the channel in which
-// it spreads most, where that leaves the least squared error; and so on. A group is its mean.
+// The colours begin as one group. In each step, the group with the largest squared error is split in two, along the
+// channel in which it spreads most, where the split leaves the least squared error. Each group is shown by its mean.
 //
 // Based on: X. Wu: Efficient statistical computations for optimal color quantization, Graphics Gems II (1991), on
 // sorted colours instead of a histogram.
@@ -119,7 +119,7 @@ class Parting {
 }  // namespace
 
 Palette make_palette(std::span<const Vec3> colours, std::size_t most) {
-  if (most < 1 || most > 256) throw std::invalid_argument("a palette has 1 to 256 colours");
+  if (most < 1 || most > 256) throw std::invalid_argument("a palette must have 1 to 256 colours");
   return colours.empty() ? Palette{} : Parting(colours).part(most);
 }
 

@@ -56,7 +56,7 @@ class PacketMaker {
   /// The packet that takes the viewer from the scene of the one before to this one; a whole scene at first. Where it
   /// throws (Cancelled, MachineError), the viewer's scene stays that of the packet before.
   std::string next(const PacketScene& scene, const PacketFacts& facts, const Progress& progress);
-  /// Has the next packet be a whole scene.
+  /// Makes the next packet a whole scene.
   void forget() {
     shown_ = {};
     rest_ = {};

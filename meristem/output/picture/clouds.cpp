@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Noise of several sizes on a plane one unit above; where it is above a bound there is cloud. A cloud is lit where it
-// grows thinner toward the sun, which gives it a bright and a grey side. None of it lights anything: the light of the
-// sky stays what it is.
+// grows thinner toward the sun, which gives it a bright and a grey side. Clouds light nothing: the light of the sky
+// does not change.
 #include "meristem/output/picture/clouds.h"
 
 #include <algorithm>

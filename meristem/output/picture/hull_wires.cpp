@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "meristem/measure/tree_form.h"
+#include "meristem/plant/split_trees.h"
 #include "meristem/shape/solid/primitives.h"
 
 namespace meristem {

@@ -19,7 +19,9 @@ constexpr int kLeastSamples = 4;
 // The noise that is borne where 64 samples are asked for: variance of brightness from 0 to 1 as it is shown. Grain
 // shows on plain ground and not among leaves, so more is borne where brightness varies from pixel to pixel. Against 64
 // even samples that count in one pixel each, the oak takes half the rays and its crown has a quarter less noise; the
-// wheat takes a sixth of the rays and has a quarter more noise.
+// wheat takes a sixth of the rays and has a quarter more noise. Fewer samples everywhere are quicker for the noise of
+// all pixels, but leave grain where it shows: 24 of the oak take 0.78 of the time and leave a root mean square of 4.9
+// bytes in the crown and 5.0 on plain ground, where ours leave 5.3 and 3.1, and the low-poly oak's shade gets spotted.
 constexpr float kNoiseOfPlain = 0.015F * 0.015F;
 constexpr float kNoiseByContrast = 0.2F;  // of the variance among squares
 constexpr float kMostNoise = 0.045F * 0.045F;

@@ -67,8 +67,8 @@ std::vector<std::string_view> parts_of(std::string_view text, char separator) {
 
 /// How many steps lead from a begin to an end; a last one that rounding has carried past it still counts.
 std::size_t steps_between(double from, double to, double step, const char* path, std::string_view text) {
-  const char* const wanted = "FROM:TO:STEP, with a step above 0 and an end that is not before the begin";
-  if (!(step > 0) || !(to >= from)) throw fault(path, fmt::format("'{}' leads nowhere", text), wanted);
+  const char* const wanted = "FROM:TO:STEP, with a step above 0 and an end that is not before the start";
+  if (!(step > 0) || !(to >= from)) throw fault(path, fmt::format("'{}' is not a row of numbers", text), wanted);
   const double steps = std::floor((to - from) / step + 1e-9);
   if (!(steps < static_cast<double>(kMostMoments))) {
     throw fault(path, fmt::format("'{}' has too many steps", text), fmt::format("at most {}", kMostMoments));
@@ -86,7 +86,7 @@ std::optional<ShadeDay> day_of(std::string_view text) {
 void add_days(std::string_view part, std::vector<ShadeDay>& days) {
   const std::vector<std::string_view> ends = parts_of(part, ':');
   const auto wrong = [&] {
-    return fault("days", fmt::format("'{}' is no day", part),
+    return fault("days", fmt::format("'{}' is not a day", part),
                  "a day of the year (172), a date (2026-06-21), or FROM:TO:STEP of either");
   };
   if (ends.size() == 1) {
@@ -120,7 +120,8 @@ void add_hours(std::string_view part, std::vector<double>& hours) {
   const std::vector<std::string_view> ends = parts_of(part, ':');
   const auto is_hour = [](double hour) { return hour >= 0 && hour <= 24; };
   const auto wrong = [&] {
-    return fault("hours", fmt::format("'{}' is no hour", part), "0 to 24, a time (15:30), or FROM:TO:STEP (6:20:0.5)");
+    return fault("hours", fmt::format("'{}' is not an hour", part),
+                 "0 to 24, a time (15:30), or FROM:TO:STEP (6:20:0.5)");
   };
   if (ends.size() == 3) {
     const auto from = number_of(ends[0]);
@@ -174,8 +175,7 @@ std::vector<std::size_t> obstacles_called(const std::string& name, const Obstacl
   if (number && *number == std::floor(*number) && *number >= 0 && *number < static_cast<double>(bodies.size())) {
     return {static_cast<std::size_t>(*number)};
   }
-  if (bodies.empty())
-    throw fault("facade.obstacle", "the scene has no obstacles", "an obstacle whose walls are asked for");
+  if (bodies.empty()) throw fault("facade.obstacle", "the scene has no obstacles", "an obstacle in the scene");
   throw fault("facade.obstacle", fmt::format("no obstacle is called '{}'", name),
               fmt::format("one of {}", fmt::join(names, ", ")), nearest_name(name, names));
 }
@@ -196,7 +196,7 @@ ShadeSurface facade_of(const Value& value, const Scene& scene, double spacing) {
   }
   ShadeSurface surface = surfaces.size() == 1 ? std::move(surfaces[0]) : joined(surfaces);
   if (surface.positions.empty()) {
-    throw fault("facade", fmt::format("no face of '{}' looks there and is free", facade.obstacle),
+    throw fault("facade", fmt::format("no free face of '{}' looks to that side", facade.obstacle),
                 "another side, or an azimuth");
   }
   return surface;
@@ -220,9 +220,8 @@ ShadeSurface ground_of(const Value& value, const Scene& scene, double spacing) {
 ShadeSurface surface_of(const ShadeRequest& request, const Scene& scene) {
   const int given = !request.facade.is_null() + !request.panels.is_null() + !request.ground.is_null();
   if (given != 1) {
-    throw InputError(Diagnostic{
-        .message = given == 0 ? "there is no surface whose shade is asked for" : "more than one surface is given",
-        .expected = "one of facade, panels and ground"});
+    throw InputError(Diagnostic{.message = given == 0 ? "no surface is given" : "more than one surface is given",
+                                .expected = "one of facade, panels and ground"});
   }
   if (!(request.spacing > 0 && request.spacing <= 1000)) {
     throw fault("spacing", fmt::format("the spacing cannot be {:.6g}", request.spacing),
@@ -289,14 +288,15 @@ void set_times(const ShadeRequest& request, const Scene& scene, ShadePlan& plan)
 
 const ParameterTable& facade_table() {
   static const ParameterTable table =
-      Table<FacadeParameters>("a facade", "Faces of an obstacle whose shade is asked for.")
+      Table<FacadeParameters>("a facade", "Faces of an obstacle whose shade is measured.")
           .text("obstacle", &FacadeParameters::obstacle,
                 "Name of the obstacle, or its number in the scene's list, from 0.")
           .required()
           .choice("side", &FacadeParameters::side, {"walls", "north", "east", "south", "west", "roof", "all"},
-                  "Which faces: the walls that look less than 45° away from that side, the roof, or all of them.")
+                  "Faces of the obstacle: the walls that face a direction less than 45° away from this side, the roof, "
+                  "or all faces.")
           .number("azimuth", &FacadeParameters::azimuth, {.unit = Unit::degree, .min = -360, .max = 360},
-                  "Azimuth that the walls look to, less than 45° away from it, from north (0) over east (90).")
+                  "Azimuth, from north (0) over east (90), that selects the walls facing less than 45° away from it.")
           .never_with("side", {"azimuth"})
           .shorthand("obstacle");
   return table;
@@ -305,7 +305,7 @@ const ParameterTable& facade_table() {
 const ParameterTable& panels_table() {
   constexpr NumberRange kSize{.unit = Unit::metre, .min = 0, .max = 1e4, .above_min = true};
   static const ParameterTable table =
-      Table<PanelParameters>("a field of panels", "A flat rectangle whose shade is asked for, such as solar panels.")
+      Table<PanelParameters>("a field of panels", "A flat rectangle whose shade is measured, such as solar panels.")
           .vector("position", &PanelParameters::position, {.unit = Unit::metre, .min = -1e5, .max = 1e5},
                   "Position of the middle of the field.")
           .required()
@@ -314,18 +314,18 @@ const ParameterTable& panels_table() {
           .number("tilt", &PanelParameters::tilt, {.unit = Unit::degree, .min = 0, .max = 90},
                   "Tilt of the field against the ground: 0 lies flat, 90 stands upright.")
           .number("azimuth", &PanelParameters::azimuth, {.unit = Unit::degree, .min = -360, .max = 360},
-                  "Azimuth that the field looks to, from north (0) over east (90).");
+                  "Azimuth that the field faces, from north (0) over east (90).");
   return table;
 }
 
 const ParameterTable& ground_table() {
   static const ParameterTable table =
-      Table<GroundAreaParameters>("an area of ground", "A rectangle of ground whose shade is asked for.")
+      Table<GroundAreaParameters>("an area of ground", "A rectangle of ground whose shade is measured.")
           .points("area", &GroundAreaParameters::area, {.unit = Unit::metre, .min = -1e5, .max = 1e5},
                   "Two opposite corners [x, z] of the area.")
           .required()
           .number("height", &GroundAreaParameters::height, {.unit = Unit::metre, .min = -1e4, .max = 1e4},
-                  "Height above y = 0 at which the shade is asked for.")
+                  "Height above y = 0 at which the shade is measured.")
           .check([](const GroundAreaParameters& ground, const DocumentPath& path, ParameterReader& reader) {
             const DocumentPath area(path, "area");
             if (ground.area.size() != 2) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the doors ask of shade: which surface, on which days, at which hours.
+// Requests for shade: which surface, on which days, at which hours.
 #pragma once
 
 #include <optional>

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "meristem/base/atomic_file.h"
+#include "meristem/measure/measures.h"
 #include "meristem/output/write/block_writer.h"
 #include "meristem/output/write/csv.h"
 #include "meristem/plant/plant_variant.h"
@@ -17,14 +18,16 @@ namespace meristem {
 
 namespace {
 
-constexpr std::string_view kHeader = "component,instance,x,y,z,area,exposure,irradiance\n";
-constexpr std::size_t kNumbers = 7;  // of a row
+constexpr std::string_view kHeader = "component,instance,tree,x,y,z,area,exposure,irradiance\n";
+constexpr std::size_t kNumbers = 8;  // of a row
 
-void append_row(const std::string& component, std::uint32_t instance, Vec3 position, const LitOrgan& lit,
-                std::string& out) {
+void append_row(const std::string& component, std::uint32_t instance, std::uint32_t tree, Vec3 position,
+                const LitOrgan& lit, std::string& out) {
   out += component;
   out += ',';
   append_csv_number(instance, out);
+  out += ',';
+  if (tree != kNoTree) append_csv_number(tree, out);
   for (const double value :
        {double{position.x}, double{position.y}, double{position.z}, lit.area, lit.exposure, lit.irradiance}) {
     out += ',';
@@ -48,7 +51,7 @@ std::vector<std::uint32_t> organ_instances(const Plant& plant) {
 void write_organ_csv(const Plant& grown, std::span<const LitOrgan> lit, const std::string& path, Progress& progress) {
   const ExpandedPlant expanded(grown, progress);
   const Plant& plant = *expanded;
-  if (lit.size() != plant.organs.size()) throw std::invalid_argument("each organ has its light");
+  if (lit.size() != plant.organs.size()) throw std::invalid_argument("there must be one light per organ");
   std::vector<std::string> components;  // of each prototype, as fields
   std::size_t longest = 0;
   for (const OrganPrototype& prototype : plant.prototypes) {
@@ -56,13 +59,14 @@ void write_organ_csv(const Plant& grown, std::span<const LitOrgan> lit, const st
     longest = std::max(longest, components.back().size());
   }
   const std::vector<std::uint32_t> numbers = organ_instances(plant);
+  const std::vector<std::uint32_t> trees = trees_of_organs(plant, progress);
   progress.begin("writing CSV", lit.size());
   AtomicFile file(path);
   file.write(kHeader);
   const auto fill = [&](std::size_t begin, std::size_t end, std::string& out) {
     for (std::size_t k = begin; k < end; ++k) {
       const Organ& organ = plant.organs[k];
-      append_row(components[organ.prototype], numbers[k], organ.frame.origin, lit[k], out);
+      append_row(components[organ.prototype], numbers[k], trees[k], organ.frame.origin, lit[k], out);
     }
   };
   BlockWriter(file, progress).write(lit.size(), longest + kNumbers * kCsvNumberBytes + 1, fill);

@@ -16,9 +16,9 @@ namespace meristem {
 std::vector<std::uint32_t> organ_instances(const Plant& plant);
 
 /// Writes a table in CSV as write_skeleton_csv does, one row per organ in the plant's order: `component` (id),
-/// `instance` (number among the component's organs, from 0), `x`, `y`, `z` (where it is attached, metres), `area`
-/// (square metres), `exposure` and `irradiance` (organ_light.h). `lit` has an entry for each organ, else
-/// std::invalid_argument. Throws MachineError (path, disk), Cancelled.
+/// `instance` (number among the component's organs, from 0), `tree` (as trees_of_organs in measures.h), `x`, `y`, `z`
+/// (where it is attached, metres), `area` (square metres), `exposure` and `irradiance` (organ_light.h). `lit` has an
+/// entry for each organ, else std::invalid_argument. Throws MachineError (path, disk), Cancelled.
 void write_organ_csv(const Plant& plant, std::span<const LitOrgan> lit, const std::string& path, Progress& progress);
 
 }  // namespace meristem

@@ -44,15 +44,15 @@ std::string written(std::size_t count) {
 
 TEST(OrganCsv, IsOneRowAnOrganNumberedWithinItsComponent) {
   EXPECT_EQ(written(4),
-            "component,instance,x,y,z,area,exposure,irradiance\n"
-            "leaf,0,0,0.1,-0.33333334,0.25,0.5,0\n"
-            "\"a \"\"b\"\", c\",0,1,0.1,-0.33333334,0.25,0.5,0.125\n"
-            "leaf,1,2,0.1,-0.33333334,0.25,0.5,0.25\n"
-            "leaf,2,3,0.1,-0.33333334,0.25,0.5,0.375\n");
+            "component,instance,tree,x,y,z,area,exposure,irradiance\n"
+            "leaf,0,,0,0.1,-0.33333334,0.25,0.5,0\n"
+            "\"a \"\"b\"\", c\",0,,1,0.1,-0.33333334,0.25,0.5,0.125\n"
+            "leaf,1,,2,0.1,-0.33333334,0.25,0.5,0.25\n"
+            "leaf,2,,3,0.1,-0.33333334,0.25,0.5,0.375\n");
 }
 
 TEST(OrganCsv, APlantWithoutOrgansIsItsHeader) {
-  EXPECT_EQ(written(0), "component,instance,x,y,z,area,exposure,irradiance\n");
+  EXPECT_EQ(written(0), "component,instance,tree,x,y,z,area,exposure,irradiance\n");
 }
 
 TEST(OrganCsv, TheSameBytesOnAnyNumberOfThreads) {

@@ -9,7 +9,7 @@
 
 namespace meristem {
 
-/// The quality of JPEG files that nobody chooses another for: noise and thin twigs look as they do in a PNG.
+/// The default quality of JPEG files: noise and thin twigs look as they do in a PNG.
 inline constexpr int kUsualJpegQuality = 90;
 
 struct JpegOptions {

@@ -81,7 +81,7 @@ Skeleton skeleton_of(const NodeTable& table, const NodeTablePlacement& placement
     skeleton.axis[node] = axes++;
     if (parent == kNoNode) continue;
     if (skeleton.order[parent] == std::numeric_limits<std::uint16_t>::max()) {
-      throw InputError(Diagnostic{.message = "the node is of too high a branching order",
+      throw InputError(Diagnostic{.message = "the branching order of the node is too high",
                                   .expected = fmt::format("orders up to {}", std::numeric_limits<std::uint16_t>::max()),
                                   .file = file,
                                   .line = table.line[node]});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lines of a table become rows with numbers, whose parents are named by the rows' own numbers; what is wrong with
-// the names is told by line. Rows are then put in an order in which parents come before children, by a walk from the
-// roots whose levels keep the order of the lines.
+// The lines of a table become rows with numbers, which refer to their parents by the rows' own numbers; faults of these
+// numbers are reported by line. Rows are then ordered so that parents come before children, by a walk from the roots
+// whose levels keep the order of the lines.
 #include <algorithm>
 #include <array>
 #include <charconv>

@@ -77,7 +77,7 @@ struct MtgTree {
 
   /// The index of a feature by name.
   std::optional<std::uint32_t> find_feature(std::string_view name) const;
-  /// A feature's value for every vertex, NaN where there is none or where it is no number.
+  /// A feature's value for every vertex, NaN where there is none or where it is not a number.
   std::vector<double> numbers(std::uint32_t feature) const;
   /// A feature's value for every vertex as written, empty where there is none; parts of `values.text`.
   std::vector<std::string_view> texts(std::uint32_t feature) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Entities are made in one pass. A code is walked from where it starts (the scene, the entity above in the same column
-// or in the column before, an alias), making one entity a label. An entity that begins a part of another (`/`) hangs on
-// what that other one was set on: so a branch that starts a new axis starts its first internode as well.
+// or in the column before, an alias), making one entity per label. An entity that begins a part of another (`/`) stands
+// on the parent of that other one: so a branch that starts a new axis starts its first internode as well.
 //
 // What follows or branches at a scale finer than where a code stands goes on from the finer entity that this one was
 // set on: `S3`, `^+B31`, `^<S4` in one column, with B an axis that nothing more is coded of, is S4 after S3.

@@ -149,7 +149,7 @@ class SkeletonReader {
       return;
     }
     if (skeleton.order[parent] == std::numeric_limits<std::uint16_t>::max()) {
-      fail(vertex, fmt::format("{} is of too high a branching order", tree_.label(vertex)),
+      fail(vertex, fmt::format("the branching order of {} is too high", tree_.label(vertex)),
            fmt::format("orders up to {}", std::numeric_limits<std::uint16_t>::max()));
     }
     skeleton.axis[node] = axes_++;
@@ -196,7 +196,7 @@ class SkeletonReader {
 MtgSkeleton skeleton_of(const MtgTree& tree, const std::string& file, const MtgGeometry& geometry,
                         const Limits& limits) {
   if (!(geometry.length_unit > 0) || !(geometry.diameter_unit > 0)) {
-    throw std::invalid_argument("the units of an MTG's geometry are above 0");
+    throw std::invalid_argument("the units of an MTG's geometry must be above 0");
   }
   return SkeletonReader(tree, file, geometry).read(limits);
 }

@@ -43,6 +43,22 @@ bool CombinedCrown::contains(Vec3 point) const {
   return kind_ != CombineKind::unite;
 }
 
+bool CombinedCrown::is_convex() const {
+  return kind_ == CombineKind::intersect &&
+         std::ranges::all_of(crowns_, [](const CrownPointer& crown) { return crown->is_convex(); });
+}
+
+double CombinedCrown::distance(Vec3 point) const {
+  double distance = crowns_[0]->distance(point);
+  for (std::size_t k = 1; k < crowns_.size(); ++k) {
+    const double other = crowns_[k]->distance(point);
+    if (kind_ == CombineKind::unite) distance = std::min(distance, other);
+    if (kind_ == CombineKind::intersect) distance = std::max(distance, other);
+    if (kind_ == CombineKind::subtract) distance = std::max(distance, -other);
+  }
+  return distance;
+}
+
 Vec2 CombinedCrown::axis() const { return kind_ == CombineKind::subtract ? crowns_[0]->axis() : Crown::axis(); }
 
 }  // namespace meristem

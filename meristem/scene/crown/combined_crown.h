@@ -20,9 +20,12 @@ class CombinedCrown : public Crown {
   /// At least one crown, none of them null; throws std::invalid_argument otherwise.
   CombinedCrown(CombineKind kind, std::vector<CrownPointer> crowns);
   bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
   Box bounds() const override { return bounds_; }
   /// The axis of the first crown, also of what remains of it after a subtraction.
   Vec2 axis() const override;
+  /// Where convex crowns are intersected.
+  bool is_convex() const override;
 
  private:
   CombineKind kind_;

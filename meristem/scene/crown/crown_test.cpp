@@ -10,9 +10,9 @@
 
 #include "meristem/base/random.h"
 #include "meristem/scene/crown/combined_crown.h"
+#include "meristem/scene/crown/placed_crown.h"
 #include "meristem/scene/crown/profile_crown.h"
 #include "meristem/scene/crown/solid_crowns.h"
-#include "meristem/scene/crown/turned_crown.h"
 
 namespace meristem {
 namespace {
@@ -144,6 +144,58 @@ TEST(ConeCrown, NarrowsToItsApex) {
   expect_bounds_hold(crown, 4);
 }
 
+TEST(CylinderCrown, IsAsWideAboveAsBelow) {
+  const CylinderCrown crown({1, 1, 0}, 0.5, 2);
+  EXPECT_TRUE(crown.contains({1.49F, 1, 0}));
+  EXPECT_TRUE(crown.contains({1, 3, -0.49F}));
+  EXPECT_FALSE(crown.contains({1.36F, 2, 0.36F}));
+  EXPECT_FALSE(crown.contains({1, 3.01F, 0}));
+  expect_bounds_hold(crown, 4);
+}
+
+TEST(PyramidCrown, HasASquareAtEachHeight) {
+  const PyramidCrown crown({0, 1, 0}, 2, 2);
+  EXPECT_TRUE(crown.contains({0.99F, 1, -0.99F}));
+  EXPECT_TRUE(crown.contains({0.49F, 2, 0.49F}));
+  EXPECT_FALSE(crown.contains({0.51F, 2, 0}));
+  EXPECT_TRUE(crown.contains({0, 3, 0}));
+  EXPECT_FALSE(crown.contains({0, 0.99F, 0}));
+  expect_bounds_hold(crown, 4);
+}
+
+TEST(HalfSpaceCrown, EndsAtItsPlaneAlone) {
+  const HalfSpaceCrown crown({0, 1, 0}, {0, 3, 0});
+  EXPECT_TRUE(crown.contains({1000, 1, -1000}));
+  EXPECT_FALSE(crown.contains({0, 1.01F, 0}));
+  EXPECT_TRUE(is_endless(crown));
+  const CombinedCrown cut(CombineKind::intersect, {std::make_shared<BoxCrown>(Box{Vec3(-1), Vec3(2)}),
+                                                   std::make_shared<HalfSpaceCrown>(crown)});
+  EXPECT_FALSE(is_endless(cut));
+  EXPECT_TRUE(cut.is_convex());
+}
+
+TEST(Crown, ReachesToItsBoundary) {
+  const EllipsoidCrown ball(Vec3(0), Vec3(1));
+  EXPECT_NEAR(ball.reach(Vec3(0), {4, 0, 0}), 0.25F, 1e-4);
+  EXPECT_TRUE(ball.contains(ball.reach(Vec3(0), {0, 4, 0}) * Vec3(0, 4, 0)));
+  EXPECT_EQ(ball.reach(Vec3(0), {0, 0.99F, 0}), 1);
+  EXPECT_EQ(ball.reach({0, 2, 0}, Vec3(0)), 0);
+}
+
+TEST(Crown, ReachesTheFirstGapOfACrownThatIsNotConvex) {
+  const auto ball = [](float x) { return std::make_shared<EllipsoidCrown>(Vec3(x, 0, 0), Vec3(1)); };
+  const CombinedCrown two(CombineKind::unite, {ball(0), ball(3)});
+  EXPECT_FALSE(two.is_convex());
+  EXPECT_NEAR(two.reach(Vec3(0), {3, 0, 0}), 1.0F / 3, 1e-4);
+}
+
+TEST(PlacedCrown, MovesItsCrown) {
+  const PlacedCrown moved(std::make_shared<EllipsoidCrown>(Vec3(0), Vec3(1)), Frame{2.0F * Mat3(1), {10, 0, 0}});
+  EXPECT_TRUE(moved.contains({11.9F, 0, 0}));
+  EXPECT_FALSE(moved.contains({0, 0, 0}));
+  EXPECT_NEAR(moved.bounds().high.x, 12, 1e-3);
+}
+
 TEST(CombinedCrown, ContainsWhatSetTheorySays) {
   const auto a = std::make_shared<EllipsoidCrown>(Vec3(0), Vec3(1));
   const auto b = std::make_shared<BoxCrown>(Box{Vec3(0), Vec3(1.5F)});
@@ -175,10 +227,10 @@ TEST(CombinedCrown, CrownsThatDoNotMeetIntersectInNothing) {
   EXPECT_EQ(nested.bounds().low.x, a->bounds().low.x);
 }
 
-TEST(TurnedCrown, HoldsWhatItsCrownHoldsBeforeItTurns) {
+TEST(PlacedCrown, HoldsWhatItsCrownHoldsBeforeItTurns) {
   const auto crown = std::make_shared<ProfileCrown>(kRoundCrown);
   const Mat3 axes = 0.4F * Mat3(Vec3(0, 0, 1), Vec3(0.6F, 0.8F, 0), Vec3(-0.8F, 0.6F, 0));
-  const TurnedCrown turned(crown, axes);
+  const PlacedCrown turned(crown, Frame{axes});
   for_points_around(4, [&](Vec3 point) {
     if (turned.contains(axes * point) != crown->contains(point)) {
       // Only rounding may part them.

@@ -10,7 +10,7 @@
 namespace meristem {
 
 MeshCrown::MeshCrown(std::shared_ptr<const ClosedMesh> mesh, const DFrame& frame)
-    : mesh_(std::move(mesh)), origin_(frame.origin), back_(glm::inverse(frame.axes)) {
+    : mesh_(std::move(mesh)), origin_(frame.origin), back_(glm::inverse(frame.axes)), axes_(frame.axes) {
   for (const DVec3 position : mesh_->positions()) bounds_.add(Vec3(frame.point(position)));
   // Rounding must not cut anything off.
   for (int k = 0; k < 3; ++k) {
@@ -20,5 +20,15 @@ MeshCrown::MeshCrown(std::shared_ptr<const ClosedMesh> mesh, const DFrame& frame
 }
 
 bool MeshCrown::contains(Vec3 point) const { return mesh_->contains(back_ * (DVec3(point) - origin_)); }
+
+double MeshCrown::distance(Vec3 point) const {
+  std::call_once(is_searchable_, [&] {
+    Obstacle body{.mesh = mesh_->mesh()};
+    for (DVec3& position : body.mesh.positions) position = DFrame{axes_, origin_}.point(position);
+    surface_ = Obstacles({std::move(body)});
+  });
+  const double away = surface_.distance_to_surface(point);
+  return contains(point) ? -away : away;
+}
 
 }  // namespace meristem

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 
 #include "meristem/base/frame.h"
 #include "meristem/scene/crown/crown.h"
 #include "meristem/scene/obstacle/closed_mesh.h"
+#include "meristem/scene/obstacle/obstacles.h"
 
 namespace meristem {
 
@@ -15,6 +17,8 @@ class MeshCrown : public Crown {
   /// `frame` takes the mesh's coordinates to those of the crown; its axes must be independent.
   MeshCrown(std::shared_ptr<const ClosedMesh> mesh, const DFrame& frame);
   bool contains(Vec3 point) const override;
+  /// The first call makes what finds the nearest triangle: about 300 bytes and a microsecond for each.
+  double distance(Vec3 point) const override;
   Box bounds() const override { return bounds_; }
 
  private:
@@ -22,6 +26,9 @@ class MeshCrown : public Crown {
   DVec3 origin_;
   DMat3 back_;  // from the crown's directions to the mesh's
   Box bounds_;
+  DMat3 axes_;
+  mutable std::once_flag is_searchable_;
+  mutable Obstacles surface_;  // in world space
 };
 
 }  // namespace meristem

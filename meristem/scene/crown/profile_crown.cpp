@@ -5,16 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "meristem/base/math.h"
+#include "meristem/scene/crown/line_distance.h"
 
 namespace meristem {
 
 namespace {
 
 Curve radius_over_height(const ProfileCrown::Profile& profile) {
-  if (profile.size() < 2) throw std::invalid_argument("crown profile: at least two points wanted");
+  if (profile.size() < 2) throw std::invalid_argument("crown profile: at least two points are needed");
   std::vector<Vec2> points;
   points.reserve(profile.size());
   for (const Vec2 marked : profile) points.emplace_back(marked.y, marked.x);
@@ -91,6 +93,26 @@ bool ProfileCrown::contains(Vec3 point) const {
   const double azimuth = sides_.size() == 1 ? 0 : math::atan2(x, -z);
   const double radius = radius_at(point.y, azimuth);
   return radius > 0 && squared <= radius * radius;
+}
+
+/// From the outline at the point's azimuth, which is cut into even pieces.
+double ProfileCrown::distance(Vec3 point) const {
+  constexpr int kPieces = 64;
+  const double x = point.x;
+  const double z = point.z;
+  const glm::dvec2 at(std::sqrt(x * x + z * z), point.y);
+  const double azimuth = sides_.size() == 1 ? 0 : math::atan2(x, -z);
+  const double piece = (highest_ - lowest_) / kPieces;
+  double least = std::numeric_limits<double>::infinity();
+  glm::dvec2 last(0, lowest_);
+  for (int k = 0; k <= kPieces; ++k) {
+    const double height = k == kPieces ? highest_ : lowest_ + k * piece;
+    const glm::dvec2 next(radius_at(height, azimuth), height);
+    least = std::min(least, squared_distance_to_line(at, last, next));
+    last = next;
+  }
+  least = std::min(least, squared_distance_to_line(at, last, {0, highest_}));
+  return contains(point) ? -std::sqrt(least) : std::sqrt(least);
 }
 
 Box ProfileCrown::bounds() const {

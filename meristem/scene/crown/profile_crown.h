@@ -29,6 +29,7 @@ class ProfileCrown : public Crown {
   double lowest() const { return lowest_; }                   ///< metres above the root
   double highest() const { return highest_; }
   bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
   Box bounds() const override;
   Vec2 axis() const override { return {0, 0}; }
 

@@ -11,7 +11,9 @@ class EllipsoidCrown : public Crown {
  public:
   EllipsoidCrown(Vec3 centre, Vec3 radii) : centre_(centre), radii_(radii) {}
   bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
   Box bounds() const override;
+  bool is_convex() const override { return true; }
 
  private:
   DVec3 centre_;
@@ -24,7 +26,9 @@ class ConeCrown : public Crown {
   /// `base` is the middle of the disc; the apex stands `height` over it.
   ConeCrown(Vec3 base, double radius, double height) : base_(base), radius_(radius), height_(height) {}
   bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
   Box bounds() const override;
+  bool is_convex() const override { return true; }
 
  private:
   DVec3 base_;
@@ -32,12 +36,62 @@ class ConeCrown : public Crown {
   double height_;
 };
 
+/// An upright cylinder on a horizontal disc.
+class CylinderCrown : public Crown {
+ public:
+  /// `base` is the middle of the lower disc.
+  CylinderCrown(Vec3 base, double radius, double height) : base_(base), radius_(radius), height_(height) {}
+  bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
+  Box bounds() const override;
+  bool is_convex() const override { return true; }
+
+ private:
+  DVec3 base_;
+  double radius_;
+  double height_;
+};
+
+/// A pyramid on a horizontal square with its sides along x and z.
+class PyramidCrown : public Crown {
+ public:
+  /// `base` is the middle of the square, whose sides are `width` long; the apex stands `height` over it.
+  PyramidCrown(Vec3 base, double width, double height) : base_(base), half_width_(width / 2), height_(height) {}
+  bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
+  Box bounds() const override;
+  bool is_convex() const override { return true; }
+
+ private:
+  DVec3 base_;
+  double half_width_;
+  double height_;
+};
+
+/// All that lies on one side of a plane.
+class HalfSpaceCrown : public Crown {
+ public:
+  /// `normal`, of any length above 0, points out of the half space; `point` lies on the plane.
+  HalfSpaceCrown(Vec3 point, Vec3 normal) : point_(point), normal_(normal) {}
+  bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
+  /// A box with sides of 2 kEndlessReach.
+  Box bounds() const override;
+  bool is_convex() const override { return true; }
+
+ private:
+  DVec3 point_;
+  DVec3 normal_;
+};
+
 /// A box with its edges along x, y and z.
 class BoxCrown : public Crown {
  public:
   explicit BoxCrown(const Box& box) : box_(box) {}
   bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
   Box bounds() const override { return box_; }
+  bool is_convex() const override { return true; }
 
  private:
   Box box_;

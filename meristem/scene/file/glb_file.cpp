@@ -12,7 +12,7 @@ namespace meristem {
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "the numbers of glTF are read as they stand");
+static_assert(std::endian::native == std::endian::little, "the numbers of glTF are read as they lie in the file");
 
 constexpr std::size_t kHeaderBytes = 12;
 constexpr std::size_t kChunkHeaderBytes = 8;
@@ -63,7 +63,7 @@ GlbFile::GlbFile(std::string_view bytes, const std::string& file, const Limits& 
     fail("", fmt::format("the file is of glTF version {}", version), "version 2");
   }
   if (const auto length = read_as<std::uint32_t>(bytes.data() + 8); length > bytes.size()) {
-    fail("", fmt::format("the file promises {} bytes, but is cut off after {}", length, bytes.size()),
+    fail("", fmt::format("the file declares {} bytes, but is cut off after {}", length, bytes.size()),
          "the whole file");
   }
   std::string_view rest = bytes.substr(kHeaderBytes);
@@ -81,7 +81,7 @@ std::string_view GlbFile::take_chunk(std::string_view& rest, std::uint32_t type,
   if (read_as<std::uint32_t>(rest.data() + 4) != type) fail("", fmt::format("the file has no {} chunk", name));
   rest.remove_prefix(kChunkHeaderBytes);
   if (length > rest.size()) {
-    fail("", fmt::format("the {} chunk promises {} bytes, but {} are left", name, length, rest.size()),
+    fail("", fmt::format("the {} chunk declares {} bytes, but {} are left", name, length, rest.size()),
          "the whole file");
   }
   const std::string_view chunk = rest.substr(0, length);
@@ -183,7 +183,7 @@ GltfNumbers GlbFile::numbers(std::uint64_t accessor, std::string_view type, std:
   const std::uint64_t first_end = whole(said, "byteOffset", place).value_or(0) + element_bytes;
   const std::uint64_t room = first_end <= bytes.size() ? (bytes.size() - first_end) / result.stride + 1 : 0;
   if (result.count > room) {
-    fail(place, fmt::format("{} elements are promised, but the view has room for {}", result.count, room),
+    fail(place, fmt::format("{} elements are declared, but the view has room for {}", result.count, room),
          "elements that the file holds");
   }
   if (result.count > 0) result.begin = bytes.data() + (first_end - element_bytes);

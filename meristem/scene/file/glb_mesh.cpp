@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// From all that glTF can say, a body needs nodes, meshes and two accessors per primitive. Read here and not by
-// tinygltf, which follows nested JSON by recursion, opens any file that a buffer names, and does not say where a fault
-// lies.
+// Of the whole of glTF, a body needs nodes, meshes and two accessors per primitive. The file is read here and not by
+// tinygltf, which follows nested JSON by recursion, opens any file that a buffer names, and does not report where a
+// fault lies.
 //
 // Based on: Khronos Group, glTF 2.0 Specification (2021), sections 3.5 to 3.7 and 4.
 #include "meristem/scene/file/glb_mesh.h"
@@ -122,7 +122,7 @@ class SceneReader {
     const auto vertex = [&](std::uint64_t corner) {
       const auto index = indices ? static_cast<std::uint64_t>(indices->number(corner, 0)) : corner;
       if (index >= positions.count) {
-        glb_.fail(place, fmt::format("index {}: there is not a vertex {}", corner, index),
+        glb_.fail(place, fmt::format("index {}: there is no vertex {}", corner, index),
                   fmt::format("fewer than {}", positions.count));
       }
       return static_cast<std::uint32_t>(first + index);

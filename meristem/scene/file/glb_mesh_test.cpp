@@ -158,7 +158,7 @@ TEST(GlbMesh, TakesInterleavedAndNormalizedNumbers) {
 
 TEST(GlbMesh, WhatIsPromisedMustBeThere) {
   EXPECT_EQ(fault_with(R"("count": 36)", R"("count": 1000000000)"),
-            "body: accessors[1]: 1000000000 elements are promised, but the view has room for 36; expected elements "
+            "body: accessors[1]: 1000000000 elements are declared, but the view has room for 36; expected elements "
             "that the file holds");
   EXPECT_EQ(fault_with(R"("byteLength": 72)", R"("byteLength": 4000000000)"),
             "body: bufferViews[1]: the view ends at byte 4000000096 of 168; expected a view within the binary chunk");
@@ -177,7 +177,7 @@ TEST(GlbMesh, WhatIsPromisedMustBeThere) {
   TriangleMesh wrong = box();
   wrong.triangles[4][1] = 8;
   EXPECT_EQ(fault(glb(box_json(5123, 2), data_of<std::uint16_t>(wrong))),
-            "body: meshes[0].primitives[0]: index 13: there is not a vertex 8; expected fewer than 8");
+            "body: meshes[0].primitives[0]: index 13: there is no vertex 8; expected fewer than 8");
   wrong = box();
   wrong.positions[3].y = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(fault(glb(box_json(5123, 2), data_of<std::uint16_t>(wrong))),

@@ -249,7 +249,7 @@ void PlyFile::check_size(const PlyElement& element, std::uint64_t bytes_left) co
   const std::uint64_t rows = (bytes_left + (format_ == PlyFormat::ascii ? 1 : 0)) / row;
   if (element.count <= rows) return;
   throw InputError(Diagnostic{
-      .message = fmt::format("the header promises {} rows of '{}', but the file is cut off: {} bytes hold {} at most",
+      .message = fmt::format("the header declares {} rows of '{}', but the file is cut off: {} bytes hold at most {}",
                              element.count, element.name, bytes_left, rows),
       .expected = "the whole file",
       .file = file_});

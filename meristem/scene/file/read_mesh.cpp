@@ -48,7 +48,7 @@ class ObjReader {
       if (keyword == "f") read_face();
     } while (text_.next_line());
     if (greatest_ >= mesh_.positions.size() && !mesh_.triangles.empty()) {
-      greatest_at_.fail(fmt::format("there is not a vertex {}", greatest_ + 1),
+      greatest_at_.fail(fmt::format("there is no vertex {}", greatest_ + 1),
                         fmt::format("at most {}", mesh_.positions.size()));
     }
     return std::move(mesh_);
@@ -87,8 +87,7 @@ class ObjReader {
       text_.fail(fmt::format("{} is not a vertex", in_quotes(word)), "a number from 1, or from -1 down");
     }
     const auto count = static_cast<std::int64_t>(mesh_.positions.size());
-    if (number < -count)
-      text_.fail(fmt::format("there is not a vertex {}", number), fmt::format("at least {}", -count));
+    if (number < -count) text_.fail(fmt::format("there is no vertex {}", number), fmt::format("at least {}", -count));
     const auto index = static_cast<std::uint32_t>(number < 0 ? count + number : number - 1);
     if (index >= greatest_) {
       greatest_ = index;
@@ -134,7 +133,7 @@ TriangleMesh parse_ply(std::string_view bytes, const std::string& file, const Li
       corners.clear();
       for (const double index : row.lists[list]) {
         if (!(index >= 0 && index < static_cast<double>(vertices->count) && index < kLastIndex)) {
-          ply.fail(element, row, fmt::format("there is not a vertex {:.12g}", index),
+          ply.fail(element, row, fmt::format("there is no vertex {:.12g}", index),
                    fmt::format("0 to {}", vertices->count - 1));
         }
         corners.push_back(static_cast<std::uint32_t>(index));
@@ -168,7 +167,7 @@ ClosedMesh read_closed_mesh(const std::string& path, const Limits& limits) {
   std::vector<Diagnostic> diagnostics;
   for (std::string& fault : closedness_faults(mesh)) {
     diagnostics.push_back({.message = std::move(fault),
-                           .expected = "a closed mesh, whose every edge has a triangle on both sides",
+                           .expected = "a closed mesh, in which every edge has a triangle on both sides",
                            .path = {},
                            .file = path});
   }

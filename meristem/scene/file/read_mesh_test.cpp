@@ -59,15 +59,15 @@ TEST(ReadMesh, EveryFaultHasItsPlace) {
   EXPECT_EQ(fault("v 0 0 0\nf 1 1\n"), "body:2:6: the face has fewer than three corners; expected f a b c");
   EXPECT_EQ(fault("v 0 0 0\nf 1 1 a\n"), "body:2:7: 'a' is not a vertex; expected a number from 1, or from -1 down");
   EXPECT_EQ(fault("v 0 0 0\nf 1 1 0\n"), "body:2:7: '0' is not a vertex; expected a number from 1, or from -1 down");
-  EXPECT_EQ(fault("v 0 0 0\nf 1 1 -2\n"), "body:2:7: there is not a vertex -2; expected at least -1");
-  EXPECT_EQ(fault("v 0 0 0\nf 1 1 1\nf 1 7 2\n"), "body:3:5: there is not a vertex 7; expected at most 1");
+  EXPECT_EQ(fault("v 0 0 0\nf 1 1 -2\n"), "body:2:7: there is no vertex -2; expected at least -1");
+  EXPECT_EQ(fault("v 0 0 0\nf 1 1 1\nf 1 7 2\n"), "body:3:5: there is no vertex 7; expected at most 1");
   EXPECT_EQ(fault("f 1 1 99999999999\n").substr(0, 34), "body:1:7: '99999999999' is not a v");
   EXPECT_EQ(fault("v 0 0 0\n"), "body: the file has no faces; expected an OBJ, PLY or GLB file with faces");
   EXPECT_THROW(parse("v 0 0 0\nf 1 1 1 1 1\n", 2), InputError);
 
   std::string text = kPly;
   text.replace(text.find("4 0 1 2 3"), 9, "4 0 1 2 4");
-  EXPECT_EQ(fault(text), "body:16: row 2 of 'face': there is not a vertex 4; expected 0 to 3");
+  EXPECT_EQ(fault(text), "body:16: row 2 of 'face': there is no vertex 4; expected 0 to 3");
   text.replace(text.find("4 0 1 2 4"), 9, "2 0 1    ");
   EXPECT_EQ(fault(text), "body:16: row 2 of 'face': the face has fewer than three corners");
   text.replace(text.find("element face"), 12, "element fase");
@@ -77,14 +77,14 @@ TEST(ReadMesh, EveryFaultHasItsPlace) {
 TEST(ReadMesh, WhatIsNoNumberOrPromisesTooMuchIsRefused) {
   EXPECT_EQ(fault("v 0 -inf 0\n"), "body:1:5: '-inf' is not a finite number; expected a coordinate");
   EXPECT_EQ(fault("v 0 1e999 0\n"), "body:1:5: '1e999' is not a finite number; expected a coordinate");
-  EXPECT_EQ(fault("v 0 0 0\nf 1 1 1000000000\n"), "body:2:7: there is not a vertex 1000000000; expected at most 1");
+  EXPECT_EQ(fault("v 0 0 0\nf 1 1 1000000000\n"), "body:2:7: there is no vertex 1000000000; expected at most 1");
   std::string text = kPly;
   text.replace(text.find("1 1 0"), 5, "nan 1");
   EXPECT_EQ(fault(text), "body:13: row 3 of 'vertex': a coordinate is not a finite number; expected a number");
   text = kPly;
   text.replace(text.find("element face 2"), 14, "element face 1000000000");
   EXPECT_EQ(fault(text),
-            "body: the header promises 1000000000 rows of 'face', but the file is cut off: 23 bytes hold 6 at most; "
+            "body: the header declares 1000000000 rows of 'face', but the file is cut off: 23 bytes hold at most 6; "
             "expected the whole file");
   text = kPly;
   text.replace(text.find("4 0 1 2 3"), 9, "1000000000 0");

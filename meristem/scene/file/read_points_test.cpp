@@ -140,13 +140,13 @@ TEST(ReadPoints, AHeaderThatPromisesTooMuchIsRefusedBeforeTheMemoryIsSpent) {
     ADD_FAILURE() << "no fault";
   } catch (const InputError& error) {
     EXPECT_NE(
-        std::string(error.what()).find("the header promises 1000000000 rows of 'vertex', but the file is cut off"),
+        std::string(error.what()).find("the header declares 1000000000 rows of 'vertex', but the file is cut off"),
         std::string::npos)
         << error.what();
   }
   const std::string other =
       replaced(kAscii, "element vertex", "element strip 99999999999\nproperty int a\nelement vertex");
-  EXPECT_NE(fault(other).find("promises 99999999999 rows of 'strip'"), std::string::npos);
+  EXPECT_NE(fault(other).find("declares 99999999999 rows of 'strip'"), std::string::npos);
   // Rows without properties are nothing, however many.
   expect_two(replaced(kAscii, "element vertex", "element strip 99999999999\nelement vertex"));
 }

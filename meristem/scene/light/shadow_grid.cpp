@@ -47,7 +47,7 @@ void check(const ShadowParameters& form) {
   require(form.depth >= 0 && form.depth <= kDeepest, "ShadowParameters::depth is out of range");
   require(form.reach >= 1 && form.reach <= kLongestReach, "ShadowParameters::reach is out of range");
   const DVec3 light(form.toward_light);
-  require(std::abs(glm::dot(light, light) - 1) < 1e-3, "ShadowParameters::toward_light is no unit vector");
+  require(std::abs(glm::dot(light, light) - 1) < 1e-3, "ShadowParameters::toward_light is not a unit vector");
 }
 
 constexpr std::size_t kAskedAtOnce = 16;  // positions

@@ -27,7 +27,7 @@ void check(const Seeker& seeker, double spacing, std::size_t volume_count) {
   require(seeker.volume < volume_count, "Seeker::volume is none that was added");
   require(seeker.radius >= 0 && seeker.radius <= MarkerBricks::kMostReach * spacing, "Seeker::radius is out of range");
   require(std::abs(seeker.cosine) <= 1, "Seeker::cosine is out of range");
-  require(std::abs(squared_length(seeker.direction) - 1) < 1e-5F, "Seeker::direction is no unit vector");
+  require(std::abs(squared_length(seeker.direction) - 1) < 1e-5F, "Seeker::direction is not a unit vector");
 }
 
 /// A perception cone against bricks.

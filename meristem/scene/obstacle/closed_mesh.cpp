@@ -3,7 +3,7 @@
 // stands for one moved by (e, e^3, e^2) with e tending to 0, the same for all triangles, so the line never meets an
 // edge or a vertex and never runs along a face. Triangles are found through grids over x and z of 1, 4, 16, ... cells:
 // each lies in the finest one whose cells are as large as it, hence in four cells at most, and a query looks into one
-// cell a grid. Memory is linear however large the triangles are. Based on: H. Edelsbrunner, E. Mücke, Simulation of
+// cell per grid. Memory is linear however large the triangles are. Based on: H. Edelsbrunner, E. Mücke, Simulation of
 // simplicity (1990).
 #include "meristem/scene/obstacle/closed_mesh.h"
 

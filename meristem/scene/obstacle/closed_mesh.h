@@ -43,6 +43,7 @@ class ClosedMesh {
   double volume() const { return volume_; }  ///< cubic units, at least 0
   const std::vector<DVec3>& positions() const { return positions_; }
   std::size_t triangle_count() const { return triangles_.size(); }
+  TriangleMesh mesh() const { return {positions_, triangles_}; }  ///< a copy
 
  private:
   using Grid3 = std::array<std::int32_t, 3>;

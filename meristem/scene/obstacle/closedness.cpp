@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// In a closed mesh every edge is passed as often one way as the other. Edges are sorted, so equal ones stand together.
+// In a closed mesh, triangles pass every edge as often in one direction as in the other. Edges are sorted, so equal
+// ones stand together.
 #include <algorithm>
 #include <cmath>
 #include <numeric>

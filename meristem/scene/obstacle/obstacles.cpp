@@ -191,6 +191,11 @@ std::optional<Vec3> Obstacles::away_from_surface(Vec3 position) const {
   return Vec3((contain(position) ? -1.0 : 1.0) / distance * way);
 }
 
+double Obstacles::distance_to_surface(Vec3 position) const {
+  const auto near = empty() ? std::nullopt : content_->tree->nearest(DVec3(position));
+  return near ? glm::distance(near->position, DVec3(position)) : std::numeric_limits<double>::infinity();
+}
+
 Vec3 Obstacles::ground_centroid(std::size_t obstacle) const { return content_->centroids[obstacle]; }
 
 std::vector<std::uint8_t> inside_of(const Obstacles& obstacles, std::span<const Vec3> places,

@@ -60,6 +60,8 @@ class Obstacles {
   /// The way from the nearest surface to a position, a unit vector: out of that surface where the position lies on it,
   /// and toward the surface where it is inside a body. Nothing where there are no obstacles.
   std::optional<Vec3> away_from_surface(Vec3 position) const;
+  /// Metres from a position to the nearest surface; infinite where there are no obstacles.
+  double distance_to_surface(Vec3 position) const;
   /// The centroid of an obstacle's volume, of a broken one's surface, put down on the ground (y = 0).
   Vec3 ground_centroid(std::size_t obstacle) const;
 

@@ -23,8 +23,8 @@ namespace {
 using Point = glm::dvec2;
 using Polygon = std::vector<Point>;
 
-constexpr double kFlat = 1e-6;    // twice the area over the longest edge squared of triangles that are not made
-constexpr double kBetter = 1e-9;  // of shape, for which a diagonal is worth to be changed
+constexpr double kSliverArea = 1e-6;  // twice the area over the longest edge squared of triangles that are not made
+constexpr double kBetter = 1e-9;      // of shape, for which a diagonal is worth to be changed
 constexpr int kFlipPasses = 8;
 
 /// Twice the signed area, positive counter-clockwise.
@@ -208,7 +208,7 @@ bool is_clear(const Polygon& ring, Point a, Point b, Point c, double margin) {
 /// The corner whose clear ear has the best shape.
 std::optional<std::size_t> best_ear(const Polygon& ring, double margin) {
   std::optional<std::size_t> best;
-  double best_quality = kFlat;
+  double best_quality = kSliverArea;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point a = ring[(i + ring.size() - 1) % ring.size()], b = ring[i], c = ring[(i + 1) % ring.size()];
     const double quality = shape_quality(a, b, c);
@@ -233,7 +233,7 @@ std::vector<Corners> clip_ears(const Polygon& polygon) {
   for (std::size_t i = 0; i < number.size(); ++i) number[i] = i;
   while (ring.size() > 3) {
     // A corner on the diagonal would leave a triangle too flat to be made, and so a gap.
-    auto ear = best_ear(ring, kFlat);
+    auto ear = best_ear(ring, kSliverArea);
     if (!ear) ear = best_ear(ring, 0);
     if (!ear) break;
     const std::size_t i = *ear;
@@ -241,7 +241,7 @@ std::vector<Corners> clip_ears(const Polygon& polygon) {
     ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
     number.erase(number.begin() + static_cast<std::ptrdiff_t>(i));
   }
-  if (ring.size() == 3 && shape_quality(ring[0], ring[1], ring[2]) > kFlat) {
+  if (ring.size() == 3 && shape_quality(ring[0], ring[1], ring[2]) > kSliverArea) {
     triangles.push_back({number[0], number[1], number[2]});
   }
   return triangles;

@@ -11,7 +11,7 @@ namespace meristem {
 GrassLeaf turned(const GrassLeaf& leaf, const std::vector<LocalTurn>& turns) {
   for (const LocalTurn& turn : turns) {
     if (!(turn.from >= 0 && turn.to >= turn.from && turn.to <= 1)) {
-      throw std::invalid_argument("a turn of a leaf lies between two positions from 0 to 1");
+      throw std::invalid_argument("a turn of a leaf must lie between two positions from 0 to 1");
     }
   }
   GrassLeaf now = leaf;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns of a leaf's midrib that somebody asks for.
+// Turns of a leaf's midrib that the caller gives.
 #pragma once
 
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Both coordinates of the midrib are functions of the length of the chords up to there, and smoothed as one. The spline
-// is then followed in small steps to points on it that are equally far apart; these are the leaf's. Tried first: points
-// equally far apart along the spline. Where a leaf is broken their chords are shorter, and making them equal moved the
+// is then followed in small steps to points on it with equal chords; these are the leaf's points. Tried first: points
+// at equal distances along the spline. Where a leaf is broken their chords are shorter, and making them equal moved the
 // rest of the leaf by up to 1.5 % of its length.
 // Based on: Fournier and Pradal (2012), section 2.2.
 #include "meristem/shape/grass/fit_leaf.h"
@@ -138,7 +138,12 @@ class EvenPositions {
         positions_(shares_.size()),
         pieces_(shares_.size()),
         points_(shares_.size()) {
-    for (std::size_t i = 0; i < positions_.size(); ++i) positions_[i] = shares_[i] * lengths_.back();
+    const std::size_t steps = followed.size() - 1;
+    for (std::size_t i = 0; i < positions_.size(); ++i) {
+      positions_[i] = shares_[i] * lengths_.back();
+      // About there, for the points were followed in equal steps.
+      pieces_[i] = std::min(i * steps / static_cast<std::size_t>(pieces), steps - 1);
+    }
     moved_ = positions_;
     find_points();
   }
@@ -168,9 +173,8 @@ class EvenPositions {
  private:
   void find_points() {
     for (std::size_t i = 0; i < positions_.size(); ++i) {
-      // Positions rise, and go a short way in a round: the piece in which one lies is near the one of before.
+      // Positions go a short way in a round: the piece in which one lies is near the one of before.
       std::size_t& k = pieces_[i];
-      if (i > 0) k = std::max(k, pieces_[i - 1]);
       while (k > 0 && lengths_[k] >= positions_[i]) --k;
       while (k + 2 < lengths_.size() && lengths_[k + 1] < positions_[i]) ++k;
       points_[i] = glm::mix(followed_[k], followed_[k + 1], share_in_piece(lengths_, positions_[i], k));
@@ -215,13 +219,6 @@ GrassLeaf leaf_through(const Points& points) {
   return leaf;
 }
 
-/// The area under a curve, where it is above 0.
-double area_under(const CurvePositions& positions, std::span<const Vec2> curve, CurveKind kind) {
-  double sum = 0;
-  for (const double value : positions.values(curve, kind)) sum += std::max(0.0, value);
-  return sum / kAreaPlaces;
-}
-
 /// Between few rows a spline bulges: it may have 6 % more area than the widths that were measured. The spline gives way
 /// to the straight lines by the share that keeps the area to theirs.
 double straightness_for_area(std::span<const Vec2> curve) {
@@ -231,8 +228,16 @@ double straightness_for_area(std::span<const Vec2> curve) {
     return middles;
   }();
   const CurvePositions positions(curve, places);
-  const double wanted = area_under(positions, curve, CurveKind::linear);
-  const double excess = std::abs(area_under(positions, curve, CurveKind::spline) - wanted);
+  const std::vector<double> lines = positions.values(curve, CurveKind::linear);
+  const std::vector<double> bent = positions.values(curve, CurveKind::spline);
+  // Areas where the curves are above 0, side by side: neither sum waits for the other.
+  double wanted = 0, area = 0;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    wanted += std::max(0.0, lines[k]);
+    area += std::max(0.0, bent[k]);
+  }
+  wanted /= kAreaPlaces;
+  const double excess = std::abs(area / kAreaPlaces - wanted);
   const double allowed = kMostExcess * wanted;
   return excess > allowed ? 1 - allowed / excess : 0;
 }
@@ -281,9 +286,9 @@ SmoothWidths smooth_widths(const Points& points, const FitOptions& options) {
 void check_options(const FitOptions& options) {
   const auto is_share = [](double value) { return std::isfinite(value) && value >= 0 && value <= 1; };
   if (!is_share(options.smoothing) || !is_share(options.width_smoothing)) {
-    throw std::invalid_argument("the smoothing of a fit is from 0 to 1");
+    throw std::invalid_argument("the smoothing of a fit must be from 0 to 1");
   }
-  if (options.pieces < 2) throw std::invalid_argument("a fitted leaf has at least 2 pieces");
+  if (options.pieces < 2) throw std::invalid_argument("a fitted leaf needs at least 2 pieces");
 }
 
 }  // namespace

@@ -194,12 +194,12 @@ double torsion(const GrassBlade& blade, double place) { return blade.twist * bla
 Mesh make_grass_blade(const GrassLeaf& leaf, const GrassBlade& blade) {
   check_grass_leaf(leaf);
   if (blade.across < 2 || blade.across % 2 != 0) {
-    throw std::invalid_argument("a grass blade has an even number of quads across");
+    throw std::invalid_argument("a grass blade needs an even number of quads across");
   }
   const EdgeWaves& waves = blade.waves;
   if (!std::isfinite(blade.twist + blade.fold + blade.roll + blade.clasp + blade.clasp_radius + waves.number +
                      waves.depth + waves.left + waves.right)) {
-    throw std::invalid_argument("the numbers of a grass blade are finite");
+    throw std::invalid_argument("the numbers of a grass blade must be finite");
   }
   return BladeRows(leaf, blade).run();
 }

@@ -21,17 +21,17 @@ void check_grass_leaf(const GrassLeaf& leaf) {
     if (!holds) throw std::invalid_argument(message);
   };
   const std::size_t points = leaf.point_count();
-  require(std::isfinite(leaf.length) && leaf.length > 0, "a grass leaf has a length above 0");
-  require(std::isfinite(leaf.width) && leaf.width > 0, "a grass leaf has a width above 0");
-  require(points >= 2, "a grass leaf has at least 2 points");
+  require(std::isfinite(leaf.length) && leaf.length > 0, "a grass leaf needs a length above 0");
+  require(std::isfinite(leaf.width) && leaf.width > 0, "a grass leaf needs a width above 0");
+  require(points >= 2, "a grass leaf needs at least 2 points");
   require(leaf.x.size() == points && leaf.y.size() == points && leaf.r.size() == points,
-          "the lists of a grass leaf are equally long");
+          "the lists of a grass leaf must be equally long");
   for (std::size_t k = 0; k < points; ++k) {
-    require(std::isfinite(leaf.s[k] + leaf.x[k] + leaf.y[k] + leaf.r[k]), "the numbers of a grass leaf are finite");
-    require(k == 0 || leaf.s[k] > leaf.s[k - 1], "the positions s along a grass leaf rise");
-    require(leaf.r[k] >= 0, "the widths r of a grass leaf are at least 0");
+    require(std::isfinite(leaf.s[k] + leaf.x[k] + leaf.y[k] + leaf.r[k]), "the numbers of a grass leaf must be finite");
+    require(k == 0 || leaf.s[k] > leaf.s[k - 1], "the positions s along a grass leaf must rise");
+    require(leaf.r[k] >= 0, "the widths r of a grass leaf must be at least 0");
   }
-  require(leaf.s.front() == 0 && leaf.s.back() == 1, "the positions s along a grass leaf go from 0 to 1");
+  require(leaf.s.front() == 0 && leaf.s.back() == 1, "the positions s along a grass leaf must go from 0 to 1");
 }
 
 double area(const GrassLeaf& leaf) {

@@ -43,7 +43,7 @@ std::vector<double> piece_angles(const GrassLeaf& leaf);
 /// Puts the midrib together anew from the angles of its pieces; each keeps its length.
 void set_piece_angles(GrassLeaf& leaf, const std::vector<double>& angles);
 
-/// Gives the leaf a midrib of equal pieces with these angles; nothing is said of its positions and widths.
+/// Gives the leaf a midrib of equal pieces with these angles; its positions and widths are not changed.
 void lay_even_pieces(GrassLeaf& leaf, const std::vector<double>& angles);
 
 /// The leaf with `pieces` pieces of equal length along the midrib. Each takes the direction that the midrib has over

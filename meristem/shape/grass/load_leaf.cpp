@@ -25,11 +25,11 @@ namespace meristem {
 
 namespace {
 
-constexpr double kLeastWidth = 0.02;  // of the largest, with which a joint is as stiff as one of none
+constexpr double kStiffWidth = 0.02;  // of the largest, with which a joint is as stiff as one of none
 constexpr double kSettled = 1e-10;    // radians: the last step of pieces that have come to rest
 constexpr double kBalanced = 1e-8;    // radians: the same between rounds of wind
 constexpr double kMostTurn = 0.5;     // radians that a step may turn a piece
-constexpr int kSteps = 400;
+constexpr int kSearchSteps = 400;
 constexpr int kRounds = 300;  // of wind
 constexpr int kLoadSteps = 8;
 constexpr double kMostLoad = 1000;
@@ -47,7 +47,7 @@ class Chain {
       lengths_.push_back(glm::length(along));
       areas_.push_back(lengths_[k] * ratio * 0.5 * (leaf.r[k] + leaf.r[k + 1]));
       const double thickness = 1 - (1 - strip.tip_thickness) * leaf.s[k];
-      const double share = std::max(kLeastWidth, leaf.r[k]) * thickness * thickness * thickness;
+      const double share = std::max(kStiffWidth, leaf.r[k]) * thickness * thickness * thickness;
       // The stiffness of the joint before this piece.
       const double spacing = k == 0 ? lengths_[0] : 0.5 * (lengths_[k - 1] + lengths_[k]);
       stiffness_.push_back(strip.stiffness * ratio * share / spacing);
@@ -158,7 +158,7 @@ class Chain {
   bool minimize(std::vector<double>& angles) {
     double more = 0;
     double energy = differentiate(angles);
-    for (int k = 0; k < kSteps; ++k) {
+    for (int k = 0; k < kSearchSteps; ++k) {
       if (!find_step(more)) {
         more = std::max(1e-6, 4 * more);
         continue;
@@ -206,11 +206,11 @@ void check(const GrassLeaf& leaf, const LeafStrip& strip, const LeafLoads& loads
   const auto require = [](bool holds, const char* message) {
     if (!holds) throw std::invalid_argument(message);
   };
-  require(std::isfinite(strip.stiffness) && strip.stiffness > 0, "the stiffness of a leaf is above 0");
+  require(std::isfinite(strip.stiffness) && strip.stiffness > 0, "the stiffness of a leaf must be above 0");
   require(strip.tip_thickness > 0 && strip.tip_thickness <= 1,
-          "a leaf's tip is above 0 and at most 1 of its base thick");
+          "the thickness of a leaf's tip must be above 0 and at most that of its base");
   for (const Vec vector : {loads.pull, loads.wind, loads.gravity, loads.measured_gravity}) {
-    require(std::isfinite(vector.x + vector.y), "the loads on a leaf are finite");
+    require(std::isfinite(vector.x + vector.y), "the loads on a leaf must be finite");
   }
 }
 
@@ -222,7 +222,7 @@ GrassLeaf loaded(const GrassLeaf& leaf, const LeafStrip& strip, const LeafLoads&
   std::vector<double> angles = chain.given();
   for (int k = 1; k <= kLoadSteps; ++k) {
     if (!chain.settle(angles, scaled(loads, static_cast<double>(k) / kLoadSteps))) {
-      throw std::invalid_argument("no form of the leaf was found under these loads: it is too limp");
+      throw std::invalid_argument("no form of the leaf was found under these loads: the leaf is too limp");
     }
   }
   GrassLeaf now = leaf;
@@ -233,7 +233,7 @@ GrassLeaf loaded(const GrassLeaf& leaf, const LeafStrip& strip, const LeafLoads&
 double load_for_turn(const GrassLeaf& leaf, const LeafStrip& strip, const LeafLoads& loads, double place,
                      double angle) {
   check(leaf, strip, loads);
-  if (!(place > 0 && place <= 1)) throw std::invalid_argument("the position of a turn is above 0, at most 1");
+  if (!(place > 0 && place <= 1)) throw std::invalid_argument("the position of a turn must be above 0 and at most 1");
   if (angle == 0) return 0;
   LeafLoads growing = loads;
   growing.gravity = loads.measured_gravity;
@@ -269,7 +269,7 @@ double load_for_turn(const GrassLeaf& leaf, const LeafStrip& strip, const LeafLo
   }
   passes(high);
   if (std::abs(turn - angle) > kAgreed * std::abs(angle)) {
-    throw std::invalid_argument("no load holds the leaf there: it goes past that turn at once");
+    throw std::invalid_argument("no load holds the leaf at that turn: it snaps past it");
   }
   return high;
 }

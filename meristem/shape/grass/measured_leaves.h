@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Leaves as they were measured: midribs that somebody digitised, and widths along blades.
+// Measured leaves: digitised midribs, and widths along blades.
 #pragma once
 
 #include <optional>

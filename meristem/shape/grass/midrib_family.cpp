@@ -59,16 +59,17 @@ GrassLeaf unseen(const GrassLeaf& leaf) {
 }  // namespace
 
 MidribFamily::MidribFamily(const GrassLeaf& leaf, double age) : ages_{0, age} {
-  if (!(age > 0)) throw std::invalid_argument("the age of a leaf's form is above 0");
+  if (!(age > 0)) throw std::invalid_argument("the age of a leaf's form must be above 0");
   const std::vector<double> own = piece_angles(resampled(leaf, leaf.point_count() - 1));
   angles_ = {std::vector<double>(own.size(), 0), own};
 }
 
 MidribFamily::MidribFamily(const std::vector<std::pair<double, GrassLeaf>>& midribs) {
-  if (midribs.size() < 2) throw std::invalid_argument("a family of midribs has at least 2 ages");
+  if (midribs.size() < 2) throw std::invalid_argument("a family of midribs needs at least 2 ages");
   const std::size_t pieces = midribs.front().second.point_count() - 1;
   for (const auto& [age, leaf] : midribs) {
-    if (!ages_.empty() && !(age > ages_.back())) throw std::invalid_argument("the ages of a family rise");
+    if (!ages_.empty() && !(age > ages_.back()))
+      throw std::invalid_argument("the ages of a family of midribs must rise");
     ages_.push_back(age);
     std::vector<double> angles = piece_angles(resampled(leaf, pieces));
     if (!angles_.empty()) fold_like(angles_.back(), angles);
@@ -112,7 +113,7 @@ GrassLeaf aged(const GrassLeaf& leaf, const MidribFamily& family, double age, do
 GrassLeaf lived(const GrassLeaf& leaf, const MidribFamily& family, double time, double step, RatesOf rates,
                 double full_age) {
   if (!(step > 0) || !(time / step <= kMostLifeSteps)) {
-    throw std::invalid_argument("a leaf lives in steps above 0, at most 100,000 of them");
+    throw std::invalid_argument("the steps of a leaf's life must be above 0, and at most 100,000 in number");
   }
   struct Tissue {
     double from_tip;  // in plain lengths

@@ -48,7 +48,7 @@ struct GrowthRates {
   double bend = 1;    ///< how far its pieces turn with each step of age
 };
 
-/// The rates when the leaf has lived so long (in the unit of ages) and shows such a share of its length.
+/// The rates for a leaf that has lived for `lived` (in the unit of ages) and shows the share `visible` of its length.
 using RatesOf = FunctionRef<GrowthRates(double lived, double visible)>;
 
 /// The most steps of one life.

@@ -4,6 +4,7 @@
 #include "meristem/shape/grass/reduce_leaf.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -15,7 +16,7 @@ namespace meristem {
 
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kUnreachable = std::numeric_limits<double>::infinity();
 
 /// Squared distance of the k-th point of a curve from the segment between two others.
 double squared_distance(const std::vector<double>& x, const std::vector<double>& y, std::size_t k, std::size_t a,
@@ -27,47 +28,58 @@ double squared_distance(const std::vector<double>& x, const std::vector<double>&
 /// Which of many numbers is the least; ties go to the lower index.
 class LeastOf {
  public:
-  explicit LeastOf(std::size_t count) : leaves_(std::bit_ceil(count)), numbers_(leaves_, kNever), best_(2 * leaves_) {
-    for (std::size_t k = 0; k < leaves_; ++k) best_[leaves_ + k] = static_cast<std::uint32_t>(k);
+  explicit LeastOf(std::size_t count)
+      : leaves_(std::bit_ceil(count)), least_(2 * leaves_, kUnreachable), index_(2 * leaves_) {
+    for (std::size_t k = 0; k < leaves_; ++k) index_[leaves_ + k] = static_cast<std::uint32_t>(k);
   }
 
   /// Before `compare_all`.
-  void place(std::size_t index, double number) { numbers_[index] = number; }
+  void place(std::size_t index, double number) { least_[leaves_ + index] = number; }
   void compare_all() {
     for (std::size_t node = leaves_; --node > 0;) compare(node);
   }
-  void set(std::size_t index, double number) {
-    numbers_[index] = number;
-    for (std::size_t node = (leaves_ + index) / 2; node > 0; node /= 2) compare(node);
+  /// Sets three numbers, whose comparisons are then made side by side.
+  void set(std::array<std::size_t, 3> indices, std::array<double, 3> numbers) {
+    for (std::size_t k = 0; k < 3; ++k) least_[leaves_ + indices[k]] = numbers[k];
+    std::size_t a = leaves_ + indices[0], b = leaves_ + indices[1], c = leaves_ + indices[2];
+    while (a > 1) {
+      compare(a /= 2);
+      compare(b /= 2);
+      compare(c /= 2);
+    }
   }
-  std::uint32_t index() const { return best_[1]; }
-  double least() const { return numbers_[best_[1]]; }
+  std::uint32_t index() const { return index_[1]; }
+  double least() const { return least_[1]; }
 
  private:
   void compare(std::size_t node) {
-    const std::uint32_t left = best_[2 * node], right = best_[2 * node + 1];
-    best_[node] = numbers_[right] < numbers_[left] ? right : left;
+    const double left = least_[2 * node], right = least_[2 * node + 1];
+    const std::uint32_t left_index = index_[2 * node], right_index = index_[2 * node + 1];
+    const bool is_right = right < left;
+    least_[node] = is_right ? right : left;
+    index_[node] = is_right ? right_index : left_index;
   }
 
   std::size_t leaves_;
-  std::vector<double> numbers_;
-  std::vector<std::uint32_t> best_;
+  // By node of the tree: the least number below it, and whose it is.
+  std::vector<double> least_;
+  std::vector<std::uint32_t> index_;
 };
 
 }  // namespace
 
 ReductionOrder reduction_order(const GrassLeaf& leaf, const std::vector<std::vector<double>>& also) {
   const std::size_t count = leaf.point_count();
-  if (count < 2) throw std::invalid_argument("a leaf to reduce has at least 2 points");
+  if (count < 2) throw std::invalid_argument("a leaf to reduce needs at least 2 points");
   for (const std::vector<double>& list : also) {
-    if (list.size() != count) throw std::invalid_argument("each list of a reduction has a number per point");
+    if (list.size() != count) throw std::invalid_argument("each list of a reduction needs one number per point");
   }
   const auto are_finite = [](const std::vector<double>& list) {
     return std::all_of(list.begin(), list.end(), [](double number) { return std::isfinite(number); });
   };
   if (!are_finite(leaf.x) || !are_finite(leaf.y) || !are_finite(leaf.s) || !are_finite(leaf.r) ||
       !std::all_of(also.begin(), also.end(), are_finite)) {
-    throw std::invalid_argument("the numbers of a reduction are finite");
+    throw std::invalid_argument("the numbers of a reduction must be finite");
   }
   std::vector<std::uint32_t> before(count), after(count);
   for (std::size_t k = 0; k < count; ++k) {
@@ -95,12 +107,11 @@ ReductionOrder reduction_order(const GrassLeaf& leaf, const std::vector<std::vec
     largest = std::max(largest, errors.least());
     order.points.push_back(gone);
     order.errors.push_back(std::sqrt(largest));
-    errors.set(gone, kNever);
     const std::uint32_t a = before[gone], b = after[gone];
     after[a] = b;
     before[b] = a;
-    if (a > 0) errors.set(a, squared_error(a));
-    if (b + 1 < count) errors.set(b, squared_error(b));
+    errors.set({gone, a, b}, {kUnreachable, a > 0 ? squared_error(a) : kUnreachable,
+                              b + 1 < count ? squared_error(b) : kUnreachable});
   }
   return order;
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMostHalvings = 40;       // halvings
 constexpr double kPointError = 1e-3;    // of a cell
-constexpr double kGradientStep = 0.05;  // of a cell
+constexpr double kSlopeStep = 0.05;     // of a cell
 constexpr double kGradientReach = 0.2;  // cells outside to which values count, for gradients
 constexpr std::array<Vec3, 4> kCorners{Vec3(1, -1, -1), Vec3(-1, -1, 1), Vec3(-1, 1, -1), Vec3(1, 1, 1)};
 
@@ -86,7 +86,7 @@ class BodyFiller {
     x.fill(local.x);
     y.fill(local.y);
     z.fill(local.z);
-    const auto step = static_cast<float>(kGradientStep * grid_.spacing);
+    const auto step = static_cast<float>(kSlopeStep * grid_.spacing);
     for (std::size_t k = 0; k < kCorners.size(); ++k) {
       x[k + 1] += step * kCorners[k].x;
       y[k + 1] += step * kCorners[k].y;

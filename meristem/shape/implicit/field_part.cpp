@@ -15,8 +15,8 @@ namespace {
 
 using Kind = BodyClause::Kind;
 
-constexpr double kPolyFading = 2.455;     // natural logarithms a width
-constexpr double kHalfDiagonal = 0.8661;  // of a cube, a little more than sqrt(3) / 2
+constexpr double kPolyFading = 2.455;          // natural logarithms a width
+constexpr double kOuterHalfDiagonal = 0.8661;  // of a cube, a little more than sqrt(3) / 2
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 bool is_union(Kind kind) { return kind != Kind::intersect && kind != Kind::subtract; }
@@ -138,7 +138,7 @@ void FieldPruner::bound(std::span<const FieldStep> steps, const NearSolids& near
 }
 
 void FieldPruner::bound_solid(const NearSolid& solid, const Eighths& cubes, Ranges& ranges) {
-  const auto radius = static_cast<float>(kHalfDiagonal * cubes.side);
+  const auto radius = static_cast<float>(kOuterHalfDiagonal * cubes.side);
   const auto offset = static_cast<float>(cubes.offset);
   constexpr Lanes x{-1, 1, -1, 1, -1, 1, -1, 1};
   constexpr Lanes y{-1, -1, 1, 1, -1, -1, 1, 1};

@@ -19,10 +19,10 @@ void part(const Frame& frame, Vec3 half, glm::dmat3& axes, DVec3& sizes) {
   for (int k = 0; k < 3; ++k) {
     const double length = glm::length(axes[k]);
     sizes[k] = length * half[k];
-    require(is_size(sizes[k]), "a body's sizes are above 0 and finite");
+    require(is_size(sizes[k]), "a body's sizes must be above 0 and finite");
     axes[k] /= length;
   }
-  require(is_finite(DVec3(frame.origin)), "a body's position is finite");
+  require(is_finite(DVec3(frame.origin)), "a body's position must be finite");
 }
 
 /// How far an operation swells beyond its sides where these swell by `a` and `b` themselves: blends rise with both
@@ -43,9 +43,9 @@ ImplicitBody ImplicitBody::sphere(DVec3 centre, double radius) { return capsule(
 ImplicitBody ImplicitBody::capsule(DVec3 from, DVec3 to, double radius) { return round_cone(from, radius, to, radius); }
 
 ImplicitBody ImplicitBody::round_cone(DVec3 from, double from_radius, DVec3 to, double to_radius) {
-  require(is_finite(from) && is_finite(to), "a body's position is finite");
+  require(is_finite(from) && is_finite(to), "a body's position must be finite");
   require(from_radius >= 0 && to_radius >= 0 && is_size(std::max(from_radius, to_radius)),
-          "a cone's radii are not negative, and one is above 0");
+          "a cone's radii must not be negative, and one must be above 0");
   const DVec3 low = glm::min(from - from_radius, to - to_radius);
   const DVec3 high = glm::max(from + from_radius, to + to_radius);
   distance::RoundCone<double> cone{.origin = from, .axis = DVec3(0, 1, 0), .radius = from_radius};
@@ -66,9 +66,9 @@ ImplicitBody ImplicitBody::round_cone(DVec3 from, double from_radius, DVec3 to, 
 
 ImplicitBody ImplicitBody::flat_cone(DVec3 from, double from_radius, DVec3 to, double to_radius) {
   const double length = glm::distance(from, to);
-  require(is_finite(from) && is_finite(to) && is_size(length), "a flat cone has a length");
+  require(is_finite(from) && is_finite(to) && is_size(length), "a flat cone needs a length");
   require(from_radius >= 0 && to_radius >= 0 && is_size(std::max(from_radius, to_radius)),
-          "a cone's radii are not negative, and one is above 0");
+          "a cone's radii must not be negative, and one must be above 0");
   const DVec3 axis = (to - from) / length;
   // A disc reaches as far along each direction as the sine of the angle between its axis and that.
   const DVec3 spread = glm::sqrt(glm::max(1.0 - axis * axis, 0.0));
@@ -106,7 +106,7 @@ ImplicitBody& ImplicitBody::intersect(const ImplicitBody& other) {
 ImplicitBody& ImplicitBody::subtract(const ImplicitBody& other) { return append(other, BodyClause::Kind::subtract, 0); }
 
 ImplicitBody& ImplicitBody::blend(const ImplicitBody& other, BlendKind kind, double width) {
-  require(width >= 0 && std::isfinite(width), "a blend's width is not negative");
+  require(width >= 0 && std::isfinite(width), "a blend's width must not be negative");
   if (width == 0) return unite(other);
   switch (kind) {
     case BlendKind::root:

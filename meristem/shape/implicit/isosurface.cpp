@@ -127,7 +127,7 @@ double cell_size(const ImplicitBody& body, int resolution) {
 Mesh extract_isosurface(const ImplicitBody& body, const IsosurfaceOptions& options, const Limits& limits,
                         const std::string& path, Progress& progress) {
   require(options.resolution >= kLeastResolution && options.resolution <= kMostResolution,
-          "a resolution is 10 to 1024 cells");
+          "a resolution must be 10 to 1024 cells");
   if (body.is_empty()) return {};
   const double cell = cell_size(body, options.resolution);
   if (!(cell > 0)) return {};
@@ -139,13 +139,13 @@ Mesh extract_isosurface(const ImplicitBody& body, const IsosurfaceOptions& optio
 
 Mesh extract_isosurface(const SampledField& field, float isovalue, const Limits& limits, const std::string& path,
                         Progress& progress) {
-  require(glm::all(glm::greaterThanEqual(field.size, glm::ivec3(0))), "a field's size is not negative");
+  require(glm::all(glm::greaterThanEqual(field.size, glm::ivec3(0))), "a field's size must not be negative");
   // Products of more than 2^64 would come around.
   const glm::dvec3 size(field.size);
-  require(size.x * size.y * size.z == static_cast<double>(field.values.size()), "a field's size fits its values");
+  require(size.x * size.y * size.z == static_cast<double>(field.values.size()), "a field's size must fit its values");
   require(field.spacing > 0 && std::isfinite(field.spacing) && std::isfinite(isovalue),
-          "a field's spacing is above 0 and finite, as is its isovalue");
-  require(std::isfinite(field.origin.x + field.origin.y + field.origin.z), "a field's origin is finite");
+          "a field's spacing must be above 0 and finite, and its isovalue finite");
+  require(std::isfinite(field.origin.x + field.origin.y + field.origin.z), "a field's origin must be finite");
   if (field.values.empty()) return {};
   const glm::dvec3 bricks = glm::ceil((size + 2.0) / static_cast<double>(kBrickSide));
   const double bytes = bricks.x * bricks.y * bricks.z * kBrickSize * sizeof(float);

@@ -40,15 +40,16 @@ void check(const LeafBlade& blade) {
   };
   const auto is_length = [](double value) { return std::isfinite(value) && value > 0; };
   require(is_length(blade.length) && is_length(blade.width), "a leaf blade needs a positive length and width");
-  require(std::isfinite(blade.petiole) && blade.petiole >= 0, "a petiole's length is at least 0");
+  require(std::isfinite(blade.petiole) && blade.petiole >= 0, "a petiole's length must be at least 0");
   require(blade.petiole == 0 || is_length(blade.petiole_radius), "a petiole needs a positive radius");
-  require(std::isfinite(blade.curl + blade.curl_across + blade.fold), "a leaf blade's angles are finite");
-  require(std::isfinite(blade.heart) && blade.heart >= 0, "a leaf's heart is at least 0");
-  require(blade.teeth >= 0 && std::isfinite(blade.teeth_depth + blade.teeth_lean), "a leaf's teeth are some or none");
-  require(blade.waves >= 0 && std::isfinite(blade.waves_depth), "a leaf's waves are some or none");
-  require(blade.polygon.empty() || is_right_edge(blade.polygon), "a leaf's polygon lies beside the midrib");
-  require(blade.rows >= 1, "a leaf blade has at least 1 row");
-  require(blade.across >= 2 && blade.across % 2 == 0, "a leaf blade has an even number of quads across");
+  require(std::isfinite(blade.curl + blade.curl_across + blade.fold), "a leaf blade's angles must be finite");
+  require(std::isfinite(blade.heart) && blade.heart >= 0, "a leaf's heart must be at least 0");
+  require(blade.teeth >= 0 && std::isfinite(blade.teeth_depth + blade.teeth_lean),
+          "a leaf's teeth must be finite and not negative");
+  require(blade.waves >= 0 && std::isfinite(blade.waves_depth), "a leaf's waves must be finite and not negative");
+  require(blade.polygon.empty() || is_right_edge(blade.polygon), "a leaf's polygon must lie beside the midrib");
+  require(blade.rows >= 1, "a leaf blade needs at least 1 row");
+  require(blade.across >= 2 && blade.across % 2 == 0, "a leaf blade needs an even number of quads across");
 }
 
 /// Points on the flat half blade, x metres from the midrib and y shares of the length from the joint, to the surface.

@@ -24,20 +24,20 @@ namespace {
 using Point = glm::dvec2;
 using Chain = std::vector<Point>;
 
-constexpr int kCandidates = 128;      // even positions along the midrib where a row may stand
-constexpr double kNearest = 1e-3;     // shares of the length: candidates closer than this count as one
-constexpr double kLobe = 0.05;        // shares of half the width: smaller turns of the outline are not lobes
-constexpr double kPointed = 1e-3;     // shares of half the width: narrower rows are one point
-constexpr double kCoarse = 0.12;      // of half the width: by how much the mesh may miss the outline with one row
-constexpr double kFine = 0.002;       // of half the width: how much the outline that textures follow may miss
-constexpr double kSliver = 0.008;     // of half the width: what the mesh leaves out in any case
-constexpr double kRowGap = 2.5e-3;    // of the length: rows are no nearer to each other or to the ends
-constexpr int kBaseSteps = 12;        // of a blunt base that becomes a heart
-constexpr double kSnap = 0.3;         // of the space between rows: so far they go to meet a corner of the edge
-constexpr double kEntireBase = 0.08;  // of the edge, from the joint: without teeth
-constexpr double kFullDepth = 1.5;    // 1 over the half width from which teeth have their full depth
-constexpr double kThinnest = 0.35;    // of the half width that teeth leave
-constexpr double kParallel = 1e-12;   // cross product of edges
+constexpr int kCandidates = 128;        // even positions along the midrib where a row may stand
+constexpr double kNearestShare = 1e-3;  // shares of the length: candidates closer than this count as one
+constexpr double kLobe = 0.05;          // shares of half the width: smaller turns of the outline are not lobes
+constexpr double kPointed = 1e-3;       // shares of half the width: narrower rows are one point
+constexpr double kCoarse = 0.12;        // of half the width: by how much the mesh may miss the outline with one row
+constexpr double kFine = 0.002;         // of half the width: how much the outline that textures follow may miss
+constexpr double kSliver = 0.008;       // of half the width: what the mesh leaves out in any case
+constexpr double kRowGap = 2.5e-3;      // of the length: rows are no nearer to each other or to the ends
+constexpr int kBaseSteps = 12;          // of a blunt base that becomes a heart
+constexpr double kSnap = 0.3;           // of the space between rows: so far they go to meet a corner of the edge
+constexpr double kEntireBase = 0.08;    // of the edge, from the joint: without teeth
+constexpr double kFullDepth = 1.5;      // 1 over the half width from which teeth have their full depth
+constexpr double kThinnest = 0.35;      // of the half width that teeth leave
+constexpr double kParallel = 1e-12;     // cross product of edges
 
 /// A position along the midrib and the outline's half width there, both as shares.
 struct Station {
@@ -48,14 +48,15 @@ struct Station {
 std::vector<Station> candidates(const Curve& outline) {
   std::vector<double> places;
   for (const Vec2 point : outline.points()) {
-    if (point.x > kNearest && point.x < 1 - kNearest) places.push_back(point.x);
+    if (point.x > kNearestShare && point.x < 1 - kNearestShare) places.push_back(point.x);
   }
   const std::size_t own = places.size();
   for (int k = 1; k < kCandidates; ++k) {
     const double place = static_cast<double>(k) / kCandidates;
     const auto next = std::lower_bound(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(own), place);
-    const bool is_near_next = next != places.begin() + static_cast<std::ptrdiff_t>(own) && *next - place < kNearest;
-    const bool is_near_last = next != places.begin() && place - *(next - 1) < kNearest;
+    const bool is_near_next =
+        next != places.begin() + static_cast<std::ptrdiff_t>(own) && *next - place < kNearestShare;
+    const bool is_near_last = next != places.begin() && place - *(next - 1) < kNearestShare;
     if (!is_near_next && !is_near_last) places.push_back(place);
   }
   places.push_back(0);
@@ -115,7 +116,7 @@ struct Gap {
     error = sagitta;
     const double middle = 0.5 * (low.along + high.along);
     cut = begin + 1;
-    while (cut + 1 < end && stations[cut].along < middle - kNearest) ++cut;
+    while (cut + 1 < end && stations[cut].along < middle - kNearestShare) ++cut;
   }
 };
 

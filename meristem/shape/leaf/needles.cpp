@@ -26,14 +26,14 @@ void check(const NeedleShoot& shoot) {
   };
   const auto is_length = [](double value) { return std::isfinite(value) && value > 0; };
   require(is_length(shoot.length) && is_length(shoot.width), "needles need a positive length and width");
-  require(std::isfinite(shoot.along) && shoot.along >= 0, "a shoot's length is at least 0");
-  require(std::isfinite(shoot.axis_radius) && shoot.axis_radius >= 0, "a twig's radius is at least 0");
+  require(std::isfinite(shoot.along) && shoot.along >= 0, "a shoot's length must be at least 0");
+  require(std::isfinite(shoot.axis_radius) && shoot.axis_radius >= 0, "a twig's radius must be at least 0");
   require(std::isfinite(shoot.base_angle + shoot.tip_angle + shoot.divergence + shoot.spread + shoot.curl),
-          "the angles of needles are finite");
-  require(shoot.flatten >= 0 && shoot.flatten <= 1, "needles are combed by a share from 0 to 1");
-  require(shoot.irregular >= 0 && shoot.irregular <= 1, "needles differ by a share from 0 to 1");
-  require(shoot.count >= 1 && shoot.fascicle >= 1, "a shoot has at least 1 needle");
-  require(shoot.sides == 2 || shoot.sides == 3, "a needle has 2 or 3 sides");
+          "the angles of needles must be finite");
+  require(shoot.flatten >= 0 && shoot.flatten <= 1, "needles must be combed by a share from 0 to 1");
+  require(shoot.irregular >= 0 && shoot.irregular <= 1, "needles must differ by a share from 0 to 1");
+  require(shoot.count >= 1 && shoot.fascicle >= 1, "a shoot needs at least 1 needle");
+  require(shoot.sides == 2 || shoot.sides == 3, "a needle must have 2 or 3 sides");
 }
 
 class NeedleMesher {

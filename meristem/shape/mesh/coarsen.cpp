@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // In: a small mesh with uvs. Out: one with fewer triangles between vertices of the first. Half-edges collapse, the one
 // first that takes the surface and its border least far away; then whole pieces are left out. It moves no vertex, so
-// nothing has to be said of uvs and normals in between; that makes it coarser than simplify() at the same count.
+// uvs and normals in between need no rule; the result is coarser than that of simplify() at an equal count.
 // Based on: M. Garland, P. Heckbert: Surface Simplification Using Quadric Error Metrics (1997), sections 4 and 6.
 #include "meristem/shape/mesh/coarsen.h"
 

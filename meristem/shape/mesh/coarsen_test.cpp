@@ -39,6 +39,16 @@ TEST(Coarsened, AFlatBladeKeepsNineTenthsOfItsAreaInAQuarterOfItsTriangles) {
   EXPECT_GE(surface_area(coarsened(blade, blade.triangle_count() / 4)), 0.9 * surface_area(blade));
 }
 
+TEST(Coarsened, AStalkGoesBeforeItsBlade) {
+  const LeafBlade bare{.length = 0.06, .width = 0.04, .rows = 3};
+  LeafBlade stalked = bare;
+  stalked.petiole = 0.025;
+  stalked.petiole_radius = 0.0007;
+  const Mesh coarse = coarsened(make_leaf_blade(stalked), 4);
+  EXPECT_LE(coarse.triangle_count(), 4U);
+  EXPECT_GE(surface_area(coarse), 0.7 * surface_area(make_leaf_blade(bare)));
+}
+
 TEST(Coarsened, FewerNeedlesAreWider) {
   const Mesh shoot = make_needles({.count = 80});
   const double area = surface_area(shoot);

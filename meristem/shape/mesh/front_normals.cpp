@@ -28,7 +28,7 @@ DVec3 face_normal(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle
   return length > 0 ? front / length : DVec3(0);
 }
 
-constexpr std::size_t kTrianglesBetweenChecks = 65536;
+constexpr std::size_t kLooksBetweenChecks = 65536;
 
 struct Corner {
   std::uint32_t vertex;
@@ -67,7 +67,7 @@ void turn_to_front(Mesh& mesh, Progress& progress) {
   std::vector<std::uint8_t> is_behind(mesh.vertex_count(), 0);
   std::size_t looked_at = 0;
   for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {
-    if (looked_at++ % kTrianglesBetweenChecks == 0) progress.check();
+    if (looked_at++ % kLooksBetweenChecks == 0) progress.check();
     const DVec3 face = face_normal(mesh, triangle);
     for (const std::uint32_t vertex : triangle) {
       if (!(glm::dot(face, DVec3(mesh.normals[vertex])) > kFront)) is_behind[vertex] = 1;
@@ -75,7 +75,7 @@ void turn_to_front(Mesh& mesh, Progress& progress) {
   }
   std::vector<Corner> corners;
   for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {
-    if (looked_at++ % kTrianglesBetweenChecks == 0) progress.check();
+    if (looked_at++ % kLooksBetweenChecks == 0) progress.check();
     for (const std::uint32_t vertex : triangle) {
       if (is_behind[vertex] != 0) corners.push_back({vertex, face_normal(mesh, triangle)});
     }

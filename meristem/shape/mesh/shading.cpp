@@ -37,12 +37,17 @@ Mesh flat_shaded(const Mesh& mesh, Progress& progress) {
 Mesh smooth_shaded(const Mesh& mesh) {
   std::vector<DVec3> sums(mesh.vertex_count(), DVec3(0));
   for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {
-    for (int k = 0; k < 3; ++k) {
-      const DVec3 at(mesh.positions[triangle[k]]);
-      const DVec3 right = DVec3(mesh.positions[triangle[(k + 1) % 3]]) - at;
-      const DVec3 left = DVec3(mesh.positions[triangle[(k + 2) % 3]]) - at;
-      const double squares = squared_length(right) * squared_length(left);
-      if (squares > 0) sums[triangle[k]] += glm::cross(right, left) / squares;
+    // Each side from its corner to the next, for both of its ends.
+    std::array<DVec3, 3> side;
+    std::array<double, 3> square;
+    for (std::size_t k = 0; k < 3; ++k) {
+      side[k] = DVec3(mesh.positions[triangle[(k + 1) % 3]]) - DVec3(mesh.positions[triangle[k]]);
+      square[k] = squared_length(side[k]);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t before = (k + 2) % 3;
+      const double squares = square[k] * square[before];
+      if (squares > 0) sums[triangle[k]] += glm::cross(side[k], -side[before]) / squares;
     }
   }
   Mesh smooth = mesh;

@@ -26,7 +26,7 @@ struct SimplifyTarget {
 ///
 /// A closed, manifold mesh whose triangles share their vertices stays closed, manifold and oriented, with the same
 /// Euler number and as many components; no triangle turns over or becomes degenerate, no two neighbours fold onto each
-/// other. Where that forbids to go on, more triangles are left than were asked for: four of each component at least.
+/// other. If no further step is possible, more triangles are left than `target`: at least four of each component.
 /// Vertices on borders (seams of normals or uvs are borders) and on edges of more than two triangles stay where they
 /// are, as do the edges between them. Surfaces may come to cross others that are near.
 ///

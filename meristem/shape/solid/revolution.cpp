@@ -20,16 +20,16 @@ namespace {
 
 using Point = glm::dvec2;
 
-constexpr double kWhole = 1e-9;  // radians
+constexpr double kWholeTurn = 1e-9;  // radians
 
 class RevolutionMesher {
  public:
   explicit RevolutionMesher(const SolidOfRevolution& solid)
       : chain_(silhouette_chain(solid)),
         sweep_(std::min(solid.sweep, 2 * kPi)),
-        is_whole_(sweep_ > 2 * kPi - kWhole),
+        is_whole_(sweep_ > 2 * kPi - kWholeTurn),
         columns_(is_whole_ ? solid.segments
-                           : static_cast<int>(std::ceil(solid.segments * sweep_ / (2 * kPi) - kWhole))) {}
+                           : static_cast<int>(std::ceil(solid.segments * sweep_ / (2 * kPi) - kWholeTurn))) {}
 
   Mesh run() {
     double length = 0;

@@ -247,7 +247,7 @@ Fault way_fault(const SolidOfRevolution& solid) {
   const std::vector<Point> corners = corners_of(silhouette_chain(solid));
   if (crosses_itself(corners) || comes_near_itself(corners, resolution(solid.silhouette))) {
     return SilhouetteFault{"the silhouette crosses or touches itself, or a disc that closes it",
-                           "a way from base to tip around a body",
+                           "a line from base to tip around a body",
                            {}};
   }
   if (!(signed_area(corners) > 0)) {

@@ -27,7 +27,7 @@ const Texture* texture_with_holes(const Material& material, const Mesh& mesh) {
   const Texture* texture = material.texture.get();
   const bool has_holes = texture != nullptr && texture->masked && !texture->colour.is_empty();
   if (!has_holes || mesh.uvs.empty()) return nullptr;
-  if (!texture->is_painted()) throw std::invalid_argument("the mask of a texture is asked for, and it is a sketch");
+  if (!texture->is_painted()) throw std::invalid_argument("the texture is a sketch and has no mask yet");
   return texture;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gradient noise in single precision, row by row: what depends on the row alone is blended once for each lattice
-// column, which leaves five operations a pixel and octave. Measured four times as fast as a function of (u, v).
+// column, which leaves five operations per pixel and octave. Measured four times as fast as a function of (u, v).
 //
 // Based on: Perlin: Improving noise (SIGGRAPH 2002), in the plane, on a lattice that repeats.
 #include "meristem/shape/texture/noise_field.h"

@@ -11,7 +11,7 @@ namespace meristem {
 
 namespace {
 
-constexpr int kMargin = 2;  // columns and rows of copies around the tile, so that no index needs wrapping
+constexpr int kBorder = 2;  // columns and rows of copies around the tile, so that no index needs wrapping
 
 float wrapped(float x) {
   if (x < 0) return x + 1;
@@ -21,11 +21,11 @@ float wrapped(float x) {
 }  // namespace
 
 TileableCells::TileableCells(RandomKey key, int columns, int rows, float jitter)
-    : columns_(columns), rows_(rows), stride_(columns + 2 * kMargin) {
+    : columns_(columns), rows_(rows), stride_(columns + 2 * kBorder) {
   const RandomKey point = key.child("point");
   const RandomKey random = key.child("random");
-  for (int r = -kMargin; r < rows + kMargin; ++r) {
-    for (int c = -kMargin; c < columns + kMargin; ++c) {
+  for (int r = -kBorder; r < rows + kBorder; ++r) {
+    for (int c = -kBorder; c < columns + kBorder; ++c) {
       // `columns` twice, because a tile may be narrower than the margin.
       const int column = (c + 2 * columns) % columns;
       const auto cell = static_cast<std::uint32_t>((r + 2 * rows) % rows * columns + column);
@@ -56,7 +56,7 @@ TileableCells::Spot TileableCells::at(float u, float v) const {
     // Cut off one cell further on, where nothing is negative.
     const bool is_shifted = ((row - 1 + r) & 1) != 0;
     const int column = static_cast<int>(position.x + (is_shifted ? 0.5F : 1.0F)) - 1;
-    points[r] = points_.data() + static_cast<std::ptrdiff_t>(row - 1 + r + kMargin) * stride_ + column - 1 + kMargin;
+    points[r] = points_.data() + static_cast<std::ptrdiff_t>(row - 1 + r + kBorder) * stride_ + column - 1 + kBorder;
     for (int c = 0; c < 3; ++c) {
       across[3 * r + c] = position.x - points[r][c].position.x;
       along[3 * r + c] = position.y - points[r][c].position.y;

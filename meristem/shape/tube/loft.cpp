@@ -19,11 +19,11 @@ namespace meristem {
 
 namespace {
 
-constexpr double kCreaseCosine = 0.766;  // of 40°
-constexpr double kSamePlace = 1e-6;      // of a section's extent; points of neighbours that are nearer are one
-constexpr double kDegenerate = 1e-8;     // twice a triangle's area over its longest edge squared
-constexpr double kFront = 0.02;          // cosine between a normal and its triangle, below which the triangle's counts
-constexpr double kSameLength = 1e-6;     // a diagonal is preferred if it is shorter by this share
+constexpr double kSharpCosine = 0.766;  // of 40°
+constexpr double kSamePlace = 1e-6;     // of a section's extent; points of neighbours that are nearer are one
+constexpr double kDegenerate = 1e-8;    // twice a triangle's area over its longest edge squared
+constexpr double kFacing = 0.02;        // cosine between a normal and its triangle, below which the triangle's counts
+constexpr double kSameLength = 1e-6;    // a diagonal is preferred if it is shorter by this share
 constexpr std::uint32_t kOfCap = 0xffffffffU;
 
 /// The vertices along a section, a column each; those of a ring begin and end at its first point.
@@ -124,7 +124,7 @@ class LoftMesher {
     if (section.is_round || (!section.is_closed && (k == 0 || k + 1 == count))) return false;
     const DVec3 arriving = DVec3(points[k]) - DVec3(points[(k + count - 1) % count]);
     const DVec3 leaving = DVec3(points[(k + 1) % count]) - DVec3(points[k]);
-    return glm::dot(arriving, leaving) < kCreaseCosine * glm::length(arriving) * glm::length(leaving);
+    return glm::dot(arriving, leaving) < kSharpCosine * glm::length(arriving) * glm::length(leaving);
   }
 
   std::uint32_t add_vertex(Vec3 position, glm::dvec2 uv, std::uint32_t row) {
@@ -279,9 +279,9 @@ class LoftMesher {
     for (std::uint32_t vertex = tip.begin; vertex < tip.end; ++vertex) {
       const auto [a, b] = sides_[tip.first_side + (vertex - tip.begin)];
       const DVec3 side = normals[a] + normals[b];
-      if (least > kCreaseCosine) {
+      if (least > kSharpCosine) {
         normals[vertex] = mean;
-      } else if (glm::dot(side, normals[vertex]) > kFront * glm::length(side)) {
+      } else if (glm::dot(side, normals[vertex]) > kFacing * glm::length(side)) {
         normals[vertex] = glm::normalize(side);
       }
     }

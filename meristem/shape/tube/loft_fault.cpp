@@ -9,13 +9,13 @@ namespace meristem {
 
 namespace {
 
-constexpr std::size_t kMostPoints = 1000;
-constexpr double kSamePoint = 1e-6;  // of a section's extent
+constexpr std::size_t kMostSectionPoints = 1000;
+constexpr double kSameSectionPoint = 1e-6;  // of a section's extent
 
 /// The first point at which a row or ring stands still.
 std::optional<std::size_t> repeated_point(const LoftSection& section) {
   const std::vector<Vec3>& points = section.points;
-  const double nearest = kSamePoint * extent_of(points);
+  const double nearest = kSameSectionPoint * extent_of(points);
   const auto repeats = [&](std::size_t a, std::size_t b) {
     return glm::distance(DVec3(points[a]), DVec3(points[b])) <= nearest;
   };
@@ -33,7 +33,8 @@ std::optional<LoftFault> find_fault(const LoftSection& section) {
   const std::string wanted = section.is_closed ? "at least 3 points, or 1 for a tip" : "at least 2, or 1 for a tip";
   if (points.empty()) return LoftFault{"it has no points", wanted, {}};
   if (section.is_closed && points.size() == 2) return LoftFault{"a ring of 2 points encloses nothing", wanted, {}};
-  if (points.size() > kMostPoints) return LoftFault{"it has too many points", "at most 1000", kMostPoints};
+  if (points.size() > kMostSectionPoints)
+    return LoftFault{"it has too many points", "at most 1000", kMostSectionPoints};
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (std::isfinite(points[k].x) && std::isfinite(points[k].y) && std::isfinite(points[k].z)) continue;
     return LoftFault{"this point is not finite", "finite numbers", k};
@@ -48,7 +49,7 @@ std::optional<LoftFault> find_fault(const LoftSection& section) {
   if (!section.is_closed || section.is_point()) return {};
   const DVec3 area = area_vector(points);
   const double extent = extent_of(points);
-  if (!(glm::length(area) > kSamePoint * extent * extent)) {
+  if (!(glm::length(area) > kSameSectionPoint * extent * extent)) {
     return LoftFault{"the ring encloses nothing", "points that are not all on a line", {}};
   }
   if (crosses_itself(flattened(points, area))) {

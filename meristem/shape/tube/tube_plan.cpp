@@ -4,6 +4,7 @@
 #include "meristem/base/frame.h"
 #include "meristem/base/math.h"
 #include "meristem/base/parallel.h"
+#include "meristem/plant/trim.h"
 
 namespace meristem {
 namespace {
@@ -80,7 +81,7 @@ TubePlan::TubePlan(const Skeleton& skeleton, std::vector<TubeWear> wears, std::v
     TubeSize& size = sizes_[plan.mesh];
     plan.first_vertex = size.vertices;
     plan.first_triangle = size.triangles;
-    size.vertices += plan.vertices(path(static_cast<AxisIndex>(axis)).is_lateral(), surface(axis).cap);
+    size.vertices += plan.vertices(path(static_cast<AxisIndex>(axis)).is_lateral());
     size.triangles += plan.triangles();
   }
 }
@@ -234,7 +235,14 @@ void TubePlan::count_rings(AxisIndex axis) {
     plan.rings += fan_size(glm::dot(before, after));
     before = after;
   }
-  if (surface(axis).cap == Surface::Cap::round) plan.rings += AxisPlan::kDomeRings;
+  plan.cap = cap(axis);
+  if (plan.cap == Surface::Cap::round) plan.rings += AxisPlan::kDomeRings;
+}
+
+Surface::Cap TubePlan::cap(AxisIndex axis) const {
+  const auto cut = skeleton_->extra.find(kCutColumn);
+  const bool is_cut = cut != skeleton_->extra.end() && cut->second[axes_.of(axis).back()] != 0;
+  return is_cut ? Surface::Cap::flat : surface(axis).cap;
 }
 
 void TubePlan::plan_start(const AxisPath& points, AxisPlan& plan, AxisIndex axis) const {

@@ -25,14 +25,15 @@ struct AxisPlan {
   float start_radius = 0;
   float sink = 0;  ///< metres: how far the parent's flats may lie below its bark
   std::optional<Collar> collar;
-  std::uint32_t mesh = 0;          ///< in which it stands
-  std::uint64_t first_vertex = 0;  ///< of that mesh
+  Surface::Cap cap = Surface::Cap::pointed;  ///< flat where the axis has been cut off
+  std::uint32_t mesh = 0;                    ///< in which it stands
+  std::uint64_t first_vertex = 0;            ///< of that mesh
   std::uint64_t first_triangle = 0;
 
   // A lateral's start is one hidden point; a root's is a flat disc with vertices of its own. A tip has a point per
   // side, a flat one a disc.
   std::uint64_t start_vertices(bool is_lateral) const { return is_lateral ? 1 : sides + 1; }
-  std::uint64_t vertices(bool is_lateral, Surface::Cap cap) const {
+  std::uint64_t vertices(bool is_lateral) const {
     const std::uint64_t end = cap == Surface::Cap::flat ? sides + 1 : sides;
     return rings == 0 ? 0 : std::uint64_t{rings} * (sides + 1) + start_vertices(is_lateral) + end;
   }
@@ -86,6 +87,7 @@ class TubePlan {
                    float error) const;
   void choose_sides(AxisIndex axis);
   void count_rings(AxisIndex axis);
+  Surface::Cap cap(AxisIndex axis) const;
   void plan_start(const AxisPath& points, AxisPlan& plan, AxisIndex axis) const;
   float room_inside(NodeIndex node) const;
 

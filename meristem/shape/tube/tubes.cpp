@@ -35,11 +35,11 @@
 namespace meristem {
 namespace {
 
-constexpr float kLeastCosine = 0.25881905F;  // of half a bend: the sharpest mitre
-constexpr float kInnerReach = 0.45F;         // of the shorter segment; two neighbours leave a tenth of it free
-constexpr float kFanSpacing = 0.05F;         // between a fan's rings, in radii
-constexpr float kStartDepth = 0.5F;          // how far a lateral's closed start reaches back, in radii
-constexpr float kHiddenFillet = 0.3F;        // of a fillet that runs on below the parent's bark
+constexpr float kSharpestMitre = 0.25881905F;  // of half a bend: the sharpest mitre
+constexpr float kInnerReach = 0.45F;           // of the shorter segment; two neighbours leave a tenth of it free
+constexpr float kFanSpacing = 0.05F;           // between a fan's rings, in radii
+constexpr float kStartDepth = 0.5F;            // how far a lateral's closed start reaches back, in radii
+constexpr float kHiddenFillet = 0.3F;          // of a fillet that runs on below the parent's bark
 constexpr std::array<float, AxisPlan::kFlareRings> kFlareShares{0.1F, 0.25F, 0.5F};  // of the first segment
 constexpr float kSqrt2 = 1.4142135F;
 constexpr auto kDomeStep = static_cast<float>(kPi / 2 / (AxisPlan::kDomeRings + 1));  // along a dome, in radii
@@ -119,7 +119,7 @@ class AxisMesher {
     advance_v(last);
     finish(before);
     assert(next_triangle_ == plan_.first_triangle + plan_.triangles());
-    assert(next_vertex_ == plan_.first_vertex + plan_.vertices(path_.is_lateral(), surface_.cap));
+    assert(next_vertex_ == plan_.first_vertex + plan_.vertices(path_.is_lateral()));
   }
 
  private:
@@ -314,7 +314,7 @@ class AxisMesher {
   float inner_stretch(std::size_t i, float half_cosine) const {
     const float half_sine = std::sqrt(std::max(0.0F, 1 - half_cosine * half_cosine));
     const float room = kInnerReach * std::min(length(i - 1), length(i));
-    const float mitre = 1 / std::max(half_cosine, kLeastCosine);
+    const float mitre = 1 / std::max(half_cosine, kSharpestMitre);
     return room < mitre * radius(i) * half_sine ? room / (radius(i) * half_sine) : mitre;
   }
 
@@ -324,7 +324,7 @@ class AxisMesher {
     const float width = radius(last);
     const Vec3 centre = position(last);
     const float before = slope(last - 1);
-    switch (surface_.cap) {
+    switch (plan_.cap) {
       case Surface::Cap::pointed:  // a cone as high as it is wide
         ring(centre, width, Mitre(direction), before, -1);
         join();
@@ -454,7 +454,7 @@ class AxisMesher {
 }  // namespace
 
 Mesh make_tubes(const Skeleton& skeleton, const Surface& surface, Progress& progress) {
-  if (!(surface.uv_scale > 0)) throw std::invalid_argument("a surface's uv_scale is above 0");
+  if (!(surface.uv_scale > 0)) throw std::invalid_argument("a surface's uv_scale must be above 0");
   return std::move(make_tubes(TubePlan(skeleton, {{surface}}), progress)[0]);
 }
 

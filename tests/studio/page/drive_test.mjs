@@ -6,7 +6,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 
 import { choose, drag, field, leave_fields, open_file, pick, point_at, retype, row, slider, step, type_into, undo_all } from './hands.mjs';
-import { kAxe, meristem, open_page, ready, save_and_check, settled, start_browser, start_server, temporary_folder, text_of, undo_count, validator, visit, write_document } from './support.mjs';
+import { kAxe, open_page, ready, settled, start_browser, start_server, temporary_folder, text_of, undo_count, validator, visit, write_document } from './support.mjs';
 
 const kSmall = `\ufeff// A sapling.\r\n{\r\n\t"meristem": 1, /* the form */\r\n\t"name": "Sapling",\r\n\t"seed": 4,\r\n\t"variables": {\r\n\t\t"size": {"value": 0.12, "min": 0.05, "max": 0.25, "unit": "m", "doc": "Length of the leaves."},\r\n\t\t"bend": {"value": 30, "min": 0, "max": 90, "doc": "How they bend."}\r\n\t},\r\n\t"components": {\r\n\t\t"tree": {"type": "tree", "length": 1.5, "radius": 0.02}, // the stem\r\n\t\t"leaf": {"type": "leaf", "length": "size", "width": "size/2", "curl": "bend + 5*rand(-1,1)", "colour": "#587a30"}\r\n\t},\r\n\t"links": [{"from": "tree", "to": "leaf", "kind": "branch", "count": 12, "angle": 60}]\r\n}\r\n`;
 
@@ -139,16 +139,26 @@ const centre = async (target, across, down) => {
 
 test('1,000 rapid edits: the last value wins', async () => {
   await reopen();
-  // Faster than hands are: each is what a press of an arrow key in the field does, without waiting.
-  await page.evaluate(async () => {
-    const all = [];
-    for (let k = 0; k < 1000; k += 1) all.push(window.studio.edit([{ set: 'size', value: (51 + (k % 150)) / 1000 }], 'Set size'));
-    await window.studio.edit([{ set: 'size', value: 0.2 }], 'Set size');
-  });
+  // Presses of arrow keys, without waiting for what they do.
+  const size = field(page, 'size');
+  await size.click();
+  const press = async (key, times) => {
+    for (let k = 0; k < times; k += 1) await page.keyboard.press(key);
+  };
+  for (let k = 0; k < 5; k += 1) {
+    await press('ArrowUp', 92);
+    await press('ArrowDown', 92);
+  }
+  await press('ArrowUp', 80);
+  await page.waitForFunction(() => Object.keys(window.studio.dragged.get()).length === 0);
   await settled(page);
   assert.match(await text_of(page), /"size": \{"value": 0\.2,/);
   const { sent } = await page.evaluate(() => window.studio.connection.counts);
   assert.ok(sent < 2500, `${sent} requests`);
+  await leave_fields(page);
+  await undo_all(page);
+  assert.equal(await text_of(page), kSmall);
+  await settled(page);
 });
 
 test('expressions, ranges and arithmetic are typed into fields, a fault stands under its row', async () => {
@@ -203,6 +213,56 @@ test('a reload offers unsaved work with what differs, and gives it back with its
   await settled(page);
 });
 
+test('work is kept also where another plant is opened at once', async () => {
+  await reopen();
+  await write_document(place.folder, 'other.json', kSmall.replace('Sapling', 'Other'));
+  await type_into(page, field(page, 'bend'), '71');
+  await open_file(page, 'other.json');
+  assert.equal(await page.getByRole('heading', { level: 1 }).innerText(), 'Other');
+  await page.getByText('Unsaved changes of small.json are kept').waitFor();
+  await page.keyboard.press('Control+o');
+  await page.getByRole('dialog').locator('.file', { hasText: 'small.json' }).click();
+  await page.locator('[data-banner="kept"]').getByRole('button', { name: 'Restore' }).click();
+  await settled(page);
+  assert.match(await text_of(page), /"bend": \{"value": 71,/);
+  await undo_all(page);
+  assert.equal(await text_of(page), kSmall);
+});
+
+test('undo in a field takes back what is typed there, and no step', async () => {
+  await reopen();
+  await step(page, () => type_into(page, field(page, 'bend'), '44'));
+  await choose(page, 'Document');
+  const name = row(page, 'name').getByRole('textbox');
+  await name.click();
+  await page.keyboard.press('End');
+  await page.keyboard.type('s');
+  assert.equal(await name.inputValue(), 'Saplings');
+  await page.keyboard.press('Control+z');
+  assert.equal(await name.inputValue(), 'Sapling');
+  assert.equal(await undo_count(page), 1);
+  await page.keyboard.press('Escape');
+  await leave_fields(page);
+  await undo_all(page);
+});
+
+test('panels are made wider by their edges, by hand and by keys, and stay so', async () => {
+  const left = page.locator('.left');
+  const edge = page.getByRole('separator', { name: 'Width of handles and outline' });
+  const width = async () => (await left.boundingBox()).width;
+  const first = await width();
+  await drag(page, edge, [60, 0]);
+  assert.equal(await width(), first + 60);
+  await edge.focus();
+  await page.keyboard.press('ArrowLeft');
+  assert.equal(await width(), first + 44);
+  await page.reload();
+  await ready(page);
+  assert.equal(await width(), first + 44);
+  await edge.dblclick();
+  assert.equal(await width(), first);
+});
+
 test('a killed server loses nothing', async () => {
   const other = await start_server(place.folder, path.join(place.folder, 'small.json'), '--port', '0');
   const { port } = new URL(other.address);
@@ -238,16 +298,6 @@ test('saving asks where someone else has changed the file', async () => {
   await page.waitForFunction(() => !window.studio.document.is_changed);
   assert.equal(await readFile(path.join(place.folder, 'small.json'), 'utf8'), await text_of(page));
   await write_document(place.folder, 'small.json', kSmall);
-});
-
-test('every kind of row of every component is set through the page and read back by check', async () => {
-  const tables = JSON.parse((await meristem('components', '--json')).stdout);
-  await page.evaluate(() => window.studio.open({ path: 'small.json' }));
-  await page.evaluate(() => window.studio.shell.merge({ side: 'inspector', dialog: null }));
-  const { set_every_row } = await import('./every_row.mjs');
-  const told = await set_every_row(page, tables, place.folder, { save_and_check });
-  assert.deepEqual(told.faults, []);
-  assert.ok(told.rows >= 70 && told.kinds.size >= 11, `${told.rows} rows, ${[...told.kinds].join(' ')}; ${told.faulty_bases.join('; ')}`);
 });
 
 test('exported GLB is accepted by the validator and has the triangles that there are', async () => {
@@ -295,26 +345,45 @@ test('the keyboard alone opens a plant, turns a handle, chooses a component and 
   await settled(page);
 });
 
+/// What is looked at, and how a person comes there and back.
+const kViews = [
+  ['an outline', () => choose(page, 'Document')],
+  ['a component', () => choose(page, 'leaf')],
+  ['a link', () => choose(page, 'tree → leaf')],
+  ['the scene', () => choose(page, 'Scene')],
+  ['the text', () => page.getByRole('button', { name: 'Text', exact: true }).click(), () => page.getByRole('button', { name: 'Inspector', exact: true }).click()],
+  ...[['export', 'Control+e'], ['keys', '?'], ['models', 'Control+m'], ['files', 'Control+o'], ['a name to save under', 'Control+Shift+s']].map(([name, keys]) => [name, () => page.keyboard.press(keys), () => page.keyboard.press('Escape')]),
+];
+
 test('axe finds nothing serious, light and dark', async () => {
   await reopen();
   await page.evaluate(await readFile(kAxe, 'utf8'));
   for (const theme of ['light', 'dark']) {
-    await page.evaluate((one) => window.studio.set_theme(one), theme);
-    for (const what of ['', 'components.leaf', 'links[0]', 'text', 'export', 'shortcuts', 'models']) {
-      await page.evaluate((one) => {
-        const { studio } = window;
-        const is_dialog = ['export', 'shortcuts', 'models'].includes(one);
-        studio.shell.merge({ side: one === 'text' ? 'text' : 'inspector', dialog: is_dialog ? one : null });
-        if (one !== 'text' && !is_dialog) studio.choose(one);
-      }, what);
+    await page.emulateMedia({ colorScheme: theme });
+    for (const [name, come, go] of kViews) {
+      await leave_fields(page);
+      await come();
       await page.waitForTimeout(250);
       const found = await page.evaluate(async () => (await window.axe.run(document, { resultTypes: ['violations'] })).violations.map((one) => ({ id: one.id, impact: one.impact, nodes: one.nodes.slice(0, 3).map((node) => node.html.slice(0, 160) + ' ' + (node.any[0]?.message ?? '')) })));
-      const serious = found.filter((one) => one.impact === 'serious' || one.impact === 'critical');
-      assert.deepEqual(serious, [], `${theme}, ${what}`);
+      assert.deepEqual(found.filter((one) => one.impact === 'serious' || one.impact === 'critical'), [], `${theme}, ${name}`);
+      await go?.();
     }
-    await page.evaluate(() => window.studio.shell.merge({ dialog: null, side: 'inspector' }));
   }
-  await page.evaluate(() => window.studio.set_theme('system'));
+  await page.emulateMedia({ colorScheme: null });
+});
+
+test('the theme button goes round, and the choice stays', async () => {
+  const shown = () => page.evaluate(() => document.documentElement.dataset.theme);
+  const button = page.getByRole('button', { name: /^Theme: / });
+  await button.click();
+  assert.equal(await shown(), 'light');
+  await button.click();
+  assert.equal(await shown(), 'dark');
+  await page.reload();
+  await ready(page);
+  assert.equal(await shown(), 'dark');
+  await button.click();
+  assert.equal(await shown(), 'light');
 });
 
 test('what is drawn goes when it is gone, and comes back after a lost context', async () => {
@@ -325,10 +394,7 @@ test('what is drawn goes when it is gone, and comes back after a lost context', 
     return window.studio.view.counts;
   });
   const first = await counts();
-  for (let k = 0; k < 5; k += 1) {
-    await page.evaluate((value) => window.studio.edit([{ set: 'size', value }], 'Set size'), 0.1 + k / 100);
-    await settled(page);
-  }
+  for (let k = 0; k < 5; k += 1) await step(page, () => type_into(page, field(page, 'size'), `0.1${k + 3}`));
   const later = await counts();
   for (const name of ['meshes', 'instance_sets', 'batches', 'geometries', 'materials', 'pictures']) assert.ok(later[name] <= first[name] + 1, `${name}: ${first[name]} ${later[name]}`);
   const packets = await page.evaluate(() => {
@@ -344,16 +410,16 @@ test('what is drawn goes when it is gone, and comes back after a lost context', 
 
 test('a colour edit crosses in under 2 KB', async () => {
   await reopen();
-  await page.evaluate(() => window.studio.edit([{ set: 'components.leaf.colour', value: '#885522' }], 'Set colour'));
-  await settled(page);
+  await choose(page, 'leaf');
+  await step(page, () => type_into(page, row(page, 'components.leaf.colour').locator('.text-field'), '#885522'));
   const { last_packet_bytes } = await page.evaluate(() => window.studio.connection.counts);
   assert.ok(last_packet_bytes < 2048, `${last_packet_bytes} bytes`);
 });
 
 test('texts of a document are shown as texts', async () => {
   const evil = kSmall.replace('"Sapling"', '"<img src=x onerror=window.harm=1>"').replace('Length of the leaves.', '<script>window.harm=1</script>');
-  await page.evaluate((text) => window.studio.open({ text, path: null }), evil);
-  await settled(page);
+  await write_document(place.folder, 'evil.json', evil);
+  await open_file(page, 'evil.json');
   assert.equal(await page.getByRole('heading', { level: 1 }).innerText(), '<img src=x onerror=window.harm=1>');
   assert.equal(await page.evaluate(() => window.harm), undefined);
 });

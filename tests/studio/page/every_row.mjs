@@ -1,113 +1,141 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets one row of each kind of each component type through the inspector's own fields, and asks `meristem check`.
+// Gives each kind of row of each component type, of links, scene, output and limits a value by hand. The documents of
+// tests/rows say which: between them they give every row that there is. What is set is taken away first, so that in the
+// end each document must say again what it said.
+import { cp, readdir, readFile } from 'node:fs/promises';
+import path from 'node:path';
 
-const kCrown = { profile: [[0.1, 0.6], [0.7, 1.2], [0, 2]] };
-/// What types need besides rows that can be made up.
-const kNeeded = {
-  colonize: { crown: kCrown, points: 50, step: 0.1, influence: 0.6, kill: 0.2 },
-  cloud: { crown: kCrown },
-  lsystem: { grammar: ['#axiom', '!(0.03) F(0.3)'] },
-};
+import { at_path, below, kNested, RowHand, table_of_element, unfold } from './row_hands.mjs';
+import { kSource, meristem } from './support.mjs';
 
-/// One component of each type with its required rows.
-function document_of_all(tables) {
-  const first = (row) => row.default ?? { number: row.usual?.[1] ?? 1, integer: Math.round(row.usual?.[1] ?? 1), text: 'x', choice: row.choices?.[0] }[row.kind];
-  const components = {};
-  for (const [type, facts] of Object.entries(tables.components)) {
-    const made = { type };
-    for (const row of tables.tables[facts.table].rows) if (row.required) made[row.name] = first(row);
-    components[`the_${type}`] = { ...made, ...kNeeded[type] };
+const kFolder = path.join(kSource, 'tests/rows');
+/// Further documents, about rows that those do not give.
+const kMore = path.join(kSource, 'tests/studio/page/documents');
+
+/// The documents, by name, with the files that they read beside them.
+export async function put_documents(folder) {
+  await cp(kFolder, path.join(folder, 'rows'), { recursive: true });
+  await cp(path.join(kSource, 'tests/fuzz/corpus/image/rgba.png'), path.join(folder, 'fuzz/corpus/image/rgba.png'));
+  await cp(kMore, path.join(folder, 'rows'), { recursive: true });
+  const names = (await readdir(path.join(folder, 'rows'))).filter((one) => one.endsWith('.json')).sort();
+  return Promise.all(names.map(async (name) => ({ name: `rows/${name}`, said: JSON.parse((await readFile(path.join(folder, 'rows', name), 'utf8')).replace(/(^|\s)\/\/.*$/gm, '')) })));
+}
+
+/// Whose rows there are, with their tables: component types, what all components share, links, parts of the document.
+export function owners_of(tables) {
+  const head = tables.tables[tables.document];
+  const part = (name) => tables.tables[head.rows.find((one) => one.name === name).table];
+  return {
+    ...Object.fromEntries(Object.entries(tables.components).map(([type, { table }]) => [type, tables.tables[table]])),
+    'every component': tables.tables[tables.all_components],
+    ...Object.fromEntries(Object.entries(tables.links).map(([kind, table]) => [`link ${kind}`, tables.tables[table]])),
+    link: tables.tables[tables.link],
+    scene: part('scene'),
+    output: part('output'),
+    limits: tables.tables[tables.limits],
+    document: { rows: head.rows.filter((one) => one.table === undefined && !one.kinds && one.name !== 'meristem') },
+  };
+}
+
+/// What of a document its rows are of: the title in the outline, the path, and the tables with their owners.
+function subjects_of(document, tables) {
+  const owners = owners_of(tables);
+  const { components = {}, links = [] } = document.said;
+  const found = [];
+  const add = (title, at, said, ...names) => found.push({ title, at, said, tables: names.map((owner) => ({ owner, rows: owners[owner]?.rows ?? [] })) });
+  for (const [id, said] of Object.entries(components)) add(id, `components.${id}`, said, said.type, 'every component');
+  for (const [k, said] of links.entries()) if (!Array.isArray(said)) add(`${said.from} → ${said.to}`, `links[${k}]`, said, 'link', `link ${said.kind ?? ''}`);
+  for (const part of ['scene', 'output', 'limits']) if (document.said[part]) add(part[0].toUpperCase() + part.slice(1), part, document.said[part], part);
+  add('Document', '', document.said, 'document');
+  // Links may have the same name; then a hand takes the outline's first.
+  return found.filter((one, k) => found.findIndex((other) => other.title === one.title) === k);
+}
+
+const is_object = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
+
+/// All rows that are given below a value, with the folds that are opened on the way to them.
+function* given_rows(tables, rows, said, at, folds) {
+  for (const row of rows) {
+    const value = said[row.name];
+    if (value === undefined || row.name === 'type') continue;
+    const here = below(at, row.name);
+    const is_written_out = !kNested.includes(row.kind) || (row.kind === 'list' ? Array.isArray(value) : is_object(value));
+    if (!is_written_out) continue; // in short, as a number in place of an object
+    yield { row, value, at: here, folds };
+    const inside = [...folds, here];
+    if (row.kind === 'object') yield* given_rows(tables, tables.tables[row.table].rows, value, here, inside);
+    if (row.kind === 'map') for (const [name, one] of Object.entries(value)) if (is_object(one)) yield* given_rows(tables, tables.tables[row.table].rows, one, below(here, name), [...inside, below(here, name)]);
+    if (row.kind === 'list') for (const [k, one] of value.entries()) yield* given_rows(tables, table_of_element(tables, row, one).rows, one, below(here, k), [...inside, below(here, k)]);
   }
-  return components;
 }
 
-const kTyped = { number: (row) => String(nice(row)), integer: (row) => String(Math.round(nice(row))) };
-
-/// A number within the usual range that is not the default.
-function nice(row) {
-  const [low, high] = row.usual ?? [0, 1];
-  const value = Number((low + 0.6 * (high - low)).toPrecision(2));
-  return value === row.default ? Number((low + 0.3 * (high - low)).toPrecision(2)) : value;
-}
-
-/// Acts on the editor of a row as a hand would; false where this kind is set elsewhere.
-async function set_row(page, path, row) {
-  const element = page.locator(`[data-path="${path}"]`);
-  if (kTyped[row.kind]) {
-    const field = element.locator('.number-field input').first();
-    await field.fill(kTyped[row.kind](row));
-    await field.press('Enter');
-    return true;
-  }
-  if (row.kind === 'boolean') await element.getByRole('switch').click();
-  else if (row.kind === 'choice') {
-    const other = row.choices.find((one) => one !== row.default) ?? row.choices[0];
-    await element.getByRole('combobox').selectOption(other);
-  } else if (row.kind === 'colour') {
-    const field = element.locator('.text-field').first();
-    await field.fill('#a0b0c0');
-    await field.press('Enter');
-  } else if (row.kind === 'vector') {
-    const field = element.locator('.number-field input').first();
-    await field.fill('0.5');
-    await field.press('Enter');
-  } else if (['curve', 'points', 'positions', 'selection', 'colours', 'condition', 'formula', 'lines', 'box', 'integers'].includes(row.kind)) {
-    await element.hover();
-    await element.getByRole('button', { name: /^More for/ }).click();
-    await page.getByRole('menuitem', { name: 'Set', exact: true }).click();
-  } else return false;
-  return true;
-}
-
-const errors = (page) =>
-  page.evaluate(() => window.studio.document.state.get().faults.filter((one) => one.severity === 'error').map((one) => `${one.path}: ${one.message}`));
-
-const step_count = (page) => page.evaluate(() => window.studio.document.state.get().undo.done.length);
-
-/// Sets a row and says what became of it: "set", "refused" by a rule between rows, or what is wrong.
-async function try_row(page, id, row) {
-  const path = `components.${id}.${row.name}`;
-  const before = await step_count(page);
-  if (!(await set_row(page, path, row))) return 'elsewhere';
-  const is_done = await page
-    .waitForFunction((known) => window.studio.document.state.get().undo.done.length > known, before, { timeout: 30000 })
-    .then(() => true, () => false);
-  if (!is_done) return 'nothing was set';
-  const value = await page.evaluate(([one, name]) => window.studio.document.state.get().tree.value.components[one][name], [id, row.name]);
-  if (value === undefined) return 'not in the text';
-  if ((await errors(page)).length === 0) return 'set';
-  await page.evaluate(() => window.studio.undo());
-  return 'refused';
-}
-
-export async function set_every_row(page, tables, folder, { save_and_check }) {
-  const told = { rows: 0, kinds: new Set(), faults: [], faulty_bases: [] };
-  const components = document_of_all(tables);
-  const all = tables.tables[tables.all_components].rows;
-  for (const [type, facts] of Object.entries(tables.components)) {
-    const id = `the_${type}`;
-    const document = { meristem: 1, components: { [id]: components[id] } };
-    await page.evaluate((text) => window.studio.open({ text, path: null }), JSON.stringify(document, null, 2));
-    await page.evaluate((path) => window.studio.choose(path), `components.${id}`);
-    if ((await errors(page)).length > 0) {
-      told.faulty_bases.push(`${type}: ${(await errors(page))[0]}`);
-      continue;
-    }
-    const seen = new Set();
-    for (const row of [...tables.tables[facts.table].rows, ...all]) {
-      const path = `components.${id}.${row.name}`;
-      if (seen.has(row.kind) || row.required || (await page.locator(`[data-path="${path}"]`).count()) === 0) continue;
-      const outcome = await try_row(page, id, row);
-      if (outcome === 'set') {
-        seen.add(row.kind);
-        told.kinds.add(row.kind);
-        told.rows += 1;
-      } else if (outcome !== 'elsewhere' && outcome !== 'refused') {
-        told.faults.push(`${path}: ${outcome}`);
+/// All rows that a document gives, cheapest first for each owner and kind.
+function rows_of(document, tables) {
+  const best = new Map();
+  for (const subject of subjects_of(document, tables)) {
+    for (const { owner, rows } of subject.tables) {
+      for (const found of given_rows(tables, rows, subject.said, subject.at, [])) {
+        if (['from', 'to'].includes(found.row.name)) continue;
+        const key = `${owner}: ${found.row.kind}`;
+        // Lines that are written as one text come back as lines.
+        const is_odd = found.row.kind === 'lines' && !Array.isArray(found.value);
+        const cost = JSON.stringify(found.value).length + 20 * found.folds.length + (found.row.required ? 200 : 0) + (is_odd ? 1000 : 0);
+        if (cost < (best.get(key)?.cost ?? Infinity)) best.set(key, { key, cost, document, subject, ...found });
       }
     }
-    const { check, text } = await save_and_check(page, folder, `${id}.json`);
-    if (check.code !== 0) told.faults.push(`${type}: ${check.stderr}${check.stdout}\n${text}`);
   }
-  return told;
+  return best;
+}
+
+/// One row for each owner and kind that is wanted, and for each kind beside them, out of few documents: next comes the
+/// one that has most of what is not there yet.
+export function chosen_rows(documents, tables, wanted) {
+  const given = documents.map((document) => [...rows_of(document, tables).values()]);
+  const chosen = new Map();
+  const kinds = new Set();
+  const take = (is_news) => {
+    for (;;) {
+      const news = given.map((rows) => rows.filter(is_news));
+      const most = news.reduce((a, b) => (b.length > a.length ? b : a));
+      if (most.length === 0) return;
+      for (const one of most) {
+        chosen.set(one.key, one);
+        kinds.add(one.row.kind);
+      }
+    }
+  };
+  take((one) => wanted.includes(one.key) && !chosen.has(one.key));
+  take((one) => !kinds.has(one.row.kind));
+  return [...chosen.values()];
+}
+
+/// Gives all chosen rows of one document anew, and says what is wrong with it then.
+export async function set_rows(page, rows, tables) {
+  const hand = new RowHand(page, tables);
+  const faults = [];
+  for (const { key, subject, row, value, at, folds } of rows) {
+    try {
+      await page.locator('.outline-choice', { has: page.getByText(subject.title, { exact: true }) }).first().click();
+      for (const fold of folds) await unfold(page, fold);
+      await at_path(page, at).waitFor({ timeout: 5000 });
+      await hand.give_anew(at, row, value);
+    } catch (fault) {
+      faults.push(`${key} at ${at}: ${String(fault).slice(0, 400)}`);
+    }
+  }
+  return { kinds: hand.kinds, faults };
+}
+
+/// Opens a document of the list, of which nothing needs to grow.
+export async function open_document(page, name) {
+  await page.keyboard.press('Control+o');
+  for (const one of name.split('/')) await page.getByRole('dialog').locator('.file', { has: page.getByText(one, { exact: true }) }).click();
+  await page.waitForFunction((path) => window.studio.document.state.get().path === path && document.querySelector('dialog') === null, name);
+}
+
+/// Saves the open document and has the program check it.
+export async function check_saved(page, folder, name) {
+  await page.keyboard.press('Control+s');
+  await page.waitForFunction(() => !window.studio.document.is_changed);
+  return meristem('check', path.join(folder, name));
 }

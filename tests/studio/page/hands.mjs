@@ -31,7 +31,7 @@ async function kept_text(page, name) {
 export async function open_file(page, name) {
   const packets = await page.evaluate(() => window.studio.connection.counts.packets);
   await page.getByRole('button', { name: 'Open a file' }).click();
-  await page.getByRole('dialog').locator('.file', { hasText: name }).first().click();
+  for (const one of name.split('/')) await page.getByRole('dialog').locator('.file', { has: page.getByText(one, { exact: true }) }).click();
   await page.getByRole('dialog').waitFor({ state: 'detached' });
   await page.waitForFunction(
     ([path, known]) => {
@@ -51,6 +51,15 @@ export async function open_file(page, name) {
   }
   await banner.getByRole('button', { name: 'Discard' }).click();
   await banner.waitFor({ state: 'detached' });
+}
+
+/// Opens a shipped plant from the list with their pictures.
+export async function open_model(page, name) {
+  await leave_fields(page);
+  await page.keyboard.press('Control+m');
+  await page.locator(`[data-model="${name}"]`).click();
+  await page.waitForFunction((wanted) => window.studio.document.state.get().model === wanted && window.studio.growth.get().shown, name, { timeout: 60000 });
+  await settled(page);
 }
 
 /// Chooses what the outline calls so: a component, a link, a part of the document.

@@ -1,58 +1,89 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws the pictures of the manual's chapter on the studio: node tests/studio/page/pictures.mjs [FOLDER]
+// Draws the pictures of the manual's chapter on the studio, as `./dev gallery studio` has them drawn:
+// node tests/studio/page/pictures.mjs [FOLDER]
 import { mkdir, stat } from 'node:fs/promises';
 import path from 'node:path';
 import process from 'node:process';
+import { fileURLToPath } from 'node:url';
 
-import { kSource, open_page, settled, start_browser, start_server, temporary_folder } from './support.mjs';
+import { choose, open_model, point_at, retype, row } from './hands.mjs';
+import { kSource, open_page, start_browser, start_server, temporary_folder } from './support.mjs';
 
-const kMostBytes = 250_000;
-const out = path.resolve(process.argv[2] ?? path.join(kSource, 'docs/manual/studio'));
-const place = await temporary_folder();
-const server = await start_server(place.folder);
-const browser = await start_browser();
+export const kMostBytes = 250_000;
+export const kFolder = path.join(kSource, 'docs/manual/studio');
 
-/// A picture of the page after what `act` does, as good as its size allows.
-async function draw(name, theme, act, viewport = { width: 1280, height: 760 }) {
-  const context = await browser.newContext({ viewport, colorScheme: theme });
-  const page = await open_page(context, server.address);
-  await page.evaluate(() => window.studio.shell.merge({ shows_hints: false }));
+/// What each picture shows, and how a hand comes there.
+export const kPictures = [
+  { name: 'oak', theme: 'light', act: (page) => choose(page, 'tree') },
+  {
+    name: 'inspector',
+    theme: 'dark',
+    act: async (page) => {
+      await open_model(page, 'sunflower');
+      await choose(page, 'petiole');
+    },
+  },
+  {
+    name: 'curve',
+    theme: 'light',
+    act: async (page) => {
+      await open_model(page, 'tulip');
+      await choose(page, 'stem');
+      await row(page, 'components.stem.taper').scrollIntoViewIfNeeded();
+    },
+  },
+  {
+    name: 'text',
+    theme: 'light',
+    act: async (page) => {
+      await open_model(page, 'low-poly-oak');
+      await page.keyboard.press('t');
+      await retype(page, '"foliage*0.48', '"folaige*0.48');
+      await page.locator('.fault-list button').first().click();
+      await page.keyboard.press('f');
+    },
+  },
+  {
+    name: 'models',
+    theme: 'light',
+    act: async (page) => {
+      await page.keyboard.press('Control+m');
+      await page.locator('.model img').first().waitFor();
+      await page.waitForFunction(() => [...document.querySelectorAll('.model img')].slice(0, 18).every((one) => one.complete));
+    },
+  },
+];
+
+/// Draws a picture as good as its size allows, and gives its path.
+async function draw(browser, address, out, { name, theme, act }) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 760 }, colorScheme: theme });
+  const page = await open_page(context, address);
+  await page.getByRole('button', { name: 'Start', exact: true }).click();
   await act(page);
+  await point_at(page, page.locator('.status'), 0.5); // nothing is pointed at
   await page.waitForTimeout(1200);
   const file = path.join(out, `${name}.jpg`);
   for (let quality = 90; quality >= 50; quality -= 8) {
     await page.screenshot({ path: file, type: 'jpeg', quality, timeout: 120_000 });
     if ((await stat(file)).size < kMostBytes) break;
   }
-  console.log(`${file}: ${(await stat(file)).size} bytes`);
   await context.close();
+  return file;
 }
 
-const open = async (page, model) => {
-  await page.evaluate((wanted) => window.studio.open({ model: wanted }), model);
-  await settled(page);
-};
+export async function draw_all(browser, out, tell = () => undefined) {
+  const place = await temporary_folder();
+  const server = await start_server(place.folder);
+  await mkdir(out, { recursive: true });
+  try {
+    for (const picture of kPictures) tell(await draw(browser, server.address, out, picture));
+  } finally {
+    await server.stop();
+    await place.remove();
+  }
+}
 
-await mkdir(out, { recursive: true });
-try {
-  await draw('oak', 'light', async () => undefined);
-  await draw('inspector', 'dark', async (page) => {
-    await open(page, 'sunflower');
-    await page.locator('.outline-choice').nth(2).click();
-  });
-  await draw('text', 'light', async (page) => {
-    await open(page, 'low-poly-oak');
-    await page.keyboard.press('t');
-    await page.evaluate(() => window.studio.document.type(window.studio.document.state.get().text.replace('"blend": 0.6', '"blend": 0.6*spraed')));
-    await page.locator('.fault-list button').first().click();
-  });
-  await draw('models', 'light', async (page) => {
-    await page.keyboard.press('Control+m');
-    await page.locator('.model img').first().waitFor();
-    await page.waitForTimeout(2500);
-  });
-} finally {
-  await browser.close();
-  await server.stop();
-  await place.remove();
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const browser = await start_browser();
+  await draw_all(browser, path.resolve(process.argv[2] ?? kFolder), (file) => console.log(file)).finally(() => browser.close());
 }

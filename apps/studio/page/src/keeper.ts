@@ -15,6 +15,7 @@ export class Keeper {
 
   constructor(private readonly studio_: Studio) {
     studio_.document.state.subscribe(() => this.look());
+    document.addEventListener('visibilitychange', () => void this.flush());
   }
 
   /// What a page begins with: after a reload what it had open, else what the server was started with.
@@ -59,8 +60,15 @@ export class Keeper {
     await forget(work.key);
   }
 
-  async forget_open(): Promise<void> {
+  /// Keeps now what waits for its pause, as before another document is opened or the page goes.
+  async flush(): Promise<void> {
+    if (this.timer_ === 0) return;
     clearTimeout(this.timer_);
+    await this.store();
+  }
+
+  async forget_open(): Promise<void> {
+    this.stop();
     const { path, model } = this.studio_.document.state.get();
     await forget(work_key(path, model));
   }
@@ -69,12 +77,18 @@ export class Keeper {
     const { text, undo } = this.studio_.document.state.get();
     if (text === this.last_text_) return;
     this.last_text_ = text;
-    clearTimeout(this.timer_);
+    this.stop();
     if (undo.done.length === 0 && undo.undone.length === 0) return;
     this.timer_ = window.setTimeout(() => void this.store(), kPause);
   }
 
+  private stop(): void {
+    clearTimeout(this.timer_);
+    this.timer_ = 0;
+  }
+
   private async store(): Promise<void> {
+    this.timer_ = 0;
     const { path, model, name, text, hash, base, undo } = this.studio_.document.state.get();
     const key = work_key(path, model);
     if (hash === base && key !== 'new') return forget(key);

@@ -25,6 +25,7 @@ export const kShortcuts: { title: string; keys: Shortcut[] }[] = [
   {
     title: 'View',
     keys: [
+      { keys: 'Click', text: 'Choose the component that is seen there' },
       { keys: 'Drag', text: 'Turn' },
       { keys: 'Shift+Drag, right button', text: 'Move' },
       { keys: 'Wheel', text: 'Zoom' },
@@ -83,13 +84,18 @@ function is_typed_into(target: EventTarget | null): boolean {
   return target instanceof HTMLElement && (target.isContentEditable || target.matches('input:not([type=range]):not([type=color]), textarea, select'));
 }
 
+/// Undo and redo are the field's own while something is typed that is not taken over yet.
+function belongs_to_field(event: KeyboardEvent): boolean {
+  return /^[zy]$/i.test(event.key) && event.target instanceof HTMLElement && event.target.matches('[data-typed]');
+}
+
 export function listen_to_keys(studio: Studio): void {
   document.addEventListener('keydown', (event) => {
     if (studio.shell.get().dialog !== null) return;
     const has_control = event.ctrlKey || event.metaKey;
     if (event.key === 'Escape') studio.stop_drag();
     const act = has_control ? kWithControl[event.shiftKey ? event.key.toUpperCase() : event.key] : event.altKey || is_typed_into(event.target) ? undefined : kPlain[event.key];
-    if (!act) return;
+    if (!act || belongs_to_field(event)) return;
     event.preventDefault();
     act(studio);
   });

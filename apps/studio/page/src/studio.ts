@@ -7,6 +7,7 @@ import { DocumentModel } from './document/document_model.ts';
 import type { Json } from './document/json.ts';
 import { Keeper } from './keeper.ts';
 import { Connection } from './server/connection.ts';
+import { LatestSender } from './server/latest_sender.ts';
 import { read_packet } from './server/packet.ts';
 import type { Edit, Grown, Hello, News, Opened, Saved } from './server/protocol.ts';
 import { Refusal } from './server/protocol.ts';
@@ -30,6 +31,7 @@ export class Studio {
   readonly server = new Store<ServerState>({ link: 'connecting', hello: null });
   readonly view_state = new Store<ViewState>({ drawing: 'shaded', hidden: new Set(), shows_ground: true });
   readonly view_facts = new Store<ViewFacts | null>(null); // of the last picture
+  readonly pointed = new Store<{ component: string; x: number; y: number } | null>(null); // at rest over the view
   readonly shell: Store<ShellState>;
   readonly toasts = new ToastList();
   readonly dragged = new Store<Record<string, Json>>({});
@@ -40,8 +42,7 @@ export class Studio {
   readonly connection: Connection;
   readonly keeper: Keeper;
   view: View | null = null;
-  private is_dragging_told_ = false;
-  private drag_waits_ = false;
+  private readonly drags_ = new LatestSender(() => this.connection.request('drag', { values: this.dragged.get() }));
   private keeps_camera_ = false; // the next packet is the first of a connection, and not of a document
 
   constructor(
@@ -72,6 +73,7 @@ export class Studio {
 
   choose(path: string): void {
     this.chosen.set(path);
+    this.view?.unmark();
     this.refresh_view();
   }
 
@@ -102,7 +104,7 @@ export class Studio {
   async edit(edits: Edit[], label: string): Promise<void> {
     // Until the text says them, fields show the values that are meant.
     const meant = Object.fromEntries(edits.flatMap((edit) => ('set' in edit ? [[edit.set, edit.value]] : [])));
-    this.drag_waits_ = false; // the edit ends the drag at the server, too
+    this.drags_.drop(); // the edit ends the drag at the server, too
     this.dragged.set(meant);
     await this.document.edit(edits, label);
     if (this.dragged.get() === meant) this.dragged.set({});
@@ -115,8 +117,7 @@ export class Studio {
   /// Grows with other values for a while; the text stays. While an answer is awaited, only the newest values are kept.
   drag(values: Record<string, Json>): void {
     this.dragged.set(values);
-    this.drag_waits_ = true;
-    void this.tell_drag();
+    this.drags_.ask();
   }
 
   /// The document's values again.
@@ -134,9 +135,15 @@ export class Studio {
 
   /// Whether it could be opened.
   async open(wish: OpenWish): Promise<boolean> {
+    await this.document.idle();
+    await this.keeper.flush();
+    const { is_changed } = this.document;
+    const left = this.document.state.get();
     try {
       const opened = await this.connection.request<Opened>('open', wish);
       this.take_opened(opened);
+      const is_another = left.path !== opened.path || left.model !== opened.model;
+      if (is_changed && is_another) this.tell(`Unsaved changes of ${left.name} are kept: open it again to have them back`);
       await this.keeper.offer(opened);
       return true;
     } catch (fault) {
@@ -181,18 +188,6 @@ export class Studio {
     this.dragged.set({});
     if (step && step.chosen !== this.chosen.get()) this.choose(step.chosen);
     if (step) this.tell(`${what}: ${step.label}`);
-  }
-
-  private async tell_drag(): Promise<void> {
-    if (this.is_dragging_told_) return;
-    this.is_dragging_told_ = true;
-    while (this.drag_waits_) {
-      this.drag_waits_ = false;
-      await this.connection.request('drag', { values: this.dragged.get() }).catch(() => undefined);
-      // No more than one a picture, however fast the hand.
-      await new Promise((done) => setTimeout(done, 16));
-    }
-    this.is_dragging_told_ = false;
   }
 
   private hear(news: News): void {

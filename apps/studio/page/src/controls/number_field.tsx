@@ -108,6 +108,7 @@ export function NumberField(props: NumberFieldProps): ReactElement {
         aria-label={label}
         aria-invalid={props.is_faulty || undefined}
         aria-description={props.description}
+        data-typed={typed !== null || undefined}
         value={typed ?? shown_number(value)}
         onChange={(event) => set_typed(event.target.value)}
         onBlur={() => finish(typed)}

@@ -1,31 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
+// The page: what stands where. A panel beside the view is one line of `kSides`.
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { Segments } from '../controls/button.tsx';
+import { Splitter } from '../controls/splitter.tsx';
 import { Dialogs } from '../dialogs/dialogs.tsx';
 import { use_studio } from '../studio_context.ts';
+import type { ShellState } from '../studio_state.ts';
 import { ConflictBanner, KeptBanner, LostBanner } from './banners.tsx';
 import { Handles } from './handles.tsx';
 import { Hints } from './hints.tsx';
 import { Inspector } from './inspector.tsx';
 import { Outline } from './outline.tsx';
+import { kWidths, use_width } from './panel_widths.ts';
 import { StatusLine } from './status_line.tsx';
 import { TextPanel } from './text_panel.tsx';
 import { Toasts } from './toasts.tsx';
 import { TopBar } from './top_bar.tsx';
 import { ViewPanel } from './view_panel.tsx';
 
-const kSides = [
-  ['inspector', 'Inspector'],
-  ['text', 'Text'],
-] as const;
+type Side = ShellState['side'];
+
+const kSides: Record<Side, { title: string; Content: () => ReactElement }> = {
+  inspector: { title: 'Inspector', Content: InspectorWithHints },
+  text: { title: 'Text', Content: TextPanel },
+};
+const kTabs = (Object.keys(kSides) as Side[]).map((name) => [name, kSides[name].title] as const);
 
 export function App(): ReactElement {
-  const studio = use_studio();
-  const { side } = use_store(studio.shell);
   return (
-    <div className={`app side-${side}`}>
+    <div className="app">
       <TopBar />
       <div className="banners">
         <LostBanner />
@@ -33,24 +38,52 @@ export function App(): ReactElement {
         <ConflictBanner />
       </div>
       <main className="work">
-        <aside className="left" aria-label="Handles and outline">
-          <Handles />
-          <Outline />
-        </aside>
+        <LeftPanel />
         <section className="centre" aria-label="The plant">
           <ViewPanel />
         </section>
-        <aside className="right" aria-label="Inspector and text">
-          <div className="side-tabs">
-            <Segments label="Side panel" value={side} choices={kSides} choose={(one) => studio.shell.merge({ side: one })} />
-          </div>
-          {side === 'inspector' ? <Inspector /> : <TextPanel />}
-          {side === 'inspector' && <Hints />}
-        </aside>
+        <SidePanel />
       </main>
       <StatusLine />
       <Toasts />
       <Dialogs />
     </div>
+  );
+}
+
+function LeftPanel(): ReactElement {
+  const [width, change] = use_width('left');
+  return (
+    <aside className="left" aria-label="Handles and outline" style={{ width: width ?? undefined }}>
+      <Handles />
+      <Outline />
+      <Splitter label="Width of handles and outline" edge="right" width={width} change={change} {...kWidths.left} />
+    </aside>
+  );
+}
+
+function SidePanel(): ReactElement {
+  const studio = use_studio();
+  const { side } = use_store(studio.shell);
+  const widths = { inspector: use_width('inspector'), text: use_width('text') };
+  const [width, change] = widths[side];
+  const { Content } = kSides[side];
+  return (
+    <aside className={`right of-${side}`} aria-label="Inspector and text" style={{ width: width ?? undefined }}>
+      <div className="side-tabs">
+        <Segments label="Side panel" value={side} choices={kTabs} choose={(one) => studio.shell.merge({ side: one })} />
+      </div>
+      <Content />
+      <Splitter label="Width of inspector and text" edge="left" width={width} change={change} {...kWidths[side]} />
+    </aside>
+  );
+}
+
+function InspectorWithHints(): ReactElement {
+  return (
+    <>
+      <Inspector />
+      <Hints />
+    </>
   );
 }

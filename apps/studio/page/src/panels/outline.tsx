@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Components with what stands on them, links, and the parts of the document.
 import type { KeyboardEvent, ReactElement } from 'react';
+import { useEffect, useRef } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { IconButton } from '../controls/button.tsx';
@@ -11,6 +12,7 @@ import { is_object } from '../document/json.ts';
 import { member_of, path_below } from '../document/path.ts';
 import { link_kind } from '../tables/resolve.ts';
 import { use_document, use_studio } from '../studio_context.ts';
+import type { Tables } from '../tables/tables.ts';
 
 interface Item {
   path: string;
@@ -44,13 +46,14 @@ export function Outline(): ReactElement {
   );
 }
 
-function components_of(document: Json | undefined, types: Record<string, { is_camera?: boolean }>): Item[] {
+function components_of(document: Json | undefined, types: Tables['components']): Item[] {
   const components = member_of(document, 'components');
   if (!is_object(components)) return [];
   return Object.keys(components).map((id) => {
     const type = String(member_of(components[id], 'type') ?? '?');
     const is_camera = types[type]?.is_camera === true;
-    const item: Item = { path: path_below('components', id), title: id, detail: type, icon: is_camera ? 'camera' : 'leaf' };
+    const icon = is_camera ? 'camera' : types[type]?.makes_stems === true ? 'stem' : 'leaf';
+    const item: Item = { path: path_below('components', id), title: id, detail: type, icon };
     return is_camera ? item : { ...item, component: id };
   });
 }
@@ -84,6 +87,11 @@ function OutlineItem({ item }: { item: Item }): ReactElement {
   const view = use_store(studio.view_state);
   const { grown } = use_store(studio.growth);
   const { faults } = use_document();
+  const button = useRef<HTMLButtonElement>(null);
+  const is_chosen = chosen === item.path;
+  useEffect(() => {
+    if (is_chosen) button.current?.scrollIntoView({ block: 'nearest' });
+  }, [is_chosen]);
   const below = faults.filter((one) => item.path !== '' && (one.path === item.path || one.path.startsWith(`${item.path}.`) || one.path.startsWith(`${item.path}[`)));
   const { component } = item;
   const count = component === undefined ? undefined : grown?.components?.[component]?.instances;
@@ -95,7 +103,7 @@ function OutlineItem({ item }: { item: Item }): ReactElement {
   };
   return (
     <li className={`outline-item${is_hidden ? ' hidden' : ''}`}>
-      <button type="button" className="outline-choice" aria-current={chosen === item.path ? 'true' : undefined} onClick={() => studio.choose(item.path)}>
+      <button ref={button} type="button" className="outline-choice" aria-current={is_chosen ? 'true' : undefined} onClick={() => studio.choose(item.path)}>
         <Icon name={item.icon} />
         <span className="outline-title">{item.title}</span>
         <span className="outline-detail">{item.detail}</span>

@@ -9,6 +9,7 @@ import type { Grown } from '../server/protocol.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 
 const count = (number: number): string => number.toLocaleString('en');
+const counted = (number: number, what: string): string => `${count(number)} ${what}${number === 1 ? '' : 's'}`;
 
 export function StatusLine(): ReactElement {
   const studio = use_studio();
@@ -26,8 +27,8 @@ export function StatusLine(): ReactElement {
           <b>{count(shown.triangles)}</b> of {count(shown.of.triangles)} triangles{shown.draft ? ' (draft)' : ''}
         </span>
       )}
-      {shown && <span>{count(shown.of.instances)} instances</span>}
-      {shown && <span>{count(shown.of.nodes)} nodes</span>}
+      {shown && <span>{counted(shown.of.instances, 'instance')}</span>}
+      {shown && <span>{counted(shown.of.nodes, 'node')}</span>}
       <span className="stretch" />
       {grown && <Stages grown={grown} />}
       <Work />
@@ -58,7 +59,7 @@ function Stages({ grown }: { grown: Grown }): ReactElement {
   return (
     <span className="stages" tabIndex={0} data-tip={lines.join('\n')}>
       {milliseconds(total)}
-      {made + reused > 0 && <span className="quiet"> · {Math.round((100 * reused) / (made + reused))} % kept</span>}
+      {reused > 0 && <span className="quiet"> · {Math.round((100 * reused) / (made + reused))} % kept</span>}
     </span>
   );
 }

@@ -5,6 +5,7 @@ import { useEffect, useRef } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { Button, IconButton, Segments } from '../controls/button.tsx';
+import { path_below } from '../document/path.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 import type { Studio } from '../studio.ts';
 import { View } from '../view/view.ts';
@@ -48,6 +49,7 @@ export function ViewPanel(): ReactElement {
         </div>
       </div>
       <Scale />
+      <PointedAt />
     </div>
   );
 }
@@ -56,6 +58,8 @@ function attach(studio: Studio, canvas: HTMLCanvasElement): void {
   try {
     const view = new View(canvas, {
       drawn: (facts) => studio.view_facts.set(facts),
+      clicked: (component) => studio.choose(component === null ? '' : path_below('components', component)),
+      pointed: (at) => studio.pointed.set(at),
       restored: () => studio.connection.tell('all'),
     });
     studio.attach_view(view);
@@ -92,6 +96,17 @@ function Scale(): ReactElement | null {
       <span style={{ width: `${pixels}px` }} />
       {text}
     </div>
+  );
+}
+
+/// The name of what the pointer rests on.
+function PointedAt(): ReactElement | null {
+  const at = use_store(use_studio().pointed);
+  if (!at) return null;
+  return (
+    <span className="pointed-at" aria-hidden="true" style={{ left: at.x, top: at.y }}>
+      {at.component}
+    </span>
   );
 }
 

@@ -136,7 +136,7 @@ export function ColourField({ label, value, drag, commit, is_faulty, is_dim }: C
           return () => element?.removeEventListener('change', take);
         }}
       />
-      <TextField label={label} value={value} commit={commit} is_code is_faulty={is_faulty} is_dim={is_dim} />
+      <TextField label={label} value={value} commit={commit} is_code is_faulty={is_faulty} is_dim={is_dim} placeholder="not set" />
     </div>
   );
 }
@@ -162,7 +162,7 @@ export function ColoursRow({ label, value, actions, is_faulty }: RowEditorProps)
   );
 }
 
-/// Positions and selections as they are written, and curves and outlines in which expressions stand.
+/// A curve or an outline as it is written, where expressions stand in it.
 export function WrittenRow({ label, value, row, actions, is_faulty }: RowEditorProps): ReactElement {
   const [fault, set_fault] = useState('');
   const shown = value ?? row.default;
@@ -172,7 +172,7 @@ export function WrittenRow({ label, value, row, actions, is_faulty }: RowEditorP
       actions.commit(JSON.parse(typed) as Json);
       set_fault('');
     } catch {
-      set_fault('This is no list as documents write them, such as [[0, 1], [1, 0]]');
+      set_fault('This is not a list as documents write it, such as [[0, 1], [1, 0]]');
     }
   };
   return (

@@ -19,8 +19,10 @@ import type { NumberForm } from './number_form.ts';
 import { form_of, in_form } from './number_form.ts';
 import { NumberRow } from './number_row.tsx';
 import { BooleanRow, BoxRow, ChoiceRow, ColourRow, ColoursRow, FacingRow, LinesRow, TextRow, VectorRow, WrittenRow } from './plain_rows.tsx';
+import { PositionsRow } from './positions_row.tsx';
 import type { RowActions } from './row_actions.ts';
 import { use_faults, use_row_actions, use_shown_value } from './row_actions.ts';
+import { SelectionRow } from './selection_row.tsx';
 
 export interface RowEditorProps {
   row: Row;
@@ -49,8 +51,8 @@ const kEditors: Record<string, (props: RowEditorProps) => ReactElement> = {
   colours: ColoursRow,
   curve: CurveRow,
   points: CurveRow,
-  positions: WrittenRow,
-  selection: WrittenRow,
+  positions: PositionsRow,
+  selection: SelectionRow,
 };
 
 /// Those that need the whole width of the panel.

@@ -39,6 +39,7 @@ export function TextField(props: TextFieldProps): ReactElement {
     placeholder: props.placeholder,
     spellCheck: false,
     autoComplete: 'off',
+    'data-typed': typed !== null || undefined,
     value: typed ?? value,
     onBlur: finish,
     onKeyDown: key,

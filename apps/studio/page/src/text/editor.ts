@@ -10,18 +10,20 @@ import { Annotation, EditorState } from '@codemirror/state';
 import { drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
 
 import { patch_between } from '../document/patch.ts';
-import { path_at } from '../document/path.ts';
+import { node_at, path_at } from '../document/path.ts';
 import { fault_text } from '../rows/row_editor.tsx';
 import type { Studio } from '../studio.ts';
 import { completion_source } from './completion.ts';
 import { kDocumentLanguage } from './json_language.ts';
 import { with_line_ends } from './line_ends.ts';
 
+const kContext = 200; // pixels of a line that are seen beside what comes into view
 const kFromDocument = Annotation.define<boolean>();
 
 export class TextEditor {
   private readonly view_: EditorView;
   private readonly stop_: (() => void)[];
+  private is_choosing_ = false; // by the cursor, which is where it should be
 
   constructor(
     parent: HTMLElement,
@@ -29,7 +31,7 @@ export class TextEditor {
   ) {
     const { state } = studio_.document;
     this.view_ = new EditorView({ parent, state: EditorState.create({ doc: state.get().text, extensions: this.extensions() }) });
-    this.stop_ = [state.subscribe(() => this.follow())];
+    this.stop_ = [state.subscribe(() => this.follow()), studio_.chosen.subscribe(() => this.show_chosen())];
     this.show_faults();
   }
 
@@ -41,7 +43,7 @@ export class TextEditor {
   /// Shows an offset and puts the cursor there.
   reveal(offset: number): void {
     const at = Math.min(offset, this.view_.state.doc.length);
-    this.view_.dispatch({ selection: { anchor: at }, effects: EditorView.scrollIntoView(at, { y: 'center' }) });
+    this.view_.dispatch({ selection: { anchor: at }, effects: EditorView.scrollIntoView(at, { y: 'center', xMargin: kContext }) });
   }
 
   private extensions() {
@@ -78,7 +80,19 @@ export class TextEditor {
     const { tree, text } = this.studio_.document.state.get();
     if (!tree || text !== this.view_.state.doc.toString()) return;
     const found = /^(?:components\.[^.[]+|links\[\d+\]|scene|output|limits)/.exec(path_at(tree, this.view_.state.selection.main.head));
-    if (found && found[0] !== this.studio_.chosen.get()) this.studio_.choose(found[0]);
+    if (!found || found[0] === this.studio_.chosen.get()) return;
+    this.is_choosing_ = true;
+    this.studio_.choose(found[0]);
+    this.is_choosing_ = false;
+  }
+
+  /// What was chosen elsewhere comes into view; the cursor is in it already where it was chosen here.
+  private show_chosen(): void {
+    const { tree, text } = this.studio_.document.state.get();
+    const node = node_at(tree, this.studio_.chosen.get());
+    if (this.is_choosing_ || !node || this.view_.hasFocus || this.studio_.chosen.get() === '' || text !== this.view_.state.doc.toString()) return;
+    const anchor = node.start;
+    this.view_.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: 'center', xMargin: kContext }), annotations: kFromDocument.of(true) });
   }
 
   /// The document has changed, here or elsewhere.

@@ -67,6 +67,15 @@ export class Buffers {
     this.sets_.set(set.key, { attributes, count: set.count, bytes: size, users: new Set(), tint_scale: set.tint_scale ?? kWhite });
   }
 
+  /// A set of one instance of another.
+  add_single(key: string, set_key: string, instance: number): void {
+    const row = this.sets_.get(set_key)?.attributes['frame_0'];
+    if (!(row instanceof three.InterleavedBufferAttribute)) return;
+    const frames = new three.InstancedInterleavedBuffer(new Float32Array(row.data.array.slice(12 * instance, 12 * instance + 12)), 12);
+    const attributes = Object.fromEntries([0, 1, 2].map((one) => [`frame_${one}`, new three.InterleavedBufferAttribute(frames, 4, 4 * one)]));
+    this.sets_.set(key, { attributes, count: 1, bytes: 48, users: new Set(), tint_scale: kWhite });
+  }
+
   /// Draws the mesh once for each instance of the set, in place of what the batch drew before.
   add_batch(key: string, mesh_key: string, set_key: string): Batch {
     this.remove_batch(key);

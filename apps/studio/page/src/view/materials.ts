@@ -64,6 +64,13 @@ export class Materials {
     return made;
   }
 
+  /// The picture in whose holes a material is not there; null where it has none, or not yet.
+  holes_of(index: number): three.Texture | null {
+    const said = this.said_[index];
+    const texture = said?.masked && said.picture !== undefined ? this.pictures_.get(said.picture)?.texture : undefined;
+    return texture?.image ? texture : null;
+  }
+
   add_picture(packet: Packet, picture: PacketPicture): void {
     const texture = new three.Texture();
     texture.wrapS = texture.wrapT = three.RepeatWrapping;

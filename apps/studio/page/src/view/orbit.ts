@@ -81,12 +81,11 @@ export class Orbit {
     const half = box.getSize(new three.Vector3()).multiplyScalar(0.5);
     const reach = half.y > 0.6 * Math.max(half.x, half.z) ? kCrownReach : 1;
     let distance = 0.01;
-    for (let corner = 0; corner < 8; corner += 1) {
-      const point = new three.Vector3(
-        this.target_.x + reach * half.x * (corner & 1 ? 1 : -1),
-        this.target_.y + half.y * (corner & 2 ? 1 : -1),
-        this.target_.z + reach * half.z * (corner & 4 ? 1 : -1),
-      ).applyMatrix4(inverse);
+    // Round crowns reach to the box's sides at half their height.
+    const girth = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new three.Vector3(Math.cos(k * 45 * kRadians), 0, Math.sin(k * 45 * kRadians)));
+    const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new three.Vector3(k & 1 ? reach : -reach, k & 2 ? 1 : -1, k & 4 ? reach : -reach));
+    for (const share of [...corners, ...girth]) {
+      const point = share.multiply(half).add(this.target_).applyMatrix4(inverse);
       const toward_eye = point.z + this.distance_;
       distance = Math.max(distance, toward_eye + Math.abs(point.x) / tan_x, toward_eye + Math.abs(point.y) / tan_y);
     }

@@ -8,9 +8,17 @@ import type { Batch } from './buffers.ts';
 import { Buffers } from './buffers.ts';
 import type { Light } from './materials.ts';
 import { Materials } from './materials.ts';
+import { Mark } from './mark.ts';
+import type { PickTarget } from './picker.ts';
 import { kLineFragment, kLineVertex } from './plant_shader.ts';
 
 export type Drawing = 'shaded' | 'wireframe' | 'skeleton';
+
+/// A batch that can be pointed at.
+export interface SeenBatch extends PickTarget {
+  key: string;
+  component: string;
+}
 
 interface DrawnBatch {
   said: PacketBatch;
@@ -22,6 +30,7 @@ export class PlantScene {
   readonly root = new three.Group();
   readonly buffers = new Buffers();
   readonly materials: Materials;
+  private readonly mark_ = new Mark(this.root, this.buffers);
   private readonly drawn_ = new Map<string, DrawnBatch>();
   private readonly lines_ = new Map<string, three.LineSegments>();
   private readonly line_material_ = new three.ShaderMaterial({ vertexShader: kLineVertex, fragmentShader: kLineFragment });
@@ -38,6 +47,18 @@ export class PlantScene {
     return [...new Set([...this.drawn_.values()].map((one) => one.said.component))];
   }
 
+  /// All that is drawn as surfaces now.
+  get seen(): SeenBatch[] {
+    return [...this.drawn_].filter(([, one]) => one.mesh.visible).map(([key, { said, batch }]) => ({ key, component: said.component, geometry: batch.geometry, picture: this.materials.holes_of(said.material) }));
+  }
+
+  /// Marks one instance of a batch until it is drawn otherwise; of null none is marked.
+  mark(key: string | null, instance: number): void {
+    const drawn = key === null ? undefined : this.drawn_.get(key);
+    if (drawn) this.mark_.put(drawn.batch, instance, this.materials.holes_of(drawn.said.material));
+    else this.mark_.clear();
+  }
+
   apply(packet: Packet): void {
     const { head } = packet;
     if (head.whole) this.clear();
@@ -49,6 +70,7 @@ export class PlantScene {
     for (const skeleton of head.skeletons ?? []) this.add_skeleton(packet, skeleton);
     if (head.lines) for (const [key, lines] of this.lines_) lines.visible = head.lines.includes(key);
     this.drop(head.gone ?? {});
+    if (![...this.drawn_.values()].some((one) => one.batch === this.mark_.of)) this.mark_.clear();
     this.dress();
   }
 
@@ -62,6 +84,7 @@ export class PlantScene {
   clear(): void {
     for (const { mesh } of this.drawn_.values()) this.root.remove(mesh);
     this.drawn_.clear();
+    this.mark_.clear();
     this.buffers.clear();
     this.materials.clear();
     this.drop_lines([...this.lines_.keys()]);

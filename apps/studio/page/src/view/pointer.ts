@@ -5,7 +5,15 @@ import type { Orbit } from './orbit.ts';
 export interface ViewActions {
   moved(): void;
   fit(): void;
+  /// Pressed and let go at one place, in pixels of the canvas.
+  clicked(x: number, y: number): void;
+  /// Not moved for a while, with no button pressed; then moved on.
+  rested(x: number, y: number): void;
+  went_on(): void;
 }
+
+const kStill = 4; // pixels within which a click may move
+const kRest = 160; // ms
 
 const kKeys: Record<string, (orbit: Orbit) => void> = {
   ArrowLeft: (orbit) => orbit.turn(-10, 0),
@@ -27,20 +35,42 @@ const kShiftKeys: Record<string, (orbit: Orbit) => void> = {
 export function listen(canvas: HTMLCanvasElement, orbit: Orbit, actions: ViewActions): void {
   const pointers = new Map<number, { x: number; y: number }>();
   let spread = 0;
+  let pressed: { x: number; y: number } | null = null; // where a click may begin
+  let rest = 0;
+
+  const go_on = (): void => {
+    clearTimeout(rest);
+    rest = 0;
+    actions.went_on();
+  };
+  const wait_for_rest = (event: PointerEvent): void => {
+    go_on();
+    const { offsetX, offsetY } = event;
+    if (event.buttons === 0 && event.pointerType === 'mouse') rest = window.setTimeout(() => actions.rested(offsetX, offsetY), kRest);
+  };
 
   canvas.addEventListener('contextmenu', (event) => event.preventDefault());
   canvas.addEventListener('dblclick', () => actions.fit());
   canvas.addEventListener('pointerdown', (event) => {
     canvas.setPointerCapture(event.pointerId);
     pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    pressed = event.button === 0 && pointers.size === 1 ? { x: event.clientX, y: event.clientY } : null;
     spread = 0;
+    go_on();
   });
   for (const end of ['pointerup', 'pointercancel'] as const) {
     canvas.addEventListener(end, (event) => pointers.delete(event.pointerId));
   }
+  canvas.addEventListener('pointerup', (event) => {
+    if (pressed) actions.clicked(event.offsetX, event.offsetY);
+    pressed = null;
+  });
+  canvas.addEventListener('pointerleave', () => go_on());
   canvas.addEventListener('pointermove', (event) => {
     const before = pointers.get(event.pointerId);
-    if (!before) return;
+    wait_for_rest(event);
+    if (pressed && Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > kStill) pressed = null;
+    if (!before || pressed) return;
     const [dx, dy] = [event.clientX - before.x, event.clientY - before.y];
     pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     const height = canvas.clientHeight;

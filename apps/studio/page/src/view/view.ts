@@ -7,8 +7,9 @@ import { Ground } from './ground.ts';
 import type { Light } from './materials.ts';
 import type { CameraState } from './orbit.ts';
 import { kFieldOfView, Orbit } from './orbit.ts';
-import type { Drawing } from './plant_scene.ts';
+import type { Drawing, SeenBatch } from './plant_scene.ts';
 import { PlantScene } from './plant_scene.ts';
+import { Picker } from './picker.ts';
 import { listen } from './pointer.ts';
 
 export interface ViewFacts {
@@ -21,6 +22,10 @@ export interface ViewEvents {
   drawn(facts: ViewFacts): void;
   /// The graphics card has lost all, and has come back.
   restored(): void;
+  /// Somebody has clicked at a component, or at none.
+  clicked?(component: string | null): void;
+  /// The pointer rests on a component, at pixels of the canvas; null: it has gone on.
+  pointed?(at: { component: string; x: number; y: number } | null): void;
 }
 
 /// Whether a processor draws in place of a graphics card.
@@ -47,6 +52,7 @@ export class View {
   private readonly scene_ = new three.Scene();
   private readonly ground_ = new Ground();
   private readonly box_ = new three.Box3();
+  private readonly picker_: Picker;
   private waiting_ = 0;
 
   constructor(
@@ -60,7 +66,14 @@ export class View {
     this.plant = new PlantScene(this.light_, () => this.ask());
     this.scene_.add(this.ground_.mesh, this.plant.root);
     this.scene_.matrixWorldAutoUpdate = false;
-    listen(canvas_, this.orbit, { moved: () => this.ask(), fit: () => this.fit() });
+    this.picker_ = new Picker(this.renderer_);
+    listen(canvas_, this.orbit, {
+      moved: () => this.ask(),
+      fit: () => this.fit(),
+      clicked: (x, y) => this.click(x, y),
+      rested: (x, y) => this.point(x, y),
+      went_on: () => events_.pointed?.(null),
+    });
     canvas_.addEventListener('webglcontextrestored', () => {
       events_.restored();
       this.ask();
@@ -102,6 +115,12 @@ export class View {
     this.ask();
   }
 
+  /// No instance is marked any more.
+  unmark(): void {
+    this.plant.mark(null, 0);
+    this.ask();
+  }
+
   fit(): void {
     this.orbit.fit(this.box_);
     this.ask();
@@ -130,6 +149,27 @@ export class View {
     this.frames_drawn += 1;
     const height = 2 * this.orbit.distance * Math.tan((kFieldOfView / 360) * Math.PI);
     this.events_.drawn({ camera: this.orbit.state, metres_per_pixel: height / Math.max(1, this.canvas_.clientHeight) });
+  }
+
+  /// The batch that is seen at a pixel of the canvas, and which of its instances.
+  pick(x: number, y: number): (SeenBatch & { instance: number }) | null {
+    const seen = this.plant.seen;
+    const found = this.picker_.pick(seen, this.orbit.camera, [x, y], [this.canvas_.clientWidth, this.canvas_.clientHeight]);
+    const batch = found ? seen[found.target] : undefined;
+    return found && batch ? { ...batch, instance: found.instance } : null;
+  }
+
+  private click(x: number, y: number): void {
+    if (!this.events_.clicked || this.plant.seen.length === 0) return;
+    const found = this.pick(x, y);
+    this.events_.clicked(found?.component ?? null);
+    if (found) this.plant.mark(found.key, found.instance);
+    this.ask();
+  }
+
+  private point(x: number, y: number): void {
+    const found = this.events_.pointed ? this.pick(x, y) : null;
+    if (found) this.events_.pointed?.({ component: found.component, x, y });
   }
 
   private resize(): void {

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers in place of colours: four bytes, the lowest first.
+
+export const kPickVertex = /* glsl */ `
+attribute vec4 frame_0;
+attribute vec4 frame_1;
+attribute vec4 frame_2;
+flat out int v_instance;
+#ifdef MASKED
+varying vec2 v_uv;
+#endif
+void main() {
+  vec4 local = vec4(position, 1.0);
+  v_instance = gl_InstanceID;
+#ifdef MASKED
+  v_uv = uv;
+#endif
+  gl_Position = projectionMatrix * viewMatrix * vec4(dot(frame_0, local), dot(frame_1, local), dot(frame_2, local), 1.0);
+}
+`;
+
+export const kPickFragment = /* glsl */ `
+uniform int number;
+flat in int v_instance;
+#ifdef MASKED
+uniform sampler2D picture;
+varying vec2 v_uv;
+#endif
+void main() {
+#ifdef MASKED
+  if (textureLod(picture, v_uv, 0.0).a < 0.5) discard;
+#endif
+  int said = number > 0 ? number : v_instance + 1;
+  gl_FragColor = vec4(ivec4(said, said >> 8, said >> 16, said >> 24) & 255) / 255.0;
+}
+`;
+
+/// One instance once more, over itself.
+export const kMarkVertex = /* glsl */ `
+attribute vec4 frame_0;
+attribute vec4 frame_1;
+attribute vec4 frame_2;
+#ifdef MASKED
+varying vec2 v_uv;
+#endif
+void main() {
+  vec4 local = vec4(position, 1.0);
+#ifdef MASKED
+  v_uv = uv;
+#endif
+  gl_Position = projectionMatrix * viewMatrix * vec4(dot(frame_0, local), dot(frame_1, local), dot(frame_2, local), 1.0);
+  gl_Position.z -= 1e-4 * gl_Position.w; // before what it lies on
+}
+`;
+
+export const kMarkFragment = /* glsl */ `
+uniform vec3 colour;
+#ifdef MASKED
+uniform sampler2D picture;
+varying vec2 v_uv;
+#endif
+void main() {
+#ifdef MASKED
+  if (texture2D(picture, v_uv).a < 0.5) discard;
+#endif
+  gl_FragColor = vec4(colour, 0.6);
+}
+`;

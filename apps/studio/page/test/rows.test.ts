@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// What rows of the inspector make of what is typed and pressed.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { next_position } from '../src/rows/next_position.ts';
+import { entry_of, entry_text } from '../src/rows/selection_text.ts';
+import { LatestSender } from '../src/server/latest_sender.ts';
+
+test('selections: numbers, ranges and conditions, typed as people write them', () => {
+  assert.equal(entry_of(' 7 '), 7);
+  for (const range of ['3 to 5', '3-5', '3–5', '3..5', '3 ... 5', '5 to 3']) assert.deepEqual(entry_of(range), [3, 5], range);
+  for (const condition of ['i % 10 == 9', 'u > 0.5', '7 == i', 'i - 3 < 5']) assert.equal(entry_of(condition), condition);
+  assert.equal(entry_of('  '), null);
+});
+
+test('selections: what is shown is read back as what it is', () => {
+  for (const entry of [0, [3, 5], 'i % 4 == 2'] as const) assert.deepEqual(entry_of(entry_text(entry as never)), entry);
+});
+
+test('positions: the next goes on as the last ones do', () => {
+  assert.deepEqual(next_position([]), [0, 1, 0]);
+  assert.deepEqual(next_position([[0, 0, 0]]), [1, 0, 0]);
+  assert.deepEqual(next_position([[0, 0, 0], [3, 0.1, -1]]), [6, 0.2, -2]);
+  assert.deepEqual(next_position([[1, 0, 0], [1, 0, 0]]), [2, 0, 0]);
+  assert.deepEqual(next_position([[0, 0, 0], ['size', 0, 0]]), [0, 1, 0]);
+});
+
+test('drags: while one is answered, only the newest of those that came is sent', async () => {
+  let newest = 0;
+  const sent: number[] = [];
+  let answer = (): void => undefined;
+  const sender = new LatestSender(() => {
+    sent.push(newest);
+    return new Promise<void>((done) => (answer = done));
+  });
+  for (newest = 1; newest < 9; newest += 1) sender.ask();
+  answer();
+  await new Promise((done) => setTimeout(done, 60));
+  answer();
+  await new Promise((done) => setTimeout(done, 60));
+  assert.deepEqual(sent, [1, 9]);
+  sender.ask();
+  sender.drop();
+  await new Promise((done) => setTimeout(done, 60));
+  assert.equal(sent.length, 3);
+});

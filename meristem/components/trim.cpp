@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a body does to a stem is the stem's own matter (its row `trim`); here the body is set in its frame. Bodies
+// within bodies are intersected.
+#include "meristem/components/trim.h"
+
+#include <memory>
+#include <utility>
+
+#include "meristem/scene/crown/combined_crown.h"
+#include "meristem/scene/crown/placed_crown.h"
+
+namespace meristem {
+
+namespace {
+
+void expand(const Trim& trim, const Site& site, Emitter& out) {
+  Surroundings around = out.surroundings();
+  if (!trim.body) {
+    around.trim = nullptr;
+  } else {
+    CrownPointer body = std::make_shared<PlacedCrown>(build_crown(*trim.body), site.frame);
+    if (around.trim != nullptr) {
+      body = std::make_shared<CombinedCrown>(CombineKind::intersect,
+                                             std::vector<CrownPointer>{std::move(around.trim), std::move(body)});
+    }
+    around.trim = std::move(body);
+  }
+  out.surround(std::move(around));
+}
+
+}  // namespace
+
+ComponentType trim_component() {
+  return define_component<Trim>({
+      .traits = {.name = "trim",
+                 .doc = "A body in which the stems of everything below it are kept: a clipped hedge, a topiary, a bush "
+                        "that ends at a wall.",
+                 .has_geometry = false},
+      .parameters = Table<Trim>("a trim", "A body in which stems are kept.")
+                        .object("body", &Trim::body, crown_table,
+                                "The body, relative to where the component stands; within another trim's body, stems "
+                                "are kept in what both bodies share.")
+                        .boolean("off", &Trim::off, "Whether the trims above end here.")
+                        .one_of({"body", "off"}),
+      .expand = expand,
+  });
+}
+
+}  // namespace meristem

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "meristem/components/parts/crown_table.h"
+#include "meristem/components/parts/world_field.h"
+#include "meristem/graph/component.h"
+
+namespace meristem {
+
+/// A body that stems keep out of.
+struct AvoidParameters {
+  CrownParameters body;
+  double reach = 0.3;  ///< metres from the body at which stems begin to turn
+};
+
+/// Fields of light and gravity for all that hangs on it, in its own frame.
+struct World : ComponentBase {
+  std::optional<WorldField> light;
+  std::optional<WorldField> gravity;
+  std::optional<AvoidParameters> avoid;
+  bool off = false;  ///< first ends what is said above it
+};
+
+ComponentType world_component();
+
+}  // namespace meristem

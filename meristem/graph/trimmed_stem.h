@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "meristem/base/frame.h"
+#include "meristem/plant/skeleton.h"
+#include "meristem/plant/trim.h"
+
+namespace meristem {
+
+/// A position on the segment of a skeleton that ends in `node`, at the share `along` of it.
+struct StemPosition {
+  NodeIndex node = 0;
+  float along = 1;
+};
+
+/// Where what stood on a stem before it was trimmed stands on what is left of it. A cut stem keeps what stands on the
+/// part that is left, where it is; on a stem that fits, everything moves to the same share of its axis.
+class TrimmedStem {
+ public:
+  /// `trimmed` is what `mode` has left of `whole`.
+  TrimmedStem(Skeleton whole, TrimmedSkeleton trimmed, TrimMode mode);
+
+  TrimMode mode() const { return mode_; }
+  const Skeleton& whole() const { return whole_; }
+  const Skeleton& left() const { return trimmed_.skeleton; }
+
+  /// Where a position of the whole stem stands on what is left, or nothing where it is gone.
+  std::optional<StemPosition> left_of(StemPosition position) const;
+  /// A frame at a position of the whole stem, moved to `to` on what is left and turned as the stem is there.
+  Frame moved(const Frame& frame, StemPosition from, StemPosition to) const;
+
+  std::uint64_t bytes() const;
+
+ private:
+  std::optional<StemPosition> share_left_of(StemPosition position) const;
+
+  Skeleton whole_;
+  TrimmedSkeleton trimmed_;
+  TrimMode mode_;
+  // For stems that fit: metres along axes, the axes' nodes, and the axis on what is left by axis of the whole.
+  std::vector<float> whole_arc_;
+  std::vector<float> left_arc_;
+  std::vector<float> whole_length_;
+  std::optional<Axes> left_axes_;
+  std::vector<AxisIndex> left_axis_;
+};
+
+}  // namespace meristem

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nodes come in their order, parents first, so one pass finds what is left: a node stays if its parent does and the way
+// from there stays inside; if the way leaves, a node on the boundary ends the axis. What grows on a node that is gone
+// is gone. A second pass gives shortened axes their taper.
+#include "meristem/plant/trim.h"
+
+#include <algorithm>
+#include <cassert>
+#include <string>
+#include <utility>
+
+#include "meristem/plant/further_columns.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr float kShortest = 1e-6F;  // metres: what is left of a segment is dropped where it is shorter
+
+class Trimmer {
+ public:
+  Trimmer(const Skeleton& whole, StayInside stays_inside) : whole_(whole), stays_inside_(stays_inside) {
+    trimmed_.node.assign(whole.node_count(), kNoNode);
+    trimmed_.kept.assign(whole.node_count(), 0);
+  }
+
+  TrimmedSkeleton run(TrimMode mode) {
+    find_reach();
+    if (trimmed_.is_whole) return {};
+    drop_bare_roots();
+    for (const auto& [name, values] : whole_.extra) trimmed_.skeleton.extra[name];
+    axes_.assign(whole_.node_count() + 1, kNoNode);
+    for (NodeIndex node = 0; node < whole_.node_count(); ++node) {
+      if (trimmed_.kept[node] > 0) add(node);
+    }
+    if (mode == TrimMode::fit) fit_radii();
+    if (mode == TrimMode::cut) mark_cuts();
+    return std::move(trimmed_);
+  }
+
+ private:
+  bool is_lateral_base(NodeIndex node) const { return whole_.axis[whole_.parent[node]] != whole_.axis[node]; }
+
+  /// Sets what of each segment is left.
+  void find_reach() {
+    for (NodeIndex node = 0; node < whole_.node_count(); ++node) {
+      const bool is_root = whole_.is_root(node);
+      const NodeIndex parent = is_root ? node : whole_.parent[node];
+      float kept = 0;
+      if (is_root || trimmed_.kept[parent] == 1) {
+        kept = stays_inside_(whole_.position[parent], whole_.position[node]);
+        const float length = glm::distance(whole_.position[parent], whole_.position[node]);
+        if (kept < 1 && kept * length < kShortest) kept = 0;
+      }
+      trimmed_.kept[node] = kept;
+      trimmed_.is_whole = trimmed_.is_whole && kept == 1;
+    }
+  }
+
+  void drop_bare_roots() {
+    std::vector<bool> bears(whole_.node_count());
+    for (NodeIndex node = 0; node < whole_.node_count(); ++node) {
+      if (!whole_.is_root(node) && trimmed_.kept[node] > 0) bears[whole_.parent[node]] = true;
+    }
+    for (NodeIndex node = 0; node < whole_.node_count(); ++node) {
+      if (whole_.is_root(node) && !bears[node]) trimmed_.kept[node] = 0;
+    }
+  }
+
+  void add(NodeIndex node) {
+    const bool is_root = whole_.is_root(node);
+    const NodeIndex begin = is_root ? node : whole_.parent[node];
+    const float share = trimmed_.kept[node];
+    Skeleton& skeleton = trimmed_.skeleton;
+    const NodeIndex made =
+        skeleton.add_node(is_root ? kNoNode : trimmed_.node[begin],
+                          glm::mix(whole_.position[begin], whole_.position[node], share), whole_.birth[node]);
+    trimmed_.node[node] = made;
+    const bool is_between = share < 1 && !is_lateral_base(node);  // a lateral begins as thick as its first node
+    skeleton.radius[made] =
+        is_between ? glm::mix(whole_.radius[begin], whole_.radius[node], share) : whole_.radius[node];
+    skeleton.order[made] = whole_.order[node];
+    AxisIndex& axis = axes_[whole_.axis[node]];
+    if (axis == kNoNode) axis = next_axis_++;
+    skeleton.axis[made] = axis;
+    for (const auto& [name, values] : whole_.extra) {
+      skeleton.extra.find(name)->second[made] =
+          share < 1 ? inner_value(whole_, name, begin, node, share) : values[node];
+    }
+  }
+
+  /// A cut axis ends where a segment of it has been cut or its next one has gone whole.
+  void mark_cuts() {
+    std::vector<float>& cut = trimmed_.skeleton.extra[std::string(kCutColumn)];
+    cut.resize(trimmed_.skeleton.node_count());
+    for (NodeIndex node = 0; node < whole_.node_count(); ++node) {
+      if (trimmed_.kept[node] == 1 || whole_.is_root(node)) continue;
+      if (trimmed_.kept[node] > 0) {
+        cut[trimmed_.node[node]] = 1;
+      } else if (!is_lateral_base(node) && trimmed_.kept[whole_.parent[node]] == 1) {
+        cut[trimmed_.node[whole_.parent[node]]] = 1;
+      }
+    }
+  }
+
+  void fit_radii() {
+    Skeleton& skeleton = trimmed_.skeleton;
+    const Axes before(whole_);
+    const std::vector<float> arcs = arcs_along_axes(whole_);
+    const std::vector<float> new_arcs = arcs_along_axes(skeleton);
+    const Axes after(skeleton);
+    std::vector<AxisIndex> whole_axis(after.count(), 0);
+    for (AxisIndex axis = 0; axis < before.count(); ++axis) {
+      if (axes_[axis] != kNoNode) whole_axis[axes_[axis]] = axis;
+    }
+    // Axes are numbered in the order of their first nodes, so what bears an axis has its radii before.
+    for (AxisIndex axis = 0; axis < after.count(); ++axis) {
+      const std::span<const NodeIndex> nodes = after.of(axis);
+      const std::span<const NodeIndex> old = before.of(whole_axis[axis]);
+      const float length = new_arcs[nodes.back()];
+      const float stretch = length > 0 ? arcs[old.back()] / length : 1;
+      const NodeIndex bearer = skeleton.parent[nodes[0]];
+      float scale = 1;
+      if (bearer != kNoNode) scale = std::min(1.0F, skeleton.radius[bearer] / whole_.radius[old[0]]);
+      std::size_t next = 0;
+      for (const NodeIndex node : nodes) {
+        const float at = std::min(new_arcs[node] * stretch, arcs[old.back()]);
+        while (next + 1 < old.size() && arcs[old[next]] < at) ++next;
+        float radius = whole_.radius[old[next]];
+        if (next > 0 && arcs[old[next]] > arcs[old[next - 1]]) {
+          const float share = (at - arcs[old[next - 1]]) / (arcs[old[next]] - arcs[old[next - 1]]);
+          radius = glm::mix(whole_.radius[old[next - 1]], radius, std::clamp(share, 0.0F, 1.0F));
+        }
+        skeleton.radius[node] = scale * radius;
+      }
+    }
+  }
+
+  const Skeleton& whole_;
+  StayInside stays_inside_;
+  TrimmedSkeleton trimmed_;
+  std::vector<AxisIndex> axes_;  // in the trimmed skeleton, by axis of the whole one
+  AxisIndex next_axis_ = 0;
+};
+
+}  // namespace
+
+std::vector<float> arcs_along_axes(const Skeleton& skeleton) {
+  std::vector<float> arc(skeleton.node_count(), 0);
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    if (skeleton.is_root(node)) continue;
+    const NodeIndex parent = skeleton.parent[node];
+    const bool goes_on = skeleton.axis[parent] == skeleton.axis[node];
+    arc[node] = (goes_on ? arc[parent] : 0) + glm::distance(skeleton.position[parent], skeleton.position[node]);
+  }
+  return arc;
+}
+
+TrimmedSkeleton trim_skeleton(const Skeleton& whole, StayInside stays_inside, TrimMode mode) {
+  assert(mode != TrimMode::none);
+  return Trimmer(whole, stays_inside).run(mode);
+}
+
+}  // namespace meristem

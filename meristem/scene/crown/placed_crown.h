@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "meristem/base/frame.h"
+#include "meristem/scene/crown/crown.h"
+
+namespace meristem {
+
+/// A crown that is turned, scaled and moved by a frame.
+class PlacedCrown : public Crown {
+ public:
+  /// `frame` takes the crown's coordinates to those of the space around it; its axes must be independent.
+  PlacedCrown(CrownPointer crown, const Frame& frame);
+  bool contains(Vec3 point) const override;
+  double distance(Vec3 point) const override;
+  Box bounds() const override { return bounds_; }
+  bool is_convex() const override { return crown_->is_convex(); }
+
+ private:
+  CrownPointer crown_;
+  DVec3 origin_;
+  DMat3 back_;    // from the directions around it to the crown's
+  double scale_;  // the least of the axes
+  Box bounds_;
+};
+
+}  // namespace meristem

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The espalier over the years: whether it has its arms, whether it stays as it is, and what upkeep does for that.
+
+Based on: J. Stevens, Automatische generatie van gesnoeide boom modellen, Universiteit Hasselt 2023, section 4.3 and figure
+4.13, whose tree "stabilises after some iterations".
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Mapping, Sequence
+
+import meristem
+import numpy as np
+
+from cut_study.trees import change
+
+from .trees import LENGTH, SLIM, count_metamers, grow_skeleton
+
+LAYERS = 3
+ESPALIER = change(SLIM, resource={"alpha": 2.3})
+YEARS = tuple(range(1, 26))
+SEEN = 15
+SHORTEST = 6  #: metamers of an arm that is counted and measured
+
+
+@dataclass(frozen=True)
+class Arms:
+    """The arms of one espalier."""
+
+    seed: int
+    left: int
+    right: int
+    inclination: float  #: the largest of any arm above or below the horizontal, degrees, from its first metamer to its tip
+    off_plane: float  #: the largest of any arm from the plane of the wires, degrees
+
+
+def arms_of(skeleton: meristem.Skeleton, seed: int) -> Arms:
+    """Arms are what stands on the leader, with what has succeeded it."""
+    rank, parent = skeleton["rank"], skeleton.parent.astype(np.int64)
+    arm = np.zeros(len(skeleton), np.int64)  # the first node of the arm that each node is on
+    for node in range(1, len(skeleton)):
+        if rank[node] == 1:
+            arm[node] = node if rank[parent[node]] == 0 else arm[parent[node]]
+    left = right = 0
+    inclination = off_plane = 0.0
+    for first in np.unique(arm[arm > 0]):
+        nodes = np.flatnonzero(arm == first)
+        if len(nodes) < SHORTEST:
+            continue
+        way = skeleton.position[nodes[-1]].astype(float) - skeleton.position[nodes[0]]
+        left, right = left + (way[0] < 0), right + (way[0] > 0)
+        inclination = max(inclination, abs(float(np.degrees(np.arctan2(way[1], abs(way[0]))))))
+        off_plane = max(off_plane, abs(float(np.degrees(np.arctan2(way[2], abs(way[0]))))))
+    return Arms(seed, left, right, inclination, off_plane)
+
+
+@dataclass(frozen=True)
+class Upkeep:
+    """One way to keep the tree, after one iteration; means over trees."""
+
+    upkeep: str
+    iteration: int
+    metamers: float
+    spread: float
+    width: float  #: metres
+
+
+def layers() -> list[dict[str, Any]]:
+    top = LAYERS * 6 * LENGTH
+    return [
+        {"do": "support", "shoots": "leader", "line": [[0, 0, 0], [0, top, 0]]},
+        {"do": "layers", "count": LAYERS, "metamers": 6},
+    ]
+
+
+#: Spurs with at most 2 metamers in all; each shoot cut back by itself, as the source's text may be read; nothing.
+UPKEEP: Mapping[str, list[dict[str, Any]]] = {
+    "spurs and limit": [{"do": "limit", "shoots": "rank == 1", "metamers": 12}, {"do": "spur", "metamers": 2}],
+    "shoots cut to 2": [{"do": "cut", "shoots": "rank >= 2", "above": 2}],
+    "none": [],
+}
+LAST_OF_NONE = 16  #: without upkeep it grows too large to follow
+
+
+def grow_espalier(seed: int, iterations: int, upkeep: str = "spurs and limit", settings: Any = ESPALIER) -> meristem.Skeleton:
+    return grow_skeleton(settings, iterations, seed, [*layers(), *UPKEEP[upkeep]])
+
+
+def study_arms(seeds: Sequence[int]) -> list[Arms]:
+    return [arms_of(grow_espalier(seed, SEEN), seed) for seed in seeds]
+
+
+def study_upkeep(seeds: Sequence[int]) -> list[Upkeep]:
+    found = []
+    for upkeep in UPKEEP:
+        for iteration in YEARS:
+            if upkeep == "none" and iteration > LAST_OF_NONE:
+                continue
+            trees = [grow_espalier(seed, iteration, upkeep) for seed in seeds]
+            metamers = [count_metamers(tree) for tree in trees]
+            width = [float(np.ptp(tree.position[:, 0])) for tree in trees]
+            found.append(Upkeep(upkeep, iteration, float(np.mean(metamers)), float(np.std(metamers)), float(np.mean(width))))
+    return found
+
+
+def metamers_at(upkeep: Sequence[Upkeep], name: str, iteration: int) -> float:
+    return next(row.metamers for row in upkeep if row.upkeep == name and row.iteration == iteration)
+
+
+#: The espalier where one of the model's adaptations to pruning is off.
+ADAPTATIONS: Mapping[str, Any] = {
+    "all on": ESPALIER,
+    "cut buds grow again": change(ESPALIER, damage=False),
+    "laterals open as terminals": change(ESPALIER, lateral_threshold=1, laterals_wait=False),
+    "nothing passed back": change(ESPALIER, resource={"pass_back": 0}),
+    "no turn to the leader": change(ESPALIER, takeover=0),
+}
+
+
+@dataclass(frozen=True)
+class Broken:
+    """What an adaptation does for the espalier; means over trees after SEEN iterations."""
+
+    adaptation: str
+    trees: int
+    two_arms: float  #: share of trees with two arms in each layer
+    metamers: float
+    height: float  #: metres
+    inclination: float  #: mean over trees of the largest of any arm, degrees
+
+
+def study_adaptations(seeds: Sequence[int]) -> list[Broken]:
+    found = []
+    for name, settings in ADAPTATIONS.items():
+        trees = [grow_espalier(seed, SEEN, settings=settings) for seed in seeds]
+        arms = [arms_of(tree, seed) for tree, seed in zip(trees, seeds)]
+        found.append(
+            Broken(
+                name,
+                len(trees),
+                float(np.mean([a.left == LAYERS and a.right == LAYERS for a in arms])),
+                float(np.mean([count_metamers(tree) for tree in trees])),
+                float(np.mean([tree.position[:, 1].max() for tree in trees])),
+                float(np.mean([a.inclination for a in arms])),
+            )
+        )
+    return found

@@ -33,6 +33,7 @@ const std::map<std::string, std::string>& exceptions() {
       {"a document.licence", "for people, carried into files"},
       {"an obstacle.broken", "what is not closed is refused without it"},
       {"an operation.do", "other kinds have other keys"},
+      {"a hyperpatch.degree", "another degree has another number of control points"},
       {"limits.diagnostics", "counts faults, of which a sound document has none"},
   };
   return reasons;

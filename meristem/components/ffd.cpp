@@ -18,7 +18,7 @@ void expand(const Ffd& ffd, const Site& site, Emitter& out) {
 ComponentType ffd_component() {
   return define_component<Ffd>({
       .traits = {.name = "ffd",
-                 .doc = "A free-form deformation by functions: all that hangs on it is bent, twisted or stretched.",
+                 .doc = "A free-form deformation by functions: everything below it is bent, twisted or stretched.",
                  .has_geometry = false,
                  .speaks_of_space = true},
       .parameters = Table<Ffd>("an ffd", "A free-form deformation by functions of space.")

@@ -81,7 +81,7 @@ ComponentType hyperpatch_component() {
   return define_component<Hyperpatch>({
       .traits = {.name = "hyperpatch",
                  .doc =
-                     "A free-form deformation by a Bézier volume over a box: all that hangs on it follows its control "
+                     "A free-form deformation by a Bézier volume over a box: everything below it follows its control "
                      "points.",
                  .has_geometry = false,
                  .speaks_of_space = true},

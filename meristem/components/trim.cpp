@@ -35,7 +35,8 @@ ComponentType trim_component() {
       .traits = {.name = "trim",
                  .doc = "A body in which the stems of everything below it are kept: a clipped hedge, a topiary, a bush "
                         "that ends at a wall.",
-                 .has_geometry = false},
+                 .has_geometry = false,
+                 .speaks_of_space = true},
       .parameters = Table<Trim>("a trim", "A body in which stems are kept.")
                         .object("body", &Trim::body, crown_table,
                                 "The body, relative to where the component stands; within another trim's body, stems "

@@ -48,8 +48,9 @@ void expand(const World& world, const Site& site, Emitter& out) {
 ComponentType world_component() {
   return define_component<World>({
       .traits = {.name = "world",
-                 .doc = "Fields of light and gravity, and a body to grow around, for all that hangs on it.",
-                 .has_geometry = false},
+                 .doc = "Fields of light and gravity, and a body to grow around, for everything below it.",
+                 .has_geometry = false,
+                 .speaks_of_space = true},
       .parameters = Table<World>("a world", "Fields of light and gravity.")
                         .object("light", &World::light, world_field_table,
                                 "Field of light that the plants below perceive; by default, as above the world.")

@@ -50,8 +50,8 @@ TEST(Request, ReadsEachKind) {
 }
 
 TEST(Request, SaysWhatIsWrong) {
-  EXPECT_NE(refusal("").find("no JSON"), std::string::npos);
-  EXPECT_NE(refusal("[]").find("no object"), std::string::npos);
+  EXPECT_NE(refusal("").find("not JSON"), std::string::npos);
+  EXPECT_NE(refusal("[]").find("not an object"), std::string::npos);
   EXPECT_NE(refusal("{}").find("'id'"), std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1.5, "do": "all"})").find("whole"), std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "dance"})").find("'dance'"), std::string::npos);

@@ -14,7 +14,7 @@ constexpr float kAtRest =
 
 const ParameterTable& control_point_table() {
   static const ParameterTable table =
-      Table<ControlPoint>("a control point", "Where a control point of a hyperpatch stands.")
+      Table<ControlPoint>("a control point", "Position of a control point of a hyperpatch.")
           .vector("at", &ControlPoint::at, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-10, 10}},
                   "Position of the control point, in the component's frame.")
           .required()

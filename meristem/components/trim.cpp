@@ -15,9 +15,8 @@ namespace {
 
 void expand(const Trim& trim, const Site& site, Emitter& out) {
   Surroundings around = out.surroundings();
-  if (!trim.body) {
-    around.trim = nullptr;
-  } else {
+  if (trim.off) around.trim = nullptr;
+  if (trim.body) {
     CrownPointer body = std::make_shared<PlacedCrown>(build_crown(*trim.body), site.frame);
     if (around.trim != nullptr) {
       body = std::make_shared<CombinedCrown>(CombineKind::intersect,
@@ -41,8 +40,12 @@ ComponentType trim_component() {
                         .object("body", &Trim::body, crown_table,
                                 "The body, relative to where the component stands; within another trim's body, stems "
                                 "are kept in what both bodies share.")
-                        .boolean("off", &Trim::off, "Whether the trims above end here.")
-                        .one_of({"body", "off"}),
+                        .boolean("off", &Trim::off, "Whether the trims above end here; a body beside it holds alone.")
+                        .check([](const Trim& trim, const DocumentPath& path, ParameterReader& reader) {
+                          if (trim.body || trim.off) return;
+                          reader.fault(DocumentPath(path, "off"), "a trim that is not off has no body",
+                                       "a 'body', or \"off\": true");
+                        }),
       .expand = expand,
   });
 }

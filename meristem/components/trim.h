@@ -11,7 +11,7 @@ namespace meristem {
 /// A body in which the stems of everything below are kept.
 struct Trim : ComponentBase {
   std::optional<CrownParameters> body;  ///< in the component's frame
-  bool off = false;                     ///< ends the trims above
+  bool off = false;                     ///< first ends the trims above
 };
 
 ComponentType trim_component();

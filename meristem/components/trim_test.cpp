@@ -189,14 +189,21 @@ TEST(Trim, SameBytesOnAnyNumberOfThreads) {
   }
 }
 
-TEST(Trim, RefusesABodyWithoutSizeAndABodyBesideOff) {
+TEST(Trim, ABodyBesideOffHoldsAlone) {
+  auto builder = pole("cut", 1);
+  builder.component("alone", "trim", {{"off", true}, {"body", Value::Object{{"box", box(-1, 3)}}}});
+  builder.component("high", "tree", {{"length", 9}});
+  EXPECT_NEAR(highest(builder.link("body", "alone").link("alone", "high").grow()), 3, 1e-4);
+}
+
+TEST(Trim, RefusesABodyWithoutSizeAndATrimThatSaysNothing) {
   const auto fault = [](const Value::Object& trim) {
     GraphBuilder builder(builtin_components());
     const auto faults = faults_of([&] { builder.component("body", "trim", trim); });
     return faults.empty() ? std::string() : faults[0].message;
   };
   EXPECT_NE(fault({}), "");
-  EXPECT_NE(fault({{"off", true}, {"body", Value::Object{{"box", box(-1, 2)}}}}), "");
+  EXPECT_EQ(fault({{"off", false}}), "a trim that is not off has no body");
   EXPECT_NE(fault({{"body", Value::Object{{"box", box(2, 2)}}}}), "");
   EXPECT_EQ(fault({{"body", Value::Object{{"half_space", Value::Object{{"point", Value::List{0, 1, 0}},
                                                                        {"normal", Value::List{0, 0, 0}}}}}}}),

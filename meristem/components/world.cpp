@@ -51,15 +51,18 @@ ComponentType world_component() {
                  .doc = "Fields of light and gravity, and a body to grow around, for everything below it.",
                  .has_geometry = false,
                  .speaks_of_space = true},
-      .parameters = Table<World>("a world", "Fields of light and gravity.")
-                        .object("light", &World::light, world_field_table,
-                                "Field of light that the plants below perceive; by default, as above the world.")
-                        .object("gravity", &World::gravity, world_field_table,
-                                "Field of gravity that the plants below perceive; by default, as above the world.")
-                        .object("avoid", &World::avoid, avoid_table, "Body that stems keep out of and grow around.")
-                        .boolean("off", &World::off,
-                                 "Whether the worlds above this one end here, and the scene's own light and "
-                                 "gravity hold again."),
+      .parameters =
+          Table<World>("a world", "Fields of light and gravity.")
+              .object(
+                  "light", &World::light, world_field_table,
+                  "Field of light that the plants below the world perceive; by default, the field that holds above it.")
+              .object("gravity", &World::gravity, world_field_table,
+                      "Field of gravity that the plants below the world perceive; by default, the field that holds "
+                      "above it.")
+              .object("avoid", &World::avoid, avoid_table, "Body that stems keep out of and grow around.")
+              .boolean("off", &World::off,
+                       "Whether the worlds above this one end here, and the scene's own light and "
+                       "gravity hold again."),
       .expand = expand,
   });
 }

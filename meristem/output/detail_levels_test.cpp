@@ -148,7 +148,7 @@ TEST(MakeLevels, EndsBeforeTheFirstLevelThatIsNotWorthAFile) {
 }
 
 TEST(MakeLevels, CrownsWithTunnelsHaveASecondLevel) {
-  for (const char* name : {"low-poly-birch", "low-poly-oak", "low-poly-shrub"}) {
+  for (const char* name : {"low-poly-oak", "low-poly-shrub"}) {
     EXPECT_EQ(made_levels(Model(name), 2).triangles.size(), 2U) << name;
   }
 }

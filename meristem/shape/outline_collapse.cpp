@@ -4,16 +4,19 @@
 // the plant's outlines and of its groups' own, and a little for the distance from the planes of the first faces, so
 // that of two equal outlines the rounder body stays. Pixels count against the outlines of the beginning, not those of
 // the step before, so errors do not add up. How many faces cover a pixel is counted, so a step costs what it touches.
-// Bodies need not stay manifold: a branch, or the tunnel between two, may become a line. Where that is forbidden,
-// crowns with tunnels keep what nobody sees and lose their shape: level 2 of a low-poly oak shared 58 % of its outline,
-// and shares 90 %.
+// Bodies with tunnels need not stay manifold: a tunnel may become a line. Where that is forbidden, crowns with tunnels
+// keep what nobody sees and lose their shape: level 2 of a low-poly oak shared 58 % of its outline, and shares 90 %.
+// Bodies without tunnels stay as they are joined; else faces of theirs could come to look inward.
 // Based on: P. Lindstrom, G. Turk: Image-driven simplification (2000); here outlines take the place of shaded pictures,
 // as a level of detail keeps its materials.
 #include "meristem/shape/outline_collapse.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "meristem/base/frame.h"
@@ -60,6 +63,7 @@ class OutlineCollapse::State {
  public:
   State(FaceSoup soup, Progress& progress) : soup_(std::move(soup)) {
     find_neighbours();
+    find_tunnels();
     choose_views();
     draw_reference(progress);
     add_planes();
@@ -111,6 +115,36 @@ class OutlineCollapse::State {
       groups = std::max(groups, soup_.faces[f].group + 1);
     }
     planes_ = 1 + std::size_t{groups};
+    for (const Face& face : soup_.faces) first_.push_back(area_vector(face));
+  }
+
+  /// Marks the points of pieces that have a tunnel: their points less their edges plus their faces are at most 0.
+  void find_tunnels() {
+    std::vector<std::uint32_t> piece(soup_.points.size());
+    std::iota(piece.begin(), piece.end(), 0U);
+    const auto root = [&](std::uint32_t point) {
+      while (piece[point] != point) point = piece[point] = piece[piece[point]];
+      return point;
+    };
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (const Face& face : soup_.faces) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        edges.push_back(std::minmax(face.points[k], face.points[(k + 1) % 3]));
+        piece[root(face.points[k])] = root(face.points[(k + 1) % 3]);
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    std::vector<std::int64_t> characteristic(soup_.points.size(), 0);
+    for (std::uint32_t point = 0; point < soup_.points.size(); ++point) {
+      if (!around_[point].empty()) ++characteristic[root(point)];
+    }
+    for (const auto& edge : edges) --characteristic[root(edge.first)];
+    for (const Face& face : soup_.faces) ++characteristic[root(face.points[0])];
+    has_tunnel_.resize(soup_.points.size());
+    for (std::uint32_t point = 0; point < soup_.points.size(); ++point) {
+      has_tunnel_[point] = characteristic[root(point)] <= 0 ? 1 : 0;
+    }
   }
 
   void choose_views() {
@@ -308,6 +342,8 @@ class OutlineCollapse::State {
       const DVec3 after = area_vector(face.points, point, target);
       const double square = glm::length(after);
       if (!(square > 1e-6 * longest_edge(face, point, target))) return false;
+      // Small turns add up: a face that has come to look the other way is inside out.
+      if (!(glm::dot(first_[f], after) > 0)) return false;
       return glm::dot(before, after) > kLeastFaceCosine * glm::length(before) * square;
     });
   }
@@ -324,11 +360,22 @@ class OutlineCollapse::State {
     return longest;
   }
 
+  bool may_collapse(std::uint32_t from, std::uint32_t to, const std::vector<std::uint32_t>& near) const {
+    if (has_tunnel_[from] == 0) {
+      std::vector<std::uint32_t> common;
+      const std::vector<std::uint32_t> others = neighbours(to);
+      std::set_intersection(near.begin(), near.end(), others.begin(), others.end(), std::back_inserter(common));
+      if (common.size() != shared_faces(from, to)) return false;
+    }
+    return keeps_facing(from, to, soup_.points[to]);
+  }
+
   Step best_step(std::uint32_t from, Scratch& scratch) const {
     Step best;
     if (around_[from].empty()) return best;
+    const std::vector<std::uint32_t> near = neighbours(from);
     std::vector<std::pair<double, std::uint32_t>> targets;
-    for (const std::uint32_t to : neighbours(from)) {
+    for (const std::uint32_t to : near) {
       Quadric sum = quadrics_[from];
       sum += quadrics_[to];
       targets.emplace_back(volume_of(sum, soup_.points[to]), to);
@@ -337,7 +384,7 @@ class OutlineCollapse::State {
     std::size_t tried = 0;
     for (const auto& [volume, to] : targets) {
       if (tried == kTriedTargets) break;
-      if (!keeps_facing(from, to, soup_.points[to])) continue;
+      if (!may_collapse(from, to, near)) continue;
       ++tried;
       const double cost = shape_cost(volume) + outline_cost(around_[from], from, to, soup_.points[to], scratch);
       if (cost < best.cost) best = {cost, to, false};
@@ -529,6 +576,8 @@ class OutlineCollapse::State {
 
   FaceSoup soup_;
   std::vector<std::vector<std::uint32_t>> around_;  // faces of each point
+  std::vector<DVec3> first_;                        // area vector of each face at the beginning
+  std::vector<std::uint8_t> has_tunnel_;            // by point: its piece has one
   std::vector<Quadric> quadrics_;
   std::vector<std::uint8_t> is_gone_;  // 1 or 0 of each face
   std::vector<Step> steps_;            // the best of each point

@@ -32,11 +32,9 @@ std::optional<Expression> expression_of(const std::optional<Formula>& formula) {
 const ParameterTable& deforming_table() {
   static const ParameterTable table =
       Table<Deforming>("a deformation", "What a deformation acts on.")
-          .choice(
-              "on", &Deforming::on, {"geometry", "axes"},
-              "What is deformed: \"geometry\", all vertices of stems, leaves and bodies; or \"axes\", the courses of "
-              "stems alone: they keep their thickness, and leaves and other organs their form, turned and moved "
-              "along.")
+          .choice("on", &Deforming::on, {"geometry", "axes"},
+                  "Parts that are deformed: \"geometry\", all vertices of stems, leaves and bodies; or \"axes\", the "
+                  "courses of stems, which keep their thickness while organs keep their form.")
           .boolean(
               "off", &Deforming::off,
               "Whether the deformations above end here: what hangs below is turned and moved as they turn and move "
@@ -48,12 +46,11 @@ const ParameterTable& space_functions_table() {
   static const ParameterTable table =
       Table<SpaceFunctions>("functions of space", "Where points of space go.")
           .formula("dx", &SpaceFunctions::dx, function_names(),
-                   "Where a point goes along the component's x, in metres, as an expression of its x, y and z in the "
-                   "component's frame; a hyperpatch asks at its control points alone. By default x.")
+                   "New x of a point, in metres, as an expression of its x, y and z in the component's frame; a "
+                   "hyperpatch evaluates it at its control points. By default x.")
           .formula("dy", &SpaceFunctions::dy, function_names(),
-                   "Where a point goes along y, the component's heading, in metres; by default y.")
-          .formula("dz", &SpaceFunctions::dz, function_names(),
-                   "Where a point goes along the component's z, in metres; by default z.");
+                   "New y of a point, along the component's heading, in metres; by default y.")
+          .formula("dz", &SpaceFunctions::dz, function_names(), "New z of a point, in metres; by default z.");
   return table;
 }
 

@@ -146,7 +146,7 @@ FieldPointer local_field(const WorldField& form, const FieldPlace& place) {
 
 const ParameterTable& world_field_table() {
   static const ParameterTable table =
-      Table<WorldField>("a field", "Which way something pulls at each position, and how strongly.")
+      Table<WorldField>("a field", "Direction and strength of a pull at each position.")
           .object("formula", &WorldField::formula, formula_table,
                   "Expressions for the pull along x, y and z; its length counts as strength.")
           .vector("uniform", &WorldField::uniform, kDirection,

@@ -81,7 +81,7 @@ TEST(ShadeRequest, SaysWhatIsWrongWithASurface) {
                 .find("the scene has no obstacles"),
             std::string::npos);
   ShadeRequest none{.days = "1"};
-  EXPECT_NE(fault_of(none).find("there is no surface"), std::string::npos);
+  EXPECT_NE(fault_of(none).find("no surface is given"), std::string::npos);
   none.ground = parse_json("[[0, 0], [1, 1]]");
   EXPECT_EQ(fault_of(none), "no fault");
   none.panels = parse_json(R"({"position": [0, 0, 0]})");

@@ -220,7 +220,7 @@ def test_what_a_rate_raises_comes_out_and_wrong_rates_are_refused() -> None:
         grass.lived(leaf, family, 1, 0.1, bend="much")  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="age is nan"):
         grass.lived(leaf, family, 1, 0.1, age=lambda time, visible: float("nan"))
-    with pytest.raises(ValueError, match="steps above 0"):
+    with pytest.raises(ValueError, match="must be above 0"):
         grass.lived(leaf, family, 1, 0)
 
 

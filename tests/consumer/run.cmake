@@ -32,7 +32,7 @@ if(NOT result EQUAL 2 OR NOT errors MATCHES "'thorn' is not a type of component"
 endif()
 execute_process(COMMAND ${program} check ${PLUGIN}/thorns.json --plugin ${WORK}/plugin/libthorn.so
                         --plugin ${WORK}/plugin/libthorn.so RESULT_VARIABLE result ERROR_VARIABLE errors)
-if(NOT result EQUAL 2 OR NOT errors MATCHES "there is a component type 'thorn' already")
+if(NOT result EQUAL 2 OR NOT errors MATCHES "there is already a component type 'thorn'")
   message(FATAL_ERROR "a plug-in may be loaded twice: ${errors}")
 endif()
 foreach(name plugin.glb plant.glb plant.png measures.json skeleton.csv thorns.obj)

@@ -69,6 +69,8 @@ class TreeJoiner {
     part_ = static_cast<std::uint32_t>(tree_.parts.size());
     tree_.parts.push_back(std::move(stem.part));
     const Skeleton& from = *stem.skeleton;
+    auto& records = tree_.skeleton.operations;
+    records.insert(records.end(), from.operations.begin(), from.operations.end());
     const Joint joint = joints_[member];
     order_ = is_root ? 0 : joint.order + 1;
     // Axes get numbers when their first node comes.

@@ -37,8 +37,8 @@ OrganizedTree::OrganizedTree(const OrganizedSpecies& species, StandSpace& space,
             species.parameters.sag, species.parameters.radii),
       metamers_(tree_.metamers()),
       senses_(make_bud_sense(species, space, seed, key, metamers_, tree_.scene_light())),
-      ties_(species.parameters),
-      is_done_(species.parameters.operations.size(), 0) {
+      ties_(species, root_) {
+  upkeep_.is_done.assign(species.parameters.operations.size(), 0);
   if (!senses_->reaches(root_)) {
     species.refuse("roots", "a root is too far away from the origin for metamers so short",
                    "a position nearer to the origin, or a larger 'length'");
@@ -56,16 +56,36 @@ void OrganizedTree::sense(int iteration, const Progress& progress) {
   divide_resource(metamers_, light_, parameters.resource, iteration, age, flow_, ringed(iteration));
 }
 
-std::uint64_t OrganizedTree::plan() {
+/// What an axis has grown in an iteration up to one of its metamers.
+OrganizedTree::NewGrowth OrganizedTree::grown_in(int iteration, MetamerIndex last) const {
+  NewGrowth grown;
+  for (MetamerIndex metamer = last; metamers_.birth[metamer] == iteration; metamer = metamers_.parent[metamer]) {
+    grown = {grown.metamers + 1, metamer};
+    if (metamer == metamers_.axes[metamers_.axis[metamer]].first) break;
+  }
+  return grown;
+}
+
+std::uint64_t OrganizedTree::plan(int iteration, Flush flush) {
   const OrganizeParameters& parameters = species_->parameters;
   std::uint64_t metamers = 0;
   const auto add = [&](MetamerIndex from, bool is_lateral, double resource, double threshold) {
+    // What a bud has grown before counts as its own, with all that comes to it now.
+    const NewGrowth grown = flush == Flush::rest && !is_lateral ? grown_in(iteration, from) : NewGrowth{};
+    if (grown.metamers > 0) resource = flow_.resource[grown.first];
     if (!(resource >= threshold)) return false;
     const double whole = std::clamp(std::floor(resource), 1.0, static_cast<double>(parameters.longest_shoot));
     const double stretch = parameters.stretch ? std::clamp(resource / whole, 0.1, 10.0) : 1;
-    metamers += static_cast<std::uint64_t>(whole);
-    sprouts_.push_back(
-        {from, is_lateral, static_cast<int>(whole), static_cast<float>(stretch * parameters.length), Vec3(0)});
+    int now = static_cast<int>(whole);
+    if (flush == Flush::first) now = std::max(1, static_cast<int>(parameters.summer * whole + 0.5));
+    if (grown.metamers > 0) {
+      now -= grown.metamers;
+      if (now < 1) return true;  // it has had its share
+    } else if (flush == Flush::rest) {
+      now = std::max(1, static_cast<int>((1 - parameters.summer) * whole + 0.5));
+    }
+    metamers += static_cast<std::uint64_t>(now);
+    sprouts_.push_back({from, is_lateral, now, static_cast<float>(stretch * parameters.length), Vec3(0)});
     return true;
   };
   for (MetamerIndex metamer = 0; metamer < metamers_.count(); ++metamer) {
@@ -73,6 +93,9 @@ std::uint64_t OrganizedTree::plan() {
     const bool goes_on = terminal.is_open() && light_.terminal[metamer] > 0 &&
                          add(metamer, false, flow_.terminal(metamer), parameters.terminal_threshold);
     if (!metamers_.lateral[metamer].is_open() || !(light_.lateral[metamer] > 0)) continue;
+    // What has grown in this iteration bears no laterals in it, unless it was cut.
+    const bool is_new = flush == Flush::rest && metamers_.birth[metamer] == iteration;
+    if (is_new && !terminal.is_damaged()) continue;
     const bool may_open = goes_on || !terminal.is_open() || !parameters.laterals_wait;
     // Beside a cut terminal it leads the axis on.
     const double threshold = terminal.is_damaged() ? parameters.terminal_threshold : parameters.lateral_threshold;
@@ -81,7 +104,7 @@ std::uint64_t OrganizedTree::plan() {
   return metamers;
 }
 
-void OrganizedTree::iterate(int iteration, const Progress& progress) {
+void OrganizedTree::iterate(int iteration, Flush flush, const Progress& progress) {
   std::vector<Sprout> sprouts = std::exchange(sprouts_, {});
   // All see the light of the round's begin.
   parallel_for(sprouts.size(), kSproutsAtOnce, [&](std::size_t begin, std::size_t end) {
@@ -100,10 +123,11 @@ void OrganizedTree::iterate(int iteration, const Progress& progress) {
     grow(sprouts[k], iteration);
   }
   progress.check();
+  if (flush == Flush::first) return operate(iteration, true, progress);
   tree_.sag(iteration);
   progress.check();
   shed(iteration);
-  if (is_pruned()) operate(iteration, progress);
+  if (is_pruned()) operate(iteration, false, progress);
 }
 
 /// Grows the metamers of one bud, as far as nothing stands in their way.
@@ -112,8 +136,8 @@ void OrganizedTree::grow(const Sprout& sprout, int iteration) {
   MetamerIndex from = sprout.from;
   Growth growth{sprout, iteration, metamers_.order[from] + (sprout.is_lateral ? 1 : 0), 0};
   if (is_pruned()) {
-    growth.rank = leads_.rank_of_bud(metamers_, from, sprout.is_lateral);
-    growth.tie = ties_.of_bud(metamers_, leads_, from, sprout.is_lateral);
+    growth.rank = upkeep_.leads.rank_of_bud(metamers_, from, sprout.is_lateral);
+    growth.tie = ties_.of_bud(metamers_, upkeep_.leads, from, sprout.is_lateral);
   }
   const double jitter = phyllotaxis.jitter / (1 + (growth.tie == 0 ? 0 : ties_.weight(growth.tie)));
   Vec3 bud = metamers_.bud_heading(from, sprout.is_lateral, phyllotaxis.branching_angle);
@@ -219,21 +243,36 @@ void OrganizedTree::shed(int iteration) {
 void OrganizedTree::remove(std::vector<std::uint8_t>& gone, const BudsLeft& after) {
   tree_.remove(gone, after);
   if (!is_pruned()) return;
-  bows_.remove(gone);
-  if (!ringed_.empty()) {
-    ringed_.resize(gone.size(), 0);
-    ringed_until_.resize(gone.size(), 0);
-    erase_marked(ringed_, gone);
-    erase_marked(ringed_until_, gone);
+  upkeep_.bows.remove(gone);
+  if (!upkeep_.ringed.empty()) {
+    upkeep_.ringed.resize(gone.size(), 0);
+    upkeep_.ringed_until.resize(gone.size(), 0);
+    erase_marked(upkeep_.ringed, gone);
+    erase_marked(upkeep_.ringed_until, gone);
   }
-  cut_at_.resize(gone.size(), 0);
-  erase_marked(cut_at_, gone);
+  upkeep_.wounds.remove(gone);
   erase_marked(flow_.light, gone);
   erase_marked(flow_.buds, gone);
   erase_marked(flow_.resource, gone);
   erase_marked(flow_.to_lateral, gone);
   erase_marked(flow_.passed_back, gone);
 }
+
+namespace {
+
+void write_marks(const std::vector<Metamers::Axis>& axes, const std::vector<std::string>& words, Skeleton& skeleton) {
+  const auto write = [&](const std::string& name, std::uint32_t bits) {
+    std::vector<float>& column = skeleton.extra[name];
+    column.resize(skeleton.node_count());
+    for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+      column[node] = (axes[skeleton.axis[node]].marks & bits) != 0 ? 1 : 0;
+    }
+  };
+  write("marked", ~0U);
+  for (std::size_t k = 0; k < words.size(); ++k) write("mark_" + words[k], 1U << k);
+}
+
+}  // namespace
 
 Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
   const std::vector<std::uint16_t> ranks = is_pruned() ? find_leads(metamers_).rank : std::vector<std::uint16_t>();
@@ -274,8 +313,10 @@ Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
   skeleton.extra["lateral_bud"] = states(metamers.lateral);
   skeleton.extra[std::string(kShedColumn)] = std::move(metamers.lost_tips);
   if (is_pruned()) {
-    cut_at_.resize(count, 0);
-    skeleton.extra["cut_at"].assign(cut_at_.begin(), cut_at_.end());
+    upkeep_.wounds.write(skeleton);
+    write_marks(metamers.axes, species_->parameters.marks, skeleton);
+    for (OperationRecord& record : records_) record.position += root_;
+    skeleton.operations = std::move(records_);
     std::vector<float>& rank = skeleton.extra["rank"];
     rank.resize(count);
     for (MetamerIndex metamer = 0; metamer < count; ++metamer) rank[metamer] = ranks.at(skeleton.axis[metamer]);

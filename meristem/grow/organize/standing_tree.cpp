@@ -38,6 +38,13 @@ void StandingTree::sag(int iteration) {
   if (load_) move(load_->bend(metamers_, iteration));
 }
 
+void StandingTree::restore(State state) {
+  changes_ = std::move(state.changes);
+  metamers_ = std::move(state.metamers);
+  scene_light_.restore(std::move(state.scene_light));
+  if (load_) load_->restore(std::move(*state.load));
+}
+
 void StandingTree::damage(MetamerIndex metamer, bool is_lateral) {
   Bud& bud = (is_lateral ? metamers_.lateral : metamers_.terminal)[metamer];
   if (bud.is_open()) bud = Bud::damaged();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <glm/matrix.hpp>
 
 #include "meristem/base/math.h"
 #include "meristem/components/expanded.h"

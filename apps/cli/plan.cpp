@@ -9,6 +9,7 @@
 
 #include "commands.h"
 #include "documents.h"
+#include "meristem/base/atomic_file.h"
 #include "meristem/base/parallel.h"
 #include "meristem/components/expanded.h"
 #include "meristem/document/grow.h"

@@ -182,11 +182,10 @@ BENCHMARK(row)
 }  // namespace
 
 int main(int count, char** arguments) {
-  {
-    using meristem::bench::Asked;
-    return meristem::bench::run(count, arguments,
-                                {{"by_condition", "ms/operation", Asked::at_most, 10},
-                                 {"by_label", "ms/operation", Asked::at_most, 1},
-                                 {"waiting", "to_free", Asked::at_most, 1.05},
-                                 {"row/trees:200", "s", Asked::at_most, 10}});
-  }
+  using meristem::bench::Asked;
+  return meristem::bench::run(count, arguments,
+                              {{"by_condition", "ms/operation", Asked::at_most, 10},
+                               {"by_label", "ms/operation", Asked::at_most, 1},
+                               {"waiting", "to_free", Asked::at_most, 1.05},
+                               {"row/trees:200", "s", Asked::at_most, 10}});
+}

@@ -56,36 +56,34 @@ void OrganizedTree::sense(int iteration, const Progress& progress) {
   divide_resource(metamers_, light_, parameters.resource, iteration, age, flow_, ringed(iteration));
 }
 
-/// What an axis has grown in an iteration up to one of its metamers.
-OrganizedTree::NewGrowth OrganizedTree::grown_in(int iteration, MetamerIndex last) const {
-  NewGrowth grown;
-  for (MetamerIndex metamer = last; metamers_.birth[metamer] == iteration; metamer = metamers_.parent[metamer]) {
-    grown = {grown.metamers + 1, metamer};
-    if (metamer == metamers_.axes[metamers_.axis[metamer]].first) break;
-  }
-  return grown;
+/// A name of a metamer that stays when others are taken away.
+std::uint64_t OrganizedTree::name_of_bud(MetamerIndex metamer) const {
+  return metamers_.axes[metamers_.axis[metamer]].key.child(metamers_.number[metamer]).bits();
 }
 
 std::uint64_t OrganizedTree::plan(int iteration, Flush flush) {
   const OrganizeParameters& parameters = species_->parameters;
   std::uint64_t metamers = 0;
   const auto add = [&](MetamerIndex from, bool is_lateral, double resource, double threshold) {
-    // What a bud has grown before counts as its own, with all that comes to it now.
-    const NewGrowth grown = flush == Flush::rest && !is_lateral ? grown_in(iteration, from) : NewGrowth{};
-    if (grown.metamers > 0) resource = flow_.resource[grown.first];
+    // The season's new buds must not make the tree richer within it.
+    if (flush == Flush::rest) resource *= rest_share_;
+    const auto owed = flush == Flush::rest && !is_lateral ? owed_.find(name_of_bud(from)) : owed_.end();
+    if (owed != owed_.end()) {
+      metamers += static_cast<std::uint64_t>(owed->second.metamers);
+      if (owed->second.metamers > 0) {
+        sprouts_.push_back({from, false, owed->second.metamers, owed->second.length, Vec3(0)});
+      }
+      return true;
+    }
     if (!(resource >= threshold)) return false;
     const double whole = std::clamp(std::floor(resource), 1.0, static_cast<double>(parameters.longest_shoot));
     const double stretch = parameters.stretch ? std::clamp(resource / whole, 0.1, 10.0) : 1;
     int now = static_cast<int>(whole);
     if (flush == Flush::first) now = std::max(1, static_cast<int>(parameters.summer * whole + 0.5));
-    if (grown.metamers > 0) {
-      now -= grown.metamers;
-      if (now < 1) return true;  // it has had its share
-    } else if (flush == Flush::rest) {
-      now = std::max(1, static_cast<int>((1 - parameters.summer) * whole + 0.5));
-    }
+    if (flush == Flush::rest) now = std::max(1, static_cast<int>((1 - parameters.summer) * whole + 0.5));
     metamers += static_cast<std::uint64_t>(now);
     sprouts_.push_back({from, is_lateral, now, static_cast<float>(stretch * parameters.length), Vec3(0)});
+    if (flush == Flush::first) sprouts_.back().left = static_cast<int>(whole) - now;
     return true;
   };
   for (MetamerIndex metamer = 0; metamer < metamers_.count(); ++metamer) {
@@ -118,12 +116,21 @@ void OrganizedTree::iterate(int iteration, Flush flush, const Progress& progress
   std::uint64_t more = 0;
   for (const Sprout& sprout : sprouts) more += static_cast<std::uint64_t>(sprout.metamers);
   tree_.reserve(metamers_.count() + more);
+  owed_.clear();
   for (std::size_t k = 0; k < sprouts.size(); ++k) {
     if (k % kMetamersPerBlock == 0) progress.check();
     grow(sprouts[k], iteration);
   }
   progress.check();
-  if (flush == Flush::first) return operate(iteration, true, progress);
+  if (flush == Flush::first) {
+    const std::uint32_t before = flow_.buds[0];
+    std::uint32_t after = 0;
+    for (MetamerIndex metamer = 0; metamer < metamers_.count(); ++metamer) {
+      after += (metamers_.terminal[metamer].is_open() ? 1 : 0) + (metamers_.lateral[metamer].is_open() ? 1 : 0);
+    }
+    rest_share_ = after == 0 ? 1 : std::min(1.0, static_cast<double>(before) / after);
+    return operate(iteration, true, progress);
+  }
   tree_.sag(iteration);
   progress.check();
   shed(iteration);
@@ -157,6 +164,7 @@ void OrganizedTree::grow(const Sprout& sprout, int iteration) {
     has_grown_ = true;
     bud = *heading;
   }
+  if (sprout.left >= 0) owed_[name_of_bud(from)] = {sprout.left, sprout.length};
 }
 
 /// The unit vector in which a metamer wants to grow from a bud that points to `bud`.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "meristem/base/diagnostic.h"
@@ -77,12 +78,13 @@ class OrganizedTree {
     int metamers = 1;
     float length = 0;  // of each
     Vec3 way{0};       // to light or room: a unit vector, or 0
+    int left = -1;     // metamers that wait for the rest of the iteration; -1: there is no rest
   };
 
-  /// The metamers at the end of an axis that an iteration has grown.
-  struct NewGrowth {
+  /// What the first flush of an iteration has left to a shoot.
+  struct Owed {
     int metamers = 0;
-    MetamerIndex first = 0;
+    float length = 0;  // of each
   };
 
   /// What the metamers of a sprout have in common.
@@ -106,7 +108,7 @@ class OrganizedTree {
   void tie_shoots(int iteration);
   void operate(int iteration, bool in_summer, const Progress& progress);
   void perform(int iteration, bool in_summer, const Progress& progress);
-  NewGrowth grown_in(int iteration, MetamerIndex last) const;
+  std::uint64_t name_of_bud(MetamerIndex metamer) const;
   void apply(const Work& work, int iteration, std::size_t operation);
   void record(const Work& work, int iteration, const Operation& operation);
   void ring(const Ring& ring, int iteration);
@@ -128,6 +130,8 @@ class OrganizedTree {
   // For trees with operations alone.
   TreeTies ties_;
   Upkeep upkeep_;
+  std::unordered_map<std::uint64_t, Owed> owed_;  // of the iteration's shoots, by the name of their last metamer
+  double rest_share_ = 1;                         // of the resource that the season's new buds would make
   std::vector<OperationRecord> records_;
   std::vector<Miss> misses_;
   bool has_grown_ = false;

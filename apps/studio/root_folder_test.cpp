@@ -96,7 +96,8 @@ TEST(RootFolder, WritesOverWhatWasOpenedAlone) {
             std::string::npos);
   EXPECT_NE(refusal([&] { root.write("oak.json", "second", std::nullopt, false); }).find("somebody else"),
             std::string::npos);
-  EXPECT_NE(refusal([&] { root.write("new.json", "x", text_hash("{}"), false); }).find("no longer exists"), std::string::npos);
+  EXPECT_NE(refusal([&] { root.write("new.json", "x", text_hash("{}"), false); }).find("no longer exists"),
+            std::string::npos);
   EXPECT_EQ(content(folders.inner / "oak.json"), "first");
   root.write("oak.json", "second", std::nullopt, true);
   root.write("new.json", "third", std::nullopt, false);

@@ -284,7 +284,8 @@ TEST_F(Garden, RejectsAColumnWhereNoTableGivesIt) {
   const auto found = faults(std::string(kChosen) + R"j(, "hut": {"type": "simple", "size": ["years", 1, 1]})j");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].path, "components.hut");
-  EXPECT_NE(found[0].message.find("only components that stand on 'street' have"), std::string::npos) << found[0].message;
+  EXPECT_NE(found[0].message.find("only components that stand on 'street' have"), std::string::npos)
+      << found[0].message;
 }
 
 TEST_F(Garden, RejectsARowWithinAnObstacle) {

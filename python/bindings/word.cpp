@@ -92,7 +92,7 @@ py::array_t<T> column_of(const WordPointer& word, const WordColumn<T>& column) {
   return view(word, column.data(), {static_cast<py::ssize_t>(column.size())}, {sizeof(T)});
 }
 
-std::string text_of(const WordPointer& word) {
+std::string text_of_word(const WordPointer& word) {
   const py::gil_scoped_release release;
   return word_text(word->word, word->alphabet);
 }
@@ -143,7 +143,7 @@ void bind_word(py::module_& module) {
 
 str(word) is its text. Two are equal if they have the same symbols and parameters, whatever grammars they come from.)")
       .def("__len__", [](const WordPointer& w) { return w->word.module_count(); })
-      .def("__str__", &text_of,
+      .def("__str__", &text_of_word,
            "Its text, such as 'A(1,0.5)[+B]'; numbers have the fewest digits that tell them apart.")
       .def("__repr__",
            [](const WordPointer& w) { return fmt::format("<meristem.Word of {} modules>", w->word.module_count()); })

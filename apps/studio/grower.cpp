@@ -143,6 +143,7 @@ void Grower::acknowledge(std::uint64_t packet) {
   const std::lock_guard lock(mutex_);
   if (packet != awaited_) return;
   awaited_ = 0;
+  if (shown_.is_draft) last_seen_ = Clock::now();
   schedule();
 }
 
@@ -272,7 +273,8 @@ void Grower::show() {
   {
     const std::lock_guard lock(mutex_);
     if (awaited_ != 0 || grown_ == nullptr || is_closed_) return;
-    const Clock::time_point still = last_input_ + host_.still_after;
+    // Whoever draws slowly sees a draft late, and goes on from there.
+    const Clock::time_point still = std::max(last_input_, last_seen_) + host_.still_after;
     // An edit that is made at once is shown in full at once, and so is a drag that moves nothing, as of a colour.
     const bool moves = grown_->wish.is_dragged && !(shown_.grown != nullptr && !shown_.is_draft &&
                                                     have_same_shape(shown_.grown->plant, grown_->plant));

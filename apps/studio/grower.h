@@ -114,6 +114,7 @@ class Grower : public std::enable_shared_from_this<Grower> {
   std::uint64_t wished_ = 0;  // number of the wish
   std::uint64_t done_ = 0;    // of the last that has grown, or will not
   Clock::time_point last_input_{};
+  Clock::time_point last_seen_{};  // when a draft was last seen
   std::shared_ptr<const GrownWish> grown_;
   Sight shown_;
   std::uint64_t awaited_ = 0;  // the packet on its way; 0: none

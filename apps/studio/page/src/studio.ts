@@ -236,7 +236,8 @@ export class Studio {
     this.view?.apply(packet);
     this.growth.merge({ shown: { draft: draft ?? false, share: share ?? 1, triangles, instances, of, hash } });
     this.refresh_view();
-    // The next packet comes when this one has been drawn.
-    requestAnimationFrame(() => this.connection.tell('shown', { packet: packet.head.packet }));
+    // The next packet comes when this one can be seen.
+    const seen = this.view ? this.view.drawn() : new Promise(requestAnimationFrame);
+    void seen.then(() => this.connection.tell('shown', { packet: packet.head.packet }));
   }
 }

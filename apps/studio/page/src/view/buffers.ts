@@ -1,23 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 // Owns what lies on the graphics card: meshes and sets of instances by their keys, and the batches that draw one with
-// the other. Arrays are those of the packets, in place; three uploads them once, and again after a lost context.
+// the other. Arrays are those of the packets, in place where a mesh is needed once; three uploads them once, and again
+// after a lost context.
 import * as three from 'three';
 
 import type { Packet, PacketInstances, PacketMesh } from '../server/packet.ts';
 import { bytes, floats, shorts, signed_bytes, words } from '../server/packet.ts';
+import type { Placing } from './instances.ts';
+import { copies_for, frames_texture, tints_texture } from './instances.ts';
 
-type Attributes = Record<string, three.BufferAttribute | three.InterleavedBufferAttribute>;
-
-/// Arrays that several batches may draw from.
-interface Shared {
-  attributes: Attributes;
-  index?: three.BufferAttribute;
-  count: number; // of triangles, or of instances
-  bytes: number;
+/// Arrays that several batches may draw from: a mesh, so many times.
+interface Arrays {
+  attributes: Record<string, three.BufferAttribute>;
+  index: three.BufferAttribute;
   users: Set<three.InstancedBufferGeometry>;
 }
 
-export interface Batch {
+interface Mesh {
+  once: Arrays;
+  copied: Map<number, Arrays>; // by the number of copies; 1: `once`
+  vertices: number;
+  triangles: number;
+}
+
+interface InstanceSet {
+  frames: three.DataTexture;
+  tints: three.DataTexture;
+  count: number;
+  tint_scale: [number, number, number];
+}
+
+export interface Batch extends Placing {
   geometry: three.InstancedBufferGeometry;
   mesh: string;
   instances_of: string;
@@ -25,25 +38,28 @@ export interface Batch {
 }
 
 const kWhite: [number, number, number] = [1, 1, 1];
+// Without tints one white serves all.
+const kNoTints = tints_texture(new Uint8Array([255, 255, 255, 255]), 1);
 
 export class Buffers {
-  private readonly meshes_ = new Map<string, Shared>();
-  private readonly sets_ = new Map<string, Shared & { tint_scale: [number, number, number] }>();
+  private readonly meshes_ = new Map<string, Mesh>();
+  private readonly sets_ = new Map<string, InstanceSet>();
   private readonly batches_ = new Map<string, Batch>();
 
   get counts(): { meshes: number; instance_sets: number; batches: number; bytes: number } {
     let sum = 0;
-    for (const shared of [...this.meshes_.values(), ...this.sets_.values()]) sum += shared.bytes;
+    for (const mesh of this.meshes_.values()) for (const arrays of mesh.copied.values()) sum += bytes_of(arrays);
+    for (const { frames, tints } of this.sets_.values()) sum += texture_bytes(frames) + (tints === kNoTints ? 0 : texture_bytes(tints));
     return { meshes: this.meshes_.size, instance_sets: this.sets_.size, batches: this.batches_.size, bytes: sum };
   }
 
   /// Triangles of a batch, all its instances together.
   triangles_of(batch: Batch): number {
-    return (this.meshes_.get(batch.mesh)?.count ?? 0) * (this.sets_.get(batch.instances_of)?.count ?? 0);
+    return (this.meshes_.get(batch.mesh)?.triangles ?? 0) * batch.instances;
   }
 
   add_mesh(packet: Packet, mesh: PacketMesh): void {
-    const attributes: Attributes = {
+    const attributes: Arrays['attributes'] = {
       position: new three.BufferAttribute(floats(packet, mesh.positions), 3),
       normal: new three.BufferAttribute(signed_bytes(packet, mesh.normals), 4, true),
     };
@@ -53,27 +69,24 @@ export class Buffers {
       attributes['uv'] = new three.BufferAttribute((is_short ? shorts : floats)(packet, mesh.uvs), 2, is_short);
     }
     const index = new three.BufferAttribute((mesh.index_type === 'u32' ? words : shorts)(packet, mesh.indices), 1);
-    this.meshes_.set(mesh.key, { attributes, index, count: mesh.triangles, bytes: bytes_of(attributes) + index.array.byteLength, users: new Set() });
+    const vertices = attributes['position']?.count ?? 0;
+    attributes['copy'] = new three.BufferAttribute(new Uint16Array(vertices), 1);
+    const once = { attributes, index, users: new Set<three.InstancedBufferGeometry>() };
+    this.meshes_.set(mesh.key, { once, copied: new Map([[1, once]]), vertices, triangles: mesh.triangles });
   }
 
   add_instances(packet: Packet, set: PacketInstances): void {
-    const frames = new three.InstancedInterleavedBuffer(floats(packet, set.frames), 12);
-    const attributes: Attributes = {};
-    for (const row of [0, 1, 2]) attributes[`frame_${row}`] = new three.InterleavedBufferAttribute(frames, 4, 4 * row);
-    // Without tints one white serves all.
-    const tints = set.tints ? bytes(packet, set.tints) : new Uint8Array([255, 255, 255, 255]);
-    attributes['tint'] = new three.InstancedBufferAttribute(tints, 4, true, set.tints ? 1 : Math.max(set.count, 1));
-    const size = set.frames[1] * 4 + tints.byteLength;
-    this.sets_.set(set.key, { attributes, count: set.count, bytes: size, users: new Set(), tint_scale: set.tint_scale ?? kWhite });
+    const frames = frames_texture(floats(packet, set.frames), set.count);
+    const tints = set.tints ? tints_texture(bytes(packet, set.tints), set.count) : kNoTints;
+    this.put_set(set.key, { frames, tints, count: set.count, tint_scale: set.tint_scale ?? kWhite });
   }
 
   /// A set of one instance of another.
   add_single(key: string, set_key: string, instance: number): void {
-    const row = this.sets_.get(set_key)?.attributes['frame_0'];
-    if (!(row instanceof three.InterleavedBufferAttribute)) return;
-    const frames = new three.InstancedInterleavedBuffer(new Float32Array(row.data.array.slice(12 * instance, 12 * instance + 12)), 12);
-    const attributes = Object.fromEntries([0, 1, 2].map((one) => [`frame_${one}`, new three.InterleavedBufferAttribute(frames, 4, 4 * one)]));
-    this.sets_.set(key, { attributes, count: 1, bytes: 48, users: new Set(), tint_scale: kWhite });
+    const row = this.sets_.get(set_key)?.frames.image.data;
+    if (!(row instanceof Float32Array)) return;
+    const frames = frames_texture(row.slice(12 * instance, 12 * instance + 12), 1);
+    this.put_set(key, { frames, tints: kNoTints, count: 1, tint_scale: kWhite });
   }
 
   /// Draws the mesh once for each instance of the set, in place of what the batch drew before.
@@ -81,14 +94,16 @@ export class Buffers {
     this.remove_batch(key);
     const mesh = this.meshes_.get(mesh_key);
     const set = this.sets_.get(set_key);
-    if (!mesh?.index || !set) throw new Error(`a batch of what never came: ${mesh_key}, ${set_key}`);
+    if (!mesh || !set) throw new Error(`a batch of what never came: ${mesh_key}, ${set_key}`);
+    const copies = copies_for(mesh.vertices, set.count);
+    const arrays = arrays_of(mesh, copies);
     const geometry = new three.InstancedBufferGeometry();
-    for (const [name, attribute] of Object.entries({ ...mesh.attributes, ...set.attributes })) geometry.setAttribute(name, attribute);
-    geometry.setIndex(mesh.index);
-    geometry.instanceCount = set.count;
-    mesh.users.add(geometry);
-    set.users.add(geometry);
-    const batch = { geometry, mesh: mesh_key, instances_of: set_key, tint_scale: new three.Color(...set.tint_scale) };
+    for (const [name, attribute] of Object.entries(arrays.attributes)) geometry.setAttribute(name, attribute);
+    geometry.setIndex(arrays.index);
+    geometry.instanceCount = Math.ceil(set.count / copies);
+    arrays.users.add(geometry);
+    const { frames, tints, count } = set;
+    const batch = { geometry, mesh: mesh_key, instances_of: set_key, tint_scale: new three.Color(...set.tint_scale), frames, tints, instances: count, copies };
     this.batches_.set(key, batch);
     return batch;
   }
@@ -98,12 +113,16 @@ export class Buffers {
     const batch = this.batches_.get(key);
     if (!batch) return;
     this.batches_.delete(key);
-    for (const shared of [this.meshes_.get(batch.mesh), this.sets_.get(batch.instances_of)]) {
-      if (!shared) continue;
-      shared.users.delete(batch.geometry);
-      if (shared.users.size === 0) continue;
-      for (const name of Object.keys(shared.attributes)) batch.geometry.deleteAttribute(name);
-      if (shared.index) batch.geometry.setIndex(null);
+    const mesh = this.meshes_.get(batch.mesh);
+    const arrays = mesh?.copied.get(batch.copies);
+    if (mesh && arrays) {
+      arrays.users.delete(batch.geometry);
+      if (arrays.users.size > 0) {
+        for (const name of Object.keys(arrays.attributes)) batch.geometry.deleteAttribute(name);
+        batch.geometry.setIndex(null);
+      } else if (batch.copies > 1) {
+        mesh.copied.delete(batch.copies);
+      }
     }
     batch.geometry.dispose();
   }
@@ -111,16 +130,54 @@ export class Buffers {
   /// Forgets arrays; batches of them are gone already.
   remove(meshes: string[], sets: string[]): void {
     for (const key of meshes) this.meshes_.delete(key);
-    for (const key of sets) this.sets_.delete(key);
+    for (const key of sets) this.remove_set(key);
   }
 
   clear(): void {
     for (const key of [...this.batches_.keys()]) this.remove_batch(key);
-    this.meshes_.clear();
-    this.sets_.clear();
+    this.remove([...this.meshes_.keys()], [...this.sets_.keys()]);
+  }
+
+  private put_set(key: string, set: InstanceSet): void {
+    this.remove_set(key);
+    this.sets_.set(key, set);
+  }
+
+  private remove_set(key: string): void {
+    const set = this.sets_.get(key);
+    set?.frames.dispose();
+    if (set && set.tints !== kNoTints) set.tints.dispose();
+    this.sets_.delete(key);
   }
 }
 
-function bytes_of(attributes: Attributes): number {
-  return Object.values(attributes).reduce((sum, one) => sum + one.array.byteLength, 0);
+/// The arrays of a mesh with so many copies of it, one after the other.
+function arrays_of(mesh: Mesh, copies: number): Arrays {
+  const known = mesh.copied.get(copies);
+  if (known) return known;
+  const attributes: Arrays['attributes'] = {};
+  for (const [name, { array, itemSize, normalized }] of Object.entries(mesh.once.attributes)) {
+    const repeated = new (array.constructor as new (length: number) => typeof array)(array.length * copies);
+    for (let k = 0; k < copies; k += 1) {
+      if (name === 'copy') repeated.fill(k, k * mesh.vertices, (k + 1) * mesh.vertices);
+      else repeated.set(array, k * array.length);
+    }
+    attributes[name] = new three.BufferAttribute(repeated, itemSize, normalized);
+  }
+  const corners = mesh.once.index.array;
+  const indices = new Uint16Array(corners.length * copies); // few enough vertices, or there would be no copies
+  for (let k = 0; k < copies; k += 1) {
+    for (let c = 0; c < corners.length; c += 1) indices[k * corners.length + c] = (corners[c] ?? 0) + k * mesh.vertices;
+  }
+  const made = { attributes, index: new three.BufferAttribute(indices, 1), users: new Set<three.InstancedBufferGeometry>() };
+  mesh.copied.set(copies, made);
+  return made;
+}
+
+function bytes_of({ attributes, index }: Arrays): number {
+  return Object.values(attributes).reduce((sum, one) => sum + one.array.byteLength, index.array.byteLength);
+}
+
+function texture_bytes({ image }: three.DataTexture): number {
+  return image.data?.byteLength ?? 0;
 }

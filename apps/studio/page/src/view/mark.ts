@@ -3,6 +3,7 @@
 import * as three from 'three';
 
 import type { Batch, Buffers } from './buffers.ts';
+import { place, placing_uniforms } from './instances.ts';
 import { kMarkFragment, kMarkVertex } from './pick_shader.ts';
 
 const kKey = 'mark';
@@ -25,7 +26,7 @@ export class Mark {
   put(batch: Batch, instance: number, picture: three.Texture | null): void {
     this.clear();
     this.buffers_.add_single(kKey, batch.instances_of, instance);
-    const { geometry } = this.buffers_.add_batch(kKey, batch.mesh, kKey);
+    const single = this.buffers_.add_batch(kKey, batch.mesh, kKey);
     const material = new three.ShaderMaterial({
       vertexShader: kMarkVertex,
       fragmentShader: kMarkFragment,
@@ -33,11 +34,10 @@ export class Mark {
       side: three.DoubleSide,
       transparent: true,
       depthWrite: false,
-      uniforms: { colour: { value: kColour }, picture: { value: picture } },
+      uniforms: { ...placing_uniforms(), colour: { value: kColour }, picture: { value: picture } },
     });
-    const mesh = new three.Mesh(geometry, material);
-    mesh.frustumCulled = false;
-    mesh.matrixAutoUpdate = false;
+    const mesh = new three.Mesh(single.geometry, material);
+    place(mesh, single);
     this.root_.add(mesh);
     [this.mesh_, this.of_] = [mesh, batch];
   }

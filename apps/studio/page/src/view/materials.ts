@@ -4,6 +4,7 @@ import * as three from 'three';
 
 import type { Packet, PacketMaterial, PacketPicture } from '../server/packet.ts';
 import { bytes } from '../server/packet.ts';
+import { placing_uniforms } from './instances.ts';
 import { kPlantFragment, kPlantVertex, kWireFragment, kWireVertex } from './plant_shader.ts';
 
 /// What all materials see of the sky.
@@ -26,7 +27,7 @@ export class Materials {
   readonly wire = new three.ShaderMaterial({
     vertexShader: kWireVertex,
     fragmentShader: kWireFragment,
-    uniforms: { line: { value: new three.Color(0.2, 0.3, 0.24) } },
+    uniforms: { ...placing_uniforms(), line: { value: new three.Color(0.2, 0.3, 0.24) } },
     wireframe: true,
     transparent: true,
     depthWrite: false,
@@ -123,6 +124,7 @@ export class Materials {
       side: three.DoubleSide, // frames may be mirrored, which turns the winding
       uniforms: {
         ...this.light_,
+        ...placing_uniforms(),
         colour: { value: new three.Color(...said.colour) },
         translucency: { value: said.translucency },
         gloss: { value: 0.12 * (1 - said.roughness) ** 2 },

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers in place of colours: four bytes, the lowest first.
+import { kInstanceShader } from './instances.ts';
 
 export const kPickVertex = /* glsl */ `
-attribute vec4 frame_0;
-attribute vec4 frame_1;
-attribute vec4 frame_2;
+${kInstanceShader}
 flat out int v_instance;
 #ifdef MASKED
 varying vec2 v_uv;
 #endif
 void main() {
-  vec4 local = vec4(position, 1.0);
-  v_instance = gl_InstanceID;
+  v_instance = instance();
 #ifdef MASKED
   v_uv = uv;
 #endif
-  gl_Position = projectionMatrix * viewMatrix * vec4(dot(frame_0, local), dot(frame_1, local), dot(frame_2, local), 1.0);
+  gl_Position = projected(placed(position));
 }
 `;
 
@@ -37,18 +35,15 @@ void main() {
 
 /// One instance once more, over itself.
 export const kMarkVertex = /* glsl */ `
-attribute vec4 frame_0;
-attribute vec4 frame_1;
-attribute vec4 frame_2;
+${kInstanceShader}
 #ifdef MASKED
 varying vec2 v_uv;
 #endif
 void main() {
-  vec4 local = vec4(position, 1.0);
 #ifdef MASKED
   v_uv = uv;
 #endif
-  gl_Position = projectionMatrix * viewMatrix * vec4(dot(frame_0, local), dot(frame_1, local), dot(frame_2, local), 1.0);
+  gl_Position = projected(placed(position));
   gl_Position.z -= 1e-4 * gl_Position.w; // before what it lies on
 }
 `;

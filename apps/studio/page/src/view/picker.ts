@@ -4,11 +4,13 @@
 // are not there where their picture has holes.
 import * as three from 'three';
 
+import type { Batch } from './buffers.ts';
+import { place, placing_uniforms } from './instances.ts';
 import { kPickFragment, kPickVertex } from './pick_shader.ts';
 
 /// A batch as it is drawn; `picture` where its holes count.
 export interface PickTarget {
-  geometry: three.BufferGeometry;
+  batch: Batch;
   picture: three.Texture | null;
 }
 
@@ -53,29 +55,23 @@ export class Picker {
   }
 
   /// `number` stands for the whole batch; 0: each instance has its own.
-  private mesh({ geometry, picture }: PickTarget, number: number): three.Mesh {
-    const material = picture ? this.masked_ : this.plain_;
-    const mesh = new three.Mesh(geometry, material);
-    mesh.frustumCulled = false;
-    mesh.matrixAutoUpdate = false;
-    mesh.onBeforeRender = () => {
-      material.uniforms.number.value = number;
-      material.uniforms.picture.value = picture;
-      material.uniformsNeedUpdate = true; // the material is that of the mesh before
-    };
+  private mesh({ batch, picture }: PickTarget, number: number): three.Mesh {
+    const mesh = new three.Mesh(batch.geometry, picture ? this.masked_ : this.plain_);
+    place(mesh, batch, (uniforms) => {
+      Object.assign(uniforms['number'] ?? {}, { value: number });
+      Object.assign(uniforms['picture'] ?? {}, { value: picture });
+    });
     return mesh;
   }
 }
 
-type PickMaterial = three.ShaderMaterial & { uniforms: { number: three.IUniform<number>; picture: three.IUniform<three.Texture | null> } };
-
-function pick_material(is_masked: boolean): PickMaterial {
+function pick_material(is_masked: boolean): three.ShaderMaterial {
   return new three.ShaderMaterial({
     vertexShader: kPickVertex,
     fragmentShader: kPickFragment,
     defines: is_masked ? { MASKED: '' } : {},
     side: three.DoubleSide,
     blending: three.NoBlending,
-    uniforms: { number: { value: 0 }, picture: { value: null } },
-  }) as PickMaterial;
+    uniforms: { ...placing_uniforms(), number: { value: 0 }, picture: { value: null } },
+  });
 }

@@ -6,6 +6,7 @@ import type { Packet, PacketBatch, PacketSkeleton } from '../server/packet.ts';
 import { bytes, floats, words } from '../server/packet.ts';
 import type { Batch } from './buffers.ts';
 import { Buffers } from './buffers.ts';
+import { place } from './instances.ts';
 import type { Light } from './materials.ts';
 import { Materials } from './materials.ts';
 import { Mark } from './mark.ts';
@@ -49,7 +50,12 @@ export class PlantScene {
 
   /// All that is drawn as surfaces now.
   get seen(): SeenBatch[] {
-    return [...this.drawn_].filter(([, one]) => one.mesh.visible).map(([key, { said, batch }]) => ({ key, component: said.component, geometry: batch.geometry, picture: this.materials.holes_of(said.material) }));
+    return [...this.drawn_].filter(([, one]) => one.mesh.visible).map(([key, { said, batch }]) => ({ key, component: said.component, batch, picture: this.materials.holes_of(said.material) }));
+  }
+
+  /// Triangles of what is drawn as surfaces now.
+  get triangles(): number {
+    return this.seen.reduce((sum, { batch }) => sum + this.buffers.triangles_of(batch), 0);
   }
 
   /// Marks one instance of a batch until it is drawn otherwise; of null none is marked.
@@ -96,8 +102,7 @@ export class PlantScene {
     const before = this.drawn_.get(key);
     if (before) this.root.remove(before.mesh);
     const mesh = new three.Mesh(batch.geometry);
-    mesh.frustumCulled = false; // instances stand elsewhere than their mesh
-    mesh.matrixAutoUpdate = false;
+    place(mesh, batch);
     this.root.add(mesh);
     this.drawn_.set(key, { said, batch, mesh });
   }

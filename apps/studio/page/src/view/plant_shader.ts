@@ -2,11 +2,11 @@
 // How plants are drawn: sky and ground as a hemisphere, one sun, light that passes through leaves, holes by alpha. Frames
 // of instances are three rows of a 3x4 matrix; they may be skewed or mirrored, so normals go by cofactors.
 
+import { kInstanceShader } from './instances.ts';
+
 export const kPlantVertex = /* glsl */ `
-attribute vec4 frame_0;
-attribute vec4 frame_1;
-attribute vec4 frame_2;
-attribute vec4 tint;
+${kInstanceShader}
+uniform lowp sampler2D tints;
 #ifdef HAS_NORMALS
 attribute vec4 tangent;
 varying vec4 v_tangent;
@@ -20,6 +20,9 @@ varying vec2 v_uv;
 #endif
 
 void main() {
+  vec4 frame_0 = frame_row(0);
+  vec4 frame_1 = frame_row(1);
+  vec4 frame_2 = frame_row(2);
   vec4 local = vec4(position, 1.0);
   vec3 place = vec3(dot(frame_0, local), dot(frame_1, local), dot(frame_2, local));
   vec3 a = cross(frame_1.xyz, frame_2.xyz);
@@ -28,14 +31,15 @@ void main() {
   float side = dot(frame_0.xyz, a) < 0.0 ? -1.0 : 1.0;
   v_normal = side * vec3(dot(a, normal), dot(b, normal), dot(c, normal));
   v_position = place;
-  v_tint = tint.rgb * tint_scale;
+  ivec2 tints_size = textureSize(tints, 0);
+  v_tint = texelFetch(tints, ivec2(instance() % tints_size.x, min(instance() / tints_size.x, tints_size.y - 1)), 0).rgb * tint_scale;
 #ifdef HAS_PICTURE
   v_uv = uv;
 #endif
 #ifdef HAS_NORMALS
   v_tangent = vec4(dot(frame_0.xyz, tangent.xyz), dot(frame_1.xyz, tangent.xyz), dot(frame_2.xyz, tangent.xyz), tangent.w * side);
 #endif
-  gl_Position = projectionMatrix * viewMatrix * vec4(place, 1.0);
+  gl_Position = projected(place);
 }
 `;
 
@@ -104,13 +108,8 @@ void main() {
 `;
 
 export const kWireVertex = /* glsl */ `
-attribute vec4 frame_0;
-attribute vec4 frame_1;
-attribute vec4 frame_2;
-void main() {
-  vec4 local = vec4(position, 1.0);
-  gl_Position = projectionMatrix * viewMatrix * vec4(dot(frame_0, local), dot(frame_1, local), dot(frame_2, local), 1.0);
-}
+${kInstanceShader}
+void main() { gl_Position = projected(placed(position)); }
 `;
 
 export const kWireFragment = /* glsl */ `

@@ -35,6 +35,10 @@ export function draws_by_software(context: WebGLRenderingContext | WebGL2Renderi
   return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
 
+// A processor draws a quarter of the pixels while the plant or the camera moves, in less than half the time.
+const kCoarse = 0.5;
+const kAfterMove = 200; // ms without a move of the camera until all pixels are drawn
+
 export class View {
   readonly orbit = new Orbit();
   readonly plant: PlantScene;
@@ -53,7 +57,11 @@ export class View {
   private readonly ground_ = new Ground();
   private readonly box_ = new three.Box3();
   private readonly picker_: Picker;
-  private waiting_ = 0;
+  private readonly drawn_: (() => void)[] = []; // who waits until all is drawn
+  private waiting_ = 0; // for the next picture
+  private is_drawing_ = false; // the card has not finished the last picture
+  private is_draft_ = false;
+  private moves_until_ = 0; // a timer; 0: the camera rests
 
   constructor(
     private readonly canvas_: HTMLCanvasElement,
@@ -68,7 +76,7 @@ export class View {
     this.scene_.matrixWorldAutoUpdate = false;
     this.picker_ = new Picker(this.renderer_);
     listen(canvas_, this.orbit, {
-      moved: () => this.ask(),
+      moved: () => this.move(),
       fit: () => this.fit(),
       clicked: (x, y) => this.click(x, y),
       rested: (x, y) => this.point(x, y),
@@ -85,12 +93,12 @@ export class View {
   /// What three holds on the card, for tests.
   get counts(): object {
     const { geometries, textures } = this.renderer_.info.memory;
-    const { triangles } = this.renderer_.info.render; // of the last picture, the ground's too
-    return { geometries, textures, triangles, frames: this.frames_drawn, ...this.plant.buffers.counts, ...this.plant.materials.counts };
+    return { geometries, textures, triangles: this.plant.triangles, frames: this.frames_drawn, ...this.plant.buffers.counts, ...this.plant.materials.counts };
   }
 
   apply(packet: Packet): void {
     this.plant.apply(packet);
+    this.is_draft_ = packet.head.draft ?? false;
     const bounds = packet.head.bounds;
     this.box_.makeEmpty();
     if (bounds) this.box_.set(new three.Vector3(...bounds[0]), new three.Vector3(...bounds[1]));
@@ -131,13 +139,24 @@ export class View {
     this.ask();
   }
 
-  /// A picture at the next chance; asked often, drawn once.
+  /// A picture at the next chance; asked often, drawn once. Pictures do not queue: the next begins when the card has
+  /// finished the last, so that a hand never waits for pictures of what is over.
   ask(): void {
     if (this.waiting_ !== 0) return;
     this.waiting_ = requestAnimationFrame(() => {
+      if (this.is_drawing_) {
+        this.waiting_ = -1;
+        return;
+      }
       this.waiting_ = 0;
       this.draw();
     });
+  }
+
+  /// When a person can see what was asked for until now.
+  drawn(): Promise<void> {
+    this.ask();
+    return new Promise((resolve) => this.drawn_.push(resolve));
   }
 
   /// A picture now; `ask` is for all but measuring.
@@ -145,10 +164,36 @@ export class View {
     // The sun stands behind the left shoulder, so that no side of a plant is dark.
     const azimuth = (this.orbit.azimuth - 50) * (Math.PI / 180);
     this.light_.sun.value.set(0.66 * Math.sin(azimuth), 0.75, -0.66 * Math.cos(azimuth)).normalize();
+    this.suit_pixels();
     this.renderer_.render(this.scene_, this.orbit.camera);
     this.frames_drawn += 1;
     const height = 2 * this.orbit.distance * Math.tan((kFieldOfView / 360) * Math.PI);
     this.events_.drawn({ camera: this.orbit.state, metres_per_pixel: height / Math.max(1, this.canvas_.clientHeight) });
+    this.watch_card();
+  }
+
+  private watch_card(): void {
+    const context = this.renderer_.getContext() as WebGL2RenderingContext;
+    const fence = context.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    context.flush();
+    this.is_drawing_ = true;
+    const look = () => {
+      const is_over = !fence || context.isContextLost() || context.getSyncParameter(fence, context.SYNC_STATUS) === context.SIGNALED;
+      if (is_over) this.finish(fence);
+      else setTimeout(look, 1);
+    };
+    setTimeout(look);
+  }
+
+  private finish(fence: WebGLSync | null): void {
+    (this.renderer_.getContext() as WebGL2RenderingContext).deleteSync(fence);
+    this.is_drawing_ = false;
+    if (this.waiting_ === -1) {
+      this.waiting_ = 0;
+      this.ask();
+    } else if (this.waiting_ === 0) {
+      for (const tell of this.drawn_.splice(0)) tell();
+    }
   }
 
   /// The batch that is seen at a pixel of the canvas, and which of its instances.
@@ -157,6 +202,22 @@ export class View {
     const found = this.picker_.pick(seen, this.orbit.camera, [x, y], [this.canvas_.clientWidth, this.canvas_.clientHeight]);
     const batch = found ? seen[found.target] : undefined;
     return found && batch ? { ...batch, instance: found.instance } : null;
+  }
+
+  private move(): void {
+    clearTimeout(this.moves_until_);
+    this.moves_until_ = window.setTimeout(() => {
+      this.moves_until_ = 0;
+      if (this.is_software) this.ask();
+    }, kAfterMove);
+    this.ask();
+  }
+
+  /// Just before a picture is drawn, since it clears the last one.
+  private suit_pixels(): void {
+    if (!this.is_software) return;
+    const ratio = this.is_draft_ || this.moves_until_ !== 0 ? kCoarse : 1;
+    if (ratio !== this.renderer_.getPixelRatio()) this.renderer_.setPixelRatio(ratio);
   }
 
   private click(x: number, y: number): void {

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where instances stand, for the shaders that draw them. A mesh of a few triangles lies several times in its arrays, and
+// one instance of the card draws all of these copies: cards, and processors in their place, take long over each instance
+// and not over its triangles (an oak's 14,000 leaves of 12 triangles by software: 9 times as long one by one).
+import * as three from 'three';
+
+/// Vertices of a geometry that one instance of the card draws; a mesh that has more is there once.
+const kVerticesAtOnce = 4096;
+const kRow = 512; // instances per row of a texture of frames
+
+/// For vertex shaders: `instance()` is the number of the instance, `placed(local)` a point of it in the
+/// scene, `projected(place)` such a point in the picture.
+export const kInstanceShader = /* glsl */ `
+uniform highp sampler2D frames;
+uniform int instances;
+uniform int copies;
+attribute float copy;
+int instance() { return gl_InstanceID * copies + int(copy); }
+vec4 frame_row(int row) { int at = instance(); return texelFetch(frames, ivec2(3 * (at % ${kRow}) + row, at / ${kRow}), 0); }
+vec3 placed(vec3 local) {
+  vec4 at = vec4(local, 1.0);
+  return vec3(dot(frame_row(0), at), dot(frame_row(1), at), dot(frame_row(2), at));
+}
+// Copies past the last instance fall together outside of the picture.
+vec4 projected(vec3 place) {
+  return instance() < instances ? projectionMatrix * viewMatrix * vec4(place, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+}
+`;
+
+/// What a batch tells the shaders: how many instances there are, and how many one instance of the card draws.
+export interface Placing {
+  frames: three.DataTexture;
+  tints: three.DataTexture;
+  instances: number;
+  copies: number;
+}
+
+type PlacingUniforms = { [key in keyof Placing]: three.IUniform<Placing[key] | null> };
+
+export type PlacingMaterial = three.ShaderMaterial & { uniforms: PlacingUniforms };
+
+/// Uniforms that every material of batches has.
+export function placing_uniforms(): PlacingUniforms {
+  return { frames: { value: null }, tints: { value: null }, instances: { value: 0 }, copies: { value: 1 } };
+}
+
+/// Copies of a mesh of this many vertices that serve so many instances: a power of two.
+export function copies_for(vertices: number, instances: number): number {
+  const most = Math.min(kVerticesAtOnce / Math.max(vertices, 1), instances);
+  return most <= 1 ? 1 : 2 ** Math.floor(Math.log2(most));
+}
+
+/// Draws the mesh with what `placing` says, and with what `more` sets. Materials serve many meshes, one after the other.
+export function place(mesh: three.Mesh, placing: Placing, more?: (uniforms: three.ShaderMaterial['uniforms']) => void): void {
+  mesh.frustumCulled = false; // instances stand elsewhere than their mesh
+  mesh.matrixAutoUpdate = false;
+  mesh.onBeforeRender = (_renderer, _scene, _camera, _geometry, material) => {
+    const shader = material as PlacingMaterial;
+    for (const key of ['frames', 'tints', 'instances', 'copies'] as const) shader.uniforms[key].value = placing[key];
+    more?.(shader.uniforms);
+    shader.uniformsNeedUpdate = true;
+  };
+}
+
+/// A texture of the rows of 3x4 frames; takes the array itself where it is one row of the texture.
+export function frames_texture(frames: Float32Array, count: number): three.DataTexture {
+  const [width, height] = [3 * Math.min(Math.max(count, 1), kRow), Math.max(1, Math.ceil(count / kRow))];
+  let texels = frames;
+  if (frames.length !== 4 * width * height) {
+    texels = new Float32Array(4 * width * height);
+    texels.set(frames);
+  }
+  return texture_of(texels, width, height, three.FloatType);
+}
+
+/// A texture of one tint per instance.
+export function tints_texture(tints: Uint8Array, count: number): three.DataTexture {
+  const [width, height] = [Math.min(Math.max(count, 1), kRow), Math.max(1, Math.ceil(count / kRow))];
+  let texels = tints;
+  if (tints.length !== 4 * width * height) {
+    texels = new Uint8Array(4 * width * height);
+    texels.set(tints);
+  }
+  return texture_of(texels, width, height, three.UnsignedByteType);
+}
+
+function texture_of(texels: Float32Array | Uint8Array, width: number, height: number, type: three.TextureDataType): three.DataTexture {
+  const texture = new three.DataTexture(texels as Float32Array<ArrayBuffer>, width, height, three.RGBAFormat, type);
+  texture.needsUpdate = true;
+  return texture;
+}

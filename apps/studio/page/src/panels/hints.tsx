@@ -24,19 +24,19 @@ export function Hints(): ReactElement | null {
         <li>
           <Icon name="sparkle" />
           <span>
-            <b>Pull a handle.</b> The oak’s age makes it a sapling or a veteran.
+            <b>Pull a handle</b> on the left. The plant follows while you pull.
           </span>
         </li>
         <li>
           <Icon name="leaf" />
           <span>
-            <b>Choose “leaf” in the outline.</b> All its parameters are on the right.
+            <b>Click the plant,</b> or a name in the outline. The parameters are on the right.
           </span>
         </li>
         <li>
           <Icon name="models" />
           <span>
-            <b>Open another plant.</b> All shipped ones are behind the four squares.
+            <b>Open another plant.</b> The four squares show all that are shipped.
           </span>
         </li>
       </ol>

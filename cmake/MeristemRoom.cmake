@@ -89,7 +89,7 @@ function(meristem_room name)
   set_property(GLOBAL APPEND PROPERTY MERISTEM_ROOM_LIST meristem::${name})
   set_property(GLOBAL APPEND PROPERTY MERISTEM_EXPORTED_TARGETS ${target})
 
-  if(MERISTEM_TESTS AND ROOM_TESTS)
+  if(MERISTEM_TESTS AND MERISTEM_ROOM_TESTS AND ROOM_TESTS)
     add_executable(${target}_tests ${ROOM_TESTS})
     set_target_properties(${target}_tests PROPERTIES UNITY_BUILD OFF)  # tests have helpers of one name, each in its file
     meristem_compile_options(${target}_tests)

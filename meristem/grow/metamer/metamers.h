@@ -91,7 +91,7 @@ struct Metamers {
     MetamerIndex last = 0;
     std::uint32_t tie = 0;     ///< number of the line that the shoot is tied to, from 1; 0: none
     bool has_no_heir = false;  ///< no other shoot succeeds it where its terminal bud is damaged
-    bool is_marked = false;
+    std::uint32_t marks = 0;   ///< a bit for each mark that it bears
   };
   std::vector<Axis> axes;
 

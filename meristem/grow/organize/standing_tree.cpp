@@ -43,6 +43,13 @@ void StandingTree::settle() {
   if (load_) load_->take(load_->bend(metamers_, kNever).moment);
 }
 
+void StandingTree::restore(State state) {
+  changes_ = std::move(state.changes);
+  metamers_ = std::move(state.metamers);
+  scene_light_.restore(std::move(state.scene_light));
+  if (load_) load_->restore(std::move(*state.load));
+}
+
 void StandingTree::close(MetamerIndex metamer, bool is_lateral, Bud closed) {
   Bud& bud = (is_lateral ? metamers_.lateral : metamers_.terminal)[metamer];
   if (bud.is_open()) bud = closed;

@@ -57,9 +57,20 @@ class StandingTree {
   void tie(AxisIndex axis, std::uint32_t line) { metamers_.axes[axis].tie = line; }
   /// Lets no other shoot succeed this one.
   void deny_heir(AxisIndex axis) { metamers_.axes[axis].has_no_heir = true; }
-  void mark(AxisIndex axis) { metamers_.axes[axis].is_marked = true; }
+  /// Gives a shoot the mark of this number, below kMostMarks.
+  void mark(AxisIndex axis, std::uint32_t state) { metamers_.axes[axis].marks |= 1U << state; }
   /// Tells the stand's space what was grown, moved and removed since the last time.
   void tell() { space_.take(changes_); }
+  /// All of a tree but where it stands.
+  struct State {
+    ShootChanges changes;
+    Metamers metamers;
+    SceneLight scene_light;
+    std::optional<BranchLoad> load;
+  };
+  State state() const { return {changes_, metamers_, scene_light_, load_}; }
+  /// Makes it what it was.
+  void restore(State state);
   /// What has grown; then nothing is left.
   Metamers take_metamers() { return std::move(metamers_); }
 

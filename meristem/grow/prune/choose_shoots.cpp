@@ -104,12 +104,12 @@ enum Variable : std::size_t {
 class ShootColumns {
  public:
   ShootColumns(const TreeState& tree, const std::vector<Shoot>& shoots, const Expression& condition)
-      : tree_(tree), columns_(variable_count) {
+      : tree_(tree), columns_(variable_count + tree.marks) {
     std::vector<float> radii;
     if (condition.uses(Variable::radius)) {
       radii = pipe_radii(tree.metamers.parent, tree.metamers.lost_tips, tree.radii);
     }
-    for (std::size_t k = 0; k < variable_count; ++k) {
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
       if (!condition.uses(k)) continue;
       if (k == Variable::clearance) {
         columns_[k] = clearances(tree.metamers, shoots);
@@ -157,8 +157,10 @@ class ShootColumns {
       }
       case Variable::inward:
         return way.x * base.x + way.z * base.z < 0 ? 1 : 0;
-      default:
-        return metamers.axes[shoot.axis].is_marked ? 1 : 0;
+      case Variable::marked:
+        return metamers.axes[shoot.axis].marks != 0 ? 1 : 0;
+      default:  // a mark by its word
+        return (metamers.axes[shoot.axis].marks >> (variable - variable_count)) & 1U;
     }
   }
 

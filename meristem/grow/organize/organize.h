@@ -126,7 +126,9 @@ struct OrganizeSeed {
 /// on shoots with any mark, and the same for each word, as `mark_dead`. Skeleton::operations tells what each operation
 /// has done.
 ///
-/// Where an operation acts in summer, an iteration takes two rounds of the stand or more.
+/// Where an operation acts in summer, an iteration takes two rounds of the stand or more. Each shoot grows the share
+/// `summer` of its metamers before it and the rest after it; what has been cut grows no further, but buds of the shoots
+/// that were cut may open. Where the summer leaves a tree as it is, it grows as many metamers as without it.
 ///
 /// Wood that stood already has birth 0 and keeps its radii, which grow by the tips that it gains. All of its buds are
 /// open, unless its columns `terminal_bud` and `lateral_bud` tell their states and `bud_angle` where they stand.

@@ -277,12 +277,13 @@ void OrganizedTree::shed(int iteration) {
     gone[metamer] = 1;
     any = true;
   }
-  if (any) remove(gone, Bud::dead());
+  if (!any) return;
+  tree_.remove(gone, Bud::dead());
+  forget(gone);
 }
 
-/// Takes metamers away, here and in what is told of the iteration's metamers.
-void OrganizedTree::remove(std::vector<std::uint8_t>& gone, const BudsLeft& after) {
-  tree_.remove(gone, after);
+/// Takes away, here and in what is told of the iteration's metamers, what is no more in the tree.
+void OrganizedTree::forget(const std::vector<std::uint8_t>& gone) {
   wood_.remove(gone);
   if (!is_pruned()) return;
   upkeep_.bows.remove(gone);

@@ -109,7 +109,7 @@ class OrganizedTree {
   Vec3 next_side(MetamerIndex from, bool is_lateral, std::uint32_t number, Vec3 heading, RandomKey key) const;
   bool is_open(Vec3 from, Vec3 to) const;
   void shed(int iteration);
-  void remove(std::vector<std::uint8_t>& gone, const BudsLeft& after);
+  void forget(const std::vector<std::uint8_t>& gone);
   /// What an operation sees of the tree in an iteration.
   TreeState state_for(std::size_t operation, int iteration) const;
   void tie_shoots(int iteration);

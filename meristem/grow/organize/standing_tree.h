@@ -47,6 +47,9 @@ class StandingTree {
   void sag(int iteration);
   /// Takes metamers away as Metamers::remove().
   void remove(std::vector<std::uint8_t>& gone, const BudsLeft& after);
+  /// The same in two steps, as Metamers::cut_off() and Metamers::clear_away().
+  void cut_off(MetamerIndex first, const BudsLeft& after);
+  std::vector<std::uint8_t> clear_away();
   /// Damages a metamer's terminal or lateral bud if that is open.
   void damage(MetamerIndex metamer, bool is_lateral) { close(metamer, is_lateral, Bud::damaged()); }
   /// Makes a metamer's terminal or lateral bud a damaged or dead one if it is open.

@@ -91,6 +91,11 @@ void OrganizedTree::perform(int iteration, bool in_summer, const Progress& progr
       misses_.push_back({k, error});
     }
   }
+  // Once for all operations, so that each costs what it takes away and not the tree.
+  if (const std::vector<std::uint8_t> gone = tree_.clear_away(); !gone.empty()) {
+    forget(gone);
+    upkeep_.leads = find_leads(metamers_);
+  }
   if (!in_summer && !upkeep_.bows.empty()) tree_.move(upkeep_.bows.bend(metamers_));
 }
 
@@ -159,11 +164,12 @@ void OrganizedTree::apply(const Work& work, int iteration, std::size_t operation
     for (const MetamerIndex metamer : work.pinched) tree_.damage(metamer, false);
     for (const MetamerIndex metamer : work.lifted) tree_.damage(metamer, true);
   }
-  if (!work.gone.empty()) {
-    std::vector<std::uint8_t> gone(metamers_.count(), 0);
-    for (const MetamerIndex metamer : work.gone) gone[metamer] = 1;
-    const Bud after = damages ? Bud::damaged() : Bud();
-    remove(gone, {after, work.renews ? Bud() : after});
+  // What goes with something else stands beyond it, and has the larger index.
+  std::vector<MetamerIndex> gone = work.gone;
+  std::ranges::sort(gone);
+  const Bud after = damages ? Bud::damaged() : Bud();
+  for (const MetamerIndex metamer : gone) {
+    if (!metamers_.is_loose(metamer)) tree_.cut_off(metamer, {after, work.renews ? Bud() : after});
   }
   const bool is_changed = !work.headless.empty() || !work.gone.empty() || !work.pinched.empty();
   if (is_changed || !work.lifted.empty()) upkeep_.leads = find_leads(metamers_);

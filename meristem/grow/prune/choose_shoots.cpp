@@ -172,7 +172,7 @@ class ShootColumns {
 std::vector<Shoot> all_shoots(const TreeState& tree) {
   std::vector<Shoot> shoots;
   for (AxisIndex axis = 0; axis < tree.metamers.axes.size(); ++axis) {
-    if (tree.leads.is_heir[axis] != 0) continue;
+    if (tree.leads.is_heir[axis] != 0 || tree.metamers.axes[axis].is_loose) continue;
     Shoot shoot{axis, lead_path(tree.metamers, tree.leads, axis)};
     if (!shoot.path.empty()) shoots.push_back(std::move(shoot));
   }
@@ -225,7 +225,12 @@ bool holds(const TreeState& tree, const Schedule& when) {
   if (!when.when) return true;
   const Metamers& metamers = tree.metamers;
   Box around;
-  for (const Vec3 tip : metamers.tip) around.add(tip);
+  std::size_t count = 0;
+  for (MetamerIndex metamer = 0; metamer < metamers.count(); ++metamer) {
+    if (metamers.is_loose(metamer)) continue;
+    around.add(metamers.tip[metamer]);
+    ++count;
+  }
   const std::vector<MetamerIndex> leader = lead_path(metamers, tree.leads, 0);
   std::size_t laterals = 0;
   for (const MetamerIndex metamer : leader) {
@@ -236,7 +241,7 @@ bool holds(const TreeState& tree, const Schedule& when) {
   const double values[] = {static_cast<double>(tree.iteration),
                            around.high.y,
                            width,
-                           static_cast<double>(metamers.count() - 1),
+                           static_cast<double>(count - 1),
                            static_cast<double>(laterals),
                            path_length(metamers, leader)};
   const double found = when.when->evaluate(values, tree.key.child("when"));

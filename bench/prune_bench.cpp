@@ -2,10 +2,11 @@
 // What operations cost. `by_condition` and `by_label`: a tree of some 100,000 metamers is grown with and without a list
 // of cuts after its last iteration; `ms/operation` is the difference over the number of cuts, each of which takes
 // something away. `waiting` has operations whose time never comes: `to_free` is its time over that of a tree without
-// any. `list` is a small tree with 1,000 and with 10,000 operations: `us/operation` stays as it is. `row` is an
-// espalier row of 200 trees over 15 iterations.
+// any. `list` is a small tree with a list of operations: `exponent` is that of its time from the shortest list on, 1 for
+// linear time. `row` is an espalier row of 200 trees over 15 iterations.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -137,6 +138,10 @@ void list(benchmark::State& state) {
   double best = 1e9;
   for (auto _ : state) best = std::min(best, grow(parameters).seconds);
   state.counters["us/operation"] = 1e6 * best / static_cast<double>(count);
+  static std::pair<double, double> fewest;  // operations and seconds
+  if (fewest.first == 0) fewest = {static_cast<double>(count), best};
+  if (static_cast<double>(count) == fewest.first) return;
+  state.counters["exponent"] = std::log(best / fewest.second) / std::log(static_cast<double>(count) / fewest.first);
 }
 
 void row(benchmark::State& state) {
@@ -170,7 +175,7 @@ BENCHMARK(by_label)->Iterations(3)->Unit(benchmark::kMillisecond);
 BENCHMARK(waiting)->Iterations(3)->Unit(benchmark::kMillisecond);
 BENCHMARK(list)
     ->ArgName("operations")
-    ->ArgsProduct({meristem::bench::sized({1000, 10'000}, {10})})
+    ->ArgsProduct({meristem::bench::sized({1000, 10'000, 100'000}, {10})})
     ->Iterations(3)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(row)
@@ -186,6 +191,7 @@ int main(int count, char** arguments) {
   return meristem::bench::run(count, arguments,
                               {{"by_condition", "ms/operation", Asked::at_most, 10},
                                {"by_label", "ms/operation", Asked::at_most, 1},
+                               {"list/operations:10000", "exponent", Asked::at_most, 1.1},
                                {"waiting", "to_free", Asked::at_most, 1.05},
                                {"row/trees:200", "s", Asked::at_most, 10}});
 }

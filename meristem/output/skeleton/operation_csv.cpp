@@ -13,11 +13,11 @@ namespace meristem {
 
 namespace {
 
-constexpr std::string_view kHeader =
+constexpr std::string_view kOperationHeader =
     "operation,act,iteration,tree,shoot,rank,metamer,x,y,z,bud_x,bud_y,bud_z,metamers,length,wood,light\n";
-constexpr std::size_t kNumbers = 14;  // of a row
+constexpr std::size_t kOperationNumbers = 14;  // of a row
 
-void append_row(const OperationRecord& record, std::string& out) {
+void append_operation_row(const OperationRecord& record, std::string& out) {
   const auto number = [&](auto value) {
     out += ',';
     append_csv_number(value, out);
@@ -56,11 +56,11 @@ void write_operation_csv(const Plant& grown, const std::string& path, Progress& 
   }
   progress.begin("writing CSV", records.size());
   AtomicFile file(path);
-  file.write(kHeader);
+  file.write(kOperationHeader);
   const auto fill = [&](std::size_t begin, std::size_t end, std::string& out) {
-    for (std::size_t k = begin; k < end; ++k) append_row(records[k], out);
+    for (std::size_t k = begin; k < end; ++k) append_operation_row(records[k], out);
   };
-  BlockWriter(file, progress).write(records.size(), longest + kNumbers * kCsvNumberBytes + 1, fill);
+  BlockWriter(file, progress).write(records.size(), longest + kOperationNumbers * kCsvNumberBytes + 1, fill);
   file.commit();
 }
 

@@ -75,7 +75,9 @@ std::string told(const OperationRecord& record) {
   std::string text = fmt::format("{}: {} {}", record.operation, record.act, record.shoot);
   if (record.metamer > 0) text += fmt::format(" above metamer {}", record.metamer);
   text += fmt::format(" at ({:.3f}, {:.3f}, {:.3f}) m", record.position.x, record.position.y, record.position.z);
-  if (record.metamers > 0) text += fmt::format(", {} metamers, {:.3f} m", record.metamers, record.length);
+  if (record.metamers > 0) {
+    text += fmt::format(", {} metamer{}, {:.3f} m", record.metamers, record.metamers == 1 ? "" : "s", record.length);
+  }
   return text;
 }
 

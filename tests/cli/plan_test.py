@@ -28,7 +28,7 @@ class Plan(cli_case.Case):
         lines = done.stdout.decode().splitlines()
         self.assertTrue(lines)
         for line in lines:
-            self.assertRegex(line, r"^components\.tree\.operations\[0\]: cut main\.\d+ above metamer 2 at \(.*\) m, \d+ metamers")
+            self.assertRegex(line, r"^components\.tree\.operations\[0\]: cut main(\.\d+)+( above metamer \d)? at \(.*\) m, \d+ metamers?, ")
         self.assertIn(f"{len(lines)} to do", done.stderr.decode())
 
     def test_writes_a_table_and_the_tree_before_and_after(self):
@@ -37,8 +37,12 @@ class Plan(cli_case.Case):
         self.assertEqual({row["iteration"] for row in cuts}, {"10"})
         self.assertEqual(len(before), len(after) + sum(int(row["metamers"]) for row in cuts))
         places = {(row["label"], row["metamer"]): row for row in before}
+        nodes = {row["node"]: row for row in before}
         for cut in cuts:
-            node = places[cut["shoot"], cut["metamer"]]
+            # Where a whole shoot goes, the cut is at the end of the metamer that bears it.
+            is_whole = cut["metamer"] == "0"
+            first = places[cut["shoot"], "1" if is_whole else cut["metamer"]]
+            node = nodes[first["parent"]] if is_whole else first
             self.assertAlmostEqual(float(node["x"]), float(cut["x"]), places=5)
         # What is left stands where it stood.
         left = {(row["label"], row["metamer"]): row["y"] for row in after}
@@ -55,6 +59,10 @@ class Plan(cli_case.Case):
         wrong = '{"do": "prune", "shoots": "rank == 1"}'
         self.assertIn("operations[1].do", self.assert_ends(WRONG_INPUT, "plan", "pruned.json", "--rule", wrong))
         self.assertIn("--rule cannot be", self.assert_ends(WRONG_INPUT, "plan", "pruned.json", "--rule", "7"))
+
+    def test_rules_act_after_all_growth(self):
+        summer = '{"do": "cut", "season": "summer", "shoots": "rank == 1", "above": 1}'
+        self.assertIn("not in summer", self.assert_ends(WRONG_INPUT, "plan", "pruned.json", "--rule", summer))
 
     def test_a_document_without_such_trees_is_a_fault(self):
         self.assertIn("organize", self.assert_ends(WRONG_INPUT, "plan", "box.json"))

@@ -192,6 +192,9 @@ const ParameterTable& organize_growth_table() {
           .number("summer", &OrganizeParameters::summer, {.min = 0.05, .max = 0.95},
                   "Share of an iteration's growth that comes before its summer operations; raised, less grows after "
                   "them.")
+          .number("callus", &OrganizeParameters::callus, {.min = 0, .max = 100, .usual = {0, 1}},
+                  "Share of the cross-sections of cuts by which wood swells about them; raised, thicker knuckles and "
+                  "heads where shoots are cut back again and again.")
           .boolean("plan", &OrganizeParameters::plans,
                    "Whether the last iteration's winter operations are only planned: they are recorded, and the tree "
                    "stays as it was before them.")

@@ -95,6 +95,7 @@ struct OrganizeParameters {
   Shedding shedding;
   std::optional<Sag> sag;
   PipeModel radii;
+  double callus = 0;  ///< share of the sections of cuts that wood swells by about them; raised, thicker heads
   std::vector<Operation> operations;  ///< that act in this order
   std::vector<std::string> marks;     ///< words of the marks, by their numbers
   double summer = 0.5;  ///< 0 to 1: share of an iteration's growth that comes before its summer operations

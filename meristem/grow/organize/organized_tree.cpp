@@ -367,6 +367,7 @@ Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
   progress.check();
   assign_pipe_radii(skeleton, species_->parameters.radii);
   wood_.thicken(skeleton, species_->parameters.radii);
+  upkeep_.wounds.swell(species_->parameters.callus, skeleton);
   return skeleton;
 }
 

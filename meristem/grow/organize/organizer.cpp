@@ -53,6 +53,7 @@ void check_parameters(const OrganizeParameters& parameters) {
     const Mark* const mark = std::get_if<Mark>(&operation.what);
     require(mark == nullptr || mark->state < kMostMarks, "organize: a mark has no such number");
   }
+  require(parameters.callus >= 0, "organize: callus must not be negative");
   require(parameters.summer > 0 && parameters.summer < 1, "organize: summer is between 0 and 1");
   require(parameters.marks.size() <= kMostMarks, "organize: there are too many marks");
   require(parameters.light.voxel >= 0 && parameters.light.full >= 0,

@@ -139,7 +139,7 @@ void OrganizedTree::record(const Work& work, int iteration, const Operation& ope
                                .key = RandomKey()},
                               operation, static_cast<std::uint32_t>(number_));
   for (WorkRecorder::Noted& noted : recorder.note(work)) {
-    if (noted.record.act == "cut") upkeep_.wounds.add(metamers_.count(), noted.at, noted.record);
+    if (noted.record.act == "cut") upkeep_.wounds.add(metamers_.count(), noted.at, noted.record, noted.section);
     records_.push_back(std::move(noted.record));
   }
 }

@@ -88,7 +88,8 @@ WorkRecorder::Noted WorkRecorder::cut(MetamerIndex first, std::vector<MetamerInd
     const double length = metamers.length(metamer);
     const double radius = tree_.radii.tip_radius * math::pow(tips[k], 1 / tree_.radii.exponent);
     record.length += length;
-    record.wood += kPi * radius * radius * length;
+    noted.section = kPi * radius * radius;
+    record.wood += noted.section * length;
     if (k == 0) break;
     const auto parent = std::ranges::lower_bound(beyond, metamers.parent[metamer]);
     tips[static_cast<std::size_t>(parent - beyond.begin())] += tips[k];

@@ -19,6 +19,7 @@ class WorkRecorder {
   struct Noted {
     MetamerIndex at = 0;  ///< the metamer at whose end it is done
     OperationRecord record;
+    double section = 0;  ///< of the wood that is cut through, square metres; 0 for all else
   };
   /// A record for each thing that is done, in the order of Work. Cost goes with what is done and not with the tree.
   std::vector<Noted> note(const Work& work) const;

@@ -2,8 +2,8 @@
 // What operations cost. `by_condition` and `by_label`: a tree of some 100,000 metamers is grown with and without a list
 // of cuts after its last iteration; `ms/operation` is the difference over the number of cuts, each of which takes
 // something away. `waiting` has operations whose time never comes: `to_free` is its time over that of a tree without
-// any. `list` is a small tree with a list of operations: `exponent` is that of its time from the shortest list on, 1 for
-// linear time. `row` is an espalier row of 200 trees over 15 iterations.
+// any. `list` is a small tree with a list of operations: `exponent` is that of its time from the shortest list on, 1
+// for linear time. `row` is an espalier row of 200 trees over 15 iterations.
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -290,7 +290,8 @@ ComponentType organize_component() {
               .choice("trim", &Organize::trim, trim_modes(), kTrimDoc)
               .only_where({{"surface.style", {"tubes"}}}, {"texture"})
               .without(names_off_stems(), kWhyOffStems)
-              .only_where({{"operations"}, {"training"}}, {"damage", "takeover", "resource.pass_back", "plan", "callus"})
+              .only_where({{"operations"}, {"training"}},
+                          {"damage", "takeover", "resource.pass_back", "plan", "callus"})
               .only_where({{"operations"}}, {"summer"})
               .only_where({{"damage", {true}}}, {"takeover", "resource.pass_back"})
               .only_where({{"resource.lambda_curve"}}, {"maturity"})

@@ -8,8 +8,7 @@
 
 namespace meristem {
 
-void CutWounds::add(std::size_t metamers, MetamerIndex metamer, const OperationRecord& record,
-                    double section) {
+void CutWounds::add(std::size_t metamers, MetamerIndex metamer, const OperationRecord& record, double section) {
   wounds_.resize(metamers);
   Wound& wound = wounds_[metamer];
   wound.at = static_cast<float>(record.iteration);

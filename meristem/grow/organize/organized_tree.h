@@ -140,8 +140,8 @@ class OrganizedTree {
   // For trees with operations alone.
   TreeTies ties_;
   Upkeep upkeep_;
-  std::unordered_map<std::uint64_t, Owed> owed_;   // of the first flush's shoots, by the name of their last metamer
-  std::unordered_set<std::uint64_t> answering_;    // shoots that this summer's operations have cut, by their keys
+  std::unordered_map<std::uint64_t, Owed> owed_;  // of the first flush's shoots, by the name of their last metamer
+  std::unordered_set<std::uint64_t> answering_;   // shoots that this summer's operations have cut, by their keys
   std::vector<OperationRecord> records_;
   std::vector<Miss> misses_;
   bool has_grown_ = false;

@@ -58,7 +58,8 @@ Leads find_leads(const Metamers& metamers) {
   leads.from.assign(count, kNoNode);
   leads.is_heir.assign(count, 0);
   for (AxisIndex axis = 0; axis < count; ++axis) {
-    if (!metamers.axes[axis].is_loose && needs_heir(metamers, axis)) find_heir(metamers, axis, metamers.axes[axis].last, leads);
+    if (!metamers.axes[axis].is_loose && needs_heir(metamers, axis))
+      find_heir(metamers, axis, metamers.axes[axis].last, leads);
   }
   find_leader(metamers, leads);
   for (AxisIndex axis = 0; axis < count; ++axis) {
@@ -71,8 +72,7 @@ Leads find_leads(const Metamers& metamers) {
 }
 
 std::vector<MetamerIndex> lead_path(const Metamers& metamers, const Leads& leads, AxisIndex head) {
-  AxisIndex end = head;
-  while (leads.heir[end] != kNoAxis) end = leads.heir[end];
+  const AxisIndex end = lead_end(leads, head);
   // A lead whose heir sleeps, or has gone to a lower one, still ends where its own axis does.
   std::vector<MetamerIndex> path;
   const MetamerIndex first = metamers.axes[head].first;

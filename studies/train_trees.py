@@ -22,7 +22,7 @@ need_modules("studies/train_trees.py")
 from common.tables import positive_number, print_findings, write_findings, write_table
 from training_study.bud import study_buds
 from training_study.cordon import study_cordons
-from training_study.espalier import study_adaptations, study_arms, study_upkeep
+from training_study.espalier import VIGOROUS, study_adaptations, study_arms, study_upkeep
 from training_study.expectations import check_buds, check_cordons, check_espaliers, check_poles, check_vases
 from training_study.pole import study_poles
 from training_study.vase import study_vases
@@ -44,12 +44,13 @@ def run_study(folder: Path, count: int) -> None:
     seeds = range(count)
     stems, vases, branches = study_poles(seeds), study_vases(seeds), study_buds(seeds)
     arms, cordons = study_arms(seeds), study_cordons(seeds)
+    vigorous = study_arms(seeds, VIGOROUS)
     upkeep, broken = study_upkeep(seeds[:UPKEEP_SEEDS]), study_adaptations(seeds)
     findings = [
         *check_poles(stems),
         *check_vases(vases),
         *check_buds(branches),
-        *check_espaliers(arms, upkeep),
+        *check_espaliers(arms, vigorous, upkeep),
         *check_cordons(cordons),
     ]
     tables: dict[str, Sequence[Any]] = {

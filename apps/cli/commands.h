@@ -16,6 +16,7 @@ void add_measure(CLI::App& app, Run& run);
 void add_shade(CLI::App& app, Run& run);
 void add_derive(CLI::App& app, Run& run);
 void add_check(CLI::App& app, Run& run);
+void add_plan(CLI::App& app, Run& run);
 void add_components(CLI::App& app, Run& run);
 void add_models(CLI::App& app, Run& run);
 void add_studio(CLI::App& app, Run& run);

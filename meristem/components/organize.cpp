@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <glm/matrix.hpp>
 
 #include "meristem/base/math.h"
 #include "meristem/components/expanded.h"
@@ -38,6 +39,7 @@ OrganizeParameters growth_of(const Organize& tree, double scale, const Mat3& axe
     }
   }
   for (const AnyOperation& operation : tree.operations) growth.operations.push_back(build_operation(operation, axes));
+  growth.marks = mark_words(tree.operations);
   return growth;
 }
 
@@ -120,10 +122,23 @@ void show_rod(Vec3 from, Vec3 to, double radius, Emitter& out) {
   out.blade(frame, shape_key({kRodSides}), [] { return make_cylinder(1, 1, kRodSides); });
 }
 
-/// The poles and wires of each tree.
-void show_supports(const Organize& tree, Emitter& out) {
+/// The poles and wires of each tree, and once those of the scene that its trees are tied to.
+void show_supports(const Organize& tree, const Frame& frame, Emitter& out) {
+  const Mat3 from_world = glm::inverse(frame.axes);
+  const auto show_named = [&](const SupportParameters& support) {
+    const auto found = out.scene().supports.find(support.named);
+    if (found == out.scene().supports.end() || support.thickness <= 0) return;
+    std::vector<Vec3> points = found->second;
+    for (Vec3& point : points) point = from_world * (point - frame.origin);
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      show_rod(points[k - 1], points[k], 0.5 * support.thickness, out);
+    }
+  };
   const std::vector<RootPlace> places = places_of(tree);
   const auto show = [&](const AnyOperation& operation) {
+    if (const auto* support = std::get_if<SupportParameters>(&operation); support && !support->named.empty()) {
+      return show_named(*support);
+    }
     for (const SeenLine& line : seen_lines(operation, tree.growth.length)) {
       const std::optional<int>& number = common_of(operation).tree;
       for (std::size_t k = 0; k < places.size(); ++k) {
@@ -140,7 +155,7 @@ void show_supports(const Organize& tree, Emitter& out) {
 
 void expand(const Organize& tree, const Site& site, Emitter& out) {
   const Skeleton skeleton = out.take_grown();
-  show_supports(tree, out);
+  show_supports(tree, site.frame, out);
   out.stem(skeleton, tree.surface, nullptr, tree.trim);
   offer_leaves(tree, skeleton, glm::length(site.frame.heading()), out);
 }
@@ -217,6 +232,8 @@ void check_organize(const Organize& tree, const DocumentPath& path, ParameterRea
 }
 
 void prepare_organize(Organize& tree, const DocumentPath& path, ParameterReader& reader) {
+  const std::vector<std::string> words = mark_words(tree.operations);
+  prepare_operations(tree.operations, words, DocumentPath(path, "operations"), reader);
   if (tree.training) prepare_training(*tree.training, tree.growth.length, DocumentPath(path, "training"), reader);
   if (tree.skeleton) {
     std::optional<Skeleton> standing = read_skeleton(*tree.skeleton, DocumentPath(path, "skeleton"), reader);
@@ -233,6 +250,11 @@ Value expanded_training(const Prototype& component) {
   if (component.type->name != "organize") return {};
   const auto& tree = *static_cast<const Organize*>(component.parameters.get());
   return tree.training ? Value(training_operations(*tree.training, tree.growth.length)) : Value();
+}
+
+std::optional<int> last_iteration(const Prototype& component) {
+  if (component.type->name != "organize") return std::nullopt;
+  return static_cast<const Organize*>(component.parameters.get())->growth.iterations;
 }
 
 ComponentType organize_component() {
@@ -268,7 +290,9 @@ ComponentType organize_component() {
               .choice("trim", &Organize::trim, trim_modes(), kTrimDoc)
               .only_where({{"surface.style", {"tubes"}}}, {"texture"})
               .without(names_off_stems(), kWhyOffStems)
-              .only_where({{"operations"}, {"training"}}, {"damage", "takeover", "resource.pass_back"})
+              .only_where({{"operations"}, {"training"}},
+                          {"damage", "takeover", "resource.pass_back", "plan", "callus"})
+              .only_where({{"operations"}}, {"summer"})
               .only_where({{"damage", {true}}}, {"takeover", "resource.pass_back"})
               .only_where({{"resource.lambda_curve"}}, {"maturity"})
               .only_where({{"shedding"}, {"operations"}, {"training"}}, {"memory"})

@@ -474,6 +474,114 @@ TEST(OrganizeComponent, OperationsSayWhenAndWhere) {
   EXPECT_EQ(support(Value::List{Value::List{0, 0, 0}, Value::List{0, 0, 0}}), "components.tree.operations[0].line[1]");
 }
 
+TEST(OrganizeComponent, SupportsTiesAndMarksAreChecked) {
+  const auto found = [](Value::Object operation) {
+    return fault({{"operations", Value::List{Value(std::move(operation))}}});
+  };
+  const Value::List line{Value::List{0, 0, 0}, Value::List{0, 1, 0}};
+  EXPECT_EQ(found({{"do", "support"}}).path, "components.tree.operations[0]");
+  EXPECT_EQ(found({{"do", "support"}, {"line", line}, {"named", "wire"}}).path, "components.tree.operations[0]");
+  EXPECT_EQ(found({{"do", "support"}, {"line", line}, {"season", "summer"}}).path,
+            "components.tree.operations[0].season");
+  EXPECT_EQ(found({{"do", "support"}, {"named", "wire"}}).message, "the scene has no support 'wire'");
+  EXPECT_EQ(found({{"do", "tie"}, {"shoots", "leader"}}).path, "components.tree.operations[0].shoots");
+  EXPECT_EQ(found({{"do", "tie"}, {"shoots", "rank == 1"}, {"to", "mian"}}).path, "components.tree.operations[0].to");
+  EXPECT_EQ(found({{"do", "tie"}, {"shoots", "rank == 1"}, {"below", 0}}).path, "components.tree.operations[0].below");
+  for (const char* const word : {"", "two words", "rank", "leader", "sin"}) {
+    EXPECT_EQ(found({{"do", "mark"}, {"shoots", "rank == 1"}, {"state", word}}).path,
+              "components.tree.operations[0].state")
+        << word;
+  }
+}
+
+TEST(OrganizeComponent, ThereAreAsManyStatesAsAreToldApart) {
+  const auto read = [](int states) {
+    Value::List operations;
+    for (int k = 0; k < states; ++k) {
+      operations.push_back(Value::Object{{"do", "mark"}, {"shoots", "rank == 1"}, {"state", "s" + std::to_string(k)}});
+    }
+    return tree({{"iterations", 4}, {"operations", operations}}).grow();
+  };
+  const Plant plant = read(31);
+  EXPECT_EQ(plant.stems.at(0).skeleton.extra.count("mark_s30"), 1U);
+  const auto faults = faults_of([&] { read(32); });
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].path, "components.tree.operations[31].state");
+}
+
+TEST(OrganizeComponent, OperationsAndLeavesAskForMarks) {
+  const Value::List operations{
+      Value::Object{{"do", "mark"}, {"at", 10}, {"shoots", "rank == 1"}, {"chance", 0.5}, {"state", "dead"}},
+      Value::Object{{"do", "mark"}, {"at", 10}, {"shoots", "rank == 0"}, {"state", "main_stem"}}};
+  const Skeleton marked = skeleton_of({{"iterations", 12}, {"operations", operations}});
+  const auto& dead = marked.extra.find("mark_dead")->second;
+  const double share = std::count(dead.begin(), dead.end(), 1.0F) / static_cast<double>(dead.size());
+  EXPECT_GT(share, 0);
+  EXPECT_LT(share, 1);
+  // What is cut for being dead is no longer there.
+  Value::List cut = operations;
+  cut.push_back(Value::Object{{"do", "cut"}, {"at", 12}, {"shoots", "dead"}, {"above", 0}});
+  const Skeleton left = skeleton_of({{"iterations", 12}, {"operations", cut}});
+  const auto& still = left.extra.find("mark_dead")->second;
+  EXPECT_EQ(std::count(still.begin(), still.end(), 1.0F), 0);
+  EXPECT_LT(left.node_count(), marked.node_count());
+  // Links know whether a shoot is marked at all.
+  const auto leaves = [&](const char* where) {
+    const Value::Object parameters{{"iterations", 12}, {"leaf_age", 12}, {"operations", operations}};
+    return organs_of(leafy(parameters, {{"where", where}}).grow(), "leaf").size();
+  };
+  const std::size_t all = leaves("1"), of_marked = leaves("marked"), of_others = leaves("!marked");
+  EXPECT_GT(of_marked, 0U);
+  EXPECT_GT(of_others, 0U);
+  EXPECT_EQ(of_marked + of_others, all);
+}
+
+TEST(OrganizeComponent, ConditionsThatAreNoNumbersFindNothing) {
+  for (const char* const shoots : {"sqrt(-1)", "0 / 0", "log(-length)"}) {
+    Value::Object cut = operation({{"shoots", shoots}, {"above", 0}});
+    cut.emplace_back("iterations", 6);
+    EXPECT_EQ(skeleton_of(cut).node_count(), skeleton_of({{"iterations", 6}}).node_count()) << shoots;
+  }
+  Value::Object when = operation({{"when", "0 / 0"}, {"above", 3}});
+  when.emplace_back("iterations", 6);
+  EXPECT_EQ(skeleton_of(when).node_count(), skeleton_of({{"iterations", 6}}).node_count());
+}
+
+TEST(OrganizeComponent, TakesTenThousandOperations) {
+  Value::List operations;
+  for (int k = 0; k < 10'000; ++k) {
+    operations.push_back(Value::Object{{"do", "cut"}, {"at", 4}, {"shoots", "rank == 1 && length > 9"}, {"above", 1}});
+  }
+  EXPECT_EQ(skeleton_of({{"iterations", 5}, {"operations", operations}}).node_count(),
+            skeleton_of({{"iterations", 5}}).node_count());
+}
+
+TEST(OrganizeComponent, ASupportOfTheSceneIsSeenOnce) {
+  const Value::Object support{{"do", "support"}, {"named", "wire"}, {"thickness", 0.05}};
+  Scene scene;
+  scene.supports["wire"] = {Vec3(0), Vec3(0, 1, 0), Vec3(0, 2, 0)};
+  const Plant plant = tree({{"operations", Value::List{Value(support)}},
+                            {"iterations", 3},
+                            {"frame", Value::Object{{"translate", Value::List{3, 0, 0}}}},
+                            {"roots", Value::List{Value::List{0, 0, 0}, Value::List{2, 0, 0}}}})
+                          .grow(0, scene);
+  const std::vector<Organ> rods = organs_of(plant, "tree");
+  ASSERT_EQ(rods.size(), 2U);
+  EXPECT_NEAR(rods[1].frame.origin.x, 0, 1e-5) << "where the scene has it";
+  EXPECT_NEAR(rods[1].frame.origin.y, 1, 1e-5);
+}
+
+TEST(OrganizeComponent, APlanLeavesTheTreeAndTellsTheTrainingsCuts) {
+  const auto grown = [](bool plans) {
+    return skeleton_of({{"training", "espalier"}, {"iterations", 12}, {"plan", plans}});
+  };
+  const Skeleton planned = grown(true), done = grown(false);
+  EXPECT_GT(planned.node_count(), done.node_count());
+  std::size_t metamers = 0;
+  for (const OperationRecord& record : planned.operations) metamers += record.metamers;
+  EXPECT_EQ(planned.node_count(), done.node_count() + metamers);
+}
+
 TEST(OrganizeComponent, GrowthThatExplodesStopsAtTheLimit) {
   const auto faults = faults_of([] { tree({{"resource", Value::Object{{"alpha", 900}}}}).node_limit(20'000).grow(); });
   ASSERT_EQ(faults.size(), 1U);

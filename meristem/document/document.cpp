@@ -142,6 +142,7 @@ class DocumentReader {
     document.graph.seed = head.seed;
     document.output = std::move(head.output);
     document.scene.ground_colour = head.scene.ground.colour;
+    for (auto& [name, support] : head.scene.supports) document.scene.supports[name] = std::move(support.line);
     if (reader.fault_count() > 0) return;
     const Value* scene = root_.find("scene");
     document.scene.fingerprint = fingerprint_of(scene != nullptr ? *scene : Value(), reader.constants(), reader.files(),

@@ -18,6 +18,29 @@ const ParameterTable& ground_table() {
   return table;
 }
 
+void check_support(const SceneSupport& support, const DocumentPath& path, ParameterReader& reader) {
+  const DocumentPath line(path, "line");
+  if (support.line.size() < 2) {
+    return reader.fault(line, "the line has fewer than two points", "a list of at least two points [x, y, z]");
+  }
+  for (std::size_t k = 1; k < support.line.size(); ++k) {
+    if (support.line[k] != support.line[k - 1]) continue;
+    reader.fault(DocumentPath(line, k), "the support has no length here: the point repeats the one before it",
+                 "another point [x, y, z]");
+  }
+}
+
+const ParameterTable& support_table() {
+  static const ParameterTable table =
+      Table<SceneSupport>("a support", "A pole or wire that trees may be tied to.")
+          .positions("line", &SceneSupport::line, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-20, 20}},
+                     "Points of the line in the scene.")
+          .required()
+          .shorthand("line")
+          .check(check_support);
+  return table;
+}
+
 const ParameterTable& scene_table() {
   static const ParameterTable table =
       Table<SceneParameters>("a scene", "Surroundings of the plants.")
@@ -25,6 +48,8 @@ const ParameterTable& scene_table() {
           .list("obstacles", &SceneParameters::obstacles, obstacle_table,
                 "Bodies that plants do not enter and that shade them.")
           .object("ground", &SceneParameters::ground, ground_table, "Ground in pictures.")
+          .map("supports", &SceneParameters::supports, support_table,
+               "Poles and wires by name, which operations of self-organizing trees tie shoots to.")
           .check([](const SceneParameters& scene, const DocumentPath& path, ParameterReader& reader) {
             check_light(scene.light, path, reader);
             check_obstacles(scene.obstacles, DocumentPath(path, "obstacles"), reader);

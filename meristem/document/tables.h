@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "meristem/document/document.h"
@@ -17,11 +18,17 @@ struct GroundParameters {
   Vec3 colour = kGroundColour;
 };
 
+/// A line that shoots may be tied to.
+struct SceneSupport {
+  std::vector<Vec3> line;
+};
+
 /// The key `scene`.
 struct SceneParameters {
   LightParameters light;
   std::vector<ObstacleParameters> obstacles;
   GroundParameters ground;
+  std::vector<std::pair<std::string, SceneSupport>> supports;
 };
 
 /// The plain keys of the top level.

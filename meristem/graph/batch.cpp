@@ -46,6 +46,7 @@ std::uint64_t bytes_of(const Skeleton& skeleton) {
   std::uint64_t sum = bytes_of(skeleton.parent) + bytes_of(skeleton.position) + bytes_of(skeleton.radius) +
                       bytes_of(skeleton.axis) + bytes_of(skeleton.order) + bytes_of(skeleton.birth);
   for (const auto& [name, values] : skeleton.extra) sum += bytes_of(values);
+  sum += bytes_of(skeleton.operations);
   return sum;
 }
 

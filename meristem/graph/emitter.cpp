@@ -45,6 +45,8 @@ float move_geometry(Skeleton& skeleton, const Frame& from, const Frame& to) {
   for (Vec3& position : skeleton.position) position = to.origin + axes * (position - from.origin);
   const auto scale = static_cast<float>(math::pow(std::abs(glm::determinant(axes)), 1.0 / 3));
   for (float& radius : skeleton.radius) radius *= scale;
+  const Frame moved{.axes = axes, .origin = to.origin - axes * from.origin};
+  for (OperationRecord& record : skeleton.operations) move_record(record, moved, scale);
   return scale;
 }
 

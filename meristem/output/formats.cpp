@@ -7,6 +7,7 @@
 #include "meristem/output/mesh/obj.h"
 #include "meristem/output/mesh/ply.h"
 #include "meristem/output/picture/obstacle_meshes.h"
+#include "meristem/output/skeleton/operation_csv.h"
 #include "meristem/output/skeleton/skeleton_csv.h"
 #include "meristem/output/skeleton/skeleton_mtg.h"
 #include "meristem/output/write/names.h"
@@ -74,6 +75,10 @@ constexpr Format kFormats[] = {
     {".csv", "the skeletons as a table, one row per node",
      [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_skeleton_csv(grown.plant, path, progress); }},
+    {".operations.csv",
+     "what operations did to self-organizing trees as a table, one row per cut, ring, bend, tie or mark",
+     [](const Document&, const GrownDocument& grown, const std::string& path, const FormatOptions&,
+        Progress& progress) { write_operation_csv(grown.plant, path, progress); }},
     {".mtg", "the skeletons as a multiscale tree graph, for OpenAlea and MultiScaleTreeGraph.jl",
      [](const Document& document, const GrownDocument& grown, const std::string& path, const FormatOptions&,
         Progress& progress) { write_skeleton_mtg(grown.plant, path, {provenance_of(document)}, progress); }},

@@ -74,6 +74,18 @@ void bend_nodes(Skeleton& skeleton, std::span<const NodeIndex> nodes, const Bend
   });
 }
 
+/// Moves what was done to a stem along with where it was done.
+void bend_records(Skeleton& skeleton, const Stem& stem, std::span<const DeformationPointer> of_part) {
+  for (OperationRecord& record : skeleton.operations) {
+    if (of_part[record.part] == nullptr) continue;
+    DVec3 point(record.position);
+    DMat3 jacobian(1);
+    of_part[record.part]->map(std::span(&point, 1), std::span(&jacobian, 1), stem.parts[record.part].component);
+    record.position = Vec3(point);
+    record.bud = normalized_or(Vec3(jacobian * DVec3(record.bud)), Vec3(0));
+  }
+}
+
 /// Moves the nodes of each part by its own deformation, those of one deformation and component together.
 void bend(Skeleton& skeleton, const Stem& stem, std::span<const DeformationPointer> of_part, bool thickens) {
   std::vector<Bend> bends;
@@ -93,6 +105,7 @@ void bend(Skeleton& skeleton, const Stem& stem, std::span<const DeformationPoint
   }
   const std::vector<DVec3> directions = thickens ? directions_of(skeleton) : std::vector<DVec3>();
   for (std::size_t k = 0; k < bends.size(); ++k) bend_nodes(skeleton, nodes[k], bends[k], directions);
+  bend_records(skeleton, stem, of_part);
 }
 
 bool is_any(std::span<const DeformationPointer> of_part) {

@@ -283,6 +283,18 @@ TEST(DeformStem, EachPartHasItsOwn) {
   EXPECT_NE(stem.parts[1].deformation, nullptr);
 }
 
+TEST(DeformStem, MovesWhatWasDoneToEachPart) {
+  Stem stem = fork();
+  for (const std::uint32_t part : {0U, 1U}) {
+    stem.skeleton.operations.push_back({.position = {1, 2, 0}, .bud = {0, 0, -1}, .part = part});
+  }
+  const Pointer by = deformation({level(functions("x + 1", "y", "x + 2*z"), DeformedPart::geometry)});
+  deform(stem, std::vector<Pointer>{nullptr, by});
+  EXPECT_EQ(stem.skeleton.operations[0].position, Vec3(1, 2, 0));
+  EXPECT_EQ(stem.skeleton.operations[1].position, Vec3(2, 2, 1));
+  EXPECT_EQ(stem.skeleton.operations[1].bud, Vec3(0, 0, -1));
+}
+
 TEST(DeformStem, ASecondTimeActsOnWhatItsSurfaceWillBe) {
   Stem stem = fork();
   const Pointer first = bend_on(DeformedPart::geometry), second = deformation({level(shear(), DeformedPart::axes)});

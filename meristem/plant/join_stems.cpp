@@ -69,6 +69,10 @@ class TreeJoiner {
     part_ = static_cast<std::uint32_t>(tree_.parts.size());
     tree_.parts.push_back(std::move(stem.part));
     const Skeleton& from = *stem.skeleton;
+    for (const OperationRecord& record : from.operations) {
+      tree_.skeleton.operations.push_back(record);
+      tree_.skeleton.operations.back().part = part_;
+    }
     const Joint joint = joints_[member];
     order_ = is_root ? 0 : joint.order + 1;
     // Axes get numbers when their first node comes.

@@ -45,6 +45,16 @@ std::vector<LooseStem> small_tree() {
   return stems;
 }
 
+TEST(JoinStems, KeepsWhatWasDoneToEachPart) {
+  std::vector<LooseStem> stems = small_tree();
+  Skeleton bough = *stems[1].skeleton;
+  bough.operations.push_back({.operation = "components.bough.operations[0]", .act = "cut"});
+  stems[1].skeleton = shared(std::move(bough));
+  const Stem joined = join_stems(std::move(stems))[0];
+  ASSERT_EQ(joined.skeleton.operations.size(), 1U);
+  EXPECT_EQ(joined.parts[joined.skeleton.operations[0].part].component, "bough");
+}
+
 TEST(JoinStems, MakesOneSkeletonWithLateralsAtTheirPlaces) {
   const std::vector<Stem> joined = join_stems(small_tree());
   ASSERT_EQ(joined.size(), 1U);

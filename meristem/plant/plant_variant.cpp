@@ -59,6 +59,7 @@ void move(Skeleton& skeleton, const Frame& frame) {
   for (Vec3& position : skeleton.position) position = frame.point(position);
   const auto scale = static_cast<float>(math::pow(std::abs(glm::determinant(frame.axes)), 1.0 / 3));
   for (float& radius : skeleton.radius) radius *= scale;
+  for (OperationRecord& record : skeleton.operations) move_record(record, frame, scale);
 }
 
 void move(Stem& stem, const Frame& frame) {

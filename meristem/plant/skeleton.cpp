@@ -56,6 +56,7 @@ void Skeleton::append(Skeleton more) {
     join(column, values);
   }
   for (auto& [name, values] : extra) values.resize(node_count(), 0);
+  join(operations, more.operations);
 }
 
 Children::Children(const Skeleton& skeleton) : first(skeleton.node_count() + 1, 0) {

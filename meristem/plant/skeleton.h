@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "meristem/base/vec.h"
+#include "meristem/plant/operation_record.h"
 
 namespace meristem {
 
@@ -30,6 +31,7 @@ struct Skeleton {
   std::vector<std::uint16_t> order;  ///< branching order: 0 on the stem, one more at each lateral
   std::vector<float> birth;          ///< growth step at which the node appeared
   std::map<std::string, std::vector<float>, std::less<>> extra;  ///< further columns where known: light, resource, ...
+  std::vector<OperationRecord> operations;  ///< what people did to it as it grew, one tree after another
 
   std::size_t node_count() const { return parent.size(); }
   bool is_root(NodeIndex node) const { return parent[node] == kNoNode; }

@@ -29,6 +29,7 @@ class Trimmer {
     if (trimmed_.is_whole) return {};
     drop_bare_roots();
     for (const auto& [name, values] : whole_.extra) trimmed_.skeleton.extra[name];
+    trimmed_.skeleton.operations = whole_.operations;
     axes_.assign(whole_.node_count() + 1, kNoNode);
     for (NodeIndex node = 0; node < whole_.node_count(); ++node) {
       if (trimmed_.kept[node] > 0) add(node);

@@ -62,6 +62,12 @@ TEST(TrimSkeleton, ACutStemEndsAtTheBoundaryAsThickAsItWasThere) {
   }
 }
 
+TEST(TrimSkeleton, KeepsWhatWasDoneToTheTree) {
+  Skeleton whole = ladder();
+  whole.operations.push_back({.operation = "components.tree.operations[0]", .act = "cut", .position = {0, 3, 0}});
+  EXPECT_EQ(trim_skeleton(whole, below(2.5F), TrimMode::fit).skeleton.operations, whole.operations);
+}
+
 TEST(TrimSkeleton, WhatGrowsBeyondIsGone) {
   const TrimmedSkeleton trimmed = trim_skeleton(ladder(), below(2.5F), TrimMode::cut);
   // The stem to 2.5 m and two branches with two nodes each.

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "meristem/base/vec.h"
 #include "meristem/scene/directions.h"
@@ -25,6 +28,7 @@ struct Scene {
   std::optional<ClockZone> clock{};    ///< where the sun is given by a clock
   /// Hash of all that it was made of, if that is known: what grew in a scene with the same one need not grow again.
   std::optional<std::uint64_t> fingerprint{};
+  std::map<std::string, std::vector<Vec3>> supports{};  ///< lines by name that shoots may be tied to, metres
 
   /// Which ways plants feel in it. To be asked once, and then at every position.
   Directions directions() const { return Directions(light, sun); }

@@ -35,7 +35,8 @@ std::uint64_t VariantMeshes::bytes() const {
 }
 
 void add_skeleton(const Stem& stem, Fingerprint& to) {
-  const auto& [parent, position, radius, axis, order, birth, extra] = stem.skeleton_of_surface();
+  // What people did to it (`operations`) leaves no trace in its surface besides.
+  const auto& [parent, position, radius, axis, order, birth, extra, operations] = stem.skeleton_of_surface();
   // Which rings a tube has depends on where the deformed nodes lie, too.
   to.add(stem.undeformed != nullptr);
   if (stem.undeformed != nullptr) to.add_array(stem.skeleton.position);

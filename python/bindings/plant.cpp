@@ -16,6 +16,7 @@
 #include "meristem/output/packet/scene_packet.h"
 #include "meristem/output/picture/cards.h"
 #include "meristem/output/picture/picture.h"
+#include "meristem/output/skeleton/operation_csv.h"
 #include "meristem/output/skeleton/organ_csv.h"
 #include "meristem/output/skeleton/skeleton_table.h"
 #include "meristem/output/write/names.h"
@@ -123,6 +124,43 @@ py::dict organ_light(const PlantPointer& plant, const std::shared_ptr<Scene>& sc
   columns["area"] = column(&LitOrgan::area);
   columns["exposure"] = column(&LitOrgan::exposure);
   columns["irradiance"] = column(&LitOrgan::irradiance);
+  return columns;
+}
+
+/// What operations have done, as columns.
+py::dict operations_of(const PlantPointer& plant) {
+  const std::vector<OperationRecord> records = operation_records(plant->plant());
+  py::dict columns;
+  const auto texts = [&](const char* name, std::string OperationRecord::*member) {
+    py::list list;
+    for (const OperationRecord& record : records) list.append(record.*member);
+    columns[name] = py::module_::import("numpy").attr("array")(list, "str");
+  };
+  const auto numbers = [&]<class T>(const char* name, T OperationRecord::*member) {
+    std::vector<T> column;
+    for (const OperationRecord& record : records) column.push_back(record.*member);
+    columns[name] = array_of(std::move(column));
+  };
+  const auto vectors = [&](const char* name, Vec3 OperationRecord::*member) {
+    std::vector<float> column;
+    for (const OperationRecord& record : records) {
+      for (int k = 0; k < 3; ++k) column.push_back((record.*member)[k]);
+    }
+    columns[name] = array_of(std::move(column)).attr("reshape")(-1, 3);
+  };
+  texts("operation", &OperationRecord::operation);
+  texts("act", &OperationRecord::act);
+  numbers("iteration", &OperationRecord::iteration);
+  numbers("tree", &OperationRecord::tree);
+  texts("shoot", &OperationRecord::shoot);
+  numbers("rank", &OperationRecord::rank);
+  numbers("metamer", &OperationRecord::metamer);
+  vectors("position", &OperationRecord::position);
+  vectors("bud", &OperationRecord::bud);
+  numbers("metamers", &OperationRecord::metamers);
+  numbers("length", &OperationRecord::length);
+  numbers("wood", &OperationRecord::wood);
+  numbers("light", &OperationRecord::light);
   return columns;
 }
 
@@ -463,6 +501,14 @@ pictures on them, are made when something first asks for them, which then raises
           "A list of Stem, one for each grown skeleton.")
       .def_property_readonly(
           "organs", [](const PlantPointer& p) { return Organs{p}; }, "All organs as Organs.")
+      .def_property_readonly(
+          "operations", &operations_of,
+          R"(What operations have done to self-organizing trees as they grew, or would do where they are only planned: a dict of arrays.
+
+"operation" (path in the document), "act" (cut, disbud, ring, bend, tie or mark), "iteration", "tree" (number of the root),
+"shoot" (label), "rank" and "metamer" (number on that shoot of the metamer at whose end it was done, 0 at its base);
+(n, 3) float32 "position" (metres) and "bud" (unit vector to the living lateral bud there, or zeros); of what was taken
+"metamers", "length" (metres), "wood" (cubic metres) and "light", 0 for all else.)")
       .def_property_readonly(
           "prototypes", [](const PlantPointer& p) { return parts_of(p, p->plant().prototypes); },
           "A list of OrganPrototype, which organs are instances of.")

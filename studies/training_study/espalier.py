@@ -19,6 +19,8 @@ from .trees import LENGTH, SLIM, count_metamers, grow_skeleton
 
 LAYERS = 3
 ESPALIER = change(SLIM, resource={"alpha": 2.3})
+#: At 2.3 arms grow 2 metamers an iteration, and the third layer's are ready at iteration 17; at 2.5 they grow up to 3.
+VIGOROUS = change(SLIM, resource={"alpha": 2.5})
 YEARS = tuple(range(1, 26))
 SEEN = 15
 SHORTEST = 6  #: metamers of an arm that is counted and measured
@@ -80,6 +82,8 @@ UPKEEP: Mapping[str, list[dict[str, Any]]] = {
     "shoots cut to 2": [{"do": "cut", "shoots": "rank >= 2", "above": 2}],
     "none": [],
 }
+#: The first of them for the more vigorous tree.
+VIGOROUS_UPKEEP = "spurs and limit, alpha 2.5"
 LAST_OF_NONE = 16  #: without upkeep it grows too large to follow
 
 
@@ -87,17 +91,18 @@ def grow_espalier(seed: int, iterations: int, upkeep: str = "spurs and limit", s
     return grow_skeleton(settings, iterations, seed, [*layers(), *UPKEEP[upkeep]])
 
 
-def study_arms(seeds: Sequence[int]) -> list[Arms]:
-    return [arms_of(grow_espalier(seed, SEEN), seed) for seed in seeds]
+def study_arms(seeds: Sequence[int], settings: Any = ESPALIER) -> list[Arms]:
+    return [arms_of(grow_espalier(seed, SEEN, settings=settings), seed) for seed in seeds]
 
 
 def study_upkeep(seeds: Sequence[int]) -> list[Upkeep]:
     found = []
-    for upkeep in UPKEEP:
+    ways = [*((name, name, ESPALIER) for name in UPKEEP), (VIGOROUS_UPKEEP, "spurs and limit", VIGOROUS)]
+    for upkeep, operations, settings in ways:
         for iteration in YEARS:
             if upkeep == "none" and iteration > LAST_OF_NONE:
                 continue
-            trees = [grow_espalier(seed, iteration, upkeep) for seed in seeds]
+            trees = [grow_espalier(seed, iteration, operations, settings) for seed in seeds]
             metamers = [count_metamers(tree) for tree in trees]
             width = [float(np.ptp(tree.position[:, 0])) for tree in trees]
             found.append(Upkeep(upkeep, iteration, float(np.mean(metamers)), float(np.std(metamers)), float(np.mean(width))))

@@ -11,7 +11,7 @@ from common.tables import Finding
 
 from .bud import Branch
 from .cordon import Cordon, mean_of
-from .espalier import LAYERS, Arms, Upkeep, metamers_at
+from .espalier import LAYERS, VIGOROUS_UPKEEP, Arms, Upkeep, metamers_at
 from .pole import Stem, mean_distance
 from .trees import SETS
 from .vase import CUT_AT, Vase
@@ -62,15 +62,23 @@ def check_buds(branches: Sequence[Branch]) -> list[Finding]:
     ]
 
 
-def check_espaliers(arms: Sequence[Arms], upkeep: Sequence[Upkeep]) -> list[Finding]:
+def check_espaliers(arms: Sequence[Arms], vigorous: Sequence[Arms], upkeep: Sequence[Upkeep]) -> list[Finding]:
     two = 100 * float(np.mean([a.left == LAYERS and a.right == LAYERS for a in arms]))
+    both = 100 * float(np.mean([a.left == LAYERS and a.right == LAYERS for a in vigorous]))
     at_15, at_17, at_25 = (metamers_at(upkeep, "spurs and limit", k) for k in (15, 17, 25))
+    grown_15, grown_25 = (metamers_at(upkeep, VIGOROUS_UPKEEP, k) for k in (15, 25))
     return [
         check_least("espalier: trees with two arms in each layer at 15", two, 100, " %"),
         check_most("espalier: the largest inclination of an arm", max(a.inclination for a in arms), 7, "°"),
         check_most("espalier: the farthest turn of an arm from the wires' plane", max(a.off_plane for a in arms), 3, "°"),
         check_most("espalier: change of the metamers from 15 to 25", 100 * abs(at_25 / at_15 - 1), 10, " %"),
         check_most("espalier: change of the metamers from 17 to 25", 100 * abs(at_25 / at_17 - 1), 10, " %"),
+        check_least("espalier with alpha 2.5: trees with two arms in each layer at 15", both, 100, " %"),
+        check_most("espalier with alpha 2.5: the largest inclination of an arm", max(a.inclination for a in vigorous), 7, "°"),
+        check_most("espalier with alpha 2.5: the farthest turn of an arm from the wires' plane",
+                   max(a.off_plane for a in vigorous), 3, "°"),
+        check_most("espalier with alpha 2.5: change of the metamers from 15 to 25",
+                   100 * abs(grown_25 / grown_15 - 1), 10, " %"),
         check_least("cutting each shoot alone: metamers at 25 over those at 15",
                     metamers_at(upkeep, "shoots cut to 2", 25) / metamers_at(upkeep, "shoots cut to 2", 15), 2),
     ]  # fmt: skip

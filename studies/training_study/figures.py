@@ -47,7 +47,7 @@ def draw_upkeep(path: Path, rows: Sequence[Upkeep]) -> None:
     with matplotlib.rc_context(STYLE):
         figure, [[ax]] = new_figure(1, 1, 3.4)
         handles: list[Any] = []
-        for name, colour in zip(espalier.UPKEEP, (GREEN, ORANGE, RED)):
+        for name, colour in zip((*espalier.UPKEEP, espalier.VIGOROUS_UPKEEP), (GREEN, ORANGE, RED, BLUE)):
             own = [row for row in rows if row.upkeep == name]
             handles += ax.plot([r.iteration for r in own], [r.metamers for r in own], color=colour, label=name)
         ax.set_yscale("log")

@@ -35,9 +35,13 @@ const ParameterTable& common_table() {
                      "Condition on the tree for the operation to act, over iteration, height, width, metamers, "
                      "laterals and leader_length.")
           .boolean("once", &OperationParameters::once, "Whether the operation acts on each tree only once.")
+          .choice("season", &OperationParameters::season, {"winter", "summer"},
+                  "Season in which the operation acts: 'winter', after all growth of the iteration; 'summer', after a "
+                  "share of the growth, before the rest.")
           .text("shoots", &OperationParameters::shoots,
                 "Shoots that the operation acts on: 'leader', a label (main.4.2) or a condition over rank, length, "
-                "age, light, resource, radius, height, inclination, azimuth, clearance, inward, marked.")
+                "age, light, resource, radius, height, inclination, azimuth, clearance, inward, marked and the "
+                "states of 'mark'.")
           .integer("tree", &OperationParameters::tree, {.min = 0, .max = 1e6, .usual = {0, 10}},
                    "Number of the root whose tree the operation is for, from 0; by default, it is for all trees.")
           .never_with("at", {"from", "every", "to", "once"});
@@ -51,25 +55,23 @@ void check_common(const OperationParameters& common, const DocumentPath& path, P
   }
 }
 
-/// What follows from its texts. Growth names the document path of what it cannot do.
-void prepare_common(OperationParameters& common, const DocumentPath& path, ParameterReader& reader) {
-  common.path = path.text();
-  const std::string& text = common.shoots;
-  const DocumentPath place(path, "shoots");
-  if (text == "leader") {
-    common.chosen = ShootChoice::leader();
-  } else if (is_shoot_name(text)) {
-    common.chosen = ShootChoice::label(text);
-  } else if (text.empty() || text.starts_with("main")) {
+/// Which shoots a text says. `names` are those of conditions.
+ShootChoice choice_of(const std::string& text, const std::vector<std::string>& names, const DocumentPath& place,
+                      ParameterReader& reader) {
+  if (text == "leader") return ShootChoice::leader();
+  if (is_shoot_name(text)) return ShootChoice::label(text);
+  if (text.empty() || text.starts_with("main")) {
     reader.fault(place, fmt::format("'{}' names no shoot", text), kShootForms);
-  } else if (auto condition = reader.expression(text, place, shoot_variables())) {
-    common.chosen = {ShootChoice::Kind::condition, text, std::move(*condition)};
+  } else if (auto condition = reader.expression(text, place, names)) {
+    return {ShootChoice::Kind::condition, text, std::move(*condition)};
   }
+  return {};
 }
 
+/// Growth names the document path of what it cannot do.
 template <class Kind>
-void prepare(Kind& operation, const DocumentPath& path, ParameterReader& reader) {
-  prepare_common(operation, path, reader);
+void prepare(Kind& operation, const DocumentPath& path, ParameterReader&) {
+  operation.path = path.text();
 }
 
 template <class Kind>
@@ -182,6 +184,7 @@ const ParameterTable& layers_table() {
 void check_support(const SupportParameters& support, const DocumentPath& path, ParameterReader& reader) {
   check_common(support, path, reader);
   const DocumentPath line(path, "line");
+  if (!support.named.empty()) return;
   if (support.line.size() < 2) {
     reader.fault(line, "the line has fewer than two points", "a list of at least two points [x, y, z]");
     return;
@@ -200,17 +203,28 @@ const ParameterTable& support_table() {
           .positions("line", &SupportParameters::line, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-3, 3}},
                      "Points of the support's line, relative to the root of each tree; shoots grow along the line from "
                      "the first point to the last.")
-          .required()
+          .text("named", &SupportParameters::named,
+                "Name of a line of the scene, one of scene.supports, that all trees are tied to.")
           .number("weight", &SupportParameters::weight, kWeight,
                   "Weight of the support's direction in the growth of tied shoots; raised, shoots follow the support "
                   "more closely.")
           .number("thickness", &SupportParameters::thickness,
                   {.unit = Unit::metre, .min = 0, .max = 10, .usual = {0, 0.1}},
                   "Diameter of the visible pole or wire; 0 shows none.")
+          .one_of({"line", "named"})
+          .without({"season"}, "supports are set before all growth")
           .elsewhere({operation_kinds().key})
           .check(check_support)
           .prepare(prepare<SupportParameters>);
   return table;
+}
+
+void check_mark(const MarkParameters& mark, const DocumentPath& path, ParameterReader& reader) {
+  check_common(mark, path, reader);
+  const bool is_own = mark.state == "marked" || std::ranges::count(shoot_variables(), mark.state) == 0;
+  if (is_identifier(mark.state) && !is_builtin_name(mark.state) && mark.state != "leader" && is_own) return;
+  reader.fault(DocumentPath(path, "state"), fmt::format("'{}' cannot be the word for a state", mark.state),
+               "a word of letters, digits and _ that has no other meaning in conditions, such as dead");
 }
 
 const ParameterTable& mark_table() {
@@ -219,15 +233,18 @@ const ParameterTable& mark_table() {
           .include<OperationParameters>(common_table())
           .number("chance", &MarkParameters::chance, {.min = 0, .max = 1},
                   "Probability that a shoot is marked; raised, more marked shoots.")
+          .text("state", &MarkParameters::state,
+                "Word for the state, such as dead or diseased, by which the conditions of operations ask for it.")
           .elsewhere({operation_kinds().key})
-          .check(check_only_common<MarkParameters>)
+          .check(check_mark)
           .prepare(prepare<MarkParameters>);
   return table;
 }
 
 constexpr NumberRange kBelow{.min = 0, .max = 1e6, .usual = {0, 20}};
 constexpr const char* kBelowDoc =
-    "Number of metamers of the shoot below the ring or the bend; raised, farther from the shoot's base.";
+    "Number of metamers of the shoot below the ring, the bend or the string; by default, a string is tied at the tip. "
+    "Raised, farther from the shoot's base.";
 constexpr NumberRange kDuration{.min = 1, .max = kLastIteration, .usual = {1, 10}};
 constexpr const char* kDurationDoc = "Number of iterations until a ring has healed, or until a shoot is fully bent.";
 
@@ -261,6 +278,31 @@ const ParameterTable& bend_table() {
           .elsewhere({operation_kinds().key})
           .check(check_only_common<BendParameters>)
           .prepare(prepare<BendParameters>);
+  return table;
+}
+
+void check_tie(const TieParameters& tie, const DocumentPath& path, ParameterReader& reader) {
+  check_common(tie, path, reader);
+  if (tie.shoots == "main" || tie.shoots == "leader") {
+    reader.fault(DocumentPath(path, "shoots"), "a stem cannot be tied down", "branches, such as \"rank == 1\"");
+  }
+}
+
+const ParameterTable& tie_table() {
+  static const ParameterTable table =
+      Table<TieParameters>("a tie", "Strings that draw shoots to others or to the ground, and hold them there.")
+          .include<OperationParameters>(common_table())
+          .integer("below", &TieParameters::below, {.min = 1, .max = 1e6, .usual = {1, 20}}, kBelowDoc)
+          .text(
+              "to", &TieParameters::to,
+              "Where the string leads: 'ground', straight down; or to the nearest of other shoots: 'leader', a label, "
+              "or a condition.")
+          .number("length", &TieParameters::length, {.unit = Unit::metre, .min = 0, .max = 1000, .usual = {0, 2}},
+                  "Length of the string that is left; raised, shoots are drawn less far.")
+          .integer("iterations", &TieParameters::iterations, kDuration, kDurationDoc)
+          .elsewhere({operation_kinds().key})
+          .check(check_tie)
+          .prepare(prepare<TieParameters>);
   return table;
 }
 
@@ -303,15 +345,16 @@ struct OperationBuilder {
     return rule_of(form, normalized_or(axes * level_way(form.azimuth), Vec3(1, 0, 0)));
   }
   Support operator()(const SupportParameters& form) const {
-    Support support{form.line, form.weight, form.to.value_or(kLastIteration)};
+    Support support{form.line, form.named, form.weight, form.to.value_or(kLastIteration)};
     for (Vec3& point : support.line) point = axes * point;
     return support;
   }
-  Mark operator()(const MarkParameters& form) const { return {form.chance}; }
+  Mark operator()(const MarkParameters& form) const { return {form.chance, form.number}; }
   Girdle operator()(const GirdleParameters& form) const { return {form.below, form.share, form.iterations}; }
   Bend operator()(const BendParameters& form) const {
     return {form.below, form.metamers, form.inclination, form.iterations};
   }
+  Tie operator()(const TieParameters& form) const { return {form.below, form.anchor, form.length, form.iterations}; }
 };
 
 }  // namespace
@@ -320,12 +363,48 @@ const OperationParameters& common_of(const AnyOperation& operation) {
   return std::visit([](const auto& what) -> const OperationParameters& { return what; }, operation);
 }
 
+OperationParameters& common_of(AnyOperation& operation) {
+  return std::visit([](auto& what) -> OperationParameters& { return what; }, operation);
+}
+
+std::vector<std::string> mark_words(const std::vector<AnyOperation>& operations) {
+  std::vector<std::string> words;
+  for (const AnyOperation& operation : operations) {
+    const auto* mark = std::get_if<MarkParameters>(&operation);
+    if (mark == nullptr || mark->state == "marked" || std::ranges::count(words, mark->state) != 0) continue;
+    if (words.size() + 1 < kMostMarks) words.push_back(mark->state);
+  }
+  return words;
+}
+
+void prepare_operations(std::vector<AnyOperation>& operations, const std::vector<std::string>& words,
+                        const DocumentPath& path, ParameterReader& reader) {
+  std::vector<std::string> names = shoot_variables();
+  names.insert(names.end(), words.begin(), words.end());
+  for (std::size_t k = 0; k < operations.size(); ++k) {
+    const DocumentPath place(path, k);
+    OperationParameters& common = common_of(operations[k]);
+    common.chosen = choice_of(common.shoots, names, DocumentPath(place, "shoots"), reader);
+    if (auto* mark = std::get_if<MarkParameters>(&operations[k])) {
+      const auto word = std::ranges::find(words, mark->state);
+      mark->number = word != words.end() ? static_cast<std::uint32_t>(word - words.begin()) : kMostMarks - 1;
+      if (word != words.end() || mark->state == "marked") continue;
+      reader.fault(DocumentPath(place, "state"), fmt::format("'{}' is one state too many", mark->state),
+                   fmt::format("at most {} different states", kMostMarks - 1));
+    }
+    if (auto* tie = std::get_if<TieParameters>(&operations[k]); tie != nullptr && tie->to != "ground") {
+      tie->anchor = choice_of(tie->to, names, DocumentPath(place, "to"), reader);
+    }
+  }
+}
+
 Operation build_operation(const AnyOperation& form, const Mat3& axes) {
   const OperationParameters& common = common_of(form);
   Operation operation;
   operation.when =
       common.at ? Schedule::at(*common.at)
                 : Schedule{common.from, common.every, common.to.value_or(kLastIteration), std::nullopt, common.once};
+  operation.when.in_summer = common.season == OperationParameters::Season::summer;
   if (common.when) operation.when.when = common.when->expression;
   operation.shoots = common.chosen;
   operation.tree = common.tree;
@@ -357,7 +436,7 @@ const Kinds& operation_kinds() {
       .key = "do",
       .key_doc =
           "Kind of operation: 'cut' removes shoots, 'spur' and 'limit' keep them short, 'layers' trains an espalier, "
-          "'support' ties, 'mark' marks, 'girdle' rings and 'bend' bends shoots.",
+          "'support' ties to a line, 'mark' marks, 'girdle' rings, 'bend' bends and 'tie' draws shoots.",
       .kinds = {{"cut", cut_table},
                 {"spur", spur_table},
                 {"limit", length_limit_table},
@@ -365,7 +444,8 @@ const Kinds& operation_kinds() {
                 {"support", support_table},
                 {"mark", mark_table},
                 {"girdle", girdle_table},
-                {"bend", bend_table}},
+                {"bend", bend_table},
+                {"tie", tie_table}},
   };
   return kinds;
 }

@@ -2,6 +2,7 @@
 // Operations on self-organizing trees as documents write them: when, on which shoots, what.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,8 @@ struct OperationParameters {
   std::optional<int> to;
   std::optional<Condition> when;
   bool once = false;
+  enum class Season { winter, summer };
+  Season season = Season::winter;
   std::string shoots;
   std::optional<int> tree;
   ShootChoice chosen;  ///< what `shoots` says
@@ -67,6 +70,7 @@ struct LayersParameters : OperationParameters {
 
 struct SupportParameters : OperationParameters {
   std::vector<Vec3> line;
+  std::string named;
   double weight = 6;
   double thickness = 0;  ///< metres, of what is seen
   SupportParameters() { shoots = "leader"; }
@@ -74,6 +78,8 @@ struct SupportParameters : OperationParameters {
 
 struct MarkParameters : OperationParameters {
   double chance = 1;
+  std::string state = "marked";
+  std::uint32_t number = 0;  ///< of the state in the list of operations
 };
 
 struct GirdleParameters : OperationParameters {
@@ -89,14 +95,29 @@ struct BendParameters : OperationParameters {
   int iterations = 1;
 };
 
+struct TieParameters : OperationParameters {
+  std::optional<int> below;
+  std::string to = "ground";
+  double length = 0;
+  int iterations = 1;
+  std::optional<ShootChoice> anchor;  ///< what `to` says, unless it is the ground
+};
+
 using AnyOperation = std::variant<CutParameters, SpurParameters, LimitParameters, LayersParameters, SupportParameters,
-                                  MarkParameters, GirdleParameters, BendParameters>;
+                                  MarkParameters, GirdleParameters, BendParameters, TieParameters>;
 
 const ParameterTable& operation_table();  ///< of every kind of operation
 const Kinds& operation_kinds();           ///< of the alternatives of AnyOperation
 
 /// What all kinds have, of one.
 const OperationParameters& common_of(const AnyOperation& operation);
+OperationParameters& common_of(AnyOperation& operation);
+
+/// The words of the marks of a list that its conditions may name, by their numbers.
+std::vector<std::string> mark_words(const std::vector<AnyOperation>& operations);
+/// Compiles what operations of a list say of shoots. `words` are those of the component's marks; `path` is the list's.
+void prepare_operations(std::vector<AnyOperation>& operations, const std::vector<std::string>& words,
+                        const DocumentPath& path, ParameterReader& reader);
 
 /// The operation that a checked form means, for trees whose component's frame has these axes.
 Operation build_operation(const AnyOperation& form, const Mat3& axes);

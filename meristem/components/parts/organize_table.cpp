@@ -189,6 +189,15 @@ const ParameterTable& organize_growth_table() {
                    "Whether a lateral bud opens only with or after the terminal bud beside it.")
           .boolean("damage", &OrganizeParameters::damage,
                    "Whether cut buds are damaged and never grow again; otherwise they may.")
+          .number("summer", &OrganizeParameters::summer, {.min = 0.05, .max = 0.95},
+                  "Share of an iteration's growth that comes before its summer operations; raised, less grows after "
+                  "them.")
+          .number("callus", &OrganizeParameters::callus, {.min = 0, .max = 100, .usual = {0, 1}},
+                  "Share of the cross-sections of cuts by which wood swells about them; raised, thicker knuckles and "
+                  "heads where shoots are cut back again and again.")
+          .boolean("plan", &OrganizeParameters::plans,
+                   "Whether the last iteration's winter operations are only planned: they are recorded, and the tree "
+                   "stays as it was before them.")
           .number("takeover", &OrganizeParameters::takeover, {.min = 0, .max = 100},
                   "Weight of the lost axis's direction in the growth of a lateral beside the cut terminal bud; raised, "
                   "the lateral takes over more upright.")

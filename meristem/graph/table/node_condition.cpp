@@ -10,7 +10,7 @@ namespace meristem {
 namespace {
 
 /// Places of those names that are not known of every skeleton.
-enum : std::size_t { kRank = 6, kInclination, kMetamer, kBudAge, kLight };
+enum : std::size_t { kRank = 6, kInclination, kMetamer, kBudAge, kLight, kMarked };
 
 /// Inclination of the segment to each node above the horizontal, degrees.
 std::vector<double> inclinations(const Skeleton& skeleton) {
@@ -36,7 +36,7 @@ std::vector<double> ages(const Skeleton& skeleton) {
 
 const std::vector<std::string>& node_variables() {
   static const std::vector<std::string> names = {"order", "radius",      "u",       "height",  "birth", "tip_distance",
-                                                 "rank",  "inclination", "metamer", "bud_age", "light"};
+                                                 "rank",  "inclination", "metamer", "bud_age", "light", "marked"};
   return names;
 }
 
@@ -86,6 +86,7 @@ std::vector<std::uint8_t> nodes_where(const Skeleton& skeleton, const Axes& axes
     if (k == kMetamer) more[k] = column("metamer");
     if (k == kBudAge) more[k] = ages(skeleton);
     if (k == kLight) more[k] = column("light");
+    if (k == kMarked) more[k] = column("marked");
   }
   std::vector<const double*> columns = {order.data(),  radius.data(), u.data(),
                                         height.data(), birth.data(),  distance.data()};

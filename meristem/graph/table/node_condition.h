@@ -15,7 +15,8 @@ namespace meristem {
 /// What such conditions may name: order, radius, u (share of the axis's length from its base), height (y), birth
 /// (growth step), tip_distance (to the farthest tip beyond), rank (0 the leader, 1 its branches; where nobody knows
 /// it, the order), inclination (degrees above the horizontal), metamer (number on its axis), bud_age (growth steps
-/// since it grew), light. Lengths in metres; 0 for what the model of growth does not know.
+/// since it grew), light, marked (1 on shoots that an operation has marked). Lengths in metres; 0 for what the model of
+/// growth does not know.
 const std::vector<std::string>& node_variables();
 
 /// For every node 1 where the condition holds, else 0. `axes` are the skeleton's; `key` feeds random functions.

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "meristem/base/frame.h"
 #include "meristem/base/math.h"
-#include "meristem/plant/pipe_radii.h"
 
 namespace meristem {
 
@@ -137,40 +137,66 @@ std::vector<std::string> Metamers::shoots_on(AxisIndex on) const {
   }
 }
 
-void Metamers::remove(std::vector<std::uint8_t>& gone, const BudsLeft& after) {
-  const std::size_t before = count();
-  // What stands on what goes, goes.
-  std::vector<MetamerIndex> place(before);
+void Metamers::cut_off(MetamerIndex first, const BudsLeft& after) {
+  loose_.resize(count(), 0);
+  std::vector<MetamerIndex> beyond{first};
+  for (std::size_t k = 0; k < beyond.size(); ++k) {
+    for (const Bud bud : {terminal[beyond[k]], lateral[beyond[k]]}) {
+      if (bud.is_grown()) beyond.push_back(bud.metamer());
+    }
+  }
+  // What goes leaves its tips as lost ones where it stood. Tips first, so that each metamer finds those that it bears.
+  std::ranges::sort(beyond);
+  std::vector<double> tips(beyond.size(), 0);
+  for (std::size_t k = beyond.size(); k-- > 0;) {
+    const MetamerIndex metamer = beyond[k];
+    const bool bears = tips[k] > 0;
+    tips[k] += lost_tips[metamer];
+    if (!bears) tips[k] = std::max(tips[k], 1.0);
+    loose_[metamer] = 1;
+    if (begins_shoot(metamer)) axes[axis[metamer]].is_loose = true;
+    if (k == 0) break;
+    const auto bearer = std::ranges::lower_bound(beyond, parent[metamer]);
+    tips[static_cast<std::size_t>(bearer - beyond.begin())] += tips[k];
+  }
+  const MetamerIndex bearer = parent[first];
+  lost_tips[bearer] += static_cast<float>(tips[0]);
+  if (begins_shoot(first)) {
+    lateral[bearer] = after.lateral;
+  } else {
+    terminal[bearer] = after.terminal;
+    axes[axis[first]].last = bearer;
+  }
+  parent[first] = kNoNode;
+}
+
+std::vector<std::uint8_t> Metamers::clear_away() {
+  std::vector<std::uint8_t> gone = std::exchange(loose_, {});
+  if (gone.empty()) return gone;
+  gone.resize(count(), 0);
+  std::vector<MetamerIndex> place(count());
   MetamerIndex kept = 0;
-  for (MetamerIndex metamer = 0; metamer < before; ++metamer) {
-    if (metamer != 0 && gone[parent[metamer]] != 0) gone[metamer] = 1;
+  for (MetamerIndex metamer = 0; metamer < count(); ++metamer) {
     place[metamer] = kept;
     if (gone[metamer] == 0) ++kept;
   }
-  // What goes leaves its tips as lost ones where it stood.
-  const std::vector<double> tips = count_tips(parent, lost_tips);
-  for (MetamerIndex metamer = 1; metamer < before; ++metamer) {
-    if (gone[metamer] == 0 || gone[parent[metamer]] != 0) continue;
-    lost_tips[parent[metamer]] += static_cast<float>(tips[metamer]);
-  }
-  const auto renumber = [&](Bud& bud, Bud left) {
-    if (bud.is_grown()) bud = gone[bud.metamer()] != 0 ? left : Bud::grown(place[bud.metamer()]);
-  };
   std::vector<AxisIndex> axis_place(axes.size());
   std::vector<Axis> axes_kept;
   for (AxisIndex k = 0; k < axes.size(); ++k) {
     axis_place[k] = static_cast<AxisIndex>(axes_kept.size());
-    if (gone[axes[k].first] != 0) continue;
+    if (axes[k].is_loose) continue;
     Axis own = axes[k];
-    while (gone[own.last] != 0) own.last = parent[own.last];
     own.first = place[own.first];
     own.last = place[own.last];
     axes_kept.push_back(own);
   }
-  for (MetamerIndex metamer = 0; metamer < before; ++metamer) {
+  const auto renumber = [&](Bud& bud) {
+    if (bud.is_grown()) bud = Bud::grown(place[bud.metamer()]);
+  };
+  for (MetamerIndex metamer = 0; metamer < count(); ++metamer) {
     if (gone[metamer] != 0) continue;
-    renumber(terminal[metamer], after.terminal);
-    renumber(lateral[metamer], after.lateral);
+    renumber(terminal[metamer]);
+    renumber(lateral[metamer]);
     if (metamer != 0) parent[metamer] = place[parent[metamer]];
     axis[metamer] = axis_place[axis[metamer]];
   }
@@ -185,6 +211,14 @@ void Metamers::remove(std::vector<std::uint8_t>& gone, const BudsLeft& after) {
   erase_marked(order, gone);
   erase_marked(birth, gone);
   erase_marked(lost_tips, gone);
+  return gone;
+}
+
+void Metamers::remove(std::vector<std::uint8_t>& gone, const BudsLeft& after) {
+  for (MetamerIndex metamer = 1; metamer < count(); ++metamer) {
+    if (gone[metamer] != 0 && !is_loose(metamer)) cut_off(metamer, after);
+  }
+  if (std::vector<std::uint8_t> cleared = clear_away(); !cleared.empty()) gone = std::move(cleared);
 }
 
 }  // namespace meristem

@@ -91,7 +91,8 @@ struct Metamers {
     MetamerIndex last = 0;
     std::uint32_t tie = 0;     ///< number of the line that the shoot is tied to, from 1; 0: none
     bool has_no_heir = false;  ///< no other shoot succeeds it where its terminal bud is damaged
-    bool is_marked = false;
+    std::uint32_t marks = 0;   ///< a bit for each mark that it bears
+    bool is_loose = false;     ///< it was cut off and is yet to be cleared away
   };
   std::vector<Axis> axes;
 
@@ -126,13 +127,23 @@ struct Metamers {
   /// The names of the shoots on an axis, from its base on.
   std::vector<std::string> shoots_on(AxisIndex on) const;
 
-  /// Takes away the metamers whose entry in `gone`, one per metamer, is not 0, with all that they bear. The buds that
-  /// had grown them become what `after` says. Tells the metamer that bore them how many tips it has lost. `gone` then
-  /// marks all that are no more. Indices change; order stays.
+  /// Cuts a metamer, which is not the seed, off with all that it bears. The bud that had grown it becomes what `after`
+  /// says, and the metamer that bore it is told how many tips it has lost. What was cut off keeps its place in all
+  /// columns until clear_away(), but no bud leads there; nothing may grow until then. Cost goes with what is cut off,
+  /// the first time also with the tree.
+  void cut_off(MetamerIndex first, const BudsLeft& after);
+  /// Whether a metamer was cut off and is yet to be cleared away.
+  bool is_loose(MetamerIndex metamer) const { return metamer < loose_.size() && loose_[metamer] != 0; }
+  /// Takes away all that was cut off. Returns marks that are not 0 for what is no more, or nothing where all stays.
+  /// Indices change; order stays.
+  std::vector<std::uint8_t> clear_away();
+  /// Takes away the metamers whose entry in `gone`, one per metamer, is not 0, as cut_off() and clear_away() do.
+  /// `gone` then marks all that are no more.
   void remove(std::vector<std::uint8_t>& gone, const BudsLeft& after);
 
  private:
   Vec3 seed_heading_;
+  std::vector<std::uint8_t> loose_;  // marks of what was cut off; empty: nothing
 };
 
 }  // namespace meristem

@@ -108,7 +108,7 @@ class RoomSense : public BudSense, public RoomSeeker {
     volume_ = field_->add_volume(seed.room, root_);
   }
 
-  bool begin_round() override { return round_++ % species_.parameters.every == 0; }
+  bool begin_round() override { return species_.looks(round_++); }
 
   void list_seekers(std::vector<Seeker>& seekers) const override {
     const BudLightModel& model = species_.parameters.light;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "meristem/base/progress.h"
@@ -27,6 +28,8 @@ class SceneLight {
   void add(Vec3 position);
   void move(MetamerIndex metamer, Vec3 position);
   void remove(const std::vector<std::uint8_t>& gone);
+  /// Makes it what a copy of it holds.
+  void restore(SceneLight copy) { light_ = std::move(copy.light_); }
 
  private:
   const Scene& scene_;

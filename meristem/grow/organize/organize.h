@@ -95,7 +95,11 @@ struct OrganizeParameters {
   Shedding shedding;
   std::optional<Sag> sag;
   PipeModel radii;
+  double callus = 0;  ///< share of the sections of cuts that wood swells by about them; raised, thicker heads
   std::vector<Operation> operations;  ///< that act in this order
+  std::vector<std::string> marks;     ///< words of the marks, by their numbers
+  double summer = 0.5;  ///< 0 to 1: share of an iteration's growth that comes before its summer operations
+  bool plans = false;   ///< what the last iteration's operations would do is told, and not done
   /// Directions of light and gravity: light that the scene does not have itself adds to the light that a bud finds, by
   /// its weight.
   std::optional<Directions> directions{};  ///< unset: the scene's
@@ -118,7 +122,14 @@ struct OrganizeSeed {
 /// next iteration, `lateral_resource` (what of it and of what is passed back the lateral bud or branch would get),
 /// `terminal_bud` and `lateral_bud` (states: 0 open, 1 grown, 2 damaged, 3 dead), `bud_angle` (radians about the axis
 /// from its upper side to the lateral bud, see bud_side), `shed` (tips lost); for trees with operations also `rank`
-/// (see leads.h) and `cut_at` (the last iteration in which something was cut off at its tip, 0 for never).
+/// (see leads.h), `cut_at` (the last iteration in which something was cut off at its tip, 0 for never), what has been
+/// cut off there in all, `cut_metamers`, `cut_length` (metres), `cut_wood` (cubic metres) and `cut_light`, `marked`, 1
+/// on shoots with any mark, and the same for each word, as `mark_dead`. Skeleton::operations tells what each operation
+/// has done.
+///
+/// Where an operation acts in summer, an iteration takes two rounds of the stand or more. Each shoot grows the share
+/// `summer` of its metamers before it and the rest after it; what has been cut grows no further, but buds of the shoots
+/// that were cut may open. Where the summer leaves a tree as it is, it grows as many metamers as without it.
 ///
 /// Wood that stood already has birth 0 and keeps its radii, which grow by the tips that it gains. All of its buds are
 /// open, unless its columns `terminal_bud` and `lateral_bud` tell their states and `bud_angle` where they stand.

@@ -40,8 +40,8 @@ OrganizedTree::OrganizedTree(const OrganizedSpecies& species, StandSpace& space,
             species.parameters.sag, species.parameters.radii),
       metamers_(tree_.metamers()),
       senses_(make_bud_sense(species, space, seed, key, metamers_, tree_.scene_light())),
-      ties_(species.parameters),
-      is_done_(species.parameters.operations.size(), 0) {
+      ties_(species, root_) {
+  upkeep_.is_done.assign(species.parameters.operations.size(), 0);
   if (!senses_->reaches(root_)) {
     species.refuse("roots", "a root is too far away from the origin for metamers so short",
                    "a position nearer to the origin, or a larger 'length'");
@@ -93,20 +93,41 @@ void OrganizedTree::sense(int iteration, const Progress& progress) {
   divide_resource(metamers_, light_, parameters.resource, iteration, age, flow_, ringed(iteration));
 }
 
-std::uint64_t OrganizedTree::plan() {
+/// A name of a metamer that stays when others are taken away.
+std::uint64_t OrganizedTree::name_of_bud(MetamerIndex metamer) const {
+  return metamers_.axes[metamers_.axis[metamer]].key.child(metamers_.number[metamer]).bits();
+}
+
+std::uint64_t OrganizedTree::plan(Flush flush) {
   const OrganizeParameters& parameters = species_->parameters;
+  const auto share_of = [&](int whole) {
+    if (flush == Flush::whole) return whole;
+    const double share = flush == Flush::first ? parameters.summer : 1 - parameters.summer;
+    return std::clamp(static_cast<int>(share * whole + 0.5), 1, whole);
+  };
   std::uint64_t metamers = 0;
   const auto add = [&](MetamerIndex from, bool is_lateral, double resource, double threshold) {
     if (!(resource >= threshold)) return false;
     const double whole = std::clamp(std::floor(resource), 1.0, static_cast<double>(parameters.longest_shoot));
     const double stretch = parameters.stretch ? std::clamp(resource / whole, 0.1, 10.0) : 1;
-    metamers += static_cast<std::uint64_t>(whole);
-    sprouts_.push_back(
-        {from, is_lateral, static_cast<int>(whole), static_cast<float>(stretch * parameters.length), Vec3(0)});
+    Sprout sprout{from, is_lateral, share_of(static_cast<int>(whole)), static_cast<float>(stretch * parameters.length)};
+    if (flush == Flush::first) sprout.left = static_cast<int>(whole) - sprout.metamers;
+    sprouts_.push_back(sprout);
+    metamers += static_cast<std::uint64_t>(sprout.metamers);
     return true;
   };
   for (MetamerIndex metamer = 0; metamer < metamers_.count(); ++metamer) {
     const Bud terminal = metamers_.terminal[metamer];
+    if (flush == Flush::rest) {
+      const auto owed = terminal.is_open() ? owed_.find(name_of_bud(metamer)) : owed_.end();
+      if (owed != owed_.end()) {
+        sprouts_.push_back({metamer, false, owed->second.metamers, owed->second.length});
+        metamers += static_cast<std::uint64_t>(owed->second.metamers);
+        continue;
+      }
+      // Other buds wait for the next iteration, but for those of shoots that the summer has cut.
+      if (answering_.count(metamers_.axes[metamers_.axis[metamer]].key.bits()) == 0) continue;
+    }
     const bool goes_on = terminal.is_open() && light_.terminal[metamer] > 0 &&
                          add(metamer, false, flow_.terminal(metamer), parameters.terminal_threshold);
     if (!metamers_.lateral[metamer].is_open() || !(light_.lateral[metamer] > 0)) continue;
@@ -115,10 +136,12 @@ std::uint64_t OrganizedTree::plan() {
     const double threshold = terminal.is_damaged() ? parameters.terminal_threshold : parameters.lateral_threshold;
     if (may_open) add(metamer, true, flow_.lateral(metamer), threshold);
   }
+  owed_.clear();
+  answering_.clear();
   return metamers;
 }
 
-void OrganizedTree::iterate(int iteration, const Progress& progress) {
+void OrganizedTree::iterate(int iteration, Flush flush, const Progress& progress) {
   std::vector<Sprout> sprouts = std::exchange(sprouts_, {});
   // All see the light of the round's begin.
   parallel_for(sprouts.size(), kSproutsAtOnce, [&](std::size_t begin, std::size_t end) {
@@ -137,10 +160,11 @@ void OrganizedTree::iterate(int iteration, const Progress& progress) {
     grow(sprouts[k], iteration);
   }
   progress.check();
+  if (flush == Flush::first) return operate(iteration, true, progress);
   tree_.sag(iteration);
   progress.check();
   shed(iteration);
-  if (is_pruned()) operate(iteration, progress);
+  if (is_pruned()) operate(iteration, false, progress);
 }
 
 /// Grows the metamers of one bud, as far as nothing stands in their way.
@@ -149,8 +173,8 @@ void OrganizedTree::grow(const Sprout& sprout, int iteration) {
   MetamerIndex from = sprout.from;
   Growth growth{sprout, iteration, metamers_.order[from] + (sprout.is_lateral ? 1 : 0), 0};
   if (is_pruned()) {
-    growth.rank = leads_.rank_of_bud(metamers_, from, sprout.is_lateral);
-    growth.tie = ties_.of_bud(metamers_, leads_, from, sprout.is_lateral);
+    growth.rank = upkeep_.leads.rank_of_bud(metamers_, from, sprout.is_lateral);
+    growth.tie = ties_.of_bud(metamers_, upkeep_.leads, from, sprout.is_lateral);
   }
   const double jitter = phyllotaxis.jitter / (1 + (growth.tie == 0 ? 0 : ties_.weight(growth.tie)));
   Vec3 bud = metamers_.bud_heading(from, sprout.is_lateral, phyllotaxis.branching_angle);
@@ -170,6 +194,7 @@ void OrganizedTree::grow(const Sprout& sprout, int iteration) {
     has_grown_ = true;
     bud = *heading;
   }
+  if (sprout.left > 0) owed_[name_of_bud(from)] = {sprout.left, sprout.length};
 }
 
 /// The unit vector in which a metamer wants to grow from a bud that points to `bud`.
@@ -252,29 +277,45 @@ void OrganizedTree::shed(int iteration) {
     gone[metamer] = 1;
     any = true;
   }
-  if (any) remove(gone, Bud::dead());
+  if (!any) return;
+  tree_.remove(gone, Bud::dead());
+  forget(gone);
 }
 
-/// Takes metamers away, here and in what is told of the iteration's metamers.
-void OrganizedTree::remove(std::vector<std::uint8_t>& gone, const BudsLeft& after) {
-  tree_.remove(gone, after);
+/// Takes away, here and in what is told of the iteration's metamers, what is no more in the tree.
+void OrganizedTree::forget(const std::vector<std::uint8_t>& gone) {
   wood_.remove(gone);
   if (!is_pruned()) return;
-  bows_.remove(gone);
-  if (!ringed_.empty()) {
-    ringed_.resize(gone.size(), 0);
-    ringed_until_.resize(gone.size(), 0);
-    erase_marked(ringed_, gone);
-    erase_marked(ringed_until_, gone);
+  upkeep_.bows.remove(gone);
+  if (!upkeep_.ringed.empty()) {
+    upkeep_.ringed.resize(gone.size(), 0);
+    upkeep_.ringed_until.resize(gone.size(), 0);
+    erase_marked(upkeep_.ringed, gone);
+    erase_marked(upkeep_.ringed_until, gone);
   }
-  cut_at_.resize(gone.size(), 0);
-  erase_marked(cut_at_, gone);
+  upkeep_.wounds.remove(gone);
   erase_marked(flow_.light, gone);
   erase_marked(flow_.buds, gone);
   erase_marked(flow_.resource, gone);
   erase_marked(flow_.to_lateral, gone);
   erase_marked(flow_.passed_back, gone);
 }
+
+namespace {
+
+void write_marks(const std::vector<Metamers::Axis>& axes, const std::vector<std::string>& words, Skeleton& skeleton) {
+  const auto write = [&](const std::string& name, std::uint32_t bits) {
+    std::vector<float>& column = skeleton.extra[name];
+    column.resize(skeleton.node_count());
+    for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+      column[node] = (axes[skeleton.axis[node]].marks & bits) != 0 ? 1 : 0;
+    }
+  };
+  write("marked", ~0U);
+  for (std::size_t k = 0; k < words.size(); ++k) write("mark_" + words[k], 1U << k);
+}
+
+}  // namespace
 
 Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
   const std::vector<std::uint16_t> ranks = is_pruned() ? find_leads(metamers_).rank : std::vector<std::uint16_t>();
@@ -315,8 +356,10 @@ Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
   skeleton.extra[std::string(kLateralBudColumn)] = states(metamers.lateral);
   skeleton.extra[std::string(kShedColumn)] = std::move(metamers.lost_tips);
   if (is_pruned()) {
-    cut_at_.resize(count, 0);
-    skeleton.extra["cut_at"].assign(cut_at_.begin(), cut_at_.end());
+    upkeep_.wounds.write(skeleton);
+    write_marks(metamers.axes, species_->parameters.marks, skeleton);
+    for (OperationRecord& record : records_) record.position += root_;
+    skeleton.operations = std::move(records_);
     std::vector<float>& rank = skeleton.extra["rank"];
     rank.resize(count);
     for (MetamerIndex metamer = 0; metamer < count; ++metamer) rank[metamer] = ranks.at(skeleton.axis[metamer]);
@@ -324,6 +367,7 @@ Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
   progress.check();
   assign_pipe_radii(skeleton, species_->parameters.radii);
   wood_.thicken(skeleton, species_->parameters.radii);
+  upkeep_.wounds.swell(species_->parameters.callus, skeleton);
   return skeleton;
 }
 

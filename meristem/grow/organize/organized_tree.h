@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "meristem/base/diagnostic.h"
@@ -11,6 +13,7 @@
 #include "meristem/grow/metamer/metamers.h"
 #include "meristem/grow/metamer/resource.h"
 #include "meristem/grow/organize/bud_sense.h"
+#include "meristem/grow/organize/cut_wounds.h"
 #include "meristem/grow/organize/species.h"
 #include "meristem/grow/organize/standing_tree.h"
 #include "meristem/grow/organize/standing_wood.h"
@@ -21,6 +24,13 @@
 #include "meristem/grow/stand_space.h"
 
 namespace meristem {
+
+/// What part of an iteration's growth comes at once.
+enum class Flush {
+  whole,
+  first,  ///< the share of each shoot that comes before summer operations
+  rest,   ///< what these shoots were still to grow, and what buds of shoots that were cut answer
+};
 
 /// One self-organizing tree as it grows. `species` and `space` outlive it.
 class OrganizedTree {
@@ -37,9 +47,9 @@ class OrganizedTree {
   /// Counts the light of all buds as the stand's space is now, and divides the resource that it makes.
   void sense(int iteration, const Progress& progress);
   /// Finds the buds that will grow in this iteration; after sense(). Returns how many metamers they will make at most.
-  std::uint64_t plan();
+  std::uint64_t plan(Flush flush);
   /// Grows, sags, sheds, and people do to it what they will; after plan().
-  void iterate(int iteration, const Progress& progress);
+  void iterate(int iteration, Flush flush, const Progress& progress);
   /// Tells the stand's space of all that.
   void tell() { tree_.tell(); }
 
@@ -56,6 +66,16 @@ class OrganizedTree {
   Skeleton take_skeleton(const Progress& progress);
 
  private:
+  /// What people have done to the tree, as far as its metamers do not tell it.
+  struct Upkeep {
+    Leads leads;
+    std::vector<std::uint8_t> is_done;  // by operation
+    CutWounds wounds;
+    TreeBows bows;
+    std::vector<float> ringed;                // share that a ring at its base keeps, by metamer; empty: no rings
+    std::vector<std::uint16_t> ringed_until;  // iteration
+  };
+
   /// A bud that grows in this iteration.
   struct Sprout {
     MetamerIndex from = 0;
@@ -63,6 +83,13 @@ class OrganizedTree {
     int metamers = 1;
     float length = 0;  // of each
     Vec3 way{0};       // to light or room: a unit vector, or 0
+    int left = 0;      // metamers that wait for the rest of the iteration
+  };
+
+  /// What the first flush of an iteration has left to a shoot.
+  struct Owed {
+    int metamers = 0;
+    float length = 0;  // of each
   };
 
   /// What the metamers of a sprout have in common.
@@ -82,12 +109,17 @@ class OrganizedTree {
   Vec3 next_side(MetamerIndex from, bool is_lateral, std::uint32_t number, Vec3 heading, RandomKey key) const;
   bool is_open(Vec3 from, Vec3 to) const;
   void shed(int iteration);
-  void remove(std::vector<std::uint8_t>& gone, const BudsLeft& after);
+  void forget(const std::vector<std::uint8_t>& gone);
   /// What an operation sees of the tree in an iteration.
   TreeState state_for(std::size_t operation, int iteration) const;
   void tie_shoots(int iteration);
-  void operate(int iteration, const Progress& progress);
-  void apply(const Work& work, int iteration, std::size_t operation);
+  void operate(int iteration, bool in_summer, const Progress& progress);
+  void perform(int iteration, bool in_summer, const Progress& progress);
+  std::uint64_t name_of_bud(MetamerIndex metamer) const;
+  void apply(const Work& work, int iteration, std::size_t operation, bool in_summer);
+  /// Notes the shoots whose buds may answer to what is about to be cut.
+  void note_answering(const Work& work);
+  void record(const Work& work, int iteration, const Operation& operation);
   void ring(const Ring& ring, int iteration);
   void bend(const Bow& bow, std::size_t operation);
   /// What rings keep in an iteration, by metamer; empty where there is none.
@@ -106,13 +138,11 @@ class OrganizedTree {
   std::vector<Sprout> sprouts_;  // of the iteration
   StandingWood wood_;
   // For trees with operations alone.
-  Leads leads_;
   TreeTies ties_;
-  std::vector<std::uint8_t> is_done_;  // by operation
-  std::vector<std::uint16_t> cut_at_;  // iteration, by metamer; 0: never
-  TreeBows bows_;
-  std::vector<float> ringed_;                // share that a ring at its base keeps, by metamer; empty: no rings
-  std::vector<std::uint16_t> ringed_until_;  // iteration
+  Upkeep upkeep_;
+  std::unordered_map<std::uint64_t, Owed> owed_;  // of the first flush's shoots, by the name of their last metamer
+  std::unordered_set<std::uint64_t> answering_;   // shoots that this summer's operations have cut, by their keys
+  std::vector<OperationRecord> records_;
   std::vector<Miss> misses_;
   bool has_grown_ = false;
 };

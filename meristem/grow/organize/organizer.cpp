@@ -38,7 +38,8 @@ void check_parameters(const OrganizeParameters& parameters) {
     const Layers* const layers = std::get_if<Layers>(&operation.what);
     require(layers == nullptr || (layers->metamers >= 3 && layers->count >= 1), "organize: layers are too short");
     const Support* const support = std::get_if<Support>(&operation.what);
-    require(support == nullptr || support->line.size() >= 2, "organize: a support has no length");
+    require(support == nullptr || !support->named.empty() || support->line.size() >= 2,
+            "organize: a support has no length");
     const Girdle* const girdle = std::get_if<Girdle>(&operation.what);
     require(girdle == nullptr ||
                 (girdle->below >= 0 && girdle->iterations >= 1 && girdle->share >= 0 && girdle->share <= 1),
@@ -46,7 +47,15 @@ void check_parameters(const OrganizeParameters& parameters) {
     const Bend* const bend = std::get_if<Bend>(&operation.what);
     require(bend == nullptr || (bend->below >= 0 && bend->iterations >= 1 && bend->metamers >= 1),
             "organize: a bend is out of its ranges");
+    const Tie* const tie = std::get_if<Tie>(&operation.what);
+    require(tie == nullptr || (tie->below.value_or(1) >= 1 && tie->iterations >= 1 && tie->length >= 0),
+            "organize: a tie is out of its ranges");
+    const Mark* const mark = std::get_if<Mark>(&operation.what);
+    require(mark == nullptr || mark->state < kMostMarks, "organize: a mark has no such number");
   }
+  require(parameters.callus >= 0, "organize: callus must not be negative");
+  require(parameters.summer > 0 && parameters.summer < 1, "organize: summer is between 0 and 1");
+  require(parameters.marks.size() <= kMostMarks, "organize: there are too many marks");
   require(parameters.light.voxel >= 0 && parameters.light.full >= 0,
           "organize: the numbers of light must not be negative");
 }
@@ -56,7 +65,9 @@ class Organizer : public Grower {
   Organizer(Stand& stand, std::vector<OrganizeSeed> seeds, const OrganizeParameters& parameters, RandomKey key,
             const Scene& scene, const Limits& limits, std::string component)
       : species_{parameters, scene, limits, std::move(component), parameters.directions.value_or(scene.directions())},
-        space_(stand.commons<StandSpace>()) {
+        space_(stand.commons<StandSpace>()),
+        has_summer_(species_.has_summer()),
+        rounds_(species_.rounds()) {
     require_wood(seeds);
     for (std::size_t k = 0; k < seeds.size(); ++k) {
       require_open(seeds[k].frame.origin);
@@ -68,27 +79,30 @@ class Organizer : public Grower {
   }
 
   int step_limit() const override {
-    const std::int64_t rounds = std::int64_t{species_.parameters.iterations} * species_.parameters.every + 1;
+    const std::int64_t rounds = std::int64_t{species_.parameters.iterations} * rounds_ + 1;
     return static_cast<int>(std::min<std::int64_t>(rounds, std::numeric_limits<int>::max()));
   }
 
   bool step(Progress& progress) override {
     progress.check();
     const int round = round_++;
-    if (round % species_.parameters.every != 0) return true;
-    const int iteration = round / species_.parameters.every + 1;
+    const int iteration = round / rounds_ + 1;
+    const bool has_summer = has_summer_ && species_.has_summer(iteration);
+    const bool is_rest = round % rounds_ != 0;
+    if (is_rest && !(has_summer && round % rounds_ == rounds_ / 2)) return true;
     const bool is_last = iteration > species_.parameters.iterations;
+    const Flush flush = !has_summer ? Flush::whole : (is_rest ? Flush::rest : Flush::first);
     std::vector<std::uint64_t> planned(trees_.size());
     for_each_tree([&](std::size_t k) {
       trees_[k].sense(iteration, progress);
-      if (!is_last) planned[k] = trees_[k].plan();
+      if (!is_last) planned[k] = trees_[k].plan(flush);
     });
     if (is_last) {
       require_growth();
       return false;
     }
     require_nodes(planned, iteration);
-    for_each_tree([&](std::size_t k) { trees_[k].iterate(iteration, progress); });
+    for_each_tree([&](std::size_t k) { trees_[k].iterate(iteration, flush, progress); });
     require_shoots();
     return true;
   }
@@ -177,6 +191,8 @@ class Organizer : public Grower {
 
   OrganizedSpecies species_;
   StandSpace& space_;
+  bool has_summer_;
+  int rounds_;                       // of an iteration
   std::deque<OrganizedTree> trees_;  // the space keeps pointers to them
   int round_ = 0;
 };

@@ -43,6 +43,8 @@ class BranchLoad {
   void take(std::vector<Vec3> moment) { moment_ = std::move(moment); }
   /// Follows Metamers::remove().
   void remove(const std::vector<std::uint8_t>& gone);
+  /// Makes it what a copy of it holds.
+  void restore(BranchLoad copy) { moment_ = std::move(copy.moment_); }
 
  private:
   Sag sag_;

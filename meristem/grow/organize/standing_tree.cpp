@@ -43,6 +43,13 @@ void StandingTree::settle() {
   if (load_) load_->take(load_->bend(metamers_, kNever).moment);
 }
 
+void StandingTree::restore(State state) {
+  changes_ = std::move(state.changes);
+  metamers_ = std::move(state.metamers);
+  scene_light_.restore(std::move(state.scene_light));
+  if (load_) load_->restore(std::move(*state.load));
+}
+
 void StandingTree::close(MetamerIndex metamer, bool is_lateral, Bud closed) {
   Bud& bud = (is_lateral ? metamers_.lateral : metamers_.terminal)[metamer];
   if (bud.is_open()) bud = closed;
@@ -50,12 +57,30 @@ void StandingTree::close(MetamerIndex metamer, bool is_lateral, Bud closed) {
 
 void StandingTree::remove(std::vector<std::uint8_t>& gone, const BudsLeft& after) {
   for (MetamerIndex metamer = 1; metamer < metamers_.count(); ++metamer) {
-    if (gone[metamers_.parent[metamer]] != 0) gone[metamer] = 1;
-    if (gone[metamer] != 0 && space_.is_felt()) changes_.lose(world(metamer), metamers_.length(metamer));
+    if (gone[metamer] != 0 && !metamers_.is_loose(metamer)) cut_off(metamer, after);
   }
-  metamers_.remove(gone, after);
+  if (std::vector<std::uint8_t> cleared = clear_away(); !cleared.empty()) gone = std::move(cleared);
+}
+
+void StandingTree::cut_off(MetamerIndex first, const BudsLeft& after) {
+  if (space_.is_felt()) {
+    std::vector<MetamerIndex> beyond{first};
+    for (std::size_t k = 0; k < beyond.size(); ++k) {
+      changes_.lose(world(beyond[k]), metamers_.length(beyond[k]));
+      for (const Bud bud : {metamers_.terminal[beyond[k]], metamers_.lateral[beyond[k]]}) {
+        if (bud.is_grown()) beyond.push_back(bud.metamer());
+      }
+    }
+  }
+  metamers_.cut_off(first, after);
+}
+
+std::vector<std::uint8_t> StandingTree::clear_away() {
+  std::vector<std::uint8_t> gone = metamers_.clear_away();
+  if (gone.empty()) return gone;
   scene_light_.remove(gone);
   if (load_) load_->remove(gone);
+  return gone;
 }
 
 }  // namespace meristem

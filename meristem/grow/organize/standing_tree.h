@@ -47,6 +47,9 @@ class StandingTree {
   void sag(int iteration);
   /// Takes metamers away as Metamers::remove().
   void remove(std::vector<std::uint8_t>& gone, const BudsLeft& after);
+  /// The same in two steps, as Metamers::cut_off() and Metamers::clear_away().
+  void cut_off(MetamerIndex first, const BudsLeft& after);
+  std::vector<std::uint8_t> clear_away();
   /// Damages a metamer's terminal or lateral bud if that is open.
   void damage(MetamerIndex metamer, bool is_lateral) { close(metamer, is_lateral, Bud::damaged()); }
   /// Makes a metamer's terminal or lateral bud a damaged or dead one if it is open.
@@ -57,9 +60,20 @@ class StandingTree {
   void tie(AxisIndex axis, std::uint32_t line) { metamers_.axes[axis].tie = line; }
   /// Lets no other shoot succeed this one.
   void deny_heir(AxisIndex axis) { metamers_.axes[axis].has_no_heir = true; }
-  void mark(AxisIndex axis) { metamers_.axes[axis].is_marked = true; }
+  /// Gives a shoot the mark of this number, below kMostMarks.
+  void mark(AxisIndex axis, std::uint32_t state) { metamers_.axes[axis].marks |= 1U << state; }
   /// Tells the stand's space what was grown, moved and removed since the last time.
   void tell() { space_.take(changes_); }
+  /// All of a tree but where it stands.
+  struct State {
+    ShootChanges changes;
+    Metamers metamers;
+    SceneLight scene_light;
+    std::optional<BranchLoad> load;
+  };
+  State state() const { return {changes_, metamers_, scene_light_, load_}; }
+  /// Makes it what it was.
+  void restore(State state);
   /// What has grown; then nothing is left.
   Metamers take_metamers() { return std::move(metamers_); }
 

@@ -5,6 +5,7 @@
 
 #include "meristem/base/frame.h"
 #include "meristem/base/math.h"
+#include "meristem/grow/prune/draw.h"
 
 namespace meristem {
 
@@ -46,6 +47,15 @@ Pose TreeBows::bend(const Metamers& metamers) {
       if (metamer == bow.first) break;
     }
   }
+  const auto drawn = [&](const Bow& bow, const Mat3& turned, int length) {
+    std::vector<Vec3> points(static_cast<std::size_t>(length) + 1);
+    MetamerIndex metamer = bow.last;
+    for (std::size_t k = points.size(); k-- > 0; metamer = metamers.parent[metamer]) points[k] = metamers.tip[metamer];
+    const Vec3 base = points[0];
+    for (Vec3& point : points) point = base + turned * (point - base);
+    const Draw draw = draw_toward(points, *bow.toward, bow.gap);
+    return Turn{draw.axis, draw.angle / (length * bow.iterations)};
+  };
   std::vector<Turn> turns(bows_.size());
   std::vector<Mat3> turned(count, Mat3(1));
   Pose pose{std::vector<Vec3>(count, Vec3(0)), metamers.side, {}};
@@ -57,8 +67,10 @@ Pose TreeBows::bend(const Metamers& metamers) {
       const Bow& bow = bows_[number - 1];
       Turn& turn = turns[number - 1];
       if (metamer == bow.first) {
+        const int length = lengths[number - 1];
         const Vec3 heading = turned[parent] * metamers.heading(bow.last);
-        turn = turn_to(heading, bow.inclination, lengths[number - 1], bow.iterations);
+        turn =
+            bow.toward ? drawn(bow, turned[parent], length) : turn_to(heading, bow.inclination, length, bow.iterations);
       }
       if (turn.angle != 0) turned[metamer] = rotation(turn.axis, turn.angle) * turned[parent];
     }

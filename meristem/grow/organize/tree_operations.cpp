@@ -7,24 +7,26 @@
 
 #include "meristem/grow/organize/organized_tree.h"
 #include "meristem/grow/prune/choose_shoots.h"
+#include "meristem/grow/prune/work_recorder.h"
 
 namespace meristem {
 
 TreeState OrganizedTree::state_for(std::size_t operation, int iteration) const {
   const OrganizeParameters& parameters = species_->parameters;
   return {.metamers = metamers_,
-          .leads = leads_,
+          .leads = upkeep_.leads,
           .flow = flow_,
           .radii = parameters.radii,
           .iteration = iteration,
           .key = key_.child("operations").child(operation).child(static_cast<std::uint64_t>(iteration)),
-          .in_pairs = parameters.phyllotaxis.kind == Phyllotaxis::Kind::decussate};
+          .in_pairs = parameters.phyllotaxis.kind == Phyllotaxis::Kind::decussate,
+          .marks = parameters.marks.size()};
 }
 
 /// Ties shoots and buds to the supports that stand in this iteration, and unties those whose time is over.
 void OrganizedTree::tie_shoots(int iteration) {
   misses_.clear();
-  leads_ = find_leads(metamers_);
+  upkeep_.leads = find_leads(metamers_);
   ties_.forget_buds();
   const std::vector<Operation>& operations = species_->parameters.operations;
   for (std::size_t k = 0; k < operations.size(); ++k) {
@@ -36,10 +38,10 @@ void OrganizedTree::tie_shoots(int iteration) {
       }
       continue;
     }
-    if (!operation.when.is_in_turn(iteration) || (operation.when.once && is_done_[k] != 0)) continue;
+    if (!operation.when.is_in_turn(iteration) || (operation.when.once && upkeep_.is_done[k] != 0)) continue;
     const TreeState state = state_for(k, iteration - 1);
     if (const auto* layers = std::get_if<Layers>(&operation.what)) {
-      if (holds(state, operation.when)) ties_.add_arms(find_arms(metamers_, leads_, *layers), ties_.line_of(k));
+      if (holds(state, operation.when)) ties_.add_arms(find_arms(metamers_, upkeep_.leads, *layers), ties_.line_of(k));
       continue;
     }
     if (!std::holds_alternative<Support>(operation.what) || !holds(state, operation.when)) continue;
@@ -48,66 +50,113 @@ void OrganizedTree::tie_shoots(int iteration) {
         tree_.tie(shoot.axis, ties_.line_of(k));
         for (const MetamerIndex metamer : shoot.path) tree_.tie(metamers_.axis[metamer], ties_.line_of(k));
       }
-      is_done_[k] = 1;
+      upkeep_.is_done[k] = 1;
     } catch (const InputError& error) {
       misses_.push_back({k, error});
     }
   }
 }
 
-/// Performs the operations of this iteration.
-void OrganizedTree::operate(int iteration, const Progress& progress) {
+/// Performs the operations of this iteration's summer or winter, or finds out what those of the last winter would do.
+void OrganizedTree::operate(int iteration, bool in_summer, const Progress& progress) {
+  if (in_summer || !species_->parameters.plans || iteration != species_->parameters.iterations) {
+    return perform(iteration, in_summer, progress);
+  }
+  // Each operation finds what those before it leave, so all are done, and then undone.
+  StandingTree::State tree = tree_.state();
+  ResourceFlow flow = flow_;
+  Upkeep upkeep = upkeep_;
+  records_.clear();
+  perform(iteration, in_summer, progress);
+  tree_.restore(std::move(tree));
+  flow_ = std::move(flow);
+  upkeep_ = std::move(upkeep);
+}
+
+void OrganizedTree::perform(int iteration, bool in_summer, const Progress& progress) {
   const std::vector<Operation>& operations = species_->parameters.operations;
-  leads_ = find_leads(metamers_);
+  upkeep_.leads = find_leads(metamers_);
   for (std::size_t k = 0; k < operations.size(); ++k) {
     const Operation& operation = operations[k];
-    if (!operation.when.is_in_turn(iteration) || (operation.when.once && is_done_[k] != 0)) continue;
+    if (!operation.when.is_in_turn(iteration) || operation.when.in_summer != in_summer) continue;
+    if (operation.when.once && upkeep_.is_done[k] != 0) continue;
     if ((operation.tree && *operation.tree != number_) || std::holds_alternative<Support>(operation.what)) continue;
     progress.check();
     const TreeState state = state_for(k, iteration);
     if (!holds(state, operation.when)) continue;
     try {
-      apply(find_work(state, operation), iteration, k);
-      is_done_[k] = 1;
+      apply(find_work(state, operation), iteration, k, in_summer);
+      upkeep_.is_done[k] = 1;
     } catch (const InputError& error) {
       misses_.push_back({k, error});
     }
   }
-  if (!bows_.empty()) tree_.move(bows_.bend(metamers_));
+  // Once for all operations, so that each costs what it takes away and not the tree.
+  if (const std::vector<std::uint8_t> gone = tree_.clear_away(); !gone.empty()) {
+    forget(gone);
+    upkeep_.leads = find_leads(metamers_);
+  }
+  if (!in_summer && !upkeep_.bows.empty()) tree_.move(upkeep_.bows.bend(metamers_));
 }
 
 void OrganizedTree::ring(const Ring& ring, int iteration) {
-  ringed_.resize(metamers_.count(), 0);
-  ringed_until_.resize(metamers_.count(), 0);
-  ringed_[ring.metamer] = static_cast<float>(ring.share);
-  ringed_until_[ring.metamer] = static_cast<std::uint16_t>(std::min(iteration + ring.iterations, kLastIteration));
+  upkeep_.ringed.resize(metamers_.count(), 0);
+  upkeep_.ringed_until.resize(metamers_.count(), 0);
+  upkeep_.ringed[ring.metamer] = static_cast<float>(ring.share);
+  upkeep_.ringed_until[ring.metamer] =
+      static_cast<std::uint16_t>(std::min(iteration + ring.iterations, kLastIteration));
 }
 
 const std::vector<float>& OrganizedTree::ringed(int iteration) {
-  if (ringed_.empty()) return ringed_;
-  ringed_.resize(metamers_.count(), 0);
-  ringed_until_.resize(metamers_.count(), 0);
+  if (upkeep_.ringed.empty()) return upkeep_.ringed;
+  upkeep_.ringed.resize(metamers_.count(), 0);
+  upkeep_.ringed_until.resize(metamers_.count(), 0);
   bool any = false;
-  for (std::size_t metamer = 0; metamer < ringed_.size(); ++metamer) {
-    if (ringed_until_[metamer] < iteration) ringed_[metamer] = 0;
-    any = any || ringed_[metamer] > 0;
+  for (std::size_t metamer = 0; metamer < upkeep_.ringed.size(); ++metamer) {
+    if (upkeep_.ringed_until[metamer] < iteration) upkeep_.ringed[metamer] = 0;
+    any = any || upkeep_.ringed[metamer] > 0;
   }
-  if (!any) ringed_.clear();
-  return ringed_;
+  if (!any) upkeep_.ringed.clear();
+  return upkeep_.ringed;
 }
 
 /// Begins to bend a shoot, and ties what lies beyond the bend.
 void OrganizedTree::bend(const Bow& bow, std::size_t operation) {
-  bows_.add(bow);
+  upkeep_.bows.add(bow);
   for (MetamerIndex metamer = bow.tip;; metamer = metamers_.parent[metamer]) {
     tree_.tie(metamers_.axis[metamer], ties_.line_of(operation));
     if (metamer == bow.first) return;
   }
 }
 
-void OrganizedTree::apply(const Work& work, int iteration, std::size_t operation) {
+/// Notes what is about to be done.
+void OrganizedTree::record(const Work& work, int iteration, const Operation& operation) {
+  const WorkRecorder recorder({.metamers = metamers_,
+                               .leads = upkeep_.leads,
+                               .flow = flow_,
+                               .radii = species_->parameters.radii,
+                               .iteration = iteration,
+                               .key = RandomKey()},
+                              operation, static_cast<std::uint32_t>(number_));
+  for (WorkRecorder::Noted& noted : recorder.note(work)) {
+    if (noted.record.act == "cut") upkeep_.wounds.add(metamers_.count(), noted.at, noted.record, noted.section);
+    records_.push_back(std::move(noted.record));
+  }
+}
+
+void OrganizedTree::note_answering(const Work& work) {
+  const auto note = [&](MetamerIndex metamer) {
+    answering_.insert(metamers_.axes[metamers_.axis[metamer]].key.bits());
+  };
+  for (const MetamerIndex metamer : work.pinched) note(metamer);
+  for (const MetamerIndex metamer : work.gone) note(metamers_.parent[metamer]);
+}
+
+void OrganizedTree::apply(const Work& work, int iteration, std::size_t operation, bool in_summer) {
   const bool damages = species_->parameters.damage;
-  for (const AxisIndex axis : work.marked) tree_.mark(axis);
+  if (in_summer) note_answering(work);
+  record(work, iteration, species_->parameters.operations[operation]);
+  for (const AxisIndex axis : work.marked) tree_.mark(axis, work.mark);
   for (const Ring& place : work.rings) ring(place, iteration);
   for (const Bow& bow : work.bows) bend(bow, operation);
   for (const AxisIndex axis : work.headless) tree_.deny_heir(axis);
@@ -115,18 +164,15 @@ void OrganizedTree::apply(const Work& work, int iteration, std::size_t operation
     for (const MetamerIndex metamer : work.pinched) tree_.damage(metamer, false);
     for (const MetamerIndex metamer : work.lifted) tree_.damage(metamer, true);
   }
-  if (!work.gone.empty()) {
-    std::vector<std::uint8_t> gone(metamers_.count(), 0);
-    cut_at_.resize(metamers_.count(), 0);
-    for (const MetamerIndex metamer : work.gone) {
-      gone[metamer] = 1;
-      cut_at_[metamers_.parent[metamer]] = static_cast<std::uint16_t>(iteration);
-    }
-    const Bud after = damages ? Bud::damaged() : Bud();
-    remove(gone, {after, work.renews ? Bud() : after});
+  // What goes with something else stands beyond it, and has the larger index.
+  std::vector<MetamerIndex> gone = work.gone;
+  std::ranges::sort(gone);
+  const Bud after = damages ? Bud::damaged() : Bud();
+  for (const MetamerIndex metamer : gone) {
+    if (!metamers_.is_loose(metamer)) tree_.cut_off(metamer, {after, work.renews ? Bud() : after});
   }
   const bool is_changed = !work.headless.empty() || !work.gone.empty() || !work.pinched.empty();
-  if (is_changed || !work.lifted.empty()) leads_ = find_leads(metamers_);
+  if (is_changed || !work.lifted.empty()) upkeep_.leads = find_leads(metamers_);
 }
 
 }  // namespace meristem

@@ -2,9 +2,13 @@
 #include "meristem/grow/organize/tree_ties.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <variant>
 
+#include <fmt/format.h>
+
+#include "meristem/base/diagnostic.h"
 #include "meristem/grow/prune/support_line.h"
 
 namespace meristem {
@@ -15,20 +19,40 @@ namespace {
 // farther, it stays beside it.
 constexpr double kAhead = 2;
 
+/// The line of a support of the scene, from a root.
+std::vector<Vec3> line_of_scene(const Operation& operation, const std::string& name, const Scene& scene, Vec3 root) {
+  const auto found = scene.supports.find(name);
+  if (found == scene.supports.end()) {
+    std::vector<std::string> names;
+    for (const auto& [known, line] : scene.supports) names.push_back(known);
+    throw InputError(Diagnostic{.message = fmt::format("the scene has no support '{}'", name),
+                                .expected = "the name of one of scene.supports",
+                                .nearest = nearest_name(name, names),
+                                .path = operation.path + ".named"});
+  }
+  std::vector<Vec3> line = found->second;
+  for (Vec3& point : line) point -= root;
+  return line;
+}
+
 }  // namespace
 
-TreeTies::TreeTies(const OrganizeParameters& parameters) : ahead_(static_cast<float>(kAhead * parameters.length)) {
+TreeTies::TreeTies(const OrganizedSpecies& species, Vec3 root)
+    : ahead_(static_cast<float>(kAhead * species.parameters.length)) {
+  const OrganizeParameters& parameters = species.parameters;
   for (const Operation& operation : parameters.operations) {
     first_of_.push_back(0);
     if (const auto* support = std::get_if<Support>(&operation.what)) {
-      lines_.push_back({support->line, support->weight});
+      lines_.push_back(
+          {support->named.empty() ? support->line : line_of_scene(operation, support->named, species.scene, root),
+           support->weight});
       first_of_.back() = static_cast<std::uint32_t>(lines_.size());
     } else if (const auto* layers = std::get_if<Layers>(&operation.what)) {
       first_of_.back() = static_cast<std::uint32_t>(lines_.size()) + 1;
       for (std::vector<Vec3>& wire : arm_wires(*layers, parameters.length)) {
         lines_.push_back({std::move(wire), layers->weight});
       }
-    } else if (std::holds_alternative<Bend>(operation.what)) {
+    } else if (std::holds_alternative<Bend>(operation.what) || std::holds_alternative<Tie>(operation.what)) {
       lines_.push_back({{}, 0});  // it holds, and leads nowhere
       first_of_.back() = static_cast<std::uint32_t>(lines_.size());
     }

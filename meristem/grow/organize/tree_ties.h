@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "meristem/grow/organize/organize.h"
+#include "meristem/grow/organize/species.h"
 #include "meristem/grow/prune/layers.h"
 #include "meristem/grow/prune/leads.h"
 
@@ -15,7 +15,8 @@ namespace meristem {
 /// The lines that the shoots of a tree are tied to, numbered from 1, and the buds that will be.
 class TreeTies {
  public:
-  explicit TreeTies(const OrganizeParameters& parameters);
+  /// The lines of a tree with this root. Throws InputError for a support that the scene does not have.
+  TreeTies(const OrganizedSpecies& species, Vec3 root);
 
   void forget_buds() { arms_.clear(); }
   /// Buds that grow along wires; `first` is the number of the first wire.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the metamers at which shoots are ringed and bent.
+// Finds the metamers at which shoots are ringed, bent and tied.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,6 +10,8 @@
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/frame.h"
 #include "meristem/base/math.h"
+#include "meristem/grow/prune/choose_shoots.h"
+#include "meristem/grow/prune/draw.h"
 #include "meristem/grow/prune/work.h"
 
 namespace meristem {
@@ -32,6 +35,33 @@ double turn_of(const Metamers& metamers, MetamerIndex last, double inclination) 
   return std::abs(inclination - math::asin(rise));
 }
 
+/// Whether wood is thicker than the arc it is bent to. A condition passes over it; where the operation names the shoot,
+/// it is an InputError at `key`.
+bool would_break(const Operation& operation, const char* key, double thick, double length, double turn) {
+  if (length >= thick * turn) return false;
+  if (operation.shoots.kind == ShootChoice::Kind::condition) return true;
+  throw InputError(Diagnostic{
+      .message = fmt::format("the wood would break: it has a radius of {:.3g} m, and the bend one of {:.3g} m", thick,
+                             length / turn),
+      .expected = "a bend over more metamers, by a smaller angle, or at an earlier iteration",
+      .path = fmt::format("{}.{}", operation.path, key)});
+}
+
+/// The end of the string of a shoot whose tied metamer ends at `tied`: straight below on the ground, or where one of
+/// the shoots `anchors` comes nearest; nothing where there is none but the shoot itself.
+std::optional<Vec3> string_end(const Metamers& metamers, const std::vector<Shoot>* anchors, AxisIndex own, Vec3 tied) {
+  if (anchors == nullptr) return Vec3(tied.x, 0, tied.z);
+  std::optional<Vec3> nearest;
+  for (const Shoot& anchor : *anchors) {
+    if (anchor.axis == own) continue;
+    for (const MetamerIndex metamer : anchor.path) {
+      const Vec3 tip = metamers.tip[metamer];
+      if (!nearest || squared_length(tip - tied) < squared_length(*nearest - tied)) nearest = tip;
+    }
+  }
+  return nearest;
+}
+
 }  // namespace
 
 Work girdle(const Operation& operation, const Girdle& what, const std::vector<Shoot>& shoots) {
@@ -53,18 +83,40 @@ Work bend(const TreeState& tree, const Operation& operation, const Bend& what, c
     const std::size_t last = std::min(first + static_cast<std::size_t>(what.metamers), shoot.path.size()) - 1;
     double length = 0;
     for (std::size_t k = first; k <= last; ++k) length += metamers.length(shoot.path[k]);
-    // Wood that is thicker than the arc it is bent to would break; a condition passes over it.
     const double turn = turn_of(metamers, shoot.path[last], what.inclination);
-    const double thick = radius[shoot.path[first]];
-    if (length < thick * turn) {
-      if (operation.shoots.kind == ShootChoice::Kind::condition) continue;
-      throw InputError(Diagnostic{
-          .message = fmt::format("the wood would break: it has a radius of {:.3g} m, and the bend one of {:.3g} m",
-                                 thick, length / turn),
-          .expected = "a bend over more metamers, by a smaller angle, or at an earlier iteration",
-          .path = operation.path + ".metamers"});
-    }
+    if (would_break(operation, "metamers", radius[shoot.path[first]], length, turn)) continue;
     work.bows.push_back({shoot.path[first], shoot.path[last], shoot.path.back(), what.inclination, what.iterations});
+  }
+  return work;
+}
+
+Work tie(const TreeState& tree, const Operation& operation, const Tie& what, const std::vector<Shoot>& shoots) {
+  const Metamers& metamers = tree.metamers;
+  std::vector<Shoot> anchors;
+  if (what.to) {
+    Operation other;
+    other.shoots = *what.to;
+    other.path = operation.path + ".to";
+    anchors = choose_shoots(tree, other);
+  }
+  const std::vector<float> radius = pipe_radii(metamers.parent, metamers.lost_tips, tree.radii);
+  Work work;
+  for (const Shoot& shoot : shoots) {
+    if (shoot.axis == 0 || !reaches(operation, shoot, what.below ? *what.below - 1 : 0)) continue;
+    const std::size_t tied = what.below ? static_cast<std::size_t>(*what.below) : shoot.path.size();
+    const Vec3 base = metamers.tip[metamers.parent[shoot.path[0]]];
+    std::vector<Vec3> points{base};
+    double length = 0;
+    for (std::size_t k = 0; k < tied; ++k) {
+      points.push_back(metamers.tip[shoot.path[k]]);
+      length += metamers.length(shoot.path[k]);
+    }
+    const auto end = string_end(metamers, what.to ? &anchors : nullptr, shoot.axis, points.back());
+    if (!end) continue;
+    const double turn = draw_toward(points, *end, what.length).angle;
+    if (would_break(operation, "length", radius[shoot.path[0]], length, turn)) continue;
+    work.bows.push_back(
+        {shoot.path[0], shoot.path[tied - 1], shoot.path.back(), 0, what.iterations, *end, what.length});
   }
   return work;
 }

@@ -46,15 +46,39 @@ std::vector<MetamerIndex> axis_path(const Metamers& metamers, AxisIndex axis) {
   return path;
 }
 
-double path_length(const Metamers& metamers, const std::vector<MetamerIndex>& path) {
+/// A shoot without its path, which few of many need.
+struct Candidate {
+  AxisIndex axis = 0;
+  MetamerIndex first = 0;
+  MetamerIndex last = 0;
+};
+
+double path_length(const Metamers& metamers, const Candidate& shoot) {
   double length = 0;
-  for (const MetamerIndex metamer : path) length += metamers.length(metamer);
-  return length;
+  for (MetamerIndex metamer = shoot.last;; metamer = metamers.parent[metamer]) {
+    length += metamers.length(metamer);
+    if (metamer == shoot.first) return length;
+  }
+}
+
+double path_length(const Metamers& metamers, const std::vector<MetamerIndex>& path) {
+  return path.empty() ? 0 : path_length(metamers, Candidate{0, path.front(), path.back()});
+}
+
+/// The metamer in the middle of a shoot; of an even number the farther one.
+MetamerIndex middle_of(const Metamers& metamers, const Candidate& shoot) {
+  MetamerIndex middle = shoot.last;
+  bool is_second = false;
+  for (MetamerIndex metamer = shoot.last; metamer != shoot.first; metamer = metamers.parent[metamer]) {
+    if (is_second) middle = metamers.parent[middle];
+    is_second = !is_second;
+  }
+  return middle;
 }
 
 /// The distance from the middle of each shoot to the nearest of another. Points are swept along the axis on which they
 /// are farthest apart.
-std::vector<double> clearances(const Metamers& metamers, const std::vector<Shoot>& shoots) {
+std::vector<double> clearances(const Metamers& metamers, const std::vector<Candidate>& shoots) {
   struct Place {
     Vec3 middle;
     std::size_t shoot;
@@ -62,8 +86,7 @@ std::vector<double> clearances(const Metamers& metamers, const std::vector<Shoot
   std::vector<Place> places;
   Box around;
   for (std::size_t k = 0; k < shoots.size(); ++k) {
-    const std::vector<MetamerIndex>& path = shoots[k].path;
-    places.push_back({metamers.tip[path[path.size() / 2]], k});
+    places.push_back({metamers.tip[middle_of(metamers, shoots[k])], k});
     around.add(places.back().middle);
   }
   const Vec3 extent = around.high - around.low;
@@ -103,13 +126,13 @@ enum Variable : std::size_t {
 /// The columns of shoot_variables() that a condition uses.
 class ShootColumns {
  public:
-  ShootColumns(const TreeState& tree, const std::vector<Shoot>& shoots, const Expression& condition)
-      : tree_(tree), columns_(variable_count) {
+  ShootColumns(const TreeState& tree, const std::vector<Candidate>& shoots, const Expression& condition)
+      : tree_(tree), columns_(variable_count + tree.marks) {
     std::vector<float> radii;
     if (condition.uses(Variable::radius)) {
       radii = pipe_radii(tree.metamers.parent, tree.metamers.lost_tips, tree.radii);
     }
-    for (std::size_t k = 0; k < variable_count; ++k) {
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
       if (!condition.uses(k)) continue;
       if (k == Variable::clearance) {
         columns_[k] = clearances(tree.metamers, shoots);
@@ -127,18 +150,17 @@ class ShootColumns {
   }
 
  private:
-  double value(std::size_t variable, const Shoot& shoot, const std::vector<float>& radii) const {
+  double value(std::size_t variable, const Candidate& shoot, const std::vector<float>& radii) const {
     const Metamers& metamers = tree_.metamers;
-    const MetamerIndex first = shoot.path.front();
-    const MetamerIndex last = shoot.path.back();
+    const auto [axis, first, last] = shoot;
     const Vec3 base = metamers.tip[metamers.parent[first]];
     const Vec3 way = normalized_or(metamers.tip[last] - base, metamers.heading(first));
     const bool was_there = first < tree_.flow.light.size() && first < tree_.flow.resource.size();
     switch (variable) {
       case Variable::rank:
-        return tree_.leads.rank[shoot.axis];
+        return tree_.leads.rank[axis];
       case Variable::length:
-        return path_length(metamers, shoot.path);
+        return path_length(metamers, shoot);
       case Variable::age:
         return tree_.iteration - metamers.birth[first];
       case Variable::light:
@@ -157,8 +179,10 @@ class ShootColumns {
       }
       case Variable::inward:
         return way.x * base.x + way.z * base.z < 0 ? 1 : 0;
-      default:
-        return metamers.axes[shoot.axis].is_marked ? 1 : 0;
+      case Variable::marked:
+        return metamers.axes[axis].marks != 0 ? 1 : 0;
+      default:  // a mark by its word
+        return (metamers.axes[axis].marks >> (variable - variable_count)) & 1U;
     }
   }
 
@@ -167,12 +191,14 @@ class ShootColumns {
 };
 
 /// All leads of a tree.
-std::vector<Shoot> all_shoots(const TreeState& tree) {
-  std::vector<Shoot> shoots;
-  for (AxisIndex axis = 0; axis < tree.metamers.axes.size(); ++axis) {
-    if (tree.leads.is_heir[axis] != 0) continue;
-    Shoot shoot{axis, lead_path(tree.metamers, tree.leads, axis)};
-    if (!shoot.path.empty()) shoots.push_back(std::move(shoot));
+std::vector<Candidate> all_shoots(const TreeState& tree) {
+  const std::vector<Metamers::Axis>& axes = tree.metamers.axes;
+  std::vector<Candidate> shoots;
+  for (AxisIndex axis = 0; axis < axes.size(); ++axis) {
+    if (tree.leads.is_heir[axis] != 0 || axes[axis].is_loose) continue;
+    const MetamerIndex last = axes[lead_end(tree.leads, axis)].last;
+    if (last == 0) continue;  // the seed alone
+    shoots.push_back({axis, axis == 0 ? tree.metamers.terminal[0].metamer() : axes[axis].first, last});
   }
   return shoots;
 }
@@ -202,19 +228,20 @@ std::vector<Shoot> choose_shoots(const TreeState& tree, const Operation& operati
     if (tree.leads.leader == kNoAxis) return {};
     return {{0, lead_path(tree.metamers, tree.leads, 0)}};
   }
-  std::vector<Shoot> shoots = all_shoots(tree);
+  const std::vector<Candidate> shoots = all_shoots(tree);
   if (shoots.empty()) return {};
   const ShootColumns columns(tree, shoots, choice.condition);
   std::vector<RandomKey> keys;
   if (choice.condition.is_random()) {
-    for (const Shoot& shoot : shoots) keys.push_back(tree.key.child(tree.metamers.axes[shoot.axis].key.bits()));
+    for (const Candidate& shoot : shoots) keys.push_back(tree.key.child(tree.metamers.axes[shoot.axis].key.bits()));
   }
   std::vector<double> found(shoots.size());
   const std::vector<const double*> pointers = columns.pointers();
   choice.condition.evaluate(shoots.size(), pointers, keys, found.data());
   std::vector<Shoot> chosen;
   for (std::size_t k = 0; k < shoots.size(); ++k) {
-    if (found[k] != 0 && !std::isnan(found[k])) chosen.push_back(std::move(shoots[k]));
+    if (found[k] == 0 || std::isnan(found[k])) continue;
+    chosen.push_back({shoots[k].axis, lead_path(tree.metamers, tree.leads, shoots[k].axis)});
   }
   return chosen;
 }
@@ -223,7 +250,12 @@ bool holds(const TreeState& tree, const Schedule& when) {
   if (!when.when) return true;
   const Metamers& metamers = tree.metamers;
   Box around;
-  for (const Vec3 tip : metamers.tip) around.add(tip);
+  std::size_t count = 0;
+  for (MetamerIndex metamer = 0; metamer < metamers.count(); ++metamer) {
+    if (metamers.is_loose(metamer)) continue;
+    around.add(metamers.tip[metamer]);
+    ++count;
+  }
   const std::vector<MetamerIndex> leader = lead_path(metamers, tree.leads, 0);
   std::size_t laterals = 0;
   for (const MetamerIndex metamer : leader) {
@@ -234,7 +266,7 @@ bool holds(const TreeState& tree, const Schedule& when) {
   const double values[] = {static_cast<double>(tree.iteration),
                            around.high.y,
                            width,
-                           static_cast<double>(metamers.count() - 1),
+                           static_cast<double>(count - 1),
                            static_cast<double>(laterals),
                            path_length(metamers, leader)};
   const double found = when.when->evaluate(values, tree.key.child("when"));

@@ -58,12 +58,13 @@ Leads find_leads(const Metamers& metamers) {
   leads.from.assign(count, kNoNode);
   leads.is_heir.assign(count, 0);
   for (AxisIndex axis = 0; axis < count; ++axis) {
-    if (needs_heir(metamers, axis)) find_heir(metamers, axis, metamers.axes[axis].last, leads);
+    if (!metamers.axes[axis].is_loose && needs_heir(metamers, axis))
+      find_heir(metamers, axis, metamers.axes[axis].last, leads);
   }
   find_leader(metamers, leads);
   for (AxisIndex axis = 0; axis < count; ++axis) {
     if (leads.heir[axis] != kNoAxis) leads.is_heir[leads.heir[axis]] = 1;
-    if (axis == 0) continue;
+    if (axis == 0 || metamers.axes[axis].is_loose) continue;
     const AxisIndex bearer = metamers.axis[metamers.parent[metamers.axes[axis].first]];
     leads.rank[axis] = static_cast<std::uint16_t>(leads.rank[bearer] + (leads.heir[bearer] == axis ? 0 : 1));
   }
@@ -71,8 +72,7 @@ Leads find_leads(const Metamers& metamers) {
 }
 
 std::vector<MetamerIndex> lead_path(const Metamers& metamers, const Leads& leads, AxisIndex head) {
-  AxisIndex end = head;
-  while (leads.heir[end] != kNoAxis) end = leads.heir[end];
+  const AxisIndex end = lead_end(leads, head);
   // A lead whose heir sleeps, or has gone to a lower one, still ends where its own axis does.
   std::vector<MetamerIndex> path;
   const MetamerIndex first = metamers.axes[head].first;

@@ -30,6 +30,12 @@ struct Leads {
 /// Cost is linear.
 Leads find_leads(const Metamers& metamers);
 
+/// The last axis of the lead that begins with `head`.
+inline AxisIndex lead_end(const Leads& leads, AxisIndex head) {
+  while (leads.heir[head] != kNoAxis) head = leads.heir[head];
+  return head;
+}
+
 /// The metamers of a lead from its base to its tip, without the seed. `head` is the axis that it begins with.
 std::vector<MetamerIndex> lead_path(const Metamers& metamers, const Leads& leads, AxisIndex head);
 

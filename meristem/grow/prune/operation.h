@@ -26,15 +26,19 @@ const std::vector<std::string>& tree_variables();
 /// degrees.
 const std::vector<std::string>& shoot_variables();
 
-/// When an operation acts: after all growth of these iterations.
+/// As many different marks an operation list may have.
+inline constexpr std::size_t kMostMarks = 32;
+
+/// When an operation acts: after all growth of these iterations, or in summer after a share of it.
 struct Schedule {
   int from = 1;   ///< iteration, from 1
   int every = 1;  ///< iterations from one time to the next
   int to = kLastIteration;
   std::optional<Expression> when;  ///< over tree_variables(): it acts only where that holds
   bool once = false;               ///< on each tree no more than once
+  bool in_summer = false;          ///< the rest of the iteration's growth follows it
 
-  static Schedule at(int iteration) { return {iteration, 1, iteration, std::nullopt, false}; }
+  static Schedule at(int iteration) { return {iteration, 1, iteration, std::nullopt}; }
   bool is_in_turn(int iteration) const {
     return iteration >= from && iteration <= to && (iteration - from) % every == 0;
   }
@@ -49,7 +53,7 @@ struct ShootChoice {
   };
   Kind kind = Kind::leader;
   std::string text;      ///< as the document wrote it
-  Expression condition;  ///< over shoot_variables()
+  Expression condition;  ///< over shoot_variables() and, after them, the marks of the operation list
 
   static ShootChoice label(std::string name) { return {Kind::label, std::move(name), {}}; }
   static ShootChoice leader() { return {Kind::leader, "leader", {}}; }
@@ -98,13 +102,15 @@ struct Layers {
 /// A pole, rod or wire that shoots are tied to.
 struct Support {
   std::vector<Vec3> line;  ///< metres from the root; shoots follow it from its first point on, and beyond its last
+  std::string named;       ///< name of a support of the scene, instead of a line
   double weight = 6;  ///< weight of the line's direction beside the weights of growth; raised, shoots are straighter
   int until = kLastIteration;  ///< the last iteration that shoots are tied to it
 };
 
 /// Gives shoots a mark that other operations can ask for.
 struct Mark {
-  double chance = 1;  ///< 0 to 1, of each shoot
+  double chance = 1;        ///< 0 to 1, of each shoot
+  std::uint32_t state = 0;  ///< number of the mark in the operation list, below kMostMarks
 };
 
 /// A ring of bark taken off: what leaves above it make stays above it.
@@ -122,12 +128,20 @@ struct Bend {
   int iterations = 1;      ///< that the bending takes
 };
 
+/// Shoots are drawn by a string to another shoot or to the ground, a little more in each iteration, and then held.
+struct Tie {
+  std::optional<int> below;       ///< metamers of the shoot below the string; unset: all, it is tied at its tip
+  std::optional<ShootChoice> to;  ///< the shoot that they are tied to, where that is nearest; unset: the ground
+  double length = 0;              ///< metres of the string; raised, shoots are drawn less far
+  int iterations = 1;             ///< that the drawing takes
+};
+
 struct Operation {
   Schedule when;
   ShootChoice shoots;
   std::optional<int> tree;  ///< the number of the one root that it is for, from 0; else all
   std::string path;         ///< in the document, for errors: "components.apple.operations[3]"
-  std::variant<Cut, Spur, Limit, Layers, Support, Mark, Girdle, Bend> what;
+  std::variant<Cut, Spur, Limit, Layers, Support, Mark, Girdle, Bend, Tie> what;
 };
 
 }  // namespace meristem

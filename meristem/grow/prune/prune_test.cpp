@@ -9,10 +9,13 @@
 #include <gtest/gtest.h>
 
 #include "meristem/base/diagnostic.h"
+#include "meristem/base/frame.h"
 #include "meristem/grow/prune/choose_shoots.h"
+#include "meristem/grow/prune/draw.h"
 #include "meristem/grow/prune/layers.h"
 #include "meristem/grow/prune/support_line.h"
 #include "meristem/grow/prune/work.h"
+#include "meristem/grow/prune/work_recorder.h"
 #include "meristem/scene/crown/solid_crowns.h"
 
 namespace meristem {
@@ -46,7 +49,16 @@ class HandMade {
   AxisIndex axis(const char* name) const { return metamers.find_shoot(name).value(); }
   Work work(const Operation& operation) const {
     const Leads found = leads();
-    return find_work({metamers, found, flow, radii, 5, RandomKey(7), in_pairs}, operation);
+    return find_work({metamers, found, flow, radii, 5, RandomKey(7), in_pairs, marks}, operation);
+  }
+  std::vector<OperationRecord> records(const Operation& operation) const {
+    const Leads found = leads();
+    std::vector<OperationRecord> told;
+    const TreeState state{metamers, found, flow, radii, 5, RandomKey(7)};
+    for (WorkRecorder::Noted& noted : WorkRecorder(state, operation, 3).note(work(operation))) {
+      told.push_back(std::move(noted.record));
+    }
+    return told;
   }
   /// What an operation takes: shoots and numbers of the first metamers that go, in their order.
   std::string taken(const Operation& operation) const {
@@ -64,6 +76,7 @@ class HandMade {
   ResourceFlow flow;
   PipeModel radii;
   bool in_pairs = false;
+  std::size_t marks = 0;
 };
 
 ShootChoice condition(const std::string& text) {
@@ -166,7 +179,7 @@ TEST(Prune, AConditionFindsShootsByWhatTheyAre) {
   HandMade tree(6);
   tree.branch(2, 4);
   tree.branch(4, 1, Vec3(0, 0, -1));
-  tree.metamers.axes[tree.axis("main.4")].is_marked = true;
+  tree.metamers.axes[tree.axis("main.4")].marks = 1;
   const auto found = [&](const char* text) { return tree.taken(operation(condition(text), above(0))); };
   EXPECT_EQ(found("rank == 1 && length > 2"), "main.2:1");
   EXPECT_EQ(found("rank == 1 && length < 2"), "main.4:1");
@@ -349,6 +362,147 @@ TEST(Prune, MarksAreByChance) {
   EXPECT_EQ(marked(1).size(), 50U);
   EXPECT_EQ(marked(0).size(), 0U);
   EXPECT_NEAR(static_cast<double>(marked(0.5).size()), 25, 14);  // four standard deviations
+}
+
+TEST(Prune, ConditionsKnowMarksByTheirWords) {
+  HandMade tree(6);
+  for (const MetamerIndex at : {2U, 3U, 4U}) tree.branch(at, 1);
+  tree.marks = 2;
+  tree.metamers.axes[tree.axis("main.2")].marks = 1;
+  tree.metamers.axes[tree.axis("main.3")].marks = 2;
+  std::vector<std::string> names = shoot_variables();
+  names.insert(names.end(), {"dead", "diseased"});
+  const auto found = [&](const std::string& text) {
+    return tree.taken(
+        operation({ShootChoice::Kind::condition, text, Expression::compile(text, {names, {}})}, above(0)));
+  };
+  EXPECT_EQ(found("dead"), "main.2:1");
+  EXPECT_EQ(found("diseased"), "main.3:1");
+  EXPECT_EQ(found("marked"), "main.2:1 main.3:1");
+  EXPECT_EQ(found("rank == 1 && !dead && !diseased"), "main.4:1");
+  const Work marked = tree.work(operation(condition("rank == 1"), Mark{1, 5}));
+  EXPECT_EQ(marked.mark, 5U);
+  EXPECT_EQ(marked.marked.size(), 3U);
+}
+
+TEST(Prune, AStringDrawsShootsToTheGroundOrToEachOther) {
+  HandMade tree(6);
+  tree.branch(3, 4);
+  tree.branch(5, 4);
+  const std::vector<Bow> down = tree.work(operation(ShootChoice::label("main.3"), Tie{.length = 0.5})).bows;
+  ASSERT_EQ(down.size(), 1U);
+  const AxisIndex lower = tree.axis("main.3");
+  EXPECT_EQ(down[0].first, tree.metamers.find(lower, 1));
+  EXPECT_EQ(down[0].last, tree.metamers.find(lower, 4));
+  EXPECT_EQ(down[0].toward, Vec3(4, 0, 0));
+  EXPECT_EQ(down[0].gap, 0.5);
+  // Tied lower down, to the nearest of another shoot.
+  const Operation other = operation(ShootChoice::label("main.5"), Tie{.below = 2, .to = ShootChoice::label("main.3")});
+  const std::vector<Bow> together = tree.work(other).bows;
+  ASSERT_EQ(together.size(), 1U);
+  EXPECT_EQ(together[0].last, tree.metamers.find(tree.axis("main.5"), 2));
+  EXPECT_EQ(together[0].tip, tree.metamers.find(tree.axis("main.5"), 4));
+  EXPECT_EQ(together[0].toward, Vec3(2, 3, 0));
+  // Not the stem, and not a shoot to itself.
+  EXPECT_TRUE(tree.work(operation(condition("rank == 0"), Tie{})).bows.empty());
+  const Operation itself = operation(ShootChoice::label("main.5"), Tie{.to = ShootChoice::label("main.5")});
+  EXPECT_TRUE(tree.work(itself).bows.empty());
+  EXPECT_THROW(tree.work(operation(ShootChoice::label("main.5"), Tie{.to = ShootChoice::label("main.9")})), InputError);
+  EXPECT_THROW(tree.work(operation(ShootChoice::label("main.5"), Tie{.below = 5})), InputError);
+}
+
+TEST(Prune, ThickWoodIsNotDrawn) {
+  HandMade tree(6);
+  tree.branch(3, 4);
+  tree.radii.tip_radius = 9;
+  EXPECT_TRUE(tree.work(operation(condition("rank == 1"), Tie{})).bows.empty());
+  EXPECT_THROW(tree.work(operation(ShootChoice::label("main.3"), Tie{})), InputError);
+}
+
+TEST(Draw, BringsTheEndAsNearAsItIsAsked) {
+  const std::vector<Vec3> level{Vec3(0, 2, 0), Vec3(1, 2, 0), Vec3(2, 2, 0), Vec3(3, 2, 0)};
+  const auto end = [&](const Draw& draw) {
+    Vec3 at = level[0];
+    for (int k = 1; k <= 3; ++k) {
+      at += rotation(draw.axis, draw.angle * k / 3) *
+            (level[static_cast<std::size_t>(k)] - level[static_cast<std::size_t>(k - 1)]);
+    }
+    return at;
+  };
+  for (const double gap : {1.5, 1.0, 0.7}) {
+    EXPECT_NEAR(glm::distance(end(draw_toward(level, Vec3(3, 0, 0), gap)), Vec3(3, 0, 0)), gap, 1e-3);
+  }
+  EXPECT_EQ(draw_toward(level, Vec3(3, 0, 0), 2.5).angle, 0) << "near enough";
+  EXPECT_EQ(draw_toward(level, Vec3(9, 2, 0), 0).angle, 0) << "on its own line";
+  // Out of reach, no other angle brings it nearer.
+  const Draw most = draw_toward(level, Vec3(3, -9, 0), 0);
+  const float nearest = glm::distance(end(most), Vec3(3, -9, 0));
+  for (const double turn : {-0.1, 0.1}) {
+    EXPECT_LE(nearest, glm::distance(end({most.axis, most.angle + turn}), Vec3(3, -9, 0)));
+  }
+}
+
+TEST(WorkRecorder, TellsWhereACutIsAndWhatItTakes) {
+  HandMade tree(6);
+  tree.branch(3, 4);
+  tree.branch(9, 2, Vec3(0, 1, 0));
+  tree.radii = {.tip_radius = 0.1, .exponent = 2};
+  tree.flow.light.assign(tree.metamers.count(), 0);
+  tree.flow.light[*tree.metamers.find(tree.axis("main.3"), 3)] = 2.5;
+  const std::vector<OperationRecord> records = tree.records(operation(ShootChoice::label("main.3"), above(2)));
+  ASSERT_EQ(records.size(), 1U);
+  const OperationRecord& cut = records[0];
+  EXPECT_EQ(cut.operation, "components.tree.operations[0]");
+  EXPECT_EQ(cut.act, "cut");
+  EXPECT_EQ(cut.iteration, 5);
+  EXPECT_EQ(cut.tree, 3U);
+  EXPECT_EQ(cut.shoot, "main.3");
+  EXPECT_EQ(cut.rank, 1);
+  EXPECT_EQ(cut.metamer, 2U);
+  EXPECT_EQ(cut.position, Vec3(2, 3, 0));
+  EXPECT_EQ(cut.bud, Vec3(0, 1, 0));
+  EXPECT_EQ(cut.metamers, 4U) << "two of the branch and the two that stand on it";
+  EXPECT_DOUBLE_EQ(cut.length, 4);
+  // By da Vinci's rule the third metamer is as thick as the two tips beyond it.
+  EXPECT_NEAR(cut.wood, kPi * 0.01 * (2 + 1 + 1 + 1), 1e-9);
+  EXPECT_EQ(cut.light, 2.5);
+}
+
+TEST(WorkRecorder, TellsAWholeShootByItsOwnName) {
+  HandMade tree(6);
+  tree.branch(3, 4);
+  const std::vector<OperationRecord> records = tree.records(operation(condition("rank == 1"), above(0)));
+  ASSERT_EQ(records.size(), 1U);
+  EXPECT_EQ(records[0].shoot, "main.3");
+  EXPECT_EQ(records[0].metamer, 0U);
+  EXPECT_EQ(records[0].position, Vec3(0, 3, 0));
+  EXPECT_EQ(records[0].bud, Vec3(0));
+}
+
+TEST(WorkRecorder, TellsNothingTwice) {
+  HandMade tree(6);
+  tree.branch(3, 4);
+  tree.branch(8, 2, Vec3(0, 1, 0));
+  std::uint32_t metamers = 0;
+  for (const OperationRecord& record : tree.records(operation(condition("rank >= 1"), above(0)))) {
+    metamers += record.metamers;
+  }
+  EXPECT_EQ(metamers, 6U);
+}
+
+TEST(WorkRecorder, TellsWhatElseIsDone) {
+  HandMade tree(6);
+  tree.branch(3, 4);
+  const auto acts = [&](const Operation& operation) {
+    std::string all;
+    for (const OperationRecord& record : tree.records(operation)) all += record.act + " " + record.shoot + " ";
+    return all;
+  };
+  EXPECT_EQ(acts(operation(condition("rank == 1"), Girdle{1})), "ring main.3 ");
+  EXPECT_EQ(acts(operation(condition("rank == 1"), Bend{})), "bend main.3 ");
+  EXPECT_EQ(acts(operation(condition("rank == 1"), Tie{})), "tie main.3 ");
+  EXPECT_EQ(acts(operation(condition("rank == 1"), Mark{})), "mark main.3 ");
+  EXPECT_EQ(acts(operation(ShootChoice::leader(), Layers{.count = 1})), "disbud main disbud main cut main.3 ");
 }
 
 TEST(Prune, ASchedulesConditionSeesTheTree) {

@@ -21,6 +21,7 @@ struct TreeState {
   int iteration = 1;
   RandomKey key;          ///< of the operation in this iteration
   bool in_pairs = false;  ///< opposite buds: metamers come in pairs
+  std::size_t marks = 0;  ///< different marks of the operation list
 };
 
 /// A shoot that was chosen.

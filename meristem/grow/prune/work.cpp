@@ -11,6 +11,7 @@ namespace {
 
 Work mark(const TreeState& tree, const Mark& what, const std::vector<Shoot>& shoots) {
   Work work;
+  work.mark = what.state;
   for (const Shoot& shoot : shoots) {
     const RandomKey key = tree.key.child(tree.metamers.axes[shoot.axis].key.bits());
     if (key.uniform(0) < what.chance) work.marked.push_back(shoot.axis);
@@ -29,6 +30,7 @@ Work find_work(const TreeState& tree, const Operation& operation) {
   if (const auto* what = std::get_if<Limit>(&operation.what)) return limit(*what, shoots);
   if (const auto* what = std::get_if<Girdle>(&operation.what)) return girdle(operation, *what, shoots);
   if (const auto* what = std::get_if<Bend>(&operation.what)) return bend(tree, operation, *what, shoots);
+  if (const auto* what = std::get_if<Tie>(&operation.what)) return tie(tree, operation, *what, shoots);
   return mark(tree, std::get<Mark>(operation.what), shoots);
 }
 

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// What operations cost. `by_condition` and `by_label`: a tree of some 100,000 metamers is grown with and without a list
+// of cuts after its last iteration; `ms/operation` is the difference over the number of cuts, each of which takes
+// something away. `waiting` has operations whose time never comes: `to_free` is its time over that of a tree without
+// any. `list` is a small tree with a list of operations: `exponent` is that of its time from the shortest list on, 1
+// for linear time. `row` is an espalier row of 200 trees over 15 iterations.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "bench/harness.h"
+#include "meristem/grow/organize/organize.h"
+#include "meristem/grow/prune/operation.h"
+
+namespace {
+
+using meristem::Cut;
+using meristem::Expression;
+using meristem::Operation;
+using meristem::OrganizeParameters;
+using meristem::Schedule;
+using meristem::ShootChoice;
+using meristem::Skeleton;
+using meristem::Vec3;
+
+const meristem::Scene kOpenScene;
+
+struct Timed {
+  Skeleton skeleton;
+  double seconds = 0;
+};
+
+Timed grow(const OrganizeParameters& parameters, int trees = 1) {
+  meristem::Progress progress;
+  meristem::Stand stand;
+  std::vector<meristem::OrganizeSeed> seeds(static_cast<std::size_t>(trees));
+  for (std::size_t k = 0; k < seeds.size(); ++k) seeds[k].frame.origin.x = 3 * static_cast<float>(k);
+  const auto begin = std::chrono::steady_clock::now();
+  stand.add(make_organizer(stand, seeds, parameters, meristem::RandomKey(1), kOpenScene, {}, "tree"));
+  stand.grow(progress);
+  Timed timed{std::move(stand.take_skeletons(progress)[0])};
+  timed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return timed;
+}
+
+ShootChoice condition(const std::string& text) {
+  return {ShootChoice::Kind::condition, text, Expression::compile(text, {meristem::shoot_variables(), {}})};
+}
+
+Operation cut(int at, ShootChoice shoots) {
+  Operation operation;
+  operation.when = Schedule::at(at);
+  operation.shoots = std::move(shoots);
+  operation.path = "operation";
+  Cut what;
+  what.above = 1;
+  operation.what = std::move(what);
+  return operation;
+}
+
+/// The labels of branches on branches that have more than two metamers.
+std::vector<std::string> branches(const Skeleton& tree, std::size_t most) {
+  const auto& number = tree.extra.find("metamer")->second;
+  std::vector<std::string> name(1 + *std::max_element(tree.axis.begin(), tree.axis.end()));
+  std::vector<std::string> found;
+  name[0] = "main";
+  for (meristem::NodeIndex node = 1; node < tree.node_count() && found.size() < most; ++node) {
+    const meristem::NodeIndex parent = tree.parent[node];
+    std::string& own = name[tree.axis[node]];
+    if (own.empty()) own = name[tree.axis[parent]] + "." + std::to_string(static_cast<int>(number[parent]));
+    if (tree.order[node] == 2 && number[node] == 3) found.push_back(own);
+  }
+  return found;
+}
+
+void measure(benchmark::State& state, const std::vector<Operation>& operations, const OrganizeParameters& free) {
+  OrganizeParameters pruned = free;
+  pruned.operations = operations;
+  double without = 1e9, with = 1e9;
+  Skeleton skeleton;
+  for (auto _ : state) {
+    without = std::min(without, grow(free).seconds);
+    Timed timed = grow(pruned);
+    with = std::min(with, timed.seconds);
+    skeleton = std::move(timed.skeleton);
+  }
+  state.counters["metamers"] = static_cast<double>(skeleton.node_count());
+  state.counters["cuts"] = static_cast<double>(skeleton.operations.size());
+  state.counters["ms/operation"] = 1e3 * (with - without) / static_cast<double>(operations.size());
+  state.SetLabel(skeleton_hash(skeleton).substr(0, 16));
+}
+
+OrganizeParameters large() {
+  OrganizeParameters parameters;
+  parameters.iterations = static_cast<int>(meristem::bench::sized({50}, {8})[0]);
+  return parameters;
+}
+
+void by_condition(benchmark::State& state) {
+  const OrganizeParameters free = large();
+  const Operation some = cut(free.iterations, condition("rank == 2 && length > 0.25 && rand(0, 1) < 0.004"));
+  measure(state, std::vector<Operation>(100, some), free);
+}
+
+void by_label(benchmark::State& state) {
+  const OrganizeParameters free = large();
+  std::vector<Operation> operations;
+  for (std::string& name : branches(grow(free).skeleton, 100)) {
+    operations.push_back(cut(free.iterations, ShootChoice::label(std::move(name))));
+  }
+  if (operations.empty()) operations.push_back(cut(free.iterations, condition("rank == 1")));
+  measure(state, operations, free);
+}
+
+void waiting(benchmark::State& state) {
+  const OrganizeParameters free = large();
+  OrganizeParameters pruned = free;
+  pruned.operations.assign(10, cut(meristem::kLastIteration, ShootChoice::leader()));
+  double without = 1e9, with = 1e9;
+  for (auto _ : state) {
+    without = std::min(without, grow(free).seconds);
+    with = std::min(with, grow(pruned).seconds);
+  }
+  state.counters["to_free"] = with / without;
+}
+
+void list(benchmark::State& state) {
+  OrganizeParameters parameters;
+  parameters.iterations = 8;
+  const auto count = static_cast<std::size_t>(state.range(0));
+  parameters.operations.assign(count, cut(6, condition("rank == 1 && length > 90")));
+  double best = 1e9;
+  for (auto _ : state) best = std::min(best, grow(parameters).seconds);
+  state.counters["us/operation"] = 1e6 * best / static_cast<double>(count);
+  static std::pair<double, double> fewest;  // operations and seconds
+  if (fewest.first == 0) fewest = {static_cast<double>(count), best};
+  if (static_cast<double>(count) == fewest.first) return;
+  state.counters["exponent"] = std::log(best / fewest.second) / std::log(static_cast<double>(count) / fewest.first);
+}
+
+void row(benchmark::State& state) {
+  OrganizeParameters parameters;
+  parameters.iterations = 15;
+  parameters.resource.alpha = 2.3;
+  const auto add = [&](ShootChoice shoots, auto what) {
+    Operation& operation = parameters.operations.emplace_back();
+    operation.shoots = std::move(shoots);
+    operation.what = std::move(what);
+  };
+  add(ShootChoice::leader(), meristem::Support{.line = {Vec3(0), Vec3(0, 1.8F, 0)}});
+  add(ShootChoice::leader(), meristem::Layers{});
+  add(condition("rank == 1"), meristem::Limit{12});
+  add(condition("rank >= 2"), meristem::Spur{2});
+  double best = 1e9;
+  Skeleton skeleton;
+  for (auto _ : state) {
+    Timed timed = grow(parameters, static_cast<int>(state.range(0)));
+    best = std::min(best, timed.seconds);
+    skeleton = std::move(timed.skeleton);
+  }
+  state.counters["s"] = best;
+  state.counters["metamers"] = static_cast<double>(skeleton.node_count());
+  state.counters["records"] = static_cast<double>(skeleton.operations.size());
+  state.SetLabel(skeleton_hash(skeleton).substr(0, 16));
+}
+
+BENCHMARK(by_condition)->Iterations(3)->Unit(benchmark::kMillisecond);
+BENCHMARK(by_label)->Iterations(3)->Unit(benchmark::kMillisecond);
+BENCHMARK(waiting)->Iterations(3)->Unit(benchmark::kMillisecond);
+BENCHMARK(list)
+    ->ArgName("operations")
+    ->ArgsProduct({meristem::bench::sized({1000, 10'000, 100'000}, {10})})
+    ->Iterations(3)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(row)
+    ->ArgName("trees")
+    ->ArgsProduct({meristem::bench::sized({200}, {2})})
+    ->Iterations(2)
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  using meristem::bench::Asked;
+  return meristem::bench::run(count, arguments,
+                              {{"by_condition", "ms/operation", Asked::at_most, 10},
+                               {"by_label", "ms/operation", Asked::at_most, 1},
+                               {"list/operations:10000", "exponent", Asked::at_most, 1.1},
+                               {"waiting", "to_free", Asked::at_most, 1.05},
+                               {"row/trees:200", "s", Asked::at_most, 10}});
+}

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+// Seasons, plans, records and supports of the scene, on whole trees.
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/base/parallel.h"
+#include "meristem/plant/axis_labels.h"
+#include "tests/support/check_skeleton.h"
+#include "tests/support/organized_trees.h"
+
+namespace meristem {
+namespace {
+
+OrganizeParameters with(OrganizeParameters parameters, Operation operation) {
+  operation.path = "components.tree.operations[" + std::to_string(parameters.operations.size()) + "]";
+  parameters.operations.push_back(std::move(operation));
+  return parameters;
+}
+
+Operation shorten_branches(int at, bool in_summer) {
+  Operation operation;
+  operation.when = Schedule::at(at);
+  operation.when.in_summer = in_summer;
+  const std::string text = "rank == 1 && length > 2";
+  operation.shoots = {ShootChoice::Kind::condition, text, Expression::compile(text, {shoot_variables(), {}})};
+  Cut cut;
+  cut.above = 2;
+  operation.what = cut;
+  return operation;
+}
+
+double born_in(const Skeleton& tree, int iteration) {
+  return static_cast<double>(std::ranges::count(tree.birth, static_cast<float>(iteration)));
+}
+
+/// The names of the shoots that grew in an iteration.
+std::set<std::string> shoots_of(const Skeleton& tree, int iteration) {
+  const std::vector<std::string> labels = axis_labels(tree);
+  std::set<std::string> born;
+  for (NodeIndex node = 1; node < tree.node_count(); ++node) {
+    const bool begins = tree.axis[node] != tree.axis[tree.parent[node]];
+    if (begins && tree.birth[node] == static_cast<float>(iteration)) born.insert(labels[tree.axis[node]]);
+  }
+  return born;
+}
+
+TEST(OrganizeSeasons, ASummerCutIsAnsweredInItsIteration) {
+  int answers = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const OrganizeParameters strong = organized(2.6, 8);
+    const std::set<std::string> wild = shoots_of(grow_organized(strong, seed), 8);
+    const auto new_shoots = [&](bool in_summer) {
+      const Skeleton tree = grow_organized(with(strong, shorten_branches(8, in_summer)), seed);
+      EXPECT_TRUE(check_skeleton(tree));
+      EXPECT_FALSE(tree.operations.empty());
+      const std::set<std::string> born = shoots_of(tree, 8);
+      return std::ranges::count_if(born, [&](const std::string& shoot) { return wild.count(shoot) == 0; });
+    };
+    answers += static_cast<int>(new_shoots(true));
+    EXPECT_EQ(new_shoots(false), 0) << "after a winter cut nothing grows before the next iteration";
+  }
+  EXPECT_GE(answers, 10);
+}
+
+TEST(OrganizeSeasons, ASummerWithoutAnythingToDoGrowsAsManyMetamers) {
+  double with_summer = 0, without = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Operation nothing = shorten_branches(1, true);
+    nothing.shoots.condition = Expression::compile("length > 1000", {shoot_variables(), {}});
+    const auto count = [&](int from) {
+      nothing.when = {.from = from, .in_summer = true};
+      return metamer_count(grow_organized(with(full(12), nothing), seed));
+    };
+    const double free = metamer_count(grow_organized(full(12), seed));
+    EXPECT_EQ(count(12), free) << "in one iteration";
+    // Shoots that have sensed light once more turn a little, so that other buds open in later iterations.
+    with_summer += count(1);
+    without += free;
+  }
+  EXPECT_NEAR(with_summer / without, 1, 0.1);
+}
+
+TEST(OrganizeSeasons, UntilItsFirstSummerTheTreeIsTheSame) {
+  const Skeleton plain = grow_organized(full(9));
+  EXPECT_EQ(grow_organized(with(full(9), shorten_branches(10, true))).position, plain.position);
+  const Skeleton longer = grow_organized(with(full(10), shorten_branches(10, true)));
+  EXPECT_NE(longer.position, grow_organized(full(10)).position);
+  EXPECT_GT(born_in(longer, 10), 0);
+}
+
+TEST(OrganizeSeasons, TheSameBytesOnAnyNumberOfThreads) {
+  for (const auto kind : {BudLightModel::Kind::shadow, BudLightModel::Kind::markers}) {
+    OrganizeParameters parameters = with(full(10), shorten_branches(7, true));
+    parameters.light.kind = kind;
+    std::string hash;
+    for (const int threads : {1, 2, 3, 8}) {
+      const ThreadLimit limit(threads);
+      const std::string own = skeleton_hash(grow_organized(parameters));
+      if (hash.empty()) hash = own;
+      EXPECT_EQ(own, hash) << threads;
+    }
+  }
+}
+
+TEST(OrganizeRecords, WhatIsCutAndWhatIsLeftIsAllThatGrew) {
+  // Nothing else is lost, so what was cut away was there before and is not there after.
+  const Skeleton whole = grow_organized(full(10));
+  const Skeleton cut = grow_organized(with(full(10), shorten_branches(10, false)));
+  double metamers = 0;
+  for (const OperationRecord& record : cut.operations) metamers += record.metamers;
+  EXPECT_GT(metamers, 0);
+  EXPECT_EQ(metamer_count(whole), metamer_count(cut) + metamers);
+  // The columns of what is left say the same.
+  double in_columns = 0;
+  for (const float count : cut.extra.find("cut_metamers")->second) in_columns += count;
+  EXPECT_EQ(in_columns, metamers);
+}
+
+TEST(OrganizeRecords, StandWhereTheTreeStands) {
+  const OrganizeParameters parameters = with(full(8), shorten_branches(8, false));
+  const Frame away{.origin = Vec3(5, 1, -3)};
+  const Skeleton near = grow_organized(parameters), far = grow_organized(parameters, 1, {}, away);
+  ASSERT_EQ(near.operations.size(), far.operations.size());
+  for (std::size_t k = 0; k < near.operations.size(); ++k) {
+    EXPECT_LT(glm::distance(near.operations[k].position + away.origin, far.operations[k].position), 1e-4F);
+    EXPECT_EQ(near.operations[k].shoot, far.operations[k].shoot);
+  }
+}
+
+TEST(OrganizeCallus, AStemThatIsCutBackAgainAndAgainGrowsAHead) {
+  OrganizeParameters parameters = organized(3, 24);
+  parameters.radii = {.tip_radius = 0.01, .exponent = 2, .memory = 0};
+  Operation head = cut_above(5, "main", 8);
+  Operation pollard;
+  pollard.when = {.from = 8, .every = 3};
+  const std::string text = "rank >= 1";
+  pollard.shoots = {ShootChoice::Kind::condition, text, Expression::compile(text, {shoot_variables(), {}})};
+  pollard.what = Spur{2};
+  parameters = with(with(parameters, head), pollard);
+  const Skeleton plain = grow_organized(parameters);
+  parameters.callus = 0.5;
+  const Skeleton swollen = grow_organized(parameters);
+  ASSERT_EQ(swollen.position, plain.position);
+  // Node 1 to 8 are the stem's first: at the top it swells, near the ground hardly, and wood without cuts not at all.
+  const auto gain = [&](NodeIndex node) { return swollen.radius[node] / plain.radius[node]; };
+  const auto top = static_cast<NodeIndex>(std::ranges::find(plain.extra.find("metamer")->second, 8) -
+                                          plain.extra.find("metamer")->second.begin());
+  EXPECT_GT(gain(top), 1.3F);
+  EXPECT_LT(gain(1), 1.05F);
+  for (NodeIndex node = 0; node < plain.node_count(); ++node) {
+    EXPECT_GE(gain(node), 1) << node;
+    if (plain.birth[node] == 24) EXPECT_EQ(gain(node), 1) << node;
+  }
+}
+
+TEST(OrganizePlan, TellsWhatWouldBeDoneAndDoesNothing) {
+  OrganizeParameters parameters = with(full(10), shorten_branches(10, false));
+  // The second finds what the first leaves.
+  Operation second = shorten_branches(10, false);
+  Cut closer;
+  closer.above = 1;
+  second.what = closer;
+  const std::string text = "rank == 1 && length > 1";
+  second.shoots.condition = Expression::compile(text, {shoot_variables(), {}});
+  parameters = with(parameters, second);
+  const Skeleton done = grow_organized(parameters);
+  parameters.plans = true;
+  const Skeleton planned = grow_organized(parameters);
+  EXPECT_EQ(planned.operations, done.operations);
+  EXPECT_FALSE(planned.operations.empty());
+  const Skeleton wild = grow_organized(full(10));
+  EXPECT_EQ(planned.position, wild.position);
+  EXPECT_EQ(planned.extra.find("light")->second, wild.extra.find("light")->second);
+}
+
+TEST(OrganizePlan, KeepsWhatWasDoneBeforeAndBendsNothing) {
+  OrganizeParameters parameters = with(full(10), shorten_branches(7, false));
+  Operation bend = shorten_branches(10, false);
+  bend.what = Bend{.metamers = 2, .inclination = -0.5};
+  parameters = with(parameters, bend);
+  const Skeleton before = [&] {
+    OrganizeParameters shorter = parameters;
+    shorter.operations.pop_back();
+    return grow_organized(shorter);
+  }();
+  parameters.plans = true;
+  const Skeleton planned = grow_organized(parameters);
+  EXPECT_EQ(planned.position, before.position);
+  for (const OperationRecord& record : planned.operations) EXPECT_EQ(record.act, "bend");
+  EXPECT_FALSE(planned.operations.empty());
+  EXPECT_EQ(planned.extra.find("cut_at")->second, before.extra.find("cut_at")->second);
+}
+
+TEST(OrganizeSupports, OfTheSceneAreTheirsWhereverTheRootIs) {
+  Operation operation;
+  operation.shoots = ShootChoice::leader();
+  operation.what = Support{.named = "wire", .weight = 8};
+  const OrganizeParameters parameters = with(full(14), operation);
+  Scene scene;
+  scene.supports["wire"] = {Vec3(2, 0, 0), Vec3(2, 20, 0)};
+  const Skeleton tree = grow_organized(parameters, 1, scene);
+  NodeIndex tip = 0;
+  for (NodeIndex node = 0; node < tree.node_count(); ++node) tip = tree.axis[node] == 0 ? node : tip;
+  EXPECT_NEAR(tree.position[tip].x, 2, 0.7);
+  EXPECT_NEAR(tree.position[tip].z, 0, 0.7);
+  try {
+    scene.supports = {{"wires", {Vec3(0), Vec3(0, 1, 0)}}};
+    grow_organized(parameters, 1, scene);
+    ADD_FAILURE() << "no InputError";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.diagnostics()[0].path, "components.tree.operations[0].named");
+    EXPECT_EQ(error.diagnostics()[0].nearest, "wires");
+  }
+}
+
+TEST(OrganizeTie, DrawsABranchTowardTheGround) {
+  Operation tie;
+  tie.when = Schedule::at(8);
+  const std::string text = "rank == 1 && length > 2";
+  tie.shoots = {ShootChoice::Kind::condition, text, Expression::compile(text, {shoot_variables(), {}})};
+  tie.what = Tie{.length = 1};
+  const Skeleton free = grow_organized(full(8));
+  OrganizeParameters parameters = full(8);
+  parameters.radii.tip_radius = 0.01;
+  const Skeleton tied = grow_organized(with(parameters, tie));
+  ASSERT_TRUE(check_skeleton(tied));
+  ASSERT_FALSE(tied.operations.empty());
+  ASSERT_EQ(tied.parent, free.parent);
+  double lower = 0;
+  for (NodeIndex node = 0; node < tied.node_count(); ++node) {
+    lower += free.position[node].y - tied.position[node].y;
+    if (tied.axis[node] != 0) continue;
+    EXPECT_EQ(tied.position[node], free.position[node]);
+  }
+  EXPECT_GT(lower, 1);
+}
+
+}  // namespace
+}  // namespace meristem

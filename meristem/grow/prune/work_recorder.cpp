@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/grow/prune/work_recorder.h"
+
+#include <algorithm>
+#include <unordered_set>
+#include <utility>
+
+#include "meristem/base/math.h"
+
+namespace meristem {
+
+std::vector<WorkRecorder::Noted> WorkRecorder::note(const Work& work) const {
+  const Metamers& metamers = tree_.metamers;
+  std::vector<Noted> noted;
+  for (const AxisIndex axis : work.marked) noted.push_back(at_base(metamers.axes[axis].first, "mark"));
+  for (const Ring& ring : work.rings) noted.push_back(at_base(ring.metamer, "ring"));
+  for (const Bow& bow : work.bows) {
+    noted.push_back(bow.toward ? at_end(bow.last, "tie") : at_base(bow.first, "bend"));
+  }
+  for (const MetamerIndex metamer : work.pinched) {
+    if (metamers.terminal[metamer].is_open()) noted.push_back(at_end(metamer, "disbud"));
+  }
+  for (const MetamerIndex metamer : work.lifted) {
+    if (metamers.lateral[metamer].is_open()) noted.push_back(at_end(metamer, "disbud"));
+  }
+  // What goes with something else is told with that: it stands beyond, and has the larger index.
+  std::vector<MetamerIndex> gone = work.gone;
+  std::ranges::sort(gone);
+  std::unordered_set<MetamerIndex> told;
+  std::vector<MetamerIndex> beyond;
+  for (const MetamerIndex first : gone) {
+    if (told.count(first) != 0) continue;
+    noted.push_back(cut(first, beyond));
+    if (gone.size() > 1) told.insert(beyond.begin(), beyond.end());
+  }
+  return noted;
+}
+
+/// At the end of a metamer, on its shoot.
+WorkRecorder::Noted WorkRecorder::at_end(MetamerIndex metamer, const char* act) const {
+  const Metamers& metamers = tree_.metamers;
+  const AxisIndex axis = metamers.axis[metamer];
+  const Bud lateral = metamers.lateral[metamer];
+  const bool is_alive = lateral.is_open() || lateral.is_grown();
+  return {metamer,
+          {.operation = operation_.path,
+           .act = act,
+           .iteration = tree_.iteration,
+           .tree = number_,
+           .shoot = metamers.name_of(axis),
+           .rank = tree_.leads.rank[axis],
+           .metamer = metamers.number[metamer],
+           .position = metamers.tip[metamer],
+           .bud = is_alive ? metamers.side[metamer] : Vec3(0)}};
+}
+
+/// At the base of a metamer: where a shoot begins, it is that shoot's.
+WorkRecorder::Noted WorkRecorder::at_base(MetamerIndex first, const char* act) const {
+  const Metamers& metamers = tree_.metamers;
+  Noted noted = at_end(metamers.parent[first], act);
+  if (!metamers.begins_shoot(first)) return noted;
+  noted.record.shoot = metamers.name_of(metamers.axis[first]);
+  noted.record.rank = tree_.leads.rank[metamers.axis[first]];
+  noted.record.metamer = 0;
+  noted.record.bud = Vec3(0);
+  return noted;
+}
+
+/// A cut that takes a metamer, and what stands `beyond` with it.
+WorkRecorder::Noted WorkRecorder::cut(MetamerIndex first, std::vector<MetamerIndex>& beyond) const {
+  const Metamers& metamers = tree_.metamers;
+  Noted noted = at_base(first, "cut");
+  beyond.assign(1, first);
+  for (std::size_t k = 0; k < beyond.size(); ++k) {
+    for (const Bud bud : {metamers.terminal[beyond[k]], metamers.lateral[beyond[k]]}) {
+      if (bud.is_grown()) beyond.push_back(bud.metamer());
+    }
+  }
+  // Tips first, so that each metamer finds the tips that it bears.
+  std::ranges::sort(beyond);
+  std::vector<double> tips(beyond.size(), 0);
+  OperationRecord& record = noted.record;
+  record.metamers = static_cast<std::uint32_t>(beyond.size());
+  for (std::size_t k = beyond.size(); k-- > 0;) {
+    const MetamerIndex metamer = beyond[k];
+    tips[k] += tree_.radii.memory * metamers.lost_tips[metamer];
+    if (tips[k] == 0) tips[k] = 1;
+    const double length = metamers.length(metamer);
+    const double radius = tree_.radii.tip_radius * math::pow(tips[k], 1 / tree_.radii.exponent);
+    record.length += length;
+    noted.section = kPi * radius * radius;
+    record.wood += noted.section * length;
+    if (k == 0) break;
+    const auto parent = std::ranges::lower_bound(beyond, metamers.parent[metamer]);
+    tips[static_cast<std::size_t>(parent - beyond.begin())] += tips[k];
+  }
+  if (first < tree_.flow.light.size()) record.light = tree_.flow.light[first];
+  return noted;
+}
+
+}  // namespace meristem

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "meristem/grow/prune/tree_state.h"
+#include "meristem/grow/prune/work.h"
+#include "meristem/plant/operation_record.h"
+
+namespace meristem {
+
+/// Tells what an operation is about to do to a tree, in metres from its root.
+class WorkRecorder {
+ public:
+  WorkRecorder(const TreeState& tree, const Operation& operation, std::uint32_t number)
+      : tree_(tree), operation_(operation), number_(number) {}
+
+  struct Noted {
+    MetamerIndex at = 0;  ///< the metamer at whose end it is done
+    OperationRecord record;
+    double section = 0;  ///< of the wood that is cut through, square metres; 0 for all else
+  };
+  /// A record for each thing that is done, in the order of Work. Cost goes with what is done and not with the tree.
+  std::vector<Noted> note(const Work& work) const;
+
+ private:
+  Noted at_end(MetamerIndex metamer, const char* act) const;
+  Noted at_base(MetamerIndex first, const char* act) const;
+  Noted cut(MetamerIndex first, std::vector<MetamerIndex>& beyond) const;
+
+  TreeState tree_;
+  const Operation& operation_;
+  std::uint32_t number_;
+};
+
+}  // namespace meristem

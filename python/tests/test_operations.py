@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What operations do to trees, as Python sees it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import meristem
+import numpy as np
+
+
+def grow(**parameters: Any) -> meristem.Plant:
+    cut = {"do": "cut", "at": 10, "shoots": "rank == 1 && length > 0.2", "above": 2}
+    tree = {"type": "organize", "iterations": 10, "length": 0.1, "operations": [cut], **parameters}
+    return meristem.Document({"meristem": 1, "components": {"tree": tree}}, seed=1).grow()
+
+
+def test_records_tell_where_what_was_cut() -> None:
+    plant = grow()
+    records = plant.operations
+    count = len(records["shoot"])
+    assert count > 0
+    assert set(records["act"]) == {"cut"} and set(records["operation"]) == {"components.tree.operations[0]"}
+    assert records["position"].shape == (count, 3) and records["bud"].shape == (count, 3)
+    assert np.all(records["metamers"] >= 1) and np.all(records["length"] > 0) and np.all(records["wood"] > 0)
+    assert np.allclose(np.linalg.norm(records["bud"], axis=1), 1, atol=1e-5)
+    # Each is the end of a metamer that is still there, and the columns of the skeleton say the same.
+    skeleton = plant.stems[0].skeleton
+    labels = np.array(skeleton.labels)[skeleton.axis]
+    for k in range(count):
+        [node] = np.flatnonzero((labels == records["shoot"][k]) & (skeleton["metamer"] == records["metamer"][k]))
+        assert np.allclose(skeleton.position[node], records["position"][k], atol=1e-5)
+        assert skeleton["cut_at"][node] == 10
+        assert skeleton["cut_metamers"][node] == records["metamers"][k]
+
+
+def test_a_plan_is_what_would_be_done() -> None:
+    planned, done, wild = grow(plan=True), grow(), grow(operations=[])
+    for name, column in planned.operations.items():
+        assert np.array_equal(column, done.operations[name]), name
+    assert np.array_equal(planned.stems[0].skeleton.position, wild.stems[0].skeleton.position)
+    assert len(planned.stems[0].skeleton) == len(done.stems[0].skeleton) + done.operations["metamers"].sum()
+
+
+def test_trees_that_nobody_prunes_have_no_records() -> None:
+    records = grow(operations=[]).operations
+    assert len(records["shoot"]) == 0 and records["position"].shape == (0, 3)

@@ -30,6 +30,7 @@ struct TextRequest {
 struct EditRequest {
   std::string base;
   std::vector<Edit> edits;
+  bool only_if_good = false;  ///< refused where a text without errors would then have some
 };
 struct DragRequest {
   std::vector<Override> values;
@@ -59,6 +60,16 @@ struct SaveRequest {
 };
 struct ModelsRequest {};
 struct MeasuresRequest {};
+/// Of which components a shipped model consists.
+struct PartsRequest {
+  std::string model;
+};
+/// A part of the open document, of a shipped model, or of a text.
+struct PartRequest {
+  std::optional<std::string> model;
+  std::optional<std::string> text;
+  std::vector<std::string> components;  ///< none: all but cameras
+};
 
 /// From where a picture is seen.
 struct CameraOptions {
@@ -90,7 +101,7 @@ struct CommandRequest {
 
 using Request = std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest,
                              ShownRequest, AllRequest, CancelRequest, PauseRequest, FilesRequest, SaveRequest,
-                             ModelsRequest, MeasuresRequest, ExportRequest, CommandRequest>;
+                             ModelsRequest, MeasuresRequest, PartsRequest, PartRequest, ExportRequest, CommandRequest>;
 
 struct NumberedRequest {
   double id = 0;

@@ -3,13 +3,20 @@
 import { prefer, preference } from './base/preferences.ts';
 import { Store } from './base/store.ts';
 import { ToastList } from './base/toast_list.ts';
+import type { Part } from './board/board_actions.ts';
+import { BoardActions } from './board/board_actions.ts';
+import type { BoardState } from './board/board_state.ts';
+import { kEmptyBoard } from './board/board_state.ts';
+import { Gardens } from './board/gardens.ts';
+import { standing_on } from './board/plant_graph.ts';
+import type { EditWish } from './document/document_model.ts';
 import { DocumentModel } from './document/document_model.ts';
 import type { Json } from './document/json.ts';
 import { Keeper } from './keeper.ts';
 import { Connection } from './server/connection.ts';
 import { LatestSender } from './server/latest_sender.ts';
 import { read_packet } from './server/packet.ts';
-import type { Edit, Grown, Hello, News, Opened, Saved } from './server/protocol.ts';
+import type { Edit, Fault, Grown, Hello, News, Opened, Saved } from './server/protocol.ts';
 import { Refusal } from './server/protocol.ts';
 import type { GrowthState, ServerState, ShellState, Theme, ViewState } from './studio_state.ts';
 import { kNoGrowth, with_work } from './studio_state.ts';
@@ -29,9 +36,16 @@ export class Studio {
   readonly chosen = new Store('');
   readonly growth = new Store<GrowthState>(kNoGrowth);
   readonly server = new Store<ServerState>({ link: 'connecting', hello: null });
-  readonly view_state = new Store<ViewState>({ drawing: 'shaded', hidden: new Set(), shows_ground: true });
+  readonly view_state = new Store<ViewState>({ drawing: 'shaded', hidden: new Set(), shows_ground: true, solo: null });
   readonly view_facts = new Store<ViewFacts | null>(null); // of the last picture
   readonly pointed = new Store<{ component: string; x: number; y: number } | null>(null); // at rest over the view
+  readonly board = new Store<BoardState>(kEmptyBoard);
+  readonly board_fit = new Store(0); // counts how often the board was to be fitted
+  readonly board_actions = new BoardActions(this);
+  readonly gardens = new Gardens(this);
+  clip: Part | null = null; // what was copied last
+  /// What components begin with whose tables demand something, by type.
+  starters: Record<string, Json> = {};
   readonly shell: Store<ShellState>;
   readonly toasts = new ToastList();
   readonly dragged = new Store<Record<string, Json>>({});
@@ -52,6 +66,7 @@ export class Studio {
     this.shell = new Store<ShellState>({
       dialog: null,
       side: 'inspector',
+      left: preference('left') === 'board' ? 'board' : 'outline',
       theme: (preference('theme') as Theme | null) ?? 'system',
       is_dark: false,
       shows_hints: preference('hints') !== 'seen',
@@ -93,21 +108,34 @@ export class Studio {
     }
   }
 
+  /// Of the component that is drawn alone, all that stands on it; of none, nothing.
+  solo_components(): ReadonlySet<string> {
+    const { solo } = this.view_state.get();
+    return solo === null ? new Set() : standing_on(this.board_actions.graph, solo);
+  }
+
   refresh_view(): void {
-    const { drawing, hidden, shows_ground } = this.view_state.get();
+    const { drawing, shows_ground, solo } = this.view_state.get();
+    let { hidden } = this.view_state.get();
+    if (solo !== null) {
+      const shown = this.solo_components();
+      hidden = new Set([...hidden, ...(this.view?.plant.components ?? []).filter((one) => !shown.has(one))]);
+    }
     const chosen = /^components\.([^.[]+)/.exec(this.chosen.get())?.[1] ?? '';
     this.view?.show(drawing, hidden, chosen);
     this.view?.paint(this.shell.get().is_dark, shows_ground);
   }
 
   /// Changes the document as one step of the undo list.
-  async edit(edits: Edit[], label: string): Promise<void> {
+  async edit(edits: Edit[], label: string, wish: EditWish = {}): Promise<Fault[] | null> {
     // Until the text says them, fields show the values that are meant.
     const meant = Object.fromEntries(edits.flatMap((edit) => ('set' in edit ? [[edit.set, edit.value]] : [])));
     this.drags_.drop(); // the edit ends the drag at the server, too
     this.dragged.set(meant);
-    await this.document.edit(edits, label);
+    const faults = await this.document.edit(edits, label, wish);
     if (this.dragged.get() === meant) this.dragged.set({});
+    if (faults === null && wish.choose !== undefined) this.choose(wish.choose);
+    return faults;
   }
 
   set_value(path: string, value: Json, label: string): void {
@@ -180,7 +208,9 @@ export class Studio {
     this.locks.set(new Set());
     this.document.take_opened(opened);
     this.first_values.set(Object.fromEntries(opened.variables.map((one) => [one.name, one.expression || one.value])));
-    this.view_state.merge({ hidden: new Set() });
+    this.view_state.merge({ hidden: new Set(), solo: null });
+    this.board.set(kEmptyBoard);
+    this.board_fit.set(this.board_fit.get() + 1);
     this.choose('');
   }
 

@@ -30,15 +30,17 @@ export interface ViewState {
   drawing: Drawing;
   hidden: ReadonlySet<string>; // components that are not drawn
   shows_ground: boolean;
+  solo: string | null; // the component that is drawn alone, with all that stands on it
 }
 
 export type Theme = 'system' | 'light' | 'dark';
 
-export type Dialog = 'open' | 'save' | 'models' | 'export' | 'shortcuts' | null;
+export type Dialog = 'open' | 'save' | 'models' | 'export' | 'shortcuts' | 'palette' | null;
 
 export interface ShellState {
   dialog: Dialog;
   side: 'inspector' | 'text';
+  left: 'outline' | 'board';
   theme: Theme;
   is_dark: boolean;
   shows_hints: boolean;

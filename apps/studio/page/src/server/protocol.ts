@@ -26,12 +26,20 @@ export interface Variable {
   private: boolean;
 }
 
+/// A link that stands in no text: a component places another one itself.
+export interface ImpliedLink {
+  from: string;
+  to: string;
+}
+
 /// What reading a text says of it.
 export interface Reading {
   good: boolean;
   faults: Fault[];
   tree: Json;
   variables: Variable[];
+  implied: ImpliedLink[]; // of the last text without errors
+  notes: Record<string, string>; // comments of the document, by component
 }
 
 export type Edit =
@@ -40,7 +48,9 @@ export type Edit =
   | { insert: string; value: Json; index?: number }
   | { remove: string }
   | { rename: string; name: string }
-  | { move: string; index: number };
+  | { move: string; index: number }
+  | { note: string; text: string }
+  | { paste: string; names: Record<string, string>; index: number; link_index?: number };
 
 export interface Opened extends Reading {
   path: string | null;
@@ -62,6 +72,12 @@ export interface Edited extends Reading {
   patch: PlainPatch;
   inverse: PlainPatch;
   hash: string;
+}
+
+/// The components of a document that parts can be taken from.
+export interface ReadParts {
+  tree: Json;
+  implied: ImpliedLink[];
 }
 
 export interface ListedFile {

@@ -202,6 +202,21 @@ CameraOptions camera_of(const Members& members) {
           .field_of_view_deg = members.number("field_of_view", 1, 150)};
 }
 
+/// Three rows of [axes, origin].
+InstanceRequest instance_request(const Members& members) {
+  InstanceRequest request{
+      .component = members.text("component"), .frame = {}, .position = vector_of(members, "position")};
+  const Value::List& rows = members.list("frame");
+  for (std::size_t k = 0; k < 12; ++k) {
+    const double* number = rows.size() == 12 ? rows[k].number() : nullptr;
+    if (number == nullptr || !(std::abs(*number) <= 1e9)) throw Refusal("'frame' is not a list of 12 numbers");
+    const auto row = static_cast<int>(k / 4);
+    const auto column = static_cast<int>(k % 4);
+    (column == 3 ? request.frame.origin[row] : request.frame.axes[column][row]) = static_cast<float>(*number);
+  }
+  return request;
+}
+
 ExportOptions export_options(const Members& members) {
   ExportOptions options{.format = members.text("format"), .name = members.optional_text("name")};
   if (!members.has("options")) return options;
@@ -246,6 +261,7 @@ Request request_of(const std::string& what, const Members& members) {
   }
   if (what == "models") return ModelsRequest{};
   if (what == "measures") return MeasuresRequest{};
+  if (what == "instance") return instance_request(members);
   if (what == "parts") return PartsRequest{members.text("model")};
   if (what == "part") return part_request(members);
   if (what == "export") return ExportRequest{export_options(members)};

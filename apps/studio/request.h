@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "meristem/base/frame.h"
 #include "meristem/document/document.h"
 #include "meristem/document/edit/session.h"
 #include "text_units.h"
@@ -60,6 +61,12 @@ struct SaveRequest {
 };
 struct ModelsRequest {};
 struct MeasuresRequest {};
+/// What a component's instance is that is seen somewhere.
+struct InstanceRequest {
+  std::string component;
+  Frame frame;       ///< of what is seen of it; the world's own for stems
+  Vec3 position{0};  ///< on its surface
+};
 /// Of which components a shipped model consists.
 struct PartsRequest {
   std::string model;
@@ -101,7 +108,7 @@ struct CommandRequest {
 
 using Request = std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest,
                              ShownRequest, AllRequest, CancelRequest, PauseRequest, FilesRequest, SaveRequest,
-                             ModelsRequest, MeasuresRequest, PartsRequest, PartRequest, ExportRequest, CommandRequest>;
+                             ModelsRequest, MeasuresRequest, InstanceRequest, PartsRequest, PartRequest, ExportRequest, CommandRequest>;
 
 struct NumberedRequest {
   double id = 0;

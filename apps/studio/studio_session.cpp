@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "export_job.h"
+#include "instance_value.h"
 #include "job_news.h"
 #include "job_watch.h"
 #include "meristem/base/version.h"
@@ -430,6 +431,20 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const Measure
         const GrownDocument all = grow_document(*document, progress, {.time = time, .up_to = GrownPart::meshes});
         return {"measures", measures_value(measure_plant(all.plant, all.meshes, document->scene, {}, progress), false)};
       });
+  return std::nullopt;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const InstanceRequest& request) {
+  grower_->ask([outbox = outbox_, id, request](const GrownWish* grown, GrowthCache& cache) {
+    try {
+      if (grown == nullptr) throw Refusal("nothing has grown yet");
+      Progress progress;
+      Value::Object done{{"is", "done"}, {"re", id}, {"instance", instance_value(*grown, request, progress, cache)}};
+      outbox->send_text(write_json_line(done));
+    } catch (const std::exception& error) {
+      outbox->send_text(refused_text(id, error.what(), {}));
+    }
+  });
   return std::nullopt;
 }
 

@@ -76,6 +76,7 @@ class StudioSession {
   std::optional<Answer> act(double id, const SaveRequest& request);
   std::optional<Answer> act(double id, const ModelsRequest& request);
   std::optional<Answer> act(double id, const MeasuresRequest& request);
+  std::optional<Answer> act(double id, const InstanceRequest& request);
   std::optional<Answer> act(double id, const PartsRequest& request);
   std::optional<Answer> act(double id, const PartRequest& request);
   std::optional<Answer> act(double id, const ExportRequest& request);

@@ -78,6 +78,12 @@ class Expansion {
     return std::move(*tree_);
   }
 
+  std::vector<std::uint64_t> counts() {
+    counts_.resize(graph_.components.size());
+    walk();
+    return std::move(counts_);
+  }
+
   /// Walks until the instance is found. The results of the cache stay, since the run does not end.
   std::optional<FoundInstance> find(const InstanceWish& wish) {
     wish_ = &wish;
@@ -269,6 +275,7 @@ class Expansion {
       results_.store(key, result);
     }
     nodes_ += result->nodes;
+    if (!counts_.empty()) counts_[batch.component] += batch.sites().size();
     if (wish_ != nullptr) look_for_wish(batch, links, *result);
     require_placed(batch.component, *result);
     for (const LinkIndex link : links) follow(link, batch, key, *result);
@@ -497,6 +504,7 @@ class Expansion {
   const InstanceWish* wish_ = nullptr;   // what is looked for
   std::uint64_t passed_ = 0;             // of what is looked for, made by instances before
   std::optional<FoundInstance> found_;
+  std::vector<std::uint64_t> counts_;  // of instances by component, where they are asked for
   std::uint64_t instances_ = 1;  // the root
   std::uint64_t nodes_ = 0;
   std::vector<std::shared_ptr<SharedMeshes>> meshes_;  // by component
@@ -507,6 +515,11 @@ class Expansion {
 InstanceTree instance_tree(const Graph& graph, const Scene& scene, double time, std::uint64_t most,
                            Progress& progress) {
   return Expansion(graph, scene, time, progress, nullptr).tree(most);
+}
+
+std::vector<std::uint64_t> instance_counts(const Graph& graph, const Scene& scene, double time, Progress& progress,
+                                           Cache* cache) {
+  return Expansion(graph, scene, time, progress, cache).counts();
 }
 
 std::optional<FoundInstance> find_instance(const Graph& graph, const Scene& scene, double time, const InstanceWish& wish,

@@ -32,6 +32,11 @@ struct InstanceTree {
 /// than `most` instances, and as expand() does.
 InstanceTree instance_tree(const Graph& graph, const Scene& scene, double time, std::uint64_t most, Progress& progress);
 
+/// How many instances each component of the graph has, in their order. With the cache of an expansion of the same
+/// arguments, nothing is made anew. Throws as expand() does.
+std::vector<std::uint64_t> instance_counts(const Graph& graph, const Scene& scene, double time, Progress& progress,
+                                           Cache* cache = nullptr);
+
 /// A part of a plant whose instance is asked for, as expand() orders what it gives.
 struct InstanceWish {
   enum class Of {

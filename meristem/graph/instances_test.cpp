@@ -26,7 +26,7 @@ Graph poles_with_sticks() {
   graph.component("leaf", "stick", {{"length", "0.1*rand(0.5, 1)"}, {"omit", Value::List{"i % 3 == 0"}}});
   graph.link("view", "star").link("star", "pole");
   graph.link("pole", "leaf", LinkKind::branch, {{"density", 6}});
-  return graph.build();
+  return graph.sound_graph();
 }
 
 TEST(Instances, TreeHasEachInstanceOnItsParent) {

@@ -138,21 +138,26 @@ LocatedTree with_names(LocatedTree part, std::vector<std::pair<std::string, std:
 /// Gives those variables of a part free names of which the document says something else.
 LocatedTree with_own_variables(LocatedTree part, const LocatedTree& tree, const EditContext& context) {
   const Value* own = tree.root().value->find("variables");
-  const Value* brought = part.root().value->find("variables");
-  if (own == nullptr || own->object() == nullptr || brought == nullptr || brought->object() == nullptr) return part;
-  const Value::Object members = *brought->object();
-  for (const auto& [name, value] : members) {
-    const Value* known = own->find(name);
-    if (known == nullptr || *known == value) continue;
+  if (own == nullptr || own->object() == nullptr) return part;
+  // A renamed variable may make another one say something else.
+  for (;;) {
+    const Value* brought = part.root().value->find("variables");
+    if (brought == nullptr || brought->object() == nullptr) return part;
+    const auto differs = [&](const Value::Member& variable) {
+      const Value* known = own->find(variable.first);
+      return known != nullptr && !(*known == variable.second);
+    };
+    const auto other = std::find_if(brought->object()->begin(), brought->object()->end(), differs);
+    if (other == brought->object()->end()) return part;
     std::string free;
     for (int k = 2; free.empty(); ++k) {
-      const std::string tried = fmt::format("{}_{}", name, k);
-      if (own->find(tried) == nullptr && part.root().value->find("variables")->find(tried) == nullptr) free = tried;
+      const std::string tried = fmt::format("{}_{}", other->first, k);
+      if (own->find(tried) == nullptr && brought->find(tried) == nullptr) free = tried;
     }
+    const std::string name = other->first;
     const Patch patch = rename_variable(part, name, free, context.registry, expression_paths(part, context));
     part = LocatedTree(apply_patch(part.text(), patch));
   }
-  return part;
 }
 
 struct Patcher {

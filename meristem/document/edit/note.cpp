@@ -106,8 +106,8 @@ Patch without_note(std::string_view text, const NotePlace& place, std::size_t me
   return {{begin, place.comments.back().end - begin, ""}};
 }
 
-/// Above the member; one that shares its line with others gets a line of its own.
-Patch with_note_above(std::string_view text, std::size_t member, std::string_view note) {
+/// Above the member of a container that begins at that byte; one that shares its line with others gets a line of its own.
+Patch with_note_above(std::string_view text, std::size_t container, std::size_t member, std::string_view note) {
   const std::string end(line_end_of(text));
   if (begins_line(text, member)) {
     const std::string indent(indent_at(text, member));
@@ -115,7 +115,8 @@ Patch with_note_above(std::string_view text, std::size_t member, std::string_vie
   }
   std::size_t begin = member;
   while (text[begin - 1] == ' ' || text[begin - 1] == '\t') --begin;
-  const std::string indent = std::string(indent_at(text, member)) + std::string(indent_unit_of(text));
+  std::string indent(indent_at(text, member));
+  if (line_begin(text, member) <= container) indent += indent_unit_of(text);
   return {{begin, member - begin, end + indent + as_comments(note, indent, end) + end + indent}};
 }
 
@@ -142,9 +143,10 @@ Patch set_note(const LocatedTree& tree, std::string_view path, std::string_view 
   const PathTarget target = find_path(tree, path);
   const std::string_view text = tree.text();
   const std::size_t member = tree.at(target.last()).first();
+  const std::size_t container = tree.at(target.container()).begin;
   const std::string_view said = trimmed(note);
   const std::optional<NotePlace> place = find_note(tree, target.container(), target.places.back());
-  if (!place) return said.empty() ? Patch() : with_note_above(text, member, said);
+  if (!place) return said.empty() ? Patch() : with_note_above(text, container, member, said);
   if (said == text_of(tree, *place)) return {};
   if (said.empty()) return without_note(text, *place, member);
   const std::size_t begin = place->comments.front().begin;
@@ -152,8 +154,8 @@ Patch set_note(const LocatedTree& tree, std::string_view path, std::string_view 
   if (place->is_above) return {{begin, length, as_comments(said, indent_at(text, begin), line_end_of(text))}};
   if (said.find('\n') == std::string_view::npos) return {{begin, length, as_comments(said, "", "")}};
   // What has several lines stands above.
-  return joined_patches(without_note(text, *place, member),
-                        with_note_above(apply_patch(text, without_note(text, *place, member)), member, said));
+  const Patch without = without_note(text, *place, member);
+  return joined_patches(without, with_note_above(apply_patch(text, without), container, member, said));
 }
 
 }  // namespace meristem

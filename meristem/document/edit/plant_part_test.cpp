@@ -42,7 +42,9 @@ TEST(PlantPart, HasComponentsNotesLinksAndVariablesAsWritten) {
     },
     "petal": {"type": "leaf", "length": 0.05}
   },
-  "links": [["ring", "petal"]],
+  "links": [
+    ["ring", "petal"] // five of them
+  ],
   "variables": {
     "size": {"value": 0.1, "min": 0, "max": 1}, // of all
     "half": "size/2"
@@ -70,7 +72,7 @@ TEST(PlantPart, IsWrittenAsTheOtherDocumentIs) {
             "{\n\t\"meristem\": 1,\n\t\"components\": {\n\t\t\"pole\": {\"type\": \"tree\"},\n\t\t// The ring of petals.\n"
             "\t\t\"ring\": {\n\t\t\t\"type\": \"wreath\", // round\n\t\t\t\"diameter\": \"half\"\n\t\t},\n\t\t\"petal\": "
             "{\"type\": \"leaf\", \"length\": 0.05},\n\t\t\"ball\": {\"type\": \"simple\"}\n\t},\n\t\"links\": "
-            "[[\"ring\", \"petal\"], [\"pole\", \"ball\"]],\n\t\"variables\": {\n\t\t\"size\": {\"value\": 0.1, \"min\": "
+            "[[\"ring\", \"petal\"], // five of them\n\t\t[\"pole\", \"ball\"]],\n\t\"variables\": {\n\t\t\"size\": {\"value\": 0.1, \"min\": "
             "0, \"max\": 1}, // of all\n\t\t\"half\": \"size/2\"\n\t}\n}\n");
 }
 

@@ -34,7 +34,9 @@ TEST(TreeLayout, NoTwoNodesOfALevelAreNearerThanNeighboursAndOrdersHold) {
       for (std::uint32_t b = a + 1; b < parents.size(); ++b) {
         if (places.level[a] != places.level[b]) continue;
         EXPECT_GE(std::abs(places.across[a] - places.across[b]), 1 - 1e-9) << tree << ": " << a << ", " << b;
-        if (parents[a] == parents[b]) EXPECT_LT(places.across[a], places.across[b]);
+        if (parents[a] == parents[b]) {
+          EXPECT_LT(places.across[a], places.across[b]);
+        }
       }
     }
     EXPECT_NEAR(least, 0, 1e-12);

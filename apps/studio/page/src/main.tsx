@@ -35,7 +35,7 @@ async function start(): Promise<void> {
   const socket = new URL('socket', document.baseURI);
   socket.protocol = socket.protocol === 'https:' ? 'wss:' : 'ws:';
   const studio = new Studio(tables, socket.href);
-  studio.starters = await fetch('starters.json').then((answer) => (answer.ok ? (answer.json() as Promise<Record<string, Json>>) : {}));
+  studio.board.starters = await fetch('starters.json').then((answer) => (answer.ok ? (answer.json() as Promise<Record<string, Json>>) : {}));
   window.studio = studio;
   follow_theme(studio);
   listen_to_keys(studio);

@@ -3,23 +3,19 @@
 import { prefer, preference } from './base/preferences.ts';
 import { Store } from './base/store.ts';
 import { ToastList } from './base/toast_list.ts';
-import type { Part } from './board/board_actions.ts';
-import { BoardActions } from './board/board_actions.ts';
-import type { BoardState } from './board/board_state.ts';
-import { kEmptyBoard } from './board/board_state.ts';
-import { Gardens } from './board/gardens.ts';
-import { standing_on } from './board/plant_graph.ts';
+import { Board } from './board/board.ts';
 import type { EditWish } from './document/document_model.ts';
 import { DocumentModel } from './document/document_model.ts';
 import type { Json } from './document/json.ts';
+import { InstanceChoice } from './instance_choice.ts';
 import { Keeper } from './keeper.ts';
 import { Connection } from './server/connection.ts';
 import { LatestSender } from './server/latest_sender.ts';
 import { read_packet } from './server/packet.ts';
-import type { Edit, Fault, Grown, Hello, News, Opened, Saved } from './server/protocol.ts';
+import type { Edit, Fault, Hello, News, Opened, Saved } from './server/protocol.ts';
 import { Refusal } from './server/protocol.ts';
 import type { GrowthState, ServerState, ShellState, Theme, ViewState } from './studio_state.ts';
-import { kNoGrowth, with_work } from './studio_state.ts';
+import { kNoGrowth, with_growth, with_work } from './studio_state.ts';
 import type { Tables } from './tables/tables.ts';
 import type { View, ViewFacts } from './view/view.ts';
 
@@ -39,13 +35,8 @@ export class Studio {
   readonly view_state = new Store<ViewState>({ drawing: 'shaded', hidden: new Set(), shows_ground: true, solo: null });
   readonly view_facts = new Store<ViewFacts | null>(null); // of the last picture
   readonly pointed = new Store<{ component: string; x: number; y: number } | null>(null); // at rest over the view
-  readonly board = new Store<BoardState>(kEmptyBoard);
-  readonly board_fit = new Store(0); // counts how often the board was to be fitted
-  readonly board_actions = new BoardActions(this);
-  readonly gardens = new Gardens(this);
-  clip: Part | null = null; // what was copied last
-  /// What components begin with whose tables demand something, by type.
-  starters: Record<string, Json> = {};
+  readonly instance = new InstanceChoice(this);
+  readonly board = new Board(this);
   readonly shell: Store<ShellState>;
   readonly toasts = new ToastList();
   readonly dragged = new Store<Record<string, Json>>({});
@@ -87,6 +78,7 @@ export class Studio {
   }
 
   choose(path: string): void {
+    this.instance.forget();
     this.chosen.set(path);
     this.view?.unmark();
     this.refresh_view();
@@ -108,19 +100,9 @@ export class Studio {
     }
   }
 
-  /// Of the component that is drawn alone, all that stands on it; of none, nothing.
-  solo_components(): ReadonlySet<string> {
-    const { solo } = this.view_state.get();
-    return solo === null ? new Set() : standing_on(this.board_actions.graph, solo);
-  }
-
   refresh_view(): void {
-    const { drawing, shows_ground, solo } = this.view_state.get();
-    let { hidden } = this.view_state.get();
-    if (solo !== null) {
-      const shown = this.solo_components();
-      hidden = new Set([...hidden, ...(this.view?.plant.components ?? []).filter((one) => !shown.has(one))]);
-    }
+    const { drawing, shows_ground } = this.view_state.get();
+    const hidden = this.board.hidden_components(this.view?.plant.components ?? []);
     const chosen = /^components\.([^.[]+)/.exec(this.chosen.get())?.[1] ?? '';
     this.view?.show(drawing, hidden, chosen);
     this.view?.paint(this.shell.get().is_dark, shows_ground);
@@ -209,8 +191,7 @@ export class Studio {
     this.document.take_opened(opened);
     this.first_values.set(Object.fromEntries(opened.variables.map((one) => [one.name, one.expression || one.value])));
     this.view_state.merge({ hidden: new Set(), solo: null });
-    this.board.set(kEmptyBoard);
-    this.board_fit.set(this.board_fit.get() + 1);
+    this.board.begin();
     this.choose('');
   }
 
@@ -223,15 +204,8 @@ export class Studio {
   private hear(news: News): void {
     if (news.is === 'hello') void this.greet(news);
     if (news.is === 'working') this.growth.set(with_work(this.growth.get(), news));
-    if (news.is === 'grown') this.take_grown(news);
+    if (news.is === 'grown') this.growth.set(with_growth(this.growth.get(), news));
     if (news.is === 'failed' && news.job === 'grow') this.growth.merge({ failed: { message: news.message, faults: news.faults } });
-  }
-
-  /// What is not known until full detail is made stays what it was.
-  private take_grown(grown: Grown): void {
-    const before = this.growth.get().grown;
-    const counts = { triangles: grown.triangles ?? before?.triangles ?? null, components: grown.components ?? before?.components ?? null };
-    this.growth.merge({ grown: { ...grown, ...counts }, failed: null });
   }
 
   /// There, or there again: then the server is told what the page has.

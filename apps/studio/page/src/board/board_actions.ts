@@ -4,16 +4,9 @@ import type { Json } from '../document/json.ts';
 import type { Edit } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
 import { first_object } from '../tables/tables.ts';
-import { add_edits, component_of, component_path, copied_link, free_name, hang_edits, kind_edits, link_edit, link_of, link_path, links_from, order_edits, place_behind, place_of_link, remove_alone_edits, remove_edits } from './board_edits.ts';
+import { add_edits, component_of, component_path, free_name, hang_edits, kind_edits, link_edit, link_of, link_path, links_from, order_edits, place_of_link, remove_alone_edits, remove_edits } from './board_edits.ts';
 import type { GraphLink, LinkKind, PlantGraph } from './plant_graph.ts';
-import { graph_of, held_by, refusal_of_link, standing_on } from './plant_graph.ts';
-
-/// A part of a document as text, with its links and the variables that it names.
-export interface Part {
-  text: string;
-  roots: string[]; // components of it that no other of them holds
-  components: string[];
-}
+import { graph_of, held_by, refusal_of_link } from './plant_graph.ts';
 
 export class BoardActions {
   constructor(private readonly studio_: Studio) {}
@@ -52,7 +45,7 @@ export class BoardActions {
     const { graph } = this;
     const table = this.studio_.tables.components[type]?.table ?? '';
     const id = free_name(type, graph.components);
-    const starter = this.studio_.starters[type] ?? first_object(this.studio_.tables, table);
+    const starter = this.studio_.board.starters[type] ?? first_object(this.studio_.tables, table);
     await this.make(add_edits(this.document, graph, id, { type, ...(starter as object) } as Json, below, kind), `Add ${id}`, component_path(id));
   }
 
@@ -123,91 +116,21 @@ export class BoardActions {
   }
 
   async rename(id: string, name: string): Promise<void> {
-    this.studio_.board.merge({ renaming: null });
+    this.studio_.board.state.merge({ renaming: null });
     if (name === id || name === '') return;
     const faults = await this.make([{ rename: component_path(id), name }], `Rename ${id}`, component_path(name));
     if (faults === null) this.studio_.tell(`${name} has its chance drawn anew: random numbers follow the name`);
   }
 
   async note(id: string, text: string): Promise<void> {
-    this.studio_.board.merge({ noting: null });
+    this.studio_.board.state.merge({ noting: null });
     if (text.trim() !== (this.notes[id] ?? '')) await this.make([{ note: component_path(id), text: text.trim() }], `Note on ${id}`);
   }
 
-  /// A component with all that stands on it, or alone, as a part that can be put in elsewhere.
-  part(id: string, alone = false): Promise<Part | null> {
-    return this.part_of(this.graph, id, alone);
-  }
-
-  /// The same of a shipped model, whose graph this is.
-  async part_of(graph: PlantGraph, id: string, alone = false, model?: string): Promise<Part | null> {
-    const all = alone ? new Set([id]) : standing_on(graph, id);
-    const components = [...graph.components.values()].filter((one) => all.has(one.id) && one.is_written && !one.is_camera).map((one) => one.id);
-    try {
-      return await this.studio_.connection.request<Part>('part', { components, ...(model === undefined ? {} : { model }) });
-    } catch (fault) {
-      if (fault instanceof Error) this.studio_.tell(fault.message, true);
-      return null;
-    }
-  }
-
-  /// Puts a part in below a component, with free names.
-  async paste(part: Part, below: string | null, label: string, kinds: Record<string, LinkKind> = {}): Promise<void> {
-    const { graph } = this;
-    const taken = new Set(graph.components.keys());
-    const names: Record<string, string> = {};
-    for (const one of part.components) {
-      names[one] = free_name(one, taken);
-      taken.add(names[one]);
-    }
-    const parent = below === null ? undefined : graph.components.get(below);
-    const place = place_of_link(this.document, below ?? '');
-    const edits: Edit[] = [{ paste: part.text, names, index: place_behind(this.document, graph, below), link_index: place }];
-    if (parent?.is_written) for (const root of [...part.roots].reverse()) edits.push(link_edit(this.document, parent.id, names[root] ?? root, kinds[root] ?? 'child', place));
-    const first = part.roots[0];
-    await this.make(edits, label, first === undefined ? undefined : component_path(names[first] ?? first));
-  }
-
-  /// The same component once more, on the same parents.
-  async duplicate(id: string): Promise<void> {
-    const part = await this.part(id, true);
-    if (!part) return;
-    const { graph, document } = this;
-    const name = free_name(id, graph.components);
-    const parents = graph.links.filter((link) => link.to === id && link.from !== id && link.index !== null);
-    const ids = [...graph.components.keys()].filter((one) => graph.components.get(one)?.is_written);
-    const edits: Edit[] = [{ paste: part.text, names: { [id]: name }, index: ids.indexOf(id) + 1 }];
-    // From the last on, so that the places of those before stay what they are.
-    for (const parent of [...parents].reverse()) edits.push(...copied_link(document, parent, name));
-    await this.make(edits, `Duplicate ${id}`, component_path(name));
-  }
-
-  async copy(id: string): Promise<void> {
-    const part = await this.part(id);
-    if (!part) return;
-    this.studio_.clip = part;
-    await navigator.clipboard.writeText(part.text).catch(() => undefined);
-    this.studio_.tell(part.components.length > 1 ? `Copied ${id} and ${part.components.length - 1} that stand on it` : `Copied ${id}`);
-  }
-
-  /// What was copied here or in another tab, below a component.
-  async paste_clip(below: string | null): Promise<void> {
-    const text = await navigator.clipboard.readText().catch(() => '');
-    const own = this.studio_.clip;
-    if (own && (text === '' || text.replaceAll('\r\n', '\n') === own.text.replaceAll('\r\n', '\n'))) return this.paste(own, below, `Paste ${own.roots.join(', ')}`);
-    if (text === '') return this.studio_.tell('Nothing was copied yet', true);
-    try {
-      const part = await this.studio_.connection.request<Part>('part', { text });
-      await this.paste(part, below, `Paste ${part.roots.join(', ')}`);
-    } catch {
-      this.studio_.tell('What was copied is no part of a plant', true);
-    }
-  }
-
   fold(id: string): void {
-    const folded = new Set(this.studio_.board.get().folded);
+    const folded = new Set(this.studio_.board.state.get().folded);
     if (!folded.delete(id)) folded.add(id);
-    this.studio_.board.merge({ folded });
+    this.studio_.board.state.merge({ folded });
   }
 
   hide(id: string): void {
@@ -223,13 +146,13 @@ export class BoardActions {
 
   refuse(from: string, to: string, reason: string): void {
     const refused = { from, to, reason };
-    this.studio_.board.merge({ refused, connecting: null });
+    this.studio_.board.state.merge({ refused, connecting: null });
     setTimeout(() => {
-      if (this.studio_.board.get().refused === refused) this.studio_.board.merge({ refused: null });
+      if (this.studio_.board.state.get().refused === refused) this.studio_.board.state.merge({ refused: null });
     }, 8000);
   }
 
-  private get document(): Json | undefined {
+  get document(): Json | undefined {
     return this.studio_.document.state.get().tree?.value;
   }
 
@@ -249,9 +172,9 @@ export class BoardActions {
   }
 
   /// Makes the edits as one step and then chooses a path; gives what was wrong, or null.
-  private async make(edits: Edit[], label: string, choose?: string, only_if_good = false): Promise<string | null> {
+  async make(edits: Edit[], label: string, choose?: string, only_if_good = false): Promise<string | null> {
     if (edits.length === 0) return null;
-    this.studio_.board.merge({ refused: null, connecting: null });
+    this.studio_.board.state.merge({ refused: null, connecting: null });
     const faults = await this.studio_.edit(edits, label, { only_if_good, choose });
     return faults === null ? null : (faults[0]?.message ?? 'The document does not allow it.');
   }

@@ -28,7 +28,7 @@ const kScales = { low: 0.25, high: 1.5, first: 0.62 };
 export function BoardCanvas({ graph, layout }: { graph: PlantGraph; layout: BoardLayout }): ReactElement {
   const studio = use_studio();
   const frame = useRef<HTMLDivElement>(null);
-  const board = use_store(studio.board);
+  const board = use_store(studio.board.state);
   const chosen = use_store(studio.chosen);
   const [area, set_area] = useState<[number, number]>([440, 320]);
   const [sight, set_sight] = useState<Sight>({ x: 0, y: 0, scale: 1 });
@@ -48,8 +48,8 @@ export function BoardCanvas({ graph, layout }: { graph: PlantGraph; layout: Boar
     // A document is fitted once, and anew where the panel or the direction is another.
   }, [name, direction, area[0], area[1]]);
   useEffect(() => {
-    if (studio.board_fit.get() > 0) set_sight(fitted(size, area));
-  }, [use_store(studio.board_fit)]);
+    if (studio.board.fits.get() > 0) set_sight(fitted(size, area));
+  }, [use_store(studio.board.fits)]);
   // What is chosen elsewhere comes into view.
   const chosen_id = component_of(chosen) ?? layout.edges.find((edge) => edge.link.index === link_of(chosen))?.to ?? null;
   useEffect(() => {
@@ -101,7 +101,7 @@ interface LinesProps {
 
 function Lines({ layout, direction, size, chosen, gesture }: LinesProps): ReactElement {
   const studio = use_studio();
-  const { refused } = use_store(studio.board);
+  const { refused } = use_store(studio.board.state);
   const places = new Map(layout.nodes.map((node) => [node.key, place_of(node, direction)]));
   const chosen_link = link_of(chosen);
   const ends = refused ? [places.get(refused.from), places.get(refused.to)] : [];

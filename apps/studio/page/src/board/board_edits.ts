@@ -53,13 +53,9 @@ export function place_of_link(document: Json | undefined, from: string): number 
   return at < 0 ? ends.length : at + 1;
 }
 
-function insertion_of_link(document: Json | undefined, value: Json, place: number): Edit {
-  return { insert: place >= listed_links(document).length ? 'links[]' : link_path(place), value };
-}
-
 /// The insertion of a link, at this place among the document's links.
 export function link_edit(document: Json | undefined, from: string, to: string, kind: LinkKind, place = place_of_link(document, from)): Edit {
-  return insertion_of_link(document, written_link(from, to, kind), place);
+  return { insert: link_path(place), value: written_link(from, to, kind) };
 }
 
 /// Behind a component and all that stands on it, among the document's components.
@@ -144,5 +140,5 @@ export function copied_link(document: Json | undefined, link: GraphLink, to: str
   if (link.index === null) return [];
   const said = listed_links(document)[link.index];
   const value: Json = is_object(said) ? { ...said, to } : [link.from, to];
-  return [insertion_of_link(document, value, link.index + 1)];
+  return [{ insert: link_path(link.index + 1), value }];
 }

@@ -17,10 +17,10 @@ export function RenameField({ id }: { id: string }): ReactElement {
   const field = useRef<HTMLInputElement>(null);
   useEffect(() => field.current?.select(), []);
   const end = (): void => {
-    studio.board.merge({ renaming: null });
+    studio.board.state.merge({ renaming: null });
     return_to(id);
   };
-  const take = (): void => void studio.board_actions.rename(id, name.trim()).then(() => return_to(name.trim()));
+  const take = (): void => void studio.board.actions.rename(id, name.trim()).then(() => return_to(name.trim()));
   const key = (event: KeyboardEvent): void => {
     event.stopPropagation();
     if (event.key === 'Enter') take();
@@ -40,12 +40,12 @@ export function NoteField({ id }: { id: string }): ReactElement {
   const studio = use_studio();
   const { notes } = use_document();
   const [text, set_text] = useState(notes[id] ?? '');
-  const take = (): void => void studio.board_actions.note(id, text).then(() => return_to(id));
+  const take = (): void => void studio.board.actions.note(id, text).then(() => return_to(id));
   const key = (event: KeyboardEvent): void => {
     event.stopPropagation();
     if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) take();
     if (event.key !== 'Escape') return;
-    studio.board.merge({ noting: null });
+    studio.board.state.merge({ noting: null });
     return_to(id);
   };
   return (

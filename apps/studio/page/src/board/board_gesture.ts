@@ -48,7 +48,7 @@ export function use_gesture(graph: PlantGraph, layout: BoardLayout, direction: D
       .map((one) => one.closest<HTMLElement>('[data-node]')?.dataset['node'])
       .find((key) => key !== undefined) ?? null;
   const id_of = (key: string): string => layout.nodes.find((one) => one.key === key)?.id ?? key;
-  const refusal = (from: string, to: string): string | null => refusal_of_link(graph, id_of(from), id_of(to), (id) => studio.board_actions.recursion_of(id));
+  const refusal = (from: string, to: string): string | null => refusal_of_link(graph, id_of(from), id_of(to), (id) => studio.board.actions.recursion_of(id));
 
   const hold = (event: PointerEvent, kind: Held['kind'], key: string): void => {
     if (event.button !== 0) return;
@@ -72,13 +72,13 @@ export function use_gesture(graph: PlantGraph, layout: BoardLayout, direction: D
     if (!held.moved) return;
     const below = node_below(event);
     if (held.kind === 'link') {
-      if (below !== null && below !== held.key) void studio.board_actions.connect(id_of(held.key), id_of(below), studio.board_actions.usual_kind(id_of(held.key), id_of(below)));
+      if (below !== null && below !== held.key) void studio.board.actions.connect(id_of(held.key), id_of(below), studio.board.actions.usual_kind(id_of(held.key), id_of(below)));
       return;
     }
     const edge = edge_above(layout, held.key);
     if (!edge || edge.link.index === null) return;
     if (below !== null && below !== held.key) {
-      if (id_of(below) !== edge.link.from) void studio.board_actions.hang(edge.link, id_of(below));
+      if (id_of(below) !== edge.link.from) void studio.board.actions.hang(edge.link, id_of(below));
       return;
     }
     // Among the siblings: behind all whose centre the hand has passed.
@@ -91,7 +91,7 @@ export function use_gesture(graph: PlantGraph, layout: BoardLayout, direction: D
       const place = place_of(node, direction);
       return (direction === 'down' ? place.x : place.y) < across;
     });
-    void studio.board_actions.put(edge.link, before.length);
+    void studio.board.actions.put(edge.link, before.length);
   };
   const cancel = (): void => set_held(null);
   useEffect(() => {

@@ -11,21 +11,21 @@ type Act = (studio: Studio, id: string, layout: BoardLayout) => void;
 
 const kActs: Record<string, Act> = {
   a: (studio) => studio.shell.merge({ dialog: 'palette' }),
-  l: (studio, id) => studio.board.merge({ connecting: id, refused: null }),
-  n: (studio, id) => studio.board.merge({ noting: id, renaming: null }),
-  F2: (studio, id) => studio.board.merge({ renaming: id, noting: null }),
-  Delete: (studio, id) => void studio.board_actions.remove(id),
-  Backspace: (studio, id) => void studio.board_actions.remove(id),
-  ' ': (studio, id) => studio.board_actions.fold(id),
-  h: (studio, id) => studio.board_actions.hide(id),
-  s: (studio, id) => studio.board_actions.solo(id),
+  l: (studio, id) => studio.board.state.merge({ connecting: id, refused: null }),
+  n: (studio, id) => studio.board.state.merge({ noting: id, renaming: null }),
+  F2: (studio, id) => studio.board.state.merge({ renaming: id, noting: null }),
+  Delete: (studio, id) => void studio.board.actions.remove(id),
+  Backspace: (studio, id) => void studio.board.actions.remove(id),
+  ' ': (studio, id) => studio.board.actions.fold(id),
+  h: (studio, id) => studio.board.actions.hide(id),
+  s: (studio, id) => studio.board.actions.solo(id),
 };
 
 const kWithControl: Record<string, Act> = {
-  c: (studio, id) => void studio.board_actions.copy(id),
-  x: (studio, id) => void studio.board_actions.copy(id).then(() => studio.board_actions.remove(id)),
-  v: (studio, id) => void studio.board_actions.paste_clip(id),
-  d: (studio, id) => void studio.board_actions.duplicate(id),
+  c: (studio, id) => void studio.board.parts.copy(id),
+  x: (studio, id) => void studio.board.parts.copy(id).then(() => studio.board.actions.remove(id)),
+  v: (studio, id) => void studio.board.parts.paste_clip(id),
+  d: (studio, id) => void studio.board.parts.duplicate(id),
 };
 
 type Way = 'up' | 'down' | 'before' | 'behind';
@@ -41,8 +41,8 @@ export function press_key(event: KeyboardEvent, studio: Studio, layout: BoardLay
   const way = kWays[direction][event.key];
   const has_control = event.ctrlKey || event.metaKey;
   const act = has_control ? kWithControl[event.key] : kActs[event.key];
-  const { connecting } = studio.board.get();
-  if (event.key === 'Escape' && connecting !== null) studio.board.merge({ connecting: null });
+  const { connecting } = studio.board.state.get();
+  if (event.key === 'Escape' && connecting !== null) studio.board.state.merge({ connecting: null });
   else if (event.key === '+' || event.key === '=') zoom(1.2);
   else if (event.key === '-') zoom(1 / 1.2);
   else if (way !== undefined && event.altKey) shift(studio, layout, key, way);
@@ -56,7 +56,7 @@ export function press_key(event: KeyboardEvent, studio: Studio, layout: BoardLay
 
 function shift(studio: Studio, layout: BoardLayout, key: string, way: Way): void {
   const edge = edge_above(layout, key);
-  if (edge && (way === 'before' || way === 'behind')) void studio.board_actions.shift(edge.link, way === 'before' ? -1 : 1);
+  if (edge && (way === 'before' || way === 'behind')) void studio.board.actions.shift(edge.link, way === 'before' ? -1 : 1);
 }
 
 /// While a link waits for its other end, only the keyboard goes on; else the choice goes with it.
@@ -64,5 +64,5 @@ function go(event: KeyboardEvent, studio: Studio, layout: BoardLayout, key: stri
   const next = neighbour(layout, key, way);
   if (!next) return;
   event.currentTarget.querySelector<HTMLElement>(`[data-node="${CSS.escape(next.key)}"]`)?.focus({ preventScroll: true });
-  if (!only_keyboard && !next.is_end) studio.board_actions.choose(next.id);
+  if (!only_keyboard && !next.is_end) studio.board.actions.choose(next.id);
 }

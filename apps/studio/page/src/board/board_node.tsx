@@ -29,7 +29,7 @@ export function BoardNodeView({ node, graph, layout, place, gesture, is_first }:
   const element = useRef<HTMLDivElement>(null);
   const component = graph.components.get(node.id);
   const path = use_store(studio.chosen);
-  const { refused, connecting } = use_store(studio.board);
+  const { refused, connecting } = use_store(studio.board.state);
   const is_chosen = component_of(path) === node.id && !node.is_end;
   const is_end_of_link = link_of(path) !== null && layout.edges.some((edge) => edge.to === node.key && edge.link.index === link_of(path));
   const facts = use_node_facts(node.id, graph);
@@ -53,8 +53,8 @@ export function BoardNodeView({ node, graph, layout, place, gesture, is_first }:
     had_keyboard.current = is_chosen;
   }, [is_chosen]);
   const press = (): void => {
-    if (connecting !== null) void studio.board_actions.connect(connecting, node.id, studio.board_actions.usual_kind(connecting, node.id));
-    else studio.board_actions.choose(node.id);
+    if (connecting !== null) void studio.board.actions.connect(connecting, node.id, studio.board.actions.usual_kind(connecting, node.id));
+    else studio.board.actions.choose(node.id);
   };
   const nobody_is_chosen = component_of(path) === null || !graph.components.has(component_of(path) ?? '');
   const down = (event: PointerEvent): void => {
@@ -76,7 +76,7 @@ export function BoardNodeView({ node, graph, layout, place, gesture, is_first }:
       aria-expanded={node.hides > 0 ? false : undefined}
       tabIndex={is_chosen || (nobody_is_chosen && is_first) ? 0 : -1}
       onClick={press}
-      onDoubleClick={() => void studio.gardens.enter(node.id)}
+      onDoubleClick={() => void studio.board.gardens.enter(node.id)}
       onPointerDown={down}
     >
       <span className="board-icon">
@@ -86,7 +86,7 @@ export function BoardNodeView({ node, graph, layout, place, gesture, is_first }:
         <b>{node.id}</b>
         <small>{component?.is_written === false ? 'added' : component?.type}</small>
       </span>
-      {facts.count > 0 && <span className="board-count">{short_count(facts.count)}</span>}
+      {facts.count !== null && facts.count !== 1 && !node.is_end && <span className={facts.count === 0 ? 'board-count none' : 'board-count'}>{short_count(facts.count)}</span>}
       <span className="board-marks">
         {facts.note !== undefined && <Icon name="note" />}
         {facts.is_hidden && <Icon name="eye_off" />}
@@ -101,7 +101,7 @@ export function BoardNodeView({ node, graph, layout, place, gesture, is_first }:
 }
 
 interface NodeFacts {
-  count: number;
+  count: number | null; // instances, where known
   faults: number;
   errors: number;
   first_fault: string | undefined;
@@ -120,18 +120,18 @@ function use_node_facts(id: string, graph: PlantGraph): NodeFacts {
   const of_link = use_faults(link === null ? '-' : link_path(link), true);
   const faults = [...own, ...of_link];
   return {
-    count: grown?.components?.[id]?.instances ?? 0,
+    count: grown?.placed?.[id] ?? null,
     faults: faults.length,
     errors: faults.filter((one) => one.severity === 'error').length,
     first_fault: faults[0]?.message,
     note: notes[id],
-    is_hidden: view.hidden.has(id) || (view.solo !== null && !studio.solo_components().has(id)),
+    is_hidden: view.hidden.has(id) || (view.solo !== null && !studio.board.solo_components().has(id)),
   };
 }
 
 function label_of(node: BoardNode, facts: NodeFacts, type: string): string {
   const words = [node.is_end ? `${node.id} again, where its recursion ends` : node.id, type];
-  if (facts.count > 0) words.push(`${facts.count.toLocaleString('en')} instances`);
+  if (facts.count !== null) words.push(facts.count === 1 ? '1 instance' : `${facts.count.toLocaleString('en')} instances`);
   if (facts.is_hidden) words.push('hidden');
   if (node.hides > 0) words.push(`${node.hides} folded away`);
   if (facts.faults > 0) words.push(facts.faults === 1 ? '1 fault' : `${facts.faults} faults`);

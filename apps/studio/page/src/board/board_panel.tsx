@@ -13,7 +13,7 @@ export function BoardPanel(): ReactElement {
   const studio = use_studio();
   const graph = use_graph();
   const layout = use_layout(graph);
-  const { refused, renaming, noting, connecting } = use_store(studio.board);
+  const { refused, renaming, noting, connecting } = use_store(studio.board.state);
   return (
     <section className="board" aria-label="Board">
       <Trail />
@@ -38,7 +38,7 @@ export function BoardPanel(): ReactElement {
 
 /// The documents that the open one was entered from.
 function Trail(): ReactElement | null {
-  const { gardens } = use_studio();
+  const { gardens } = use_studio().board;
   const trail = use_store(gardens.trail);
   if (trail.length === 0) return null;
   return (

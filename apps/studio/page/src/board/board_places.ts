@@ -3,11 +3,11 @@
 import type { BoardEdge, BoardLayout, BoardNode } from './board_layout.ts';
 import type { Direction } from './board_state.ts';
 
-export const kNode = { width: 116, height: 40 };
+export const kNode = { width: 108, height: 38 };
 const kMargin = 16;
 const kSteps: Record<Direction, { level: number; across: number }> = {
-  down: { level: 76, across: 130 },
-  right: { level: 158, across: 50 },
+  down: { level: 68, across: 120 },
+  right: { level: 146, across: 48 },
 };
 
 export interface Place {

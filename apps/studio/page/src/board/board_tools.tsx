@@ -21,12 +21,12 @@ interface ToolsProps {
 export function BoardTools({ graph, layout }: ToolsProps): ReactElement {
   const studio = use_studio();
   const path = use_store(studio.chosen);
-  const board = use_store(studio.board);
+  const board = use_store(studio.board.state);
   const component = component_of(path);
   const link = graph.links.find((one) => one.index !== null && one.index === link_of(path));
   const turn = (): void => {
     const now = document.querySelector<HTMLElement>('.board-canvas')?.dataset['direction'];
-    studio.board.merge({ direction: now === 'down' ? 'right' : 'down' });
+    studio.board.state.merge({ direction: now === 'down' ? 'right' : 'down' });
   };
   return (
     <div className="board-tools" role="toolbar" aria-label="Board">
@@ -36,9 +36,9 @@ export function BoardTools({ graph, layout }: ToolsProps): ReactElement {
       {component !== null && graph.components.has(component) && <ComponentTools id={component} graph={graph} layout={layout} />}
       {link && <LinkTools link={link} graph={graph} />}
       <span className="stretch" />
-      {board.folded.size > 0 && <IconButton is_small icon="unfold" label="Unfold all" press={() => studio.board.merge({ folded: new Set() })} />}
+      {board.folded.size > 0 && <IconButton is_small icon="unfold" label="Unfold all" press={() => studio.board.state.merge({ folded: new Set() })} />}
       <IconButton is_small icon="turn" label="Turn the board" press={turn} />
-      <IconButton is_small icon="fit" label="Fit the board" press={() => studio.board_fit.set(studio.board_fit.get() + 1)} />
+      <IconButton is_small icon="fit" label="Fit the board" press={() => studio.board.fit()} />
     </div>
   );
 }
@@ -46,13 +46,13 @@ export function BoardTools({ graph, layout }: ToolsProps): ReactElement {
 function ComponentTools({ id, graph, layout }: ToolsProps & { id: string }): ReactElement {
   const studio = use_studio();
   const { solo, hidden } = use_store(studio.view_state);
-  const { folded } = use_store(studio.board);
-  const { board_actions: acts } = studio;
+  const { folded } = use_store(studio.board.state);
+  const { actions: acts } = studio.board;
   const is_camera = graph.components.get(id)?.is_camera === true;
   const has_children = graph.links.some((link) => link.from === id);
   return (
     <>
-      <IconButton is_small icon="link" label={`Link from ${id}`} keys="L" press={() => studio.board.merge({ connecting: id })} />
+      <IconButton is_small icon="link" label={`Link from ${id}`} keys="L" press={() => studio.board.state.merge({ connecting: id })} />
       <IconButton is_small icon="solo" label={`Show ${id} alone`} keys="S" is_on={solo === id} press={() => acts.solo(id)} />
       {!is_camera && <IconButton is_small icon={hidden.has(id) ? 'eye_off' : 'eye'} label={`Draw ${id}`} keys="H" is_on={!hidden.has(id)} press={() => acts.hide(id)} />}
       {has_children && <IconButton is_small icon={folded.has(id) ? 'unfold' : 'fold'} label={folded.has(id) ? `Unfold ${id}` : `Fold ${id}`} keys="Space" press={() => acts.fold(id)} />}
@@ -62,17 +62,17 @@ function ComponentTools({ id, graph, layout }: ToolsProps & { id: string }): Rea
 }
 
 function menu_of(studio: Studio, id: string, graph: PlantGraph, layout: BoardLayout): MenuItem[] {
-  const { board_actions: acts } = studio;
+  const { actions: acts, parts } = studio.board;
   const edge = edge_above(layout, id);
   const siblings = edge ? links_from(graph, edge.link.from) : [];
   const at = siblings.findIndex((link) => link.index === edge?.link.index);
   const items: (MenuItem | false)[] = [
-    studio.gardens.document_of(id) !== null && { text: 'Open its document', act: () => void studio.gardens.enter(id) },
-    { text: 'Rename…', act: () => studio.board.merge({ renaming: id, noting: null }) },
-    { text: 'Note…', act: () => studio.board.merge({ noting: id, renaming: null }) },
-    { text: 'Duplicate', act: () => void acts.duplicate(id) },
-    { text: 'Copy', act: () => void acts.copy(id) },
-    { text: 'Paste below', act: () => void acts.paste_clip(id) },
+    studio.board.gardens.document_of(id) !== null && { text: 'Open its document', act: () => void studio.board.gardens.enter(id) },
+    { text: 'Rename…', act: () => studio.board.state.merge({ renaming: id, noting: null }) },
+    { text: 'Note…', act: () => studio.board.state.merge({ noting: id, renaming: null }) },
+    { text: 'Duplicate', act: () => void parts.duplicate(id) },
+    { text: 'Copy', act: () => void parts.copy(id) },
+    { text: 'Paste below', act: () => void parts.paste_clip(id) },
     at > 0 && edge !== undefined && { text: 'Move earlier', act: () => void acts.shift(edge.link, -1) },
     at >= 0 && at + 1 < siblings.length && edge !== undefined && { text: 'Move later', act: () => void acts.shift(edge.link, 1) },
     edge !== undefined && edge.link.index !== null && { text: 'Choose its link', act: () => studio.choose(`links[${edge.link.index}]`) },
@@ -90,7 +90,7 @@ const kKinds = [
 ] as const;
 
 function LinkTools({ link, graph }: { link: GraphLink; graph: PlantGraph }): ReactElement {
-  const { board_actions: acts } = use_studio();
+  const { actions: acts } = use_studio().board;
   const siblings = links_from(graph, link.from);
   const at = siblings.findIndex((one) => one.index === link.index);
   return (

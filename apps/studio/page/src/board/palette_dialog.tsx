@@ -36,9 +36,9 @@ export function PaletteDialog({ close }: { close: () => void }): ReactElement {
   const [words, set_words] = useState('');
   const [kind, set_kind] = useState<LinkKind | null>(null); // null: the usual one
   use_store(studio.chosen);
-  const { graph, chosen } = studio.board_actions;
+  const { graph, chosen } = studio.board.actions;
   const below = chosen !== null && graph.components.has(chosen) ? chosen : (graph.roots.find((root) => graph.components.get(root)?.is_camera && graph.components.get(root)?.is_written) ?? null);
-  const kind_for = (type: string): LinkKind => kind ?? studio.board_actions.usual_kind_of(graph.components.get(below ?? '')?.type ?? '', type);
+  const kind_for = (type: string): LinkKind => kind ?? studio.board.actions.usual_kind_of(graph.components.get(below ?? '')?.type ?? '', type);
   const title = below === null ? 'Add to the plant' : `Add below ${below}`;
   const is_wanted = (text: string): boolean => text.toLowerCase().includes(words.toLowerCase());
   return (
@@ -53,7 +53,7 @@ export function PaletteDialog({ close }: { close: () => void }): ReactElement {
         <span className="quiet">Link</span>
         <Segments label="Kind of the link" value={kind ?? ('usual' as LinkKind)} choices={[['usual' as LinkKind, 'Usual'], ...kKinds]} choose={(one) => set_kind(one === ('usual' as LinkKind) ? null : one)} />
       </div>
-      {tab === 'types' && <Types is_wanted={is_wanted} kind_for={kind_for} below={below} close={close} />}
+      {tab === 'types' && <Types is_wanted={is_wanted} kind_for={kind_for} below={below} close={close} show_plants={() => set_tab('plants')} />}
       {tab === 'parts' && <Parts is_wanted={is_wanted} kind_for={kind_for} below={below} close={close} />}
       {tab === 'plants' && <Plants is_wanted={is_wanted} kind={kind ?? 'child'} below={below} close={close} />}
     </Dialog>
@@ -74,16 +74,18 @@ interface TabProps {
   close: () => void;
 }
 
-function Types({ is_wanted, kind_for, below, close }: TabProps): ReactElement {
+function Types({ is_wanted, kind_for, below, close, show_plants }: TabProps & { show_plants: () => void }): ReactElement {
   const studio = use_studio();
-  const { graph } = studio.board_actions;
+  const { graph } = studio.board.actions;
   const has_camera = [...graph.components.values()].some((one) => one.is_camera && one.is_written);
   const types = Object.entries(studio.tables.components).filter(([name, { doc, is_camera }]) => is_wanted(`${name} ${doc}`) && !(has_camera && is_camera === true));
   // A word in a name counts for more than one in a sentence.
   types.sort(([a], [b]) => Number(is_wanted(b)) - Number(is_wanted(a)));
   const add = (type: string) => (): void => {
+    // Which plant it is, its own list says.
+    if (studio.tables.components[type]?.is_whole_plant === true) return show_plants();
     close();
-    void studio.board_actions.add(type, studio.tables.components[type]?.is_camera === true ? null : below, kind_for(type));
+    void studio.board.actions.add(type, studio.tables.components[type]?.is_camera === true ? null : below, kind_for(type));
   };
   return (
     <div className="models palette">
@@ -119,7 +121,7 @@ function Parts({ is_wanted, kind_for, below, close }: TabProps): ReactElement {
   const graph = graph_of(model.tree, studio.tables.components, model.implied);
   const add = (id: string, type: string) => (): void => {
     close();
-    void studio.board_actions.part_of(graph, id, false, model.name).then((part) => part && studio.board_actions.paste(part, below, `Add ${id} of ${model.title}`, { [id]: kind_for(type) }));
+    void studio.board.parts.part_of(graph, id, false, model.name).then((part) => part && studio.board.parts.paste(part, below, `Add ${id} of ${model.title}`, { [id]: kind_for(type) }));
   };
   return (
     <>
@@ -155,7 +157,7 @@ function Plants({ is_wanted, kind, below, close }: Omit<TabProps, 'kind_for'> & 
   const add = (file: string): void => {
     close();
     const id = file.replace(/^.*\//, '').replace(/\.json$/, '');
-    void studio.board_actions.add_plant(id, file, below, kind);
+    void studio.board.actions.add_plant(id, file, below, kind);
   };
   return (
     <>

@@ -16,6 +16,6 @@ export function use_graph(): PlantGraph {
 }
 
 export function use_layout(graph: PlantGraph): BoardLayout {
-  const { folded } = use_store(use_studio().board);
+  const { folded } = use_store(use_studio().board.state);
   return useMemo(() => lay_out(graph, folded), [graph, folded]);
 }

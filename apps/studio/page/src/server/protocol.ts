@@ -80,6 +80,19 @@ export interface ReadParts {
   implied: ImpliedLink[];
 }
 
+/// An instance of a component, with the values that differ from instance to instance.
+export interface FoundInstance {
+  component: string;
+  i: number;
+  n: number;
+  u: number;
+  order: number;
+  depth: number;
+  position: [number, number, number];
+  values: { path: string; value: number }[];
+  shoot: string | null; // label of the axis that was pointed at
+}
+
 export interface ListedFile {
   name: string;
   folder: boolean;
@@ -149,6 +162,8 @@ export interface Grown {
   /// Null until full detail was made.
   triangles: number | null;
   components: Record<string, { instances: number; triangles: number }> | null;
+  /// Instances of each component; null in a drag.
+  placed: Record<string, number> | null;
 }
 
 export interface Failed {

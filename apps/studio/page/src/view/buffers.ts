@@ -67,6 +67,12 @@ export class Buffers {
     this.sets_.set(set.key, { attributes, count: set.count, bytes: size, users: new Set(), tint_scale: set.tint_scale ?? kWhite });
   }
 
+  /// Three rows of the matrix of an instance; none where the set never came.
+  frame_of(set_key: string, instance: number): number[] {
+    const row = this.sets_.get(set_key)?.attributes['frame_0'];
+    return row instanceof three.InterleavedBufferAttribute ? [...row.data.array.slice(12 * instance, 12 * instance + 12)] : [];
+  }
+
   /// A set of one instance of another.
   add_single(key: string, set_key: string, instance: number): void {
     const row = this.sets_.get(set_key)?.attributes['frame_0'];

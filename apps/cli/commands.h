@@ -15,6 +15,7 @@ void add_render(CLI::App& app, Run& run);
 void add_measure(CLI::App& app, Run& run);
 void add_shade(CLI::App& app, Run& run);
 void add_derive(CLI::App& app, Run& run);
+void add_graph(CLI::App& app, Run& run);
 void add_check(CLI::App& app, Run& run);
 void add_plan(CLI::App& app, Run& run);
 void add_components(CLI::App& app, Run& run);

@@ -113,6 +113,7 @@ int main(int argc, char** argv) {
   cli::add_measure(app, run);
   cli::add_shade(app, run);
   cli::add_derive(app, run);
+  cli::add_graph(app, run);
   cli::add_check(app, run);
   cli::add_plan(app, run);
   cli::add_components(app, run);

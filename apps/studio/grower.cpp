@@ -10,6 +10,7 @@
 #include "job_news.h"
 #include "job_watch.h"
 #include "meristem/document/json.h"
+#include "meristem/graph/instances.h"
 #include "written_values.h"
 
 namespace meristem::studio {
@@ -178,6 +179,13 @@ std::shared_ptr<const GrownWish> Grower::grown() const {
   return grown_;
 }
 
+void Grower::ask(std::function<void(const GrownWish* grown, GrowthCache& cache)> question) {
+  host_.growth.post([self = shared_from_this(), question = std::move(question)] {
+    const std::shared_ptr<const GrownWish> grown = self->grown();
+    question(grown.get(), self->cache_);
+  });
+}
+
 void Grower::schedule() {
   if (is_scheduled_ || is_closed_) return;
   is_scheduled_ = true;
@@ -257,6 +265,9 @@ void Grower::grow() {
     auto made = std::make_shared<GrownWish>(GrownWish{.wish = wish, .time = time, .plant = std::move(grown.plant)});
     stages_ = news.stages();
     grown_reuse_ = reuse_of(cache_);
+    if (!wish.is_dragged && wish.document->scene.fingerprint) {
+      made->placed = instance_counts(wish.document->graph, wish.document->scene, time, news.progress(), &cache_);
+    }
     const std::lock_guard lock(mutex_);
     if (!is_other_) grown_ = std::move(made);
   });
@@ -342,6 +353,11 @@ Value::Object Grower::counts_value(const GrownWish& grown) const {
   const bool is_known = full_of_.get() == &grown;
   counts.emplace_back("instances", number_value(is_known ? full_->instance_count() : grown.plant.organs.size()));
   counts.emplace_back("triangles", is_known ? number_value(full_->triangle_count()) : Value());
+  Value::Object placed;
+  for (std::size_t k = 0; k < grown.placed.size(); ++k) {
+    placed.emplace_back(grown.wish.document->graph.components[k].id, number_value(grown.placed[k]));
+  }
+  counts.emplace_back("placed", grown.placed.empty() ? Value() : Value(std::move(placed)));
   counts.emplace_back("components", is_known ? component_counts(*full_) : Value());
   return counts;
 }

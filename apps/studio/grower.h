@@ -37,6 +37,8 @@ struct GrownWish {
   Wish wish;
   double time = 0;  ///< seconds, of the document
   Plant plant{};    ///< painted
+  /// Instances of each component of the document's graph; empty where nobody will ask, as in a drag.
+  std::vector<std::uint64_t> placed{};
 };
 
 /// What of a plant the page wants to see.
@@ -74,6 +76,8 @@ class Grower : public std::enable_shared_from_this<Grower> {
   void pause(bool is_paused);
   /// Sends nothing any more and drops all. What is in hand may end later.
   void close();
+  /// Has the thread that grows look at what has grown last, null before, with the cache of that growth.
+  void ask(std::function<void(const GrownWish* grown, GrowthCache& cache)> question);
   /// The last that has grown; null before.
   std::shared_ptr<const GrownWish> grown() const;
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Packs the built page and small pictures of the models into one file, which the program holds.
 //
-// In:  the pack to write; the folder of the built page, or "" for none; the folder of the models' pictures.
+// In:  the pack to write; the folder of the built page, or "" for none; the folders of pictures of the models and of
+//      the parts of the palette, which are called part-NAME.
 // Out: for each file a line "NAME BYTES COMPRESSED\n" and its bytes, by name. The same files give the same bytes.
 #include <algorithm>
 #include <cstdint>
@@ -86,11 +87,11 @@ void add_page(const std::string& folder, Pack& pack) {
   }
 }
 
-void add_pictures(const std::string& folder, Pack& pack) {
+void add_pictures(const std::string& folder, const std::string& prefix, Pack& pack) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() != ".jpg") continue;
     const Image image = read_image(entry.path().string(), Limits());
-    pack["pictures/" + entry.path().filename().string()] = {
+    pack["pictures/" + prefix + entry.path().filename().string()] = {
         encode_jpeg(shrunk(image), {.quality = kPictureQuality, .max_bytes = {}}), false};
   }
 }
@@ -99,10 +100,11 @@ void add_pictures(const std::string& folder, Pack& pack) {
 
 int main(int argc, char** argv) {
   try {
-    if (argc != 4) throw MachineError("usage: pack_page PACK PAGE_FOLDER PICTURE_FOLDER");
+    if (argc != 5) throw MachineError("usage: pack_page PACK PAGE_FOLDER PICTURE_FOLDER PART_FOLDER");
     Pack pack;
     if (std::string(argv[2]) != "") add_page(argv[2], pack);
-    if (std::string(argv[3]) != "") add_pictures(argv[3], pack);
+    if (std::string(argv[3]) != "") add_pictures(argv[3], "", pack);
+    if (std::string(argv[4]) != "") add_pictures(argv[4], "part-", pack);
     AtomicFile file(argv[1]);
     for (const auto& [name, packed] : pack) {
       file.write(fmt::format("{} {} {}\n", name, packed.bytes.size(), packed.is_compressed ? 1 : 0));

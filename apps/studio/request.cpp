@@ -109,6 +109,34 @@ std::vector<UnitSplice> splices_of(const Members& members) {
   return splices;
 }
 
+std::vector<std::string> texts_of(const Members& members, const char* name) {
+  std::vector<std::string> texts;
+  for (const Value& value : members.list(name)) {
+    if (value.text() == nullptr) throw Refusal(fmt::format("'{}' is not a list of texts", name));
+    texts.push_back(*value.text());
+  }
+  return texts;
+}
+
+InsertPart part_edit(const Members& members) {
+  InsertPart edit{.text = members.text("paste"),
+                  .index = members.optional_whole("index"),
+                  .link_index = members.optional_whole("link_index")};
+  if (!members.has("names")) return edit;
+  for (const auto& [name, other] : members.object("names")) {
+    if (other.text() == nullptr) throw Refusal("'names' gives a component another name that is no text");
+    edit.names.emplace_back(name, *other.text());
+  }
+  return edit;
+}
+
+PartRequest part_request(const Members& members) {
+  PartRequest request{.model = members.optional_text("model"), .text = members.optional_text("text"), .components = {}};
+  if (request.model && request.text) throw Refusal("a part is taken from a model or from a text");
+  if (members.has("components")) request.components = texts_of(members, "components");
+  return request;
+}
+
 Edit edit_of(const Value& value) {
   const Members members(value);
   if (members.has("set")) return SetValue{members.text("set"), members.value("value")};
@@ -119,7 +147,9 @@ Edit edit_of(const Value& value) {
   if (members.has("remove")) return RemoveValue{members.text("remove")};
   if (members.has("rename")) return RenameValue{members.text("rename"), members.text("name")};
   if (members.has("move")) return MoveValue{members.text("move"), members.whole("index")};
-  throw Refusal("an edit is one of set, unset, insert, remove, rename and move");
+  if (members.has("note")) return SetNote{members.text("note"), members.text("text")};
+  if (members.has("paste")) return part_edit(members);
+  throw Refusal("an edit is one of set, unset, insert, remove, rename, move, note and paste");
 }
 
 std::vector<Edit> edits_of(const Members& members) {
@@ -172,6 +202,21 @@ CameraOptions camera_of(const Members& members) {
           .field_of_view_deg = members.number("field_of_view", 1, 150)};
 }
 
+/// Three rows of [axes, origin].
+InstanceRequest instance_request(const Members& members) {
+  InstanceRequest request{
+      .component = members.text("component"), .frame = {}, .position = vector_of(members, "position")};
+  const Value::List& rows = members.list("frame");
+  for (std::size_t k = 0; k < 12; ++k) {
+    const double* number = rows.size() == 12 ? rows[k].number() : nullptr;
+    if (number == nullptr || !(std::abs(*number) <= 1e9)) throw Refusal("'frame' is not a list of 12 numbers");
+    const auto row = static_cast<int>(k / 4);
+    const auto column = static_cast<int>(k % 4);
+    (column == 3 ? request.frame.origin[row] : request.frame.axes[column][row]) = static_cast<float>(*number);
+  }
+  return request;
+}
+
 ExportOptions export_options(const Members& members) {
   ExportOptions options{.format = members.text("format"), .name = members.optional_text("name")};
   if (!members.has("options")) return options;
@@ -200,7 +245,9 @@ Request request_of(const std::string& what, const Members& members) {
   if (what == "open") return open_request(members);
   if (what == "splice") return SpliceRequest{members.text("base"), splices_of(members)};
   if (what == "text") return TextRequest{members.text("text")};
-  if (what == "edit") return EditRequest{members.text("base"), edits_of(members)};
+  if (what == "edit") {
+    return EditRequest{members.text("base"), edits_of(members), members.optional_flag("only_if_good").value_or(false)};
+  }
   if (what == "drag") return DragRequest{overrides_of(members)};
   if (what == "view") return view_request(members);
   if (what == "shown") return ShownRequest{members.whole("packet")};
@@ -214,6 +261,9 @@ Request request_of(const std::string& what, const Members& members) {
   }
   if (what == "models") return ModelsRequest{};
   if (what == "measures") return MeasuresRequest{};
+  if (what == "instance") return instance_request(members);
+  if (what == "parts") return PartsRequest{members.text("model")};
+  if (what == "part") return part_request(members);
   if (what == "export") return ExportRequest{export_options(members)};
   if (what == "command") return CommandRequest{export_options(members)};
   throw Refusal(fmt::format("there is no request '{}'", what.substr(0, 40)));

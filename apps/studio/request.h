@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "meristem/base/frame.h"
 #include "meristem/document/document.h"
 #include "meristem/document/edit/session.h"
 #include "text_units.h"
@@ -30,6 +31,7 @@ struct TextRequest {
 struct EditRequest {
   std::string base;
   std::vector<Edit> edits;
+  bool only_if_good = false;  ///< refused where a text without errors would then have some
 };
 struct DragRequest {
   std::vector<Override> values;
@@ -59,6 +61,22 @@ struct SaveRequest {
 };
 struct ModelsRequest {};
 struct MeasuresRequest {};
+/// What a component's instance is that is seen somewhere.
+struct InstanceRequest {
+  std::string component;
+  Frame frame;       ///< of what is seen of it; the world's own for stems
+  Vec3 position{0};  ///< on its surface
+};
+/// Of which components a shipped model consists.
+struct PartsRequest {
+  std::string model;
+};
+/// A part of the open document, of a shipped model, or of a text.
+struct PartRequest {
+  std::optional<std::string> model;
+  std::optional<std::string> text;
+  std::vector<std::string> components;  ///< none: all but cameras
+};
 
 /// From where a picture is seen.
 struct CameraOptions {
@@ -90,7 +108,7 @@ struct CommandRequest {
 
 using Request = std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest,
                              ShownRequest, AllRequest, CancelRequest, PauseRequest, FilesRequest, SaveRequest,
-                             ModelsRequest, MeasuresRequest, ExportRequest, CommandRequest>;
+                             ModelsRequest, MeasuresRequest, InstanceRequest, PartsRequest, PartRequest, ExportRequest, CommandRequest>;
 
 struct NumberedRequest {
   double id = 0;

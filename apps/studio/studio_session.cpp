@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "export_job.h"
+#include "instance_value.h"
 #include "job_news.h"
 #include "job_watch.h"
 #include "meristem/base/version.h"
@@ -18,6 +19,7 @@
 #include "meristem/document/models.h"
 #include "meristem/measure/measures.h"
 #include "meristem/output/measure_report.h"
+#include "part_values.h"
 #include "refusal.h"
 #include "text_units.h"
 #include "written_values.h"
@@ -188,14 +190,23 @@ void StudioSession::add_reading(Answer& answer) {
   answer.emplace_back("faults", faults_value(read.faults(), read.text(), path_.value_or(title_)));
   answer.emplace_back("tree", tree_of(read.text()));
   answer.emplace_back("variables", read.is_good() ? variables_value(read.document()->variables) : Value::List{});
+  answer.emplace_back("implied", read.document() != nullptr ? implied_links_value(read.document()->graph) : Value::List{});
+  answer.emplace_back("notes", notes_value(read.text()));
+}
+
+std::string StudioSession::model_text(const std::string& model) const {
+  if (!is_model(host_, model)) throw Refusal("there is no such model");
+  return read_text_file(model_path(host_.models_folder, model));
 }
 
 StudioSession::Opened StudioSession::opened(const OpenRequest& request) const {
   if (request.model) {
-    if (!is_model(host_, *request.model)) throw Refusal("there is no such model");
-    const std::string file = model_path(host_.models_folder, *request.model);
-    return {
-        .text = read_text_file(file), .file = file, .root = host_.models_folder, .path = {}, .name = *request.model};
+    std::string text = model_text(*request.model);
+    return {.text = std::move(text),
+            .file = model_path(host_.models_folder, *request.model),
+            .root = host_.models_folder,
+            .path = {},
+            .name = *request.model};
   }
   Opened opened{.root = host_.root.path(), .path = request.path};
   if (request.path) {
@@ -264,7 +275,14 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const EditReques
   require_base(request.base);
   const std::string before = session().text();
   const bool was_dragged = !session().overrides().empty();
+  const bool was_good = session().is_good();
   const Change change = session().edit(request.edits);
+  if (request.only_if_good && was_good && !session().is_good()) {
+    Value faults = faults_value(session().faults(), session().text(), path_.value_or(title_));
+    const std::string message = session().faults()[0].message;
+    session().edit_text(change.inverse);
+    throw Refusal(message, {{"faults", std::move(faults)}});
+  }
   if (was_dragged) session().set_overrides({});
   hash_ = text_hash(session().text());
   Answer answer{{"patch", patch_value(in_units(before, change.patch))},
@@ -414,6 +432,40 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const Measure
         return {"measures", measures_value(measure_plant(all.plant, all.meshes, document->scene, {}, progress), false)};
       });
   return std::nullopt;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const InstanceRequest& request) {
+  grower_->ask([outbox = outbox_, id, request](const GrownWish* grown, GrowthCache& cache) {
+    try {
+      if (grown == nullptr) throw Refusal("nothing has grown yet");
+      Progress progress;
+      Value::Object done{{"is", "done"}, {"re", id}, {"instance", instance_value(*grown, request, progress, cache)}};
+      outbox->send_text(write_json_line(done));
+    } catch (const std::exception& error) {
+      outbox->send_text(refused_text(id, error.what(), {}));
+    }
+  });
+  return std::nullopt;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double, const PartsRequest& request) {
+  const std::string text = model_text(request.model);
+  const Document document = read_document(text, model_path(host_.models_folder, request.model), host_.registry,
+                                          {.root = host_.models_folder, .models = host_.models_folder});
+  return Answer{{"tree", tree_of(text)}, {"implied", implied_links_value(document.graph)}};
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double, const PartRequest& request) {
+  const std::string text = request.text ? *request.text : request.model ? model_text(*request.model) : session().text();
+  const Value tree = parse_json(text);
+  std::vector<std::string> components = request.components;
+  if (components.empty()) components = placeable_components(tree, host_.registry);
+  if (components.empty()) throw Refusal("the text has no components");
+  Value::List names;
+  for (const std::string& id : components) names.push_back(id);
+  return Answer{{"text", plant_part(text, components)},
+                {"components", std::move(names)},
+                {"roots", part_roots_value(tree, components)}};
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const ExportRequest& request) {

@@ -76,10 +76,14 @@ class StudioSession {
   std::optional<Answer> act(double id, const SaveRequest& request);
   std::optional<Answer> act(double id, const ModelsRequest& request);
   std::optional<Answer> act(double id, const MeasuresRequest& request);
+  std::optional<Answer> act(double id, const InstanceRequest& request);
+  std::optional<Answer> act(double id, const PartsRequest& request);
+  std::optional<Answer> act(double id, const PartRequest& request);
   std::optional<Answer> act(double id, const ExportRequest& request);
   std::optional<Answer> act(double id, const CommandRequest& request);
 
   Opened opened(const OpenRequest& request) const;
+  std::string model_text(const std::string& model) const;
   Session& session();
   void require_base(const std::string& base);
   void restart(std::string text);

@@ -159,6 +159,8 @@ Value component(const ComponentType& type, TableList& tables) {
   Object made{{"doc", type.doc}, {"table", tables.add(type.parameters, type.name, &component_base_table())}};
   if (type.is_camera) made.emplace_back("is_camera", true);
   if (type.makes_stems) made.emplace_back("makes_stems", true);
+  if (type.is_whole_plant) made.emplace_back("is_whole_plant", true);
+  if (!type.has_geometry) made.emplace_back("has_geometry", false);
   if (grows) made.emplace_back("after_growth", texts_of(rows_after_growth(type)));
   return made;
 }

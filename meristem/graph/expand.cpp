@@ -21,6 +21,7 @@
 #include "meristem/graph/batch.h"
 #include "meristem/graph/emitter_context.h"
 #include "meristem/graph/grow_plantings.h"
+#include "meristem/graph/instances.h"
 #include "meristem/graph/link_sites.h"
 #include "meristem/graph/plant_assembly.h"
 #include "meristem/grow/stand.h"
@@ -36,6 +37,7 @@ constexpr std::size_t kBlock = 256;  // instances an emitter takes
 struct Batch {
   ComponentIndex component = 0;
   std::shared_ptr<const Sites> places;
+  std::vector<std::uint32_t> numbers{};  // of the instances in the tree, where one is made
 
   const std::vector<Site>& sites() const { return places->sites; }
 };
@@ -61,12 +63,44 @@ class Expansion {
         meshes_(graph.components.size()) {}
 
   Plant run() {
+    walk();
+    Plant plant = assembly_.run(mesh_bytes(), progress_);
+    plant.plantings = grow_plantings(graph_, std::move(planting_), results_, progress_);
+    results_.end();
+    return plant;
+  }
+
+  /// Notes who stands on whom.
+  InstanceTree tree(std::uint64_t most) {
+    tree_.emplace();
+    most_ = most;
+    walk();
+    return std::move(*tree_);
+  }
+
+  std::vector<std::uint64_t> counts() {
+    counts_.resize(graph_.components.size());
+    walk();
+    return std::move(counts_);
+  }
+
+  /// Walks until the instance is found. The results of the cache stay, since the run does not end.
+  std::optional<FoundInstance> find(const InstanceWish& wish) {
+    wish_ = &wish;
+    walk();
+    return std::move(found_);
+  }
+
+ private:
+  void walk() {
     surroundings_ = fingerprint_of_surroundings();
     site_names_hash_ = hash_of_names();
     Site root;
     root.key = RandomKey(graph_.seed);
-    ready_.push_back({graph_.structure.root, places_of(with_variables(graph_.structure.root, {root}))});
-    while (!ready_.empty() || !growing_.empty()) {
+    Batch first{graph_.structure.root, places_of(with_variables(graph_.structure.root, {root}))};
+    if (tree_) first.numbers = note_instances(first, {1}, {kNoIndex}, kNoIndex);
+    ready_.push_back(std::move(first));
+    while ((!ready_.empty() || !growing_.empty()) && !found_) {
       if (ready_.empty()) {
         grow_waiting();
       } else {
@@ -75,13 +109,8 @@ class Expansion {
         expand_batch(batch, Grown());
       }
     }
-    Plant plant = assembly_.run(mesh_bytes(), progress_);
-    plant.plantings = grow_plantings(graph_, std::move(planting_), results_, progress_);
-    results_.end();
-    return plant;
   }
 
- private:
   /// What all results depend on; nothing where that is not known, or nobody will ask.
   CacheKey fingerprint_of_surroundings() const {
     static_assert(std::has_unique_object_representations_v<Limits>);
@@ -246,6 +275,8 @@ class Expansion {
       results_.store(key, result);
     }
     nodes_ += result->nodes;
+    if (!counts_.empty()) counts_[batch.component] += batch.sites().size();
+    if (wish_ != nullptr) look_for_wish(batch, links, *result);
     require_placed(batch.component, *result);
     for (const LinkIndex link : links) follow(link, batch, key, *result);
     const auto has_plants = [](const Emitted& block) { return !block.plants.empty(); };
@@ -297,32 +328,38 @@ class Expansion {
     return sum;
   }
 
+  /// What an emitter of the batch's instances needs to know; its progress is set by who uses it.
+  EmitterContext context_of(const Batch& batch, const std::vector<LinkIndex>& links) {
+    const Prototype& prototype = graph_.components[batch.component];
+    SharedMeshes& meshes = meshes_of(batch.component);
+    return {.prototype = prototype,
+            .scene = scene_,
+            .directions = directions_,
+            .limits = graph_.limits,
+            .meshes = meshes,
+            .multiplier = links_.multiplier(batch.component, links),
+            .together = batch.sites().size(),
+            .time = time_,
+            .key = RandomKey(graph_.seed).child("component").child(prototype.id),
+            .wants_child_sites = wants(links, false),
+            .wants_branch_sites = wants(links, true),
+            .site_names = graph_.site_names.size(),
+            .site_names_hash = site_names_hash_,
+            .mesh_bytes = mesh_bytes() - meshes.bytes(),
+            .instances = instances_,
+            .nodes = nodes_};
+  }
+
   /// Expands the instances in parallel blocks.
   std::shared_ptr<const BatchResult> make_result(const Batch& batch, const std::vector<LinkIndex>& links,
                                                  const Grown& grown) {
     const std::vector<Site>& sites = batch.sites();
     const Prototype& prototype = graph_.components[batch.component];
-    SharedMeshes& meshes = meshes_of(batch.component);
-    EmitterContext context{.prototype = prototype,
-                           .scene = scene_,
-                           .directions = directions_,
-                           .limits = graph_.limits,
-                           .meshes = meshes,
-                           .multiplier = links_.multiplier(batch.component, links),
-                           .together = sites.size(),
-                           .time = time_,
-                           .key = RandomKey(graph_.seed).child("component").child(prototype.id),
-                           .wants_child_sites = wants(links, false),
-                           .wants_branch_sites = wants(links, true),
-                           .site_names = graph_.site_names.size(),
-                           .site_names_hash = site_names_hash_,
-                           .mesh_bytes = mesh_bytes() - meshes.bytes(),
-                           .instances = instances_,
-                           .nodes = nodes_};
+    EmitterContext context = context_of(batch, links);
     // One instance may tell its stages; many tell together how many of them are done.
     Progress part(&progress_);
     context.progress = sites.size() == 1 ? &progress_ : &part;
-    const std::size_t block = grown.batch == nullptr ? kBlock : 1;
+    const std::size_t block = grown.batch == nullptr && !tree_ ? kBlock : 1;
     auto result = std::make_shared<BatchResult>();
     result->blocks.resize((sites.size() + block - 1) / block);
     progress_.begin("expanding", sites.size());
@@ -376,11 +413,77 @@ class Expansion {
     const CacheKey key =
         parent && own ? CacheKey(Fingerprint().add(*parent).add(*own).add(hash_of_variables(to)).hash()) : std::nullopt;
     std::shared_ptr<const Sites> places = results_.find<const Sites>(key);
+    std::vector<std::size_t> per_parent;
     if (places == nullptr || instances_ + places->sites.size() > graph_.limits.instances) {
-      places = places_of(with_variables(to, links_.places(link, result, {instances_, batch.sites().size()})));
+      places = places_of(with_variables(
+          to, links_.places(link, result, {instances_, batch.sites().size()}, tree_ ? &per_parent : nullptr)));
       results_.store(key, places);
     }
-    enqueue({to, std::move(places)});
+    Batch children{to, std::move(places)};
+    if (tree_) children.numbers = note_instances(children, per_parent, batch.numbers, link);
+    enqueue(std::move(children));
+  }
+
+  /// Adds the batch's instances to the tree, so many on each of the parents; gives their numbers.
+  std::vector<std::uint32_t> note_instances(const Batch& batch, const std::vector<std::size_t>& per_parent,
+                                            const std::vector<std::uint32_t>& parents, LinkIndex link) {
+    std::vector<InstanceTree::Instance>& all = tree_->instances;
+    if (all.size() + batch.sites().size() > most_) {
+      throw InputError(Diagnostic{.message = fmt::format("there are more than {} instances", most_),
+                                  .expected = "a smaller plant, or a greater number of instances that are drawn",
+                                  .path = "components." + graph_.components[batch.component].id});
+    }
+    std::vector<std::uint32_t> numbers;
+    for (std::size_t parent = 0; parent < per_parent.size(); ++parent) {
+      for (std::size_t k = 0; k < per_parent[parent]; ++k) {
+        const Site& site = batch.sites()[numbers.size()];
+        numbers.push_back(static_cast<std::uint32_t>(all.size()));
+        all.push_back({batch.component, parents[parent], link, site.i, site.n});
+      }
+    }
+    return numbers;
+  }
+
+  /// Finds the instance that made what is asked for, where one of this batch did.
+  void look_for_wish(const Batch& batch, const std::vector<LinkIndex>& links, const BatchResult& result) {
+    const Prototype& prototype = graph_.components[batch.component];
+    if (prototype.id != wish_->component || found_) return;
+    const auto count = [&](const Emitted& block) -> std::uint64_t {
+      if (wish_->of == InstanceWish::Of::organ) return block.organs.size();
+      return static_cast<std::uint64_t>(std::ranges::count_if(block.stems, &EmittedStem::visible));
+    };
+    const std::vector<Site>& sites = batch.sites();
+    const std::size_t size = prototype.type->grow ? 1 : kBlock;
+    for (std::size_t k = 0; k < result.blocks.size(); ++k) {
+      const std::uint64_t made = count(result.blocks[k]);
+      if (passed_ + made <= wish_->number) {
+        passed_ += made;
+        continue;
+      }
+      const auto of_block = std::span(sites).subspan(k * size, std::min(size, sites.size() - k * size));
+      const Site* site = of_block.size() == 1 ? of_block.data() : nullptr;
+      // Which of them it was, each tells by what it makes alone.
+      EmitterContext context = context_of(batch, links);
+      context.progress = &progress_;
+      for (std::size_t s = 0; s < of_block.size() && site == nullptr; ++s) {
+        Emitter emitter(context);
+        prototype.type->expand(prototype, of_block.subspan(s, 1), emitter);
+        const std::uint64_t own = count(emitter.take());
+        if (passed_ + own > wish_->number) site = &of_block[s];
+        passed_ += own;
+      }
+      if (site != nullptr) found_ = described(prototype, *site);
+      return;
+    }
+  }
+
+  FoundInstance described(const Prototype& prototype, const Site& site) const {
+    FoundInstance found{.site = site, .values = {}};
+    const VaryingValues values(prototype.varyings, std::span(&site, 1), time_);
+    for (std::size_t k = 0; k < prototype.varyings.size(); ++k) {
+      found.values.emplace_back(prototype.varyings[k].path, values.value(k, 0) / prototype.varyings[k].scale);
+    }
+    return found;
   }
 
   const Graph& graph_;
@@ -396,12 +499,33 @@ class Expansion {
   CacheKey surroundings_;
   std::deque<Batch> ready_;
   std::deque<Batch> growing_;
+  std::optional<InstanceTree> tree_;     // where one is made
+  std::uint64_t most_ = 0;               // instances of it
+  const InstanceWish* wish_ = nullptr;   // what is looked for
+  std::uint64_t passed_ = 0;             // of what is looked for, made by instances before
+  std::optional<FoundInstance> found_;
+  std::vector<std::uint64_t> counts_;  // of instances by component, where they are asked for
   std::uint64_t instances_ = 1;  // the root
   std::uint64_t nodes_ = 0;
   std::vector<std::shared_ptr<SharedMeshes>> meshes_;  // by component
 };
 
 }  // namespace
+
+InstanceTree instance_tree(const Graph& graph, const Scene& scene, double time, std::uint64_t most,
+                           Progress& progress) {
+  return Expansion(graph, scene, time, progress, nullptr).tree(most);
+}
+
+std::vector<std::uint64_t> instance_counts(const Graph& graph, const Scene& scene, double time, Progress& progress,
+                                           Cache* cache) {
+  return Expansion(graph, scene, time, progress, cache).counts();
+}
+
+std::optional<FoundInstance> find_instance(const Graph& graph, const Scene& scene, double time, const InstanceWish& wish,
+                                           Progress& progress, Cache* cache) {
+  return Expansion(graph, scene, time, progress, cache).find(wish);
+}
 
 Plant expand(const Graph& graph, const Scene& scene, double time, Progress& progress, Cache* cache) {
   return Expansion(graph, scene, time, progress, cache).run();

@@ -241,7 +241,8 @@ std::vector<LinkIndex> LinkSites::links_followed(ComponentIndex component, const
   return links;
 }
 
-std::vector<Site> LinkSites::places(LinkIndex link, const BatchResult& parent, Counts before) const {
+std::vector<Site> LinkSites::places(LinkIndex link, const BatchResult& parent, Counts before,
+                                    std::vector<std::size_t>* per_block) const {
   const std::size_t blocks = parent.blocks.size();
   const std::uint64_t limit = graph_.limits.instances;
   const std::uint64_t room = limit - std::min(limit, before.all);
@@ -265,6 +266,7 @@ std::vector<Site> LinkSites::places(LinkIndex link, const BatchResult& parent, C
   for (std::size_t block = 0; block < blocks; ++block) {
     if (faults[block]) std::rethrow_exception(faults[block]);
     count += found[block].size();
+    if (per_block != nullptr) per_block->push_back(found[block].size());
     if (count > room) throw_too_many(link, count, before);
   }
   if (blocks == 1) return std::move(found[0]);

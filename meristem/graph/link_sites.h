@@ -33,7 +33,9 @@ class LinkSites {
 
   /// The sites that a link gives its child, over all instances of the parent in their order. Throws InputError where
   /// with them there would be more instances than the limit allows.
-  std::vector<Site> places(LinkIndex link, const BatchResult& parent, Counts before) const;
+  /// `per_block`, if given, gets how many there are on each block of the parent's instances.
+  std::vector<Site> places(LinkIndex link, const BatchResult& parent, Counts before,
+                           std::vector<std::size_t>* per_block = nullptr) const;
 
   /// Hash of what they depend on besides the parent's result and the scene, where all of it is known.
   std::optional<std::uint64_t> fingerprint(LinkIndex link) const;

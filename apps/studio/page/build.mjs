@@ -14,6 +14,20 @@ const kMostBytes = 500_000;
 const here = path.dirname(fileURLToPath(import.meta.url));
 const common = { bundle: true, target: 'es2022', logLevel: 'warning', absWorkingDir: here, jsx: 'automatic' };
 
+/// What new components begin with that would have faults without anything, by type: the components of the palette's
+/// documents that say so.
+async function starters() {
+  const folder = path.join(here, '../parts');
+  const made = {};
+  for (const file of (await readdir(folder)).filter((one) => one.endsWith('.json')).sort()) {
+    const document = JSON.parse((await readFile(path.join(folder, file), 'utf8')).replace(/^\s*\/\/.*$/gm, ''));
+    const name = path.basename(file, '.json');
+    const { type, ...starter } = document.components[name];
+    if (document.description !== undefined) made[type] = starter;
+  }
+  return made;
+}
+
 async function build_page(out) {
   await rm(out, { recursive: true, force: true });
   await mkdir(out, { recursive: true });
@@ -29,6 +43,7 @@ async function build_page(out) {
   });
   await build({ ...common, entryPoints: { page: 'src/style/page.css' }, outdir: out, minify: true });
   for (const file of ['index.html', 'icon.svg']) await writeFile(path.join(out, file), await readFile(path.join(here, 'src', file)));
+  await writeFile(path.join(out, 'starters.json'), JSON.stringify(await starters()));
   const notices = await notices_of(made.metafile.inputs);
   await writeFile(path.join(out, 'notices.txt'), `The studio's page contains these packages.\n\n${notices.join(`\n${'-'.repeat(80)}\n\n`)}`);
   let sum = 0;

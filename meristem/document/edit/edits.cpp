@@ -2,10 +2,15 @@
 #include "meristem/document/edit/edits.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "meristem/document/edit/note.h"
 #include "meristem/document/edit/path.h"
+#include "meristem/document/edit/plant_part.h"
 #include "meristem/document/edit/rename.h"
 #include "meristem/document/edit/text_edit.h"
 #include "meristem/document/tables.h"
@@ -91,6 +96,70 @@ bool places(const Document* document, const std::string& placer, const std::stri
   return false;
 }
 
+/// The document that a text is read as; nothing where it has faults.
+std::optional<Document> document_of(const LocatedTree& tree, const EditContext& context) {
+  try {
+    return read_document(tree.text(), context.file, context.registry, context.reading);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+/// Gives components of a part other names, those first whose new names no other has any more.
+LocatedTree with_names(LocatedTree part, std::vector<std::pair<std::string, std::string>> names,
+                       const EditContext& context) {
+  const std::optional<Document> document = document_of(part, context);
+  std::erase_if(names, [](const auto& name) { return name.first == name.second; });
+  std::map<std::string, std::string> first_names;  // by those that they have now
+  const auto rename = [&](const std::string& id, const std::string& name) {
+    const std::string& first = first_names.contains(id) ? first_names[id] : id;
+    const auto placed_by = [&](const std::string& placer) { return places(document ? &*document : nullptr, placer, first); };
+    part = LocatedTree(apply_patch(part.text(), rename_component(part, id, name, context.registry, placed_by)));
+    first_names[name] = first;
+  };
+  while (!names.empty()) {
+    const Value* components = part.root().value->find("components");
+    const auto is_free = [&](const auto& name) { return components == nullptr || components->find(name.second) == nullptr; };
+    auto next = std::find_if(names.begin(), names.end(), is_free);
+    if (next == names.end()) {
+      // Names that go round in a circle: one steps aside.
+      std::string aside = names[0].first + "_";
+      while (components->find(aside) != nullptr) aside += '_';
+      rename(names[0].first, aside);
+      names[0].first = aside;
+      continue;
+    }
+    rename(next->first, next->second);
+    names.erase(next);
+  }
+  return part;
+}
+
+/// Gives those variables of a part free names of which the document says something else.
+LocatedTree with_own_variables(LocatedTree part, const LocatedTree& tree, const EditContext& context) {
+  const Value* own = tree.root().value->find("variables");
+  if (own == nullptr || own->object() == nullptr) return part;
+  // A renamed variable may make another one say something else.
+  for (;;) {
+    const Value* brought = part.root().value->find("variables");
+    if (brought == nullptr || brought->object() == nullptr) return part;
+    const auto differs = [&](const Value::Member& variable) {
+      const Value* known = own->find(variable.first);
+      return known != nullptr && !(*known == variable.second);
+    };
+    const auto other = std::find_if(brought->object()->begin(), brought->object()->end(), differs);
+    if (other == brought->object()->end()) return part;
+    std::string free;
+    for (int k = 2; free.empty(); ++k) {
+      const std::string tried = fmt::format("{}_{}", other->first, k);
+      if (own->find(tried) == nullptr && brought->find(tried) == nullptr) free = tried;
+    }
+    const std::string name = other->first;
+    const Patch patch = rename_variable(part, name, free, context.registry, expression_paths(part, context));
+    part = LocatedTree(apply_patch(part.text(), patch));
+  }
+}
+
 struct Patcher {
   const LocatedTree& tree;
   const EditContext& context;
@@ -134,6 +203,12 @@ struct Patcher {
       return rename_variable(tree, variable, edit.name, context.registry, expression_paths(tree, context));
     }
     return rename_member(tree, path, edit.name);
+  }
+  Patch operator()(const SetNote& edit) const { return set_note(tree, whole_path(tree, edit.path), edit.note); }
+  Patch operator()(const InsertPart& edit) const {
+    LocatedTree part = with_names(LocatedTree(edit.text), edit.names, context);
+    part = with_own_variables(std::move(part), tree, context);
+    return insert_plant_part(tree, part, {.component = edit.index, .link = edit.link_index});
   }
   Patch operator()(const MoveValue& edit) const { return move_value(tree, whole_path(tree, edit.path), edit.index); }
 };

@@ -147,7 +147,8 @@ class Container {
     const std::size_t close = node_.end - 1;
     const bool has_comments = !is_bare(close, close);
     const bool is_upper = container_.node == 0 || indent_at(text_, node_.begin).size() <= indent_unit_of(text_).size();
-    const bool is_object = part.value != nullptr && part.value->object() != nullptr;
+    const bool is_object =
+        part.written != nullptr ? part.written->text.ends_with('}') : part.value->object() != nullptr;
     const bool in_lines = container_.node == 0 || (is_upper && is_object) || ends_in_line_comment(part);
     const std::size_t column = node_.begin + 1 - line_begin(text_, node_.begin);
     if (!has_comments) {

@@ -6,8 +6,22 @@
 
 #include "meristem/document/edit/edits.h"
 #include "meristem/document/edit/located_tree.h"
+#include "meristem/document/edit/note.h"
+#include "meristem/document/edit/plant_part.h"
 
 namespace meristem {
+
+std::string plant_part(const std::string& text, const std::vector<std::string>& components) {
+  return part_text(LocatedTree(text), components);
+}
+
+std::vector<std::pair<std::string, std::string>> component_notes(const std::string& text) {
+  try {
+    return notes_on_members(LocatedTree(text), "components");
+  } catch (const InputError&) {
+    return {};
+  }
+}
 
 Session::Session(std::string text, std::string file, const Registry& registry, SessionOptions options)
     : text_(std::move(text)), file_(std::move(file)), registry_(&registry), options_(std::move(options)) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -31,7 +32,8 @@ struct SetValue {
 struct UnsetValue {
   std::string path;
 };
-/// Inserts an element before that of the path, or a new member, as the last or at `index`.
+/// Inserts an element before that of the path, or a new member, as the last or at `index`. A list that is not there yet
+/// is made for its first element.
 struct InsertValue {
   std::string path;
   Value value;
@@ -52,7 +54,29 @@ struct MoveValue {
   std::string path;
   std::size_t index = 0;
 };
-using Edit = std::variant<SetValue, UnsetValue, InsertValue, RemoveValue, RenameValue, MoveValue>;
+/// Has the comment on a member say `note`: on lines of its own directly above it, or behind it in its last line where one
+/// stands there. An empty note takes the comment away.
+struct SetNote {
+  std::string path;
+  std::string note;
+};
+/// Puts in a part of a document, a text as plant_part() gives it: its components with their notes, its links, and those
+/// of its variables that the document has not. A variable of which the document says something else gets a free name.
+struct InsertPart {
+  std::string text;
+  std::vector<std::pair<std::string, std::string>> names{};  ///< other names of components, which must be free
+  std::optional<std::size_t> index{};                        ///< of the first among the components; not given: last
+  std::optional<std::size_t> link_index{};                   ///< of its first link among the links; not given: last
+};
+using Edit =
+    std::variant<SetValue, UnsetValue, InsertValue, RemoveValue, RenameValue, MoveValue, SetNote, InsertPart>;
+
+/// A part of a document: a text that is a document too, with these components, the links among them and the variables
+/// that they name, all as they are written. Throws an InputError where the text is not JSON or has no such component.
+std::string plant_part(const std::string& text, const std::vector<std::string>& components);
+
+/// The comments on a document's components, by their names, as SetNote sets them; none where the text is not JSON.
+std::vector<std::pair<std::string, std::string>> component_notes(const std::string& text);
 
 /// A change of the text, and the inverse change.
 struct Change {

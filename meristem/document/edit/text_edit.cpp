@@ -128,6 +128,12 @@ Patch insert_value(const LocatedTree& tree, std::string_view path, const Value& 
     return insert_part(tree, container, at, {nullptr, &value});
   }
   if (is_there) refuse(path, fmt::format("'{}' exists already", path), "a name that is free");
+  const bool is_first = target.missing.size() == 2 && !target.missing[0].is_index && target.missing[1].is_index &&
+                        (target.missing[1].index == 0 || target.missing[1].index == PathStep::kBehindLast);
+  if (is_first && container.value->object() != nullptr) {
+    const Value list(Value::List{value});
+    return insert_part(tree, container, count, {&target.missing[0].name, &list});
+  }
   const bool is_member = target.missing.size() == 1 && !target.missing[0].is_index;
   if (container.value->object() == nullptr || !is_member) throw_missing(target, path);
   if (index && *index > count) refuse(path, fmt::format("there are {} members", count), "an index up to that number");

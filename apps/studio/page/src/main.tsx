@@ -5,6 +5,7 @@ import { createRoot } from 'react-dom/client';
 import { start_tooltips } from './controls/tooltip.ts';
 import { App } from './panels/app.tsx';
 import { listen_to_keys } from './shortcuts.ts';
+import type { Json } from './document/json.ts';
 import { Studio } from './studio.ts';
 import { StudioContext } from './studio_context.ts';
 import type { Tables } from './tables/tables.ts';
@@ -34,6 +35,7 @@ async function start(): Promise<void> {
   const socket = new URL('socket', document.baseURI);
   socket.protocol = socket.protocol === 'https:' ? 'wss:' : 'ws:';
   const studio = new Studio(tables, socket.href);
+  studio.board.starters = await fetch('starters.json').then((answer) => (answer.ok ? (answer.json() as Promise<Record<string, Json>>) : {}));
   window.studio = studio;
   follow_theme(studio);
   listen_to_keys(studio);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keys that act wherever the keyboard is, and the list of all keys.
+import { prefer } from './base/preferences.ts';
 import type { Studio } from './studio.ts';
 
 export interface Shortcut {
@@ -20,6 +21,20 @@ export const kShortcuts: { title: string; keys: Shortcut[] }[] = [
       { keys: 'Ctrl+Shift+Z', text: 'Redo' },
       { keys: 'R', text: 'Roll the seed' },
       { keys: 'T', text: 'Text or inspector' },
+    ],
+  },
+  {
+    title: 'Board',
+    keys: [
+      { keys: 'B', text: 'Board or outline' },
+      { keys: 'A', text: 'Add a component below the chosen one' },
+      { keys: 'Arrow keys', text: 'Go from component to component' },
+      { keys: 'Alt+arrow keys', text: 'Move the component among its siblings' },
+      { keys: 'L', text: 'Link from the component: choose the other end, Enter' },
+      { keys: 'F2, N', text: 'Rename; note' },
+      { keys: 'Ctrl+D, Ctrl+C, Ctrl+V', text: 'Duplicate, copy, paste below' },
+      { keys: 'Del', text: 'Delete, with what stands on it alone' },
+      { keys: 'Space, H, S', text: 'Fold, hide, show alone' },
     ],
   },
   {
@@ -52,6 +67,12 @@ export function save_here(studio: Studio): void {
   else void studio.save(path);
 }
 
+export function toggle_board(studio: Studio): void {
+  const left = studio.shell.get().left === 'board' ? 'outline' : 'board';
+  prefer('left', left);
+  studio.shell.merge({ left });
+}
+
 function next_drawing(studio: Studio): void {
   const order = ['shaded', 'wireframe', 'skeleton'] as const;
   const at = order.indexOf(studio.view_state.get().drawing);
@@ -76,6 +97,8 @@ const kPlain: Record<string, (studio: Studio) => void> = {
   '7': (studio) => studio.view?.look_from(180, 89.5),
   w: next_drawing,
   r: (studio) => studio.set_value('seed', 1 + Math.floor(Math.random() * 9999), 'Roll the seed'),
+  b: toggle_board,
+  a: (studio) => studio.shell.merge({ dialog: 'palette' }),
   t: (studio) => studio.shell.merge({ side: studio.shell.get().side === 'text' ? 'inspector' : 'text' }),
   '?': (studio) => studio.shell.merge({ dialog: 'shortcuts' }),
 };

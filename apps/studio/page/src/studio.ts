@@ -3,16 +3,19 @@
 import { prefer, preference } from './base/preferences.ts';
 import { Store } from './base/store.ts';
 import { ToastList } from './base/toast_list.ts';
+import { Board } from './board/board.ts';
+import type { EditWish } from './document/document_model.ts';
 import { DocumentModel } from './document/document_model.ts';
 import type { Json } from './document/json.ts';
+import { InstanceChoice } from './instance_choice.ts';
 import { Keeper } from './keeper.ts';
 import { Connection } from './server/connection.ts';
 import { LatestSender } from './server/latest_sender.ts';
 import { read_packet } from './server/packet.ts';
-import type { Edit, Grown, Hello, News, Opened, Saved } from './server/protocol.ts';
+import type { Edit, Fault, Hello, News, Opened, Saved } from './server/protocol.ts';
 import { Refusal } from './server/protocol.ts';
 import type { GrowthState, ServerState, ShellState, Theme, ViewState } from './studio_state.ts';
-import { kNoGrowth, with_work } from './studio_state.ts';
+import { kNoGrowth, with_growth, with_work } from './studio_state.ts';
 import type { Tables } from './tables/tables.ts';
 import type { View, ViewFacts } from './view/view.ts';
 
@@ -29,9 +32,11 @@ export class Studio {
   readonly chosen = new Store('');
   readonly growth = new Store<GrowthState>(kNoGrowth);
   readonly server = new Store<ServerState>({ link: 'connecting', hello: null });
-  readonly view_state = new Store<ViewState>({ drawing: 'shaded', hidden: new Set(), shows_ground: true });
+  readonly view_state = new Store<ViewState>({ drawing: 'shaded', hidden: new Set(), shows_ground: true, solo: null });
   readonly view_facts = new Store<ViewFacts | null>(null); // of the last picture
   readonly pointed = new Store<{ component: string; x: number; y: number } | null>(null); // at rest over the view
+  readonly instance = new InstanceChoice(this);
+  readonly board = new Board(this);
   readonly shell: Store<ShellState>;
   readonly toasts = new ToastList();
   readonly dragged = new Store<Record<string, Json>>({});
@@ -52,6 +57,7 @@ export class Studio {
     this.shell = new Store<ShellState>({
       dialog: null,
       side: 'inspector',
+      left: preference('left') === 'board' ? 'board' : 'outline',
       theme: (preference('theme') as Theme | null) ?? 'system',
       is_dark: false,
       shows_hints: preference('hints') !== 'seen',
@@ -72,6 +78,7 @@ export class Studio {
   }
 
   choose(path: string): void {
+    this.instance.forget();
     this.chosen.set(path);
     this.view?.unmark();
     this.refresh_view();
@@ -94,20 +101,23 @@ export class Studio {
   }
 
   refresh_view(): void {
-    const { drawing, hidden, shows_ground } = this.view_state.get();
+    const { drawing, shows_ground } = this.view_state.get();
+    const hidden = this.board.hidden_components(this.view?.plant.components ?? []);
     const chosen = /^components\.([^.[]+)/.exec(this.chosen.get())?.[1] ?? '';
     this.view?.show(drawing, hidden, chosen);
     this.view?.paint(this.shell.get().is_dark, shows_ground);
   }
 
   /// Changes the document as one step of the undo list.
-  async edit(edits: Edit[], label: string): Promise<void> {
+  async edit(edits: Edit[], label: string, wish: EditWish = {}): Promise<Fault[] | null> {
     // Until the text says them, fields show the values that are meant.
     const meant = Object.fromEntries(edits.flatMap((edit) => ('set' in edit ? [[edit.set, edit.value]] : [])));
     this.drags_.drop(); // the edit ends the drag at the server, too
     this.dragged.set(meant);
-    await this.document.edit(edits, label);
+    const faults = await this.document.edit(edits, label, wish);
     if (this.dragged.get() === meant) this.dragged.set({});
+    if (faults === null && wish.choose !== undefined) this.choose(wish.choose);
+    return faults;
   }
 
   set_value(path: string, value: Json, label: string): void {
@@ -180,7 +190,8 @@ export class Studio {
     this.locks.set(new Set());
     this.document.take_opened(opened);
     this.first_values.set(Object.fromEntries(opened.variables.map((one) => [one.name, one.expression || one.value])));
-    this.view_state.merge({ hidden: new Set() });
+    this.view_state.merge({ hidden: new Set(), solo: null });
+    this.board.begin();
     this.choose('');
   }
 
@@ -193,15 +204,8 @@ export class Studio {
   private hear(news: News): void {
     if (news.is === 'hello') void this.greet(news);
     if (news.is === 'working') this.growth.set(with_work(this.growth.get(), news));
-    if (news.is === 'grown') this.take_grown(news);
+    if (news.is === 'grown') this.growth.set(with_growth(this.growth.get(), news));
     if (news.is === 'failed' && news.job === 'grow') this.growth.merge({ failed: { message: news.message, faults: news.faults } });
-  }
-
-  /// What is not known until full detail is made stays what it was.
-  private take_grown(grown: Grown): void {
-    const before = this.growth.get().grown;
-    const counts = { triangles: grown.triangles ?? before?.triangles ?? null, components: grown.components ?? before?.components ?? null };
-    this.growth.merge({ grown: { ...grown, ...counts }, failed: null });
   }
 
   /// There, or there again: then the server is told what the page has.

@@ -15,6 +15,17 @@ export interface GrowthState {
 
 export const kNoGrowth: GrowthState = { grown: null, shown: null, working: null, failed: null, is_paused: false };
 
+/// What is not known until full detail is made, or of a drag, stays what it was.
+export function with_growth(growth: GrowthState, grown: Grown): GrowthState {
+  const before = growth.grown;
+  const counts = {
+    triangles: grown.triangles ?? before?.triangles ?? null,
+    components: grown.components ?? before?.components ?? null,
+    placed: grown.placed ?? before?.placed ?? null,
+  };
+  return { ...growth, grown: { ...grown, ...counts }, failed: null };
+}
+
 /// Work of another kind may go on while this one is over.
 export function with_work(growth: GrowthState, news: Working): GrowthState {
   if (news.stage !== null) return { ...growth, working: news };
@@ -30,15 +41,17 @@ export interface ViewState {
   drawing: Drawing;
   hidden: ReadonlySet<string>; // components that are not drawn
   shows_ground: boolean;
+  solo: string | null; // the component that is drawn alone, with all that stands on it
 }
 
 export type Theme = 'system' | 'light' | 'dark';
 
-export type Dialog = 'open' | 'save' | 'models' | 'export' | 'shortcuts' | null;
+export type Dialog = 'open' | 'save' | 'models' | 'export' | 'shortcuts' | 'palette' | null;
 
 export interface ShellState {
   dialog: Dialog;
   side: 'inspector' | 'text';
+  left: 'outline' | 'board';
   theme: Theme;
   is_dark: boolean;
   shows_hints: boolean;

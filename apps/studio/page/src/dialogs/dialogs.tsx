@@ -6,6 +6,7 @@ import { Dialog } from '../controls/dialog.tsx';
 import { kShortcuts } from '../shortcuts.ts';
 import { use_studio } from '../studio_context.ts';
 import { ExportDialog } from './export_dialog.tsx';
+import { PaletteDialog } from '../board/palette_dialog.tsx';
 import { OpenDialog, SaveDialog } from './file_dialogs.tsx';
 import { ModelsDialog } from './models_dialog.tsx';
 
@@ -17,6 +18,7 @@ export function Dialogs(): ReactElement | null {
   if (dialog === 'open') return <OpenDialog close={close} />;
   if (dialog === 'save') return <SaveDialog close={close} />;
   if (dialog === 'models') return <ModelsDialog close={close} />;
+  if (dialog === 'palette') return <PaletteDialog close={close} />;
   if (dialog === 'export') return <ExportDialog close={close} />;
   return dialog === 'shortcuts' ? <ShortcutsDialog close={close} /> : null;
 }

@@ -7,17 +7,24 @@ import { Icon } from '../controls/icon.tsx';
 import type { ShippedModel } from '../server/protocol.ts';
 import { use_studio } from '../studio_context.ts';
 
-/// All shipped plants with their pictures.
-export function ModelsDialog({ close }: { close: () => void }): ReactElement {
+/// The shipped plants; none until the server has answered.
+export function use_models(): ShippedModel[] {
   const studio = use_studio();
   const [models, set_models] = useState<ShippedModel[]>([]);
-  const [words, set_words] = useState('');
   useEffect(() => {
     studio.connection
       .request<{ models: ShippedModel[] }>('models')
       .then((answer) => set_models(answer.models))
       .catch((fault: Error) => studio.tell(fault.message, true));
   }, [studio]);
+  return models;
+}
+
+/// All shipped plants with their pictures.
+export function ModelsDialog({ close }: { close: () => void }): ReactElement {
+  const studio = use_studio();
+  const models = use_models();
+  const [words, set_words] = useState('');
   const open = (model: string) => (): void => {
     close();
     void studio.open({ model });

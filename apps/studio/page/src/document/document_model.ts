@@ -14,9 +14,16 @@ import { apply_patch, inverse_patch, patch_between, patch_of_plain, plain_patch,
 import type { UndoState } from './undo_list.ts';
 import { step_back, step_forward, with_last, with_step } from './undo_list.ts';
 
+/// How an edit is made.
+export interface EditWish {
+  only_if_good?: boolean | undefined; // not where the text would then have errors
+  choose?: string | undefined; // path that is chosen after it
+}
+
 interface Waiting {
   edits: Edit[];
   label: string;
+  wish: EditWish;
   done: ((faults: Fault[] | null) => void)[];
 }
 
@@ -64,8 +71,8 @@ export class DocumentModel {
     this.send_whole();
   }
 
-  take_saved({ path, name, saved, good, faults, variables }: Saved): void {
-    const reading = good !== undefined && faults && variables ? reading_of({ good, faults, variables, tree: null }) : {};
+  take_saved({ path, name, saved, good, faults, variables, implied, notes }: Saved): void {
+    const reading = good !== undefined && faults && variables ? reading_of({ good, faults, variables, tree: null, implied: implied ?? [], notes: notes ?? {} }) : {};
     this.state.merge({ ...reading, path, saved, base: saved, model: null, name });
   }
 
@@ -75,14 +82,14 @@ export class DocumentModel {
 
   /// Has the library change the text, as one step. Edits that set one and the same value while others are on their way
   /// become one: the last counts. Resolves to what was wrong, or null.
-  edit(edits: Edit[], label: string): Promise<Fault[] | null> {
+  edit(edits: Edit[], label: string, wish: EditWish = {}): Promise<Fault[] | null> {
     return new Promise((done) => {
       const last = this.waiting_.at(-1);
       if (last && sets_the_same(last.edits, edits)) {
         last.edits = edits;
         last.done.push(done);
       } else {
-        this.waiting_.push({ edits, label, done: [done] });
+        this.waiting_.push({ edits, label, wish, done: [done] });
       }
       void this.ask_next();
     });
@@ -182,7 +189,7 @@ export class DocumentModel {
     for (let tries = 0; ; tries += 1) {
       const { text, hash: base, undo } = this.state.get();
       try {
-        const edited = await this.connection_().request<Edited>('edit', { base, edits: wish.edits });
+        const edited = await this.connection_().request<Edited>('edit', { base, edits: wish.edits, ...(wish.wish.only_if_good ? { only_if_good: true } : {}) });
         const patch = patch_of_plain(edited.patch);
         const after = apply_patch(text, patch);
         const step = { label: wish.label, patch, inverse: patch_of_plain(edited.inverse), chosen: this.chosen_() };
@@ -198,15 +205,17 @@ export class DocumentModel {
           return 'lost';
         }
         if (!(fault instanceof Refusal)) throw fault;
-        if (!fault.facts.stale || tries > 0) return this.refuse(fault);
+        if (!fault.facts.stale || tries > 0) return this.refuse(fault, wish);
         this.send_whole();
       }
     }
   }
 
-  private refuse(refusal: Refusal): Fault[] {
-    this.tell_(refusal.message);
-    return refusal.facts.faults ?? [];
+  private refuse(refusal: Refusal, wish: Waiting): Fault[] {
+    const faults = refusal.facts.faults ?? [];
+    if (!wish.wish.only_if_good) this.tell_(refusal.message);
+    // What was refused always has a reason.
+    return faults.length > 0 ? faults : [{ severity: 'error', message: refusal.message, path: '', line: null, column: null, offset: null, text: refusal.message }];
   }
 
   /// What was typed while an edit was on its way was typed into the text before it.

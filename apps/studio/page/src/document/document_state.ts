@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is known of the open document.
-import type { Edit, Fault, Reading, Variable } from '../server/protocol.ts';
+import type { Edit, Fault, ImpliedLink, Reading, Variable } from '../server/protocol.ts';
 import type { JsonNode } from './json.ts';
 import { parse_json } from './json.ts';
 import type { UndoState } from './undo_list.ts';
@@ -18,6 +18,8 @@ export interface DocumentState {
   good: boolean;
   faults: Fault[];
   variables: Variable[];
+  implied: ImpliedLink[]; // links that components make themselves
+  notes: Record<string, string>; // comments at components, by their ids
   undo: UndoState;
 }
 
@@ -33,15 +35,18 @@ export const kNoDocument: DocumentState = {
   good: true,
   faults: [],
   variables: [],
+  implied: [],
+  notes: {},
   undo: kNothingDone,
 };
 
-export function reading_of(reading: Reading): Pick<DocumentState, 'good' | 'faults' | 'variables'> | object {
+export function reading_of(reading: Reading): Partial<DocumentState> {
   const { good, faults } = reading;
+  const { implied = [], notes = {} } = reading;
   // An empty expression is none.
   const variables = reading.variables.map((one) => ({ ...one, expression: one.expression || null }));
   // The values of a faulty text are not known: the last good ones stay.
-  return variables.length > 0 || good ? { good, faults, variables } : { good, faults };
+  return variables.length > 0 || good ? { good, faults, variables, implied, notes } : { good, faults, notes };
 }
 
 export function tree_of(text: string, last: JsonNode | null): JsonNode | null {

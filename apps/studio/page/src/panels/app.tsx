@@ -3,9 +3,11 @@
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
+import { BoardPanel } from '../board/board_panel.tsx';
 import { Segments } from '../controls/button.tsx';
 import { Splitter } from '../controls/splitter.tsx';
 import { Dialogs } from '../dialogs/dialogs.tsx';
+import { toggle_board } from '../shortcuts.ts';
 import { use_studio } from '../studio_context.ts';
 import type { ShellState } from '../studio_state.ts';
 import { ConflictBanner, KeptBanner, LostBanner } from './banners.tsx';
@@ -51,13 +53,25 @@ export function App(): ReactElement {
   );
 }
 
+const kLeft = [
+  ['outline', 'Outline'],
+  ['board', 'Board'],
+] as const;
+
 function LeftPanel(): ReactElement {
-  const [width, change] = use_width('left');
+  const studio = use_studio();
+  const { left } = use_store(studio.shell);
+  const panel = left === 'board' ? 'board' : 'left';
+  const widths = { left: use_width('left'), board: use_width('board') };
+  const [width, change] = widths[panel];
   return (
-    <aside className="left" aria-label="Handles and outline" style={{ width: width ?? undefined }}>
+    <aside className={`left of-${left}`} aria-label="Handles and outline" style={{ width: width ?? undefined }}>
       <Handles />
-      <Outline />
-      <Splitter label="Width of handles and outline" edge="right" width={width} change={change} {...kWidths.left} />
+      <div className="left-tabs">
+        <Segments label="Outline or board" value={left} choices={kLeft} choose={(one) => one !== left && toggle_board(studio)} />
+      </div>
+      {left === 'board' ? <BoardPanel /> : <Outline />}
+      <Splitter label="Width of handles and outline" edge="right" width={width} change={change} {...kWidths[panel]} />
     </aside>
   );
 }

@@ -3,10 +3,13 @@
 import type { ReactElement } from 'react';
 
 import { use_store } from '../base/store.ts';
+import { free_name } from '../board/board_edits.ts';
 import { Button, IconButton } from '../controls/button.tsx';
 import { NumberField } from '../controls/number_field.tsx';
 import { Slider } from '../controls/slider.tsx';
 import { fitting_step, rounded } from '../document/arithmetic.ts';
+import { is_object } from '../document/json.ts';
+import { member_of } from '../document/path.ts';
 import { TextField } from '../rows/text_field.tsx';
 import { Faults } from '../rows/row_editor.tsx';
 import { use_faults } from '../rows/row_actions.ts';
@@ -22,6 +25,8 @@ export function Handles(): ReactElement {
     <section className="panel handles" aria-labelledby="handles-title">
       <div className="panel-head">
         <h2 id="handles-title">Handles</h2>
+        <span className="stretch" />
+        <IconButton is_small icon="plus" label="Add a handle" press={() => void add_handle(studio)} />
         {handles.length > 0 && (
           <Button kind="quiet" icon="sparkle" tip="Random values within the ranges of all handles that are not locked" press={() => surprise(studio, handles)}>
             Surprise me
@@ -29,7 +34,7 @@ export function Handles(): ReactElement {
         )}
       </div>
       {handles.length === 0 && (
-        <p className="empty">This document has no handles. Give it <code>variables</code> in its text, and they appear here as sliders.</p>
+        <p className="empty">This document has no handles: numbers with a name, which all expressions may use.</p>
       )}
       {handles.map((one) => (
         <Handle key={one.name} variable={one} />
@@ -43,6 +48,14 @@ export function step_of(variable: Variable): number {
   const { min, max, value } = variable;
   const is_whole = [min, max, value].every(Number.isInteger) && max - min >= 5;
   return is_whole ? 1 : fitting_step(min, max, 200);
+}
+
+/// A new handle, which is chosen, so that the inspector shows what can be said of it.
+async function add_handle(studio: Studio): Promise<void> {
+  const { tree } = studio.document.state.get();
+  const said = member_of(tree?.value, 'variables');
+  const name = free_name('handle', new Set(is_object(said) ? Object.keys(said) : []));
+  await studio.edit([{ set: `variables.${name}`, value: { value: 1, min: 0, max: 2 } }], `Add the handle ${name}`, { choose: `variables.${name}` });
 }
 
 function surprise(studio: Studio, handles: Variable[]): void {
@@ -75,6 +88,7 @@ function Handle({ variable }: { variable: Variable }): ReactElement {
     <div className="handle" data-handle={name}>
       <div className="handle-head">
         <span className="handle-name">{label}</span>
+        <IconButton is_small icon="edit" label={`Edit the handle ${label}`} press={() => studio.choose(`variables.${name}`)} />
         <IconButton is_small icon="reset" label={`Reset ${label}`} is_off={first === undefined || first === now} press={() => studio.set_value(name, first ?? 0, `Reset ${label}`)} />
         <IconButton is_small icon={is_locked ? 'lock' : 'unlock'} label={`Lock ${label}`} is_on={is_locked} press={toggle_lock} />
       </div>

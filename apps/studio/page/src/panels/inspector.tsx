@@ -15,6 +15,8 @@ import { use_document, use_studio } from '../studio_context.ts';
 import { groups_at } from '../tables/resolve.ts';
 import type { Row, RowGroup } from '../tables/tables.ts';
 import { has_meaning } from '../tables/tables.ts';
+import { InstancePanel } from './instance_panel.tsx';
+import { NamedTools } from './named_tools.tsx';
 
 type Filter = 'all' | 'given';
 
@@ -35,6 +37,7 @@ export function Inspector(): ReactElement {
   return (
     <section className="panel inspector" aria-labelledby="inspector-title">
       <InspectorHead path={path} value={value} />
+      <InstancePanel path={path} />
       <div className="inspector-tools">
         <label className="search">
           <Icon name="search" />
@@ -64,6 +67,7 @@ function InspectorHead({ path, value }: { path: string; value: Json | undefined 
         {type !== null && head === 'components' && <span className="badge">{type}</span>}
       </h2>
       {doc && <p className="quiet">{doc}</p>}
+      <NamedTools path={path} />
       {path !== '' && <Faults faults={faults} />}
     </div>
   );

@@ -34,6 +34,7 @@ export function Outline(): ReactElement {
   const { tree } = use_document();
   const components = components_of(tree?.value, studio.tables.components);
   const links = links_of(tree?.value);
+  const variables = variables_of(tree?.value);
   return (
     <nav className="panel outline" aria-label="Outline" onKeyDown={step_through}>
       <div className="panel-head">
@@ -41,6 +42,7 @@ export function Outline(): ReactElement {
       </div>
       <Group title="Components" items={components} empty="No components yet." />
       <Group title="Links" items={links} empty="No links: each component grows by itself." />
+      {variables.length > 0 && <Group title="Handles" items={variables} empty="" />}
       <Group title="Document" items={kParts} empty="" />
     </nav>
   );
@@ -65,6 +67,12 @@ function links_of(document: Json | undefined): Item[] {
     const [from, to] = Array.isArray(link) ? [link[0], link[1]] : [member_of(link, 'from'), member_of(link, 'to')];
     return { path: path_below('links', index), title: `${String(from)} → ${String(to)}`, detail: link_kind(link) || 'child', icon: 'link' };
   });
+}
+
+function variables_of(document: Json | undefined): Item[] {
+  const variables = member_of(document, 'variables');
+  if (!is_object(variables)) return [];
+  return Object.keys(variables).map((name) => ({ path: path_below('variables', name), title: name, detail: is_object(variables[name]) ? '' : 'private', icon: 'sparkle' }));
 }
 
 function Group({ title, items, empty }: { title: string; items: Item[]; empty: string }): ReactElement {
@@ -94,7 +102,7 @@ function OutlineItem({ item }: { item: Item }): ReactElement {
   }, [is_chosen]);
   const below = faults.filter((one) => item.path !== '' && (one.path === item.path || one.path.startsWith(`${item.path}.`) || one.path.startsWith(`${item.path}[`)));
   const { component } = item;
-  const count = component === undefined ? undefined : grown?.components?.[component]?.instances;
+  const count = component === undefined ? undefined : grown?.placed?.[component];
   const is_hidden = component !== undefined && view.hidden.has(component);
   const toggle = (): void => {
     const hidden = new Set(view.hidden);

@@ -5,11 +5,12 @@ import { useState } from 'react';
 import { prefer, preference } from '../base/preferences.ts';
 
 /// The panel left of the view, and those at its right.
-export type Panel = 'left' | 'inspector' | 'text';
+export type Panel = 'left' | 'board' | 'inspector' | 'text';
 
 /// Pixels that a panel may have.
 export const kWidths: Record<Panel, { low: number; high: number }> = {
   left: { low: 220, high: 480 },
+  board: { low: 320, high: 1600 },
   inspector: { low: 300, high: 640 },
   text: { low: 320, high: 1200 },
 };

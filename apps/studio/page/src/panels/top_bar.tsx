@@ -13,6 +13,18 @@ import { save_here } from '../shortcuts.ts';
 import type { Studio } from '../studio.ts';
 import type { Theme } from '../studio_state.ts';
 
+/// What a plant begins with.
+const kNewPlant = `{
+  "meristem": 1,
+  "name": "New plant",
+  "seed": 1,
+  "components": {
+    "view": {"type": "camera"}
+  },
+  "links": []
+}
+`;
+
 export function TopBar(): ReactElement {
   const studio = use_studio();
   const { undo } = use_document();
@@ -21,6 +33,7 @@ export function TopBar(): ReactElement {
     <header className="top-bar">
       <DocumentTitle />
       <div className="tools" role="toolbar" aria-label="Document">
+        <IconButton icon="plus" label="New plant" press={() => void studio.open({ text: kNewPlant, path: null })} />
         <IconButton icon="models" label="Shipped plants" keys="Ctrl+M" press={ask('models')} />
         <IconButton icon="open" label="Open a file" keys="Ctrl+O" press={ask('open')} />
         <IconButton icon="save" label="Save" keys="Ctrl+S" press={() => save_here(studio)} />

@@ -5,7 +5,6 @@ import { useEffect, useRef } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { Button, IconButton, Segments } from '../controls/button.tsx';
-import { path_below } from '../document/path.ts';
 import { use_document, use_studio } from '../studio_context.ts';
 import type { Studio } from '../studio.ts';
 import { View } from '../view/view.ts';
@@ -58,7 +57,7 @@ function attach(studio: Studio, canvas: HTMLCanvasElement): void {
   try {
     const view = new View(canvas, {
       drawn: (facts) => studio.view_facts.set(facts),
-      clicked: (component) => studio.choose(component === null ? '' : path_below('components', component)),
+      clicked: (found) => studio.instance.choose(found),
       pointed: (at) => studio.pointed.set(at),
       restored: () => studio.connection.tell('all'),
     });

@@ -26,12 +26,20 @@ export interface Variable {
   private: boolean;
 }
 
+/// A link that stands in no text: a component places another one itself.
+export interface ImpliedLink {
+  from: string;
+  to: string;
+}
+
 /// What reading a text says of it.
 export interface Reading {
   good: boolean;
   faults: Fault[];
   tree: Json;
   variables: Variable[];
+  implied: ImpliedLink[]; // of the last text without errors
+  notes: Record<string, string>; // comments of the document, by component
 }
 
 export type Edit =
@@ -40,7 +48,9 @@ export type Edit =
   | { insert: string; value: Json; index?: number }
   | { remove: string }
   | { rename: string; name: string }
-  | { move: string; index: number };
+  | { move: string; index: number }
+  | { note: string; text: string }
+  | { paste: string; names: Record<string, string>; index: number; link_index?: number };
 
 export interface Opened extends Reading {
   path: string | null;
@@ -62,6 +72,25 @@ export interface Edited extends Reading {
   patch: PlainPatch;
   inverse: PlainPatch;
   hash: string;
+}
+
+/// The components of a document that parts can be taken from.
+export interface ReadParts {
+  tree: Json;
+  implied: ImpliedLink[];
+}
+
+/// An instance of a component, with the values that differ from instance to instance.
+export interface FoundInstance {
+  component: string;
+  i: number;
+  n: number;
+  u: number;
+  order: number;
+  depth: number;
+  position: [number, number, number];
+  values: { path: string; value: number }[];
+  shoot: string | null; // label of the axis that was pointed at
 }
 
 export interface ListedFile {
@@ -133,6 +162,8 @@ export interface Grown {
   /// Null until full detail was made.
   triangles: number | null;
   components: Record<string, { instances: number; triangles: number }> | null;
+  /// Instances of each component; null in a drag.
+  placed: Record<string, number> | null;
 }
 
 export interface Failed {

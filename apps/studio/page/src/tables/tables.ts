@@ -41,7 +41,7 @@ export interface ParameterTable {
 
 export interface Tables {
   format: number;
-  components: Record<string, { doc: string; table: string; is_camera?: boolean; makes_stems?: boolean }>;
+  components: Record<string, { doc: string; table: string; is_camera?: boolean; makes_stems?: boolean; is_whole_plant?: boolean; has_geometry?: boolean }>;
   all_components: string;
   link: string;
   links: Record<string, string>;

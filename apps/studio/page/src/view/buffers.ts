@@ -81,12 +81,17 @@ export class Buffers {
     this.put_set(set.key, { frames, tints, count: set.count, tint_scale: set.tint_scale ?? kWhite });
   }
 
+  /// Three rows of the matrix of an instance; none where the set never came.
+  frame_of(set_key: string, instance: number): number[] {
+    const rows = this.sets_.get(set_key)?.frames.image.data;
+    return rows instanceof Float32Array ? [...rows.slice(12 * instance, 12 * instance + 12)] : [];
+  }
+
   /// A set of one instance of another.
   add_single(key: string, set_key: string, instance: number): void {
-    const row = this.sets_.get(set_key)?.frames.image.data;
-    if (!(row instanceof Float32Array)) return;
-    const frames = frames_texture(row.slice(12 * instance, 12 * instance + 12), 1);
-    this.put_set(key, { frames, tints: kNoTints, count: 1, tint_scale: kWhite });
+    const frame = this.frame_of(set_key, instance);
+    if (frame.length === 0) return;
+    this.put_set(key, { frames: frames_texture(new Float32Array(frame), 1), tints: kNoTints, count: 1, tint_scale: kWhite });
   }
 
   /// Draws the mesh once for each instance of the set, in place of what the batch drew before.

@@ -28,7 +28,8 @@ void main() {
 #ifdef MASKED
   if (textureLod(picture, v_uv, 0.0).a < 0.5) discard;
 #endif
-  int said = number > 0 ? number : v_instance + 1;
+  // -1 asks for the depth.
+  int said = number > 0 ? number : number < 0 ? int(gl_FragCoord.z * 16777215.0) : v_instance + 1;
   gl_FragColor = vec4(ivec4(said, said >> 8, said >> 16, said >> 24) & 255) / 255.0;
 }
 `;

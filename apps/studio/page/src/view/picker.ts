@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is drawn at a pixel: which batch, and which of its instances. The scene is drawn once more into a target of one
-// pixel, with numbers in place of colours: first of the batches, then of the instances of the one that was hit. Leaves
+// pixel, with numbers in place of colours: first of the batches, then of the instances of the one that was hit, then its
+// depth. Leaves
 // are not there where their picture has holes.
 import * as three from 'three';
 
@@ -17,6 +18,7 @@ export interface PickTarget {
 export interface Picked {
   target: number; // index into the targets
   instance: number; // along the batch
+  position: [number, number, number]; // of what was hit, in the world
 }
 
 export class Picker {
@@ -38,7 +40,10 @@ export class Picker {
     const hit = targets[target];
     if (!hit) return null;
     // Numbers of instances count from 1 too, since 0 is what nothing is drawn over.
-    return { target, instance: Math.max(0, this.draw([this.mesh(hit, 0)]) - 1) };
+    const instance = Math.max(0, this.draw([this.mesh(hit, 0)]) - 1);
+    const depth = this.draw([this.mesh(hit, -1)]) / 16777215;
+    const at = new three.Vector3(0, 0, 2 * depth - 1).unproject(this.camera_);
+    return { target, instance, position: [at.x, at.y, at.z] };
   }
 
   /// The number that is drawn at the pixel; 0: none.
@@ -54,7 +59,7 @@ export class Picker {
     return a + 256 * (b + 256 * (c + 256 * d));
   }
 
-  /// `number` stands for the whole batch; 0: each instance has its own.
+  /// `number` stands for the whole batch; 0: each instance has its own; -1: the depth.
   private mesh({ batch, picture }: PickTarget, number: number): three.Mesh {
     const mesh = new three.Mesh(batch.geometry, picture ? this.masked_ : this.plain_);
     place(mesh, batch, (uniforms) => {

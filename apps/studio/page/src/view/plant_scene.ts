@@ -58,6 +58,12 @@ export class PlantScene {
     return this.seen.reduce((sum, { batch }) => sum + this.buffers.triangles_of(batch), 0);
   }
 
+  /// Three rows of the matrix that places an instance of a batch.
+  frame_of(key: string, instance: number): number[] {
+    const drawn = this.drawn_.get(key);
+    return drawn ? this.buffers.frame_of(drawn.batch.instances_of, instance) : [];
+  }
+
   /// Marks one instance of a batch until it is drawn otherwise; of null none is marked.
   mark(key: string | null, instance: number): void {
     const drawn = key === null ? undefined : this.drawn_.get(key);

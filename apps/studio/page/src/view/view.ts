@@ -23,9 +23,16 @@ export interface ViewEvents {
   /// The graphics card has lost all, and has come back.
   restored(): void;
   /// Somebody has clicked at a component, or at none.
-  clicked?(component: string | null): void;
+  clicked?(found: SeenInstance | null): void;
   /// The pointer rests on a component, at pixels of the canvas; null: it has gone on.
   pointed?(at: { component: string; x: number; y: number } | null): void;
+}
+
+/// An instance that is seen at a pixel.
+export interface SeenInstance {
+  component: string;
+  frame: number[]; // three rows of a 3x4 matrix, from its mesh to the world
+  position: [number, number, number]; // of what was hit, in the world
 }
 
 /// Whether a processor draws in place of a graphics card.
@@ -197,11 +204,11 @@ export class View {
   }
 
   /// The batch that is seen at a pixel of the canvas, and which of its instances.
-  pick(x: number, y: number): (SeenBatch & { instance: number }) | null {
+  pick(x: number, y: number): (SeenBatch & { instance: number; position: [number, number, number] }) | null {
     const seen = this.plant.seen;
     const found = this.picker_.pick(seen, this.orbit.camera, [x, y], [this.canvas_.clientWidth, this.canvas_.clientHeight]);
     const batch = found ? seen[found.target] : undefined;
-    return found && batch ? { ...batch, instance: found.instance } : null;
+    return found && batch ? { ...batch, instance: found.instance, position: found.position } : null;
   }
 
   private move(): void {
@@ -223,7 +230,7 @@ export class View {
   private click(x: number, y: number): void {
     if (!this.events_.clicked || this.plant.seen.length === 0) return;
     const found = this.pick(x, y);
-    this.events_.clicked(found?.component ?? null);
+    this.events_.clicked(found ? { component: found.component, frame: this.plant.frame_of(found.key, found.instance), position: found.position } : null);
     if (found) this.plant.mark(found.key, found.instance);
     this.ask();
   }

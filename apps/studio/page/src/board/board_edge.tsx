@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lines of the board, as the source draws links: child thin, branch thick, leaf dashed; and crown dotted, what a
+// grammar places pale. Lines of a recursion are doubled.
+import type { ReactElement } from 'react';
+
+import { use_faults } from '../rows/row_actions.ts';
+import { use_studio } from '../studio_context.ts';
+import { link_path } from './board_edits.ts';
+import type { BoardGesture } from './board_gesture.ts';
+import type { BoardEdge } from './board_layout.ts';
+import type { Place } from './board_places.ts';
+import { curve_between } from './board_places.ts';
+import type { Direction } from './board_state.ts';
+
+interface BoardEdgeProps {
+  edge: BoardEdge;
+  from: Place;
+  to: Place;
+  direction: Direction;
+  is_chosen: boolean;
+}
+
+export function BoardEdgeView({ edge, from, to, direction, is_chosen }: BoardEdgeProps): ReactElement {
+  const studio = use_studio();
+  const { index, kind } = edge.link;
+  const faults = use_faults(index === null ? '-' : link_path(index), true);
+  const curve = curve_between(from, to, direction);
+  const classes = `board-line ${kind}${edge.is_doubled ? ' doubled' : ''}${is_chosen ? ' chosen' : ''}${faults.length > 0 ? ' faulty' : ''}`;
+  return (
+    <g data-line={index ?? undefined} onClick={() => index !== null && studio.choose(link_path(index))}>
+      <path className={classes} d={curve} />
+      {edge.is_doubled && <path className={`board-between ${kind}`} d={curve} />}
+      {index !== null && <path className="board-hit" d={curve} />}
+    </g>
+  );
+}
+
+/// The line that a hand draws from a node.
+export function DraggedLine({ gesture, places, direction }: { gesture: BoardGesture; places: Map<string, Place>; direction: Direction }): ReactElement | null {
+  const { held } = gesture;
+  const from = held?.kind === 'link' ? places.get(held.key) : undefined;
+  if (!held || !from) return null;
+  const over = held.over === null ? undefined : places.get(held.over);
+  const curve = over ? curve_between(from, over, direction) : `M${from.x} ${from.y}L${held.x} ${held.y}`;
+  return <path className={`board-line dragged${held.refused === null ? '' : ' refused'}`} d={curve} />;
+}

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// A hand that drags on the board: a line from a node's edge to another node, or a node among its siblings or onto
+// another one.
+import type { PointerEvent, RefObject } from 'react';
+import { useEffect, useState } from 'react';
+
+import { use_studio } from '../studio_context.ts';
+import type { BoardLayout } from './board_layout.ts';
+import { edge_above, place_of } from './board_places.ts';
+import type { Direction } from './board_state.ts';
+import { links_from } from './board_edits.ts';
+import type { PlantGraph } from './plant_graph.ts';
+import { refusal_of_link } from './plant_graph.ts';
+
+export interface Held {
+  kind: 'link' | 'node';
+  key: string; // the node that is held
+  x: number; // where the hand is, on the sheet
+  y: number;
+  from_x: number;
+  from_y: number;
+  moved: boolean;
+  over: string | null; // the node below the hand
+  refused: string | null; // why a link to it cannot be made
+}
+
+export interface BoardGesture {
+  held: Held | null;
+  hold(event: PointerEvent, kind: Held['kind'], key: string): void;
+  move(event: PointerEvent): void;
+  drop(event: PointerEvent): void;
+  cancel(): void;
+}
+
+const kStill = 5; // pixels within which a press is a click
+
+export function use_gesture(graph: PlantGraph, layout: BoardLayout, direction: Direction, sight: () => { x: number; y: number; scale: number }, frame: RefObject<HTMLDivElement | null>): BoardGesture {
+  const studio = use_studio();
+  const [held, set_held] = useState<Held | null>(null);
+  const on_sheet = (event: PointerEvent): { x: number; y: number } => {
+    const box = frame.current?.getBoundingClientRect();
+    const { x, y, scale } = sight();
+    return { x: (event.clientX - (box?.left ?? 0) - x) / scale, y: (event.clientY - (box?.top ?? 0) - y) / scale };
+  };
+  const node_below = (event: PointerEvent): string | null =>
+    document
+      .elementsFromPoint(event.clientX, event.clientY)
+      .map((one) => one.closest<HTMLElement>('[data-node]')?.dataset['node'])
+      .find((key) => key !== undefined) ?? null;
+  const id_of = (key: string): string => layout.nodes.find((one) => one.key === key)?.id ?? key;
+  const refusal = (from: string, to: string): string | null => refusal_of_link(graph, id_of(from), id_of(to), (id) => studio.board.actions.recursion_of(id));
+
+  const hold = (event: PointerEvent, kind: Held['kind'], key: string): void => {
+    if (event.button !== 0) return;
+    event.stopPropagation();
+    const { x, y } = on_sheet(event);
+    set_held({ kind, key, x, y, from_x: x, from_y: y, moved: false, over: null, refused: null });
+  };
+  const move = (event: PointerEvent): void => {
+    if (!held) return;
+    const at = on_sheet(event);
+    const moved = held.moved || Math.hypot(at.x - held.from_x, at.y - held.from_y) > kStill;
+    if (!moved) return;
+    if (!held.moved) frame.current?.setPointerCapture(event.pointerId);
+    const below = node_below(event);
+    const over = below === held.key ? null : below;
+    set_held({ ...held, ...at, moved, over, refused: held.kind === 'link' && over !== null ? refusal(held.key, over) : null });
+  };
+  const drop = (event: PointerEvent): void => {
+    if (!held) return;
+    set_held(null);
+    if (!held.moved) return;
+    const below = node_below(event);
+    if (held.kind === 'link') {
+      if (below !== null && below !== held.key) void studio.board.actions.connect(id_of(held.key), id_of(below), studio.board.actions.usual_kind(id_of(held.key), id_of(below)));
+      return;
+    }
+    const edge = edge_above(layout, held.key);
+    if (!edge || edge.link.index === null) return;
+    if (below !== null && below !== held.key) {
+      if (id_of(below) !== edge.link.from) void studio.board.actions.hang(edge.link, id_of(below));
+      return;
+    }
+    // Among the siblings: behind all whose centre the hand has passed.
+    const across = direction === 'down' ? on_sheet(event).x : on_sheet(event).y;
+    const siblings = links_from(graph, edge.link.from).filter((link) => link.index !== edge.link.index);
+    const before = siblings.filter((link) => {
+      const drawn = layout.edges.find((one) => one.link.index === link.index);
+      const node = layout.nodes.find((one) => one.key === drawn?.to);
+      if (!node) return false;
+      const place = place_of(node, direction);
+      return (direction === 'down' ? place.x : place.y) < across;
+    });
+    void studio.board.actions.put(edge.link, before.length);
+  };
+  const cancel = (): void => set_held(null);
+  useEffect(() => {
+    if (!held) return undefined;
+    const escape = (event: globalThis.KeyboardEvent): void => {
+      if (event.key === 'Escape') set_held(null);
+    };
+    document.addEventListener('keydown', escape);
+    return () => document.removeEventListener('keydown', escape);
+  }, [held]);
+  return { held, hold, move, drop, cancel };
+}

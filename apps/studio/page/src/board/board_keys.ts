@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// What keys do while the board has the keyboard.
+import type { KeyboardEvent } from 'react';
+
+import type { Studio } from '../studio.ts';
+import type { BoardLayout } from './board_layout.ts';
+import { edge_above, neighbour } from './board_places.ts';
+import type { Direction } from './board_state.ts';
+
+type Act = (studio: Studio, id: string, layout: BoardLayout) => void;
+
+const kActs: Record<string, Act> = {
+  a: (studio) => studio.shell.merge({ dialog: 'palette' }),
+  l: (studio, id) => studio.board.state.merge({ connecting: id, refused: null }),
+  n: (studio, id) => studio.board.state.merge({ noting: id, renaming: null }),
+  F2: (studio, id) => studio.board.state.merge({ renaming: id, noting: null }),
+  Delete: (studio, id) => void studio.board.actions.remove(id),
+  Backspace: (studio, id) => void studio.board.actions.remove(id),
+  ' ': (studio, id) => studio.board.actions.fold(id),
+  h: (studio, id) => studio.board.actions.hide(id),
+  s: (studio, id) => studio.board.actions.solo(id),
+};
+
+const kWithControl: Record<string, Act> = {
+  c: (studio, id) => void studio.board.parts.copy(id),
+  x: (studio, id) => void studio.board.parts.copy(id).then(() => studio.board.actions.remove(id)),
+  v: (studio, id) => void studio.board.parts.paste_clip(id),
+  d: (studio, id) => void studio.board.parts.duplicate(id),
+};
+
+type Way = 'up' | 'down' | 'before' | 'behind';
+const kWays: Record<Direction, Record<string, Way>> = {
+  down: { ArrowUp: 'up', ArrowDown: 'down', ArrowLeft: 'before', ArrowRight: 'behind' },
+  right: { ArrowLeft: 'up', ArrowRight: 'down', ArrowUp: 'before', ArrowDown: 'behind' },
+};
+
+export function press_key(event: KeyboardEvent, studio: Studio, layout: BoardLayout, direction: Direction, zoom: (by: number) => void): void {
+  const key = (event.target as Element).closest<HTMLElement>('[data-node]')?.dataset['node'];
+  if (key === undefined) return;
+  const node = layout.nodes.find((one) => one.key === key);
+  const way = kWays[direction][event.key];
+  const has_control = event.ctrlKey || event.metaKey;
+  const act = has_control ? kWithControl[event.key] : kActs[event.key];
+  const { connecting } = studio.board.state.get();
+  if (event.key === 'Escape' && connecting !== null) studio.board.state.merge({ connecting: null });
+  else if (event.key === '+' || event.key === '=') zoom(1.2);
+  else if (event.key === '-') zoom(1 / 1.2);
+  else if (way !== undefined && event.altKey) shift(studio, layout, key, way);
+  else if (way !== undefined) go(event, studio, layout, key, way, connecting !== null);
+  else if (event.key === 'Enter' && node) (event.target as HTMLElement).click();
+  else if (act && node && !event.altKey) act(studio, node.id, layout);
+  else return;
+  event.preventDefault();
+  event.stopPropagation();
+}
+
+function shift(studio: Studio, layout: BoardLayout, key: string, way: Way): void {
+  const edge = edge_above(layout, key);
+  if (edge && (way === 'before' || way === 'behind')) void studio.board.actions.shift(edge.link, way === 'before' ? -1 : 1);
+}
+
+/// While a link waits for its other end, only the keyboard goes on; else the choice goes with it.
+function go(event: KeyboardEvent, studio: Studio, layout: BoardLayout, key: string, way: Way, only_keyboard: boolean): void {
+  const next = neighbour(layout, key, way);
+  if (!next) return;
+  event.currentTarget.querySelector<HTMLElement>(`[data-node="${CSS.escape(next.key)}"]`)?.focus({ preventScroll: true });
+  if (!only_keyboard && !next.is_end) studio.board.actions.choose(next.id);
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// The p-graph as a tree that can be built: the canvas, what can be done with what is chosen, and what the lines mean.
+import type { ReactElement } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { use_studio } from '../studio_context.ts';
+import { BoardCanvas } from './board_canvas.tsx';
+import { BoardTools } from './board_tools.tsx';
+import { NoteField, RenameField } from './board_fields.tsx';
+import { use_graph, use_layout } from './use_board.ts';
+
+export function BoardPanel(): ReactElement {
+  const studio = use_studio();
+  const graph = use_graph();
+  const layout = use_layout(graph);
+  const { refused, renaming, noting, connecting } = use_store(studio.board.state);
+  return (
+    <section className="board" aria-label="Board">
+      <Trail />
+      <BoardTools graph={graph} layout={layout} />
+      {renaming !== null && <RenameField key={renaming} id={renaming} />}
+      {noting !== null && <NoteField key={noting} id={noting} />}
+      {connecting !== null && (
+        <p className="board-word" role="status">
+          Link from <b>{connecting}</b>: choose the other end with the arrow keys and Enter, or click it. Escape ends.
+        </p>
+      )}
+      <BoardCanvas graph={graph} layout={layout} />
+      {refused && (
+        <p className="board-word fault" role="alert">
+          {refused.reason}
+        </p>
+      )}
+      <Legend />
+    </section>
+  );
+}
+
+/// The documents that the open one was entered from.
+function Trail(): ReactElement | null {
+  const { gardens } = use_studio().board;
+  const trail = use_store(gardens.trail);
+  if (trail.length === 0) return null;
+  return (
+    <p className="crumbs board-trail">
+      {trail.map(({ title }, number) => (
+        <span key={number}>
+          <button type="button" onClick={() => void gardens.leave(number)}>
+            {title}
+          </button>
+          {' / '}
+        </span>
+      ))}
+    </p>
+  );
+}
+
+const kLines = [
+  ['child', 'where the parent ends'],
+  ['branch', 'along its stems'],
+  ['leaf', 'where a recursion ends'],
+  ['crown', 'in its crown'],
+] as const;
+
+function Legend(): ReactElement {
+  return (
+    <ul className="board-legend" aria-label="What the lines mean">
+      {kLines.map(([kind, text]) => (
+        <li key={kind} data-tip={`A ${kind} link: the child stands ${text}`}>
+          <svg viewBox="0 0 24 8" aria-hidden="true">
+            <path className={`board-line ${kind}`} d="M1 4h22" />
+          </svg>
+          {kind}
+        </li>
+      ))}
+    </ul>
+  );
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Documents that are components of others: they are entered, changed, and left again. What was changed on the way and is
+// not saved is kept by the browser, as of every document that another one takes the place of.
+import { Store } from '../base/store.ts';
+import { member_of } from '../document/path.ts';
+import { folder_of } from '../rows/file_path.ts';
+import type { OpenWish, Studio } from '../studio.ts';
+
+export interface Entered {
+  title: string;
+  wish: OpenWish; // opens it again
+}
+
+export class Gardens {
+  /// The documents above the open one, the outermost first.
+  readonly trail = new Store<Entered[]>([]);
+
+  constructor(private readonly studio_: Studio) {}
+
+  /// The document that a component stands for, as it is opened; null where it stands for none.
+  document_of(id: string): OpenWish | null {
+    const { tree, path } = this.studio_.document.state.get();
+    const component = member_of(member_of(tree?.value, 'components'), id);
+    const type = String(member_of(component, 'type') ?? '');
+    const file = member_of(component, 'file');
+    if (this.studio_.tables.components[type]?.is_whole_plant !== true || typeof file !== 'string') return null;
+    if (!/\.json$/i.test(file)) return { model: file };
+    if (path === null) return { model: file.replace(/\.json$/i, '') };
+    const home = folder_of(path);
+    return { path: normal(home === '' ? file : `${home}/${file}`) };
+  }
+
+  async enter(id: string): Promise<void> {
+    const wish = this.document_of(id);
+    if (!wish) return;
+    const { path, model, name, text, tree } = this.studio_.document.state.get();
+    const title = member_of(tree?.value, 'name');
+    const own: OpenWish = path !== null ? { path } : model !== null ? { model } : { text, path: null };
+    const trail = [...this.trail.get(), { title: typeof title === 'string' ? title : name, wish: own }];
+    if (await this.studio_.open(wish)) {
+      this.trail.set(trail);
+      this.restore();
+    }
+  }
+
+  /// Back to a document of the trail, by its number.
+  async leave(number: number): Promise<void> {
+    const trail = this.trail.get();
+    const entered = trail[number];
+    if (!entered || !(await this.studio_.open(entered.wish))) return;
+    this.trail.set(trail.slice(0, number));
+    this.restore();
+  }
+
+  /// What was changed before it was left is there again.
+  private restore(): void {
+    const { kept } = this.studio_.shell.get();
+    if (kept !== null && kept.before !== null) this.studio_.keeper.restore(kept.work);
+  }
+}
+
+function normal(path: string): string {
+  const names: string[] = [];
+  for (const name of path.split('/')) {
+    if (name === '..') names.pop();
+    else if (name !== '.' && name !== '') names.push(name);
+  }
+  return names.join('/');
+}

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be added below the chosen component: new components by type, parts of shipped plants, whole plants.
+import type { KeyboardEvent, ReactElement } from 'react';
+import { useState } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { Segments } from '../controls/button.tsx';
+import { Dialog } from '../controls/dialog.tsx';
+import { Icon } from '../controls/icon.tsx';
+import { use_models } from '../dialogs/models_dialog.tsx';
+import { Files } from '../dialogs/file_dialogs.tsx';
+import { use_document, use_studio } from '../studio_context.ts';
+import { graph_of } from './plant_graph.ts';
+import type { LinkKind } from './plant_graph.ts';
+import { folder_of, path_from } from '../rows/file_path.ts';
+import { icon_of } from './component_icon.ts';
+import type { ReadParts } from '../server/protocol.ts';
+
+type Tab = 'types' | 'parts' | 'plants';
+
+const kTabs = [
+  ['types', 'Components'],
+  ['parts', 'Parts of shipped plants'],
+  ['plants', 'Whole plants'],
+] as const;
+const kKinds = [
+  ['child', 'Child'],
+  ['branch', 'Branch'],
+  ['leaf', 'Leaf'],
+  ['crown', 'Crown'],
+] as const;
+
+export function PaletteDialog({ close }: { close: () => void }): ReactElement {
+  const studio = use_studio();
+  const [tab, set_tab] = useState<Tab>('types');
+  const [words, set_words] = useState('');
+  const [kind, set_kind] = useState<LinkKind | null>(null); // null: the usual one
+  use_store(studio.chosen);
+  const { graph, chosen } = studio.board.actions;
+  const below = chosen !== null && graph.components.has(chosen) ? chosen : (graph.roots.find((root) => graph.components.get(root)?.is_camera && graph.components.get(root)?.is_written) ?? null);
+  const kind_for = (type: string): LinkKind => kind ?? studio.board.actions.usual_kind_of(graph.components.get(below ?? '')?.type ?? '', type);
+  const title = below === null ? 'Add to the plant' : `Add below ${below}`;
+  const is_wanted = (text: string): boolean => text.toLowerCase().includes(words.toLowerCase());
+  return (
+    <Dialog title={title} width="wide" close={close}>
+      <label className="search">
+        <Icon name="search" />
+        <input type="search" autoFocus aria-label="Find what to add" placeholder="Find what to add" value={words} onChange={(event) => set_words(event.target.value)} onKeyDown={press_first} />
+      </label>
+      <div className="palette-tools">
+        <Segments label="What to add" value={tab} choices={kTabs} choose={set_tab} />
+        <span className="stretch" />
+        <span className="quiet">Link</span>
+        <Segments label="Kind of the link" value={kind ?? ('usual' as LinkKind)} choices={[['usual' as LinkKind, 'Usual'], ...kKinds]} choose={(one) => set_kind(one === ('usual' as LinkKind) ? null : one)} />
+      </div>
+      {tab === 'types' && <Types is_wanted={is_wanted} kind_for={kind_for} below={below} close={close} show_plants={() => set_tab('plants')} />}
+      {tab === 'parts' && <Parts is_wanted={is_wanted} kind_for={kind_for} below={below} close={close} />}
+      {tab === 'plants' && <Plants is_wanted={is_wanted} kind={kind ?? 'child'} below={below} close={close} />}
+    </Dialog>
+  );
+}
+
+/// Enter in the search takes the first of what was found.
+function press_first(event: KeyboardEvent<HTMLInputElement>): void {
+  if (event.key !== 'Enter') return;
+  event.preventDefault();
+  event.currentTarget.closest('.dialog-body')?.querySelector<HTMLElement>('.model')?.click();
+}
+
+interface TabProps {
+  is_wanted: (text: string) => boolean;
+  kind_for: (type: string) => LinkKind;
+  below: string | null;
+  close: () => void;
+}
+
+function Types({ is_wanted, kind_for, below, close, show_plants }: TabProps & { show_plants: () => void }): ReactElement {
+  const studio = use_studio();
+  const { graph } = studio.board.actions;
+  const has_camera = [...graph.components.values()].some((one) => one.is_camera && one.is_written);
+  const types = Object.entries(studio.tables.components).filter(([name, { doc, is_camera }]) => is_wanted(`${name} ${doc}`) && !(has_camera && is_camera === true));
+  // A word in a name counts for more than one in a sentence.
+  types.sort(([a], [b]) => Number(is_wanted(b)) - Number(is_wanted(a)));
+  const add = (type: string) => (): void => {
+    // Which plant it is, its own list says.
+    if (studio.tables.components[type]?.is_whole_plant === true) return show_plants();
+    close();
+    void studio.board.actions.add(type, studio.tables.components[type]?.is_camera === true ? null : below, kind_for(type));
+  };
+  return (
+    <div className="models palette">
+      {types.map(([name, { doc }]) => (
+        <Card key={name} name={name} picture={`pictures/part-${name}.jpg`} title={name} text={doc} press={add(name)} />
+      ))}
+      {types.length === 0 && <p className="empty">No component is called so.</p>}
+    </div>
+  );
+}
+
+function Parts({ is_wanted, kind_for, below, close }: TabProps): ReactElement {
+  const studio = use_studio();
+  const models = use_models();
+  const [model, set_model] = useState<{ name: string; title: string } & ReadParts | null>(null);
+  const open = (name: string, title: string) => (): void => {
+    studio.connection
+      .request<ReadParts>('parts', { model: name })
+      .then((parts) => set_model({ name, title, ...parts }))
+      .catch((fault: Error) => studio.tell(fault.message, true));
+  };
+  if (!model) {
+    return (
+      <div className="models palette">
+        {models
+          .filter((one) => is_wanted(`${one.name} ${one.title}`))
+          .map((one) => (
+            <Card key={one.name} name={one.name} picture={one.picture ? `pictures/${one.name}.jpg` : null} title={one.title} text={one.description} press={open(one.name, one.title)} />
+          ))}
+      </div>
+    );
+  }
+  const graph = graph_of(model.tree, studio.tables.components, model.implied);
+  const add = (id: string, type: string) => (): void => {
+    close();
+    void studio.board.parts.part_of(graph, id, false, model.name).then((part) => part && studio.board.parts.paste(part, below, `Add ${id} of ${model.title}`, { [id]: kind_for(type) }));
+  };
+  return (
+    <>
+      <p className="crumbs">
+        <button type="button" onClick={() => set_model(null)}>
+          Shipped plants
+        </button>
+        {' / '}
+        {model.title}: a component comes with all that stands on it
+      </p>
+      <ul className="part-list">
+        {[...graph.components.values()]
+          .filter((one) => one.is_written && !one.is_camera)
+          .map(({ id, type }) => (
+            <li key={id}>
+              <button type="button" className="file model-part" data-part={id} onClick={add(id, type)}>
+                <Icon name={icon_of(studio.tables.components, type)} />
+                <span>{id}</span>
+                <span className="quiet">{type}</span>
+              </button>
+            </li>
+          ))}
+      </ul>
+    </>
+  );
+}
+
+function Plants({ is_wanted, kind, below, close }: Omit<TabProps, 'kind_for'> & { kind: LinkKind }): ReactElement {
+  const studio = use_studio();
+  const models = use_models();
+  const { path } = use_document();
+  const [folder, set_folder] = useState('');
+  const add = (file: string): void => {
+    close();
+    const id = file.replace(/^.*\//, '').replace(/\.json$/, '');
+    void studio.board.actions.add_plant(id, file, below, kind);
+  };
+  return (
+    <>
+      <div className="models palette">
+        {models
+          .filter((one) => is_wanted(`${one.name} ${one.title} ${one.description}`))
+          .map((one) => (
+            <Card key={one.name} name={one.name} picture={one.picture ? `pictures/${one.name}.jpg` : null} title={one.title} text={one.description} press={() => add(one.name)} />
+          ))}
+      </div>
+      <h3>Documents of this folder</h3>
+      <Files folder={folder} enter={set_folder} take={(file) => add(path_from(folder_of(path ?? ''), file))} endings={['.json']} empty="No plant documents in this folder." />
+    </>
+  );
+}
+
+interface CardProps {
+  name: string;
+  picture: string | null;
+  title: string;
+  text: string;
+  press: () => void;
+}
+
+function Card({ name, picture, title, text, press }: CardProps): ReactElement {
+  const [is_missing, set_missing] = useState(false);
+  return (
+    <button type="button" className="model" data-add={name} data-tip={text} onClick={press}>
+      {picture !== null && !is_missing ? (
+        <img src={picture} alt="" loading="lazy" onError={() => set_missing(true)} />
+      ) : (
+        <span className="no-picture">
+          <Icon name="leaf" />
+        </span>
+      )}
+      <span className="model-title">{title}</span>
+      <span className="model-description">{text}</span>
+    </button>
+  );
+}

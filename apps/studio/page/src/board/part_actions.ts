@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts of plants that are taken along: copied, pasted, duplicated, and put in from shipped plants.
+import type { Edit } from '../server/protocol.ts';
+import type { Studio } from '../studio.ts';
+import type { BoardActions } from './board_actions.ts';
+import { component_path, copied_link, free_name, link_edit, place_behind, place_of_link } from './board_edits.ts';
+import type { LinkKind, PlantGraph } from './plant_graph.ts';
+import { standing_on } from './plant_graph.ts';
+
+/// A part of a document as text, with its links and the variables that it names.
+export interface Part {
+  text: string;
+  roots: string[]; // components of it that no other of them holds
+  components: string[];
+}
+
+export class PartActions {
+  private clip_: Part | null = null; // what was copied last
+
+  constructor(
+    private readonly studio_: Studio,
+    private readonly actions_: BoardActions,
+  ) {}
+
+  /// A component with all that stands on it, or alone, as a part that can be put in elsewhere.
+  part(id: string, alone = false): Promise<Part | null> {
+    return this.part_of(this.actions_.graph, id, alone);
+  }
+
+  /// The same of a shipped model, whose graph this is.
+  async part_of(graph: PlantGraph, id: string, alone = false, model?: string): Promise<Part | null> {
+    const all = alone ? new Set([id]) : standing_on(graph, id);
+    const components = [...graph.components.values()].filter((one) => all.has(one.id) && one.is_written && !one.is_camera).map((one) => one.id);
+    try {
+      return await this.studio_.connection.request<Part>('part', { components, ...(model === undefined ? {} : { model }) });
+    } catch (fault) {
+      if (fault instanceof Error) this.studio_.tell(fault.message, true);
+      return null;
+    }
+  }
+
+  /// Puts a part in below a component, with free names.
+  async paste(part: Part, below: string | null, label: string, kinds: Record<string, LinkKind> = {}): Promise<void> {
+    const { graph, document } = this.actions_;
+    const taken = new Set(graph.components.keys());
+    const names: Record<string, string> = {};
+    for (const one of part.components) {
+      names[one] = free_name(one, taken);
+      taken.add(names[one]);
+    }
+    const parent = below === null ? undefined : graph.components.get(below);
+    const place = place_of_link(document, below ?? '');
+    const edits: Edit[] = [{ paste: part.text, names, index: place_behind(document, graph, below), link_index: place }];
+    if (parent?.is_written) for (const root of [...part.roots].reverse()) edits.push(link_edit(document, parent.id, names[root] ?? root, kinds[root] ?? 'child', place));
+    const first = part.roots[0];
+    await this.actions_.make(edits, label, first === undefined ? undefined : component_path(names[first] ?? first));
+  }
+
+  /// The same component once more, on the same parents.
+  async duplicate(id: string): Promise<void> {
+    const part = await this.part(id, true);
+    if (!part) return;
+    const { graph, document } = this.actions_;
+    const name = free_name(id, graph.components);
+    const parents = graph.links.filter((link) => link.to === id && link.from !== id && link.index !== null);
+    const ids = [...graph.components.keys()].filter((one) => graph.components.get(one)?.is_written);
+    const edits: Edit[] = [{ paste: part.text, names: { [id]: name }, index: ids.indexOf(id) + 1 }];
+    // From the last on, so that the places of those before stay what they are.
+    for (const parent of [...parents].reverse()) edits.push(...copied_link(document, parent, name));
+    await this.actions_.make(edits, `Duplicate ${id}`, component_path(name));
+  }
+
+  async copy(id: string): Promise<void> {
+    const part = await this.part(id);
+    if (!part) return;
+    this.clip_ = part;
+    await navigator.clipboard.writeText(part.text).catch(() => undefined);
+    this.studio_.tell(part.components.length > 1 ? `Copied ${id} and ${part.components.length - 1} that stand on it` : `Copied ${id}`);
+  }
+
+  /// What was copied here or in another tab, below a component.
+  async paste_clip(below: string | null): Promise<void> {
+    const text = await navigator.clipboard.readText().catch(() => '');
+    const own = this.clip_;
+    if (own && (text === '' || text.replaceAll('\r\n', '\n') === own.text.replaceAll('\r\n', '\n'))) return this.paste(own, below, `Paste ${own.roots.join(', ')}`);
+    if (text === '') return this.studio_.tell('Nothing was copied yet', true);
+    try {
+      const part = await this.studio_.connection.request<Part>('part', { text });
+      await this.paste(part, below, `Paste ${part.roots.join(', ')}`);
+    } catch {
+      this.studio_.tell('What was copied is no part of a plant', true);
+    }
+  }
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The graph of the open document and its drawing, worked out once per text.
+import { useMemo } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { use_document, use_studio } from '../studio_context.ts';
+import type { BoardLayout } from './board_layout.ts';
+import { lay_out } from './board_layout.ts';
+import type { PlantGraph } from './plant_graph.ts';
+import { graph_of } from './plant_graph.ts';
+
+export function use_graph(): PlantGraph {
+  const { components } = use_studio().tables;
+  const { tree, implied } = use_document();
+  return useMemo(() => graph_of(tree?.value, components, implied), [tree, implied, components]);
+}
+
+export function use_layout(graph: PlantGraph): BoardLayout {
+  const { folded } = use_store(use_studio().board.state);
+  return useMemo(() => lay_out(graph, folded), [graph, folded]);
+}

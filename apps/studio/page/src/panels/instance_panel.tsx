@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// The instance that was clicked at in the view: which one it is, the values that it has, and instances that are clicked
+// into `omit` and `only`.
+import type { ReactElement } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { Button } from '../controls/button.tsx';
+import { shown_number } from '../controls/number_field.tsx';
+import type { Json } from '../document/json.ts';
+import { path_below, value_at } from '../document/path.ts';
+import type { FoundInstance } from '../server/protocol.ts';
+import { use_document, use_studio } from '../studio_context.ts';
+
+export function InstancePanel({ path }: { path: string }): ReactElement | null {
+  const studio = use_studio();
+  const instance = use_store(studio.instance.found);
+  const selecting = use_store(studio.instance.selecting);
+  if (!instance || path !== path_below('components', instance.component)) return null;
+  const { component, i, n } = instance;
+  const begin = (row: 'omit' | 'only') => () => studio.instance.selecting.set({ component, row, numbers: [i] });
+  return (
+    <section className="instance" aria-label="The chosen instance">
+      <h3>
+        Instance {i} of {n}
+        {instance.shoot !== null && <span className="badge">{instance.shoot}</span>}
+      </h3>
+      <Values instance={instance} path={path} />
+      {selecting ? (
+        <Selecting />
+      ) : (
+        <p className="instance-tools">
+          <Button kind="quiet" tip="Click further instances in the view" press={begin('omit')}>
+            Leave out…
+          </Button>
+          <Button kind="quiet" tip="Click further instances in the view" press={begin('only')}>
+            Only this…
+          </Button>
+        </p>
+      )}
+    </section>
+  );
+}
+
+function Values({ instance, path }: { instance: FoundInstance; path: string }): ReactElement | null {
+  const rows: [string, string][] = [
+    ...(instance.depth > 0 ? [['depth', String(instance.depth)] as [string, string]] : []),
+    ...(instance.order > 0 ? [['order', String(instance.order)] as [string, string]] : []),
+    ['u', shown_number(instance.u)],
+    ...instance.values.map(({ path: of, value }): [string, string] => [of.slice(path.length + 1).replaceAll('_', ' '), shown_number(value)]),
+  ];
+  return (
+    <dl className="instance-values">
+      {rows.map(([name, value]) => (
+        <div key={name}>
+          <dt>{name}</dt>
+          <dd>{value}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
+
+/// The numbers that were clicked together, until they are taken over as one step.
+function Selecting(): ReactElement | null {
+  const studio = use_studio();
+  const { tree } = use_document();
+  const selecting = use_store(studio.instance.selecting);
+  if (!selecting) return null;
+  const { component, row, numbers } = selecting;
+  const path = path_below(path_below('components', component), row);
+  const take = (): void => {
+    studio.instance.selecting.set(null);
+    const said = value_at(tree, path);
+    const before: Json[] = Array.isArray(said) ? said : said === undefined ? [] : [said];
+    const more = numbers.filter((one) => !before.includes(one));
+    studio.set_value(path, [...before, ...more], row === 'omit' ? `Leave out ${more.join(', ')} of ${component}` : `Only ${numbers.join(', ')} of ${component}`);
+  };
+  return (
+    <div className="selecting" role="status">
+      <p>
+        {row === 'omit' ? 'To leave out' : 'The only ones'}: <b>{numbers.join(', ') || 'none yet'}</b>. Click further instances of {component} in the view.
+      </p>
+      <p className="instance-tools">
+        <Button is_off={numbers.length === 0} press={take}>
+          Take over
+        </Button>
+        <Button kind="quiet" press={() => studio.instance.selecting.set(null)}>
+          Cancel
+        </Button>
+      </p>
+    </div>
+  );
+}

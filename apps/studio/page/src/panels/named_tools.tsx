@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The name of what is chosen, where it has one: it can be changed, and what is chosen be deleted. A link has no name, and
+// can be written out.
+import type { ReactElement } from 'react';
+
+import { component_of } from '../board/board_edits.ts';
+import { IconButton } from '../controls/button.tsx';
+import { path_below, steps_of } from '../document/path.ts';
+import { TextField } from '../rows/text_field.tsx';
+import { use_studio } from '../studio_context.ts';
+
+export function NamedTools({ path }: { path: string }): ReactElement | null {
+  const studio = use_studio();
+  const [head, name] = steps_of(path);
+  if ((head !== 'components' && head !== 'variables') || typeof name !== 'string') return null;
+  const rename = (wanted: string): void => {
+    if (head === 'components') void studio.board.actions.rename(name, wanted);
+    else void studio.edit([{ rename: path, name: wanted }], `Rename ${name}`, { choose: path_below('variables', wanted) });
+  };
+  const remove = (): void => {
+    if (component_of(path) !== null) void studio.board.actions.remove(name);
+    else void studio.edit([{ remove: path }], `Delete ${name}`, { choose: '' });
+  };
+  return (
+    <div className="named-tools">
+      <TextField label="Name" value={name} commit={rename} is_code />
+      <IconButton is_small icon="bin" label={`Delete ${name}`} press={remove} />
+    </div>
+  );
+}

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/document/edit/note.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "meristem/document/edit/layout.h"
+#include "meristem/document/edit/path.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr std::string_view kBlankSigns = " \t\r\n";
+
+/// Where a note stands in the text.
+struct NotePlace {
+  std::vector<Comment> comments;
+  bool is_above = false;  ///< on lines of its own; else behind the member
+};
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(kBlankSigns);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(kBlankSigns) - begin + 1);
+}
+
+/// Whether exactly one line ends between the two.
+bool are_neighbouring_lines(std::string_view text, std::size_t begin, std::size_t end) {
+  const std::string_view between = text.substr(begin, end - begin);
+  return trimmed(between).empty() && std::count(between.begin(), between.end(), '\n') == 1;
+}
+
+std::optional<NotePlace> find_note(const LocatedTree& tree, LocatedValue container, std::size_t index) {
+  const std::string_view text = tree.text();
+  const TextNode& around = tree.at(container);
+  const TextNode& part = tree.at(tree.part(container, index));
+  // What follows the part before in its line speaks of that.
+  const std::size_t before = index > 0 ? tree.at(tree.part(container, index - 1)).comma + 1 : around.begin + 1;
+  NotePlace above{.comments = {}, .is_above = true};
+  std::size_t below = part.first();
+  std::vector<Comment> comments = comments_between(text, behind_comments(text, before), part.first());
+  for (; !comments.empty(); comments.pop_back()) {
+    const Comment& comment = comments.back();
+    if (!begins_line(text, comment.begin) || !are_neighbouring_lines(text, comment.end, below)) break;
+    below = comment.begin;
+    above.comments.insert(above.comments.begin(), comment);
+  }
+  if (!above.comments.empty()) return above;
+  const std::size_t end = part.comma == TextNode::kNone ? part.end : part.comma + 1;
+  const std::size_t behind = behind_comments(text, end);
+  if (behind == end || !ends_line(text, behind)) return std::nullopt;
+  return NotePlace{.comments = comments_between(text, end, behind), .is_above = false};
+}
+
+std::string_view without_star(std::string_view line) {
+  if (line.starts_with("* ")) return line.substr(2);
+  return line == "*" ? std::string_view() : line;
+}
+
+/// What a comment says, line by line.
+std::string said_by(std::string_view comment) {
+  if (comment.starts_with("//")) return std::string(trimmed(comment.substr(2)));
+  std::string_view rest = trimmed(comment.substr(2, comment.size() - std::min<std::size_t>(comment.size(), 4)));
+  std::string said;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    if (!said.empty()) said += '\n';
+    said += without_star(trimmed(rest.substr(0, end)));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return said;
+}
+
+std::string text_of(const LocatedTree& tree, const NotePlace& place) {
+  std::string note;
+  for (const Comment& comment : place.comments) {
+    if (!note.empty()) note += '\n';
+    note += said_by(std::string_view(tree.text()).substr(comment.begin, comment.end - comment.begin));
+  }
+  return note;
+}
+
+/// A comment per line, each but the first on a line that begins with `indent`.
+std::string as_comments(std::string_view note, std::string_view indent, std::string_view line_end) {
+  std::string made;
+  while (!note.empty()) {
+    const std::size_t end = std::min(note.find('\n'), note.size());
+    if (!made.empty()) made += std::string(line_end) + std::string(indent);
+    const std::string_view line = note.substr(0, end);
+    const std::string_view plain = line.substr(0, std::min(line.find_last_not_of(kBlankSigns) + 1, line.size()));
+    made += plain.empty() ? "//" : "// " + std::string(plain);
+    note.remove_prefix(std::min(end + 1, note.size()));
+  }
+  return made;
+}
+
+/// Takes out a note with its lines, or with the blanks before it.
+Patch without_note(std::string_view text, const NotePlace& place, std::size_t member) {
+  std::size_t begin = place.comments.front().begin;
+  if (place.is_above) {
+    begin = line_begin(text, begin);
+    return {{begin, line_begin(text, member) - begin, ""}};
+  }
+  while (text[begin - 1] == ' ' || text[begin - 1] == '\t') --begin;
+  return {{begin, place.comments.back().end - begin, ""}};
+}
+
+/// Above the member of a container that begins at that byte; one that shares its line with others gets a line of its own.
+Patch with_note_above(std::string_view text, std::size_t container, std::size_t member, std::string_view note) {
+  const std::string end(line_end_of(text));
+  if (begins_line(text, member)) {
+    const std::string indent(indent_at(text, member));
+    return {{line_begin(text, member), 0, indent + as_comments(note, indent, end) + end}};
+  }
+  std::size_t begin = member;
+  while (text[begin - 1] == ' ' || text[begin - 1] == '\t') --begin;
+  std::string indent(indent_at(text, member));
+  if (line_begin(text, member) <= container) indent += indent_unit_of(text);
+  return {{begin, member - begin, end + indent + as_comments(note, indent, end) + end + indent}};
+}
+
+}  // namespace
+
+std::string note_on(const LocatedTree& tree, LocatedValue container, std::size_t index) {
+  const std::optional<NotePlace> place = find_note(tree, container, index);
+  return place ? text_of(tree, *place) : std::string();
+}
+
+std::vector<std::pair<std::string, std::string>> notes_on_members(const LocatedTree& tree, std::string_view object) {
+  std::vector<std::pair<std::string, std::string>> notes;
+  const Value* members = tree.root().value->find(object);
+  if (members == nullptr || members->object() == nullptr) return notes;
+  const LocatedValue container = follow_path(tree, object).last();
+  for (std::size_t k = 0; k < part_count(*members); ++k) {
+    std::string note = note_on(tree, container, k);
+    if (!note.empty()) notes.emplace_back((*members->object())[k].first, std::move(note));
+  }
+  return notes;
+}
+
+Patch set_note(const LocatedTree& tree, std::string_view path, std::string_view note) {
+  const PathTarget target = find_path(tree, path);
+  const std::string_view text = tree.text();
+  const std::size_t member = tree.at(target.last()).first();
+  const std::size_t container = tree.at(target.container()).begin;
+  const std::string_view said = trimmed(note);
+  const std::optional<NotePlace> place = find_note(tree, target.container(), target.places.back());
+  if (!place) return said.empty() ? Patch() : with_note_above(text, container, member, said);
+  if (said == text_of(tree, *place)) return {};
+  if (said.empty()) return without_note(text, *place, member);
+  const std::size_t begin = place->comments.front().begin;
+  const std::size_t length = place->comments.back().end - begin;
+  if (place->is_above) return {{begin, length, as_comments(said, indent_at(text, begin), line_end_of(text))}};
+  if (said.find('\n') == std::string_view::npos) return {{begin, length, as_comments(said, "", "")}};
+  // What has several lines stands above.
+  const Patch without = without_note(text, *place, member);
+  return joined_patches(without, with_note_above(apply_patch(text, without), container, member, said));
+}
+
+}  // namespace meristem

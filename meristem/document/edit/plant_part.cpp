@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/document/edit/plant_part.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "meristem/base/diagnostic.h"
+#include "meristem/document/edit/layout.h"
+#include "meristem/document/edit/note.h"
+#include "meristem/document/edit/part_edit.h"
+#include "meristem/document/edit/path.h"
+#include "meristem/document/edit/text_edit.h"
+#include "meristem/document/json.h"
+#include "meristem/document/mentions.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr const char* kEmptyPart = "{\n  \"meristem\": 1,\n  \"components\": {},\n  \"links\": []\n}\n";
+
+/// A list or object at the top of the document; its value is null where there is none.
+LocatedValue top_member(const LocatedTree& tree, std::string_view name) {
+  const Value::Object* top = tree.root().value->object();
+  for (std::size_t k = 0; top != nullptr && k < top->size(); ++k) {
+    if ((*top)[k].first == name) return tree.part(tree.root(), k);
+  }
+  return {};
+}
+
+const std::string& name_in(LocatedValue object, std::size_t index) { return (*object.value->object())[index].first; }
+
+std::optional<std::size_t> index_in(LocatedValue object, std::string_view name) {
+  const Value::Object* members = object.value == nullptr ? nullptr : object.value->object();
+  for (std::size_t k = 0; members != nullptr && k < members->size(); ++k) {
+    if ((*members)[k].first == name) return k;
+  }
+  return std::nullopt;
+}
+
+std::pair<std::string, std::string> ends_of(const Value& link) {
+  const auto text = [](const Value* end) { return end != nullptr && end->text() != nullptr ? *end->text() : ""; };
+  if (const Value::List* ends = link.list()) {
+    return ends->size() == 2 ? std::pair(text(&(*ends)[0]), text(&(*ends)[1])) : std::pair<std::string, std::string>();
+  }
+  return {text(link.find("from")), text(link.find("to"))};
+}
+
+/// A text of several lines at another depth and with another indentation and end of lines. `from` begins the line that
+/// the text stands in, `to` the line that it will stand in.
+std::string moved_lines(std::string_view text, std::string_view from, std::string_view from_unit, std::string_view to,
+                        std::string_view to_unit, std::string_view line_end) {
+  std::string made;
+  for (bool is_first = true;; is_first = false) {
+    const std::size_t end = text.find('\n');
+    std::string_view line = text.substr(0, end);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (is_first) {
+      made += line;
+    } else {
+      made += line_end;
+      if (line.starts_with(from)) {
+        line.remove_prefix(from.size());
+        made += to;
+        while (from_unit != to_unit && line.starts_with(from_unit)) {
+          line.remove_prefix(from_unit.size());
+          made += to_unit;
+        }
+      }
+      made += line;
+    }
+    if (end == std::string_view::npos) return made;
+    text.remove_prefix(end + 1);
+  }
+}
+
+/// Builds a document up, one written part after another.
+class Builder {
+ public:
+  explicit Builder(const LocatedTree& tree) : tree_(tree.text()) {}
+
+  const LocatedTree& tree() const { return tree_; }
+  const Patch& patch() const { return patch_; }
+
+  /// A top-level list or object that there must be.
+  LocatedValue require(std::string_view name, Value empty) {
+    if (top_member(tree_, name).value == nullptr) take(set_value(tree_, name, empty));
+    return top_member(tree_, name);
+  }
+
+  /// Puts in a part of another document as it is written there.
+  void insert(std::string_view name, const LocatedTree& from, LocatedValue container, std::size_t index,
+              std::optional<std::size_t> place) {
+    const bool is_object = container.value->object() != nullptr;
+    const LocatedValue into = require(name, is_object ? Value(Value::Object{}) : Value(Value::List{}));
+    const std::size_t count = part_count(*into.value);
+    WrittenPart written = remove_part(from, container, index).written;
+    const std::size_t first = from.at(from.part(container, index)).first();
+    written.text = moved_lines(written.text, indent_at(from.text(), first), indent_unit_of(from.text()),
+                               indent_of_parts(into), indent_unit_of(tree_.text()), line_end_of(tree_.text()));
+    written.comments = moved_lines(written.comments, "", "", "", "", line_end_of(tree_.text()));
+    take(insert_part(tree_, into, std::min(place.value_or(count), count), {.written = &written}));
+  }
+
+  void take(const Patch& next) {
+    if (next.empty()) return;
+    patch_ = joined_patches(patch_, next);
+    tree_ = LocatedTree(apply_patch(tree_.text(), next));
+  }
+
+ private:
+  std::string indent_of_parts(LocatedValue container) const {
+    const std::string& text = tree_.text();
+    const TextNode& node = tree_.at(container);
+    if (part_count(*container.value) > 0) {
+      const std::size_t first = tree_.at(tree_.part(container, 0)).first();
+      if (line_begin(text, first) > node.begin) return std::string(indent_at(text, first));
+    }
+    return std::string(indent_at(text, node.begin)) + std::string(indent_unit_of(text));
+  }
+
+  LocatedTree tree_;
+  Patch patch_;
+};
+
+void insert_component(Builder& builder, const LocatedTree& from, LocatedValue components, std::size_t index,
+                      std::optional<std::size_t> place) {
+  const std::string note = note_on(from, components, index);
+  const std::string& name = name_in(components, index);
+  builder.insert("components", from, components, index, place);
+  // A note behind it has come along.
+  const std::string path = path_below("components", name);
+  const PathTarget target = find_path(builder.tree(), path);
+  const std::string come = note_on(builder.tree(), target.container(), target.places.back());
+  if (come != note) builder.take(set_note(builder.tree(), path, note));
+}
+
+/// The variables that a value names, and those that these name.
+void add_variables(const LocatedTree& tree, const Value& value, std::set<std::string>& named) {
+  const LocatedValue variables = top_member(tree, "variables");
+  for_each_mention(value, [&](std::string_view name) {
+    const std::optional<std::size_t> index = index_in(variables, name);
+    if (!index || !named.insert(std::string(name)).second) return;
+    add_variables(tree, (*variables.value->object())[*index].second, named);
+  });
+}
+
+}  // namespace
+
+std::string part_text(const LocatedTree& tree, const std::vector<std::string>& components) {
+  const LocatedValue all = top_member(tree, "components");
+  const std::set<std::string> wanted(components.begin(), components.end());
+  for (const std::string& id : components) {
+    if (!index_in(all, id)) {
+      throw InputError(Diagnostic{.message = fmt::format("there is no component '{}'", id), .path = "components"});
+    }
+  }
+  Builder builder{LocatedTree(kEmptyPart)};
+  std::set<std::string> named;
+  for (std::size_t k = 0; all.value != nullptr && k < part_count(*all.value); ++k) {
+    if (!wanted.contains(name_in(all, k))) continue;
+    insert_component(builder, tree, all, k, std::nullopt);
+    add_variables(tree, (*all.value->object())[k].second, named);
+  }
+  const LocatedValue links = top_member(tree, "links");
+  for (std::size_t k = 0; links.value != nullptr && links.value->list() != nullptr && k < part_count(*links.value); ++k) {
+    const Value& link = (*links.value->list())[k];
+    const auto [from, to] = ends_of(link);
+    if (!wanted.contains(from) || !wanted.contains(to)) continue;
+    builder.insert("links", tree, links, k, std::nullopt);
+    add_variables(tree, link, named);
+  }
+  const LocatedValue variables = top_member(tree, "variables");
+  for (std::size_t k = 0; !named.empty() && k < part_count(*variables.value); ++k) {
+    if (named.contains(name_in(variables, k))) builder.insert("variables", tree, variables, k, std::nullopt);
+  }
+  return builder.tree().text();
+}
+
+Patch insert_plant_part(const LocatedTree& tree, const LocatedTree& part, const PartPlace& place) {
+  Builder builder{tree};
+  const LocatedValue variables = top_member(part, "variables");
+  for (std::size_t k = 0; variables.value != nullptr && k < part_count(*variables.value); ++k) {
+    if (!index_in(top_member(builder.tree(), "variables"), name_in(variables, k))) {
+      builder.insert("variables", part, variables, k, std::nullopt);
+    }
+  }
+  const LocatedValue components = top_member(part, "components");
+  for (std::size_t k = 0; components.value != nullptr && k < part_count(*components.value); ++k) {
+    const std::string& id = name_in(components, k);
+    if (index_in(top_member(builder.tree(), "components"), id)) {
+      throw InputError(Diagnostic{.message = fmt::format("there is a component '{}' already", id),
+                                  .expected = "a name that is free",
+                                  .path = path_below("components", id)});
+    }
+    insert_component(builder, part, components, k, place.component ? std::optional(*place.component + k) : std::nullopt);
+  }
+  const LocatedValue links = top_member(part, "links");
+  for (std::size_t k = 0; links.value != nullptr && k < part_count(*links.value); ++k) {
+    builder.insert("links", part, links, k, place.link ? std::optional(*place.link + k) : std::nullopt);
+  }
+  return builder.patch();
+}
+
+}  // namespace meristem

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The instances that a graph expands into: the tree that they make (the i-tree), and which of them made what is seen of
+// a plant.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "meristem/base/cache.h"
+#include "meristem/base/progress.h"
+#include "meristem/graph/graph.h"
+#include "meristem/scene/scene.h"
+
+namespace meristem {
+
+/// The i-tree of a graph. It has the camera's one instance as its root.
+struct InstanceTree {
+  struct Instance {
+    ComponentIndex component = 0;
+    std::uint32_t parent = kNoIndex;  ///< index into instances; kNoIndex for the root
+    LinkIndex link = kNoIndex;        ///< by which it stands on its parent
+    std::uint32_t i = 0;              ///< number among its siblings by that link
+    std::uint32_t n = 1;              ///< siblings by that link, itself included
+  };
+  std::vector<Instance> instances;  ///< parents before children, those of one parent and link in their order
+};
+
+/// Expands the graph, one instance after another, and notes who stands on whom. Throws an InputError where there are more
+/// than `most` instances, and as expand() does.
+InstanceTree instance_tree(const Graph& graph, const Scene& scene, double time, std::uint64_t most, Progress& progress);
+
+/// How many instances each component of the graph has, in their order. With the cache of an expansion of the same
+/// arguments, nothing is made anew. Throws as expand() does.
+std::vector<std::uint64_t> instance_counts(const Graph& graph, const Scene& scene, double time, Progress& progress,
+                                           Cache* cache = nullptr);
+
+/// A part of a plant whose instance is asked for, as expand() orders what it gives.
+struct InstanceWish {
+  enum class Of {
+    organ,  ///< number `number` among the organs of the component
+    stem,   ///< number `number` among its visible stems: StemPart::instance
+  };
+  std::string component;
+  Of of = Of::organ;
+  std::uint64_t number = 0;
+};
+
+/// An instance with what it is given.
+struct FoundInstance {
+  Site site;
+  /// The parameters that differ from instance to instance, by their path in the document, with their values here, in the
+  /// units of the document.
+  std::vector<std::pair<std::string, double>> values;
+};
+
+/// The instance that made a part of the plant that expand() gives for the same arguments; nothing where there is no such
+/// part, or several instances made it together. With the cache of that expansion, nothing is grown anew. Throws as
+/// expand() does.
+std::optional<FoundInstance> find_instance(const Graph& graph, const Scene& scene, double time, const InstanceWish& wish,
+                                           Progress& progress, Cache* cache = nullptr);
+
+}  // namespace meristem

@@ -200,6 +200,7 @@ const ParameterTable& support_table() {
           .positions("line", &SupportParameters::line, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-3, 3}},
                      "Points of the support's line, relative to the root of each tree; shoots grow along the line from "
                      "the first point to the last.")
+          .together(PointsForm::line)
           .required()
           .number("weight", &SupportParameters::weight, kWeight,
                   "Weight of the support's direction in the growth of tied shoots; raised, shoots follow the support "

@@ -20,6 +20,9 @@ export const kShortcuts: { title: string; keys: Shortcut[] }[] = [
       { keys: 'Ctrl+Shift+Z', text: 'Redo' },
       { keys: 'R', text: 'Roll the seed' },
       { keys: 'T', text: 'Text or inspector' },
+      { keys: 'G', text: 'Grammar or inspector' },
+      { keys: 'N', text: 'Nine plants by chance' },
+      { keys: 'P', text: 'Pin the state beside the view' },
     ],
   },
   {
@@ -42,6 +45,16 @@ export const kShortcuts: { title: string; keys: Shortcut[] }[] = [
       { keys: 'Up, Down', text: 'A step; Shift finely, Ctrl coarsely' },
       { keys: 'Enter', text: 'Take over: 1/3, 2*(4+0.5), or an expression' },
       { keys: 'Esc', text: 'Back to what it was' },
+    ],
+  },
+  {
+    title: 'Points of curves, outlines and axes',
+    keys: [
+      { keys: 'Drag', text: 'Move; Alt is drawn to nothing' },
+      { keys: 'Double click, +', text: 'Add a point' },
+      { keys: 'Delete', text: 'Remove the chosen point' },
+      { keys: 'Arrow keys', text: 'Move it; Shift finely, Ctrl coarsely' },
+      { keys: 'PageUp, PageDown, Home, End', text: 'Choose another point' },
     ],
   },
 ];
@@ -77,6 +90,9 @@ const kPlain: Record<string, (studio: Studio) => void> = {
   w: next_drawing,
   r: (studio) => studio.set_value('seed', 1 + Math.floor(Math.random() * 9999), 'Roll the seed'),
   t: (studio) => studio.shell.merge({ side: studio.shell.get().side === 'text' ? 'inspector' : 'text' }),
+  g: (studio) => studio.shell.merge({ side: studio.shell.get().side === 'grammar' ? 'inspector' : 'grammar' }),
+  n: (studio) => studio.shell.merge({ dialog: 'chance' }),
+  p: (studio) => studio.pins.add(studio.document.state.get()),
   '?': (studio) => studio.shell.merge({ dialog: 'shortcuts' }),
 };
 

@@ -5,6 +5,8 @@ import { Store } from './base/store.ts';
 import { ToastList } from './base/toast_list.ts';
 import { DocumentModel } from './document/document_model.ts';
 import type { Json } from './document/json.ts';
+import { PinList } from './find/pins.ts';
+import { DerivationModel } from './grammar/derivation.ts';
 import { Keeper } from './keeper.ts';
 import { Connection } from './server/connection.ts';
 import { LatestSender } from './server/latest_sender.ts';
@@ -14,6 +16,7 @@ import { Refusal } from './server/protocol.ts';
 import type { GrowthState, ServerState, ShellState, Theme, ViewState } from './studio_state.ts';
 import { kNoGrowth, with_work } from './studio_state.ts';
 import type { Tables } from './tables/tables.ts';
+import { budgets_of } from './view/budgets.ts';
 import type { View, ViewFacts } from './view/view.ts';
 
 export interface OpenWish {
@@ -21,9 +24,6 @@ export interface OpenWish {
   model?: string;
   text?: string;
 }
-
-const kBySoftware = { drag_triangles: 60_000, rest_triangles: 250_000 };
-const kByCard = { drag_triangles: 1_000_000, rest_triangles: 4_000_000 };
 
 export class Studio {
   readonly chosen = new Store('');
@@ -38,6 +38,10 @@ export class Studio {
   readonly locks = new Store<ReadonlySet<string>>(new Set());
   /// Values of the variables as the document was opened, to which handles are reset.
   readonly first_values = new Store<Record<string, Json>>({});
+  readonly enlarged = new Store<string | null>(null); // path of the row whose editor is had large
+  readonly strip = new Store<string | null>(null); // path of the row whose strip of plants is shown
+  readonly pins = new PinList();
+  readonly derivation: DerivationModel;
   readonly document: DocumentModel;
   readonly connection: Connection;
   readonly keeper: Keeper;
@@ -47,7 +51,7 @@ export class Studio {
 
   constructor(
     readonly tables: Tables,
-    address: string,
+    readonly address: string, // of the server's socket
   ) {
     this.shell = new Store<ShellState>({
       dialog: null,
@@ -65,6 +69,7 @@ export class Studio {
     });
     this.document = new DocumentModel(() => this.connection, this.chosen.get, (message) => this.tell(message, true));
     this.keeper = new Keeper(this);
+    this.derivation = new DerivationModel(this);
   }
 
   tell(text: string, is_fault = false): void {
@@ -181,6 +186,10 @@ export class Studio {
     this.document.take_opened(opened);
     this.first_values.set(Object.fromEntries(opened.variables.map((one) => [one.name, one.expression || one.value])));
     this.view_state.merge({ hidden: new Set() });
+    this.enlarged.set(null);
+    this.strip.set(null);
+    this.pins.clear();
+    this.derivation.forget();
     this.choose('');
   }
 
@@ -211,9 +220,9 @@ export class Studio {
     this.tell_budgets();
     if (this.growth.get().is_paused) this.connection.tell('pause', { paused: true });
     if (!is_first) {
-      const { text, path } = this.document.state.get();
+      const { text, path, model } = this.document.state.get();
       this.keeps_camera_ = true;
-      const opened = await this.connection.request<Opened>('open', { text, path }).catch(() => null);
+      const opened = await this.connection.request<Opened>('open', model !== null ? { text, model } : { text, path }).catch(() => null);
       if (opened) this.document.take_reading(opened.hash, opened);
       this.document.resume();
       return;
@@ -225,7 +234,7 @@ export class Studio {
   private tell_budgets(): void {
     if (!this.view || !this.connection.is_open) return;
     const skeleton = this.view_state.get().drawing === 'skeleton';
-    this.connection.tell('view', { ...(this.view.is_software ? kBySoftware : kByCard), skeleton });
+    this.connection.tell('view', { ...budgets_of(this.view), skeleton });
   }
 
   private show_packet(bytes: ArrayBuffer): void {

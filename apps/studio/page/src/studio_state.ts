@@ -15,8 +15,12 @@ export interface GrowthState {
 
 export const kNoGrowth: GrowthState = { grown: null, shown: null, working: null, failed: null, is_paused: false };
 
+/// Jobs that panels wait for themselves.
+const kBeside: ReadonlySet<Working['job']> = new Set(['stills', 'grammar', 'picture']);
+
 /// Work of another kind may go on while this one is over.
 export function with_work(growth: GrowthState, news: Working): GrowthState {
+  if (kBeside.has(news.job)) return growth;
   if (news.stage !== null) return { ...growth, working: news };
   return growth.working?.job === news.job ? { ...growth, working: null } : growth;
 }
@@ -34,11 +38,11 @@ export interface ViewState {
 
 export type Theme = 'system' | 'light' | 'dark';
 
-export type Dialog = 'open' | 'save' | 'models' | 'export' | 'shortcuts' | null;
+export type Dialog = 'open' | 'save' | 'models' | 'export' | 'shortcuts' | 'chance' | null;
 
 export interface ShellState {
   dialog: Dialog;
-  side: 'inspector' | 'text';
+  side: 'inspector' | 'text' | 'grammar';
   theme: Theme;
   is_dark: boolean;
   shows_hints: boolean;

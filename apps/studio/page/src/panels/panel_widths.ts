@@ -5,13 +5,14 @@ import { useState } from 'react';
 import { prefer, preference } from '../base/preferences.ts';
 
 /// The panel left of the view, and those at its right.
-export type Panel = 'left' | 'inspector' | 'text';
+export type Panel = 'left' | 'inspector' | 'text' | 'grammar';
 
 /// Pixels that a panel may have.
 export const kWidths: Record<Panel, { low: number; high: number }> = {
   left: { low: 220, high: 480 },
   inspector: { low: 300, high: 640 },
   text: { low: 320, high: 1200 },
+  grammar: { low: 320, high: 1200 },
 };
 
 /// The width, null where the style says it, and what changes it.

@@ -92,7 +92,7 @@ const kPlain: Record<string, (studio: Studio) => void> = {
   t: (studio) => studio.shell.merge({ side: studio.shell.get().side === 'text' ? 'inspector' : 'text' }),
   g: (studio) => studio.shell.merge({ side: studio.shell.get().side === 'grammar' ? 'inspector' : 'grammar' }),
   n: (studio) => studio.shell.merge({ dialog: 'chance' }),
-  p: (studio) => studio.pins.add(studio.document.state.get()),
+  p: (studio) => studio.bench.pins.add(studio.document.state.get()),
   '?': (studio) => studio.shell.merge({ dialog: 'shortcuts' }),
 };
 

@@ -5,8 +5,6 @@ import { Store } from './base/store.ts';
 import { ToastList } from './base/toast_list.ts';
 import { DocumentModel } from './document/document_model.ts';
 import type { Json } from './document/json.ts';
-import { PinList } from './find/pins.ts';
-import { DerivationModel } from './grammar/derivation.ts';
 import { Keeper } from './keeper.ts';
 import { Connection } from './server/connection.ts';
 import { LatestSender } from './server/latest_sender.ts';
@@ -18,6 +16,7 @@ import { kNoGrowth, with_work } from './studio_state.ts';
 import type { Tables } from './tables/tables.ts';
 import { budgets_of } from './view/budgets.ts';
 import type { View, ViewFacts } from './view/view.ts';
+import { Workbench } from './workbench.ts';
 
 export interface OpenWish {
   path?: string | null;
@@ -38,10 +37,7 @@ export class Studio {
   readonly locks = new Store<ReadonlySet<string>>(new Set());
   /// Values of the variables as the document was opened, to which handles are reset.
   readonly first_values = new Store<Record<string, Json>>({});
-  readonly enlarged = new Store<string | null>(null); // path of the row whose editor is had large
-  readonly strip = new Store<string | null>(null); // path of the row whose strip of plants is shown
-  readonly pins = new PinList();
-  readonly derivation: DerivationModel;
+  readonly bench = new Workbench(this);
   readonly document: DocumentModel;
   readonly connection: Connection;
   readonly keeper: Keeper;
@@ -69,7 +65,6 @@ export class Studio {
     });
     this.document = new DocumentModel(() => this.connection, this.chosen.get, (message) => this.tell(message, true));
     this.keeper = new Keeper(this);
-    this.derivation = new DerivationModel(this);
   }
 
   tell(text: string, is_fault = false): void {
@@ -186,10 +181,7 @@ export class Studio {
     this.document.take_opened(opened);
     this.first_values.set(Object.fromEntries(opened.variables.map((one) => [one.name, one.expression || one.value])));
     this.view_state.merge({ hidden: new Set() });
-    this.enlarged.set(null);
-    this.strip.set(null);
-    this.pins.clear();
-    this.derivation.forget();
+    this.bench.clear();
     this.choose('');
   }
 

@@ -15,17 +15,17 @@ import type { Row } from '../tables/tables.ts';
 
 export function Drawer(): ReactElement | null {
   const studio = use_studio();
-  const path = use_store(studio.enlarged);
+  const path = use_store(studio.bench.enlarged);
   const { tree } = use_document();
   const parent = path === null ? '' : path_of(steps_of(path).slice(0, -1));
   const name = path === null ? undefined : steps_of(path).at(-1);
   const row = path === null ? undefined : rows_at(studio.tables, tree, parent).find((one) => one.name === name);
   const is_gone = path !== null && (!row || value_at(tree, parent) === undefined);
   useEffect(() => {
-    if (is_gone) studio.enlarged.set(null);
+    if (is_gone) studio.bench.enlarged.set(null);
   }, [studio, is_gone]);
   if (path === null || !row || is_gone) return null;
-  return <LargeEditor key={path} path={path} parent={parent} row={row} close={() => studio.enlarged.set(null)} />;
+  return <LargeEditor key={path} path={path} parent={parent} row={row} close={() => studio.bench.enlarged.set(null)} />;
 }
 
 interface LargeEditorProps {

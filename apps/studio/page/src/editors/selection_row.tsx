@@ -55,7 +55,10 @@ interface CellsProps {
 function Cells({ label, path, entries, most, put }: CellsProps): ReactElement {
   const { grown } = use_store(use_studio().growth);
   const component = String(steps_of(path)[1] ?? '');
-  const count = Math.min(most, Math.max(kFewest, count_named(entries), grown?.components?.[component]?.instances ?? 0));
+  // What is left out is not among those that have grown.
+  const left_out = named_numbers(entries, most).size;
+  const known = grown?.components?.[component]?.instances;
+  const count = Math.min(most, Math.max(count_named(entries), known === undefined ? kFewest : known + left_out));
   const named = named_numbers(entries, count);
   const [drawn, set_drawn] = useState<{ from: number; to: number; is_in: boolean } | null>(null);
   const [focused, set_focused] = useState(0);

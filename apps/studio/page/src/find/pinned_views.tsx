@@ -15,7 +15,7 @@ import { View } from '../view/view.ts';
 import type { Pin } from './pins.ts';
 
 export function PinnedViews(): ReactElement {
-  const pins = use_store(use_studio().pins.shown);
+  const pins = use_store(use_studio().bench.pins.shown);
   return (
     <>
       {pins.map((pin) => (
@@ -28,8 +28,8 @@ export function PinnedViews(): ReactElement {
 /// Pins the state that the text says now.
 export function PinButton(): ReactElement {
   const studio = use_studio();
-  const pins = use_store(studio.pins.shown);
-  const pin = (): void => studio.pins.add(studio.document.state.get());
+  const pins = use_store(studio.bench.pins.shown);
+  const pin = (): void => studio.bench.pins.add(studio.document.state.get());
   return <IconButton icon="pin" label={pins.length < 2 ? 'Pin this state beside the view' : 'Two states are pinned'} is_off={pins.length >= 2} press={pin} />;
 }
 
@@ -47,7 +47,7 @@ function PinnedView({ pin }: { pin: Pin }): ReactElement {
         <Button kind="quiet" is_off={text === pin.text} tip="Makes this the document again, as one step" press={() => void studio.document.replace(pin.text, `Take state ${pin.name}`)}>
           Take
         </Button>
-        <IconButton is_small icon="close" label={`Let state ${pin.name} go`} press={() => studio.pins.remove(pin.id)} />
+        <IconButton is_small icon="close" label={`Let state ${pin.name} go`} press={() => studio.bench.pins.remove(pin.id)} />
       </div>
       {note !== '' && <p className="view-note">{note}</p>}
     </section>

@@ -44,9 +44,9 @@ export class DerivationModel {
     this.seen_hash_ = '';
     const before = this.state.get();
     this.state.set(before.component === component ? { ...before, step: null } : { ...kNothing, component });
-    const stop = this.studio_.document.state.subscribe(() => this.ask_later());
+    const stops = [this.studio_.document.state.subscribe(() => this.ask_later()), this.studio_.dragged.subscribe(() => this.follow_drags())];
     const leave = (): void => {
-      stop();
+      for (const stop of stops) stop();
       this.looks_.delete(leave);
       clearTimeout(this.timer_);
       this.show_step(null);
@@ -62,18 +62,17 @@ export class DerivationModel {
   show_step(step: number | null): void {
     if (step === this.state.get().step) return;
     this.state.merge({ step, first: 0 });
-    const path = path_below(path_below('components', this.state.get().component), 'steps');
     if (step === null) this.studio_.stop_drag();
-    else this.studio_.drag({ [path]: step });
+    else this.studio_.drag({ [this.path_of_steps]: step });
     this.ask();
   }
 
   /// Makes the shown step that of the document.
   keep_step(): void {
-    const { step, component } = this.state.get();
+    const { step } = this.state.get();
     if (step === null) return;
     this.state.merge({ step: null });
-    this.studio_.set_value(path_below(path_below('components', component), 'steps'), step, 'Set steps');
+    this.studio_.set_value(this.path_of_steps, step, 'Set steps');
   }
 
   show_drawn(is_drawn: boolean): void {
@@ -90,15 +89,23 @@ export class DerivationModel {
     return kModules;
   }
 
+  private get path_of_steps(): string {
+    return path_below(path_below('components', this.state.get().component), 'steps');
+  }
+
+  /// The plant of another step is shown as a drag is. Whatever ends that drag ends the step with it.
+  private follow_drags(): void {
+    if (this.state.get().step === null || this.path_of_steps in this.studio_.dragged.get()) return;
+    this.state.merge({ step: null, first: 0 });
+    this.ask();
+  }
+
   private ask_later(): void {
     const { hash, good } = this.studio_.document.state.get();
     if (!good || hash === this.seen_hash_) return;
     clearTimeout(this.timer_);
     this.timer_ = window.setTimeout(() => {
       this.seen_hash_ = hash;
-      // An edit ends the drag that has shown another step.
-      const { step } = this.state.get();
-      if (step !== null && Object.keys(this.studio_.dragged.get()).length === 0) this.state.merge({ step: null });
       this.ask();
     }, kPause);
   }

@@ -13,7 +13,7 @@ const kNumbers = new Intl.NumberFormat('en');
 
 export function DerivationPart({ component }: { component: string }): ReactElement {
   const studio = use_studio();
-  const model = studio.derivation;
+  const model = studio.bench.derivation;
   const { told, step, is_drawn, is_working, fault } = use_store(model.state);
   useEffect(() => model.look(component), [model, component]);
   const steps = told?.steps ?? 0;
@@ -63,7 +63,7 @@ export function DerivationPart({ component }: { component: string }): ReactEleme
 
 /// A page of the word, with the module under the pointer marked here and in the view.
 function Word(): ReactElement {
-  const model = use_studio().derivation;
+  const model = use_studio().bench.derivation;
   const { told } = use_store(model.state);
   const pointed = use_store(model.pointed);
   const parent = useRef<HTMLDivElement>(null);

@@ -88,7 +88,7 @@ function OwnGrammar({ place }: { place: GrammarPlace }): ReactElement {
 /// A text that stands in a file is read here; taken into the document, it can be changed.
 function FileGrammar({ place }: { place: GrammarPlace }): ReactElement {
   const studio = use_studio();
-  const { told } = use_store(studio.derivation.state);
+  const { told } = use_store(studio.bench.derivation.state);
   const text = told?.text ?? null;
   const take = (): void => {
     const owner = path_below('components', place.component);

@@ -11,8 +11,8 @@ import { nearest_place, place_of } from './drawn_places.ts';
 
 export function ModuleOverlay(): ReactElement | null {
   const studio = use_studio();
-  const { told } = use_store(studio.derivation.state);
-  const pointed = use_store(studio.derivation.pointed);
+  const { told } = use_store(studio.bench.derivation.state);
+  const pointed = use_store(studio.bench.derivation.pointed);
   use_store(studio.view_facts); // the camera may have moved
   const has_places = (told?.places.length ?? 0) > 0;
   useEffect(() => (has_places ? listen(studio) : undefined), [studio, has_places]);
@@ -43,7 +43,7 @@ function listen(studio: Studio): () => void {
   };
   const leave = (): void => {
     cancelAnimationFrame(waiting);
-    if (studio.derivation.pointed.get()?.by === 'view') studio.derivation.pointed.set(null);
+    if (studio.bench.derivation.pointed.get()?.by === 'view') studio.bench.derivation.pointed.set(null);
   };
   canvas?.addEventListener('pointermove', move);
   canvas?.addEventListener('pointerleave', leave);
@@ -55,9 +55,9 @@ function listen(studio: Studio): () => void {
 }
 
 function point(studio: Studio, view: View, at: [number, number]): void {
-  const places = studio.derivation.state.get().told?.places ?? [];
+  const places = studio.bench.derivation.state.get().told?.places ?? [];
   const module = nearest_place(places, (place) => view.project(place), at);
-  const now = studio.derivation.pointed.get();
+  const now = studio.bench.derivation.pointed.get();
   if (module === null && now?.by !== 'view') return;
-  if (module !== now?.module) studio.derivation.pointed.set(module === null ? null : { module, by: 'view' });
+  if (module !== now?.module) studio.bench.derivation.pointed.set(module === null ? null : { module, by: 'view' });
 }

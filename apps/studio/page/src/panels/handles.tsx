@@ -64,7 +64,7 @@ function Handle({ variable }: { variable: Variable }): ReactElement {
   const faults = use_faults(`variables.${name}`, true);
   const label = name.replaceAll('_', ' ');
   const is_locked = locks.has(name);
-  const has_strip = use_store(studio.strip) === name;
+  const has_strip = use_store(studio.bench.strip) === name;
   const states = expression === null ? variable_states(variable, step_of(variable)) : [];
   const now = expression ?? variable.value;
   const toggle_lock = (): void => {
@@ -76,7 +76,7 @@ function Handle({ variable }: { variable: Variable }): ReactElement {
     <div className="handle" data-handle={name}>
       <div className="handle-head">
         <span className="handle-name">{label}</span>
-        {states.length > 1 && <IconButton is_small icon="strip" label={`Plants over ${label}`} is_on={has_strip} press={() => studio.strip.set(has_strip ? null : name)} />}
+        {states.length > 1 && <IconButton is_small icon="strip" label={`Plants over ${label}`} is_on={has_strip} press={() => studio.bench.strip.set(has_strip ? null : name)} />}
         <IconButton is_small icon="reset" label={`Reset ${label}`} is_off={first === undefined || first === now} press={() => studio.set_value(name, first ?? 0, `Reset ${label}`)} />
         <IconButton is_small icon={is_locked ? 'lock' : 'unlock'} label={`Lock ${label}`} is_on={is_locked} press={toggle_lock} />
       </div>

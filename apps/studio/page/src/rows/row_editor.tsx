@@ -85,14 +85,14 @@ export function RowView({ table, row, parent, parent_value, value }: RowViewProp
   const is_nested = row.kind === 'object' || row.kind === 'list' || row.kind === 'map';
   const faults = use_faults(path, !is_nested);
   const studio = use_studio();
-  const has_strip = use_store(studio.strip) === path;
+  const has_strip = use_store(studio.bench.strip) === path;
   const is_faulty = faults.some((fault) => fault.severity === 'error');
   if (is_nested) return <NestedRow row={row} path={path} value={value} rivals={rivals} />;
   const Editor = kEditors[row.kind] ?? WrittenRow;
   const is_tall = kTall.has(row.kind) || (row.kind === 'number' && form_of(shown) !== 'number');
   const label = row.name.replaceAll('_', ' ');
   const states = strip_states(row, shown);
-  const enlarge = kCanBeLarge.has(row.kind) ? (): void => studio.enlarged.set(path) : null;
+  const enlarge = kCanBeLarge.has(row.kind) ? (): void => studio.bench.enlarged.set(path) : null;
   return (
     <div className={`row${is_tall ? ' tall' : ''}${value === undefined ? ' unset' : ''}`} data-path={path} data-kind={row.kind}>
       <span className="row-name" data-tip={tip_of(row)} tabIndex={-1}>
@@ -105,7 +105,7 @@ export function RowView({ table, row, parent, parent_value, value }: RowViewProp
       <Menu label={`More for ${label}`} items={menu_of(row, value, actions, () => first_value(studio.tables, row))} />
       {states.length > 1 && (
         <span className="row-extra">
-          <IconButton is_small icon="strip" label={`Plants over ${label}`} is_on={has_strip} press={() => studio.strip.set(has_strip ? null : path)} />
+          <IconButton is_small icon="strip" label={`Plants over ${label}`} is_on={has_strip} press={() => studio.bench.strip.set(has_strip ? null : path)} />
         </span>
       )}
       {enlarge && (

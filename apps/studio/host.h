@@ -49,6 +49,7 @@ struct Host {
   Downloads downloads{};
   Worker growth{};
   Worker exports{};
+  Worker stills{};  ///< and all else that a page asks for while a plant grows
 };
 
 }  // namespace meristem::studio

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "meristem/document/json.h"
+#include "meristem/grow/lsystem/grammar.h"
 #include "meristem/shape/detail.h"
 #include "refusal.h"
 
@@ -17,6 +18,9 @@ namespace {
 
 constexpr double kGreatestWhole = 9007199254740992;  // up to which doubles hold all whole numbers
 constexpr std::size_t kMostParts = 100'000;          // splices, edits or values of one request
+constexpr std::size_t kMostStills = 16;
+constexpr double kWidestStill = 512;     // pixels
+constexpr double kMostModules = 20'000;  // that one answer tells
 
 /// Reads the members of a request and refuses what they should not be.
 class Members {
@@ -158,11 +162,10 @@ std::vector<Edit> edits_of(const Members& members) {
   return edits;
 }
 
-std::vector<Override> overrides_of(const Members& members) {
+std::vector<Override> overrides_of(const Value::Object& values) {
   std::vector<Override> overrides;
-  for (const auto& [path, value] : members.object("values")) {
+  for (const auto& [path, value] : values)
     overrides.push_back({.path = path, .value = value, .name = "the value of " + path});
-  }
   return overrides;
 }
 
@@ -170,7 +173,7 @@ OpenRequest open_request(const Members& members) {
   OpenRequest request{.path = members.optional_text("path"),
                       .model = members.optional_text("model"),
                       .text = members.optional_text("text")};
-  const bool is_one = request.model ? !request.path && !request.text : request.path || request.text;
+  const bool is_one = request.model ? !request.path : request.path || request.text;
   if (!is_one) throw Refusal("a document is opened by its path, by a model's name, or by a text");
   return request;
 }
@@ -241,6 +244,33 @@ ExportOptions export_options(const Members& members) {
   return options;
 }
 
+StillsRequest stills_request(const Members& members) {
+  StillsRequest request;
+  const Value::List& states = members.list("states");
+  if (states.size() > kMostStills) throw Refusal(fmt::format("'states' has more than {} parts", kMostStills));
+  for (const Value& state : states) {
+    if (state.object() == nullptr) throw Refusal("a state is an object of values by their paths");
+    if (state.object()->size() > kMostParts) throw Refusal(fmt::format("a state has more than {} parts", kMostParts));
+    request.states.push_back(overrides_of(*state.object()));
+  }
+  if (states.empty()) return request;
+  request.width = static_cast<int>(members.whole("width", 16, kWidestStill));
+  request.height = static_cast<int>(members.whole("height", 16, kWidestStill));
+  members.object("camera");
+  request.camera = camera_of(Members(members.value("camera")));
+  request.fits = members.optional_flag("fit").value_or(true);
+  return request;
+}
+
+GrammarRequest grammar_request(const Members& members) {
+  GrammarRequest request{.component = members.text("component"), .step = {}};
+  if (members.has("step")) request.step = static_cast<int>(members.whole("step", 0, kMostSteps));
+  request.is_drawn = members.optional_flag("drawn").value_or(false);
+  request.first = members.optional_whole("first").value_or(0);
+  request.count = members.optional_whole("count", 0, kMostModules).value_or(request.count);
+  return request;
+}
+
 Request request_of(const std::string& what, const Members& members) {
   if (what == "open") return open_request(members);
   if (what == "splice") return SpliceRequest{members.text("base"), splices_of(members)};
@@ -248,7 +278,7 @@ Request request_of(const std::string& what, const Members& members) {
   if (what == "edit") {
     return EditRequest{members.text("base"), edits_of(members), members.optional_flag("only_if_good").value_or(false)};
   }
-  if (what == "drag") return DragRequest{overrides_of(members)};
+  if (what == "drag") return DragRequest{overrides_of(members.object("values"))};
   if (what == "view") return view_request(members);
   if (what == "shown") return ShownRequest{members.whole("packet")};
   if (what == "all") return AllRequest{};
@@ -260,6 +290,11 @@ Request request_of(const std::string& what, const Members& members) {
                        members.optional_flag("over").value_or(false)};
   }
   if (what == "models") return ModelsRequest{};
+  if (what == "stills") return stills_request(members);
+  if (what == "grammar") return grammar_request(members);
+  if (what == "picture") {
+    return PictureRequest{members.text("file"), static_cast<int>(members.optional_whole("size", 16, 512).value_or(96))};
+  }
   if (what == "measures") return MeasuresRequest{};
   if (what == "instance") return instance_request(members);
   if (what == "parts") return PartsRequest{members.text("model")};

@@ -106,9 +106,32 @@ struct CommandRequest {
   ExportOptions options;
 };
 
+/// Small pictures of the document with other values, for a page that shows what a value does.
+struct StillsRequest {
+  std::vector<std::vector<Override>> states;  ///< values of each picture
+  int width = 96;                             ///< of each picture, pixels
+  int height = 96;
+  CameraOptions camera;
+  bool fits = true;  ///< whether the camera goes as far back as shows all of the largest plant
+};
+/// How the grammar of an lsystem component derives.
+struct GrammarRequest {
+  std::string component;
+  std::optional<int> step;     ///< steps after which the word is asked for; unset: those of the component
+  bool is_drawn = false;       ///< whether interpretation rules are applied to it
+  std::uint64_t first = 0;     ///< index of the first module that is told
+  std::uint64_t count = 4000;  ///< most modules that are told
+};
+/// A picture that the document names, or might name, made small.
+struct PictureRequest {
+  std::string file;  ///< as the document writes it: from its own folder
+  int size = 96;     ///< pixels along the longer side
+};
+
 using Request = std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest,
                              ShownRequest, AllRequest, CancelRequest, PauseRequest, FilesRequest, SaveRequest,
-                             ModelsRequest, MeasuresRequest, InstanceRequest, PartsRequest, PartRequest, ExportRequest, CommandRequest>;
+                             ModelsRequest, MeasuresRequest, InstanceRequest, PartsRequest, PartRequest, ExportRequest,
+                             CommandRequest, StillsRequest, GrammarRequest, PictureRequest>;
 
 struct NumberedRequest {
   double id = 0;

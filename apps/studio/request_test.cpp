@@ -45,6 +45,20 @@ TEST(Request, ReadsEachKind) {
           "camera": {"position": [1, 2, 3], "target": [0, 0, 0], "field_of_view": 30}}})");
   EXPECT_EQ(exported.options.width, 64);
   EXPECT_EQ(exported.options.camera->position, Vec3(1, 2, 3));
+  const auto stills = read<StillsRequest>(
+      R"({"do": "stills", "id": 1, "states": [{"age": 3}, {}], "width": 64, "height": 48,
+          "camera": {"position": [1, 2, 3], "target": [0, 0, 0], "field_of_view": 30}, "fit": false})");
+  ASSERT_EQ(stills.states.size(), 2U);
+  EXPECT_EQ(stills.states[0][0].path, "age");
+  EXPECT_EQ(stills.height, 48);
+  EXPECT_FALSE(stills.fits);
+  EXPECT_TRUE(read<StillsRequest>(R"({"do": "stills", "id": 1, "states": []})").states.empty());
+  const auto grammar = read<GrammarRequest>(
+      R"({"do": "grammar", "id": 1, "component": "fir", "step": 3, "drawn": true, "first": 10, "count": 20})");
+  EXPECT_EQ(grammar.step, 3);
+  EXPECT_TRUE(grammar.is_drawn);
+  EXPECT_EQ(grammar.first + grammar.count, 30U);
+  EXPECT_EQ(read<PictureRequest>(R"({"do": "picture", "id": 1, "file": "bark.png"})").size, 96);
   for (const char* plain : {"all", "cancel", "models", "measures"})
     EXPECT_EQ(refusal(std::string(R"({"id": 1, "do": ")") + plain + "\"}"), "") << plain;
 }
@@ -56,7 +70,16 @@ TEST(Request, SaysWhatIsWrong) {
   EXPECT_NE(refusal(R"({"id": 1.5, "do": "all"})").find("whole"), std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "dance"})").find("'dance'"), std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "open"})").find("by its path"), std::string::npos);
-  EXPECT_NE(refusal(R"({"id": 1, "do": "open", "model": "oak", "text": ""})").find("by its path"), std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "open", "model": "oak", "path": ""})").find("by its path"), std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "stills", "states": [3]})").find("a state"), std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "stills", "states": [{}], "width": 5000})").find("'width'"), std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "stills", "states": [{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}]})")
+                .find("more than 16"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "grammar", "component": "a", "step": -1})").find("'step'"), std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "grammar", "component": "a", "count": 1e6})").find("'count'"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"({"id": 1, "do": "picture", "file": "a.png", "size": 1})").find("'size'"), std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "splice", "base": "a", "patch": [[1, 2]]})").find("splice"), std::string::npos);
   EXPECT_NE(refusal(R"({"id": 1, "do": "splice", "base": "a", "patch": [[-1, 2, ""]]})").find("splice"),
             std::string::npos);

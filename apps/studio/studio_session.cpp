@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "export_job.h"
+#include "grammar_job.h"
 #include "instance_value.h"
 #include "job_news.h"
 #include "job_watch.h"
@@ -22,6 +23,7 @@
 #include "part_values.h"
 #include "refusal.h"
 #include "text_units.h"
+#include "thumbnail.h"
 #include "written_values.h"
 
 namespace meristem::studio {
@@ -68,6 +70,32 @@ std::string refused_text(double id, const std::string& message, const Value::Obj
   return write_json_line(refusal);
 }
 
+/// Answers a request with what `work` gives, or why it gives nothing.
+template <class Work>
+void answer_by(Host& host, const std::shared_ptr<Outbox>& outbox, RunningJobs& jobs, double id, const char* job,
+               Work& work) {
+  if (jobs.is_closed()) return;
+  JobNews news(outbox, job, id);
+  JobWatch watch(news.progress(), host.limits);
+  jobs.add(news.progress());
+  try {
+    Value::Object done{{"is", "done"}, {"re", id}};
+    done.push_back(work(host, news.progress()));
+    outbox->send_text(write_json_line(done));
+  } catch (const Cancelled&) {
+    const std::optional<Refusal> limit = watch.reached();
+    outbox->send_text(limit ? refused_text(id, limit->what(), limit->members())
+                            : refused_text(id, "cancelled", {{"cancelled", true}}));
+  } catch (const InputError& error) {
+    outbox->send_text(refused_text(id, error.what(), {{"faults", faults_value(error.diagnostics(), {}, "")}}));
+  } catch (const std::bad_alloc&) {
+    outbox->send_text(refused_text(id, "there is not enough memory (memory_bytes)", {{"limit", "memory_bytes"}}));
+  } catch (const std::exception& error) {
+    outbox->send_text(refused_text(id, error.what(), {}));
+  }
+  jobs.remove(news.progress());
+}
+
 }  // namespace
 
 void RunningJobs::add(Progress& progress) {
@@ -91,6 +119,12 @@ void RunningJobs::close() {
   cancel();
 }
 
+std::uint64_t NewestJobs::begin() {
+  const std::uint64_t number = ++newest_;
+  running_.cancel();
+  return number;
+}
+
 StudioSession::StudioSession(Host& host, std::shared_ptr<Outbox> outbox)
     : host_(host), outbox_(std::move(outbox)), grower_(std::make_shared<Grower>(host, outbox_)) {
   outbox_->send_text(write_json_line(Value::Object{{"is", "hello"},
@@ -105,6 +139,8 @@ StudioSession::StudioSession(Host& host, std::shared_ptr<Outbox> outbox)
 
 StudioSession::~StudioSession() {
   jobs_->close();
+  stills_->running().close();
+  derivations_->running().close();
   grower_->close();
 }
 
@@ -190,7 +226,8 @@ void StudioSession::add_reading(Answer& answer) {
   answer.emplace_back("faults", faults_value(read.faults(), read.text(), path_.value_or(title_)));
   answer.emplace_back("tree", tree_of(read.text()));
   answer.emplace_back("variables", read.is_good() ? variables_value(read.document()->variables) : Value::List{});
-  answer.emplace_back("implied", read.document() != nullptr ? implied_links_value(read.document()->graph) : Value::List{});
+  answer.emplace_back("implied",
+                      read.document() != nullptr ? implied_links_value(read.document()->graph) : Value::List{});
   answer.emplace_back("notes", notes_value(read.text()));
 }
 
@@ -201,8 +238,8 @@ std::string StudioSession::model_text(const std::string& model) const {
 
 StudioSession::Opened StudioSession::opened(const OpenRequest& request) const {
   if (request.model) {
-    std::string text = model_text(*request.model);
-    return {.text = std::move(text),
+    std::string shipped = model_text(*request.model);
+    return {.text = request.text ? *request.text : std::move(shipped),
             .file = model_path(host_.models_folder, *request.model),
             .root = host_.models_folder,
             .path = {},
@@ -227,8 +264,9 @@ StudioSession::Opened StudioSession::opened(const OpenRequest& request) const {
 
 std::optional<StudioSession::Answer> StudioSession::act(double, const OpenRequest& request) {
   Opened found = opened(request);
-  jobs_->cancel();
+  cancel_jobs();
   grower_->leave();
+  still_maker_ = std::make_shared<StillMaker>();
   root_ = found.root;
   path_ = found.path;
   model_ = request.model;
@@ -324,7 +362,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const AllRequest
 
 std::optional<StudioSession::Answer> StudioSession::act(double, const CancelRequest&) {
   grower_->cancel();
-  jobs_->cancel();
+  cancel_jobs();
   return Answer{};
 }
 
@@ -371,31 +409,28 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const ModelsRequ
   return Answer{{"models", std::move(models)}};
 }
 
-/// Has a job answer the request: what `work` gives, or why it gives nothing.
+/// Has a job answer the request.
 template <class Work>
 void StudioSession::run_later(double id, const char* job, Work work) {
   host_.exports.post([&host = host_, outbox = outbox_, jobs = jobs_, id, job, work = std::move(work)]() mutable {
-    if (jobs->is_closed()) return;
-    JobNews news(outbox, job, id);
-    JobWatch watch(news.progress(), host.limits);
-    jobs->add(news.progress());
-    try {
-      Value::Object done{{"is", "done"}, {"re", id}};
-      done.push_back(work(host, news.progress()));
-      outbox->send_text(write_json_line(done));
-    } catch (const Cancelled&) {
-      const std::optional<Refusal> limit = watch.reached();
-      outbox->send_text(limit ? refused_text(id, limit->what(), limit->members())
-                              : refused_text(id, "cancelled", {{"cancelled", true}}));
-    } catch (const InputError& error) {
-      outbox->send_text(refused_text(id, error.what(), {{"faults", faults_value(error.diagnostics(), {}, "")}}));
-    } catch (const std::bad_alloc&) {
-      outbox->send_text(refused_text(id, "there is not enough memory (memory_bytes)", {{"limit", "memory_bytes"}}));
-    } catch (const std::exception& error) {
-      outbox->send_text(refused_text(id, error.what(), {}));
-    }
-    jobs->remove(news.progress());
+    answer_by(host, outbox, *jobs, id, job, work);
   });
+}
+
+/// Has a job answer the request unless a newer one of its kind comes.
+template <class Work>
+void StudioSession::run_newest(double id, const char* job, const std::shared_ptr<NewestJobs>& jobs, Work work) {
+  const std::uint64_t number = jobs->begin();
+  host_.stills.post([&host = host_, outbox = outbox_, jobs, number, id, job, work = std::move(work)]() mutable {
+    if (jobs->is_newest(number)) return answer_by(host, outbox, jobs->running(), id, job, work);
+    outbox->send_text(refused_text(id, "cancelled", {{"cancelled", true}}));
+  });
+}
+
+void StudioSession::cancel_jobs() {
+  jobs_->cancel();
+  stills_->begin();
+  derivations_->begin();
 }
 
 /// The document of the present text, with the seed that the options ask for. Throws the text's faults.
@@ -487,6 +522,41 @@ std::optional<StudioSession::Answer> StudioSession::act(double, const CommandReq
   const std::string file = model_ ? *model_ : path_ ? host_.root.absolute(*path_) : std::string(kUntitled);
   session();
   return Answer{{"command", export_command(host_.command, file, request.options, name_for(request.options))}};
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const StillsRequest& request) {
+  const StillSource source{.text = session().text(),
+                           .file = session().file(),
+                           .root = root_,
+                           .models = host_.models_folder,
+                           .time = grower_->parts().time,
+                           .grown = grower_->grown()};
+  run_newest(id, "stills", stills_,
+             [source, request, maker = still_maker_](Host& host, Progress& progress) -> Value::Member {
+               return {"stills", maker->make(source, request, host.registry, progress)};
+             });
+  return std::nullopt;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const GrammarRequest& request) {
+  if (!session().is_good()) throw Refusal("the document has faults");
+  run_newest(id, "grammar", derivations_,
+             [document = std::make_shared<const Document>(*session().document()), request,
+              time = grower_->parts().time](Host&, Progress& progress) -> Value::Member {
+               return {"derivation", derivation(*document, request, time, progress)};
+             });
+  return std::nullopt;
+}
+
+std::optional<StudioSession::Answer> StudioSession::act(double id, const PictureRequest& request) {
+  const std::string document = session().file();
+  host_.stills.post([&host = host_, outbox = outbox_, jobs = jobs_, id, request, document, root = root_]() {
+    const auto work = [&](Host&, Progress&) -> Value::Member {
+      return {"thumbnail", thumbnail(request.file, request.size, document, root, Limits())};
+    };
+    answer_by(host, outbox, *jobs, id, "picture", work);
+  });
+  return std::nullopt;
 }
 
 }  // namespace meristem::studio

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <mutex>
@@ -16,6 +17,7 @@
 #include "host.h"
 #include "meristem/document/edit/session.h"
 #include "request.h"
+#include "still_maker.h"
 
 namespace meristem::studio {
 
@@ -33,6 +35,19 @@ class RunningJobs {
   std::mutex mutex_;
   std::set<Progress*> running_;
   std::atomic<bool> is_closed_{false};
+};
+
+/// Jobs of one kind, of which a page waits for the newest alone.
+class NewestJobs {
+ public:
+  /// Drops what was begun before, and gives the number of the job that begins.
+  std::uint64_t begin();
+  bool is_newest(std::uint64_t number) const { return number == newest_; }
+  RunningJobs& running() { return running_; }
+
+ private:
+  RunningJobs running_;
+  std::atomic<std::uint64_t> newest_{0};
 };
 
 /// One call at a time.
@@ -81,6 +96,9 @@ class StudioSession {
   std::optional<Answer> act(double id, const PartRequest& request);
   std::optional<Answer> act(double id, const ExportRequest& request);
   std::optional<Answer> act(double id, const CommandRequest& request);
+  std::optional<Answer> act(double id, const StillsRequest& request);
+  std::optional<Answer> act(double id, const GrammarRequest& request);
+  std::optional<Answer> act(double id, const PictureRequest& request);
 
   Opened opened(const OpenRequest& request) const;
   std::string model_text(const std::string& model) const;
@@ -91,6 +109,9 @@ class StudioSession {
   void add_reading(Answer& answer);
   template <class Work>
   void run_later(double id, const char* job, Work work);
+  template <class Work>
+  void run_newest(double id, const char* job, const std::shared_ptr<NewestJobs>& jobs, Work work);
+  void cancel_jobs();
   std::shared_ptr<const Document> document_for(const ExportOptions& options);
   std::shared_ptr<const GrownWish> grown_for(const ExportOptions& options) const;
   std::string name_for(const ExportOptions& options);
@@ -99,6 +120,9 @@ class StudioSession {
   const std::shared_ptr<Outbox> outbox_;
   const std::shared_ptr<Grower> grower_;
   const std::shared_ptr<RunningJobs> jobs_ = std::make_shared<RunningJobs>();
+  const std::shared_ptr<NewestJobs> stills_ = std::make_shared<NewestJobs>();
+  const std::shared_ptr<NewestJobs> derivations_ = std::make_shared<NewestJobs>();
+  std::shared_ptr<StillMaker> still_maker_;  // of the document; the worker's thread alone calls it
   std::optional<Session> session_;
   std::string root_;                                            // of the session's files
   std::optional<std::string> path_;                             // below the host's root; none for models and new texts

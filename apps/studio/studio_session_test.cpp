@@ -250,6 +250,82 @@ TEST(StudioSession, TellsWhatWasMadeAnewAndWhatWasReused) {
   EXPECT_EQ(count("clothed stems", "reused"), 1);
 }
 
+constexpr const char* kSideCamera =
+    R"("width": 48, "height": 48, "camera": {"position": [0, 1, 5], "target": [0, 1, 0], "field_of_view": 30})";
+
+TEST(StudioSession, DrawsStatesOfADocumentAndLeavesItAlone) {
+  Studio studio;
+  studio.open_bush();
+  studio.show();
+  const Value answer = studio.ask(
+      "stills",
+      std::string(R"("states": [{"leaf.width": 0.01}, {"leaf.width": 0.2}, {"leaf.width": "?"}, {}], )") + kSideCamera);
+  const Value::List& stills = *answer.find("stills")->list();
+  ASSERT_EQ(stills.size(), 4U);
+  EXPECT_NE(Studio::text_of(stills[0], "picture"), Studio::text_of(stills[1], "picture"));
+  EXPECT_EQ(Studio::text_of(stills[0], "picture").substr(0, 8), "iVBORw0K");
+  EXPECT_EQ(stills[2].find("faults")->list()->size(), 1U);
+  EXPECT_EQ(studio.taken(), 1U);
+  // What is the same is drawn the same.
+  const Value again = studio.ask("stills", std::string(R"("states": [{}, {"leaf.width": 0.01}], )") + kSideCamera);
+  EXPECT_FALSE(is_refused(again));
+  EXPECT_FALSE(is_refused(studio.ask("stills", R"("states": [])")));
+}
+
+TEST(StudioSession, OfStillsOnlyTheNewestAreMade) {
+  Studio studio;
+  studio.open_bush();
+  std::vector<std::string> requests;
+  for (int k = 0; k < 20; ++k) {
+    studio.page().receive("{\"do\": \"stills\", \"id\": " + std::to_string(1000 + k) + ", \"states\": [{}, {}, {}], " +
+                          kSideCamera + "}");
+  }
+  int made = 0;
+  for (int k = 0; k < 20; ++k) made += is_refused(studio.mailbox().answer(1000 + k)) ? 0 : 1;
+  EXPECT_FALSE(is_refused(studio.mailbox().answer(1019)));
+  EXPECT_LT(made, 20);
+}
+
+constexpr const char* kGrammarPlant = R"json("text": "{\"meristem\": 1, \"components\": {\"weed\":
+ {\"type\": \"lsystem\", \"grammar\": [\"F\", \"#rules\", \"F -> F[+F]F\"], \"steps\": 3, \"length\": 1}}}")json";
+
+TEST(StudioSession, TellsAStepOfADerivation) {
+  Studio studio;
+  std::string text = kGrammarPlant;
+  std::erase(text, '\n');
+  ASSERT_TRUE(*studio.ask("open", text).find("good")->boolean());
+  const Value answer = studio.ask("grammar", R"("component": "weed", "step": 1)");
+  const Value& told = *answer.find("derivation");
+  EXPECT_EQ(*told.find("steps")->number(), 3);
+  EXPECT_EQ(*told.find("step")->number(), 1);
+  EXPECT_EQ(*told.find("count")->number(), 6);
+  EXPECT_EQ(write_json_line(*told.find("modules")), R"(["F", "[", "+", "F", "]", "F"])");
+  EXPECT_EQ(told.find("places")->list()->size(), 3U * 7);
+  EXPECT_EQ(write_json_line(*told.find("counts")), R"([["[", 1], ["]", 1], ["F", 3], ["+", 1]])");
+  const Value part = studio.ask("grammar", R"("component": "weed", "step": 1, "first": 3, "count": 2)");
+  EXPECT_EQ(write_json_line(*part.find("derivation")->find("modules")), R"(["F", "]"])");
+  EXPECT_EQ(part.find("derivation")->find("places")->list()->size(), 7U);
+  EXPECT_TRUE(studio.ask("grammar", R"("component": "nobody")").find("derivation")->find("text")->is_null());
+  // Too much is refused before it is made.
+  EXPECT_TRUE(is_refused(studio.ask("grammar", R"("component": "weed", "step": 60)")));
+}
+
+TEST(StudioSession, ShowsPicturesSmallAndNoneFromOutside) {
+  Studio studio;
+  studio.open_bush();
+  const Value made = studio.ask("picture", R"("file": "nothing.png")");
+  EXPECT_TRUE(is_refused(made));
+  EXPECT_TRUE(is_refused(studio.ask("picture", R"("file": "../nothing.png")")));
+  EXPECT_TRUE(is_refused(studio.ask("picture", R"("file": "bush.json")")));
+}
+
+TEST(StudioSession, OpensWhatAModelHasBecome) {
+  Studio studio;
+  const Value model = studio.ask("open", R"("model": "sunflower", "text": "{\"meristem\": 1, \"components\": {}}")");
+  EXPECT_EQ(Studio::text_of(model, "model"), "sunflower");
+  EXPECT_EQ(Studio::text_of(model, "text"), R"({"meristem": 1, "components": {}})");
+}
+
 TEST(StudioSession, OpensModelsAndTexts) {
   Studio studio;
   const Value model = studio.ask("open", R"("model": "sunflower")");

@@ -238,6 +238,7 @@ ComponentType horn_component() {
                       "through copies of the outline, else the named primitive on each rib.")
               .points("outline", &Horn::outline, {.min = -1e4, .max = 1e4},
                       "Points [x, z] of the cross-section for the section 'outline', as shares of the radius.")
+              .together(PointsForm::polygon)
               .number("twist", &Horn::twist, {.unit = Unit::degree, .min = -36000, .max = 36000, .usual = {-720, 720}},
                       "Twist of section and ribs about the curve from base to tip.")
               .integer("ribs", &Horn::ribs, {.min = 1, .max = kMostRibs, .usual = {1, 60}},

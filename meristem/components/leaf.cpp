@@ -136,6 +136,7 @@ Table<LeafBlade> with_outline(Table<LeafBlade> table) {
       .points("polygon", &LeafBlade::polygon, {.min = -2, .max = 2, .usual = {0, 1}},
               "Points [half width, distance from the base] of the right edge, as shares of the largest half width and "
               "of the length, for lobes that overhang; replaces 'outline'.")
+      .together(PointsForm::silhouette)
       .choice("corners", &LeafBlade::corners, {"sharp", "round"},
               "Whether the corners of the polygon are sharp or round.")
       .never_with("polygon", {"outline"})

@@ -24,42 +24,11 @@ constexpr double kDefaultAngle = 22.5;  // degrees
 constexpr float kShapeSteps = 8192;     // of a polygon's extent, to which its corners are rounded to be shared
 constexpr Vec3 kLeafGreen{0.31F, 0.47F, 0.19F};
 
-/// Faults of the grammar while it derives, at the path in the document where the grammar stands.
-[[noreturn]] void throw_placed(const InputError& error, const Lsystem& plant, const std::string& component) {
-  std::vector<Diagnostic> placed = error.diagnostics();
-  for (Diagnostic& found : placed) {
-    if (!found.path.empty()) continue;
-    found.path = fmt::format("components.{}.{}", component, plant.grammar ? "grammar" : "file");
-    if (found.line > 0) {
-      const std::string& file = plant.file.path;
-      found.message = plant.grammar ? fmt::format("line {} of the grammar: {}", found.line, found.message)
-                                    : fmt::format("'{}:{}': {}", file, found.line, found.message);
-    }
-    found.line = 0;
-    found.column = 0;
-  }
-  throw InputError(std::move(placed));
-}
-
 /// The word as it is drawn.
 Word derive_plant(const Lsystem& plant, const Site& site, Emitter& out) {
   const Grammar& grammar = plant.source().grammar;
   const int steps = plant.steps.value_or(grammar.steps.value_or(0));
-  return derive_drawn(grammar, steps, site.key.child("word"), out.limits(), out.progress());
-}
-
-TurtleParameters turtle_of(const Lsystem& plant, const Emitter& out) {
-  TurtleParameters turtle = plant.turtle;
-  turtle.directions = out.directions();
-  turtle.angle = plant.angle.value_or(plant.source().grammar.angle.value_or(kDefaultAngle));
-  turtle.azimuth = turtle.angle;
-  if (plant.angles) {
-    turtle.angle = plant.angles->elevation;
-    turtle.azimuth = plant.angles->azimuth;
-  }
-  turtle.trunk_decay = plant.width_decay.trunk;
-  turtle.branch_decay = plant.width_decay.branch;
-  return turtle;
+  return derive_drawn(grammar, steps, word_key(site), out.limits(), out.progress());
 }
 
 /// A polygon's corners along the axes of its frame, as shares of its extent and rounded, so that polygons of one shape
@@ -168,8 +137,8 @@ void expand(const Lsystem& plant, const Site& site, Emitter& out) {
   Drawing drawing;
   try {
     const PlantGrammar& source = plant.source();
-    drawing = draw(derive_plant(plant, site, out), source.grammar.alphabet, turtle_of(plant, out), site.frame,
-                   out.limits(), "components." + out.component(), out.progress());
+    drawing = draw(derive_plant(plant, site, out), source.grammar.alphabet, turtle_of(plant, out.directions()),
+                   site.frame, out.limits(), "components." + out.component(), out.progress());
   } catch (const InputError& error) {
     throw_placed(error, plant, out.component());
   }
@@ -245,6 +214,36 @@ const ParameterTable& turtle_table() {
 }
 
 }  // namespace
+
+[[noreturn]] void throw_placed(const InputError& error, const Lsystem& plant, const std::string& id) {
+  std::vector<Diagnostic> placed = error.diagnostics();
+  for (Diagnostic& found : placed) {
+    if (!found.path.empty()) continue;
+    found.path = fmt::format("components.{}.{}", id, plant.grammar ? "grammar" : "file");
+    if (found.line > 0) {
+      const std::string& file = plant.file.path;
+      found.message = plant.grammar ? fmt::format("line {} of the grammar: {}", found.line, found.message)
+                                    : fmt::format("'{}:{}': {}", file, found.line, found.message);
+    }
+    found.line = 0;
+    found.column = 0;
+  }
+  throw InputError(std::move(placed));
+}
+
+TurtleParameters turtle_of(const Lsystem& plant, const Directions& directions) {
+  TurtleParameters turtle = plant.turtle;
+  turtle.directions = directions;
+  turtle.angle = plant.angle.value_or(plant.source().grammar.angle.value_or(kDefaultAngle));
+  turtle.azimuth = turtle.angle;
+  if (plant.angles) {
+    turtle.angle = plant.angles->elevation;
+    turtle.azimuth = plant.angles->azimuth;
+  }
+  turtle.trunk_decay = plant.width_decay.trunk;
+  turtle.branch_decay = plant.width_decay.branch;
+  return turtle;
+}
 
 ComponentType lsystem_component() {
   return define_component<Lsystem>({

@@ -44,4 +44,11 @@ struct Lsystem : ComponentBase {
 
 ComponentType lsystem_component();
 
+/// How the turtle draws an instance of it where the space around it has these directions.
+TurtleParameters turtle_of(const Lsystem& plant, const Directions& directions);
+/// The key of an instance's draws.
+inline RandomKey word_key(const Site& site) { return site.key.child("word"); }
+/// Faults of the grammar while it derives, at the path in the document where the grammar of the component `id` stands.
+[[noreturn]] void throw_placed(const InputError& error, const Lsystem& plant, const std::string& id);
+
 }  // namespace meristem

@@ -25,6 +25,7 @@ const ParameterTable& area_table() {
       Table<PlantedArea>("an area", "An area that is planted evenly at random.")
           .points("polygon", &PlantedArea::polygon, {.unit = Unit::metre, .min = -1e6, .max = 1e6, .fixed = true},
                   "Corners of the area in the plane of the ground as [x, z], at least three.")
+          .together(PointsForm::polygon)
           .required()
           .number("density", &PlantedArea::density, {.min = 0, .max = 1e6, .usual = {0, 50}, .fixed = true},
                   "Number of sites per square metre; where obstacles stand or the distance is too large there are "

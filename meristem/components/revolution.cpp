@@ -40,6 +40,7 @@ const ParameterTable& body_table() {
           .points("silhouette", &SolidOfRevolution::silhouette,
                   {.unit = Unit::metre, .min = -1e4, .max = 1e4, .usual = {0, 0.2}},
                   "Points [radius, height] of the silhouette from base to tip; heights may fall, as inside a cup.")
+          .together(PointsForm::silhouette)
           .choice("kind", &SolidOfRevolution::kind, {"spline", "linear"},
                   "How the points of the silhouette are joined: by a smooth 'spline' or by 'linear' pieces.")
           .integer("segments", &SolidOfRevolution::segments, {.min = 3, .max = 512, .usual = {3, 64}, .fixed = true},

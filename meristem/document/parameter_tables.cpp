@@ -123,6 +123,8 @@ class TableList {
     if (!row.choices.empty()) made.emplace_back("choices", texts_of(row.choices));
     if (!row.names.empty()) made.emplace_back("names", texts_of(row.names));
     if (row.count > 0) made.emplace_back("count", static_cast<double>(row.count));
+    if (row.kind == ParameterKind::points || row.kind == ParameterKind::positions)
+      made.emplace_back("together", std::string(points_form_name(row.together)));
     if (row.kinds != nullptr) {
       made.emplace_back("kinds", kinds(row.kinds(), table_name + "." + row.name));
     } else if (row.nested != nullptr) {

@@ -52,6 +52,18 @@ std::set<const ParameterTable*> component_tables() {
   return found;
 }
 
+TEST(ParameterTables, SayWhatPointsAreTogether) {
+  const auto together = [](const char* table, std::string_view row) {
+    return *row_of(table, row)->find("together")->text();
+  };
+  EXPECT_EQ(together("horn", "outline"), "polygon");
+  EXPECT_EQ(together("revolution", "silhouette"), "silhouette");
+  EXPECT_EQ(together("crown", "profile"), "silhouette");
+  EXPECT_EQ(together("horn", "axis"), "line");
+  EXPECT_EQ(together("colonize", "roots"), "apart");
+  EXPECT_EQ(row_of("leaf", "outline")->find("together"), nullptr);
+}
+
 TEST(ParameterTables, SayOfANumberAllThatAnEditorNeeds) {
   const Value* length = row_of("leaf", "length");
   ASSERT_NE(length, nullptr);

@@ -130,6 +130,7 @@ const ParameterTable& profile_table() {
       Table<ProfileParameters>("a profile", "Half of a crown's outline on one side.")
           .points("profile", &ProfileParameters::profile, kProfile,
                   "Points [radius, height] of the crown's outline above the root, with rising heights.")
+          .together(PointsForm::silhouette)
           .required()
           .shorthand("profile");
   return table;
@@ -270,6 +271,7 @@ const ParameterTable& crown_table() {
           .points("profile", &CrownParameters::profile, kProfile,
                   "Points [radius, height] of the crown's outline above the root, with rising heights; a spline "
                   "through them is turned about the vertical.")
+          .together(PointsForm::silhouette)
           .map("profiles", &CrownParameters::profiles, profile_table,
                "Outlines by azimuth in degrees from north over east, such as \"90\"; the radius changes evenly between "
                "them.")

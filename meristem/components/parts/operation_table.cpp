@@ -203,6 +203,7 @@ const ParameterTable& support_table() {
           .positions("line", &SupportParameters::line, {.unit = Unit::metre, .min = -1e5, .max = 1e5, .usual = {-3, 3}},
                      "Points of the support's line, relative to the root of each tree; shoots grow along the line from "
                      "the first point to the last.")
+          .together(PointsForm::line)
           .text("named", &SupportParameters::named,
                 "Name of a line of the scene, one of scene.supports, that all trees are tied to.")
           .number("weight", &SupportParameters::weight, kWeight,

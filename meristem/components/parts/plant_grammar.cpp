@@ -105,6 +105,7 @@ PlantGrammar read_plant_grammar(const std::string& text, const std::string& path
     return reader.included_text(path, name, Limits().document_bytes);
   };
   PlantGrammar plant;
+  plant.text = text;
   plant.grammar = read_grammar(
       text, {.constants = reader.constants(), .read = included, .warnings = &warnings, .limits = reader.limits()});
   note_placed(plant, text);

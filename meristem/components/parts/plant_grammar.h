@@ -13,6 +13,7 @@ namespace meristem {
 
 /// A grammar with the components that it places.
 struct PlantGrammar {
+  std::string text;  ///< as it was read
   Grammar grammar;
   std::vector<PlacedComponent> placed;          ///< those that a ~ names
   std::vector<std::uint32_t> placed_of_letter;  ///< by letter: index into them, kNoIndex for most

@@ -232,6 +232,7 @@ const ParameterTable& stem_form_table() {
               "axis", &StemParameters::axis, {.unit = Unit::metre, .min = -1e4, .max = 1e4},
               "Points of a spline from the origin, in the stem's own frame, whose form the stem takes; its length "
               "stays 'length'.")
+          .together(PointsForm::line)
           .number("curl", &StemParameters::curl, {.unit = Unit::degree, .min = -3600, .max = 3600},
                   "Bend of the stem from base to tip, away from its upper side; the upper side of a branch faces the "
                   "tip of its parent.")

@@ -34,6 +34,20 @@ std::string_view unit_name(Unit unit) {
   return "";
 }
 
+std::string_view points_form_name(PointsForm form) {
+  switch (form) {
+    case PointsForm::line:
+      return "line";
+    case PointsForm::polygon:
+      return "polygon";
+    case PointsForm::silhouette:
+      return "silhouette";
+    case PointsForm::apart:
+      return "apart";
+  }
+  return "";
+}
+
 std::string_view kind_name(ParameterKind kind) {
   switch (kind) {
     case ParameterKind::number:

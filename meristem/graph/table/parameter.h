@@ -49,6 +49,15 @@ enum class ParameterKind {
   map,        ///< an object of names, with a nested table each
 };
 
+/// What the points of a row are together, for editors that draw them.
+enum class PointsForm {
+  line,        ///< joined in their order
+  polygon,     ///< joined in their order, and the last to the first
+  silhouette,  ///< pairs [distance from an axis, position along it], joined in their order: half of what is seen
+  apart,       ///< not joined
+};
+std::string_view points_form_name(PointsForm form);  ///< as it is spelt here: "line", "polygon", ...
+
 std::string_view kind_name(ParameterKind kind);  ///< as it is spelt here: "number", "integer", ...
 
 /// From `low` to `high`, in document units; an end that is NaN is left to usual_range (usual_range.h).
@@ -93,9 +102,10 @@ struct Parameter {
   std::string name;
   std::string doc;  ///< one sentence, with what happens when the value is raised where that is not plain
   ParameterKind kind = ParameterKind::number;
-  NumberRange form;                  ///< range of numbers, integers and the elements of vectors
-  std::vector<std::string> choices;  ///< the values of a choice
-  std::size_t count = 0;             ///< number of integers
+  NumberRange form;                        ///< range of numbers, integers and the elements of vectors
+  std::vector<std::string> choices;        ///< the values of a choice
+  std::size_t count = 0;                   ///< number of integers
+  PointsForm together = PointsForm::line;  ///< what points or positions are together
   /// The table of an object, or of the elements of a list or map. A function, so that tables may contain themselves.
   const ParameterTable& (*nested)() = nullptr;
   const Kinds& (*kinds)() =

@@ -115,16 +115,18 @@ class Table {
     row(ParameterKind::curve, name, member, doc);
     return std::move(*this);
   }
-  /// Pairs [[x, y], ...]; `form` bounds every number.
+  /// Pairs [[x, y], ...]; `form` bounds every number. They are a line, unless `together` says otherwise.
   Table&& points(std::string_view name, std::vector<Vec2> P::*member, const NumberRange& form,
                  std::string_view doc) && {
     row(ParameterKind::points, name, member, doc).form = form;
     return std::move(*this);
   }
-  /// A list of positions [[x, y, z], ...], at least one.
+  /// A list of positions [[x, y, z], ...], at least one. They are apart, unless `together` says otherwise.
   Table&& positions(std::string_view name, std::vector<Vec3> P::*member, NumberRange form, std::string_view doc) && {
     form.fixed = true;
-    row(ParameterKind::positions, name, member, doc).form = form;
+    Parameter& made = row(ParameterKind::positions, name, member, doc);
+    made.form = form;
+    made.together = PointsForm::apart;
     return std::move(*this);
   }
   /// A list of exactly `count` whole numbers.
@@ -210,6 +212,11 @@ class Table {
   template <class M, class N>
   Table&& members(M P::*member, N M::*inner, const ParameterTable& table) && {
     return rows_of(table, offset_of(((*original_).*member).*inner));
+  }
+  /// What the points or positions of the row just written are together.
+  Table&& together(PointsForm form) && {
+    table_.parameters.back().together = form;
+    return std::move(*this);
   }
   /// The row just written must be given.
   Table&& required() && {

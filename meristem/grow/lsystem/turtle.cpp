@@ -121,6 +121,7 @@ class Turtle {
     skeleton.axis.resize(nodes);
     skeleton.order.resize(nodes);
     skeleton.birth.resize(nodes);
+    drawing_.module_of_node.resize(nodes);
     begins_branch_.resize(nodes);
     ends_.resize(nodes);
   }
@@ -322,6 +323,7 @@ class Turtle {
     drawing_.skeleton.parent[node] = parent;
     drawing_.skeleton.position[node] = Vec3(state_.position);
     drawing_.skeleton.radius[node] = static_cast<float>(scale_ * width);
+    drawing_.module_of_node[node] = static_cast<std::uint32_t>(at_);
     return node;
   }
 
@@ -348,7 +350,10 @@ class Turtle {
   /// The node where the turtle is, kNoNode where nothing has been drawn there.
   NodeIndex node_here() const { return state_.node == kNoNode ? root_after_gap_[state_.gap] : state_.node; }
 
-  void begin_polygon() { open_.push_back({.frame = frame(), .colour = state_.colour, .node = node_here()}); }
+  void begin_polygon() {
+    open_.push_back(
+        {.frame = frame(), .colour = state_.colour, .node = node_here(), .module = static_cast<std::uint32_t>(at_)});
+  }
 
   void corner() {
     if (open_.empty()) return;
@@ -365,7 +370,8 @@ class Turtle {
                                    .count = static_cast<std::uint32_t>(open.corners.size()),
                                    .frame = open.frame,
                                    .colour = open.colour,
-                                   .node = open.node});
+                                   .node = open.node,
+                                   .module = open.module});
       drawing_.corners.insert(drawing_.corners.end(), open.corners.begin(), open.corners.end());
     }
     open_.pop_back();
@@ -384,6 +390,7 @@ class Turtle {
     position.frame.axes *= static_cast<float>(scale_ * size);
     position.radius = static_cast<float>(scale_ * state_.width);
     position.node = node_here();
+    position.module = static_cast<std::uint32_t>(next);
     at_ = next;
     return meanings_[letter].arity;
   }
@@ -392,6 +399,7 @@ class Turtle {
     Frame frame;
     std::uint32_t colour = 0;
     NodeIndex node = kNoNode;
+    std::uint32_t module = 0;
     std::vector<Vec3> corners{};
   };
 

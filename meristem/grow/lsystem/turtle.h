@@ -59,6 +59,7 @@ struct TurtlePolygon {
   Frame frame;              ///< frame of the turtle where the polygon begins
   std::uint32_t colour = 0;
   NodeIndex node = kNoNode;  ///< node that the polygon begins on; kNoNode where nothing has been drawn there
+  std::uint32_t module = 0;  ///< index in the word of the { that begins it
 };
 
 /// Where a `~` places a component.
@@ -67,11 +68,14 @@ struct TurtleSite {
   Frame frame;                     ///< heading along y, up along z; scaled by the letter's first parameter
   float radius = 0;                ///< radius of the stem at the site
   NodeIndex node = kNoNode;        ///< node that the site stands on; kNoNode where nothing has been drawn there
+  std::uint32_t module = 0;        ///< index in the word of the letter that names the component
 };
 
 struct Drawing {
   Skeleton skeleton;  ///< a root where segments begin without another before them; births are 0; its column "end" is 1
                       ///< where a ] has ended a branch, if one of no length
+  std::vector<std::uint32_t> module_of_node;  ///< index in the word of the module that drew the segment to each node,
+                                              ///< or the first segment from a root
   std::vector<Vec3> corners;
   std::vector<TurtlePolygon> polygons;  ///< by their ends
   std::vector<TurtleSite> places;

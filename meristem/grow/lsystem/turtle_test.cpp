@@ -61,6 +61,16 @@ TEST(Turtle, BeginsUpwardWithItsLeftToTheWest) {
   expect_near(tip_of("|F"), {0, -1, 0});
 }
 
+TEST(Turtle, KnowsWhichModuleDrewWhat) {
+  const Drawing drawing = drawn("F[+F]f F{.+f.+f.}~A");
+  // Nodes: the root and the tip of the first F, the tip of the second, and those of the one behind the gap.
+  EXPECT_THAT(drawing.module_of_node, ElementsAre(0, 0, 3, 6, 6));
+  ASSERT_EQ(drawing.polygons.size(), 1U);
+  EXPECT_EQ(drawing.polygons[0].module, 7U);
+  ASSERT_EQ(drawing.places.size(), 1U);
+  EXPECT_EQ(drawing.places[0].module, 17U);
+}
+
 TEST(Turtle, RollingLeftTheLeftSideSinks) {
   expect_near(tip_of("\\+F"), {0, 0, -1});
   expect_near(tip_of("/+F"), {0, 0, 1});

@@ -44,6 +44,47 @@ export const kPictures = [
     },
   },
   {
+    name: 'outline',
+    theme: 'dark',
+    act: async (page) => {
+      await open_model(page, 'tulip');
+      await choose(page, 'pistil');
+      const silhouette = row(page, 'components.pistil.silhouette');
+      await silhouette.hover();
+      await silhouette.getByRole('button', { name: 'Enlarge silhouette' }).click();
+      await page.locator('.drawer').waitFor();
+      await page.keyboard.press('f');
+    },
+  },
+  {
+    name: 'grammar',
+    theme: 'light',
+    act: async (page) => {
+      await open_model(page, 'low-poly-birch');
+      await page.getByRole('button', { name: 'Grammar', exact: true }).click();
+      await page.getByRole('button', { name: 'A step back' }).click();
+      await page.waitForFunction(() => window.studio.bench.derivation.state.get().step !== null && !window.studio.bench.derivation.state.get().is_working);
+    },
+  },
+  {
+    name: 'strip',
+    theme: 'light',
+    act: async (page) => {
+      const handle = page.locator('.handle').first();
+      await handle.hover();
+      await handle.getByRole('button', { name: /^Plants over/ }).click();
+      await page.waitForFunction(() => document.querySelectorAll('.strip img.still').length === 5, null, { timeout: 60_000 });
+    },
+  },
+  {
+    name: 'chance',
+    theme: 'dark',
+    act: async (page) => {
+      await page.keyboard.press('n');
+      await page.waitForFunction(() => document.querySelectorAll('.nine img.still').length === 9, null, { timeout: 60_000 });
+    },
+  },
+  {
     name: 'models',
     theme: 'light',
     act: async (page) => {

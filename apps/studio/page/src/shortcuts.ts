@@ -21,6 +21,9 @@ export const kShortcuts: { title: string; keys: Shortcut[] }[] = [
       { keys: 'Ctrl+Shift+Z', text: 'Redo' },
       { keys: 'R', text: 'Roll the seed' },
       { keys: 'T', text: 'Text or inspector' },
+      { keys: 'G', text: 'Grammar or inspector' },
+      { keys: 'N', text: 'Nine plants by chance' },
+      { keys: 'P', text: 'Pin the state beside the view' },
     ],
   },
   {
@@ -57,6 +60,16 @@ export const kShortcuts: { title: string; keys: Shortcut[] }[] = [
       { keys: 'Up, Down', text: 'A step; Shift finely, Ctrl coarsely' },
       { keys: 'Enter', text: 'Take over: 1/3, 2*(4+0.5), or an expression' },
       { keys: 'Esc', text: 'Back to what it was' },
+    ],
+  },
+  {
+    title: 'Points of curves, outlines and axes',
+    keys: [
+      { keys: 'Drag', text: 'Move; Alt is drawn to nothing' },
+      { keys: 'Double click, +', text: 'Add a point' },
+      { keys: 'Delete', text: 'Remove the chosen point' },
+      { keys: 'Arrow keys', text: 'Move it; Shift finely, Ctrl coarsely' },
+      { keys: 'PageUp, PageDown, Home, End', text: 'Choose another point' },
     ],
   },
 ];
@@ -100,6 +113,9 @@ const kPlain: Record<string, (studio: Studio) => void> = {
   b: toggle_board,
   a: (studio) => studio.shell.merge({ dialog: 'palette' }),
   t: (studio) => studio.shell.merge({ side: studio.shell.get().side === 'text' ? 'inspector' : 'text' }),
+  g: (studio) => studio.shell.merge({ side: studio.shell.get().side === 'grammar' ? 'inspector' : 'grammar' }),
+  n: (studio) => studio.shell.merge({ dialog: 'chance' }),
+  p: (studio) => studio.bench.pins.add(studio.document.state.get()),
   '?': (studio) => studio.shell.merge({ dialog: 'shortcuts' }),
 };
 

@@ -17,16 +17,15 @@ import { Refusal } from './server/protocol.ts';
 import type { GrowthState, ServerState, ShellState, Theme, ViewState } from './studio_state.ts';
 import { kNoGrowth, with_growth, with_work } from './studio_state.ts';
 import type { Tables } from './tables/tables.ts';
+import { budgets_of } from './view/budgets.ts';
 import type { View, ViewFacts } from './view/view.ts';
+import { Workbench } from './workbench.ts';
 
 export interface OpenWish {
   path?: string | null;
   model?: string;
   text?: string;
 }
-
-const kBySoftware = { drag_triangles: 60_000, rest_triangles: 250_000 };
-const kByCard = { drag_triangles: 1_000_000, rest_triangles: 4_000_000 };
 
 export class Studio {
   readonly chosen = new Store('');
@@ -43,6 +42,7 @@ export class Studio {
   readonly locks = new Store<ReadonlySet<string>>(new Set());
   /// Values of the variables as the document was opened, to which handles are reset.
   readonly first_values = new Store<Record<string, Json>>({});
+  readonly bench = new Workbench(this);
   readonly document: DocumentModel;
   readonly connection: Connection;
   readonly keeper: Keeper;
@@ -52,7 +52,7 @@ export class Studio {
 
   constructor(
     readonly tables: Tables,
-    address: string,
+    readonly address: string, // of the server's socket
   ) {
     this.shell = new Store<ShellState>({
       dialog: null,
@@ -192,6 +192,7 @@ export class Studio {
     this.first_values.set(Object.fromEntries(opened.variables.map((one) => [one.name, one.expression || one.value])));
     this.view_state.merge({ hidden: new Set(), solo: null });
     this.board.begin();
+    this.bench.clear();
     this.choose('');
   }
 
@@ -215,9 +216,9 @@ export class Studio {
     this.tell_budgets();
     if (this.growth.get().is_paused) this.connection.tell('pause', { paused: true });
     if (!is_first) {
-      const { text, path } = this.document.state.get();
+      const { text, path, model } = this.document.state.get();
       this.keeps_camera_ = true;
-      const opened = await this.connection.request<Opened>('open', { text, path }).catch(() => null);
+      const opened = await this.connection.request<Opened>('open', model !== null ? { text, model } : { text, path }).catch(() => null);
       if (opened) this.document.take_reading(opened.hash, opened);
       this.document.resume();
       return;
@@ -229,7 +230,7 @@ export class Studio {
   private tell_budgets(): void {
     if (!this.view || !this.connection.is_open) return;
     const skeleton = this.view_state.get().drawing === 'skeleton';
-    this.connection.tell('view', { ...(this.view.is_software ? kBySoftware : kByCard), skeleton });
+    this.connection.tell('view', { ...budgets_of(this.view), skeleton });
   }
 
   private show_packet(bytes: ArrayBuffer): void {

@@ -25,9 +25,12 @@ export function with_growth(growth: GrowthState, grown: Grown): GrowthState {
   };
   return { ...growth, grown: { ...grown, ...counts }, failed: null };
 }
+/// Jobs that panels wait for themselves.
+const kBeside: ReadonlySet<Working['job']> = new Set(['stills', 'grammar', 'picture']);
 
 /// Work of another kind may go on while this one is over.
 export function with_work(growth: GrowthState, news: Working): GrowthState {
+  if (kBeside.has(news.job)) return growth;
   if (news.stage !== null) return { ...growth, working: news };
   return growth.working?.job === news.job ? { ...growth, working: null } : growth;
 }
@@ -46,11 +49,11 @@ export interface ViewState {
 
 export type Theme = 'system' | 'light' | 'dark';
 
-export type Dialog = 'open' | 'save' | 'models' | 'export' | 'shortcuts' | 'palette' | null;
+export type Dialog = 'open' | 'save' | 'models' | 'export' | 'shortcuts' | 'palette' | 'chance' | null;
 
 export interface ShellState {
   dialog: Dialog;
-  side: 'inspector' | 'text';
+  side: 'inspector' | 'text' | 'grammar';
   left: 'outline' | 'board';
   theme: Theme;
   is_dark: boolean;

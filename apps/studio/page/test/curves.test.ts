@@ -3,17 +3,19 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { frame_of, line_of, shape_of, with_point, with_point_after, with_point_at, with_points, without_point } from '../src/rows/curve_shape.ts';
-import type { Shape } from '../src/rows/curve_shape.ts';
+import { frame_of, least_points, line_of, mirrored, shape_of, with_point, with_point_after, with_point_at, with_points, without_point } from '../src/editors/shape.ts';
+import type { Shape } from '../src/editors/shape.ts';
 import { endings_in } from '../src/rows/file_endings.ts';
 import { folder_of, path_from } from '../src/rows/file_path.ts';
 
-const kCurve: Shape = { points: [[0, 1], [0.5, 0.8], [1, 0]], joining: 'spline', is_function: true };
+const kCurve: Shape = { points: [[0, 1], [0.5, 0.8], [1, 0]], joining: 'spline', form: 'function' };
 
 test('curves: read as documents write them, and nothing else', () => {
   assert.deepEqual(shape_of({ curve: [[0, 1], [0.5, 0.8], [1, 0]] }), kCurve);
   assert.equal(shape_of({ curve: [[0, 1]], kind: 'linear' })?.joining, 'linear');
-  assert.equal(shape_of([[0, 0], [1, 1]])?.is_function, false);
+  assert.equal(shape_of([[0, 0], [1, 1]])?.form, 'line');
+  assert.equal(shape_of([[0, 0], [1, 1]], 'polygon')?.form, 'polygon');
+  assert.equal(shape_of({ curve: [[0, 1]] }, 'polygon')?.form, 'function');
   for (const other of [undefined, null, 3, 'x', [], [[0, '2*size']], [[0, 0, 0]], { curve: [[0, 'a']] }, {}]) assert.equal(shape_of(other as never), null);
 });
 
@@ -55,9 +57,24 @@ test('curves: an added point stands in its place, and can be removed again', () 
 });
 
 test('outlines: a point is added on the side that is nearest', () => {
-  const outline: Shape = { points: [[0, 0], [1, 0], [1, 1]], joining: 'linear', is_function: false };
+  const outline: Shape = { points: [[0, 0], [1, 0], [1, 1]], joining: 'linear', form: 'line' };
   assert.equal(with_point(outline, [1.1, 0.5], 0.01)?.index, 2);
   assert.equal(with_point(outline, [0.4, -0.2], 0.01)?.index, 1);
+});
+
+test('polygons: the last side leads back to the first point, and takes points too', () => {
+  const ring: Shape = { points: [[0, 0], [1, 0], [1, 1], [0, 1]], joining: 'linear', form: 'polygon' };
+  assert.deepEqual(line_of(ring).at(-1), [0, 0]);
+  assert.equal(with_point(ring, [-0.1, 0.5], 0.01)?.index, 4);
+  assert.deepEqual(with_point_after(ring, 3, 0.01)?.shape.points[4], [0, 0.5]);
+  assert.equal(least_points(ring), 3);
+});
+
+test('silhouettes: both sides are in the frame, and x = 0', () => {
+  const cup: Shape = { points: [[0.02, 0], [0.04, 0.1]], joining: 'linear', form: 'silhouette' };
+  const { x } = frame_of(cup);
+  assert.ok(x.low < -0.04 && x.high > 0.04 && Math.abs(x.low + x.high) < 1e-12);
+  assert.deepEqual(mirrored(cup.points), [[-0.02, 0], [-0.04, 0.1]]);
 });
 
 test('files: paths lead from the document to the file', () => {

@@ -3,8 +3,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { next_position } from '../src/rows/next_position.ts';
-import { entry_of, entry_text } from '../src/rows/selection_text.ts';
+import { next_position } from '../src/editors/next_position.ts';
+import { entry_of, entry_text } from '../src/editors/selection_text.ts';
 import { LatestSender } from '../src/server/latest_sender.ts';
 
 test('selections: numbers, ranges and conditions, typed as people write them', () => {

@@ -53,6 +53,14 @@ const kPaths = {
   bin: 'M3 4.5h10M6 4.5v-2h4v2M4.5 4.5l.6 9h5.8l.6-9M6.8 7v4M9.2 7v4',
   board: 'M6 2.5h4v3H6zM2 10.5h4v3H2zM10 10.5h4v3h-4zM8 5.5V8M4 10.5V8h8v2.5',
   help: 'M6 6a2 2 0 113 1.7c-.7.4-1 .8-1 1.6M8 11.8h.01',
+  magnet: 'M4 2.5v6a4 4 0 008 0v-6H9.3v6a1.3 1.3 0 01-2.6 0v-6zM4 5.2h2.7M9.3 5.2H12',
+  enlarge: 'M9.5 2.5h4v4M13.5 2.5L9 7M6.5 13.5h-4v-4M2.5 13.5L7 9',
+  strip: 'M1.5 5h3.5v6H1.5zM6.2 5h3.6v6H6.2zM11 5h3.5v6H11z',
+  grid: 'M2.5 2.5h3v3h-3zM6.5 2.5h3v3h-3zM10.5 2.5h3v3h-3zM2.5 6.5h3v3h-3zM6.5 6.5h3v3h-3zM10.5 6.5h3v3h-3zM2.5 10.5h3v3h-3zM6.5 10.5h3v3h-3zM10.5 10.5h3v3h-3z',
+  pin: 'M6 2.5h4M7 2.5v4L4.8 9h6.4L9 6.5v-4M8 9v4.5',
+  swap: 'M2.5 5.5h11M10.5 2.5l3 3-3 3M13.5 11h-11M5.5 8l-3 3 3 3',
+  first: 'M4 3.5v9M12 3.5L6.5 8l5.5 4.5z',
+  last: 'M12 3.5v9M4 3.5L9.5 8 4 12.5z',
   sparkle: 'M8 2l1.4 4.6L14 8l-4.6 1.4L8 14l-1.4-4.6L2 8l4.6-1.4z',
 } as const;
 

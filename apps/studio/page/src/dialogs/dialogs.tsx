@@ -4,6 +4,7 @@ import type { ReactElement } from 'react';
 import { use_store } from '../base/store.ts';
 import { Dialog } from '../controls/dialog.tsx';
 import { kShortcuts } from '../shortcuts.ts';
+import { ChanceDialog } from '../find/chance_dialog.tsx';
 import { use_studio } from '../studio_context.ts';
 import { ExportDialog } from './export_dialog.tsx';
 import { PaletteDialog } from '../board/palette_dialog.tsx';
@@ -20,6 +21,7 @@ export function Dialogs(): ReactElement | null {
   if (dialog === 'models') return <ModelsDialog close={close} />;
   if (dialog === 'palette') return <PaletteDialog close={close} />;
   if (dialog === 'export') return <ExportDialog close={close} />;
+  if (dialog === 'chance') return <ChanceDialog close={close} />;
   return dialog === 'shortcuts' ? <ShortcutsDialog close={close} /> : null;
 }
 

@@ -16,6 +16,7 @@ interface FilesProps {
   take: (path: string) => void;
   endings: string[]; // others are not shown; none: all are
   empty: string; // what is said where there is none
+  picture_of?: (path: string) => ReactElement; // in place of the icon of a file
 }
 
 function use_files(studio: Studio, folder: string): ListedFile[] | null {
@@ -33,7 +34,7 @@ function use_files(studio: Studio, folder: string): ListedFile[] | null {
   return files;
 }
 
-export function Files({ folder, enter, take, endings, empty }: FilesProps): ReactElement {
+export function Files({ folder, enter, take, endings, empty, picture_of }: FilesProps): ReactElement {
   const studio = use_studio();
   const files = use_files(studio, folder);
   const below = (name: string): string => (folder === '' ? name : `${folder}/${name}`);
@@ -58,7 +59,7 @@ export function Files({ folder, enter, take, endings, empty }: FilesProps): Reac
         {shown.map((one) => (
           <li key={one.name}>
             <button type="button" className="file" onClick={() => (one.folder ? enter(below(one.name)) : take(below(one.name)))}>
-              <Icon name={one.folder ? 'folder' : 'document'} />
+              {picture_of && !one.folder ? picture_of(below(one.name)) : <Icon name={one.folder ? 'folder' : 'document'} />}
               <span>{one.name}</span>
               {!one.folder && <span className="quiet">{size_text(one.bytes)}</span>}
             </button>

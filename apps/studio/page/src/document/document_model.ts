@@ -104,6 +104,17 @@ export class DocumentModel {
     this.put(patch_between(this.state.get().text, text), 'Type');
   }
 
+  /// Whether something was typed that is not in the text yet, since an edit is on its way.
+  get awaits_typed(): boolean {
+    return this.typed_ !== null;
+  }
+
+  /// Puts another text in the place of this one, as one step.
+  async replace(text: string, label: string): Promise<void> {
+    await this.idle();
+    this.put(patch_between(this.state.get().text, text), label);
+  }
+
   async undo(): Promise<UndoStepTaken | null> {
     await this.idle();
     const back = step_back(this.state.get().undo);

@@ -7,6 +7,9 @@ import { BoardPanel } from '../board/board_panel.tsx';
 import { Segments } from '../controls/button.tsx';
 import { Splitter } from '../controls/splitter.tsx';
 import { Dialogs } from '../dialogs/dialogs.tsx';
+import { Drawer } from '../editors/drawer.tsx';
+import { PinnedViews } from '../find/pinned_views.tsx';
+import { GrammarPanel } from '../grammar/grammar_panel.tsx';
 import { toggle_board } from '../shortcuts.ts';
 import { use_studio } from '../studio_context.ts';
 import type { ShellState } from '../studio_state.ts';
@@ -27,6 +30,7 @@ type Side = ShellState['side'];
 const kSides: Record<Side, { title: string; Content: () => ReactElement }> = {
   inspector: { title: 'Inspector', Content: InspectorWithHints },
   text: { title: 'Text', Content: TextPanel },
+  grammar: { title: 'Grammar', Content: GrammarPanel },
 };
 const kTabs = (Object.keys(kSides) as Side[]).map((name) => [name, kSides[name].title] as const);
 
@@ -42,7 +46,11 @@ export function App(): ReactElement {
       <main className="work">
         <LeftPanel />
         <section className="centre" aria-label="The plant">
-          <ViewPanel />
+          <div className="views">
+            <PinnedViews />
+            <ViewPanel />
+          </div>
+          <Drawer />
         </section>
         <SidePanel />
       </main>
@@ -79,11 +87,11 @@ function LeftPanel(): ReactElement {
 function SidePanel(): ReactElement {
   const studio = use_studio();
   const { side } = use_store(studio.shell);
-  const widths = { inspector: use_width('inspector'), text: use_width('text') };
+  const widths = { inspector: use_width('inspector'), text: use_width('text'), grammar: use_width('grammar') };
   const [width, change] = widths[side];
   const { Content } = kSides[side];
   return (
-    <aside className={`right of-${side}`} aria-label="Inspector and text" style={{ width: width ?? undefined }}>
+    <aside className={`right of-${side}`} aria-label="Inspector, text and grammar" style={{ width: width ?? undefined }}>
       <div className="side-tabs">
         <Segments label="Side panel" value={side} choices={kTabs} choose={(one) => studio.shell.merge({ side: one })} />
       </div>

@@ -7,15 +7,18 @@ import { free_name } from '../board/board_edits.ts';
 import { Button, IconButton } from '../controls/button.tsx';
 import { NumberField } from '../controls/number_field.tsx';
 import { Slider } from '../controls/slider.tsx';
-import { fitting_step, rounded } from '../document/arithmetic.ts';
+import { rounded } from '../document/arithmetic.ts';
 import { is_object } from '../document/json.ts';
 import { member_of } from '../document/path.ts';
+import { Strip } from '../find/strip.tsx';
+import { variable_states } from '../find/strip_states.ts';
 import { TextField } from '../rows/text_field.tsx';
 import { Faults } from '../rows/row_editor.tsx';
 import { use_faults } from '../rows/row_actions.ts';
 import type { Variable } from '../server/protocol.ts';
 import type { Studio } from '../studio.ts';
 import { use_document, use_studio } from '../studio_context.ts';
+import { step_of } from './handle_step.ts';
 
 export function Handles(): ReactElement {
   const studio = use_studio();
@@ -27,6 +30,9 @@ export function Handles(): ReactElement {
         <h2 id="handles-title">Handles</h2>
         <span className="stretch" />
         <IconButton is_small icon="plus" label="Add a handle" press={() => void add_handle(studio)} />
+        {handles.length > 0 && (
+          <IconButton is_small icon="grid" label="Nine by chance" press={() => studio.shell.merge({ dialog: 'chance' })} />
+        )}
         {handles.length > 0 && (
           <Button kind="quiet" icon="sparkle" tip="Random values within the ranges of all handles that are not locked" press={() => surprise(studio, handles)}>
             Surprise me
@@ -41,13 +47,6 @@ export function Handles(): ReactElement {
       ))}
     </section>
   );
-}
-
-/// Whole numbers where the range and the value are whole and the range is long enough to be meant so.
-export function step_of(variable: Variable): number {
-  const { min, max, value } = variable;
-  const is_whole = [min, max, value].every(Number.isInteger) && max - min >= 5;
-  return is_whole ? 1 : fitting_step(min, max, 200);
 }
 
 /// A new handle, which is chosen, so that the inspector shows what can be said of it.
@@ -78,6 +77,8 @@ function Handle({ variable }: { variable: Variable }): ReactElement {
   const faults = use_faults(`variables.${name}`, true);
   const label = name.replaceAll('_', ' ');
   const is_locked = locks.has(name);
+  const has_strip = use_store(studio.bench.strip) === name;
+  const states = expression === null ? variable_states(variable, step_of(variable)) : [];
   const now = expression ?? variable.value;
   const toggle_lock = (): void => {
     const next = new Set(locks);
@@ -89,6 +90,7 @@ function Handle({ variable }: { variable: Variable }): ReactElement {
       <div className="handle-head">
         <span className="handle-name">{label}</span>
         <IconButton is_small icon="edit" label={`Edit the handle ${label}`} press={() => studio.choose(`variables.${name}`)} />
+        {states.length > 1 && <IconButton is_small icon="strip" label={`Plants over ${label}`} is_on={has_strip} press={() => studio.bench.strip.set(has_strip ? null : name)} />}
         <IconButton is_small icon="reset" label={`Reset ${label}`} is_off={first === undefined || first === now} press={() => studio.set_value(name, first ?? 0, `Reset ${label}`)} />
         <IconButton is_small icon={is_locked ? 'lock' : 'unlock'} label={`Lock ${label}`} is_on={is_locked} press={toggle_lock} />
       </div>
@@ -97,6 +99,7 @@ function Handle({ variable }: { variable: Variable }): ReactElement {
       ) : (
         <HandleNumber variable={variable} label={label} shown={typeof dragged === 'number' ? dragged : variable.value} unit={unit} />
       )}
+      {has_strip && <Strip label={label} path={name} value={variable.value} states={states} take={(value) => studio.set_value(name, value, `Set ${label}`)} />}
       {doc && <p className="handle-doc">{doc}</p>}
       <Faults faults={faults} />
     </div>

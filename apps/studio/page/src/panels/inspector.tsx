@@ -92,7 +92,7 @@ function Group({ group, path, value, wanted }: GroupProps): ReactElement | null 
     <section className="row-group">
       <h3 data-tip={group.table.doc}>{group.title}</h3>
       {rows.map((row) => (
-        <RowView key={row.name} row={row} parent={path} parent_value={value} value={is_object(value) ? value[row.name] : undefined} />
+        <RowView key={row.name} table={group.table} row={row} parent={path} parent_value={value} value={is_object(value) ? value[row.name] : undefined} />
       ))}
     </section>
   );

@@ -5,6 +5,8 @@ import { useEffect, useRef } from 'react';
 
 import { use_store } from '../base/store.ts';
 import { Button, IconButton, Segments } from '../controls/button.tsx';
+import { PinButton } from '../find/pinned_views.tsx';
+import { ModuleOverlay } from '../grammar/module_overlay.tsx';
 import { use_document, use_studio } from '../studio_context.ts';
 import type { Studio } from '../studio.ts';
 import { View } from '../view/view.ts';
@@ -28,9 +30,11 @@ export function ViewPanel(): ReactElement {
     <div className="view">
       <canvas ref={canvas} tabIndex={0} role="application" aria-label="The plant in three dimensions. Arrow keys turn, Shift with them moves, plus and minus zoom, F fits." />
       <Nothing />
+      <ModuleOverlay />
       <div className="view-tools" role="toolbar" aria-label="View">
         <Segments label="Drawing" value={view.drawing} choices={kDrawings} choose={(drawing) => studio.change_view({ drawing })} />
         <IconButton icon="ground" label="Ground" is_on={view.shows_ground} press={() => studio.change_view({ shows_ground: !view.shows_ground })} />
+        <PinButton />
       </div>
       <div className="view-axes" role="toolbar" aria-label="Look from">
         <Compass />

@@ -6,7 +6,9 @@ import { useState } from 'react';
 import { Button, IconButton } from '../controls/button.tsx';
 import { Dialog } from '../controls/dialog.tsx';
 import { Files } from '../dialogs/file_dialogs.tsx';
+import { Thumbnail } from '../editors/thumbnail.tsx';
 import { use_document, use_studio } from '../studio_context.ts';
+import type { Row } from '../tables/tables.ts';
 import { folder_of, path_from } from './file_path.ts';
 import { endings_in } from './file_endings.ts';
 import type { RowEditorProps } from './row_editor.tsx';
@@ -15,13 +17,19 @@ import { TextField } from './text_field.tsx';
 export function FileRow(props: RowEditorProps): ReactElement {
   const { label, value, row, actions } = props;
   const [is_open, set_open] = useState(false);
+  const file = typeof value === 'string' ? value : '';
   return (
-    <div className="file-row">
-      <TextField label={label} value={typeof value === 'string' ? value : ''} commit={actions.commit} is_code is_faulty={props.is_faulty} description={row.doc} placeholder="path of a file" />
+    <div className={`file-row${names_pictures(row) ? ' of-pictures' : ''}`}>
+      {names_pictures(row) && <Thumbnail file={file} />}
+      <TextField label={label} value={file} commit={actions.commit} is_code is_faulty={props.is_faulty} description={row.doc} placeholder="path of a file" />
       <IconButton is_small icon="folder" label={`Choose a file for ${label}`} press={() => set_open(true)} />
       {is_open && <FileDialog {...props} close={() => set_open(false)} />}
     </div>
   );
+}
+
+function names_pictures(row: Row): boolean {
+  return endings_in(row.doc).includes('.png');
 }
 
 function FileDialog({ label, row, value, actions, close }: RowEditorProps & { close: () => void }): ReactElement {
@@ -44,6 +52,7 @@ function FileDialog({ label, row, value, actions, close }: RowEditorProps & { cl
       </Dialog>
     );
   }
+  const pictures = names_pictures(row) ? { picture_of: (file: string) => <Thumbnail file={path_from(home, file)} /> } : {};
   const take = (file: string): void => {
     close();
     actions.commit(path_from(home, file));
@@ -51,7 +60,7 @@ function FileDialog({ label, row, value, actions, close }: RowEditorProps & { cl
   return (
     <Dialog title={title} close={close}>
       <p className="quiet">{row.doc}</p>
-      <Files folder={folder} enter={set_folder} take={take} endings={shows_all ? [] : endings} empty={shows_all ? 'No files in this folder.' : `No ${endings.join(', ')} files in this folder.`} />
+      <Files folder={folder} enter={set_folder} take={take} endings={shows_all ? [] : endings} empty={shows_all ? 'No files in this folder.' : `No ${endings.join(', ')} files in this folder.`} {...pictures} />
       {endings.length > 0 && (
         <label className="check-line">
           <input type="checkbox" checked={shows_all} onChange={(event) => set_shows_all(event.target.checked)} />

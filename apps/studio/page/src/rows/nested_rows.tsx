@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows that hold tables: objects, lists and maps of them. Folded away until somebody looks.
 import type { ReactElement, ReactNode } from 'react';
-import { useState } from 'react';
+import { useContext, useState } from 'react';
 
 import { IconButton } from '../controls/button.tsx';
 import { Icon } from '../controls/icon.tsx';
@@ -12,7 +12,8 @@ import { member_of, path_below } from '../document/path.ts';
 import { use_studio } from '../studio_context.ts';
 import type { ParameterTable, Row } from '../tables/tables.ts';
 import { as_object, first_object, has_meaning, table_of } from '../tables/tables.ts';
-import { use_faults } from './row_actions.ts';
+import { ExcludedPaths } from './exclusion.ts';
+import { give, use_faults } from './row_actions.ts';
 import { Faults, RowView, tip_of } from './row_editor.tsx';
 
 interface NestedRowProps {
@@ -21,20 +22,24 @@ interface NestedRowProps {
   value: Json | undefined;
 }
 
-export function NestedRow({ row, path, value }: NestedRowProps): ReactElement {
+/// `rivals` are paths that go where anything of the row is given.
+export function NestedRow({ row, path, value, rivals }: NestedRowProps & { rivals: readonly string[] }): ReactElement {
   const studio = use_studio();
+  const excluded = [...useContext(ExcludedPaths), ...rivals];
   const label = row.name.replaceAll('_', ' ');
   const remove = (): void => void studio.edit([{ unset: path }], `Unset ${row.name}`);
   const menu = value === undefined || row.required ? undefined : <Menu label={`More for ${label}`} items={[{ text: 'Unset', act: remove }]} />;
   return (
     <Fold title={label} tip={tip_of(row)} path={path} is_set={value !== undefined} menu={menu}>
-      {row.kind === 'object' && row.table !== undefined ? (
-        <TableRows table={table_of(studio.tables, row.table)} path={path} value={value} />
-      ) : row.kind === 'list' ? (
-        <ListRows row={row} path={path} value={value} />
-      ) : (
-        <MapRows row={row} path={path} value={value} />
-      )}
+      <ExcludedPaths.Provider value={excluded}>
+        {row.kind === 'object' && row.table !== undefined ? (
+          <TableRows table={table_of(studio.tables, row.table)} path={path} value={value} />
+        ) : row.kind === 'list' ? (
+          <ListRows row={row} path={path} value={value} />
+        ) : (
+          <MapRows row={row} path={path} value={value} />
+        )}
+      </ExcludedPaths.Provider>
     </Fold>
   );
 }
@@ -84,7 +89,7 @@ export function TableRows({ table, path, value, without }: TableRowsProps): Reac
   return (
     <>
       {rows.map((row) => (
-        <RowView key={row.name} row={row} parent={path} parent_value={value} value={object[row.name]} />
+        <RowView key={row.name} table={table} row={row} parent={path} parent_value={value} value={object[row.name]} />
       ))}
     </>
   );
@@ -92,11 +97,12 @@ export function TableRows({ table, path, value, without }: TableRowsProps): Reac
 
 function ListRows({ row, path, value }: NestedRowProps): ReactElement {
   const studio = use_studio();
+  const excluded = useContext(ExcludedPaths);
   const elements = Array.isArray(value) ? value : [];
   const add = (element: Json): void => {
     // What is not there yet is made with its first element.
     const edit = value === undefined ? { set: path, value: [element] } : { insert: path_below(path, -1), value: element };
-    void studio.edit([edit], `Add to ${row.name}`);
+    give(studio, [edit], `Add to ${row.name}`, excluded);
   };
   return (
     <>
@@ -134,13 +140,15 @@ function ElementButtons({ path, index, count }: { path: string; index: number; c
 
 function MapRows({ row, path, value }: NestedRowProps): ReactElement {
   const studio = use_studio();
+  const excluded = useContext(ExcludedPaths);
   const [name, set_name] = useState('');
   const object = object_of(value);
   const table = table_of(studio.tables, row.table ?? '');
   const add = (): void => {
     const made = first_object(studio.tables, row.table ?? '');
     const edit = value === undefined ? { set: path, value: { [name]: made } } : { set: path_below(path, name), value: made };
-    void studio.edit([edit], `Add ${name}`).then(() => set_name(''));
+    give(studio, [edit], `Add ${name}`, excluded);
+    set_name('');
   };
   return (
     <>

@@ -3,7 +3,6 @@
 import type { ReactElement } from 'react';
 import { useState } from 'react';
 
-import { IconButton } from '../controls/button.tsx';
 import type { Json } from '../document/json.ts';
 import { write_json } from '../document/json.ts';
 import { NumberOrText } from './number_row.tsx';
@@ -103,61 +102,6 @@ export function BoxRow(props: RowEditorProps): ReactElement {
           ))}
         </div>
       ))}
-    </div>
-  );
-}
-
-function full_colour(text: string): string {
-  const short = /^#([0-9a-f])([0-9a-f])([0-9a-f])$/i.exec(text);
-  return short ? `#${short[1]}${short[1]}${short[2]}${short[2]}${short[3]}${short[3]}` : /^#[0-9a-f]{6}$/i.test(text) ? text : '#808080';
-}
-
-interface ColourFieldProps {
-  label: string;
-  value: string;
-  is_faulty: boolean;
-  is_dim: boolean;
-  drag: (colour: string) => void;
-  commit: (colour: string) => void;
-}
-
-export function ColourField({ label, value, drag, commit, is_faulty, is_dim }: ColourFieldProps): ReactElement {
-  return (
-    <div className="colour">
-      <input
-        type="color"
-        aria-label={`${label}, chooser`}
-        value={full_colour(value)}
-        onChange={(event) => drag(event.target.value)}
-        ref={(element) => {
-          // The browser's change event: the chooser was closed.
-          const take = (): void => commit(element?.value ?? value);
-          element?.addEventListener('change', take);
-          return () => element?.removeEventListener('change', take);
-        }}
-      />
-      <TextField label={label} value={value} commit={commit} is_code is_faulty={is_faulty} is_dim={is_dim} placeholder="not set" />
-    </div>
-  );
-}
-
-export function ColourRow({ label, value, row, actions, is_faulty }: RowEditorProps): ReactElement {
-  const shown = value ?? row.default;
-  return <ColourField label={label} value={typeof shown === 'string' ? shown : ''} is_faulty={is_faulty} is_dim={value === undefined} drag={actions.drag} commit={actions.commit} />;
-}
-
-export function ColoursRow({ label, value, actions, is_faulty }: RowEditorProps): ReactElement {
-  const colours = Array.isArray(value) ? value.map(String) : [];
-  const with_one = (index: number, colour: string): Json => colours.map((old, k) => (k === index ? colour : old));
-  return (
-    <div className="stacked">
-      {colours.map((colour, index) => (
-        <div className="listed" key={index}>
-          <ColourField label={`${label} ${index + 1}`} value={colour} is_faulty={is_faulty} is_dim={false} drag={(one) => actions.drag(with_one(index, one))} commit={(one) => actions.commit(with_one(index, one))} />
-          <IconButton is_small icon="close" label={`Remove colour ${index + 1}`} is_off={colours.length < 2} press={() => actions.commit(colours.filter((_, k) => k !== index))} />
-        </div>
-      ))}
-      <IconButton is_small icon="plus" label={`Add a colour to ${label}`} press={() => actions.commit([...colours, colours.at(-1) ?? '#6b8e23'])} />
     </div>
   );
 }

@@ -2,6 +2,8 @@
 // One row of a table: its name with its sentence, the editor of its kind, its menu, and its faults.
 import type { ReactElement } from 'react';
 
+import { use_store } from '../base/store.ts';
+import { IconButton } from '../controls/button.tsx';
 import { Icon } from '../controls/icon.tsx';
 import type { MenuItem } from '../controls/menu.tsx';
 import { Menu } from '../controls/menu.tsx';
@@ -9,20 +11,25 @@ import type { Json } from '../document/json.ts';
 import { write_json } from '../document/json.ts';
 import { path_below } from '../document/path.ts';
 import type { Fault } from '../server/protocol.ts';
+import { ColourRow, ColoursRow } from '../editors/colour_rows.tsx';
+import { PositionsRow } from '../editors/positions_row.tsx';
+import { SelectionRow } from '../editors/selection_row.tsx';
+import { ShapeRow } from '../editors/shape_row.tsx';
+import type { EditorSize } from '../editors/sizes.ts';
+import { Strip } from '../find/strip.tsx';
+import { strip_states } from '../find/strip_states.ts';
 import { use_studio } from '../studio_context.ts';
-import type { Row } from '../tables/tables.ts';
+import type { ParameterTable, Row } from '../tables/tables.ts';
 import { first_value } from '../tables/tables.ts';
-import { CurveRow } from './curve_row.tsx';
+import { excluded_by } from './exclusion.ts';
 import { FileRow } from './file_row.tsx';
 import { NestedRow } from './nested_rows.tsx';
 import type { NumberForm } from './number_form.ts';
 import { form_of, in_form } from './number_form.ts';
 import { NumberRow } from './number_row.tsx';
-import { BooleanRow, BoxRow, ChoiceRow, ColourRow, ColoursRow, FacingRow, LinesRow, TextRow, VectorRow, WrittenRow } from './plain_rows.tsx';
-import { PositionsRow } from './positions_row.tsx';
+import { BooleanRow, BoxRow, ChoiceRow, FacingRow, LinesRow, TextRow, VectorRow, WrittenRow } from './plain_rows.tsx';
 import type { RowActions } from './row_actions.ts';
 import { use_faults, use_row_actions, use_shown_value } from './row_actions.ts';
-import { SelectionRow } from './selection_row.tsx';
 
 export interface RowEditorProps {
   row: Row;
@@ -31,9 +38,10 @@ export interface RowEditorProps {
   value: Json | undefined;
   actions: RowActions;
   is_faulty: boolean;
+  size?: EditorSize; // large below the view; in its row otherwise
 }
 
-const kEditors: Record<string, (props: RowEditorProps) => ReactElement> = {
+export const kEditors: Record<string, (props: RowEditorProps) => ReactElement> = {
   number: NumberRow,
   integer: NumberRow,
   boolean: BooleanRow,
@@ -49,8 +57,8 @@ const kEditors: Record<string, (props: RowEditorProps) => ReactElement> = {
   box: BoxRow,
   colour: ColourRow,
   colours: ColoursRow,
-  curve: CurveRow,
-  points: CurveRow,
+  curve: ShapeRow,
+  points: ShapeRow,
   positions: PositionsRow,
   selection: SelectionRow,
 };
@@ -58,25 +66,33 @@ const kEditors: Record<string, (props: RowEditorProps) => ReactElement> = {
 /// Those that need the whole width of the panel.
 const kTall = new Set(['lines', 'curve', 'points', 'positions', 'selection', 'box', 'vector', 'facing', 'condition', 'formula', 'colours']);
 
+/// Those that can be had large.
+const kCanBeLarge = new Set(['curve', 'points', 'positions', 'selection', 'colour']);
+
 interface RowViewProps {
+  table: ParameterTable; // the row's
   row: Row;
   parent: string; // path of the object that the row belongs to
   parent_value: Json | undefined;
   value: Json | undefined;
 }
 
-export function RowView({ row, parent, value }: RowViewProps): ReactElement {
+export function RowView({ table, row, parent, parent_value, value }: RowViewProps): ReactElement {
   const path = path_below(parent, row.name);
-  const actions = use_row_actions(path, row.name);
+  const rivals = excluded_by(table, row.name, parent_value).map((name) => path_below(parent, name));
+  const actions = use_row_actions(path, row.name, rivals);
   const shown = use_shown_value(path, value);
   const is_nested = row.kind === 'object' || row.kind === 'list' || row.kind === 'map';
   const faults = use_faults(path, !is_nested);
   const studio = use_studio();
+  const has_strip = use_store(studio.bench.strip) === path;
   const is_faulty = faults.some((fault) => fault.severity === 'error');
-  if (is_nested) return <NestedRow row={row} path={path} value={value} />;
+  if (is_nested) return <NestedRow row={row} path={path} value={value} rivals={rivals} />;
   const Editor = kEditors[row.kind] ?? WrittenRow;
   const is_tall = kTall.has(row.kind) || (row.kind === 'number' && form_of(shown) !== 'number');
   const label = row.name.replaceAll('_', ' ');
+  const states = strip_states(row, shown);
+  const enlarge = kCanBeLarge.has(row.kind) ? (): void => studio.bench.enlarged.set(path) : null;
   return (
     <div className={`row${is_tall ? ' tall' : ''}${value === undefined ? ' unset' : ''}`} data-path={path} data-kind={row.kind}>
       <span className="row-name" data-tip={tip_of(row)} tabIndex={-1}>
@@ -87,7 +103,18 @@ export function RowView({ row, parent, value }: RowViewProps): ReactElement {
         <Editor row={row} label={label} path={path} value={shown} actions={actions} is_faulty={is_faulty} />
       </div>
       <Menu label={`More for ${label}`} items={menu_of(row, value, actions, () => first_value(studio.tables, row))} />
+      {states.length > 1 && (
+        <span className="row-extra">
+          <IconButton is_small icon="strip" label={`Plants over ${label}`} is_on={has_strip} press={() => studio.bench.strip.set(has_strip ? null : path)} />
+        </span>
+      )}
+      {enlarge && (
+        <span className="row-extra">
+          <IconButton is_small icon="enlarge" label={`Enlarge ${label}`} press={enlarge} />
+        </span>
+      )}
       <Faults faults={faults} />
+      {has_strip && <Strip label={label} path={path} value={shown ?? row.default} states={states} take={actions.commit} />}
     </div>
   );
 }

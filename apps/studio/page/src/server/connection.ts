@@ -26,13 +26,21 @@ export class Connection {
   private next_id_ = 1;
   private tries_ = 0;
   private readonly waiting_ = new Map<number, Waiting>();
+  private is_closed_ = false;
 
   constructor(
     private readonly address_: string,
     private readonly listener_: Listener,
   ) {}
 
+  /// Ends it for good; what is awaited is lost.
+  close(): void {
+    this.is_closed_ = true;
+    this.socket_?.close();
+  }
+
   connect(): void {
+    if (this.is_closed_) return;
     const socket = new WebSocket(this.address_);
     socket.binaryType = 'arraybuffer';
     this.socket_ = socket;
@@ -99,6 +107,7 @@ export class Connection {
     this.socket_ = null;
     for (const waiting of this.waiting_.values()) waiting.reject(new Lost('the server was lost'));
     this.waiting_.clear();
+    if (this.is_closed_) return;
     this.listener_.on_lost();
     const pause = kPauses[Math.min(this.tries_, kPauses.length - 1)];
     this.tries_ += 1;

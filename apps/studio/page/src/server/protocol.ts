@@ -125,6 +125,25 @@ export interface ExportOptions {
   camera?: { position: number[]; target: number[]; field_of_view: number };
 }
 
+/// A small picture of a state of the document; without one where the state has faults.
+export interface Still {
+  picture?: string; // base 64 of a PNG
+  faults?: Fault[];
+}
+
+/// What a grammar has derived; `text` alone, and null, where the component has no instance.
+export interface Derivation {
+  text: string | null;
+  steps: number; // of the component
+  step: number; // that was asked for
+  interpreted: boolean; // whether rules of interpretation are applied before drawing
+  count: number; // of the word's modules
+  counts: [string, number][]; // of modules by symbol
+  first: number; // index of the first module told
+  modules: string[];
+  places: number[]; // seven for each module that was drawn: its index, from where, to where
+}
+
 export interface MadeFile {
   name: string;
   bytes: number;
@@ -145,7 +164,7 @@ export interface Hello {
 
 export interface Working {
   is: 'working';
-  job: 'grow' | 'export' | 'measure';
+  job: 'grow' | 'export' | 'measure' | 'stills' | 'grammar' | 'picture';
   re?: number;
   stage: string | null;
   share: number;

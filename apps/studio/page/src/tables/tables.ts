@@ -19,6 +19,8 @@ export interface Row {
   count?: number;
   table?: string;
   kinds?: { key: string; doc: string; tables: Record<string, string> };
+  /// What points and positions are together: line, polygon, silhouette, or apart.
+  together?: string;
   required?: boolean;
   default?: Json;
 }

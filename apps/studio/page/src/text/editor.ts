@@ -97,6 +97,8 @@ export class TextEditor {
 
   /// The document has changed, here or elsewhere.
   private follow(): void {
+    // What is typed and not yet in the text stays under the hand.
+    if (this.studio_.document.awaits_typed) return;
     const patch = patch_between(this.view_.state.doc.toString(), this.studio_.document.state.get().text);
     const changes = patch.map(({ offset, length, replacement }) => ({ from: offset, to: offset + length, insert: replacement }));
     if (changes.length > 0) this.view_.dispatch({ changes, annotations: kFromDocument.of(true) });

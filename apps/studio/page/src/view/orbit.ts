@@ -38,6 +38,15 @@ export class Orbit {
     return this.target_;
   }
 
+  /// Looks as another one does. Whether that changed anything.
+  follow(other: Orbit): boolean {
+    if (JSON.stringify(other.state) === JSON.stringify(this.state)) return false;
+    [this.azimuth_, this.altitude_, this.distance_] = [other.azimuth_, other.altitude_, other.distance_];
+    this.target_.copy(other.target_);
+    this.place();
+    return true;
+  }
+
   resize(width: number, height: number): void {
     this.camera.aspect = width / Math.max(1, height);
     this.place();
@@ -74,7 +83,14 @@ export class Orbit {
     if (box.isEmpty()) return;
     box.getCenter(this.target_);
     this.place();
-    const inverse = new three.Matrix4().copy(this.camera.matrixWorld).invert();
+    this.distance_ = this.distance_for(box);
+    this.place();
+  }
+
+  /// How far from its middle the eye stands where the box fills the picture.
+  distance_for(box: three.Box3): number {
+    // Seen from where the camera is, turned as it is.
+    const inverse = new three.Matrix4().extractRotation(this.camera.matrixWorld).transpose();
     const tan_y = Math.tan((kFieldOfView / 2) * kRadians) * 0.94;
     const tan_x = tan_y * this.camera.aspect;
     // The corners of the box about a crown are empty; those about a field or a row of trees are not.
@@ -85,12 +101,10 @@ export class Orbit {
     const girth = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new three.Vector3(Math.cos(k * 45 * kRadians), 0, Math.sin(k * 45 * kRadians)));
     const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new three.Vector3(k & 1 ? reach : -reach, k & 2 ? 1 : -1, k & 4 ? reach : -reach));
     for (const share of [...corners, ...girth]) {
-      const point = share.multiply(half).add(this.target_).applyMatrix4(inverse);
-      const toward_eye = point.z + this.distance_;
-      distance = Math.max(distance, toward_eye + Math.abs(point.x) / tan_x, toward_eye + Math.abs(point.y) / tan_y);
+      const point = share.multiply(half).applyMatrix4(inverse);
+      distance = Math.max(distance, point.z + Math.abs(point.x) / tan_x, point.z + Math.abs(point.y) / tan_y);
     }
-    this.distance_ = distance;
-    this.place();
+    return distance;
   }
 
   private place(): void {

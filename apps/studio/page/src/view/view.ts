@@ -136,6 +136,11 @@ export class View {
     this.ask();
   }
 
+  /// How far the eye stands where all is seen.
+  get fitting_distance(): number {
+    return this.orbit.distance_for(this.box_);
+  }
+
   fit(): void {
     this.orbit.fit(this.box_);
     this.ask();
@@ -201,6 +206,27 @@ export class View {
     } else if (this.waiting_ === 0) {
       for (const tell of this.drawn_.splice(0)) tell();
     }
+  }
+
+  /// Looks as another view does.
+  follow(other: View): void {
+    if (this.orbit.follow(other.orbit)) this.ask();
+  }
+
+  /// Where a point of the world stands, in pixels of the canvas; null behind the eye.
+  project([x, y, z]: readonly [number, number, number]): [number, number] | null {
+    const point = new three.Vector4(x, y, z, 1).applyMatrix4(this.orbit.camera.matrixWorldInverse).applyMatrix4(this.orbit.camera.projectionMatrix);
+    if (point.w <= 0) return null;
+    return [((point.x / point.w + 1) / 2) * this.canvas_.clientWidth, ((1 - point.y / point.w) / 2) * this.canvas_.clientHeight];
+  }
+
+  /// Lets go what the view holds; it draws no more.
+  destroy(): void {
+    cancelAnimationFrame(this.waiting_);
+    this.waiting_ = -1; // nothing is asked for any more
+    this.plant.clear();
+    this.renderer_.dispose();
+    this.renderer_.forceContextLoss();
   }
 
   /// The batch that is seen at a pixel of the canvas, and which of its instances.

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// A curve, a line, a polygon or a silhouette, with the numbers of its chosen point. A gesture is one step.
+import type { ReactElement } from 'react';
+import { useRef, useState } from 'react';
+
+import { IconButton, Segments } from '../controls/button.tsx';
+import { NumberField } from '../controls/number_field.tsx';
+import { fitting_step } from '../document/arithmetic.ts';
+import type { PlaneLine } from './plane_canvas.tsx';
+import { focus_point, PlaneCanvas } from './plane_canvas.tsx';
+import { use_snapping } from './snapping.ts';
+import type { Frame, Point, Shape } from './shape.ts';
+import { frame_of, least_points, line_of, mirrored, with_point, with_point_after, with_point_at, without_point } from './shape.ts';
+import type { EditorSize } from './sizes.ts';
+import { kPlaneSizes } from './sizes.ts';
+
+interface PlaneEditorProps {
+  label: string;
+  shape: Shape;
+  is_dim: boolean; // a default that nobody gave
+  size: EditorSize;
+  drag: (shape: Shape) => void; // for a while
+  commit: (shape: Shape) => void; // as one step
+  cancel: () => void;
+}
+
+export function PlaneEditor(props: PlaneEditorProps): ReactElement {
+  const { shape, label, size, commit } = props;
+  const root = useRef<HTMLDivElement>(null);
+  const [chosen, choose] = useState(0);
+  const { snaps, set_snaps } = use_snapping();
+  const frame = frame_of(shape);
+  const index = Math.min(chosen, shape.points.length - 1);
+  const digits = Math.min(fitting_step(frame.x.low, frame.x.high, 200), fitting_step(frame.y.low, frame.y.high, 200));
+  const least = least_points(shape);
+  const focus = (which: number): void => {
+    choose(which);
+    focus_point(root.current, which);
+  };
+  const put = (made: { shape: Shape; index: number } | null): void => {
+    if (!made) return;
+    commit(made.shape);
+    focus(made.index);
+  };
+  const remove = (which: number): void => {
+    if (shape.points.length <= least) return;
+    commit(without_point(shape, which));
+    focus(Math.max(0, which - 1));
+  };
+  const moved = (which: number, point: Point, step: number): Shape => with_point_at(shape, which, point, frame, step);
+  const kind = { function: 'Curve', line: 'Line', polygon: 'Polygon', silhouette: 'Silhouette' }[shape.form];
+  return (
+    <div ref={root} className={`curve-editor of-${size}${props.is_dim ? ' dim' : ''}`}>
+      <PlaneCanvas
+        label={`${label}: ${shape.points.length} points`}
+        point_label={label}
+        names={names_of(shape)}
+        points={shape.points}
+        lines={lines_of(shape)}
+        frame={frame}
+        is_even={shape.form !== 'function'}
+        size={kPlaneSizes[size]}
+        is_numbered={size === 'large'}
+        snaps={snaps}
+        digits={digits}
+        chosen={index}
+        choose={choose}
+        drag={(which, point) => props.drag(moved(which, point, 1e-9))}
+        commit={(which, point, step) => commit(moved(which, point, Math.min(step, digits) / 10))}
+        cancel={props.cancel}
+        add={(point) => put(with_point(shape, point, digits / 10))}
+        add_after={(which) => put(with_point_after(shape, which, digits))}
+        remove={remove}
+      />
+      <PointFields {...props} index={index} frame={frame} digits={digits} />
+      <div className="curve-tools">
+        <IconButton is_small icon="left" label={`Point before, of ${label}`} is_off={index === 0} press={() => focus(index - 1)} />
+        <IconButton is_small icon="right" label={`Point behind, of ${label}`} is_off={index + 1 >= shape.points.length} press={() => focus(index + 1)} />
+        <IconButton is_small icon="plus" label={`Add a point to ${label}`} press={() => put(with_point_after(shape, index, digits))} />
+        <IconButton is_small icon="close" label={`Remove the point of ${label}`} is_off={shape.points.length <= least} press={() => remove(index)} />
+        <IconButton is_small icon="magnet" label={`Draw points of ${label} to the grid and to each other; Alt holds it off`} is_on={snaps} press={() => set_snaps(!snaps)} />
+        <span className="stretch" />
+        {shape.form === 'function' ? (
+          <Segments label={`How the points of ${label} are joined`} value={shape.joining} choices={[['spline', 'Smooth'], ['linear', 'Lines']]} choose={(joining) => commit({ ...shape, joining })} />
+        ) : (
+          <span className="quiet">
+            {kind}, {shape.points.length} points
+          </span>
+        )}
+      </div>
+    </div>
+  );
+}
+
+function names_of({ form }: Shape): readonly [string, string] {
+  return form === 'silhouette' ? ['distance', 'along'] : ['x', 'y'];
+}
+
+function lines_of(shape: Shape): PlaneLine[] {
+  const line = line_of(shape);
+  if (shape.form !== 'silhouette') return [{ points: line, kind: shape.form === 'polygon' ? 'filled' : 'line' }];
+  return [{ points: [...line, ...mirrored(line).reverse()], kind: 'filled' }, { points: mirrored(line), kind: 'mirror' }, { points: line, kind: 'line' }];
+}
+
+interface PointFieldsProps extends PlaneEditorProps {
+  index: number;
+  frame: Frame;
+  digits: number;
+}
+
+/// The numbers of the chosen point.
+function PointFields({ label, shape, index, frame, digits, drag, commit, cancel }: PointFieldsProps): ReactElement | null {
+  const point = shape.points[index];
+  if (!point) return null;
+  const field = (axis: 0 | 1): ReactElement => {
+    const at = (value: number): Shape => with_point_at(shape, index, axis === 0 ? [value, point[1]] : [point[0], value], frame, 1e-6);
+    return (
+      <label className="curve-field">
+        <span className="quiet">{axis === 0 ? 'x' : 'y'}</span>
+        <NumberField label={`${label}, ${axis === 0 ? 'x' : 'y'} of point ${index + 1}`} value={point[axis]} step={digits} limit={(one) => one} drag={(one) => drag(at(one))} commit={(one) => commit(at(one))} cancel={cancel} />
+      </label>
+    );
+  };
+  return (
+    <div className="curve-fields">
+      {field(0)}
+      {field(1)}
+    </div>
+  );
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// An entry of a selection as a person types it: 7, 3 to 5, or a condition such as i % 10 == 9.
+import type { Json } from '../document/json.ts';
+import { write_json } from '../document/json.ts';
+
+export function entry_text(entry: Json): string {
+  if (Array.isArray(entry) && entry.length === 2) return `${String(entry[0])} to ${String(entry[1])}`;
+  return typeof entry === 'string' ? entry : write_json(entry);
+}
+
+/// What documents write for a typed entry; null where nothing was typed. What is no number and no range is a condition.
+export function entry_of(typed: string): Json | null {
+  const text = typed.trim();
+  if (text === '') return null;
+  if (/^\d+$/.test(text)) return Number(text);
+  const range = /^(\d+)\s*(?:to|\.\.\.?|-|–)\s*(\d+)$/.exec(text);
+  if (!range) return text;
+  const [first, last] = [Number(range[1]), Number(range[2])];
+  return [Math.min(first, last), Math.max(first, last)];
+}

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+// Editors stand in rows of the inspector, and large below the view.
+import type { PictureSize } from './plane.ts';
+
+export type EditorSize = 'row' | 'large';
+
+export const kPlaneSizes: Record<EditorSize, PictureSize> = {
+  row: { wide: 256, high: 120, margin: 8 },
+  large: { wide: 720, high: 300, margin: 24 },
+};

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points of space as two pictures show them, side by side: from the front, x to the right and y up, and from the right
+// or from above.
+import { fitting_step, rounded } from '../document/arithmetic.ts';
+import type { Json } from '../document/json.ts';
+import type { Frame, Point, Range } from './shape.ts';
+
+export type Place = readonly [number, number, number];
+
+/// One of the pictures: which of the three numbers goes to the right and which goes up, and whether it is turned round.
+export interface Side {
+  name: string;
+  across: 0 | 1 | 2;
+  up: 0 | 1 | 2;
+  signs: readonly [1 | -1, 1 | -1];
+}
+
+export const kSides: readonly [Side, Side, Side] = [
+  { name: 'from the south', across: 0, up: 1, signs: [1, 1] },
+  { name: 'from the east', across: 2, up: 1, signs: [-1, 1] },
+  { name: 'from above', across: 0, up: 2, signs: [1, -1] },
+];
+
+const kWays = ['x', 'y', 'z'] as const;
+
+/// What the two ways of a picture are called: a number that falls to the right has its sign.
+export function names_of(side: Side): readonly [string, string] {
+  const name = (axis: 0 | 1 | 2, sign: 1 | -1): string => `${sign < 0 ? '−' : ''}${kWays[axis]}`;
+  return [name(side.across, side.signs[0]), name(side.up, side.signs[1])];
+}
+
+/// Nothing where expressions stand in it.
+export function places_of(value: Json | undefined): Place[] | null {
+  if (!Array.isArray(value)) return null;
+  const places = value.filter((one): one is [number, number, number] => Array.isArray(one) && one.length === 3 && one.every((number) => typeof number === 'number'));
+  return places.length === value.length ? places : null;
+}
+
+export function seen_from(side: Side, place: Place): Point {
+  return [side.signs[0] * place[side.across], side.signs[1] * place[side.up]];
+}
+
+/// The place that is seen there; what the picture does not show of it stays.
+export function moved_in(side: Side, place: Place, [across, up]: Point, digits: number): Place {
+  const made: [number, number, number] = [place[0], place[1], place[2]];
+  made[side.across] = rounded(side.signs[0] * across, digits);
+  made[side.up] = rounded(side.signs[1] * up, digits);
+  return made;
+}
+
+/// Both pictures show as much of space, so that places are as far apart in one as in the other.
+export function frame_from(side: Side, places: readonly Place[]): Frame {
+  const extents = [0, 1, 2].map((axis) => range_of(places.map((one) => one[axis] ?? 0)));
+  const widest = Math.max(...extents.map((one) => one.high - one.low), 1e-6);
+  const around = (axis: number, sign: number): Range => {
+    const { low, high } = extents[axis] ?? { low: 0, high: 1 };
+    const middle = (sign * (low + high)) / 2;
+    return { low: middle - 0.58 * widest, high: middle + 0.58 * widest };
+  };
+  return { x: around(side.across, side.signs[0]), y: around(side.up, side.signs[1]) };
+}
+
+function range_of(numbers: readonly number[]): Range {
+  const [low, high] = [Math.min(0, ...numbers), Math.max(0, ...numbers)];
+  return high > low ? { low, high } : { low: low - 0.5, high: high + 0.5 };
+}
+
+/// A step for arrow keys: about a hundred of them over all places.
+export function step_of(places: readonly Place[]): number {
+  const { x } = frame_from(kSides[0], places);
+  return fitting_step(x.low, x.high, 100);
+}

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { ReactElement } from 'react';
+
+import { Icon } from '../controls/icon.tsx';
+import { fault_text } from '../rows/row_editor.tsx';
+import type { Still } from '../server/protocol.ts';
+
+/// A small plant; what is wrong where it cannot grow.
+export function StillPicture({ still, is_working }: { still: Still | undefined; is_working: boolean }): ReactElement {
+  const fault = still?.faults?.[0];
+  if (still?.picture !== undefined) return <img className={`still${is_working ? ' old' : ''}`} src={`data:image/png;base64,${still.picture}`} alt="" />;
+  return (
+    <span className={`still none${is_working ? ' waits' : ''}`} data-tip={fault ? fault_text(fault) : undefined}>
+      {fault && <Icon name="fault" />}
+    </span>
+  );
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Small plants side by side, one for each of a few values of a row: what the row does, at one look.
+import type { ReactElement } from 'react';
+
+import type { Json } from '../document/json.ts';
+import { StillPicture } from './still_picture.tsx';
+import type { StripState } from './strip_states.ts';
+import { use_stills } from './use_stills.ts';
+
+interface StripProps {
+  label: string;
+  path: string;
+  value: Json | undefined; // that holds now
+  states: StripState[];
+  take: (value: Json) => void;
+}
+
+const kSize = { width: 112, height: 112 };
+
+export function Strip({ label, path, value, states, take }: StripProps): ReactElement {
+  const { stills, is_working, fault } = use_stills(states.map((one) => ({ [path]: one.value })), kSize);
+  return (
+    <div className="strip" role="group" aria-label={`Plants over ${label}`} aria-busy={is_working}>
+      {states.map((state, k) => (
+        <button key={k} type="button" aria-pressed={state.value === value} aria-label={`${label} ${state.text}`} onClick={() => take(state.value)}>
+          <StillPicture still={stills[k]} is_working={is_working} />
+          <span>{state.text}</span>
+        </button>
+      ))}
+      {fault !== '' && <p className="fault-line">{fault}</p>}
+    </div>
+  );
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Small pictures of states of the document, made by the server and made anew where the document changes.
+import { useEffect, useState } from 'react';
+
+import type { Json } from '../document/json.ts';
+import type { Still } from '../server/protocol.ts';
+import type { Studio } from '../studio.ts';
+import { use_document, use_studio } from '../studio_context.ts';
+
+export type StateValues = Record<string, Json>;
+
+export interface Stills {
+  stills: Still[]; // none until they are there
+  is_working: boolean;
+  fault: string;
+}
+
+interface StillSize {
+  width: number;
+  height: number;
+}
+
+const kPause = 80; // ms after the last change
+const kUsualCamera = { position: [3, 1.5, 4], target: [0, 1, 0], field_of_view: 32 };
+const kNear = 0.6; // of the distance from which all is seen: nearer, the eye looks at a part
+
+/// From the side that the view is seen from. Who has gone near to a part sees that part.
+function camera_of(studio: Studio): { camera: object; fit: boolean } {
+  const { view } = studio;
+  if (!view) return { camera: kUsualCamera, fit: true };
+  return { camera: view.orbit.as_document, fit: view.orbit.distance > kNear * view.fitting_distance };
+}
+
+export async function ask_for_stills(studio: Studio, states: readonly StateValues[], size: StillSize): Promise<Still[]> {
+  const answer = await studio.connection.request<{ stills?: Still[] }>('stills', { states, ...size, ...camera_of(studio) });
+  return answer.stills ?? [];
+}
+
+/// Of the newest states that were asked for anywhere in the page; without states nothing is asked.
+export function use_stills(states: readonly StateValues[], size: StillSize): Stills {
+  const studio = use_studio();
+  const { hash, good } = use_document();
+  const [made, set_made] = useState<Stills>({ stills: [], is_working: false, fault: '' });
+  const key = JSON.stringify([states, size]);
+  useEffect(() => {
+    if (states.length === 0 || !good) return undefined;
+    let is_wanted = true;
+    set_made((before) => ({ ...before, is_working: true }));
+    const take = (stills: Still[]): void => {
+      if (is_wanted) set_made({ stills, is_working: false, fault: '' });
+    };
+    const fail = (fault: Error): void => {
+      if (is_wanted) set_made((before) => ({ ...before, is_working: false, fault: fault.message }));
+    };
+    const timer = setTimeout(() => void ask_for_stills(studio, states, size).then(take, fail), kPause);
+    return () => {
+      is_wanted = false;
+      clearTimeout(timer);
+    };
+    // `key` stands for states and size.
+  }, [studio, hash, good, key]);
+  return made;
+}

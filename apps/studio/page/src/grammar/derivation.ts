@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a grammar derives, step by step: asked of the server while somebody looks, and shown as the plant of that step.
+import { Store } from '../base/store.ts';
+import { is_object } from '../document/json.ts';
+import { member_of, path_below } from '../document/path.ts';
+import type { Derivation } from '../server/protocol.ts';
+import { Refusal } from '../server/protocol.ts';
+import type { Studio } from '../studio.ts';
+import type { Tables } from '../tables/tables.ts';
+
+export interface DerivationState {
+  component: string; // whose grammar is looked at; "" for none
+  step: number | null; // null: as many as the component says
+  is_drawn: boolean; // rules of interpretation are applied
+  first: number; // module
+  told: Derivation | null; // the last that came
+  is_working: boolean;
+  fault: string;
+}
+
+const kNothing: DerivationState = { component: '', step: null, is_drawn: false, first: 0, told: null, is_working: false, fault: '' };
+const kModules = 4000; // that are told at a time
+const kPause = 120; // ms after the last change of the text
+
+export class DerivationModel {
+  readonly state = new Store<DerivationState>(kNothing);
+  /// Index of the module that the pointer or the cursor is on, and where that was.
+  readonly pointed = new Store<{ module: number; by: 'word' | 'view' } | null>(null);
+  private asked_ = 0;
+  private timer_ = 0;
+  private seen_hash_ = '';
+  private readonly looks_ = new Set<() => void>();
+
+  constructor(private readonly studio_: Studio) {}
+
+  forget(): void {
+    this.asked_ += 1;
+    this.pointed.set(null);
+    this.state.set(kNothing);
+  }
+
+  /// Keeps what is told up to date while somebody looks. Gives what ends that.
+  look(component: string): () => void {
+    this.seen_hash_ = '';
+    const before = this.state.get();
+    this.state.set(before.component === component ? { ...before, step: null } : { ...kNothing, component });
+    const stops = [this.studio_.document.state.subscribe(() => this.ask_later()), this.studio_.dragged.subscribe(() => this.follow_drags())];
+    const leave = (): void => {
+      for (const stop of stops) stop();
+      this.looks_.delete(leave);
+      clearTimeout(this.timer_);
+      this.show_step(null);
+      this.pointed.set(null);
+      this.state.merge({ told: null });
+    };
+    this.looks_.add(leave);
+    this.ask_later();
+    return leave;
+  }
+
+  /// Shows the word and the plant of a step; null: of as many as the component says.
+  show_step(step: number | null): void {
+    if (step === this.state.get().step) return;
+    this.state.merge({ step, first: 0 });
+    if (step === null) this.studio_.stop_drag();
+    else this.studio_.drag({ [this.path_of_steps]: step });
+    this.ask();
+  }
+
+  /// Makes the shown step that of the document.
+  keep_step(): void {
+    const { step } = this.state.get();
+    if (step === null) return;
+    this.state.merge({ step: null });
+    this.studio_.set_value(this.path_of_steps, step, 'Set steps');
+  }
+
+  show_drawn(is_drawn: boolean): void {
+    this.state.merge({ is_drawn, first: 0 });
+    this.ask();
+  }
+
+  turn_page(first: number): void {
+    this.state.merge({ first: Math.max(0, first) });
+    this.ask();
+  }
+
+  get page_size(): number {
+    return kModules;
+  }
+
+  private get path_of_steps(): string {
+    return path_below(path_below('components', this.state.get().component), 'steps');
+  }
+
+  /// The plant of another step is shown as a drag is. Whatever ends that drag ends the step with it.
+  private follow_drags(): void {
+    if (this.state.get().step === null || this.path_of_steps in this.studio_.dragged.get()) return;
+    this.state.merge({ step: null, first: 0 });
+    this.ask();
+  }
+
+  private ask_later(): void {
+    const { hash, good } = this.studio_.document.state.get();
+    if (!good || hash === this.seen_hash_) return;
+    clearTimeout(this.timer_);
+    this.timer_ = window.setTimeout(() => {
+      this.seen_hash_ = hash;
+      this.ask();
+    }, kPause);
+  }
+
+  private ask(): void {
+    const { component, step, is_drawn, first } = this.state.get();
+    if (component === '') return;
+    this.asked_ += 1;
+    const number = this.asked_;
+    this.state.merge({ is_working: true });
+    this.studio_.connection
+      .request<{ derivation: Derivation }>('grammar', { component, step, drawn: is_drawn, first, count: kModules })
+      .then(({ derivation }) => this.take(number, { told: derivation, fault: '' }))
+      .catch((fault: unknown) => this.take(number, { fault: fault instanceof Refusal ? fault.message : '' }));
+  }
+
+  private take(number: number, part: Partial<DerivationState>): void {
+    if (number === this.asked_ && this.looks_.size > 0) this.state.merge({ ...part, is_working: false });
+  }
+}
+
+export interface GrammarPlace {
+  component: string;
+  path: string; // of the row with the text
+  is_file: boolean;
+}
+
+/// Components whose tables have a row of lines, and where the text of each stands.
+export function grammars_of(document: unknown, tables: Tables): GrammarPlace[] {
+  const components = is_object(document as never) ? member_of(document as never, 'components') : undefined;
+  if (!is_object(components)) return [];
+  return Object.entries(components).flatMap(([component, said]) => {
+    const table = tables.tables[tables.components[String(member_of(said, 'type'))]?.table ?? ''];
+    const row = table?.rows.find((one) => one.kind === 'lines');
+    if (!row) return [];
+    const is_file = member_of(said, row.name) === undefined;
+    return [{ component, path: path_below(path_below('components', component), row.name), is_file }];
+  });
+}

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// The editor of a grammar that stands in the document. What is typed goes into the document's text at once; the undo
+// list is the document's, so the editor has none of its own.
+import { closeBrackets, closeBracketsKeymap } from '@codemirror/autocomplete';
+import { defaultKeymap, indentWithTab } from '@codemirror/commands';
+import { bracketMatching } from '@codemirror/language';
+import type { Diagnostic } from '@codemirror/lint';
+import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
+import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
+import { Annotation, EditorState } from '@codemirror/state';
+import { drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
+
+import { patch_between } from '../document/patch.ts';
+import { node_at } from '../document/path.ts';
+import { fault_text } from '../rows/row_editor.tsx';
+import type { Fault } from '../server/protocol.ts';
+import type { Studio } from '../studio.ts';
+import { kGrammarLanguage } from './grammar_language.ts';
+import { offset_in_text, text_in, with_text } from './grammar_source.ts';
+
+const kFromDocument = Annotation.define<boolean>();
+
+/// A fault with where it stands in the grammar: line and column from 1, and the offset.
+export interface GrammarFault {
+  fault: Fault;
+  offset: number;
+  line: number;
+  column: number;
+}
+
+/// The faults that the document has within the text at a path.
+export function grammar_faults(studio: Studio, path: string): GrammarFault[] {
+  const { tree, text, faults } = studio.document.state.get();
+  const node = node_at(tree, path);
+  const grammar = text_in(node);
+  if (!node || grammar === null) return [];
+  return faults.flatMap((fault) => {
+    if (fault.path !== path && !fault.path.startsWith(`${path}[`)) return [];
+    const offset = (fault.offset === null ? null : offset_in_text(text, node, fault.offset)) ?? 0;
+    const before = grammar.slice(0, offset).split('\n');
+    return [{ fault, offset, line: before.length, column: (before.at(-1)?.length ?? 0) + 1 }];
+  });
+}
+
+export class GrammarEditor {
+  private readonly view_: EditorView;
+  private readonly stop_: () => void;
+
+  /// `path` leads to a text or a list of lines.
+  constructor(
+    parent: HTMLElement,
+    private readonly studio_: Studio,
+    private readonly path_: string,
+    label: string,
+  ) {
+    this.view_ = new EditorView({ parent, state: EditorState.create({ doc: this.said() ?? '', extensions: this.extensions(label) }) });
+    this.stop_ = studio_.document.state.subscribe(() => this.follow());
+    this.show_faults();
+  }
+
+  destroy(): void {
+    this.stop_();
+    this.view_.destroy();
+  }
+
+  /// Puts the cursor there and shows it.
+  reveal(offset: number): void {
+    const anchor = Math.min(offset, this.view_.state.doc.length);
+    this.view_.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: 'center' }) });
+    this.view_.focus();
+  }
+
+  private extensions(label: string) {
+    return [
+      EditorState.lineSeparator.of('\n'),
+      lineNumbers(),
+      lintGutter(),
+      drawSelection(),
+      highlightActiveLine(),
+      highlightSelectionMatches(),
+      bracketMatching(),
+      closeBrackets(),
+      search({ top: true }),
+      kGrammarLanguage,
+      keymap.of([...closeBracketsKeymap, ...lintKeymap, ...searchKeymap, ...defaultKeymap, indentWithTab]),
+      EditorView.contentAttributes.of({ 'aria-label': label, tabindex: '0' }),
+      EditorView.updateListener.of((update) => {
+        if (update.docChanged && !update.transactions.some((one) => one.annotation(kFromDocument))) this.take();
+      }),
+    ];
+  }
+
+  private said(): string | null {
+    return text_in(node_at(this.studio_.document.state.get().tree, this.path_));
+  }
+
+  private take(): void {
+    const { tree, text } = this.studio_.document.state.get();
+    const node = node_at(tree, this.path_);
+    if (node) this.studio_.document.type(with_text(text, node, this.view_.state.doc.toString()));
+  }
+
+  /// The document has changed, here or elsewhere.
+  private follow(): void {
+    // What is typed and not yet in the text stays under the hand.
+    if (this.studio_.document.awaits_typed) return;
+    const said = this.said();
+    if (said === null) return;
+    const patch = patch_between(this.view_.state.doc.toString(), said);
+    const changes = patch.map(({ offset, length, replacement }) => ({ from: offset, to: offset + length, insert: replacement }));
+    if (changes.length > 0) this.view_.dispatch({ changes, annotations: kFromDocument.of(true) });
+    this.show_faults();
+  }
+
+  private show_faults(): void {
+    const size = this.view_.state.doc.length;
+    const marks: Diagnostic[] = grammar_faults(this.studio_, this.path_).map(({ fault, offset }) => {
+      const from = Math.min(offset, size);
+      const word = /^(?:\w+|[^\s])/.exec(this.view_.state.sliceDoc(from, from + 100));
+      return { from, to: Math.min(size, from + (word?.[0].length ?? 1)), severity: fault.severity, message: fault_text(fault) };
+    });
+    this.view_.dispatch(setDiagnostics(this.view_.state, marks), { annotations: kFromDocument.of(true) });
+  }
+}

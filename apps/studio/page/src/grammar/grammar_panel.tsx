@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// The grammar of a component, with its faults, and below it what it derives, step by step beside the plant.
+import type { ReactElement } from 'react';
+import { useEffect, useRef, useState } from 'react';
+
+import { use_store } from '../base/store.ts';
+import { Button } from '../controls/button.tsx';
+import { Icon } from '../controls/icon.tsx';
+import { path_below } from '../document/path.ts';
+import { fault_text } from '../rows/row_editor.tsx';
+import { use_document, use_studio } from '../studio_context.ts';
+import type { GrammarPlace } from './derivation.ts';
+import { grammars_of } from './derivation.ts';
+import { DerivationPart } from './derivation_part.tsx';
+import { grammar_faults, GrammarEditor } from './grammar_editor.ts';
+
+export function GrammarPanel(): ReactElement {
+  const studio = use_studio();
+  const { tree } = use_document();
+  const chosen = use_store(studio.chosen);
+  const [picked, pick] = useState('');
+  const places = grammars_of(tree?.value, studio.tables);
+  const wanted = (one: GrammarPlace): boolean => path_below('components', one.component) === chosen;
+  const place = places.find(wanted) ?? places.find((one) => one.component === picked) ?? places[0];
+  if (!place) {
+    return (
+      <section className="panel grammar-panel" aria-label="Grammar">
+        <p className="empty">This document has no grammar. A component of the type lsystem grows by one: its text stands in the document or in a file.</p>
+      </section>
+    );
+  }
+  const choose = (component: string): void => {
+    pick(component);
+    studio.choose(path_below('components', component));
+  };
+  return (
+    <section className="panel grammar-panel" aria-label="Grammar">
+      {places.length > 1 && (
+        <select className="select" aria-label="Component whose grammar is shown" value={place.component} onChange={(event) => choose(event.target.value)}>
+          {places.map((one) => (
+            <option key={one.component}>{one.component}</option>
+          ))}
+        </select>
+      )}
+      {place.is_file ? <FileGrammar key={place.path} place={place} /> : <OwnGrammar key={place.path} place={place} />}
+      <DerivationPart key={place.component} component={place.component} />
+    </section>
+  );
+}
+
+/// A text that stands in the document.
+function OwnGrammar({ place }: { place: GrammarPlace }): ReactElement {
+  const studio = use_studio();
+  use_document();
+  const parent = useRef<HTMLDivElement>(null);
+  const editor = useRef<GrammarEditor | null>(null);
+  useEffect(() => {
+    if (!parent.current) return undefined;
+    const made = new GrammarEditor(parent.current, studio, place.path, `Grammar of ${place.component}`);
+    editor.current = made;
+    return () => made.destroy();
+  }, [studio, place.path, place.component]);
+  const faults = grammar_faults(studio, place.path);
+  return (
+    <>
+      <div className="editor" ref={parent} />
+      {faults.length > 0 && (
+        <ul className="fault-list" aria-label="Faults of the grammar">
+          {faults.map(({ fault, offset, line, column }, index) => (
+            <li key={index}>
+              <button type="button" className={fault.severity} onClick={() => editor.current?.reveal(offset)}>
+                <Icon name={fault.severity === 'error' ? 'fault' : 'warning'} />
+                <span>
+                  <b>
+                    Line {line}, column {column}:{' '}
+                  </b>
+                  {fault_text(fault)}
+                </span>
+              </button>
+            </li>
+          ))}
+        </ul>
+      )}
+    </>
+  );
+}
+
+/// A text that stands in a file is read here; taken into the document, it can be changed.
+function FileGrammar({ place }: { place: GrammarPlace }): ReactElement {
+  const studio = use_studio();
+  const { told } = use_store(studio.bench.derivation.state);
+  const text = told?.text ?? null;
+  const take = (): void => {
+    const owner = path_below('components', place.component);
+    void studio.edit([{ unset: path_below(owner, 'file') }, { set: place.path, value: (text ?? '').replace(/\n$/, '').split('\n') }], 'Take the grammar into the document');
+  };
+  return (
+    <>
+      <div className="grammar-file">
+        <p className="quiet">The text of this grammar stands in a file of its own.</p>
+        <Button is_off={text === null} press={take}>
+          Take it into the document
+        </Button>
+      </div>
+      <pre className="grammar-text" tabIndex={0} aria-label={`Grammar of ${place.component}, in a file`}>
+        {text ?? ''}
+      </pre>
+    </>
+  );
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// The module of a derived word that is pointed at, drawn over the plant; and which one the pointer over the view is on.
+import type { ReactElement } from 'react';
+import { useEffect } from 'react';
+
+import { use_store } from '../base/store.ts';
+import type { Studio } from '../studio.ts';
+import { use_studio } from '../studio_context.ts';
+import type { View } from '../view/view.ts';
+import { nearest_place, place_of } from './drawn_places.ts';
+
+export function ModuleOverlay(): ReactElement | null {
+  const studio = use_studio();
+  const { told } = use_store(studio.bench.derivation.state);
+  const pointed = use_store(studio.bench.derivation.pointed);
+  use_store(studio.view_facts); // the camera may have moved
+  const has_places = (told?.places.length ?? 0) > 0;
+  useEffect(() => (has_places ? listen(studio) : undefined), [studio, has_places]);
+  const place = told && pointed ? place_of(told.places, pointed.module) : null;
+  const [from, to] = [place && studio.view?.project(place.from), place && studio.view?.project(place.to)];
+  if (!told || !pointed || !from || !to) return null;
+  const [left, top] = [Math.max(from[0], to[0]) + 12, Math.min(from[1], to[1]) - 6];
+  return (
+    <svg className="module-overlay" aria-hidden="true" data-module={pointed.module}>
+      <line className="halo" x1={from[0]} y1={from[1]} x2={to[0]} y2={to[1]} />
+      <line x1={from[0]} y1={from[1]} x2={to[0]} y2={to[1]} />
+      <text x={left} y={top}>
+        {told.modules[pointed.module - told.first] ?? ''}
+      </text>
+    </svg>
+  );
+}
+
+/// Follows the pointer over the view, once a picture at most.
+function listen(studio: Studio): () => void {
+  const canvas = document.querySelector<HTMLElement>('.centre .view canvas');
+  let waiting = 0;
+  const move = (event: PointerEvent): void => {
+    if (event.buttons !== 0) return;
+    cancelAnimationFrame(waiting);
+    const at: [number, number] = [event.offsetX, event.offsetY];
+    waiting = requestAnimationFrame(() => studio.view && point(studio, studio.view, at));
+  };
+  const leave = (): void => {
+    cancelAnimationFrame(waiting);
+    if (studio.bench.derivation.pointed.get()?.by === 'view') studio.bench.derivation.pointed.set(null);
+  };
+  canvas?.addEventListener('pointermove', move);
+  canvas?.addEventListener('pointerleave', leave);
+  return () => {
+    leave();
+    canvas?.removeEventListener('pointermove', move);
+    canvas?.removeEventListener('pointerleave', leave);
+  };
+}
+
+function point(studio: Studio, view: View, at: [number, number]): void {
+  const places = studio.bench.derivation.state.get().told?.places ?? [];
+  const module = nearest_place(places, (place) => view.project(place), at);
+  const now = studio.bench.derivation.pointed.get();
+  if (module === null && now?.by !== 'view') return;
+  if (module !== now?.module) studio.bench.derivation.pointed.set(module === null ? null : { module, by: 'view' });
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// The word of a derivation to read: its modules one after another, with the one under the pointer marked.
+import { EditorState, StateEffect, StateField } from '@codemirror/state';
+import type { DecorationSet } from '@codemirror/view';
+import { Decoration, drawSelection, EditorView } from '@codemirror/view';
+
+const kMark = StateEffect.define<{ from: number; to: number } | null>();
+const kMarked = StateField.define<DecorationSet>({
+  create: () => Decoration.none,
+  update: (marks, transaction) => {
+    for (const effect of transaction.effects) {
+      if (effect.is(kMark)) return effect.value ? Decoration.set([Decoration.mark({ class: 'marked-module' }).range(effect.value.from, effect.value.to)]) : Decoration.none;
+    }
+    return transaction.docChanged ? Decoration.none : marks;
+  },
+  provide: (field) => EditorView.decorations.from(field),
+});
+
+/// Where each module of a word's text begins; one more says where the last ends. Names of several characters are parted
+/// by blanks.
+export function module_starts(modules: readonly string[]): { text: string; starts: number[] } {
+  const gap = modules.some((one) => (one.split('(')[0] ?? '').length > 1) ? ' ' : '';
+  const starts: number[] = [];
+  let at = 0;
+  for (const one of modules) {
+    starts.push(at);
+    at += one.length + gap.length;
+  }
+  starts.push(at);
+  return { text: modules.join(gap), starts };
+}
+
+/// The module that an offset lies in.
+export function module_at(starts: readonly number[], offset: number): number | null {
+  let [low, high] = [0, starts.length - 2];
+  if (high < 0 || offset < 0 || offset >= (starts[high + 1] ?? 0)) return null;
+  while (low < high) {
+    const middle = Math.ceil((low + high) / 2);
+    if ((starts[middle] ?? 0) <= offset) low = middle;
+    else high = middle - 1;
+  }
+  return low;
+}
+
+export class WordView {
+  private readonly view_: EditorView;
+  private modules_: readonly string[] = [];
+  private starts_: number[] = [];
+
+  /// `point` is told of the module below the pointer or at the cursor, counted from the first that is shown.
+  constructor(parent: HTMLElement, point: (module: number | null) => void) {
+    this.view_ = new EditorView({
+      parent,
+      state: EditorState.create({
+        doc: '',
+        extensions: [
+          EditorState.readOnly.of(true),
+          EditorView.lineWrapping,
+          drawSelection(),
+          kMarked,
+          EditorView.contentAttributes.of({ 'aria-label': 'Word of this step', tabindex: '0' }),
+          EditorView.updateListener.of((update) => {
+            if (update.selectionSet && update.view.hasFocus) point(module_at(this.starts_, update.state.selection.main.head));
+          }),
+          EditorView.domEventHandlers({
+            mousemove: (event, view) => {
+              const at = view.posAtCoords({ x: event.clientX, y: event.clientY });
+              point(at === null ? null : module_at(this.starts_, at));
+            },
+            mouseleave: () => point(null),
+          }),
+        ],
+      }),
+    });
+  }
+
+  destroy(): void {
+    this.view_.destroy();
+  }
+
+  show(modules: readonly string[]): void {
+    if (modules === this.modules_) return;
+    this.modules_ = modules;
+    const { text, starts } = module_starts(modules);
+    this.starts_ = starts;
+    this.view_.dispatch({ changes: { from: 0, to: this.view_.state.doc.length, insert: text }, scrollIntoView: false });
+  }
+
+  /// Marks a module, and brings it into sight where that is asked.
+  mark(module: number | null, reveals: boolean): void {
+    const from = module === null ? undefined : this.starts_[module];
+    const size = module === null ? 0 : (this.modules_[module]?.length ?? 0);
+    if (from === undefined || size === 0) {
+      this.view_.dispatch({ effects: kMark.of(null) });
+      return;
+    }
+    const effects: StateEffect<unknown>[] = [kMark.of({ from, to: from + size })];
+    if (reveals) effects.push(EditorView.scrollIntoView(from, { y: 'nearest', yMargin: 24 }));
+    this.view_.dispatch({ effects });
+  }
+}

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+import { fitting_step } from '../document/arithmetic.ts';
+import type { Variable } from '../server/protocol.ts';
+
+/// Whole numbers where the range and the value are whole and the range is long enough to be meant so.
+export function step_of(variable: Variable): number {
+  const { min, max, value } = variable;
+  const is_whole = [min, max, value].every(Number.isInteger) && max - min >= 5;
+  return is_whole ? 1 : fitting_step(min, max, 200);
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// How many triangles a view draws, while hands move and at rest.
+
+export interface Budgets {
+  drag_triangles: number;
+  rest_triangles: number;
+}
+
+const kBySoftware: Budgets = { drag_triangles: 60_000, rest_triangles: 250_000 };
+const kByCard: Budgets = { drag_triangles: 1_000_000, rest_triangles: 4_000_000 };
+
+export function budgets_of(view: { is_software: boolean } | null): Budgets {
+  return view?.is_software === false ? kByCard : kBySoftware;
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is laid out beside the document while somebody works on it: an editor that is had large, a strip of plants,
+// pinned states, a derivation.
+import { Store } from './base/store.ts';
+import { PinList } from './find/pins.ts';
+import { DerivationModel } from './grammar/derivation.ts';
+import type { Studio } from './studio.ts';
+
+export class Workbench {
+  readonly enlarged = new Store<string | null>(null); // path of the row whose editor is had large
+  readonly strip = new Store<string | null>(null); // path of the row whose strip of plants is shown
+  readonly pins = new PinList();
+  readonly derivation: DerivationModel;
+
+  constructor(studio: Studio) {
+    this.derivation = new DerivationModel(studio);
+  }
+
+  /// Another document is opened.
+  clear(): void {
+    this.enlarged.set(null);
+    this.strip.set(null);
+    this.pins.clear();
+    this.derivation.forget();
+  }
+}

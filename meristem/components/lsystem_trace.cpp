@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/components/lsystem_trace.h"
+
+#include <algorithm>
+#include <mutex>
+#include <tuple>
+#include <utility>
+
+#include "meristem/components/lsystem.h"
+#include "meristem/graph/expand.h"
+#include "meristem/grow/lsystem/derive.h"
+
+namespace meristem {
+
+namespace {
+
+/// An instance as its expansion meets it.
+struct MetInstance {
+  Lsystem plant;
+  Site site;
+  Directions directions;
+};
+
+/// Takes note of the first of all instances, whatever thread expands which.
+class FirstInstance {
+ public:
+  void meet(const Lsystem& plant, const Site& site, const Directions& directions) {
+    const std::lock_guard lock(mutex_);
+    if (!first_ || rank(site) < rank(first_->site)) first_ = {plant, site, directions};
+  }
+  const std::optional<MetInstance>& get() const { return first_; }
+
+ private:
+  static std::tuple<std::uint16_t, std::uint32_t, std::uint64_t> rank(const Site& site) {
+    return {site.depth, site.i, site.key.bits()};
+  }
+
+  std::mutex mutex_;
+  std::optional<MetInstance> first_;
+};
+
+/// The component type with an expansion that tells `first` of each instance, and draws nothing.
+ComponentType watched(const ComponentType& type, FirstInstance& first) {
+  ComponentType made = type;
+  made.expand = [&first](const Prototype& prototype, std::span<const Site> sites, Emitter& out) {
+    Lsystem instance = *static_cast<const Lsystem*>(prototype.parameters.get());
+    const VaryingValues values(prototype.varyings, sites, out.time());
+    for (std::size_t k = 0; k < sites.size(); ++k) {
+      values.apply(k, &instance);
+      out.instance(instance, sites[k], k, [&](const Site& site) {
+        first.meet(instance, site, out.directions());
+        out.no_children();
+      });
+    }
+  };
+  return made;
+}
+
+Vec3 middle_of(const Drawing& drawing, const TurtlePolygon& polygon) {
+  Vec3 sum(0);
+  for (std::uint32_t k = 0; k < polygon.count; ++k) sum += drawing.corners[polygon.first + k];
+  return sum / static_cast<float>(polygon.count);
+}
+
+std::vector<DrawnModule> places_of(const Drawing& drawing) {
+  std::vector<DrawnModule> places;
+  const Skeleton& skeleton = drawing.skeleton;
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    if (skeleton.is_root(node)) continue;
+    places.push_back({drawing.module_of_node[node], skeleton.position[skeleton.parent[node]], skeleton.position[node]});
+  }
+  for (const TurtlePolygon& polygon : drawing.polygons)
+    places.push_back({polygon.module, polygon.frame.origin, middle_of(drawing, polygon)});
+  for (const TurtleSite& site : drawing.places) places.push_back({site.module, site.frame.origin, site.frame.origin});
+  std::ranges::stable_sort(places, {}, &DrawnModule::module);
+  return places;
+}
+
+}  // namespace
+
+std::optional<LsystemTrace> trace_lsystem(const Graph& graph, const Scene& scene, const std::string& id,
+                                          std::optional<int> steps, double time, Progress& progress) {
+  const auto found = std::ranges::find(graph.components, id, &Prototype::id);
+  if (found == graph.components.end() || found->type->name != lsystem_component().name) return std::nullopt;
+  FirstInstance first;
+  const ComponentType type = watched(*found->type, first);
+  Graph watching = graph;
+  watching.components[static_cast<std::size_t>(found - graph.components.begin())].type = &type;
+  expand(watching, scene, time, progress);
+  if (!first.get()) return std::nullopt;
+
+  const auto& [plant, site, directions] = *first.get();
+  const Grammar& grammar = plant.source().grammar;
+  LsystemTrace trace{.text = plant.source().text,
+                     .steps = plant.steps.value_or(grammar.steps.value_or(0)),
+                     .alphabet = grammar.alphabet,
+                     .derived = {},
+                     .drawn = {},
+                     .is_interpreted = !grammar.interpretation.rules.empty(),
+                     .places = {}};
+  try {
+    const RandomKey key = word_key(site);
+    trace.derived = derive(grammar, steps.value_or(trace.steps), key, graph.limits, progress);
+    trace.drawn = interpreted(grammar, trace.derived, key, graph.limits, progress);
+    trace.places = places_of(draw(trace.drawn, grammar.alphabet, turtle_of(plant, directions), site.frame, graph.limits,
+                                  "components." + id, progress));
+  } catch (const InputError& error) {
+    throw_placed(error, plant, id);
+  }
+  return trace;
+}
+
+}  // namespace meristem

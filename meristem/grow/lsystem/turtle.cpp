@@ -322,6 +322,7 @@ class Turtle {
     drawing_.skeleton.parent[node] = parent;
     drawing_.skeleton.position[node] = Vec3(state_.position);
     drawing_.skeleton.radius[node] = static_cast<float>(scale_ * width);
+    if (!word_.births.empty()) drawing_.skeleton.birth[node] = word_.births[at_];
     return node;
   }
 

@@ -70,8 +70,8 @@ struct TurtleSite {
 };
 
 struct Drawing {
-  Skeleton skeleton;  ///< a root where segments begin without another before them; births are 0; its column "end" is 1
-                      ///< where a ] has ended a branch, if one of no length
+  Skeleton skeleton;  ///< a root where segments begin without another before them; births are those of the modules, or
+                      ///< 0; its column "end" is 1 where a ] has ended a branch, if one of no length
   std::vector<Vec3> corners;
   std::vector<TurtlePolygon> polygons;  ///< by their ends
   std::vector<TurtleSite> places;

@@ -96,6 +96,7 @@ struct OrganizeParameters {
   std::optional<Sag> sag;
   PipeModel radii;
   std::vector<Operation> operations;  ///< that act in this order
+  bool keeps_fallen = false;          ///< the skeleton has what was shed and cut as well, and when it went
   /// Directions of light and gravity: light that the scene does not have itself adds to the light that a bud finds, by
   /// its weight.
   std::optional<Directions> directions{};  ///< unset: the scene's

@@ -252,11 +252,12 @@ void OrganizedTree::shed(int iteration) {
     gone[metamer] = 1;
     any = true;
   }
-  if (any) remove(gone, Bud::dead());
+  if (any) remove(gone, Bud::dead(), iteration);
 }
 
 /// Takes metamers away, here and in what is told of the iteration's metamers.
-void OrganizedTree::remove(std::vector<std::uint8_t>& gone, const BudsLeft& after) {
+void OrganizedTree::remove(std::vector<std::uint8_t>& gone, const BudsLeft& after, int iteration) {
+  if (species_->parameters.keeps_fallen) fallen_.note(metamers_, gone, iteration);
   tree_.remove(gone, after);
   wood_.remove(gone);
   if (!is_pruned()) return;
@@ -324,6 +325,7 @@ Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
   progress.check();
   assign_pipe_radii(skeleton, species_->parameters.radii);
   wood_.thicken(skeleton, species_->parameters.radii);
+  if (species_->parameters.keeps_fallen) return fallen_.with_fallen(std::move(skeleton), species_->parameters.radii);
   return skeleton;
 }
 

@@ -11,6 +11,7 @@
 #include "meristem/grow/metamer/metamers.h"
 #include "meristem/grow/metamer/resource.h"
 #include "meristem/grow/organize/bud_sense.h"
+#include "meristem/grow/organize/fallen_shoots.h"
 #include "meristem/grow/organize/species.h"
 #include "meristem/grow/organize/standing_tree.h"
 #include "meristem/grow/organize/standing_wood.h"
@@ -82,7 +83,7 @@ class OrganizedTree {
   Vec3 next_side(MetamerIndex from, bool is_lateral, std::uint32_t number, Vec3 heading, RandomKey key) const;
   bool is_open(Vec3 from, Vec3 to) const;
   void shed(int iteration);
-  void remove(std::vector<std::uint8_t>& gone, const BudsLeft& after);
+  void remove(std::vector<std::uint8_t>& gone, const BudsLeft& after, int iteration);
   /// What an operation sees of the tree in an iteration.
   TreeState state_for(std::size_t operation, int iteration) const;
   void tie_shoots(int iteration);
@@ -105,6 +106,7 @@ class OrganizedTree {
   ResourceFlow flow_;
   std::vector<Sprout> sprouts_;  // of the iteration
   StandingWood wood_;
+  FallenShoots fallen_;  // where they are kept
   // For trees with operations alone.
   Leads leads_;
   TreeTies ties_;

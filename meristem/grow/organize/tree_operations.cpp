@@ -123,7 +123,7 @@ void OrganizedTree::apply(const Work& work, int iteration, std::size_t operation
       cut_at_[metamers_.parent[metamer]] = static_cast<std::uint16_t>(iteration);
     }
     const Bud after = damages ? Bud::damaged() : Bud();
-    remove(gone, {after, work.renews ? Bud() : after});
+    remove(gone, {after, work.renews ? Bud() : after}, iteration);
   }
   const bool is_changed = !work.headless.empty() || !work.gone.empty() || !work.pinched.empty();
   if (is_changed || !work.lifted.empty()) leads_ = find_leads(metamers_);

@@ -45,7 +45,8 @@ constexpr Vec3 kLeafGreen{0.31F, 0.47F, 0.19F};
 Word derive_plant(const Lsystem& plant, const Site& site, Emitter& out) {
   const Grammar& grammar = plant.source().grammar;
   const int steps = plant.steps.value_or(grammar.steps.value_or(0));
-  return derive_drawn(grammar, steps, site.key.child("word"), out.limits(), out.progress());
+  return derive_drawn(grammar, steps, site.key.child("word"), out.limits(), out.progress(),
+                      out.grows_in_time() ? KeepBirths::yes : KeepBirths::no);
 }
 
 TurtleParameters turtle_of(const Lsystem& plant, const Emitter& out) {
@@ -253,6 +254,7 @@ ComponentType lsystem_component() {
            .doc = "A plant by the rules of a grammar (L-system), drawn by a turtle; ~ in its words places components.",
            .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
            .blades = {.material = {.colour = kLeafGreen, .roughness = 0.6F, .translucency = 0.3F, .two_sided = true}},
+           .grows_in_time = true,
            .makes_stems = true,
            .has_twigs = true,
            .stance = BranchStance::on_axis},

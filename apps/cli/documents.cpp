@@ -84,12 +84,12 @@ void DocumentOptions::add_to(CLI::App& command) {
   add_run_options(command, threads, quiet);
 }
 
-Document open_document(const DocumentOptions& options) {
+Document open_document(const DocumentOptions& options, double time) {
   const bool from_input = options.path == "-";
   const std::string path = from_input ? "-" : find_document(options.path, models_folder());
-  Document document =
-      read_document(read_text_file(path), from_input ? "<standard input>" : path, components(),
-                    {.overrides = overrides_of(options), .seed = options.seed, .models = models_folder()});
+  Document document = read_document(
+      read_text_file(path), from_input ? "<standard input>" : path, components(),
+      {.overrides = overrides_of(options), .seed = options.seed, .time = time, .models = models_folder()});
   if (!options.quiet) print_diagnostics(document.warnings);
   return document;
 }

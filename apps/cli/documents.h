@@ -41,8 +41,8 @@ struct DocumentOptions {
 };
 
 /// Reads the document that the options name: a file, "-" for standard input, or a shipped model by its name. Prints
-/// warnings unless quiet.
-Document open_document(const DocumentOptions& options);
+/// warnings unless quiet. It stands as its animation says at `time`, in seconds.
+Document open_document(const DocumentOptions& options, double time = 0);
 
 /// The scene of a document that was opened with these options, with another sun: `sun` is the JSON of a "scene.sun".
 /// Prints what is odd about it unless quiet.

@@ -175,7 +175,7 @@ void grow(const GrowOptions& options) {
   for (const std::string& output : options.outputs) formats.push_back(&format_of(output));
   const double time = checked_time(options.time);
   check_options(options, formats);
-  const Document document = open_document(options.document);
+  const Document document = open_document(options.document, time);
   const auto levels = planned_files(options, formats, options.lod.value_or(document.output.lod));
   const int card_count = options.cards.value_or(document.output.cards);
   const std::vector<PlannedFile> cards = card_count > 0 ? planned_cards(options, formats) : std::vector<PlannedFile>();

@@ -91,7 +91,7 @@ void check_organs(const MeasureCommand& command, std::span<const std::string> in
 
 StandMeasures measure_document(const MeasureCommand& command) {
   const double time = checked_time(command.time);
-  const Document document = open_document(command.document);
+  const Document document = open_document(command.document, time);
   // The light that is measured need not be that of growth.
   const Scene scene = command.sun.empty() ? document.scene : scene_under(document, command.document, command.sun);
   const std::vector<std::string> inputs = input_files(document);

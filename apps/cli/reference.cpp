@@ -23,7 +23,8 @@ A default is what counts when the parameter is not given; where the column is em
 happens. A parameter that *varies* may differ from instance to instance: besides a number it takes a range such as
 `[0.2, 0.5]`, an expression such as `"20 + 15*rand(-1,1)"`, or both (see [the document](document.md)). One that varies
 *per child* takes the same, and differs among the children that each instance makes. The others take a number or an
-expression of numbers and the document's variables.
+expression of numbers and the document's variables. A number, a vector, a colour, a choice and a switch may have
+[keys](animation.md#keys); those of a parameter that varies follow each instance's own clock.
 
 )page";
 
@@ -137,6 +138,8 @@ std::string reference_page(const Registry& registry) {
   page.table(head_table(), Variation::none);
   page.heading("Variables", variable_table().doc);
   page.table(variable_table(), Variation::none);
+  page.heading("Animation", animation_table().doc);
+  page.table(animation_table(), Variation::none);
   page.heading("Limits", limits_table().doc);
   page.table(limits_table(), Variation::none);
   std::string text = page.take();

@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <charconv>
 #include <cmath>
+#include <filesystem>
+#include <optional>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "commands.h"
 #include "documents.h"
+#include "film.h"
 #include "frames.h"
+#include "meristem/base/fingerprint.h"
 #include "meristem/base/parallel.h"
+#include "meristem/base/version.h"
 #include "meristem/components/camera.h"
 #include "meristem/document/grow.h"
 #include "meristem/output/output_files.h"
@@ -29,7 +36,7 @@ struct RenderOptions {
   std::string output;
   std::string size;
   std::string view;
-  std::string time = "0";
+  std::optional<std::string> time;
   std::optional<int> samples;
   std::optional<int> turntable;  // pictures all around
   bool transparent = false;
@@ -48,10 +55,7 @@ struct Picture {
   double turn;  // of the camera around the plant, radians
 };
 
-/// One picture, or one for each time or each side.
-std::vector<Picture> planned_pictures(const RenderOptions& options) {
-  const std::vector<double> times = frame_times(options.time);
-  if (times.size() == 1 && !options.turntable) return {{options.output, times[0], 0}};
+void check_turntable(const RenderOptions& options, const std::vector<double>& times) {
   if (options.turntable && (*options.turntable < 1 || *options.turntable > kMostFrames)) {
     throw InputError(Diagnostic{.message = fmt::format("--turntable cannot be {}", *options.turntable),
                                 .expected = fmt::format("1 to {} frames", kMostFrames)});
@@ -60,6 +64,39 @@ std::vector<Picture> planned_pictures(const RenderOptions& options) {
     throw InputError(
         Diagnostic{.message = "--turntable needs a plant that stands still", .expected = "a single --time beside it"});
   }
+}
+
+/// The pictures of a film, of which only the numbers are known yet.
+std::vector<Picture> pictures_of_film(const RenderOptions& options, const std::vector<double>& times) {
+  check_turntable(options, times);
+  const int count = options.turntable.value_or(static_cast<int>(times.size()));
+  std::vector<Picture> pictures;
+  for (int k = 0; k < count; ++k) {
+    pictures.push_back({"", options.turntable ? times[0] : times[static_cast<std::size_t>(k)],
+                        options.turntable ? 2 * kPi * k / count : 0});
+  }
+  return pictures;
+}
+
+/// The times of a film: those that are asked for, or all of the document's animation.
+std::vector<double> film_times(const RenderOptions& options, const Document& document) {
+  if (options.time) return frame_times(*options.time);
+  if (!document.graph.animation) {
+    throw InputError(Diagnostic{.message = "the document has no animation that tells how long a film of it is",
+                                .expected = "--time FROM:TO:STEP"});
+  }
+  const Animation& animation = *document.graph.animation;
+  return frame_times(fmt::format("0:{}:{}", animation.length, 1 / animation.fps));
+}
+
+/// One picture, or one for each time or each side. Those of a film are numbered in its folder.
+std::vector<Picture> planned_pictures(const RenderOptions& options, const Document& document) {
+  const std::vector<double> times = is_film(options.output) && !options.turntable
+                                        ? film_times(options, document)
+                                        : frame_times(options.time.value_or("0"));
+  if (is_film(options.output)) return pictures_of_film(options, times);
+  if (times.size() == 1 && !options.turntable) return {{options.output, times[0], 0}};
+  check_turntable(options, times);
   const int count = options.turntable.value_or(static_cast<int>(times.size()));
   const std::vector<std::string> paths = frame_paths(options.output, count);
   std::vector<Picture> pictures;
@@ -127,37 +164,88 @@ PictureOptions chosen_picture(const RenderOptions& options, const Document& docu
 
 /// Grows the document for each of the times and takes the pictures. The camera does not follow the plant's
 /// growth: it stands where it shows the last picture's plant as a whole. Returns what is odd about that plant.
-std::vector<Diagnostic> take_pictures(const Document& document, const std::vector<Picture>& pictures,
-                                      PictureOptions options, const RenderOptions& chosen, Progress& progress) {
-  const PictureFileOptions file = chosen_file(chosen);
-  double grown_time = pictures.back().time;
-  GrowthCache cache;  // what does not change with time is made once
-  const auto grown_at = [&](double time) {
-    GrownDocument plants = grow_document(document, progress, {.time = time, .detail = chosen.detail, .cache = &cache});
-    if (chosen.cards) plants.meshes = make_cards(plants.meshes, {.cards = *chosen.cards}, progress);
-    return plants;
-  };
-  GrownDocument grown = grown_at(grown_time);
-  std::vector<Diagnostic> warnings = grown.warnings;
-  const Vec3 middle = grown.meshes.bounds().centre();
-  if (pictures.front().time != grown_time) {
-    const double aspect = static_cast<double>(options.still.width) / options.still.height;
-    options.view = placed_view(grown.meshes, options.view, aspect);
-  }
-  const View view = options.view;
-  for (const Picture& picture : pictures) {
-    if (picture.time != grown_time) {
-      grown_time = picture.time;
-      grown = grown_at(grown_time);
+class PictureTaker {
+ public:
+  PictureTaker(const Document& document, PictureOptions options, const RenderOptions& chosen,
+               TerminalProgress& terminal)
+      : document_(document), options_(std::move(options)), chosen_(chosen), terminal_(terminal) {}
+
+  /// Those of a film that are there already are left as they are.
+  std::vector<Diagnostic> take(const std::vector<Picture>& pictures, bool keeps_earlier) {
+    const PictureFileOptions file = keeps_earlier ? PictureFileOptions() : chosen_file(chosen_);
+    grow_at(pictures.back().time);
+    std::vector<Diagnostic> warnings = grown_.warnings;
+    const Vec3 middle = grown_.meshes.bounds().centre();
+    const bool moves = pictures.front().time != pictures.back().time;
+    const MeshScene last = moves && document_.at_time ? grown_.meshes : MeshScene();
+    if (moves) options_.view = placed_view(grown_.meshes, options_.view, aspect());
+    const View view = options_.view;
+    std::size_t found = 0;
+    for (std::size_t k = 0; k < pictures.size(); ++k) {
+      const Picture& picture = pictures[k];
+      if (keeps_earlier && std::filesystem::exists(picture.path)) {
+        ++found;
+        continue;
+      }
+      if (pictures.size() > 1) terminal_.tell_frames(k, found, pictures.size());
+      if (picture.time != grown_time_) grow_at(picture.time);
+      // A camera with keys moves.
+      options_.view =
+          turned(moves && document_.at_time ? placed_view(last, chosen_view(chosen_, now()), aspect()) : view, middle,
+                 picture.turn);
+      if (chosen_.fingerprint) {
+        fmt::print("{}\n", picture_fingerprint(grown_, now().scene, options_));
+      } else {
+        write_picture(take_picture(grown_, now().scene, options_, terminal_.progress()), picture.path, file);
+      }
     }
-    options.view = turned(view, middle, picture.turn);
-    if (chosen.fingerprint) {
-      fmt::print("{}\n", picture_fingerprint(grown, document.scene, options));
-    } else {
-      write_picture(take_picture(grown, document.scene, options, progress), picture.path, file);
-    }
+    return warnings;
   }
-  return warnings;
+
+ private:
+  double aspect() const { return static_cast<double>(options_.still.width) / options_.still.height; }
+  const Document& now() const { return other_ ? *other_ : document_; }
+
+  void grow_at(double time) {
+    grown_time_ = time;
+    other_.reset();
+    const Document& document = document_at(document_, time, other_);
+    grown_ = grow_document(document, terminal_.progress(), {.time = time, .detail = chosen_.detail, .cache = &cache_});
+    if (chosen_.cards) grown_.meshes = make_cards(grown_.meshes, {.cards = *chosen_.cards}, terminal_.progress());
+  }
+
+  const Document& document_;
+  PictureOptions options_;
+  const RenderOptions& chosen_;
+  TerminalProgress& terminal_;
+  GrowthCache cache_;  // what does not change with time is made once
+  double grown_time_ = 0;
+  std::optional<Document> other_;
+  GrownDocument grown_;
+};
+
+/// Hash of all that the pictures of a film show.
+std::uint64_t hash_of_film(const Document& document, const std::vector<Picture>& pictures,
+                           const PictureOptions& picture, const RenderOptions& options) {
+  Fingerprint all;
+  all.add_text(version()).add_text(document.source.text).add(document.graph.seed).add_text(options.view);
+  for (const std::string& set : document.source.sets) all.add_text(set);
+  for (const std::string& file : document.source.named_files) {
+    std::error_code error;
+    all.add_text(file).add(std::filesystem::file_size(file, error));
+    all.add(std::filesystem::last_write_time(file, error).time_since_epoch().count());
+  }
+  all.add(picture.still.width).add(picture.still.height).add(picture.still.samples).add(picture.still.transparent);
+  all.add(options.hull).add(options.detail.level).add(options.cards.value_or(0));
+  for (const Picture& one : pictures) all.add(one.time).add(one.turn);
+  return all.hash();
+}
+
+/// Pictures per second of a film that shows the document's seconds as seconds.
+double film_rate(const std::vector<Picture>& pictures, const Document& document) {
+  const double step = pictures.size() > 1 ? pictures[1].time - pictures[0].time : 0;
+  if (step > 0) return 1 / step;
+  return document.graph.animation ? document.graph.animation->fps : Animation().fps;
 }
 
 void render(const RenderOptions& options) {
@@ -165,7 +253,14 @@ void render(const RenderOptions& options) {
   if (options.output.empty()) {
     throw InputError(Diagnostic{.message = "no file to write is given", .expected = "-o FILE, or --fingerprint"});
   }
-  if (!options.fingerprint) check_picture_file(options.output, options.transparent, chosen_file(options));
+  const bool films = is_film(options.output);
+  if (!options.fingerprint) {
+    check_picture_file(films ? "film.png" : options.output, options.transparent && !films, chosen_file(options));
+  }
+  if (films && options.transparent) {
+    throw InputError(
+        Diagnostic{.message = "a film has no alpha channel", .expected = "no --transparent, or -o film.png"});
+  }
   if (options.detail.level < 0 || options.detail.level > kCoarsestDetail) {
     throw InputError(Diagnostic{.message = fmt::format("--lod cannot be {}", options.detail.level),
                                 .expected = fmt::format("a level from 0 to {}", kCoarsestDetail)});
@@ -174,24 +269,34 @@ void render(const RenderOptions& options) {
     throw InputError(Diagnostic{.message = fmt::format("--cards cannot be {}", *options.cards),
                                 .expected = fmt::format("1 to {} cards", kMostCards)});
   }
-  const std::vector<Picture> pictures = planned_pictures(options);
   const Document document = open_document(options.document);
+  std::vector<Picture> pictures = planned_pictures(options, document);
   const PictureOptions picture_options = chosen_picture(options, document);
   const std::vector<std::string> inputs = input_files(document);
+  std::string folder;
+  if (films) {
+    check_film(options.output, picture_options.still.width, picture_options.still.height);
+    check_output(options.output, inputs);
+    folder = frames_folder(options.output, hash_of_film(document, pictures, picture_options, options));
+    for (std::size_t k = 0; k < pictures.size(); ++k) pictures[k].path = frame_path(folder, k);
+  }
   for (const Picture& picture : pictures) {
-    if (!options.fingerprint) check_output(picture.path, inputs);
+    if (!options.fingerprint && !films) check_output(picture.path, inputs);
   }
 
   const ThreadLimit threads = limited_threads(options.document.threads, options.document.quiet);
   std::vector<Diagnostic> warnings;
   {
     TerminalProgress terminal(options.document.quiet);
-    warnings = take_pictures(document, pictures, picture_options, options, terminal.progress());
+    warnings = PictureTaker(document, picture_options, options, terminal).take(pictures, films);
+    if (films) make_film(folder, pictures.size(), film_rate(pictures, document), options.output);
   }
   if (!options.document.quiet) print_diagnostics(warnings);
   if (!options.document.quiet && !options.fingerprint) {
-    const std::string written =
-        pictures.size() == 1 ? pictures[0].path : fmt::format("{} to {}", pictures.front().path, pictures.back().path);
+    const std::string written = films ? fmt::format("{}: {} frames", options.output, pictures.size())
+                                : pictures.size() == 1
+                                    ? pictures[0].path
+                                    : fmt::format("{} to {}", pictures.front().path, pictures.back().path);
     const StillOptions& still = picture_options.still;
     print_status(fmt::format("{}: {} x {} pixels, {} samples", written, still.width, still.height, still.samples));
   }
@@ -204,7 +309,10 @@ void add_render(CLI::App& app, Run& run) {
   auto options = std::make_shared<RenderOptions>();
   options->document.add_to(*command);
   CLI::Option* const output =
-      command->add_option("-o,--output", options->output, "PNG or JPEG file to write; - for a PNG on standard output")
+      command
+          ->add_option("-o,--output", options->output,
+                       "PNG or JPEG file to write, - for a PNG on standard output; a film that ends in .mp4 or "
+                       ".webm needs ffmpeg, and goes on where it was stopped")
           ->type_name("FILE");
   CLI::Option* const fingerprint =
       command->add_flag("--fingerprint", options->fingerprint,
@@ -236,8 +344,8 @@ void add_render(CLI::App& app, Run& run) {
       ->type_name("N");
   command
       ->add_option("--time", options->time,
-                   "Draw the document at this time in seconds, the t of its expressions; FROM:TO:STEP writes one "
-                   "numbered picture per time")
+                   "Draw the document at this time in seconds, by default 0; FROM:TO:STEP writes one numbered picture "
+                   "per time, or a film. By default, a film shows the whole animation")
       ->type_name("T|FROM:TO:STEP");
   command
       ->add_option("--lod", options->detail.level,

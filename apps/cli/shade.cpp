@@ -77,7 +77,7 @@ void shade(ShadeCommand command) {
   command.request.facade = value_of(command.facade);
   command.request.panels = value_of(command.panels);
   command.request.ground = value_of(command.ground);
-  const Document document = open_document(command.document);
+  const Document document = open_document(command.document, time);
   const ShadePlan plan = plan_shade(command.request, document.scene);
   const std::vector<std::string> inputs = input_files(document);
   for (const std::string& path : command.outputs) check_output(path, inputs);

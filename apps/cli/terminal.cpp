@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "terminal.h"
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -48,6 +49,14 @@ std::string readable(const std::string& text) {
   return out;
 }
 
+/// "3 min 20 s", "45 s".
+std::string duration_text(double seconds) {
+  const auto whole = static_cast<long>(seconds + 0.5);
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
+}
+
 constexpr const char* kEraseLine = "\r\033[K";
 
 }  // namespace
@@ -76,12 +85,28 @@ TerminalProgress::~TerminalProgress() {
   if (bar_shown_) write_error(kEraseLine);
 }
 
+void TerminalProgress::tell_frames(std::size_t done, std::size_t found, std::size_t all) {
+  frames_done_ = done;
+  frames_found_ = found;
+  frames_ = all;
+}
+
 void TerminalProgress::show(std::string_view stage, double fraction) {
   constexpr auto kFirst = std::chrono::milliseconds(300);  // quick work shows nothing
   constexpr auto kBarEvery = std::chrono::milliseconds(50);
   constexpr auto kLineEvery = std::chrono::seconds(3);
   const Clock::time_point now = Clock::now();
   if (now - begin_ < kFirst) return;
+  std::string frames;
+  if (const std::size_t all = frames_; all > 0) {
+    const std::size_t done = frames_done_;
+    const std::size_t made = done - std::min(done, frames_found_.load());
+    const double spent = std::chrono::duration<double>(now - begin_).count();
+    frames = fmt::format("frame {} of {}", std::min(done + 1, all), all);
+    if (made > 0) frames += fmt::format(", {} left", duration_text(spent / made * static_cast<double>(all - done)));
+    stage = frames;
+    fraction = static_cast<double>(done) / static_cast<double>(all);
+  }
   if (is_terminal_) {
     if (bar_shown_ && now - shown_ < kBarEvery) return;
     constexpr int kWidth = 40;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,6 +29,9 @@ class TerminalProgress {
   TerminalProgress& operator=(const TerminalProgress&) = delete;
 
   Progress& progress() { return progress_; }
+  /// Says that the work is that many frames, of which the first `done` are made: from then on the bar is over all of
+  /// them and tells the time left. Frames that were there before, `found` of them, took no time.
+  void tell_frames(std::size_t done, std::size_t found, std::size_t all);
 
  private:
   void show(std::string_view stage, double fraction);
@@ -36,6 +41,9 @@ class TerminalProgress {
   bool bar_shown_ = false;
   Clock::time_point begin_ = Clock::now();
   Clock::time_point shown_ = begin_;
+  std::atomic<std::size_t> frames_done_{0};
+  std::atomic<std::size_t> frames_found_{0};
+  std::atomic<std::size_t> frames_{0};
   Progress progress_;
 };
 

@@ -11,6 +11,7 @@
 #include "meristem/components/parts/pipe_table.h"
 #include "meristem/components/parts/surface_table.h"
 #include "meristem/graph/table/node_condition.h"
+#include "meristem/plant/growth_in_time.h"
 #include "meristem/plant/shed.h"
 
 namespace meristem {
@@ -52,12 +53,17 @@ std::unique_ptr<Grower> grow(const Colonize& tree, const Site& site, const GrowC
 
 void expand(const Colonize& tree, const Site& site, Emitter& out) {
   Skeleton skeleton = out.take_grown();
-  if (tree.shed) {
-    skeleton = shed_branches(skeleton, nodes_where(skeleton, Axes(skeleton), *tree.shed, site.key.child("shed")));
+  const bool is_film = out.grows_in_time();
+  std::vector<std::uint8_t> shed;
+  if (tree.shed) shed = nodes_where(skeleton, Axes(skeleton), *tree.shed, site.key.child("shed"));
+  if (tree.shed && is_film) {
+    let_fall(skeleton, shed, out.animation().hold * *out.animation().steps_per_second);
+  } else if (tree.shed) {
+    skeleton = shed_branches(skeleton, shed);
     assign_pipe_radii(skeleton, tree.growth.radii);
     assign_axes(skeleton);
   }
-  out.stem(std::move(skeleton), tree.surface, nullptr, tree.trim);
+  out.stem(std::move(skeleton), tree.surface, nullptr, tree.trim, tree.growth.radii.exponent);
 }
 
 void check_colonize(const Colonize& tree, const DocumentPath& path, ParameterReader& reader) {
@@ -166,6 +172,7 @@ ComponentType colonize_component() {
       .traits = {.name = "colonize",
                  .doc = "A tree that grows into a cloud of attraction points (space colonization).",
                  .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
+                 .grows_in_time = true,
                  .makes_stems = true,
                  .stance = BranchStance::on_axis,
                  .after_growth = {"surface", "trim", "shed"}},

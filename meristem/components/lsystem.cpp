@@ -28,7 +28,8 @@ constexpr Vec3 kLeafGreen{0.31F, 0.47F, 0.19F};
 Word derive_plant(const Lsystem& plant, const Site& site, Emitter& out) {
   const Grammar& grammar = plant.source().grammar;
   const int steps = plant.steps.value_or(grammar.steps.value_or(0));
-  return derive_drawn(grammar, steps, word_key(site), out.limits(), out.progress());
+  return derive_drawn(grammar, steps, word_key(site), out.limits(), out.progress(),
+                      out.grows_in_time() ? KeepBirths::yes : KeepBirths::no);
 }
 
 /// A polygon's corners along the axes of its frame, as shares of its extent and rounded, so that polygons of one shape
@@ -252,6 +253,7 @@ ComponentType lsystem_component() {
            .doc = "A plant by the rules of a grammar (L-system), drawn by a turtle; ~ in its words places components.",
            .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
            .blades = {.material = {.colour = kLeafGreen, .roughness = 0.6F, .translucency = 0.3F, .two_sided = true}},
+           .grows_in_time = true,
            .makes_stems = true,
            .has_twigs = true,
            .stance = BranchStance::on_axis},

@@ -84,15 +84,31 @@ std::unique_ptr<Grower> grow(const Organize& tree, const Site& site, const GrowC
   }
   OrganizeParameters growth = growth_of(tree, *scale, site.frame.axes);
   growth.directions = context.directions;
+  growth.keeps_fallen = context.keeps_fallen;
   return make_organizer(context.stand, std::move(seeds), growth, site.key.child("growth"), context.scene,
                         context.limits, context.component);
+}
+
+/// The iterations that a tree has gone through, with a fraction where it grows over time.
+double age_of(const Organize& tree, const Emitter& out) {
+  const double last = tree.growth.iterations;
+  if (!out.grows_in_time()) return last;
+  return std::min(last, out.time() * *out.animation().steps_per_second);
+}
+
+/// The share of its size that a leaf still has before it falls: it withers as it has unfolded.
+float share_withered(double left, const Emitter& out) {
+  if (!out.grows_in_time()) return 1;
+  const double unfold = out.animation().unfold * *out.animation().steps_per_second;
+  const double u = unfold > 0 ? std::min(1.0, left / unfold) : 1;
+  return static_cast<float>(u * u * (3 - 2 * u));
 }
 
 /// A site for a leaf beside each lateral bud of the young metamers. A tree that no longer grows has none.
 void offer_leaves(const Organize& tree, const Skeleton& skeleton, float scale, Emitter& out) {
   const std::vector<float>& angle = skeleton.extra.find("bud_angle")->second;
   const std::vector<float>& number = skeleton.extra.find("metamer")->second;
-  const int youngest_bare = tree.growth.iterations - tree.leaf_age;
+  const double youngest_bare = age_of(tree, out) - tree.leaf_age;
   const auto along = static_cast<float>(math::cos(tree.leaf_angle));
   const auto aside = static_cast<float>(math::sin(tree.leaf_angle));
   std::vector<std::uint32_t> last(skeleton.axis.empty() ? 0 : *std::ranges::max_element(skeleton.axis) + 1, 1);
@@ -100,13 +116,13 @@ void offer_leaves(const Organize& tree, const Skeleton& skeleton, float scale, E
     last[skeleton.axis[node]] = std::max(last[skeleton.axis[node]], static_cast<std::uint32_t>(number[node]));
   }
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
-    if (skeleton.is_root(node) || skeleton.birth[node] <= static_cast<float>(youngest_bare)) continue;
+    if (skeleton.is_root(node) || skeleton.birth[node] <= youngest_bare) continue;
     const Vec3 internode = skeleton.position[node] - skeleton.position[skeleton.parent[node]];
     const Vec3 axis = normalized_or(internode, kUp);
     const Vec3 side = bud_side(axis, angle[node]);
     const Vec3 bark = skeleton.position[node] + skeleton.radius[node] * side;
     Frame leaf = frame_along(bark, along * axis + aside * side, axis);
-    leaf.axes *= scale;
+    leaf.axes *= scale * share_withered(skeleton.birth[node] - youngest_bare, out);
     out.branch_site_on_stem(leaf, number[node] / static_cast<float>(last[skeleton.axis[node]]), glm::length(internode),
                             skeleton.radius[node], node, 1);
   }
@@ -156,7 +172,7 @@ void show_supports(const Organize& tree, const Frame& frame, Emitter& out) {
 void expand(const Organize& tree, const Site& site, Emitter& out) {
   const Skeleton skeleton = out.take_grown();
   show_supports(tree, site.frame, out);
-  out.stem(skeleton, tree.surface, nullptr, tree.trim);
+  out.stem(skeleton, tree.surface, nullptr, tree.trim, tree.growth.radii.exponent);
   offer_leaves(tree, skeleton, glm::length(site.frame.heading()), out);
 }
 
@@ -263,6 +279,7 @@ ComponentType organize_component() {
                  .doc = "Trees whose buds compete for light and room, metamer by metamer (self-organizing).",
                  .material = {.colour = {0.40F, 0.34F, 0.28F}, .roughness = 0.95F},
                  .blades = {.material = {.colour = {0.45F, 0.42F, 0.38F}, .roughness = 0.7F}},
+                 .grows_in_time = true,
                  .makes_stems = true,
                  .has_ribs = true,
                  .stance = BranchStance::on_axis,

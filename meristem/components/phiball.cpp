@@ -18,11 +18,13 @@ constexpr const char* kZone = "'theta1' below 'theta2'";
 
 void expand(const Phiball& ball, const Site&, Emitter& out) {
   out.no_children();
-  const auto number = static_cast<std::uint32_t>(ball.number);
-  out.expect_children(number);
-  const std::vector<double> size = out.per_child(ball.size, number);
+  const std::uint32_t number = out.expect_parts(ball.number);
+  std::vector<double> size = out.per_child(ball.size, number);
   double whole = 0;
+  // The last one takes the area that its size has come to.
+  const double part = ball.number.last();
   for (const double s : size) whole += s * s;
+  if (number > 0) whole -= size.back() * size.back() * (1 - part * part);
   if (!(whole > 0)) return;
 
   const double top = math::cos(ball.theta1);
@@ -37,7 +39,7 @@ void expand(const Phiball& ball, const Site&, Emitter& out) {
   const Vec3 middle(0, ball.pole ? -static_cast<float>(radius) : 0.0F, 0);
   double before = 0;
   for (std::uint32_t k = 0; k < number; ++k) {
-    const double own = size[k] * size[k];
+    const double own = size[k] * size[k] * (k + 1 == number ? part * part : 1);
     const double polar = math::acos(top - (before + 0.5 * own) / whole * height);
     before += own;
     // Turns are counted in whole ones first, so that they are as exact for the last child as for the first.
@@ -63,8 +65,8 @@ ComponentType phiball_component() {
                  .has_geometry = false},
       .parameters =
           Table<Phiball>("a phiball", "Sites for children on a zone of a sphere by the golden angle.")
-              .integer("number", &Phiball::number, {.min = 0, .max = 2e9, .usual = {0, 500}},
-                       "Number of children on the sphere.")
+              .count("number", &Phiball::number, {.min = 0, .max = 2e9, .usual = {0, 500}},
+                     "Number of children on the sphere; of 30.4 there are 31, and the last has 0.4 of its size.")
               .number("radius", &Phiball::radius, {.unit = Unit::metre, .min = 0, .max = 1e5, .usual = {0, 0.3}},
                       "Radius of the sphere; by default 0.1, unless 'area' is given.")
               .number("area", &Phiball::area, {.min = 0, .max = 1e8, .usual = {1e-6, 0.001}, .above_min = true},

@@ -12,7 +12,7 @@ namespace meristem {
 
 /// Where the children of a phiball stand.
 struct Phiball : ComponentBase {
-  int number = 50;
+  Count number = 50;
   std::optional<double> radius;  ///< of the sphere, metres; 0.1 where neither is given
   std::optional<double> area;    ///< square metres that a child of size 1 takes: gives the radius
   double theta1 = 0;             ///< radians from the pole, at which the zone begins

@@ -17,6 +17,7 @@
 #include "meristem/components/phiball.h"
 #include "meristem/components/places.h"
 #include "meristem/components/revolution.h"
+#include "meristem/components/sequence.h"
 #include "meristem/components/simple.h"
 #include "meristem/components/skeleton.h"
 #include "meristem/components/subdocument.h"
@@ -33,7 +34,7 @@ const Registry& builtin_components() {
       grassleaf_component(),  tree_component(),   horn_component(),       hydra_component(),       wreath_component(),
       phiball_component(),    field_component(),  places_component(),     subdocument_component(), colonize_component(),
       organize_component(),   cloud_component(),  lsystem_component(),    skeleton_component(),    ffd_component(),
-      hyperpatch_component(), trim_component(),   world_component(),
+      hyperpatch_component(), trim_component(),   world_component(),      sequence_component(),
   });
   return registry;
 }

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "meristem/document/animation_keys.h"
 #include "meristem/document/instance_variables.h"
 #include "meristem/document/json.h"
 #include "meristem/document/locate.h"
@@ -38,8 +39,9 @@ Limits within(const Limits& own, const Limits& outer) {
 /// Fills a Document from the tree of its text; the reader collects what is wrong.
 class DocumentReader {
  public:
-  DocumentReader(const Value& root, const Registry& registry, const ReadOptions& options, const std::string& file)
-      : root_(root),
+  /// The tree gets what the keys of the animation say.
+  DocumentReader(Value root, const Registry& registry, const ReadOptions& options, const std::string& file)
+      : root_(std::move(root)),
         registry_(registry),
         options_(options),
         access_{.folder = std::filesystem::path(file).parent_path().string(),
@@ -65,12 +67,17 @@ class DocumentReader {
     read_limits(document.graph.limits);
     if (options_.within) document.graph.limits = within(document.graph.limits, *options_.within);
     sources_.set_limits(document.graph.limits);
-    sources_.set_limits(document.graph.limits);
+    std::vector<KeyedParameter> keyed = put_keys_of_variables(document.graph.limits);
     const Value* given_variables = root_.find("variables");
     const VariableValues solved = solve_variables(given_variables, document.graph.limits);
 
     ParameterReader reader(solved.constants, document.graph.limits, access_);
     reader.note_expressions(options_.expression_paths);
+    read_animation(reader, document.graph);
+    for (KeyedParameter& parameter : put_other_keys(root_, registry_, options_.time, reader)) {
+      keyed.push_back(std::move(parameter));
+    }
+    reader.expect_keys(paths_of_keys(keyed));
     document.variables = read_variables(given_variables, solved, reader);
     document.source.variable_notes = note_variables(document.variables, solved, document.source.overridden);
     read_head(reader, document);
@@ -89,12 +96,15 @@ class DocumentReader {
       analyse_structure(document.graph, diagnostics_);
       if (!has_errors(diagnostics_)) check_given_names(root_, document.graph, diagnostics_);
       if (!has_errors(diagnostics_)) check_silent_keys(root_, document.graph, diagnostics_);
+      if (!has_errors(diagnostics_) && !keyed.empty()) check_key_clocks(keyed, document.graph, diagnostics_);
     }
     keep_first(document.graph.limits.diagnostics);
     return std::move(diagnostics_);
   }
 
   const std::vector<ParameterReader::Meaningless>& meaningless() const { return meaningless_; }
+  /// Whether the document's time makes it another one.
+  bool depends_on_time() const { return depends_on_time_; }
 
   static bool has_errors(const std::vector<Diagnostic>& diagnostics) {
     return std::any_of(diagnostics.begin(), diagnostics.end(),
@@ -102,6 +112,33 @@ class DocumentReader {
   }
 
  private:
+  std::vector<KeyedParameter> put_keys_of_variables(const Limits& limits) {
+    ParameterReader reader({}, limits);
+    std::vector<KeyedParameter> keyed = put_variable_keys(root_, options_.time, reader);
+    take_from(reader);
+    return keyed;
+  }
+
+  /// Document paths of the numbers in whose place keys stand.
+  std::vector<std::string> paths_of_keys(const std::vector<KeyedParameter>& keyed) {
+    std::vector<std::string> paths;
+    for (const KeyedParameter& parameter : keyed) {
+      if (parameter.clock == KeyClock::document) depends_on_time_ = true;
+      if (parameter.clock != KeyClock::instance) continue;
+      paths.push_back(parameter.path);
+      for (const char* const element : {"[0]", "[1]", "[2]"}) paths.push_back(parameter.path + element);
+    }
+    return paths;
+  }
+
+  void read_animation(ParameterReader& reader, Graph& graph) const {
+    const Value* given = root_.find("animation");
+    if (given == nullptr) return;
+    Animation animation;
+    reader.read(animation_table(), &animation, *given, DocumentPath(top_, "animation"));
+    graph.animation = animation;
+  }
+
   void take_from(ParameterReader& reader) {
     std::vector<Diagnostic> found = reader.take_diagnostics();
     const auto errors =
@@ -290,7 +327,7 @@ class DocumentReader {
     return found;
   }
 
-  const Value& root_;
+  Value root_;
   const Registry& registry_;
   const ReadOptions& options_;
   const FileAccess access_;
@@ -299,6 +336,7 @@ class DocumentReader {
   std::vector<Diagnostic> diagnostics_;
   std::vector<ParameterReader::Meaningless> meaningless_;
   std::size_t hidden_ = 0;  // faults that are only counted
+  bool depends_on_time_ = false;
 };
 
 }  // namespace
@@ -318,10 +356,28 @@ void Source::place(std::vector<Diagnostic>& diagnostics) const {
   }
 }
 
+namespace {
+
+/// Reads a document at other times. What its files hold is kept from one time to the next.
+std::function<Document(double)> reading_again(const Document& document, const Registry& registry,
+                                              const ReadOptions& options) {
+  ReadOptions again = options;
+  again.expression_paths = nullptr;
+  auto store = std::make_shared<ReadStore>();
+  return [text = document.source.text, file = document.source.file, &registry, again, store](double time) mutable {
+    again.time = time;
+    again.store = store.get();
+    return read_document(text, file, registry, again);
+  };
+}
+
+}  // namespace
+
 Document read_document(std::string text, const std::string& file, const Registry& registry,
                        const ReadOptions& options) {
   Document document;
   document.source = {.file = file, .text = std::move(text)};
+  bool depends_on_time = false;
   std::vector<Diagnostic> diagnostics;
   const bool is_outermost = options.chain == nullptr;  // what others name is part of one read
   if (options.store != nullptr && is_outermost) options.store->begin_read();
@@ -335,6 +391,7 @@ Document read_document(std::string text, const std::string& file, const Registry
     for (bool again = diagnostics.empty(); again;) {
       DocumentReader reader(root, registry, reading, file);
       diagnostics = reader.run(document);
+      depends_on_time = reader.depends_on_time();
       // What is set goes before the document: what this says and means nothing beside it gives way.
       again = give_way(root, reader.meaningless(), document.source.overridden);
       if (again) document = Document{.source = std::move(document.source)};
@@ -346,7 +403,14 @@ Document read_document(std::string text, const std::string& file, const Registry
   if (DocumentReader::has_errors(diagnostics)) throw InputError(std::move(diagnostics));
   document.warnings = std::move(diagnostics);
   if (options.store != nullptr && is_outermost) options.store->end_read();
+  document.time = options.time;
+  if (depends_on_time && is_outermost) document.at_time = reading_again(document, registry, options);
   return document;
+}
+
+const Document& document_at(const Document& document, double time, std::optional<Document>& other) {
+  if (!document.at_time || time == document.time) return document;
+  return other.emplace(document.at_time(time));
 }
 
 }  // namespace meristem

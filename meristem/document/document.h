@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -82,7 +83,13 @@ struct Document {
   OutputParameters output;
   Source source;
   std::vector<Diagnostic> warnings;  ///< what is odd but not wrong
+  double time = 0;                   ///< seconds: what is one value for the document has the value of its keys then
+  /// The document at another time, where its keys make that another one; else empty. Throws what read_document throws.
+  std::function<Document(double time)> at_time;
 };
+
+/// A document as it stands at a time: itself, or one that is read anew into `other`.
+const Document& document_at(const Document& document, double time, std::optional<Document>& other);
 
 /// Splits "PATH=VALUE"; the value is JSON where it reads as such, else text. Throws InputError for texts without
 /// '=' or a path before it; whether that is well formed, read_document checks.
@@ -99,6 +106,7 @@ struct DocumentChain {
 struct ReadOptions {
   std::vector<Override> overrides{};    ///< values that replace those of the text
   std::optional<std::uint64_t> seed{};  ///< in place of the document's
+  double time = 0;                      ///< seconds: what is one value for the document gets what its keys give then
   /// Files outside this folder are not read, wherever links and dots lead, and messages do not reveal what is there.
   /// Empty: any file may be read.
   std::string root{};

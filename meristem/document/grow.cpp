@@ -2,6 +2,7 @@
 #include "meristem/document/grow.h"
 
 #include <algorithm>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -98,6 +99,9 @@ std::vector<ReuseCount> reuse_of(const GrowthCache& cache) {
 }
 
 GrownDocument grow_document(const Document& document, Progress& progress, const GrowthOptions& options) {
+  std::optional<Document> other;
+  const Document& now = document_at(document, options.time, other);
+  if (&now != &document) return grow_document(now, progress, options);
   GrownDocument grown;
   grown.plant = placing_faults(
       document, [&] { return expand(document.graph, document.scene, options.time, progress, options.cache); });

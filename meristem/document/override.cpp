@@ -14,45 +14,12 @@ namespace meristem {
 
 namespace {
 
-/// "links[1].density" -> "links", "[1]", "density"; empty where the path is not well formed.
-std::vector<std::string> path_elements(const std::string& path) {
-  std::vector<std::string> elements;
-  if (path.starts_with('[')) return elements;
-  std::size_t at = 0;
-  while (at < path.size()) {
-    const bool is_index = path[at] == '[';
-    std::size_t end = is_index ? path.find(']', at) : path.find_first_of(".[", at);
-    if (is_index && end == std::string::npos) return {};
-    end = is_index ? end + 1 : std::min(end, path.size());
-    if (end == at) return {};
-    elements.push_back(path.substr(at, end - at));
-    at = end;
-    if (at == path.size() || path[at] == '[') continue;
-    if (path[at] != '.' || ++at == path.size() || path[at] == '[') return {};
-  }
-  return elements;
-}
-
 std::vector<std::string> member_names(const Value& value) {
   std::vector<std::string> names;
   if (const Value::Object* object = value.object()) {
     for (const auto& [name, member] : *object) names.push_back(name);
   }
   return names;
-}
-
-/// The full path of what an override's path, which is well formed, means in this document.
-std::string full_path(const Value& root, const std::string& path) {
-  const std::vector<std::string> elements = path_elements(path);
-  const std::vector<std::string> keys = head_table().names();
-  const bool is_key = std::find(keys.begin(), keys.end(), elements[0]) != keys.end();
-  if (elements.size() == 1) {
-    const Value* variables = root.find("variables");
-    const Value* variable = variables == nullptr ? nullptr : variables->find(path);
-    if (variable == nullptr) return is_key ? path : "variables." + path;
-    return variable->object() == nullptr ? "variables." + path : "variables." + path + ".value";
-  }
-  return is_key ? path : "components." + path;
 }
 
 Diagnostic unknown(const std::string& path, std::string message, const std::string& name,
@@ -105,17 +72,52 @@ bool is_known(const Value& root, const std::vector<std::string>& elements, const
   return false;
 }
 
-/// The value in the tree, made where it is a member that may be added; null with a fault otherwise.
-Value* find_or_add(Value& root, const std::string& path, std::vector<Diagnostic>& diagnostics) {
+}  // namespace
+
+std::vector<std::string> path_elements(const std::string& path) {
+  std::vector<std::string> elements;
+  if (path.starts_with('[')) return elements;
+  std::size_t at = 0;
+  while (at < path.size()) {
+    const bool is_index = path[at] == '[';
+    std::size_t end = is_index ? path.find(']', at) : path.find_first_of(".[", at);
+    if (is_index && end == std::string::npos) return {};
+    end = is_index ? end + 1 : std::min(end, path.size());
+    if (end == at) return {};
+    elements.push_back(path.substr(at, end - at));
+    at = end;
+    if (at == path.size() || path[at] == '[') continue;
+    if (path[at] != '.' || ++at == path.size() || path[at] == '[') return {};
+  }
+  return elements;
+}
+
+std::string full_path(const Value& root, const std::string& path) {
   const std::vector<std::string> elements = path_elements(path);
-  if (!is_known(root, elements, path, diagnostics)) return nullptr;
+  const std::vector<std::string> keys = head_table().names();
+  const bool is_key = std::find(keys.begin(), keys.end(), elements[0]) != keys.end();
+  if (elements.size() == 1) {
+    const Value* variables = root.find("variables");
+    const Value* variable = variables == nullptr ? nullptr : variables->find(path);
+    if (variable == nullptr) return is_key ? path : "variables." + path;
+    return variable->object() == nullptr ? "variables." + path : "variables." + path + ".value";
+  }
+  return is_key ? path : "components." + path;
+}
+
+Value* find_or_add(Value& root, const std::string& path, const std::string& place,
+                   std::vector<Diagnostic>& diagnostics) {
+  const std::vector<std::string> elements = path_elements(path);
+  if (!is_known(root, elements, place, diagnostics)) return nullptr;
   Value* at = &root;
   for (std::size_t k = 0; k < elements.size() && at != nullptr; ++k) {
-    at = elements[k][0] == '[' ? find_element(*at, elements[k], path, diagnostics)
-                               : find_or_add_member(*at, elements[k], path, diagnostics);
+    at = elements[k][0] == '[' ? find_element(*at, elements[k], place, diagnostics)
+                               : find_or_add_member(*at, elements[k], place, diagnostics);
   }
   return at;
 }
+
+namespace {
 
 /// Takes a member away, if it is there.
 void remove_member(Value& root, const std::string& path, std::vector<Diagnostic>& diagnostics) {
@@ -169,7 +171,7 @@ void apply_overrides(Value& root, const std::vector<Override>& overrides, Source
     }
     if (override.value.is_null()) {
       remove_member(root, path, diagnostics);
-    } else if (Value* target = find_or_add(root, path, diagnostics)) {
+    } else if (Value* target = find_or_add(root, path, path, diagnostics)) {
       *target = override.value;
     }
   }

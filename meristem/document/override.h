@@ -9,6 +9,14 @@
 
 namespace meristem {
 
+/// "links[1].density" -> "links", "[1]", "density"; empty where the path is not well formed.
+std::vector<std::string> path_elements(const std::string& path);
+/// The full path of what a well-formed path as `--set` takes it means in this document.
+std::string full_path(const Value& root, const std::string& path);
+/// The value at a full path, made where it is a member that may be added; null with a fault at `place` otherwise.
+Value* find_or_add(Value& root, const std::string& path, const std::string& place,
+                   std::vector<Diagnostic>& diagnostics);
+
 /// Puts the values into the tree and their paths into `source`; adds a fault for each path that leads nowhere. A path
 /// without a dot or bracket is a variable; one that begins with a top-level key is taken as it stands; others begin
 /// with a component's id. Members that are not there yet are added (the reader checks them), elements of lists must

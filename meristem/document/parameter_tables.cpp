@@ -130,6 +130,7 @@ class TableList {
     } else if (row.nested != nullptr) {
       made.emplace_back("table", add(row.nested(), table_name + "." + row.name));
     }
+    if (row.key_clock(true) != KeyClock::none) made.emplace_back("keyed", true);
     if (row.required) made.emplace_back("required", true);
     if (!fallback.is_null() && !row.required) made.emplace_back("default", fallback);
     return made;
@@ -183,6 +184,7 @@ Value parameter_tables(const Registry& registry) {
                   {"links", std::move(links)},
                   {"document", tables.add(head_table(), "document")},
                   {"variable", tables.add(variable_table(), "variable")},
+                  {"animation", tables.add(animation_table(), "animation")},
                   {"limits", tables.add(limits_table(), "limits")}};
   document.emplace_back("tables", tables.take());
   return document;

@@ -209,7 +209,7 @@ class SchemaWriter {
       case ParameterKind::number:
         return number("number", row.form);
       case ParameterKind::integer:
-        return number("integer", row.form);
+        return number(row.form.counts ? "number" : "integer", row.form);
       case ParameterKind::boolean:
         return typed("boolean");
       case ParameterKind::text:
@@ -287,6 +287,17 @@ Value link_schema(const SchemaWriter& writer) {
       {list_of(id, 2, 2), plain, placed(placement_table(), "branch"), placed(crown_placement_table(), "crown")});
 }
 
+/// Keys by the path of a parameter; what they may be, the parameter's row says.
+Value keys_schema() {
+  const Value time = number_schema("number", {.min = 0});
+  const Value way = Object{{"enum", List{"linear", "smooth", "step"}}};
+  const Value key = Object{{"type", "array"}, {"items", List{time, Object{}, way}}, {"minItems", 2}, {"maxItems", 3}};
+  Object schema = typed("object");
+  schema.emplace_back("description", "Keys [time, value, way] of parameters, by their paths.");
+  schema.emplace_back("additionalProperties", list_of(key, 1, 0));
+  return schema;
+}
+
 /// A `recursion` needs a link that leads back, and so links, or components that place others by themselves.
 Value recursion_rule(const Registry& registry) {
   const auto all_components = [](Value each) {
@@ -319,6 +330,7 @@ Value document_schema(const Registry& registry) {
   Object properties{{"variables", std::move(variables)},
                     {"components", std::move(components)},
                     {"links", list_of(link_schema(writer), 0, 0)},
+                    {"animation", writer.table(animation_table(), {{"keys", keys_schema()}})},
                     {"limits", writer.table(limits_table())}};
   const Value head = writer.table(head_table(), std::move(properties), {"components"});
 

@@ -127,8 +127,12 @@ class DocumentSource : public PlantSource {
   }
 
   std::shared_ptr<const PlantVariant> grow(const PlantRequest& request, const Progress& progress) const override {
-    ReadOptions options{
-        .seed = request.seed, .root = root_, .models = models_, .chain = &chain_.back(), .within = within_};
+    ReadOptions options{.seed = request.seed,
+                        .time = request.time,
+                        .root = root_,
+                        .models = models_,
+                        .chain = &chain_.back(),
+                        .within = within_};
     for (const auto& [name, value] : request.values) options.overrides.push_back({name, Value(value), "set " + name});
     const auto document = std::make_shared<const Document>(read_document(text_, file_, registry_, options));
     Progress part(&progress);

@@ -91,7 +91,7 @@ const ParameterTable& head_table() {
           .object("scene", &DocumentHead::scene, scene_table,
                   "Surroundings of the plants: light, obstacles and ground.")
           .object("output", &DocumentHead::output, output_table, "Defaults for pictures and files.")
-          .elsewhere({"variables", "components", "links", "limits"});
+          .elsewhere({"variables", "components", "links", "animation", "limits"});
   return table;
 }
 
@@ -111,6 +111,27 @@ const ParameterTable& variable_table() {
           .boolean("private", &Variable::is_private,
                    "Whether the variable is only shared by expressions and not shown to users as a handle.")
           .shorthand("value");
+  return table;
+}
+
+const ParameterTable& animation_table() {
+  static const ParameterTable table =
+      Table<Animation>("an animation", "The document over time.")
+          .number("length", &Animation::length, {.unit = Unit::second, .min = 0, .max = 1e6, .above_min = true},
+                  "Length of the film of the document.")
+          .required()
+          .number("fps", &Animation::fps, {.min = 0, .max = 1000, .usual = {10, 60}, .above_min = true},
+                  "Frames per second of films.")
+          .number(
+              "steps_per_second", &Animation::steps_per_second,
+              {.min = 0, .max = 1e6, .usual = {1, 30}, .above_min = true},
+              "Growth steps per second: plants that grow by a model unroll over time; by default, they are full-grown.")
+          .number("unfold", &Animation::unfold, {.unit = Unit::second, .min = 0, .max = 1e6, .usual = {0, 5}},
+                  "Time in which what stands on such a plant comes to its full size, from when its place has grown.")
+          .number("hold", &Animation::hold, {.unit = Unit::second, .min = 0, .max = 1e6, .usual = {0, 10}},
+                  "Time for which a branch that such a plant sheds stays on it after the branch has ceased to grow.")
+          .only_with("steps_per_second", {"unfold", "hold"})
+          .elsewhere({"keys"});
   return table;
 }
 

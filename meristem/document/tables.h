@@ -43,8 +43,9 @@ struct DocumentHead {
   OutputParameters output;
 };
 
-const ParameterTable& head_table();      ///< the rows of DocumentHead
-const ParameterTable& variable_table();  ///< the rows of Variable
-const ParameterTable& limits_table();    ///< the rows of Limits
+const ParameterTable& head_table();       ///< the rows of DocumentHead
+const ParameterTable& variable_table();   ///< the rows of Variable
+const ParameterTable& animation_table();  ///< the rows of Animation
+const ParameterTable& limits_table();     ///< the rows of Limits
 
 }  // namespace meristem

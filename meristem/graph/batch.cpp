@@ -54,7 +54,7 @@ std::uint64_t bytes_of(const Skeleton& skeleton) {
 
 std::optional<std::uint64_t> hash_of(const Site& site) {
   const auto& [frame, key, i, n, u, length, radius, birth, order, depth, stem, node, along, section, surface,
-               individual, row, depths, values, surroundings] = site;
+               individual, row, depths, clock, appeared, part, values, surroundings] = site;
   if (surroundings != nullptr && surroundings->hash == 0) return std::nullopt;
   Packed packed;
   packed.add(frame.axes);
@@ -76,6 +76,11 @@ std::optional<std::uint64_t> hash_of(const Site& site) {
   packed.add(individual);
   packed.add(row);
   packed.add(depths);
+  packed.add(clock.start);
+  packed.add(clock.speed);
+  packed.add(clock.is_local);
+  packed.add(appeared);
+  packed.add(part);
   packed.add(values == nullptr ? std::uint64_t{0} : values->hash());
   packed.add(surroundings == nullptr ? std::uint64_t{0} : surroundings->hash);
   return packed.hash();

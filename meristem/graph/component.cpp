@@ -129,15 +129,35 @@ std::vector<std::string> rows_after_growth(const ComponentType& type) {
   return names;
 }
 
+namespace {
+
+/// Whether an object of this value has a member of that name, as numbers with keys have "keys".
+bool has_member(const Value& value, std::string_view name) {
+  if (value.find(name) != nullptr) return true;
+  if (const Value::List* list = value.list()) {
+    return std::ranges::any_of(*list, [&](const Value& one) { return has_member(one, name); });
+  }
+  const Value::Object* object = value.object();
+  return object != nullptr &&
+         std::ranges::any_of(*object, [&](const auto& one) { return has_member(one.second, name); });
+}
+
+bool asks_for_time(const Value& value) { return mentions(value, "t") || has_member(value, "keys"); }
+
+}  // namespace
+
 void set_fingerprints(Prototype& prototype, const Value& value, std::span<const ExpressionNames::Constant> constants,
                       std::span<const NamedFile> files, const Limits& limits) {
   prototype.fingerprint = fingerprint_of(value, constants, files, limits.file_bytes);
-  prototype.depends_on_time = mentions(value, "t");
+  prototype.depends_on_time = asks_for_time(value);
+
   if (!prototype.type->grow || value.object() == nullptr) return;
   Value::Object of_growth = *value.object();
   const std::vector<std::string> after = rows_after_growth(*prototype.type);
   std::erase_if(of_growth, [&](const Value::Member& member) { return is_among(member.first, after); });
-  prototype.growth_fingerprint = fingerprint_of(Value(std::move(of_growth)), constants, files, limits.file_bytes);
+  const Value growth(std::move(of_growth));
+  prototype.growth_depends_on_time = asks_for_time(growth);
+  prototype.growth_fingerprint = fingerprint_of(growth, constants, files, limits.file_bytes);
 }
 
 void check_rules(const ComponentType& type, const std::string& id, const void* instance, const Limits& limits) {

@@ -93,6 +93,7 @@ struct GrowContext {
   const std::string& component;  ///< id, for errors
   Stand& stand;                  ///< the stand that the component will grow in
   Progress& progress;
+  bool keeps_fallen = false;  ///< what it sheds is wanted too: its growth will be shown over time
 };
 
 /// What a component places by itself.
@@ -139,7 +140,8 @@ struct Prototype {
   /// Hash of all that the document says of it; nullopt if that is not known, and then its results are not cached.
   std::optional<std::uint64_t> fingerprint{};
   std::optional<std::uint64_t> growth_fingerprint{};  ///< of everything that the component's growth depends on
-  bool depends_on_time = true;                        ///< whether an expression of it may ask for t
+  bool depends_on_time = true;                        ///< whether an expression or a key of it may ask for t
+  bool growth_depends_on_time = true;                 ///< the same of what its growth depends on
   std::string shown{};                                ///< id of the component that it shows, or empty
   std::vector<std::uint32_t>
       given_slots{};  ///< slots of the values that it gives its children by name: indices into Graph::site_names

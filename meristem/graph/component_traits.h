@@ -44,6 +44,8 @@ struct ComponentTraits {
   bool is_camera = false;        ///< the root of every graph
   bool bears_plants = false;     ///< each instance that stands on it directly is a plant of its own (Individual)
   bool speaks_of_space = false;  ///< it makes nothing: what stands on it directly is a plant of its own where it is one
+  bool begins_clock = false;     ///< what hangs on it has a clock of its own
+  bool grows_in_time = false;    ///< its stems may stand as they stood at an earlier step: nodes tell their births
   bool makes_stems = false;      ///< branch links place children along stems
   bool has_twigs =
       false;              ///< by default children stand along the twigs of its stems alone; what grows has twigs anyway

@@ -68,7 +68,7 @@ const Directions& Emitter::directions() const {
 const Limits& Emitter::limits() const { return context_->limits; }
 const std::string& Emitter::component() const { return context_->prototype.id; }
 Progress& Emitter::progress() const { return *context_->progress; }
-double Emitter::time() const { return context_->time; }
+double Emitter::time() const { return site_.clock.at(context_->time); }
 bool Emitter::varies(std::size_t offset) const {
   return std::ranges::any_of(context_->prototype.varyings, [&](const Varying& varying) {
     return (varying.way.empty() ? varying.offset : varying.way[0].offset) == offset;
@@ -110,6 +110,8 @@ void Emitter::begin_instance(const ComponentBase& base, const Site& site) {
   has_child_sites_ = false;
   stems_of_instance_ = 0;
   expected_ = 0;
+  parts_ = nullptr;
+  site_.part = 1;
   first_child_ = child_sites.size();
   first_branch_ = branch_sites.size();
   first_named_ = named_sites.size();
@@ -144,8 +146,30 @@ void Emitter::end_instance() {
   };
   number(child_sites, first_child_);
   number(branch_sites, first_branch_);
+  if (parts_ != nullptr) {
+    tell_parts(child_sites, first_child_);
+    tell_parts(branch_sites, first_branch_);
+  }
   number_named_sites();
   if (uncounted_ >= kCountedTogether / 8) count_sites();
+}
+
+/// Tells sites that stand for the parts of a count when each has come to be, and how far.
+void Emitter::tell_parts(std::vector<Site>& sites, std::size_t first) const {
+  const auto offset = reinterpret_cast<const std::byte*>(parts_) - reinterpret_cast<const std::byte*>(base_);
+  const auto is_its = [&](const Varying& varying) {
+    return varying.way.empty() && varying.offset == static_cast<std::size_t>(offset) && varying.keys != nullptr;
+  };
+  const auto keyed = std::ranges::find_if(context_->prototype.varyings, is_its);
+  const auto last = static_cast<float>(parts_->last());
+  for (std::size_t k = first; k < sites.size(); ++k) {
+    Site& site = sites[k];
+    site.part = last;
+    if (site.i + 1 == site.n && last < 1) site.frame.axes *= last;
+    if (keyed == context_->prototype.varyings.end() || keyed->expression) continue;
+    const double appeared = keyed->keys->first.since(site.i + 1.0, time());
+    site.appeared = std::max(site_.appeared, appeared);
+  }
 }
 
 /// Each name's sites count by themselves.
@@ -198,7 +222,7 @@ std::uint32_t Emitter::number_of_individual() {
 }
 
 void Emitter::plant(const Frame& local, std::shared_ptr<const PlantSource> source, PlantRequest request) {
-  request.time = context_->time;
+  request.time = time();
   plants.push_back({geometry_frame_ * local, std::move(source), std::move(request), site_.birth, visible_,
                     deformation_at(site_), site_.row});
 }
@@ -270,18 +294,45 @@ std::shared_ptr<const Mesh> Emitter::shared_mesh(std::uint64_t key, FunctionRef<
              "components." + component());
 }
 
-void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* branching, TrimMode trim) {
-  count_nodes(skeleton.node_count());
-  std::shared_ptr<const TrimmedStem> trimmed;
+bool Emitter::grows_in_time() const {
+  return context_->prototype.type->grows_in_time && context_->animation != nullptr &&
+         context_->animation->steps_per_second;
+}
+
+const Animation& Emitter::animation() const { return *context_->animation; }
+
+/// What the surroundings and the time leave of a stem; null where that is all of it. A stem that grows is cut as it is
+/// by then, also where it would be fitted.
+std::shared_ptr<const TrimmedStem> Emitter::trimmed_stem(Skeleton skeleton, TrimMode trim, const GrowingStem* growing,
+                                                         double pipe_exponent) const {
   const Crown* const body = surroundings().trim.get();
-  if (body != nullptr && trim != TrimMode::none) {
-    TrimmedSkeleton left = trim_skeleton(
-        skeleton, [&](Vec3 from, Vec3 to) { return body->reach(from, to); }, trim);
-    if (!left.is_whole) {
-      trimmed = std::make_shared<const TrimmedStem>(std::move(skeleton), std::move(left), trim);
-      skeleton = trimmed->left();
-    }
+  const bool is_cut = body != nullptr && trim != TrimMode::none;
+  const auto reach = [&](Vec3 from, Vec3 to) { return body->reach(from, to); };
+  if (growing == nullptr) {
+    if (!is_cut) return nullptr;
+    TrimmedSkeleton left = trim_skeleton(skeleton, reach, trim);
+    if (left.is_whole) return nullptr;
+    return std::make_shared<const TrimmedStem>(std::move(skeleton), std::move(left), trim);
   }
+  TrimmedSkeleton standing = standing_at(skeleton, growing->spans, growing->step, pipe_exponent);
+  if (is_cut) {
+    TrimmedSkeleton left = trim_skeleton(standing.skeleton, reach, TrimMode::cut);
+    if (!left.is_whole) standing = one_after_other(std::move(standing), std::move(left));
+  }
+  return std::make_shared<const TrimmedStem>(std::move(skeleton), std::move(standing), TrimMode::cut);
+}
+
+void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* branching, TrimMode trim,
+                   double pipe_exponent) {
+  count_nodes(skeleton.node_count());
+  std::shared_ptr<const GrowingStem> growing;
+  if (grows_in_time()) {
+    const double steps = *animation().steps_per_second;
+    growing = std::make_shared<const GrowingStem>(
+        GrowingStem{GrowthSpans(skeleton), time() * steps, steps, animation().unfold * steps});
+  }
+  std::shared_ptr<const TrimmedStem> trimmed = trimmed_stem(skeleton, trim, growing.get(), pipe_exponent);
+  if (trimmed != nullptr) skeleton = trimmed->left();
   if (branching == nullptr) {
     branching_ = nullptr;
   } else if (branching_ == nullptr || !(*branching_ == *branching)) {
@@ -290,6 +341,7 @@ void Emitter::stem(Skeleton skeleton, const Surface& surface, const Placement* b
   EmittedStem& stem =
       stems.emplace_back(EmittedStem{std::move(skeleton), surface, branching_, site_, visible_, tint_, {}});
   stem.trimmed = std::move(trimmed);
+  stem.growing = std::move(growing);
   if (stem.surface.crown) stem.surface.crown->scale(glm::length(site_.frame.heading()));
   stem.site.key = site_.key.child("stem").child(stems_of_instance_++);
   if (is_individual()) tell_roots_apart(stem);
@@ -336,7 +388,9 @@ std::optional<Frame> Emitter::on_stem_left(NodeIndex node, const Frame& frame) c
   if (node == kNoNode || stems.back().trimmed == nullptr) return frame;
   const std::optional<StemPosition> left = left_of({node, 1});
   if (!left) return std::nullopt;
-  return stems.back().trimmed->moved(frame, {node, 1}, *left);
+  Site moved{.frame = stems.back().trimmed->moved(frame, {node, 1}, *left)};
+  if (stems.back().growing != nullptr) stems.back().trimmed->settle(*stems.back().growing, {node, 1}, *left, moved);
+  return moved.frame;
 }
 
 float Emitter::length_left() const {
@@ -398,6 +452,7 @@ void Emitter::put_on_stem(StemPosition whole, Site& site) const {
     return;
   }
   if (stem.trimmed != nullptr) site.frame = stem.trimmed->moved(site.frame, whole, *left);
+  if (stem.growing != nullptr) stem.trimmed->settle(*stem.growing, whole, *left, site);
   site.stem = stem.id();
   site.node = left->node;
   site.along = left->along;
@@ -427,6 +482,7 @@ std::vector<double> Emitter::per_child(const PerChild& number, std::uint32_t cou
     children[k].i = k;
     children[k].n = count;
     children[k].key = key.child(k);
+    if (parts_ != nullptr) children[k].part = static_cast<float>(parts_->last());
   }
   const VaryingValues evaluated(std::span(&*number.varying, 1), children, context_->time);
   std::vector<double> values(count);
@@ -438,6 +494,21 @@ void Emitter::expect_children(std::uint64_t count) {
   expected_ = count;
   const std::uint64_t limit = context_->limits.instances;
   if (context_->instances.load(std::memory_order_relaxed) + count > limit) throw_too_many_children();
+}
+
+std::uint32_t Emitter::expect_parts(const Count& count) {
+  parts_ = &count;
+  expect_children(count.parts());
+  return count.parts();
+}
+
+bool Emitter::begin_clock(double delay, double speed) {
+  const double start = site_.appeared + delay;
+  Clock own{.start = site_.clock.when(start), .speed = site_.clock.speed * speed, .is_local = true};
+  const bool has_started = time() >= start;
+  site_.clock = own;
+  site_.appeared = 0;
+  return has_started;
 }
 
 void Emitter::count_sites() {

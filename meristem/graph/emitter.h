@@ -15,7 +15,9 @@
 #include "meristem/base/limits.h"
 #include "meristem/base/mesh.h"
 #include "meristem/base/progress.h"
+#include "meristem/graph/animation.h"
 #include "meristem/graph/placement.h"
+#include "meristem/graph/table/count.h"
 #include "meristem/graph/table/plant_source.h"
 #include "meristem/graph/table/site.h"
 #include "meristem/graph/table/varying.h"
@@ -45,6 +47,7 @@ struct EmittedStem {
   /// Number of the root that each node stands on, where each root is a plant of its own; else empty.
   std::vector<std::uint32_t> root_of_node{};
   std::shared_ptr<const TrimmedStem> trimmed{};  ///< of which `skeleton` is what is left; null: it is whole
+  std::shared_ptr<const GrowingStem> growing{};  ///< it stands as at a step of its growth, and so is `trimmed`; or null
 
   std::uint64_t id() const { return site.key.bits(); }  ///< what Site::stem says of sites on it
   const std::shared_ptr<const Deformation>& deformation() const { return deformation_at(site); }
@@ -150,9 +153,16 @@ class Emitter : private Emitted {
   void section(const Frame& local, std::uint64_t key, bool is_capped, FunctionRef<LoftSection()> make);
   /// A skeleton in world space. The instance's `place` moves it, but not its children.
   /// `branching`, if given, says where the children of branch links stand, as far as the links do not. A body that the
-  /// surroundings give trims it as `trim` says; the nodes that the calls below name are those of the whole skeleton.
+  /// surroundings give trims it as `trim` says; the nodes that the calls below name are those of the whole skeleton. In
+  /// documents whose plants grow over time, a stem of a type that does so stands as at its clock's time, wood by
+  /// `pipe_exponent`.
   void stem(Skeleton skeleton, const Surface& surface, const Placement* branching = nullptr,
-            TrimMode trim = TrimMode::cut);
+            TrimMode trim = TrimMode::cut, double pipe_exponent = 2);
+  /// Whether the instance's stems grow over time.
+  bool grows_in_time() const;
+  /// Steps that the document's growth takes per second, and seconds that shed branches stay; where stems grow over
+  /// time.
+  const Animation& animation() const;
   /// An invisible skeleton, for the children of branch links.
   void unseen_stem(Skeleton skeleton, TrimMode trim = TrimMode::cut);
   /// Where a frame in world space that stands on `node` of the stem emitted last stands on what is left of it, or
@@ -174,6 +184,13 @@ class Emitter : private Emitted {
   /// Says that `count` sites will be offered, before anything is made for them. Throws InputError where they are more
   /// than may be.
   void expect_children(std::uint64_t count);
+  /// The same for a count of the instance's parameters, of which the last child is to have come to be by the fraction
+  /// alone: its site gets smaller by that. Returns how many sites to offer. Where the count has keys, each child
+  /// appears when the count reaches it.
+  std::uint32_t expect_parts(const Count& count);
+  /// Begins a clock for all that hangs on the instance: it starts `delay` seconds after the instance has appeared, by
+  /// the clock that the instance itself has, and runs at `speed`. Returns whether it has started.
+  bool begin_clock(double delay, double speed);
   /// A site for the children of branch links where it differs from those of child links. Without a call, and for
   /// components that make no stems, these stand where the children of child links do.
   void branch_site(const Frame& local, float u, float length, float radius);
@@ -211,6 +228,7 @@ class Emitter : private Emitted {
   /// from instance to instance.
   bool varies(std::size_t offset) const;
   Progress& progress() const;
+  /// What the clock of the instance shows, seconds.
   double time() const;
   /// The component's key, for what its instances have in common. Meshes that depend on it need it in their key.
   RandomKey component_key() const;
@@ -232,11 +250,14 @@ class Emitter : private Emitted {
   void add_organ(const Frame& local, std::uint64_t key, bool is_blade, FunctionRef<Mesh()> make, Vec3 tint);
   void note_deformation();
   void number_named_sites();
+  void tell_parts(std::vector<Site>& sites, std::size_t first) const;
   bool is_individual() const { return site_.individual == site_.key.bits(); }
   void tell_roots_apart(EmittedStem& stem);
   void offer_child(const Frame& frame, float length, float radius);
   std::optional<StemPosition> left_of(StemPosition whole) const;
   void put_on_stem(StemPosition whole, Site& site) const;
+  std::shared_ptr<const TrimmedStem> trimmed_stem(Skeleton skeleton, TrimMode trim, const GrowingStem* growing,
+                                                  double pipe_exponent) const;
   std::uint32_t number_of_individual();
   void add_site(std::vector<Site>& sites, const Frame& frame, float u, float length, float radius);
   void count_sites();
@@ -260,8 +281,9 @@ class Emitter : private Emitted {
   std::size_t first_branch_ = 0;
   std::size_t first_named_ = 0;
   std::uint32_t stems_of_instance_ = 0;
-  std::uint64_t uncounted_ = 0;  // sites not yet in the context's count
-  std::uint64_t expected_ = 0;   // children of the present instance, where it has said so
+  std::uint64_t uncounted_ = 0;   // sites not yet in the context's count
+  const Count* parts_ = nullptr;  // of the present instance, where it has said so
+  std::uint64_t expected_ = 0;    // children of the present instance, where it has said so
   std::unordered_map<std::uint64_t, std::uint32_t> prototype_by_key_;
   std::unordered_map<std::uint64_t, std::uint32_t> individual_by_id_;
   std::unordered_map<std::uint64_t, std::shared_ptr<const SectionOutline>> outline_by_key_;

@@ -22,11 +22,12 @@ struct EmitterContext {
   const Directions& directions;  ///< the scene's
   const Limits& limits;
   SharedMeshes& meshes;
-  Progress* progress = nullptr;  ///< for what takes long in one instance
-  std::string multiplier;        ///< document path of what multiplies the children, for errors
-  std::uint64_t together = 1;    ///< instances that are expanded together
-  double time = 0;               ///< seconds
-  RandomKey key = RandomKey();   ///< of the component, for what its instances draw together
+  Progress* progress = nullptr;          ///< for what takes long in one instance
+  std::string multiplier;                ///< document path of what multiplies the children, for errors
+  std::uint64_t together = 1;            ///< instances that are expanded together
+  double time = 0;                       ///< seconds
+  const Animation* animation = nullptr;  ///< null: the document has none
+  RandomKey key = RandomKey();           ///< of the component, for what its instances draw together
   bool wants_child_sites = true;
   bool wants_branch_sites = true;
   std::size_t site_names = 0;  ///< of the graph

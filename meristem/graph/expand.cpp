@@ -120,11 +120,16 @@ class Expansion {
   }
 
   /// The fingerprint of one component in these surroundings.
-  CacheKey fingerprint_of(ComponentIndex component, CacheKey of_document) const {
+  CacheKey fingerprint_of(ComponentIndex component, CacheKey of_document, bool depends_on_time) const {
     if (!surroundings_ || !of_document) return std::nullopt;
     const Prototype& prototype = graph_.components[component];
-    const double time = prototype.depends_on_time ? time_ : 0;
+    const double time = depends_on_time ? time_ : 0;
     return Fingerprint().add(*surroundings_).add_text(prototype.id).add(time).add(*of_document).hash();
+  }
+
+  /// Whether the plants of a component stand as their growth has come to be at a time.
+  bool unrolls(const Prototype& prototype) const {
+    return prototype.type->grows_in_time && graph_.animation && graph_.animation->steps_per_second;
   }
 
   std::uint64_t hash_of_names() const {
@@ -196,9 +201,11 @@ class Expansion {
   }
 
   CacheKey fingerprint_of_growth(const Batch& batch) const {
-    const CacheKey own = fingerprint_of(batch.component, graph_.components[batch.component].growth_fingerprint);
+    const Prototype& prototype = graph_.components[batch.component];
+    const CacheKey own =
+        fingerprint_of(batch.component, prototype.growth_fingerprint, prototype.growth_depends_on_time);
     if (!own || !batch.places->hash) return std::nullopt;
-    return Fingerprint().add(*own).add(*batch.places->hash).hash();
+    return Fingerprint().add(*own).add(*batch.places->hash).add(unrolls(prototype)).hash();
   }
 
   /// What each batch of a stand has grown. Where a plant changes, all that compete with it grow anew.
@@ -255,7 +262,8 @@ class Expansion {
 
   void plant(ComponentIndex component, const Site& site, Stand& stand) {
     const Prototype& prototype = graph_.components[component];
-    const GrowContext context{scene_, directions_at(site, directions_), graph_.limits, prototype.id, stand, progress_};
+    const GrowContext context{
+        scene_, directions_at(site, directions_), graph_.limits, prototype.id, stand, progress_, unrolls(prototype)};
     stand.add(prototype.type->grow(prototype, site, time_, context));
   }
 
@@ -289,10 +297,16 @@ class Expansion {
   }
 
   CacheKey key_of(const Batch& batch, const std::vector<LinkIndex>& links, const Grown& grown) const {
-    const CacheKey own = fingerprint_of(batch.component, graph_.components[batch.component].fingerprint);
+    const Prototype& prototype = graph_.components[batch.component];
+    const CacheKey own =
+        fingerprint_of(batch.component, prototype.fingerprint, prototype.depends_on_time || unrolls(prototype));
     if (!own || !batch.places->hash || (grown.batch != nullptr && !grown.key)) return std::nullopt;
     Fingerprint key;
     key.add(*own).add(*batch.places->hash).add(wants(links, false)).add(wants(links, true));
+    if (unrolls(prototype)) {
+      const Animation& animation = *graph_.animation;
+      key.add(*animation.steps_per_second).add(animation.unfold).add(animation.hold);
+    }
     return key.add(grown.key.value_or(0)).hash();
   }
 
@@ -314,7 +328,8 @@ class Expansion {
   SharedMeshes& meshes_of(ComponentIndex component) {
     std::shared_ptr<SharedMeshes>& meshes = meshes_[component];
     if (meshes != nullptr) return *meshes;
-    const CacheKey key = fingerprint_of(component, graph_.components[component].fingerprint);
+    const Prototype& prototype = graph_.components[component];
+    const CacheKey key = fingerprint_of(component, prototype.fingerprint, prototype.depends_on_time);
     std::shared_ptr<SharedMeshes> earlier = results_.find<SharedMeshes>(key);
     if (earlier != nullptr) earlier->forget_earlier();
     meshes = std::make_shared<SharedMeshes>(std::move(earlier));
@@ -340,6 +355,7 @@ class Expansion {
             .multiplier = links_.multiplier(batch.component, links),
             .together = batch.sites().size(),
             .time = time_,
+            .animation = graph_.animation ? &*graph_.animation : nullptr,
             .key = RandomKey(graph_.seed).child("component").child(prototype.id),
             .wants_child_sites = wants(links, false),
             .wants_branch_sites = wants(links, true),
@@ -499,13 +515,13 @@ class Expansion {
   CacheKey surroundings_;
   std::deque<Batch> ready_;
   std::deque<Batch> growing_;
-  std::optional<InstanceTree> tree_;     // where one is made
-  std::uint64_t most_ = 0;               // instances of it
-  const InstanceWish* wish_ = nullptr;   // what is looked for
-  std::uint64_t passed_ = 0;             // of what is looked for, made by instances before
+  std::optional<InstanceTree> tree_;    // where one is made
+  std::uint64_t most_ = 0;              // instances of it
+  const InstanceWish* wish_ = nullptr;  // what is looked for
+  std::uint64_t passed_ = 0;            // of what is looked for, made by instances before
   std::optional<FoundInstance> found_;
   std::vector<std::uint64_t> counts_;  // of instances by component, where they are asked for
-  std::uint64_t instances_ = 1;  // the root
+  std::uint64_t instances_ = 1;        // the root
   std::uint64_t nodes_ = 0;
   std::vector<std::shared_ptr<SharedMeshes>> meshes_;  // by component
 };
@@ -522,8 +538,8 @@ std::vector<std::uint64_t> instance_counts(const Graph& graph, const Scene& scen
   return Expansion(graph, scene, time, progress, cache).counts();
 }
 
-std::optional<FoundInstance> find_instance(const Graph& graph, const Scene& scene, double time, const InstanceWish& wish,
-                                           Progress& progress, Cache* cache) {
+std::optional<FoundInstance> find_instance(const Graph& graph, const Scene& scene, double time,
+                                           const InstanceWish& wish, Progress& progress, Cache* cache) {
   return Expansion(graph, scene, time, progress, cache).find(wish);
 }
 

@@ -6,11 +6,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "meristem/base/diagnostic.h"
 #include "meristem/base/limits.h"
+#include "meristem/graph/animation.h"
 #include "meristem/graph/component.h"
 #include "meristem/graph/link.h"
 
@@ -45,6 +47,7 @@ struct Graph {
   std::vector<std::string> site_names;  ///< what sites are given by name: columns of tables, and variables of instances
   std::vector<InstanceVariable> instance_variables;  ///< each after those that it uses
   Structure structure;                               ///< structure of the links as analyse_structure last found them
+  std::optional<Animation> animation;                ///< unset: nothing but expressions of t changes with time
   std::uint64_t seed = 0;
   Limits limits;
 };

@@ -118,16 +118,32 @@ class LinkSites::Writer {
     context.has_twigs = from_.has_twigs;
     context.stem = stem.id();
     const Skeleton& skeleton = placed_on(stem);
-    if (!stem.branching) return add_on(stem, place_along(skeleton, branch.placement, context));
+    if (!stem.branching) return add_placed(stem, skeleton, branch.placement, context);
     // A stem's own branching, but for the keys that the link gives.
     if (!(branch.placement.density || branch.placement.count)) {
       context.path = "components." + all_.graph_.components[link_.from].id;
     }
     if (branch.given.is_empty()) {
       context.places = key_of_places(stem.site.key);
-      return add_on(stem, place_along(skeleton, *stem.branching, context));
+      return add_placed(stem, skeleton, *stem.branching, context);
     }
-    add_on(stem, place_along(skeleton, overridden(*stem.branching, branch.placement, branch.given), context));
+    add_placed(stem, skeleton, overridden(*stem.branching, branch.placement, branch.given), context);
+  }
+
+  /// Along a stem that grows the children have their places on the whole one, so that they keep them; there are those
+  /// whose places may bear children by now.
+  void add_placed(const EmittedStem& stem, const Skeleton& skeleton, const Placement& placement,
+                  PlacementContext& context) {
+    if (stem.growing == nullptr) return add_on(stem, place_along(skeleton, placement, context));
+    if (stem.skeleton.node_count() == 0) return;
+    const std::vector<std::uint8_t> bears = bearing_nodes(stem.skeleton, placement, context);
+    context.everywhere = true;
+    std::vector<Site> sites = place_along(skeleton, placement, context);
+    std::erase_if(sites, [&](const Site& site) {
+      const std::optional<StemPosition> left = stem.trimmed->left_of({site.node, site.along});
+      return !left || bears[left->node] == 0;
+    });
+    add_on(stem, std::move(sites));
   }
 
   void add_in_crown(const EmittedStem& stem, const CrownPlacement& placement) {
@@ -142,9 +158,33 @@ class LinkSites::Writer {
   void add_tips(const EmittedStem& stem) {
     if (is_full()) return;
     const RandomKey key = child_key(stem.site.key);
+    if (stem.growing != nullptr) return add_growing_tips(stem, key);
     std::vector<Site> tips = tip_sites(placed_on(stem), stem.id(), stem.site);
     for (Site& site : tips) site.key = key.child(site.i);
     add_on(stem, std::move(tips));
+  }
+
+  /// The tips of what stands of a stem that grows, each named by its axis on the whole stem, and as old as the axis.
+  void add_growing_tips(const EmittedStem& stem, RandomKey key) {
+    if (stem.skeleton.node_count() == 0) return;
+    const Skeleton& whole = stem.trimmed->whole();
+    std::vector<Site> tips = tip_sites(stem.skeleton, stem.id(), stem.site);
+    std::vector<bool> is_named(tips.size(), false);
+    for (NodeIndex node = 0; node < whole.node_count(); ++node) {
+      const std::optional<StemPosition> left = stem.trimmed->left_of({node, 0});
+      if (!left) continue;
+      const AxisIndex axis = stem.skeleton.axis[left->node];
+      if (is_named[axis]) continue;
+      is_named[axis] = true;
+      Site& site = tips[axis];
+      const float birth = stem.growing->spans.begin[node];
+      site.key = key.child(whole.axis[node]);
+      site.birth = birth;
+      site.appeared = birth / stem.growing->steps_per_second;
+      site.individual = stem.individual_at(site.node);
+      site.frame.axes *= stem.growing->share_unfolded(birth);
+    }
+    add_all(std::move(tips));
   }
 
   void add_child(const Site& site) {
@@ -162,9 +202,10 @@ class LinkSites::Writer {
     return is_cut ? stem.trimmed->whole() : stem.skeleton;
   }
 
-  static void leave_out_cut(const TrimmedStem& stem, std::vector<Site>& sites) {
+  static void leave_out_cut(const TrimmedStem& stem, const GrowingStem* growing, std::vector<Site>& sites) {
     std::erase_if(sites, [&](Site& site) {
       const std::optional<StemPosition> left = stem.left_of({site.node, site.along});
+      if (left && growing != nullptr) stem.settle(*growing, {site.node, site.along}, *left, site);
       if (left) std::tie(site.node, site.along) = std::pair(left->node, left->along);
       return !left;
     });
@@ -172,7 +213,7 @@ class LinkSites::Writer {
 
   /// Adds sites on nodes of the skeleton that `placed_on` gives.
   void add_on(const EmittedStem& stem, std::vector<Site> sites) {
-    if (&placed_on(stem) != &stem.skeleton) leave_out_cut(*stem.trimmed, sites);
+    if (&placed_on(stem) != &stem.skeleton) leave_out_cut(*stem.trimmed, stem.growing.get(), sites);
     if (!stem.root_of_node.empty()) {
       for (Site& site : sites) site.individual = stem.individual_at(site.node);
     }

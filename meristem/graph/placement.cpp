@@ -115,6 +115,7 @@ struct AxisSites {
 /// For every node whether the segment that ends in it may carry children.
 std::vector<std::uint8_t> eligible_nodes(const Skeleton& skeleton, const Axes& axes, const Placement& placement,
                                          const PlacementContext& context) {
+  if (context.everywhere) return std::vector<std::uint8_t>(skeleton.node_count(), 1);
   if (placement.where) return nodes_where(skeleton, axes, *placement.where, context.key_of_places().child("where"));
   if (!context.has_twigs) return std::vector<std::uint8_t>(skeleton.node_count(), 1);
   std::vector<std::uint8_t> eligible;
@@ -301,6 +302,11 @@ class AxisWriter {
 Mat3 drooped(const Mat3& axes, double droop, const Pulling& gravity) {
   if (droop == 0) return axes;
   return rotation_toward(axes[1], gravity.toward, share_pulled(droop, gravity.strength), axes[0]) * axes;
+}
+
+std::vector<std::uint8_t> bearing_nodes(const Skeleton& skeleton, const Placement& placement,
+                                        const PlacementContext& context) {
+  return eligible_nodes(skeleton, Axes(skeleton), placement, context);
 }
 
 std::vector<Site> place_along(const Skeleton& skeleton, const Placement& placement, const PlacementContext& context) {

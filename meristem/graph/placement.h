@@ -73,12 +73,17 @@ struct PlacementContext {
   const Limits* limits = nullptr;
   const Obstacles* obstacles = nullptr;  ///< children turn away from their surfaces; null: there are none
   double time = 0;                       ///< the document's, for expressions
+  bool everywhere = false;               ///< all parts of the skeleton bear children, whatever the placement says
   std::string path;                      ///< path of what gives the placement in the document, for errors: "links[1]"
 };
 
 /// Unit axes turned so that the heading comes nearer to where gravity pulls, or for a negative `droop` to its opposite,
 /// by that share at a gravity of strength 1.
 Mat3 drooped(const Mat3& axes, double droop, const Pulling& gravity);
+
+/// For every node whether the segment that ends in it may bear children.
+std::vector<std::uint8_t> bearing_nodes(const Skeleton& skeleton, const Placement& placement,
+                                        const PlacementContext& context);
 
 /// The sites of `placement` on `skeleton`, axis by axis from base to tip; i, n, u count along each axis. An organ's
 /// frame stands on the bark, heads away from the axis by the angle, and turns its upper face (z) toward the axis's tip.

@@ -22,6 +22,11 @@ Vec3 heading_at(const Skeleton& skeleton, StemPosition at) {
 
 }  // namespace
 
+float GrowingStem::share_unfolded(double birth) const {
+  const double u = unfold > 0 ? std::clamp((step - birth) / unfold, 0.0, 1.0) : 1;
+  return static_cast<float>(u * u * (3 - 2 * u));
+}
+
 TrimmedStem::TrimmedStem(Skeleton whole, TrimmedSkeleton trimmed, TrimMode mode)
     : whole_(std::move(whole)), trimmed_(std::move(trimmed)), mode_(mode) {
   if (mode_ != TrimMode::fit) return;
@@ -70,6 +75,28 @@ Frame TrimmedStem::moved(const Frame& frame, StemPosition from, StemPosition to)
   if (mode_ == TrimMode::cut) return frame;
   const Mat3 turn = rotation_between(heading_at(whole_, from), heading_at(left(), to));
   return {turn * frame.axes, position_at(left(), to) + turn * (frame.origin - position_at(whole_, from))};
+}
+
+namespace {
+
+/// A lateral begins as thick as its first node.
+float radius_at_position(const Skeleton& skeleton, StemPosition at) {
+  const NodeIndex parent = skeleton.parent[at.node];
+  if (parent == kNoNode || skeleton.axis[parent] != skeleton.axis[at.node]) return skeleton.radius[at.node];
+  return glm::mix(skeleton.radius[parent], skeleton.radius[at.node], at.along);
+}
+
+}  // namespace
+
+void TrimmedStem::settle(const GrowingStem& growing, StemPosition from, StemPosition to, Site& site) const {
+  const float last = radius_at_position(whole_, from);
+  const float thinner = last > 0 ? radius_at_position(left(), to) / last : 1;
+  const Vec3 foot = position_at(whole_, from);
+  site.frame.origin = foot + thinner * (site.frame.origin - foot);
+  site.radius *= thinner;
+  site.birth = growing.spans.at(from.node, from.along);
+  site.appeared = site.birth / growing.steps_per_second;
+  site.frame.axes *= growing.share_unfolded(site.birth);
 }
 
 std::uint64_t TrimmedStem::bytes() const {

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "meristem/base/frame.h"
+#include "meristem/graph/table/site.h"
+#include "meristem/plant/growth_in_time.h"
 #include "meristem/plant/skeleton.h"
 #include "meristem/plant/trim.h"
 
@@ -15,6 +17,17 @@ namespace meristem {
 struct StemPosition {
   NodeIndex node = 0;
   float along = 1;
+};
+
+/// A stem that stands as it stood at a step of its growth.
+struct GrowingStem {
+  GrowthSpans spans;  ///< of the whole stem
+  double step = 0;
+  double steps_per_second = 1;  ///< of the stem's clock
+  double unfold = 0;            ///< steps in which what stands on it comes to its full size
+
+  /// The share of its size that something has whose place was born then.
+  float share_unfolded(double birth) const;
 };
 
 /// Where what stood on a stem before it was trimmed stands on what is left of it. A cut stem keeps what stands on the
@@ -32,6 +45,10 @@ class TrimmedStem {
   std::optional<StemPosition> left_of(StemPosition position) const;
   /// A frame at a position of the whole stem, moved to `to` on what is left and turned as the stem is there.
   Frame moved(const Frame& frame, StemPosition from, StemPosition to) const;
+
+  /// A site at a position of a whole stem that grows, which has been moved to `to` on what stands: on the bark as it is
+  /// by now, as large as it has come to be, and with its birth.
+  void settle(const GrowingStem& growing, StemPosition from, StemPosition to, Site& site) const;
 
   std::uint64_t bytes() const;
 

@@ -28,18 +28,29 @@ class Trimmer {
     find_reach();
     if (trimmed_.is_whole) return {};
     drop_bare_roots();
+    add_all();
+    if (mode == TrimMode::fit) fit_radii();
+    if (mode == TrimMode::cut) mark_cuts();
+    return std::move(trimmed_);
+  }
+
+  TrimmedSkeleton keep(std::vector<float> kept) {
+    trimmed_.kept = std::move(kept);
+    trimmed_.is_whole = false;
+    add_all();
+    return std::move(trimmed_);
+  }
+
+ private:
+  void add_all() {
     for (const auto& [name, values] : whole_.extra) trimmed_.skeleton.extra[name];
     trimmed_.skeleton.operations = whole_.operations;
     axes_.assign(whole_.node_count() + 1, kNoNode);
     for (NodeIndex node = 0; node < whole_.node_count(); ++node) {
       if (trimmed_.kept[node] > 0) add(node);
     }
-    if (mode == TrimMode::fit) fit_radii();
-    if (mode == TrimMode::cut) mark_cuts();
-    return std::move(trimmed_);
   }
 
- private:
   bool is_lateral_base(NodeIndex node) const { return whole_.axis[whole_.parent[node]] != whole_.axis[node]; }
 
   /// Sets what of each segment is left.
@@ -155,6 +166,22 @@ std::vector<float> arcs_along_axes(const Skeleton& skeleton) {
     arc[node] = (goes_on ? arc[parent] : 0) + glm::distance(skeleton.position[parent], skeleton.position[node]);
   }
   return arc;
+}
+
+TrimmedSkeleton keep_shares(const Skeleton& whole, std::vector<float> kept) {
+  const auto all = [](Vec3, Vec3) { return 1.0F; };
+  return Trimmer(whole, all).keep(std::move(kept));
+}
+
+TrimmedSkeleton one_after_other(TrimmedSkeleton first, TrimmedSkeleton then) {
+  for (std::size_t node = 0; node < first.node.size(); ++node) {
+    if (!(first.kept[node] > 0)) continue;
+    const NodeIndex between = first.node[node];
+    first.kept[node] *= then.kept[between];
+    first.node[node] = then.node[between];
+  }
+  first.skeleton = std::move(then.skeleton);
+  return first;
 }
 
 TrimmedSkeleton trim_skeleton(const Skeleton& whole, StayInside stays_inside, TrimMode mode) {

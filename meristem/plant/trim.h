@@ -43,6 +43,13 @@ struct TrimmedSkeleton {
 /// linear in nodes.
 TrimmedSkeleton trim_skeleton(const Skeleton& whole, StayInside stays_inside, TrimMode mode);
 
+/// What is left of a skeleton where the share of each segment that stays is known, one per node: 0 beyond a segment of
+/// which less than all stays. It is never called whole. Cost linear in nodes.
+TrimmedSkeleton keep_shares(const Skeleton& whole, std::vector<float> kept);
+
+/// What `then` has left of what `first` has left, by the nodes of the skeleton before both.
+TrimmedSkeleton one_after_other(TrimmedSkeleton first, TrimmedSkeleton then);
+
 /// Metres along its axis at each node, from where the axis springs; 0 at roots.
 std::vector<float> arcs_along_axes(const Skeleton& skeleton);
 

@@ -84,6 +84,12 @@ py::dict components_of(const DocumentPointer& document) {
   return components;
 }
 
+/// The document as it stands at a time.
+DocumentPointer standing_at(const DocumentPointer& document, double time) {
+  if (!document->document.at_time || time == document->document.time) return document;
+  return std::make_shared<DocumentInPython>(document->document.at_time(time), document->overrides, document->seed);
+}
+
 std::shared_ptr<PlantInPython> grow(const DocumentPointer& document, double time, int threads,
                                     const py::object& progress) {
   if (!std::isfinite(time)) throw py::value_error("time must be a finite number of seconds");
@@ -91,7 +97,8 @@ std::shared_ptr<PlantInPython> grow(const DocumentPointer& document, double time
     GrowthOptions options{.time = time, .up_to = GrownPart::plant};
     std::unique_lock<std::mutex> growing(document->shared->growing, std::defer_lock);
     if (document->has_other_values && growing.try_lock()) options.cache = &document->shared->growth;
-    return std::make_shared<PlantInPython>(document, grow_document(document->document, inner, options));
+    const DocumentPointer now = standing_at(document, time);
+    return std::make_shared<PlantInPython>(now, grow_document(now->document, inner, options));
   });
 }
 

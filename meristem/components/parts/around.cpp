@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meristem/components/parts/around.h"
 
+#include <algorithm>
+
 namespace meristem {
 
 const ParameterTable& around_table() {
   static const ParameterTable table =
       Table<Around>("children around", "Children in even steps around a heading.")
-          .integer("number", &Around::number, {.min = 0, .max = 2e9}, "Number of children.")
+          .count("number", &Around::number, {.min = 0, .max = 2e9},
+                 "Number of children; of 3.4 there are four, and the last has 0.4 of its size.")
           .per_child("angle", &Around::angle, {.unit = Unit::degree, .min = 0, .max = 180},
                      "Angle between the heading and each child: 0 along the heading, 90 straight outward, beyond 90 "
                      "bent back.")
@@ -19,18 +22,19 @@ const ParameterTable& around_table() {
 }
 
 std::vector<ChildAround> children_around(const Around& around, Emitter& out) {
-  const auto number = static_cast<std::uint32_t>(around.number);
-  out.expect_children(number);
+  const std::uint32_t number = out.expect_parts(around.number);
   const std::vector<double> angle = out.per_child(around.angle, number);
   const std::vector<double> size = out.per_child(around.size, number);
   const std::vector<double> roll = out.per_child(around.roll, number);
   const bool is_closed = around.arc >= 2 * kPi - 1e-9;
-  const double gaps = is_closed ? number : number - 1.0;
-  const double first = is_closed ? 0 : -0.5 * around.arc;
+  const double gaps = is_closed ? around.number.value : around.number.value - 1.0;
+  // A second child comes to be beside the first one, so that they part evenly.
+  const double arc = is_closed ? around.arc : around.arc * std::clamp(gaps, 0.0, 1.0);
+  const double first = is_closed ? 0 : -0.5 * arc;
   std::vector<ChildAround> children;
   children.reserve(number);
   for (std::uint32_t k = 0; k < number; ++k) {
-    const double turn = first + (gaps > 0 ? around.arc * k / gaps : 0.5 * around.arc);
+    const double turn = first + (gaps > 0 ? arc * k / std::max(gaps, is_closed ? 0.0 : 1.0) : 0.5 * arc);
     children.push_back({roll[k] + turn, angle[k], size[k]});
   }
   return children;

@@ -10,7 +10,7 @@ namespace meristem {
 
 /// Children in even steps about a heading.
 struct Around {
-  int number = 6;
+  Count number = 6;
   PerChild angle = kPi / 2;  ///< radians between the heading and a child's: 0 along it, a right angle straight outward
   PerChild size = 1.0;       ///< scale of a child
   PerChild roll = 0.0;       ///< radians about the heading, on top of the even turn
@@ -24,6 +24,7 @@ struct ChildAround {
   double turn = 0, angle = 0, size = 1;
 };
 
+/// One of a count with a fraction is drawn in between those that are there.
 /// They begin at 0 and go all around, or lie to both sides of 0 with children at both ends of the arc. Throws
 /// InputError where they are more than may be.
 std::vector<ChildAround> children_around(const Around& around, Emitter& out);

@@ -147,6 +147,14 @@ void read_value(const Parameter& self, PerChild& member, const Value& value, con
 
 Value show_value(const Parameter& self, const PerChild& member) { return to_document(self.form.unit, member.plain); }
 
+void read_value(const Parameter& self, Count& member, const Value& value, const DocumentPath& path,
+                ParameterReader& reader) {
+  const StoreNumber store = [](void* to, double number) { *static_cast<Count*>(to) = Count(number); };
+  reader.store_number(self, value, path, {&member, store, member.value});
+}
+
+Value show_value(const Parameter&, const Count& member) { return rounded(member.value); }
+
 void read_value(const Parameter& self, Curve& curve, const Value& value, const DocumentPath& path,
                 ParameterReader& reader) {
   if (value.object() == nullptr) return reader.wrong_kind(self, value, path);

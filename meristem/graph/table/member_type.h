@@ -17,6 +17,7 @@
 #include "meristem/base/curve.h"
 #include "meristem/base/limits.h"
 #include "meristem/graph/table/asset.h"
+#include "meristem/graph/table/count.h"
 #include "meristem/graph/table/facing.h"
 #include "meristem/graph/table/parameter.h"
 #include "meristem/graph/table/reader.h"
@@ -47,6 +48,7 @@ using ValueOf = typename ValueOfMember<M>::Type;
 void read_value(const Parameter&, bool& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, std::string& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, PerChild& member, const Value&, const DocumentPath&, ParameterReader&);
+void read_value(const Parameter&, Count& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, Vec3& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, DVec3& member, const Value&, const DocumentPath&, ParameterReader&);
 void read_value(const Parameter&, Facing& member, const Value&, const DocumentPath&, ParameterReader&);
@@ -61,6 +63,7 @@ void read_value(const Parameter&, Formula& member, const Value&, const DocumentP
 Value show_value(const Parameter&, bool member);
 Value show_value(const Parameter&, const std::string& member);
 Value show_value(const Parameter&, const PerChild& member);
+Value show_value(const Parameter&, const Count& member);
 Value show_value(const Parameter&, const Vec3& member);
 Value show_value(const Parameter&, const DVec3& member);
 Value show_value(const Parameter&, const Facing& member);

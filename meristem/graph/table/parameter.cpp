@@ -125,12 +125,33 @@ bool Parameter::may_vary() const {
   return is_number && !form.fixed;
 }
 
+KeyClock Parameter::key_clock(bool in_component) const {
+  if (form.timeless) return KeyClock::none;
+  if (in_component && may_vary() && kind != ParameterKind::box) return KeyClock::instance;
+  switch (kind) {
+    case ParameterKind::number:
+    case ParameterKind::integer:
+    case ParameterKind::vector:
+    case ParameterKind::colour:
+    case ParameterKind::boolean:
+    case ParameterKind::choice:
+      return KeyClock::document;
+    default:
+      return KeyClock::none;
+  }
+}
+
+bool Parameter::has_values_between() const {
+  return kind == ParameterKind::number || kind == ParameterKind::integer || kind == ParameterKind::vector ||
+         kind == ParameterKind::colour;
+}
+
 std::string Parameter::expectation() const {
   switch (kind) {
     case ParameterKind::number:
       return number_text("a number", form);
     case ParameterKind::integer:
-      return number_text("a whole number", form);
+      return number_text(form.counts ? "a number" : "a whole number", form);
     case ParameterKind::boolean:
       return "true or false";
     case ParameterKind::text:

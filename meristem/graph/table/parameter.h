@@ -76,6 +76,15 @@ struct NumberRange {
   bool fixed = false;      ///< one value for the whole component
   bool per_child = false;  ///< differs among the children of an instance, and not from instance to instance
   bool per_site = false;   ///< in a link, differs among the children; in a component, from instance to instance
+  bool counts = false;     ///< counts parts; of a number with a fraction, the last part has come to be so far
+  bool timeless = false;   ///< says how time runs, and so does not change with it
+};
+
+/// Whose time the keys of a parameter follow.
+enum class KeyClock {
+  none,      ///< it has no keys
+  document,  ///< the document's: it is one value for all instances
+  instance,  ///< that of each instance
 };
 
 struct Parameter;
@@ -129,6 +138,10 @@ struct Parameter {
 
   /// Whether its numbers may differ from instance to instance, or from child to child, where it stands in a component.
   bool may_vary() const;
+  /// Whose time its keys follow, where it stands in a component or elsewhere.
+  KeyClock key_clock(bool in_component) const;
+  /// Whether keys pass from one value to the next, or can only jump.
+  bool has_values_between() const;
 
   /// "a number of metres above 0, at most 10".
   std::string expectation() const;

@@ -261,7 +261,7 @@ std::string_view ParameterReader::why_one(const Parameter& parameter) const {
 std::optional<double> ParameterReader::number(const Parameter& parameter, const Value& value,
                                               const DocumentPath& path) {
   if (const double* plain = value.number()) {
-    if (parameter.kind == ParameterKind::integer && *plain != std::floor(*plain)) {
+    if (parameter.kind == ParameterKind::integer && !parameter.form.counts && *plain != std::floor(*plain)) {
       fault(path, fmt::format("'{}' cannot be the fraction {:.12g}", parameter.name, *plain), parameter.expectation());
       return std::nullopt;
     }
@@ -314,7 +314,8 @@ void ParameterReader::store_number(const Parameter& parameter, const Value& valu
   std::optional<Varying> read = varying(parameter, value, path, slot.present);
   if (!read) return;
   if (const std::optional<double> constant = constant_of(*read)) {
-    if (check_range(parameter, *constant, path, "the expression's value")) store(*constant);
+    const double number = parameter.form.counts ? std::floor(*constant + 0.5) : *constant;
+    if (check_range(parameter, number, path, "the expression's value")) store(number);
     return;
   }
   read->store = slot.store;
@@ -349,10 +350,11 @@ void ParameterReader::store_per_child(const Parameter& parameter, const Value& v
 /// The keys of a value that is an object.
 void ParameterReader::check_members(const Value& value, const DocumentPath& path) {
   static const std::vector<std::string> names{"range", "sample", "smooth", "apply"};
+  const bool is_keyed = value.find("keys") != nullptr && is_any_of(path.text(), keyed_);
   for (const auto& [name, member] : *value.object()) {
-    if (is_any_of(name, names)) continue;
-    fault(DocumentPath(path, name), fmt::format("'{}' does not belong to a value", name), "range or sample, and apply",
-          nearest(name, names));
+    if (is_any_of(name, names) || (is_keyed && name == "keys")) continue;
+    fault(DocumentPath(path, name), fmt::format("'{}' does not belong to a value", name),
+          name == "keys" ? "keys in the document's \"animation\"" : "range or sample, and apply", nearest(name, names));
   }
   const bool has_sample = value.find("sample") != nullptr;
   if (has_sample && value.find("range") != nullptr) {
@@ -363,6 +365,24 @@ void ParameterReader::check_members(const Value& value, const DocumentPath& path
   }
 }
 
+namespace {
+
+/// Keys that the reader of animations has checked and put in order.
+KeyedRange keyed_range(const Value& keys) {
+  std::vector<Track::Key> first;
+  std::vector<Track::Key> last;
+  for (const Value& key : *keys.list()) {
+    const Value::List& parts = *key.list();
+    const auto way = static_cast<Track::Way>(static_cast<int>(*parts[2].number()));
+    const Value::List* range = parts[1].list();
+    first.push_back({*parts[0].number(), range != nullptr ? *(*range)[0].number() : *parts[1].number(), way});
+    last.push_back({*parts[0].number(), range != nullptr ? *(*range)[1].number() : *parts[1].number(), way});
+  }
+  return {Track(std::move(first)), Track(std::move(last))};
+}
+
+}  // namespace
+
 /// A range or a sample, an expression, or an object with both; empty after a fault. `present` is what an expression
 /// alone sees as v.
 std::optional<Varying> ParameterReader::varying(const Parameter& parameter, const Value& value,
@@ -370,7 +390,8 @@ std::optional<Varying> ParameterReader::varying(const Parameter& parameter, cons
   const Value* range = value.list() != nullptr ? &value : value.find("range");
   const Value* apply = value.object() != nullptr ? value.find("apply") : value.text() != nullptr ? &value : nullptr;
   const bool has_sample = value.object() != nullptr && value.find("sample") != nullptr;
-  if (range == nullptr && apply == nullptr && !has_sample) {
+  const Value* keys = value.object() != nullptr ? value.find("keys") : nullptr;
+  if (range == nullptr && apply == nullptr && !has_sample && keys == nullptr) {
     wrong_kind(parameter, value, path);
     return std::nullopt;
   }
@@ -398,6 +419,9 @@ std::optional<Varying> ParameterReader::varying(const Parameter& parameter, cons
     varying.last = last.value_or(0);
   }
   if (has_sample) varying.sample = read_sample(parameter, value, path, *this);
+  if (keys != nullptr && faults_ == faults_before)
+    varying.keys = std::make_shared<const KeyedRange>(keyed_range(*keys));
+  varying.is_rounded = parameter.form.counts && (keys == nullptr || apply != nullptr);
   if (apply != nullptr) {
     const DocumentPath apply_place(path, "apply");
     varying.expression = expression(*apply, value.text() != nullptr ? path : apply_place, instance_names_);

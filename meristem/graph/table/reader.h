@@ -170,6 +170,8 @@ class ParameterReader {
     files_.insert(files_.end(), found->files.begin(), found->files.end());
     return found->made;
   }
+  /// The document paths of the values that keys of the animation stand for, as {"keys": [[time, value, way], ...]}.
+  void expect_keys(std::vector<std::string> paths) { keyed_ = std::move(paths); }
   /// Takes the paths of all expressions that are read from here on; null: none.
   void note_expressions(std::vector<std::string>* paths) { expression_paths_ = paths; }
   /// The table's members from an object, or its shorthand from a bare value.
@@ -203,6 +205,7 @@ class ParameterReader {
   std::vector<NamedFile> files_;
   std::vector<std::string>* expression_paths_ = nullptr;
   std::vector<std::string> worked_out_;  // document paths of numbers
+  std::vector<std::string> keyed_;       // and of those with keys
   std::vector<Diagnostic> diagnostics_;
   std::vector<Meaningless> meaningless_;
   std::size_t faults_ = 0;

@@ -43,7 +43,7 @@ double site_variable(std::size_t k, const Site& site, double v, double time) {
     case 11:
       return site.frame.heading().z;
     case 12:
-      return time;
+      return site.clock.at(time);
     case 13:
       return site.length;
     case 14:

@@ -30,6 +30,21 @@ struct SiteValues {
   std::uint64_t hash() const;
 };
 
+/// How the time of an instance runs by that of the document.
+struct Clock {
+  double start = 0;       ///< the document's time at which it shows 0, seconds
+  double speed = 1;       ///< its seconds per second of the document
+  bool is_local = false;  ///< begun by a component: it shows 0 until it starts; else it is the document's own
+
+  /// What it shows at a time of the document.
+  double at(double time) const {
+    const double shown = (time - start) * speed;
+    return is_local && !(shown > 0) ? 0 : shown;
+  }
+  /// The document's time at which it shows a time.
+  double when(double shown) const { return start + shown / speed; }
+};
+
 /// A site where a child stands: what the child can see of its parent and of itself.
 struct Site {
   Frame frame;                      ///< world space
@@ -50,8 +65,11 @@ struct Site {
   std::uint64_t individual = 0;     ///< id of the plant that the site is part of; 0: of none
   std::uint32_t row = kNoRow;       ///< of the table that has placed the site or what it hangs on, from 0
   std::array<std::uint16_t, kMaxRecursionLevels> depths{};  ///< by level of nested recursions
-  std::shared_ptr<const SiteValues> values{};               ///< null where nothing has been given
-  std::shared_ptr<const Surroundings> surroundings{};       ///< null where nothing has been said of them
+  Clock clock;
+  double appeared = 0;  ///< when it came to be, by its clock, seconds; plus infinity where it has not yet
+  float part = 1;       ///< how far the last of the siblings has come to be: counts that have a fraction
+  std::shared_ptr<const SiteValues> values{};          ///< null where nothing has been given
+  std::shared_ptr<const Surroundings> surroundings{};  ///< null where nothing has been said of them
 };
 
 /// The directions of light and gravity at a site: those that its surroundings say, or else the scene's.
@@ -70,7 +88,8 @@ inline const std::shared_ptr<const Deformation>& deformation_at(const Site& site
 /// v i n u depth order x y z hx hy hz t length radius.
 std::span<const std::string> site_variables();
 
-/// The value of the k-th of them at a site; `v` is the parameter's own value and `time` the document's time in seconds.
+/// The value of the k-th of them at a site; `v` is the parameter's own value and `time` the document's time in seconds,
+/// of which t is what the site's clock shows.
 /// Beyond the last of them, those of the site's values follow.
 double site_variable(std::size_t k, const Site& site, double v, double time);
 

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "meristem/graph/table/asset.h"
+#include "meristem/graph/table/count.h"
 #include "meristem/graph/table/kinds.h"
 #include "meristem/graph/table/member_type.h"
 #include "meristem/graph/table/parameter.h"
@@ -51,6 +52,12 @@ class Table {
   template <class M>
   Table&& integer(std::string_view name, M P::*member, const NumberRange& form, std::string_view doc) && {
     static_assert(std::is_arithmetic_v<ValueOf<M>> && !std::is_same_v<ValueOf<M>, bool>);
+    row(ParameterKind::integer, name, member, doc).form = form;
+    return std::move(*this);
+  }
+  /// A number of parts, whole but where keys or a plain number give it a fraction.
+  Table&& count(std::string_view name, Count P::*member, NumberRange form, std::string_view doc) && {
+    form.counts = true;
     row(ParameterKind::integer, name, member, doc).form = form;
     return std::move(*this);
   }

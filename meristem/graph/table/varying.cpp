@@ -49,6 +49,16 @@ void evaluate_expression(const Varying& varying, std::span<const Site> sites, do
   expression.evaluate(sites.size(), columns.pointers(), keys, values);
 }
 
+/// What the range of a number gives for one of the siblings.
+double at_site(const Varying& varying, const Site& site, double time) {
+  const double gaps = static_cast<double>(site.n) - 2 + static_cast<double>(site.part);
+  const double share = site.n > 1 ? std::min(1.0, site.i / gaps) : 0;
+  if (varying.keys == nullptr) return varying.first + share * (varying.last - varying.first);
+  const double shown = site.clock.at(time);
+  const double first = varying.keys->first.at(shown);
+  return first + share * (varying.keys->last.at(shown) - first);
+}
+
 void check_and_clamp(const Varying& varying, std::span<const Site> sites, double* values) {
   for (std::size_t s = 0; s < sites.size(); ++s) {
     if (!std::isfinite(values[s])) {
@@ -58,6 +68,7 @@ void check_and_clamp(const Varying& varying, std::span<const Site> sites, double
                                   .expected = "a finite number for every instance",
                                   .path = varying.path});
     }
+    if (varying.is_rounded) values[s] = std::floor(values[s] + 0.5);
     values[s] = std::clamp(values[s], varying.min, varying.max) * varying.scale;
   }
 }
@@ -75,8 +86,7 @@ VaryingValues::VaryingValues(std::span<const Varying> varyings, std::span<const 
         values[s] = varying.sample->quantile(site.key.child(varying.name_hash).child("sample").uniform(0));
         continue;
       }
-      const double share = site.n > 1 ? static_cast<double>(site.i) / (site.n - 1) : 0;
-      values[s] = varying.first + share * (varying.last - varying.first);
+      values[s] = at_site(varying, site, time);
     }
     if (varying.expression) evaluate_expression(varying, sites, time, values);
     check_and_clamp(varying, sites, values);

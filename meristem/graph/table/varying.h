@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "meristem/base/expression/expression.h"
+#include "meristem/base/track.h"
 #include "meristem/graph/table/site.h"
 
 namespace meristem {
@@ -19,11 +20,18 @@ struct Sample;
 /// Writes a number to a struct's member of whatever number type it is.
 using StoreNumber = void (*)(void* member, double value);
 
-/// A parameter that differs from instance to instance: a range over the siblings or a sample of measured values, an
-/// expression, or both.
+/// A range over siblings that changes with time.
+struct KeyedRange {
+  Track first;
+  Track last;
+};
+
+/// A parameter that differs from instance to instance or changes with time: a range over the siblings, keys of one, or
+/// a sample of measured values; an expression; or both.
 ///
 /// For an instance with a sample v is drawn from that, by the instance's key and the parameter's name.
-/// For child i of n a range gives v = first + i (last - first) / (n - 1), and first when n = 1. The expression is
+/// For child i of n a range gives v = first + i (last - first) / (n - 1), and first when n = 1; n has the fraction to
+/// which the last child has come to be. The expression is
 /// applied to that v. Results are clamped to the parameter's range; results that are not finite are an InputError at
 /// `path`.
 struct Varying {
@@ -31,10 +39,12 @@ struct Varying {
   std::uint64_t name_hash = 0;  ///< hash of the path within the component: the random stream's purpose
   double first = 0;             ///< in document units
   double last = 0;
-  std::shared_ptr<const Sample> sample;  ///< in place of the range: v is drawn from it; null: none
+  std::shared_ptr<const Sample> sample;      ///< in place of the range: v is drawn from it; null: none
+  std::shared_ptr<const KeyedRange> keys{};  ///< in place of the range: both ends over the time of the site's clock
   std::optional<Expression> expression;
   std::size_t names = 0;    ///< variables that the expression may use: the variables of sites, and what sites are given
   double min = 0, max = 0;  ///< allowed range, in document units
+  bool is_rounded = false;  ///< a count by a range or an expression: whole
   double scale = 1;         ///< from document units to the struct's
   /// An element of a list or map, which lies elsewhere in memory in each instance.
   struct Element {

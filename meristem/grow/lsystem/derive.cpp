@@ -19,6 +19,7 @@ namespace {
 
 /// Rounds after which rules that go on applying are taken to have no end.
 constexpr std::uint64_t kMostRounds = 1'000;
+constexpr Births kInherited{.all_are_inherited = true};  // what is drawn is as old as what it is drawn for
 
 Word axiom_word(const Grammar& grammar, const Limits& limits) {
   Word word;
@@ -63,11 +64,13 @@ bool cut_branches(const Grammar& grammar, Word& word, const Progress& progress) 
     }
     if (!is_cutting) {
       word.letters[kept++] = letter;
+      if (!word.births.empty()) word.births[kept - 1] = word.births[k];
       for (std::size_t p = 0; p < arity; ++p) word.parameters[kept_parameters++] = word.parameters[in + p];
     }
     in += arity;
   }
   word.letters.resize(kept);
+  if (!word.births.empty()) word.births.resize(kept);
   word.parameters.resize(kept_parameters);
   return true;
 }
@@ -75,10 +78,10 @@ bool cut_branches(const Grammar& grammar, Word& word, const Progress& progress) 
 /// Rewrites `word`, by way of `next`, until no rule applies. Returns whether any did, or may where the lot falls
 /// otherwise.
 bool rewrite_to_end(Rewriter& rewriter, const RewritePlan& plan, RandomKey key, std::string_view stage, Word& word,
-                    Word& next) {
+                    Word& next, Births births) {
   if (plan.rules.empty()) return false;
   for (std::uint64_t round = 0;; ++round) {
-    const RewriteOutcome outcome = rewriter.rewrite(plan, word, key.child(round), stage, next);
+    const RewriteOutcome outcome = rewriter.rewrite(plan, word, key.child(round), stage, next, births);
     if (outcome.rule == nullptr) return round > 0 || outcome.may_change;
     if (round == kMostRounds) {
       throw_rule_fault(*outcome.rule,
@@ -89,21 +92,24 @@ bool rewrite_to_end(Rewriter& rewriter, const RewritePlan& plan, RandomKey key, 
   }
 }
 
-Word derived_word(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress) {
+Word derived_word(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress,
+                  KeepBirths keep) {
   const RewritePlan production(grammar, grammar.production);
   const RewritePlan decomposition(grammar, grammar.decomposition);
   require_bounded_words(grammar, production, steps, limits);
   Rewriter rewriter(grammar, limits, progress);
   Word word = axiom_word(grammar, limits);
+  if (keep == KeepBirths::yes) word.births.assign(word.module_count(), 0);
   Word next;
   for (int step = 0; step < steps; ++step) {
     const RandomKey step_key = key.child(static_cast<std::uint64_t>(step));
+    const Births births{.step = static_cast<std::uint16_t>(std::min(step + 1, 65'535))};
     bool may_go_on = cut_branches(grammar, word, progress);
-    const RewriteOutcome outcome = rewriter.rewrite(production, word, step_key, "deriving", next);
+    const RewriteOutcome outcome = rewriter.rewrite(production, word, step_key, "deriving", next, births);
     if (outcome.rule != nullptr) std::swap(word, next);
     may_go_on = may_go_on || outcome.rule != nullptr || outcome.may_change;
     const RandomKey round_key = step_key.child("decomposition");
-    if (rewrite_to_end(rewriter, decomposition, round_key, "decomposing", word, next)) may_go_on = true;
+    if (rewrite_to_end(rewriter, decomposition, round_key, "decomposing", word, next, births)) may_go_on = true;
     if (!may_go_on) break;
   }
   return word;
@@ -117,10 +123,10 @@ Word interpreted_word(const Grammar& grammar, const Word& word, RandomKey key, c
   // The first round reads the word where it is.
   Word first;
   const RewriteOutcome outcome =
-      rewriter.rewrite(interpretation, word, interpretation_key.child("first"), "interpreting", first);
+      rewriter.rewrite(interpretation, word, interpretation_key.child("first"), "interpreting", first, kInherited);
   if (outcome.rule == nullptr) return word;
   Word next;
-  rewrite_to_end(rewriter, interpretation, interpretation_key, "interpreting", first, next);
+  rewrite_to_end(rewriter, interpretation, interpretation_key, "interpreting", first, next, kInherited);
   return first;
 }
 
@@ -139,7 +145,7 @@ Word naming_file(const Grammar& grammar, Call call) {
 }  // namespace
 
 Word derive(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress) {
-  return naming_file(grammar, [&] { return derived_word(grammar, steps, key, limits, progress); });
+  return naming_file(grammar, [&] { return derived_word(grammar, steps, key, limits, progress, KeepBirths::no); });
 }
 
 Word interpreted(const Grammar& grammar, const Word& word, RandomKey key, const Limits& limits, Progress& progress) {
@@ -147,8 +153,9 @@ Word interpreted(const Grammar& grammar, const Word& word, RandomKey key, const 
   return naming_file(grammar, [&] { return interpreted_word(grammar, word, key, limits, progress); });
 }
 
-Word derive_drawn(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress) {
-  Word word = derive(grammar, steps, key, limits, progress);
+Word derive_drawn(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress,
+                  KeepBirths births) {
+  Word word = naming_file(grammar, [&] { return derived_word(grammar, steps, key, limits, progress, births); });
   if (grammar.interpretation.rules.empty()) return word;
   return interpreted(grammar, word, key, limits, progress);
 }

@@ -17,10 +17,14 @@ namespace meristem {
 /// Cancelled.
 Word derive(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress);
 
+/// Whether a word keeps the steps in which its modules have come about.
+enum class KeepBirths { no, yes };
+
 /// The word as it is drawn: with the grammar's interpretation rules applied. Throws what `derive` throws.
 Word interpreted(const Grammar& grammar, const Word& word, RandomKey key, const Limits& limits, Progress& progress);
 
 /// Both: the word after `steps` steps as it is drawn.
-Word derive_drawn(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress);
+Word derive_drawn(const Grammar& grammar, int steps, RandomKey key, const Limits& limits, Progress& progress,
+                  KeepBirths births = KeepBirths::no);
 
 }  // namespace meristem

@@ -81,7 +81,7 @@ Rewriter::Rewriter(const Grammar& grammar, const Limits& limits, Progress& progr
 Rewriter::~Rewriter() = default;
 
 RewriteOutcome Rewriter::rewrite(const RewritePlan& plan, const Word& word, RandomKey key, std::string_view stage,
-                                 Word& next) {
+                                 Word& next, Births births) {
   progress_.begin(stage, word.module_count());
   progress_.check();
 
@@ -117,9 +117,13 @@ RewriteOutcome Rewriter::rewrite(const RewritePlan& plan, const Word& word, Rand
   next.parameters.clear();
   make_room(next.letters, modules);
   make_room(next.parameters, parameters);
+  const bool keeps_births = !word.births.empty();
+  next.births.clear();
+  if (keeps_births) next.births.resize(modules);
   parallel_for(word.module_count(), kChunk, [&](std::size_t begin, std::size_t end) {
     Lease scratch(*this);
     write_letters(plan, old, begin, end, *scratch, next);
+    if (keeps_births) write_births(plan, word, begin, end, births, next);
     for (const RuleChoice choice : scratch->rules) {
       std::vector<Lane>& lanes = scratch->lanes[choice];
       write_parameters(plan.rules[choice - 1], old, lanes, scratch->batch, next.parameters.data());
@@ -206,6 +210,25 @@ void Rewriter::write_letters(const RewritePlan& plan, const OldWord& old, std::s
     if (written >= kModulesBetweenChecks) {
       progress_.check();
       written = 0;
+    }
+  }
+}
+
+/// A module of the predecessor's letter that no bracket of the rule parts from it goes on from it, and is as old.
+void Rewriter::write_births(const RewritePlan& plan, const Word& word, std::size_t begin, std::size_t end,
+                            Births births, Word& next) const {
+  std::uint16_t* out = next.births.data() + chunks_[begin / kChunk].modules;
+  for (std::size_t k = begin; k < end; ++k) {
+    if (choices_[k] == kCopied) {
+      *out++ = word.births[k];
+      continue;
+    }
+    int depth = 0;
+    for (const LetterIndex letter : plan.rules[choices_[k] - 1].letters) {
+      if (letter == grammar_.open) ++depth;
+      const bool goes_on = letter == word.letters[k] && depth == 0;
+      *out++ = goes_on || births.all_are_inherited ? word.births[k] : births.step;
+      if (letter == grammar_.close) --depth;
     }
   }
 }

@@ -25,6 +25,12 @@ struct RewriteOutcome {
   bool may_change = false;     ///< another draw may apply other rules
 };
 
+/// When the modules of a successor have come about, in words that keep it.
+struct Births {
+  std::uint16_t step = 0;          ///< that of the rewriting
+  bool all_are_inherited = false;  ///< from what they replace; else those alone that go on from it
+};
+
 /// Rewrites words of one grammar; its memory serves one word after another. Beside the old word and the new one that
 /// is 2 bytes per module, and 4 for each kind of neighbours that contexts ask for.
 class Rewriter {
@@ -34,7 +40,8 @@ class Rewriter {
   ~Rewriter();
 
   /// `next` becomes what `word` is rewritten to; it is left alone if nothing changes. Throws InputError and Cancelled.
-  RewriteOutcome rewrite(const RewritePlan& plan, const Word& word, RandomKey key, std::string_view stage, Word& next);
+  RewriteOutcome rewrite(const RewritePlan& plan, const Word& word, RandomKey key, std::string_view stage, Word& next,
+                         Births births = {});
 
  private:
   struct Scratch;
@@ -52,6 +59,8 @@ class Rewriter {
   void require_room(const RewritePlan& plan, std::size_t modules, std::size_t parameters) const;
   void write_letters(const RewritePlan& plan, const OldWord& old, std::size_t begin, std::size_t end, Scratch& scratch,
                      Word& next) const;
+  void write_births(const RewritePlan& plan, const Word& word, std::size_t begin, std::size_t end, Births births,
+                    Word& next) const;
   void write_parameters(const RulePlan& plan, const OldWord& old, std::vector<Lane>& lanes, RuleBatch& batch,
                         double* parameters) const;
 

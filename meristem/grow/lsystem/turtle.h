@@ -72,8 +72,8 @@ struct TurtleSite {
 };
 
 struct Drawing {
-  Skeleton skeleton;  ///< a root where segments begin without another before them; births are 0; its column "end" is 1
-                      ///< where a ] has ended a branch, if one of no length
+  Skeleton skeleton;  ///< a root where segments begin without another before them; births are those of the modules, or
+                      ///< 0; its column "end" is 1 where a ] has ended a branch, if one of no length
   std::vector<std::uint32_t> module_of_node;  ///< index in the word of the module that drew the segment to each node,
                                               ///< or the first segment from a root
   std::vector<Vec3> corners;

@@ -71,6 +71,8 @@ using WordColumn = std::vector<Item, UnsetAllocator<Item>>;
 struct Word {
   WordColumn<LetterIndex> letters;
   WordColumn<double> parameters;
+  /// The step in which each module has come about, 0 for those of an axiom; empty where nobody has asked for it.
+  WordColumn<std::uint16_t> births;
 
   std::size_t module_count() const { return letters.size(); }
   bool operator==(const Word&) const = default;

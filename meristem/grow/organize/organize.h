@@ -98,8 +98,9 @@ struct OrganizeParameters {
   double callus = 0;  ///< share of the sections of cuts that wood swells by about them; raised, thicker heads
   std::vector<Operation> operations;  ///< that act in this order
   std::vector<std::string> marks;     ///< words of the marks, by their numbers
-  double summer = 0.5;  ///< 0 to 1: share of an iteration's growth that comes before its summer operations
-  bool plans = false;   ///< what the last iteration's operations would do is told, and not done
+  double summer = 0.5;        ///< 0 to 1: share of an iteration's growth that comes before its summer operations
+  bool plans = false;         ///< what the last iteration's operations would do is told, and not done
+  bool keeps_fallen = false;  ///< the skeleton has what was shed and cut as well, and when it went
   /// Directions of light and gravity: light that the scene does not have itself adds to the light that a bud finds, by
   /// its weight.
   std::optional<Directions> directions{};  ///< unset: the scene's

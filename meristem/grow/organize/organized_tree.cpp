@@ -278,12 +278,27 @@ void OrganizedTree::shed(int iteration) {
     any = true;
   }
   if (!any) return;
-  tree_.remove(gone, Bud::dead());
-  forget(gone);
+  for (MetamerIndex metamer = 1; metamer < metamers_.count(); ++metamer) {
+    if (gone[metamer] != 0 && !metamers_.is_loose(metamer)) cut_off(metamer, Bud::dead(), iteration);
+  }
+  clear_away();
 }
 
-/// Takes away, here and in what is told of the iteration's metamers, what is no more in the tree.
+void OrganizedTree::cut_off(MetamerIndex first, const BudsLeft& after, int iteration) {
+  if (species_->parameters.keeps_fallen) fallen_.note(metamers_, first, iteration);
+  tree_.cut_off(first, after);
+}
+
+/// Takes away all that was cut off, here and in what is told of the iteration's metamers; whether there was any.
+bool OrganizedTree::clear_away() {
+  const std::vector<std::uint8_t> gone = tree_.clear_away();
+  if (gone.empty()) return false;
+  forget(gone);
+  return true;
+}
+
 void OrganizedTree::forget(const std::vector<std::uint8_t>& gone) {
+  if (species_->parameters.keeps_fallen) fallen_.forget(gone);
   wood_.remove(gone);
   if (!is_pruned()) return;
   upkeep_.bows.remove(gone);
@@ -368,6 +383,7 @@ Skeleton OrganizedTree::take_skeleton(const Progress& progress) {
   assign_pipe_radii(skeleton, species_->parameters.radii);
   wood_.thicken(skeleton, species_->parameters.radii);
   upkeep_.wounds.swell(species_->parameters.callus, skeleton);
+  if (species_->parameters.keeps_fallen) return fallen_.with_fallen(std::move(skeleton), species_->parameters.radii);
   return skeleton;
 }
 

@@ -14,6 +14,7 @@
 #include "meristem/grow/metamer/resource.h"
 #include "meristem/grow/organize/bud_sense.h"
 #include "meristem/grow/organize/cut_wounds.h"
+#include "meristem/grow/organize/fallen_shoots.h"
 #include "meristem/grow/organize/species.h"
 #include "meristem/grow/organize/standing_tree.h"
 #include "meristem/grow/organize/standing_wood.h"
@@ -109,6 +110,8 @@ class OrganizedTree {
   Vec3 next_side(MetamerIndex from, bool is_lateral, std::uint32_t number, Vec3 heading, RandomKey key) const;
   bool is_open(Vec3 from, Vec3 to) const;
   void shed(int iteration);
+  void cut_off(MetamerIndex first, const BudsLeft& after, int iteration);
+  bool clear_away();
   void forget(const std::vector<std::uint8_t>& gone);
   /// What an operation sees of the tree in an iteration.
   TreeState state_for(std::size_t operation, int iteration) const;
@@ -137,6 +140,7 @@ class OrganizedTree {
   ResourceFlow flow_;
   std::vector<Sprout> sprouts_;  // of the iteration
   StandingWood wood_;
+  FallenShoots fallen_;  // where they are kept
   // For trees with operations alone.
   TreeTies ties_;
   Upkeep upkeep_;

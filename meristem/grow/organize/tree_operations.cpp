@@ -66,11 +66,15 @@ void OrganizedTree::operate(int iteration, bool in_summer, const Progress& progr
   StandingTree::State tree = tree_.state();
   ResourceFlow flow = flow_;
   Upkeep upkeep = upkeep_;
+  StandingWood wood = wood_;
+  FallenShoots fallen = fallen_;
   records_.clear();
   perform(iteration, in_summer, progress);
   tree_.restore(std::move(tree));
   flow_ = std::move(flow);
   upkeep_ = std::move(upkeep);
+  wood_ = std::move(wood);
+  fallen_ = std::move(fallen);
 }
 
 void OrganizedTree::perform(int iteration, bool in_summer, const Progress& progress) {
@@ -92,10 +96,7 @@ void OrganizedTree::perform(int iteration, bool in_summer, const Progress& progr
     }
   }
   // Once for all operations, so that each costs what it takes away and not the tree.
-  if (const std::vector<std::uint8_t> gone = tree_.clear_away(); !gone.empty()) {
-    forget(gone);
-    upkeep_.leads = find_leads(metamers_);
-  }
+  if (clear_away()) upkeep_.leads = find_leads(metamers_);
   if (!in_summer && !upkeep_.bows.empty()) tree_.move(upkeep_.bows.bend(metamers_));
 }
 
@@ -169,7 +170,7 @@ void OrganizedTree::apply(const Work& work, int iteration, std::size_t operation
   std::ranges::sort(gone);
   const Bud after = damages ? Bud::damaged() : Bud();
   for (const MetamerIndex metamer : gone) {
-    if (!metamers_.is_loose(metamer)) tree_.cut_off(metamer, {after, work.renews ? Bud() : after});
+    if (!metamers_.is_loose(metamer)) cut_off(metamer, {after, work.renews ? Bud() : after}, iteration);
   }
   const bool is_changed = !work.headless.empty() || !work.gone.empty() || !work.pinched.empty();
   if (is_changed || !work.lifted.empty()) upkeep_.leads = find_leads(metamers_);

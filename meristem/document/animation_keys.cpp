@@ -1,0 +1,492 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/document/animation_keys.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "meristem/base/track.h"
+#include "meristem/document/instance_variables.h"
+#include "meristem/document/override.h"
+#include "meristem/document/tables.h"
+#include "meristem/graph/crown_placement.h"
+#include "meristem/graph/placement.h"
+#include "meristem/graph/table/member_type.h"
+
+namespace meristem {
+
+namespace {
+
+const std::vector<std::string> kWays{"linear", "smooth", "step"};
+
+/// A row that a path leads to, or why it leads nowhere.
+struct FoundRow {
+  const Parameter* row = nullptr;
+  bool is_element = false;  // one number of a vector
+  bool in_component = false;
+  std::string fault{}, expected{}, nearest{};
+};
+
+/// One key as it is written.
+struct WrittenKey {
+  double time = 0;
+  const Value* value = nullptr;
+  Track::Way way = Track::Way::linear;
+};
+
+constexpr std::size_t kNoElement = SIZE_MAX;
+
+/// 2 for "[2]"; kNoElement for what is no number in brackets.
+std::size_t index_of(const std::string& element) {
+  if (element.size() < 3 || element[0] != '[') return kNoElement;
+  std::size_t index = 0;
+  const char* const end = element.data() + element.size() - 1;
+  const auto parsed = std::from_chars(element.data() + 1, end, index);
+  return parsed.ec == std::errc() && parsed.ptr == end ? index : kNoElement;
+}
+
+/// The row that the elements of a path from the k-th on lead to.
+FoundRow row_at(const ParameterTable& first, const std::vector<std::string>& elements, std::size_t k,
+                const ParameterReader& reader) {
+  FoundRow found;
+  const ParameterTable* table = &first;
+  while (k < elements.size()) {
+    const std::string& name = elements[k++];
+    const Parameter* row = table->find(name);
+    if (row == nullptr) {
+      std::vector<std::string> names;
+      for (const Parameter& one : table->parameters) names.push_back(one.name);
+      found.fault = fmt::format("{} has no parameter '{}'", table->name, name);
+      found.nearest = reader.nearest(name, names);
+      if (found.nearest.empty()) found.expected = fmt::format("one of {}", fmt::join(names, ", "));
+      return found;
+    }
+    const bool has_element = k < elements.size() && elements[k][0] == '[';
+    if (row->kind == ParameterKind::vector && has_element && k + 1 == elements.size()) {
+      found.is_element = index_of(elements[k]) < 3;
+      if (found.is_element) found.row = row;
+      if (!found.is_element) found.fault = fmt::format("'{}' has the elements [0] to [2]", name);
+      return found;
+    }
+    if (k == elements.size()) {
+      found.row = row;
+      return found;
+    }
+    const bool is_many = row->kind == ParameterKind::list || row->kind == ParameterKind::map;
+    if (row->nested == nullptr || has_element != (row->kind == ParameterKind::list)) {
+      found.fault = fmt::format("'{}' has nothing of the name '{}'", name, elements[k]);
+      return found;
+    }
+    if (is_many) ++k;
+    table = &row->nested();
+  }
+  found.fault = "a path leads to a single parameter";
+  return found;
+}
+
+/// Reads the keys of one parameter after the other.
+class KeyReader {
+ public:
+  KeyReader(Value& root, const Registry* registry, double time, ParameterReader& reader)
+      : root_(root), registry_(registry), time_(time), reader_(reader) {}
+
+  std::vector<KeyedParameter> run(bool of_variables) {
+    const Value* animation = root_.find("animation");
+    const Value* given = animation == nullptr ? nullptr : animation->find("keys");
+    if (given == nullptr) return {};
+    const DocumentPath animation_place(top_, "animation");
+    const DocumentPath place(animation_place, "keys");
+    if (given->object() == nullptr) {
+      if (!of_variables) {
+        reader_.fault(place, fmt::format("the keys are {}", given->description()),
+                      R"(an object such as {"stem.length": [[0, 0.05], [4, 1.8, "smooth"]]})");
+      }
+      return {};
+    }
+    const Value::Object keys = *given->object();  // a copy, as the tree changes
+    for (const auto& [name, list] : keys) {
+      const bool is_path = !path_elements(name).empty();
+      const std::string path = is_path ? full_path(root_, name) : name;
+      if (path.starts_with("variables.") != of_variables) continue;
+      const DocumentPath own(place, name);
+      if (!is_path) {
+        reader_.fault_name(own, fmt::format("'{}' is not a path", name),
+                           "one such as age, stem.length or links[1].density", "");
+        continue;
+      }
+      read(name, path, list, own);
+    }
+    return std::move(keyed_);
+  }
+
+ private:
+  void read(const std::string& name, const std::string& path, const Value& list, const DocumentPath& place) {
+    const FoundRow found = find(path_elements(path));
+    if (found.row == nullptr) return reader_.fault_name(place, found.fault, found.expected, found.nearest);
+    const KeyClock clock = found.row->key_clock(found.in_component);
+    if (clock == KeyClock::none) {
+      return reader_.fault_name(place, fmt::format("'{}' cannot have keys", name),
+                                "a parameter that is a number, a vector, a colour, a choice, or true or false", "");
+    }
+    const std::size_t faults_before = reader_.fault_count();
+    const std::vector<WrittenKey> keys = read_keys(*found.row, list, place);
+    if (reader_.fault_count() > faults_before) return;
+    const bool by_instance = clock == KeyClock::instance;
+    std::optional<Value> value;
+    if (found.row->has_values_between()) {
+      value = between(found, keys, place, by_instance);
+    } else {
+      value = jumping(*found.row, keys, place);
+    }
+    if (reader_.fault_count() > faults_before) return;
+    put(path, found, std::move(*value), place, by_instance);
+    keyed_.push_back({name, path, clock, keys.back().time});
+  }
+
+  FoundRow find(const std::vector<std::string>& elements) const {
+    const std::string& top = elements[0];
+    if (top == "variables" && elements.size() > 1) return find_variable(elements);
+    if (top == "components" && elements.size() > 2) return find_in_component(elements);
+    if (top == "links") return find_in_link(elements);
+    if (top == "scene" && elements.size() > 1) return row_at(head_table(), elements, 0, reader_);
+    FoundRow found;
+    found.fault = fmt::format("'{}' cannot have keys", top);
+    found.expected = "a parameter of a component, a link or the scene, or a variable";
+    return found;
+  }
+
+  FoundRow find_variable(const std::vector<std::string>& elements) const {
+    const std::string& name = elements[1];
+    const Value* variables = root_.find("variables");
+    const bool is_known = variables != nullptr && variables->find(name) != nullptr;
+    if (!is_known) return unknown("variable", name, variables);
+    FoundRow found;
+    const bool is_value = elements.size() == 2 || (elements.size() == 3 && elements[2] == "value");
+    if (!is_value) found.fault = "a variable has keys as a whole";
+    if (is_per_instance(*variables->find(name))) {
+      found.fault = fmt::format("'{}' is drawn for each instance and cannot have keys", name);
+      found.expected = "keys of the parameters that use it";
+    }
+    if (found.fault.empty()) found.row = variable_table().find("value");
+    return found;
+  }
+
+  FoundRow find_in_component(const std::vector<std::string>& elements) const {
+    const Value* components = root_.find("components");
+    const Value* component = components == nullptr ? nullptr : components->find(elements[1]);
+    if (component == nullptr) return unknown("component", elements[1], components);
+    const Value* type_name = component->find("type");
+    const bool has_type = type_name != nullptr && type_name->text() != nullptr;
+    const ComponentType* type = has_type ? registry_->find(*type_name->text()) : nullptr;
+    FoundRow found;
+    if (type == nullptr) {
+      found.fault = fmt::format("'{}' has no type that is known", elements[1]);
+      return found;
+    }
+    found = row_at(type->parameters, elements, 2, reader_);
+    found.in_component = true;
+    return found;
+  }
+
+  FoundRow find_in_link(const std::vector<std::string>& elements) const {
+    FoundRow found;
+    const Value* links = root_.find("links");
+    const std::size_t index = elements.size() > 1 ? index_of(elements[1]) : kNoElement;
+    const bool is_there = links != nullptr && links->list() != nullptr && index < links->list()->size();
+    const Value* link = is_there ? &(*links->list())[index] : nullptr;
+    if (link == nullptr || link->object() == nullptr) {
+      found.fault = is_there ? "a link that is a pair has no parameters" : "there is no such link";
+      found.expected = R"(a link such as links[1], which is an object with "from" and "to")";
+      return found;
+    }
+    const Value* kind = link->find("kind");
+    const bool is_crown = kind != nullptr && *kind == Value("crown");
+    return row_at(is_crown ? crown_placement_table() : placement_table(), elements, 2, reader_);
+  }
+
+  FoundRow unknown(const char* what, const std::string& name, const Value* among) const {
+    FoundRow found;
+    found.fault = fmt::format("there is no {} '{}'", what, name);
+    std::vector<std::string> names;
+    if (among != nullptr && among->object() != nullptr) {
+      for (const auto& [known, value] : *among->object()) names.push_back(known);
+    }
+    found.nearest = reader_.nearest(name, names);
+    if (found.nearest.empty()) found.expected = names.empty() ? "" : fmt::format("one of {}", fmt::join(names, ", "));
+    return found;
+  }
+
+  std::vector<WrittenKey> read_keys(const Parameter& row, const Value& list, const DocumentPath& place) {
+    std::vector<WrittenKey> keys;
+    if (list.list() == nullptr || list.list()->empty()) {
+      reader_.fault(place, fmt::format("the keys of '{}' are {}", row.name, list.description()),
+                    R"(a list of keys such as [[0, 0.05], [4, 1.8, "smooth"]])");
+      return keys;
+    }
+    for (std::size_t k = 0; k < list.list()->size(); ++k) {
+      const DocumentPath own(place, k);
+      const Value& written = (*list.list())[k];
+      const Value::List* parts = written.list();
+      if (parts == nullptr || parts->size() < 2 || parts->size() > 3) {
+        reader_.fault(own, fmt::format("a key is {}", written.description()),
+                      R"([time, value], or [time, value, "smooth"])");
+        continue;
+      }
+      WrittenKey key{.value = &(*parts)[1]};
+      key.way = row.has_values_between() ? Track::Way::linear : Track::Way::step;
+      if (!read_time((*parts)[0], DocumentPath(own, std::size_t{0}), key.time)) continue;
+      if (parts->size() == 3) read_way(row, (*parts)[2], DocumentPath(own, std::size_t{2}), key.way);
+      if (!keys.empty() && !(keys.back().time < key.time)) {
+        reader_.fault(DocumentPath(own, std::size_t{0}),
+                      keys.back().time == key.time
+                          ? fmt::format("there are two keys at {:.12g} s", key.time)
+                          : fmt::format("the key at {:.12g} s follows one at {:.12g} s", key.time, keys.back().time),
+                      "keys at rising times");
+        continue;
+      }
+      keys.push_back(key);
+    }
+    return keys;
+  }
+
+  bool read_time(const Value& value, const DocumentPath& place, double& time) {
+    if (value.number() != nullptr && std::isfinite(*value.number()) && *value.number() >= 0) {
+      time = *value.number();
+      return true;
+    }
+    reader_.fault(place, fmt::format("the time of a key cannot be {}", value.description()), "seconds of at least 0");
+    return false;
+  }
+
+  void read_way(const Parameter& row, const Value& value, const DocumentPath& place, Track::Way& way) {
+    const auto found = value.text() == nullptr ? kWays.end() : std::ranges::find(kWays, *value.text());
+    if (found == kWays.end()) {
+      return reader_.fault(place, fmt::format("{} is not a way between keys", value.description()),
+                           "linear, smooth or step",
+                           value.text() == nullptr ? "" : reader_.nearest(*value.text(), kWays));
+    }
+    way = static_cast<Track::Way>(found - kWays.begin());
+    if (row.has_values_between() || way == Track::Way::step) return;
+    reader_.fault(place, fmt::format("'{}' has no values between its keys", row.name), "step, or nothing");
+  }
+
+  /// Keys of numbers: themselves, in place of a value that differs from instance to instance, or what they give now.
+  std::optional<Value> between(const FoundRow& found, const std::vector<WrittenKey>& keys, const DocumentPath& place,
+                               bool by_instance) {
+    const Parameter& row = *found.row;
+    if (row.kind == ParameterKind::colour) return colour_now(row, keys, place);
+    Parameter number = row;
+    if (row.kind == ParameterKind::vector) number.kind = ParameterKind::number;
+    if (by_instance && number.kind == ParameterKind::integer) number.kind = ParameterKind::number;
+    const bool is_whole_vector = row.kind == ParameterKind::vector && !found.is_element;
+    if (!is_whole_vector) {
+      Value::List list = numbers(number, keys, place, by_instance, std::nullopt);
+      return by_instance ? Value(std::move(list)) : now(list, row.kind == ParameterKind::integer);
+    }
+    Value::List vector;
+    for (std::size_t c = 0; c < 3; ++c) {
+      Value::List list = numbers(number, keys, place, by_instance, c);
+      vector.push_back(by_instance ? Value(std::move(list)) : now(list, false));
+    }
+    return vector;
+  }
+
+  /// [[time, value, way], ...] of numbers, of ranges, or of one component of vectors.
+  Value::List numbers(const Parameter& number, const std::vector<WrittenKey>& keys, const DocumentPath& place,
+                      bool with_ranges, std::optional<std::size_t> component) {
+    Value::List list;
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+      const DocumentPath key_place(place, k);
+      const DocumentPath value_place(key_place, std::size_t{1});
+      Value value = *keys[k].value;
+      if (component) {
+        if (value.list() == nullptr || value.list()->size() != 3) {
+          if (*component == 0) {
+            reader_.fault(value_place, fmt::format("'{}' cannot be {}", number.name, value.description()),
+                          "a list of three numbers [x, y, z]");
+          }
+          continue;
+        }
+        value = one_number(number, (*value.list())[*component], DocumentPath(value_place, *component));
+      } else if (with_ranges && value.list() != nullptr && value.list()->size() == 2) {
+        const Value::List ends = *value.list();
+        value = Value::List{one_number(number, ends[0], DocumentPath(value_place, std::size_t{0})),
+                            one_number(number, ends[1], DocumentPath(value_place, std::size_t{1}))};
+      } else {
+        value = one_number(number, value, value_place);
+      }
+      list.push_back(Value::List{keys[k].time, std::move(value), static_cast<int>(keys[k].way)});
+    }
+    return list;
+  }
+
+  Value one_number(const Parameter& number, const Value& value, const DocumentPath& place) {
+    return reader_.number(number, value, place).value_or(0);
+  }
+
+  Value now(const Value::List& list, bool is_whole) const {
+    if (list.empty()) return 0;
+    std::vector<Track::Key> keys;
+    for (const Value& key : list) {
+      const Value::List& parts = *key.list();
+      keys.push_back(
+          {*parts[0].number(), *parts[1].number(), static_cast<Track::Way>(static_cast<int>(*parts[2].number()))});
+    }
+    const double value = Track(std::move(keys)).at(time_);
+    return is_whole ? std::floor(value + 0.5) : value;
+  }
+
+  /// Colours pass from one to the next in sRGB, as they are written.
+  std::optional<Value> colour_now(const Parameter& row, const std::vector<WrittenKey>& keys,
+                                  const DocumentPath& place) {
+    std::array<std::vector<Track::Key>, 3> channels;
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+      Vec3 colour(0);
+      const DocumentPath key_place(place, k);
+      const std::size_t faults_before = reader_.fault_count();
+      read_value(row, colour, *keys[k].value, DocumentPath(key_place, std::size_t{1}), reader_);
+      if (reader_.fault_count() > faults_before) return std::nullopt;
+      for (int c = 0; c < 3; ++c) {
+        channels[static_cast<std::size_t>(c)].push_back(
+            {keys[k].time, static_cast<double>(std::floor(colour[c] * 255.0F + 0.5F)), keys[k].way});
+      }
+    }
+    std::string text = "#";
+    for (std::vector<Track::Key>& channel : channels) {
+      text += fmt::format("{:02x}", static_cast<int>(std::floor(Track(std::move(channel)).at(time_) + 0.5)));
+    }
+    return Value(std::move(text));
+  }
+
+  /// Keys of what has no values between: the last one so far.
+  std::optional<Value> jumping(const Parameter& row, const std::vector<WrittenKey>& keys, const DocumentPath& place) {
+    const Value* last = keys.front().value;
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+      const DocumentPath key_place(place, k);
+      const DocumentPath value_place(key_place, std::size_t{1});
+      if (row.kind == ParameterKind::choice) {
+        if (!reader_.choice(row, *keys[k].value, value_place)) return std::nullopt;
+      } else if (keys[k].value->boolean() == nullptr) {
+        reader_.wrong_kind(row, *keys[k].value, value_place);
+      }
+      if (keys[k].time <= time_) last = keys[k].value;
+    }
+    return *last;
+  }
+
+  void put(const std::string& path, const FoundRow& found, Value value, const DocumentPath& place, bool by_instance) {
+    std::vector<Diagnostic> faults;
+    if (found.is_element) add_vector(path.substr(0, path.rfind('[')), *found.row, place, faults);
+    Value* const target = find_or_add(root_, path, place.text(), faults);
+    if (target == nullptr) {
+      for (const Diagnostic& fault : faults) reader_.fault_name(place, fault.message, fault.expected, fault.nearest);
+      return;
+    }
+    if (!by_instance) {
+      *target = std::move(value);
+      return;
+    }
+    const bool is_whole_vector = found.row->kind == ParameterKind::vector && !found.is_element;
+    if (!is_whole_vector) return put_keys(*target, std::move(value));
+    Value::List& parts = *value.list();
+    Value::List before = target->list() != nullptr ? *target->list() : Value::List();
+    before.resize(3);
+    for (std::size_t c = 0; c < 3; ++c) put_keys(before[c], std::move(parts[c]));
+    *target = std::move(before);
+  }
+
+  /// A vector of which one number has keys has its default in the others, where the document does not say it.
+  void add_vector(const std::string& path, const Parameter& row, const DocumentPath& place,
+                  std::vector<Diagnostic>& faults) {
+    Value* const vector = find_or_add(root_, path, place.text(), faults);
+    if (vector == nullptr || !vector->is_null()) return;
+    *vector = row.fallback();
+    if (vector->is_null()) *vector = Value::List{0, 0, 0};
+  }
+
+  /// What is applied to the value stays.
+  static void put_keys(Value& target, Value keys) {
+    const Value* apply = target.object() != nullptr ? target.find("apply") : nullptr;
+    Value::Object made{{"keys", std::move(keys)}};
+    if (apply != nullptr) made.emplace_back("apply", *apply);
+    target = std::move(made);
+  }
+
+  Value& root_;
+  const Registry* registry_;
+  double time_;
+  ParameterReader& reader_;
+  const DocumentPath top_;
+  std::vector<KeyedParameter> keyed_;
+};
+
+/// Which components hang on one that begins a clock.
+std::vector<std::uint8_t> with_own_clocks(const Graph& graph) {
+  std::vector<std::uint8_t> own(graph.components.size(), 0);
+  std::vector<ComponentIndex> open;
+  for (ComponentIndex c = 0; c < graph.components.size(); ++c) {
+    if (graph.components[c].type->begins_clock) open.push_back(c);
+  }
+  while (!open.empty()) {
+    const ComponentIndex from = open.back();
+    open.pop_back();
+    for (const LinkIndex link : graph.structure.outgoing[from]) {
+      const ComponentIndex to = graph.links[link].to;
+      if (own[to] != 0) continue;
+      own[to] = 1;
+      open.push_back(to);
+    }
+  }
+  return own;
+}
+
+}  // namespace
+
+std::vector<KeyedParameter> put_variable_keys(Value& root, double time, ParameterReader& reader) {
+  return KeyReader(root, nullptr, time, reader).run(true);
+}
+
+std::vector<KeyedParameter> put_other_keys(Value& root, const Registry& registry, double time,
+                                           ParameterReader& reader) {
+  return KeyReader(root, &registry, time, reader).run(false);
+}
+
+void check_key_clocks(const std::vector<KeyedParameter>& keyed, const Graph& graph,
+                      std::vector<Diagnostic>& diagnostics) {
+  const std::vector<std::uint8_t> own = with_own_clocks(graph);
+  const double end = graph.animation->length;
+  for (const KeyedParameter& parameter : keyed) {
+    const std::vector<std::string> elements = path_elements(parameter.path);
+    bool has_own_clock = false;
+    if (elements[0] == "components") {
+      const auto found = std::ranges::find(graph.components, elements[1], &Prototype::id);
+      has_own_clock =
+          found != graph.components.end() && own[static_cast<std::size_t>(found - graph.components.begin())];
+    } else if (elements[0] == "links") {
+      const std::size_t link = index_of(elements[1]);
+      const ComponentIndex from = graph.links[link].from;
+      has_own_clock = own[from] != 0 || graph.components[from].type->begins_clock;
+    }
+    const std::string place = "animation.keys." + parameter.name;
+    if (has_own_clock && parameter.clock == KeyClock::document) {
+      diagnostics.push_back(
+          {.message = fmt::format(
+               "'{}' is one value for all instances, and each has a clock of its own below a sequence", parameter.name),
+           .expected = "keys of a parameter that may differ from instance to instance",
+           .path = place});
+    } else if (!has_own_clock && parameter.last_time > end) {
+      diagnostics.push_back({.message = fmt::format("'{}' has a key at {:.12g} s, after the animation's end",
+                                                    parameter.name, parameter.last_time),
+                             .expected = fmt::format("times up to the \"length\", {:.12g} s", end),
+                             .path = place});
+    }
+  }
+}
+
+}  // namespace meristem

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meristem/plant/growth_in_time.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "meristem/base/math.h"
+
+namespace meristem {
+
+namespace {
+
+constexpr float kShortestGrowth = 1e-3F;  // steps, where births do not rise along a branch
+
+/// What a node is among those that have come in one step with it: how far along its branch, and how much follows.
+struct InStep {
+  std::uint32_t before = 1;  // with itself
+  std::uint32_t after = 0;
+  float begin = 0;  // when the first of them began to grow
+};
+
+class SpanFinder {
+ public:
+  explicit SpanFinder(const Skeleton& skeleton) : skeleton_(skeleton), in_step_(skeleton.node_count()) {}
+
+  void find(GrowthSpans& spans) {
+    const auto count = static_cast<NodeIndex>(skeleton_.node_count());
+    for (NodeIndex node = 0; node < count; ++node) {
+      if (follows(node)) in_step_[node].before = in_step_[skeleton_.parent[node]].before + 1;
+    }
+    for (NodeIndex node = count; node-- > 0;) {
+      if (!follows(node)) continue;
+      std::uint32_t& after = in_step_[skeleton_.parent[node]].after;
+      after = std::max(after, in_step_[node].after + 1);
+    }
+    find_next_births();
+    for (NodeIndex node = 0; node < count; ++node) find_span(node, spans);
+  }
+
+ private:
+  /// Whether its parent has come in the same step.
+  bool follows(NodeIndex node) const {
+    const NodeIndex parent = skeleton_.parent[node];
+    return parent != kNoNode && skeleton_.parent[parent] != kNoNode && birth(parent) == birth(node);
+  }
+  float birth(NodeIndex node) const { return skeleton_.birth[node]; }
+
+  /// The births of the next nodes on the same axes.
+  void find_next_births() {
+    next_.assign(skeleton_.node_count(), 0);
+    for (NodeIndex node = 0; node < skeleton_.node_count(); ++node) {
+      const NodeIndex parent = skeleton_.parent[node];
+      if (parent != kNoNode && skeleton_.axis[parent] == skeleton_.axis[node]) next_[parent] = birth(node);
+    }
+  }
+
+  void find_span(NodeIndex node, GrowthSpans& spans) {
+    const NodeIndex parent = skeleton_.parent[node];
+    if (parent == kNoNode) {
+      spans.begin[node] = spans.end[node] = birth(node);
+      return;
+    }
+    InStep& own = in_step_[node];
+    own.begin = follows(node) ? in_step_[parent].begin : begin_of(node, spans.end[parent]);
+    spans.begin[node] = follows(node) ? spans.end[parent] : own.begin;
+    const float share = static_cast<float>(own.before) / static_cast<float>(own.before + own.after);
+    const float end = own.after == 0 ? birth(node) : own.begin + (birth(node) - own.begin) * share;
+    spans.end[node] = std::max(end, spans.begin[node] + kShortestGrowth);
+  }
+
+  /// On an axis growth goes on from the node before. A lateral takes as long as its next segment: nodes may have been
+  /// taken out.
+  float begin_of(NodeIndex node, float earliest) const {
+    const NodeIndex parent = skeleton_.parent[node];
+    if (skeleton_.axis[parent] == skeleton_.axis[node]) return earliest;
+    const float pace = next_[node] > birth(node) ? next_[node] - birth(node) : 1;
+    return std::max(earliest, birth(node) - pace);
+  }
+
+  const Skeleton& skeleton_;
+  std::vector<InStep> in_step_;
+  std::vector<float> next_;
+};
+
+/// The tips at or beyond each node, of which those that are coming to be count by their share. A node counts one at
+/// least, and what has fallen is counted on.
+std::vector<double> tips_at(const Skeleton& whole, const std::vector<float>& grown) {
+  std::vector<double> tips(whole.node_count(), 0);
+  for (auto node = static_cast<NodeIndex>(whole.node_count()); node-- > 0;) {
+    tips[node] = std::max(1.0, tips[node]);
+    const NodeIndex parent = whole.parent[node];
+    if (parent != kNoNode) tips[parent] += tips[node] * static_cast<double>(grown[node]);
+  }
+  return tips;
+}
+
+}  // namespace
+
+GrowthSpans::GrowthSpans(const Skeleton& skeleton) : begin(skeleton.node_count()), end(skeleton.node_count()) {
+  SpanFinder(skeleton).find(*this);
+}
+
+void let_fall(Skeleton& skeleton, std::span<const std::uint8_t> marked, double hold) {
+  std::vector<float> last = skeleton.birth;
+  for (auto node = static_cast<NodeIndex>(skeleton.node_count()); node-- > 0;) {
+    const NodeIndex parent = skeleton.parent[node];
+    if (parent != kNoNode) last[parent] = std::max(last[parent], last[node]);
+  }
+  std::vector<float>& falls = skeleton.extra[std::string(kFallsColumn)];
+  falls.resize(skeleton.node_count(), 0);
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    const NodeIndex parent = skeleton.parent[node];
+    const bool begins_branch = parent != kNoNode && skeleton.axis[parent] != skeleton.axis[node];
+    if (begins_branch && marked[node] != 0) falls[node] = last[node] + static_cast<float>(hold);
+  }
+}
+
+TrimmedSkeleton standing_at(const Skeleton& whole, const GrowthSpans& spans, double step, double pipe_exponent) {
+  // See how much of each segment has grown, and what of it has fallen since.
+  const auto found = whole.extra.find(kFallsColumn);
+  const std::vector<float>* const falls = found == whole.extra.end() ? nullptr : &found->second;
+  std::vector<float> grown(whole.node_count(), 0);
+  std::vector<float> kept(whole.node_count(), 0);
+  for (NodeIndex node = 0; node < whole.node_count(); ++node) {
+    const NodeIndex parent = whole.parent[node];
+    if (parent == kNoNode) {
+      kept[node] = grown[node] = 1;
+      continue;
+    }
+    const double begin = spans.begin[node];
+    grown[node] = static_cast<float>(std::clamp((step - begin) / (spans.end[node] - begin), 0.0, 1.0));
+    if (grown[parent] < 1) grown[node] = 0;
+    const bool has_fallen = falls != nullptr && (*falls)[node] > 0 && step >= (*falls)[node];
+    kept[node] = has_fallen || kept[parent] < 1 ? 0 : grown[node];
+  }
+
+  // Give the wood the share of its last radius that it has by now.
+  TrimmedSkeleton standing = keep_shares(whole, std::move(kept));
+  const std::vector<double> now = tips_at(whole, grown);
+  const std::vector<double> last = tips_at(whole, std::vector<float>(whole.node_count(), 1));
+  for (NodeIndex node = 0; node < whole.node_count(); ++node) {
+    const NodeIndex made = standing.node[node];
+    if (made == kNoNode) continue;
+    // A tip is as thick on its way as it will be at the node.
+    standing.skeleton.radius[made] = whole.radius[node];
+    if (now[node] == last[node]) continue;
+    standing.skeleton.radius[made] *= static_cast<float>(math::pow(now[node] / last[node], 1 / pipe_exponent));
+  }
+  return standing;
+}
+
+}  // namespace meristem

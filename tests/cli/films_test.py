@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Films that `meristem render` makes. A small script stands for ffmpeg, which need not be installed.
+
+Usage: films_test.py PROGRAM [unittest options]
+"""
+
+import os
+import subprocess
+import unittest
+
+import cli_case
+from cli_case import DONE, FAILED, PROGRAM, WRONG_INPUT
+
+RISING = """{"meristem": 1,
+  "components": {"b": {"type": "simple", "size": [1, 1, 1]}},
+  "animation": {"length": 0.5, "fps": 10, "keys": {"b.size[1]": [[0, 0.5], [0.5, 2]]}}}"""
+
+# Tells what it was called with, and fails where a file says so.
+MAKER = """#!/bin/sh
+echo "$@" >>"{folder}/calls.txt"
+if [ -e "{folder}/broken" ]; then echo "no such codec" >&2; exit 3; fi
+for last; do :; done
+ls "$(dirname "$last")" | grep -c png >"$last"
+"""
+
+SIZE = ["--size", "16x16", "--samples", "1"]
+
+
+class Films(cli_case.Case):
+    def setUp(self):
+        super().setUp()
+        self.write("rising.json", RISING)
+        self.bin = os.path.join(self.folder, "bin")
+        os.mkdir(self.bin)
+
+    def install(self):
+        path = os.path.join(self.bin, "ffmpeg")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(MAKER.format(folder=self.folder))
+        os.chmod(path, 0o755)
+
+    def render(self, *options):
+        """With a PATH that has the script, if it is installed, and the shell's own commands."""
+        path = self.bin if not os.listdir(self.bin) else self.bin + ":/usr/bin:/bin"
+        return subprocess.run([PROGRAM, "render", "rising.json", *options, *SIZE], cwd=self.folder, check=False,
+                              env={**os.environ, "PATH": path}, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=120)
+
+    def folders(self):
+        return [name for name in os.listdir(self.folder) if name.endswith(".frames")]
+
+    def test_without_ffmpeg_the_message_says_what_to_do(self):
+        done = self.render("-o", "film.mp4")
+        self.assertEqual(done.returncode, WRONG_INPUT)
+        self.assertIn("needs the program ffmpeg, which is not installed", done.stderr.decode())
+        self.assertIn("numbered pictures", done.stderr.decode())
+        self.assertEqual(self.folders(), [])
+
+    def test_a_film_shows_the_whole_animation(self):
+        self.install()
+        done = self.render("-o", "film.mp4")
+        self.assertEqual(done.returncode, DONE, done.stderr)
+        self.assertIn("film.mp4: 6 frames: 16 x 16 pixels", done.stderr.decode())
+        self.assertEqual(self.read("film.mp4").decode().strip(), "6")
+        call = self.read("calls.txt").decode()
+        self.assertIn("-framerate 10 ", call)
+        self.assertIn("libx264", call)
+        self.assertEqual(self.folders(), [], "the frames go when the film is there")
+
+    def test_times_may_be_given_and_webm_has_a_codec_of_its_own(self):
+        self.install()
+        self.assertEqual(self.render("-o", "film.webm", "--time", "0:0.4:0.2").returncode, DONE)
+        self.assertEqual(self.read("film.webm").decode().strip(), "3")
+        call = self.read("calls.txt").decode()
+        self.assertIn("-framerate 5 ", call)
+        self.assertIn("libvpx-vp9", call)
+
+    def test_a_film_that_failed_goes_on_with_its_frames(self):
+        self.install()
+        self.write("broken", "")
+        done = self.render("-o", "film.mp4")
+        self.assertEqual(done.returncode, FAILED)
+        self.assertIn("no such codec", done.stderr.decode())
+        self.assertNotIn("film.mp4", os.listdir(self.folder))
+        [frames] = self.folders()
+        first = os.path.join(self.folder, frames, "00000.png")
+        before = os.stat(first).st_mtime_ns
+        os.remove(os.path.join(self.folder, frames, "00003.png"))
+        # What is there stays; another size begins anew.
+        self.assertEqual(self.render("-o", "film.mp4").returncode, FAILED)
+        self.assertEqual(os.stat(first).st_mtime_ns, before)
+        self.assertIn("00003.png", os.listdir(os.path.join(self.folder, frames)))
+        self.assertEqual(self.render("-o", "film.mp4", "--view", "10,10").returncode, FAILED)
+        self.assertEqual(len(self.folders()), 2)
+
+    def test_what_no_film_can_be_is_refused(self):
+        self.install()
+        for options, message in ((["--size", "15x16"], "a film cannot have 15 x 16 pixels"),
+                                 (["--transparent"], "a film has no alpha channel")):
+            done = subprocess.run([PROGRAM, "render", "rising.json", "-o", "film.mp4", "--samples", "1", *options],
+                                  cwd=self.folder, check=False, env={**os.environ, "PATH": self.bin},
+                                  stderr=subprocess.PIPE, timeout=60)
+            self.assertEqual(done.returncode, WRONG_INPUT)
+            self.assertIn(message, done.stderr.decode())
+        done = self.run_program("render", "box.json", "-o", "film.mp4")
+        self.assertEqual(done.returncode, WRONG_INPUT)
+        self.assertIn("no animation", done.stderr.decode())
+
+
+class Keys(cli_case.Case):
+    def test_a_time_is_the_document_with_its_values_put_in(self):
+        self.write("rising.json", RISING)
+        self.run_program("grow", "rising.json", "-o", "keyed.obj", "--time", "0.25", "--quiet")
+        plain = RISING[:RISING.index(",\n  \"animation\"")].replace("[1, 1, 1]", "[1, 1.25, 1]") + "}"
+        self.write("plain.json", plain)
+        self.run_program("grow", "plain.json", "-o", "plain.obj", "--quiet")
+
+        def shape(name):
+            return [line for line in self.read(name).decode().splitlines() if line.startswith(("v", "f"))]
+
+        self.assertEqual(shape("keyed.obj"), shape("plain.obj"))
+
+    def test_check_tells_the_nearest_name_and_the_place_of_a_key(self):
+        self.write("wrong.json", RISING.replace("b.size[1]", "b.siz[1]"))
+        done = self.run_program("check", "wrong.json")
+        self.assertEqual(done.returncode, WRONG_INPUT)
+        self.assertIn("wrong.json:3:", done.stderr.decode())
+        self.assertIn("'size'", done.stderr.decode())
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -485,7 +485,8 @@ TEST(OrganizeComponent, SupportsTiesAndMarksAreChecked) {
             "components.tree.operations[0].season");
   EXPECT_EQ(found({{"do", "support"}, {"named", "wire"}}).message, "the scene has no support 'wire'");
   EXPECT_EQ(found({{"do", "tie"}, {"shoots", "leader"}}).path, "components.tree.operations[0].shoots");
-  EXPECT_EQ(found({{"do", "tie"}, {"shoots", "rank == 1"}, {"to", "mian"}}).path, "components.tree.operations[0].to");
+  EXPECT_EQ(found({{"do", "tie"}, {"shoots", "rank == 1"}, {"anchor", "mian"}}).path,
+            "components.tree.operations[0].anchor");
   EXPECT_EQ(found({{"do", "tie"}, {"shoots", "rank == 1"}, {"below", 0}}).path, "components.tree.operations[0].below");
   for (const char* const word : {"", "two words", "rank", "leader", "sin"}) {
     EXPECT_EQ(found({{"do", "mark"}, {"shoots", "rank == 1"}, {"state", word}}).path,

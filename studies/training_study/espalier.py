@@ -19,8 +19,8 @@ from .trees import LENGTH, SLIM, count_metamers, grow_skeleton
 
 LAYERS = 3
 ESPALIER = change(SLIM, resource={"alpha": 2.3})
-#: At 2.3 arms grow 2 metamers an iteration, and the third layer's are ready at iteration 17; at 2.5 they grow up to 3.
-VIGOROUS = change(SLIM, resource={"alpha": 2.5})
+#: At 2.3 the arms of the third layer are ready at iteration 17 only; at 2.4 most are so at 16.
+VIGOROUS = change(SLIM, resource={"alpha": 2.4})
 YEARS = tuple(range(1, 26))
 SEEN = 15
 SHORTEST = 6  #: metamers of an arm that is counted and measured
@@ -83,7 +83,7 @@ UPKEEP: Mapping[str, list[dict[str, Any]]] = {
     "none": [],
 }
 #: The first of them for the more vigorous tree.
-VIGOROUS_UPKEEP = "spurs and limit, alpha 2.5"
+VIGOROUS_UPKEEP = "spurs and limit, alpha 2.4"
 LAST_OF_NONE = 16  #: without upkeep it grows too large to follow
 
 

@@ -34,6 +34,7 @@ const std::map<std::string, std::string>& exceptions() {
       {"an obstacle.broken", "what is not closed is refused without it"},
       {"an operation.do", "other kinds have other keys"},
       {"a hyperpatch.degree", "another degree has another number of control points"},
+      {"a support.line", "supports stand under their names, among which the walk does not go"},
       {"limits.diagnostics", "counts faults, of which a sound document has none"},
   };
   return reasons;
@@ -63,6 +64,7 @@ const std::map<std::string, std::string>& circumstances() {
       {"a decay.trunk", "a grammar may set the widths itself"},
       {"a decay.branch", "as trunk"},
       {"an organize.laterals_wait", "no lateral bud may be ready before its terminal one"},
+      {"an organize.summer", "no operation may act in summer"},
       {"an organize.terminal_threshold", "all terminal buds may have enough, or none"},
       {"a resource model.laterals", "no axis may have so many"},
       {"a resource model.lambda_curve", "it may change shares that make no metamer more or less"},

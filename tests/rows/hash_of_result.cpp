@@ -21,6 +21,10 @@ void add(Fingerprint& hash, const Skeleton& skeleton) {
   hash.add_array(skeleton.parent).add_array(skeleton.position).add_array(skeleton.radius).add_array(skeleton.axis);
   hash.add_array(skeleton.order).add_array(skeleton.birth);
   for (const auto& [name, values] : skeleton.extra) hash.add_text(name).add_array(values);
+  for (const OperationRecord& record : skeleton.operations) {
+    hash.add_text(record.operation).add_text(record.act).add_text(record.shoot);
+    hash.add(record.iteration).add(record.metamer).add(record.metamers);
+  }
 }
 
 void add(Fingerprint& hash, const Mesh& mesh) {

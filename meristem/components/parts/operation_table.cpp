@@ -295,7 +295,7 @@ const ParameterTable& tie_table() {
           .include<OperationParameters>(common_table())
           .integer("below", &TieParameters::below, {.min = 1, .max = 1e6, .usual = {1, 20}}, kBelowDoc)
           .text(
-              "to", &TieParameters::to,
+              "anchor", &TieParameters::anchor,
               "Where the string leads: 'ground', straight down; or to the nearest of other shoots: 'leader', a label, "
               "or a condition.")
           .number("length", &TieParameters::length, {.unit = Unit::metre, .min = 0, .max = 1000, .usual = {0, 2}},
@@ -355,7 +355,9 @@ struct OperationBuilder {
   Bend operator()(const BendParameters& form) const {
     return {form.below, form.metamers, form.inclination, form.iterations};
   }
-  Tie operator()(const TieParameters& form) const { return {form.below, form.anchor, form.length, form.iterations}; }
+  Tie operator()(const TieParameters& form) const {
+    return {form.below, form.anchor_shoots, form.length, form.iterations};
+  }
 };
 
 }  // namespace
@@ -393,8 +395,8 @@ void prepare_operations(std::vector<AnyOperation>& operations, const std::vector
       reader.fault(DocumentPath(place, "state"), fmt::format("'{}' is one state too many", mark->state),
                    fmt::format("at most {} different states", kMostMarks - 1));
     }
-    if (auto* tie = std::get_if<TieParameters>(&operations[k]); tie != nullptr && tie->to != "ground") {
-      tie->anchor = choice_of(tie->to, names, DocumentPath(place, "to"), reader);
+    if (auto* tie = std::get_if<TieParameters>(&operations[k]); tie != nullptr && tie->anchor != "ground") {
+      tie->anchor_shoots = choice_of(tie->anchor, names, DocumentPath(place, "anchor"), reader);
     }
   }
 }

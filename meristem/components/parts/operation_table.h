@@ -97,10 +97,10 @@ struct BendParameters : OperationParameters {
 
 struct TieParameters : OperationParameters {
   std::optional<int> below;
-  std::string to = "ground";
+  std::string anchor = "ground";
   double length = 0;
   int iterations = 1;
-  std::optional<ShootChoice> anchor;  ///< what `to` says, unless it is the ground
+  std::optional<ShootChoice> anchor_shoots;  ///< what `anchor` says, unless it is the ground
 };
 
 using AnyOperation = std::variant<CutParameters, SpurParameters, LimitParameters, LayersParameters, SupportParameters,

@@ -96,7 +96,8 @@ Work tie(const TreeState& tree, const Operation& operation, const Tie& what, con
   if (what.to) {
     Operation other;
     other.shoots = *what.to;
-    other.path = operation.path + ".to";
+    other.path = operation.path;
+    other.shoots.key = "anchor";
     anchors = choose_shoots(tree, other);
   }
   const std::vector<float> radius = pipe_radii(metamers.parent, metamers.lost_tips, tree.radii);

@@ -33,7 +33,7 @@ constexpr std::size_t kShownNames = 12;
       .message = fmt::format("there is no shoot '{}' after iteration {}", operation.shoots.text, tree.iteration),
       .expected = fmt::format("a shoot that exists, such as {}", fmt::join(names, ", ")),
       .nearest = nearest,
-      .path = operation.path + ".shoots"});
+      .path = operation.path + "." + operation.shoots.key});
 }
 
 std::vector<MetamerIndex> axis_path(const Metamers& metamers, AxisIndex axis) {

@@ -52,11 +52,12 @@ struct ShootChoice {
     condition,  ///< all shoots for which it holds; none is no fault
   };
   Kind kind = Kind::leader;
-  std::string text;      ///< as the document wrote it
-  Expression condition;  ///< over shoot_variables() and, after them, the marks of the operation list
+  std::string text;            ///< as the document wrote it
+  Expression condition;        ///< over shoot_variables() and, after them, the marks of the operation list
+  std::string key = "shoots";  ///< of the operation in the document, for errors
 
-  static ShootChoice label(std::string name) { return {Kind::label, std::move(name), {}}; }
-  static ShootChoice leader() { return {Kind::leader, "leader", {}}; }
+  static ShootChoice label(std::string name) { return {Kind::label, std::move(name), {}, "shoots"}; }
+  static ShootChoice leader() { return {Kind::leader, "leader", {}, "shoots"}; }
 };
 
 /// A cut, always just above a living bud or a lateral shoot: where there is none it moves down to the next.

@@ -57,6 +57,7 @@ WorkRecorder::Noted WorkRecorder::at_end(MetamerIndex metamer, const char* act) 
 /// At the base of a metamer: where a shoot begins, it is that shoot's.
 WorkRecorder::Noted WorkRecorder::at_base(MetamerIndex first, const char* act) const {
   const Metamers& metamers = tree_.metamers;
+  if (first == 0) return at_end(0, act);  // where the stem begins
   Noted noted = at_end(metamers.parent[first], act);
   if (!metamers.begins_shoot(first)) return noted;
   noted.record.shoot = metamers.name_of(metamers.axis[first]);

@@ -539,7 +539,7 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const StillsR
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const GrammarRequest& request) {
-  // Of the text, also while a drag shows another step of it.
+  // The text derives, also while a drag shows another step of it.
   const bool is_plain = session().overrides().empty();
   if (is_plain && !session().is_good()) throw Refusal("the document has faults");
   run_newest(id, "grammar", derivations_,

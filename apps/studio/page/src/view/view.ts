@@ -41,6 +41,7 @@ export class View {
   private waiting_ = 0; // for the next picture
   private is_drawing_ = false; // the card has not finished the last picture
   private is_draft_ = false;
+  private is_gone_ = false; // nothing is drawn any more
   private moves_until_ = 0; // a timer; 0: the camera rests
 
   constructor(
@@ -127,7 +128,7 @@ export class View {
   /// A picture at the next chance; asked often, drawn once. Pictures do not queue: the next begins when the card has
   /// finished the last, so that a hand never waits for pictures of what is over.
   ask(): void {
-    if (this.waiting_ !== 0) return;
+    if (this.waiting_ !== 0 || this.is_gone_) return;
     this.waiting_ = requestAnimationFrame(() => {
       if (this.is_drawing_) {
         this.waiting_ = -1;
@@ -195,8 +196,7 @@ export class View {
 
   /// Lets go what the view holds; it draws no more.
   destroy(): void {
-    cancelAnimationFrame(this.waiting_);
-    this.waiting_ = -1; // nothing is asked for any more
+    this.is_gone_ = true;
     this.plant.clear();
     this.renderer_.dispose();
     this.renderer_.forceContextLoss();

@@ -193,7 +193,7 @@ function Grid({ scale, size, pixels, is_numbered, names }: GridProps): ReactElem
               {one}
             </text>
           ))}
-          <text className="way" x={size.wide - 6} y={size.high - 4} textAnchor="end">
+          <text className="way" x={size.wide - 6} y={size.high - 18} textAnchor="end">
             {names[0]}
           </text>
           <text className="way" x={6} y={12}>

@@ -7,24 +7,21 @@
 #include <utility>
 #include <vector>
 
-#include <glm/geometric.hpp>
-
 #include "base64.h"
 #include "meristem/base/vec.h"
-#include "meristem/components/camera.h"
+#include "meristem/graph/texture_parameters.h"
 #include "meristem/output/picture/camera.h"
 #include "meristem/output/picture/picture.h"
 #include "meristem/output/write/png.h"
-#include "shown_pictures.h"
 #include "written_values.h"
 
 namespace meristem::studio {
 
 namespace {
 
-constexpr double kEnoughTriangles = 60'000;  // of one small picture; more are not seen
+constexpr double kEnoughTriangles = 30'000;  // of one small picture; more are not seen
 constexpr double kLeastShare = 1e-3;         // of a plant's triangles, that is asked for
-constexpr int kSamplesPerPixel = 8;
+constexpr int kSamplesPerPixel = 4;
 
 double triangles_of(const Plant& plant) {
   double triangles = 8 * static_cast<double>(plant.node_count());
@@ -50,6 +47,33 @@ View view_from(const CameraOptions& camera) {
   return view;
 }
 
+const Prototype* owner_of(const Graph& graph, const Material& material) {
+  const auto found = std::ranges::find(graph.components, material.name, &Prototype::id);
+  return found == graph.components.end() ? nullptr : &*found;
+}
+
+/// Whether both documents ask for one texture, whatever the shape that wears it and its colour.
+bool have_one_recipe(const Prototype* one, const Prototype* other) {
+  if (one == nullptr || other == nullptr) return false;
+  const auto fingerprint_of = [](const Prototype& prototype) {
+    const auto sketch = sketch_texture(prototype.base().texture, TextureShape(), Vec3(0.5F));
+    return sketch != nullptr ? sketch->fingerprint : 0;
+  };
+  return fingerprint_of(*one) == fingerprint_of(*other);
+}
+
+/// Has materials that wait for their painting wear what has been painted by the same recipe: on another shape it lies a
+/// little otherwise than it will, which nobody sees in a small picture.
+void lend_pictures(const GrownWish& painted, const Graph& graph, std::vector<Material>& materials) {
+  for (Material& material : materials) {
+    if (material.texture == nullptr || material.texture->is_painted()) continue;
+    const auto known = std::ranges::find(painted.plant.materials, material.name, &Material::name);
+    if (known == painted.plant.materials.end() || known->texture == nullptr || !known->texture->is_painted()) continue;
+    const Prototype* const before = owner_of(painted.wish.document->graph, *known);
+    if (have_one_recipe(owner_of(graph, material), before)) material.texture = known->texture;
+  }
+}
+
 /// The view from the same side that shows all of a scene.
 View fitted(const View& view, const MeshScene& scene, double aspect) {
   const DVec3 away = DVec3(*view.position) - DVec3(*view.target);
@@ -60,8 +84,6 @@ View fitted(const View& view, const MeshScene& scene, double aspect) {
   fit.altitude = std::atan2(away.y, std::hypot(away.x, away.z));
   return placed_view(scene, fit, aspect);
 }
-
-double distance_of(const View& view) { return glm::distance(*view.position, *view.target); }
 
 }  // namespace
 
@@ -81,12 +103,7 @@ StillMaker::State StillMaker::grow(const StillSource& source, const std::vector<
                       {.overrides = values, .root = source.root, .store = &store_, .models = source.models});
     const Document& document = *state.document;
     state.grown = grow_document(document, progress, {.time = source.time, .up_to = GrownPart::plant, .cache = &cache_});
-    if (source.grown != nullptr) {
-      ShownPictures pictures;
-      std::vector<Material> painted = source.grown->plant.materials;
-      pictures.keep(source.grown->wish.document->graph, painted);
-      pictures.lend(document.graph, state.grown.plant.materials);
-    }
+    if (source.grown != nullptr) lend_pictures(*source.grown, document.graph, state.grown.plant.materials);
     state.grown.meshes =
         mesh_detail(document, state.grown.plant, detail_for(state.grown.plant), progress, &coarse_cache_);
     state.grown.up_to = GrownPart::meshes;
@@ -103,19 +120,21 @@ Value StillMaker::make(const StillSource& source, const StillsRequest& request, 
   std::vector<State> states;
   for (const std::vector<Override>& values : request.states) states.push_back(grow(source, values, registry, progress));
 
-  // One camera for all, as far back as the largest plant asks for.
+  // One camera for all, as far back as shows each of them.
   const double aspect = static_cast<double>(request.width) / request.height;
-  const View asked = view_from(request.camera);
-  std::optional<View> view;
-  for (const State& state : states) {
-    if (!request.fits || !state.document || state.grown.meshes.triangle_count() == 0) continue;
-    const View fit = fitted(asked, state.grown.meshes, aspect);
-    if (!view || distance_of(fit) > distance_of(*view)) view = fit;
+  View view = view_from(request.camera);
+  if (request.fits) {
+    MeshScene all;
+    for (const State& state : states) {
+      const std::vector<MeshInstances>& meshes = state.grown.meshes.meshes;
+      if (state.document) all.meshes.insert(all.meshes.end(), meshes.begin(), meshes.end());
+    }
+    if (all.triangle_count() > 0) view = fitted(view, all, aspect);
   }
 
   const PictureOptions picture{
       .still = {.width = request.width, .height = request.height, .samples = kSamplesPerPixel, .transparent = true},
-      .view = view.value_or(asked)};
+      .view = view};
   Value::List made;
   for (const State& state : states) {
     if (!state.document) {

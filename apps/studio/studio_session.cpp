@@ -539,9 +539,11 @@ std::optional<StudioSession::Answer> StudioSession::act(double id, const StillsR
 }
 
 std::optional<StudioSession::Answer> StudioSession::act(double id, const GrammarRequest& request) {
-  if (!session().is_good()) throw Refusal("the document has faults");
+  // The text derives, also while a drag shows another step of it.
+  const bool is_plain = session().overrides().empty();
+  if (is_plain && !session().is_good()) throw Refusal("the document has faults");
   run_newest(id, "grammar", derivations_,
-             [document = std::make_shared<const Document>(*session().document()), request,
+             [document = is_plain ? std::make_shared<const Document>(*session().document()) : document_for({}), request,
               time = grower_->parts().time](Host&, Progress& progress) -> Value::Member {
                return {"derivation", derivation(*document, request, time, progress)};
              });

@@ -306,6 +306,10 @@ TEST(StudioSession, TellsAStepOfADerivation) {
   EXPECT_EQ(write_json_line(*part.find("derivation")->find("modules")), R"(["F", "]"])");
   EXPECT_EQ(part.find("derivation")->find("places")->list()->size(), 7U);
   EXPECT_TRUE(studio.ask("grammar", R"("component": "nobody")").find("derivation")->find("text")->is_null());
+  // A drag that shows another step leaves the text's number of steps.
+  studio.ask("drag", R"("values": {"weed.steps": 2})");
+  EXPECT_EQ(*studio.ask("grammar", R"("component": "weed", "step": 2)").find("derivation")->find("steps")->number(), 3);
+  studio.ask("drag", R"("values": {})");
   // Too much is refused before it is made.
   EXPECT_TRUE(is_refused(studio.ask("grammar", R"("component": "weed", "step": 60)")));
 }

@@ -13,7 +13,7 @@ const kShapes = `{
   "meristem": 1, // shapes of all forms
   "components": {
     "view": {"type": "camera", "position": [0, 1, 4], "target": [0, 0.6, 0]},
-    "stem": {"type": "tree", "length": 1, "radius": 0.03, "axis": [[0, 0, 0], [0.2, 0.5, 0], [0, 1, 0.1]], "taper": {"curve": [[0, 1], [0.5, 0.8], [1, 0.4]]}},
+    "stem": {"type": "tree", "length": 1, "radius": 0.03, "axis": [[0.05, 0.2, 0], [0.2, 0.5, 0], [0, 1, 0.1]], "taper": {"curve": [[0, 1], [0.5, 0.8], [1, 0.4]]}},
     "rod": {"type": "horn", "length": 0.5, "radius": 0.1, "section": "outline", "outline": [[1, 0], [0, 1], [-1, 0], [0, -1]]},
     "cup": {"type": "revolution", "silhouette": [[0.02, 0], [0.08, 0.1], [0.06, 0.2]], "colour": "#aa5533"},
     "leaf": {"type": "leaf", "length": 0.2, "width": 0.08, "colour": "#557733", "omit": [1]}
@@ -212,7 +212,7 @@ test('pictures that the document names are seen in their rows and in the list of
 });
 
 test('rows that exclude each other: setting one removes the other, as one step', async () => {
-  const text = kShapes.replace('"stem": {"type": "tree"', '"apple": {"type": "organize", "iterations": 3, "operations": [{"do": "cut", "at": 2, "above": 4}]},\n    "stem": {"type": "tree"').replace('["view", "rod"]', '["view", "apple"], ["view", "rod"]');
+  const text = kShapes.replace('"stem": {"type": "tree"', '"apple": {"type": "organize", "iterations": 3, "operations": [{"do": "cut", "at": 2, "shoots": "leader", "above": 4}]},\n    "stem": {"type": "tree"').replace('["view", "rod"]', '["view", "apple"], ["view", "rod"]');
   await write_document(place.folder, 'apple.json', text);
   await open_file(page, 'apple.json');
   await choose(page, 'apple');
@@ -220,9 +220,9 @@ test('rows that exclude each other: setting one removes the other, as one step',
   const operation = async () => (await said('apple')).operations[0];
   const lateral = row(page, 'components.apple.operations[0].above_lateral');
   await one_step(() => type_into(page, lateral.getByRole('textbox').first(), '3'));
-  assert.deepEqual(await operation(), { do: 'cut', at: 2, above_lateral: 3 });
-  await one_step(() => type_into(page, row(page, 'components.apple.operations[0].from').getByRole('textbox').first(), '1'));
-  assert.deepEqual(await operation(), { do: 'cut', above_lateral: 3, from: 1 });
+  assert.deepEqual(await operation(), { do: 'cut', at: 2, shoots: 'leader', above_lateral: 3 });
+  await one_step(() => type_into(page, row(page, 'components.apple.operations[0].from').getByRole('textbox').first(), '2'));
+  assert.deepEqual(await operation(), { do: 'cut', shoots: 'leader', above_lateral: 3, from: 2 });
   // Also where something below a row is given for the first time.
   await page.locator('[data-path="components.apple.operations[0].to_bud"] > .fold-head > .fold-title').click();
   const bud = page.locator('[data-path="components.apple.operations[0].to_bud"] .fold-body .row').first();

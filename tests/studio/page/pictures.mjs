@@ -80,6 +80,11 @@ export const kPictures = [
     name: 'chance',
     theme: 'dark',
     act: async (page) => {
+      // The same chance each time.
+      await page.evaluate(() => {
+        let state = 7;
+        Math.random = () => (state = (state * 16807) % 2147483647) / 2147483647;
+      });
       await page.keyboard.press('n');
       await page.waitForFunction(() => document.querySelectorAll('.nine img.still').length === 9, null, { timeout: 60_000 });
     },

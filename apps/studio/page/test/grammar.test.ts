@@ -8,7 +8,7 @@ import { node_at } from '../src/document/path.ts';
 import { nearest_place, place_of } from '../src/grammar/drawn_places.ts';
 import { offset_in_text, text_in, with_text } from '../src/grammar/grammar_source.ts';
 import { grammars_of } from '../src/grammar/derivation.ts';
-import { module_at, module_starts } from '../src/grammar/word_view.ts';
+import { module_at, module_starts, short_module } from '../src/grammar/word_view.ts';
 import type { Tables } from '../src/tables/tables.ts';
 
 const kDocument = '{"grammar": [\n    "#axiom", // where it begins\n    "A",\n    "#rules",\n    "A -> \\\\F"\n  ], "steps": 3}';
@@ -81,6 +81,12 @@ test('words: modules are found by where they stand', () => {
   assert.deepEqual([0, 1, 2, 6, 7, 8, 9, -1].map((at) => module_at(starts, at)), [0, 1, 2, 2, 3, 4, null, null]);
   assert.equal(module_starts(['Leaf', 'F']).text, 'Leaf F');
   assert.equal(module_at(module_starts([]).starts, 0), null);
+});
+
+test('words: numbers are shown with the digits that a person reads', () => {
+  assert.equal(short_module('F(0.22779067996569605,-12.3456789)'), 'F(0.2278,-12.35)');
+  assert.equal(short_module('A(137.5,3)'), 'A(137.5,3)');
+  assert.equal(short_module('+'), '+');
 });
 
 test('words: the module that is drawn nearest to the pointer', () => {

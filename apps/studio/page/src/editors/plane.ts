@@ -61,7 +61,7 @@ export interface Snapped {
 
 const kReach = 4; // pixels within which a line draws points to it
 
-/// A point that a hand moves, drawn to lines within a few pixels; what is drawn to none has so many digits.
+/// A point that a hand moves, drawn to lines within a few pixels; what is drawn to none is rounded to `digits`.
 export function snapped(point: Point, levels: { x: readonly number[]; y: readonly number[] }, scale: Scale, digits: number): Snapped {
   const pixel = scale.pixel;
   const nearest = (value: number, lines: readonly number[], reach: number): number | null => {

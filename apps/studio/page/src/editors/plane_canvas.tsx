@@ -2,11 +2,12 @@
 // Points of a plane that hands move: dragged, drawn to the grid and to each other, added by a double click, moved by the
 // arrow keys and removed by Delete. It knows no documents; who shows it says what a moved point means.
 import type { KeyboardEvent, PointerEvent, ReactElement } from 'react';
-import { useRef, useState } from 'react';
+import { useRef } from 'react';
 
 import type { PictureSize, Snapped } from './plane.ts';
 import { grid_lines, levels_of, Scale, snapped } from './plane.ts';
 import type { Frame, Point } from './shape.ts';
+import { use_held } from './use_held.ts';
 
 export interface PlaneLine {
   points: readonly Point[];
@@ -43,7 +44,7 @@ export function focus_point(root: Element | null, index: number): void {
   requestAnimationFrame(() => root?.querySelectorAll<SVGElement>('.curve-point')[index]?.focus());
 }
 
-interface Held {
+interface HeldPoint {
   frame: Frame;
   index: number;
   now: Point | null; // null until the hand has moved it
@@ -53,13 +54,13 @@ interface Held {
 export function PlaneCanvas(props: PlaneCanvasProps): ReactElement {
   const { points, size, chosen } = props;
   const picture = useRef<SVGSVGElement>(null);
-  const [held, hold] = useState<Held | null>(null);
-  const scale = new Scale(held?.frame ?? props.frame, size, props.is_even);
+  const held = use_held<HeldPoint>();
+  const scale = new Scale(held.shown?.frame ?? props.frame, size, props.is_even);
   const grid_pixels = props.is_numbered ? kGridPixels.numbered : kGridPixels.plain;
 
   const place_of = (event: { clientX: number; clientY: number }): Point => {
-    const box = picture.current?.getBoundingClientRect() ?? new DOMRect(0, 0, size.wide, size.high);
-    return [((event.clientX - box.left) * size.wide) / box.width, ((event.clientY - box.top) * size.high) / box.height];
+    const place = new DOMPoint(event.clientX, event.clientY).matrixTransform(picture.current?.getScreenCTM()?.inverse());
+    return [place.x, place.y];
   };
   const near = (event: { clientX: number; clientY: number }): number => {
     const [left, top] = place_of(event);
@@ -80,26 +81,30 @@ export function PlaneCanvas(props: PlaneCanvasProps): ReactElement {
     event.currentTarget.setPointerCapture(event.pointerId);
     props.choose(index);
     focus_point(picture.current, index);
-    hold({ frame: props.frame, index, now: null, guides: { x: null, y: null } });
+    held.set({ frame: props.frame, index, now: null, guides: { x: null, y: null } });
   };
   const move = (event: PointerEvent): void => {
-    if (!held) return;
-    const { point, guides } = drawn_to(event, held.index);
-    hold({ ...held, now: point, guides });
-    props.drag(held.index, point);
+    const hand = held.get();
+    if (!hand) return;
+    const { point, guides } = drawn_to(event, hand.index);
+    held.set({ ...hand, now: point, guides });
+    props.drag(hand.index, point);
   };
   const let_go = (commits: boolean): void => {
-    if (!held) return;
-    hold(null);
-    if (commits && held.now) props.commit(held.index, held.now, props.digits);
+    const hand = held.get();
+    if (!hand) return;
+    held.set(null);
+    if (commits && hand.now) props.commit(hand.index, hand.now, props.digits);
     else props.cancel();
   };
   const key = (event: KeyboardEvent): void => {
+    // Alone, Alt would open the browser's menu.
+    if (event.key === 'Alt') return event.preventDefault();
     const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
     const go_to = { Home: 0, End: points.length - 1, PageUp: chosen - 1, PageDown: chosen + 1 }[event.key];
     const fine = props.digits * (event.shiftKey ? 0.1 : event.ctrlKey || event.metaKey ? 10 : 1);
     const point = points[chosen];
-    if (event.key === 'Escape' && held) let_go(false);
+    if (event.key === 'Escape' && held.get()) let_go(false);
     else if (event.key === 'Delete' || event.key === 'Backspace') props.remove(chosen);
     else if (event.key === '+' || event.key === 'Insert') props.add_after(chosen);
     else if (way && point) props.commit(chosen, [point[0] + (way[0] ?? 0) * fine, point[1] + (way[1] ?? 0) * fine], fine);
@@ -123,9 +128,12 @@ export function PlaneCanvas(props: PlaneCanvasProps): ReactElement {
         if (near(event) < 0) props.add?.(drawn_to(event, -1).point);
       }}
       onKeyDown={key}
+      onKeyUp={(event) => {
+        if (event.key === 'Alt') event.preventDefault();
+      }}
     >
       <Grid scale={scale} size={size} pixels={grid_pixels} is_numbered={props.is_numbered} names={props.names} />
-      {held && <Guides scale={scale} size={size} guides={held.guides} />}
+      {held.shown && <Guides scale={scale} size={size} guides={held.shown.guides} />}
       {props.lines.map((line, k) => (
         <polyline key={k} className={`curve-line ${line.kind}`} points={line.points.map((point) => scale.place(point).map((one) => one.toFixed(1)).join(',')).join(' ')} />
       ))}
@@ -185,7 +193,7 @@ function Grid({ scale, size, pixels, is_numbered, names }: GridProps): ReactElem
               {one}
             </text>
           ))}
-          <text className="way" x={size.wide - 6} y={size.high - 4} textAnchor="end">
+          <text className="way" x={size.wide - 6} y={size.high - 18} textAnchor="end">
             {names[0]}
           </text>
           <text className="way" x={6} y={12}>

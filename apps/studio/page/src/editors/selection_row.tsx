@@ -13,6 +13,7 @@ import { TextField } from '../rows/text_field.tsx';
 import { use_studio } from '../studio_context.ts';
 import { count_named, entries_of, named_numbers } from './selection_set.ts';
 import { entry_of, entry_text } from './selection_text.ts';
+import { use_held } from './use_held.ts';
 
 export function SelectionRow({ label, path, value, row, actions, is_faulty, size = 'row' }: RowEditorProps): ReactElement {
   const entries = Array.isArray(value) ? value : [];
@@ -43,6 +44,13 @@ export function SelectionRow({ label, path, value, row, actions, is_faulty, size
 
 const kFewest = 12; // cells, where it is not known how many instances there are
 
+/// Cells from one to another, and what they become.
+interface DrawnWay {
+  from: number;
+  to: number;
+  is_in: boolean;
+}
+
 interface CellsProps {
   label: string;
   path: string;
@@ -60,10 +68,10 @@ function Cells({ label, path, entries, most, put }: CellsProps): ReactElement {
   const known = grown?.components?.[component]?.instances;
   const count = Math.min(most, Math.max(count_named(entries), known === undefined ? kFewest : known + left_out));
   const named = named_numbers(entries, count);
-  const [drawn, set_drawn] = useState<{ from: number; to: number; is_in: boolean } | null>(null);
+  const drawn = use_held<DrawnWay>();
   const [focused, set_focused] = useState(0);
   const box = useRef<HTMLDivElement>(null);
-  const with_drawn = (way: { from: number; to: number; is_in: boolean }): Set<number> => {
+  const with_drawn = (way: DrawnWay): Set<number> => {
     const made = new Set(named);
     for (let k = Math.min(way.from, way.to); k <= Math.max(way.from, way.to); k += 1) {
       if (way.is_in) made.add(k);
@@ -71,9 +79,9 @@ function Cells({ label, path, entries, most, put }: CellsProps): ReactElement {
     }
     return made;
   };
-  const shown = drawn ? with_drawn(drawn) : named;
-  const finish = (way: typeof drawn): void => {
-    set_drawn(null);
+  const shown = drawn.shown ? with_drawn(drawn.shown) : named;
+  const finish = (way: DrawnWay | null): void => {
+    drawn.set(null);
     if (way) put(entries_of(with_drawn(way), entries, count));
   };
   const cell_of = (event: PointerEvent): number | null => {
@@ -85,15 +93,16 @@ function Cells({ label, path, entries, most, put }: CellsProps): ReactElement {
     if (cell === null) return;
     event.currentTarget.setPointerCapture(event.pointerId);
     set_focused(cell);
-    set_drawn({ from: cell, to: cell, is_in: !named.has(cell) });
+    drawn.set({ from: cell, to: cell, is_in: !named.has(cell) });
   };
   const move = (event: PointerEvent): void => {
-    const cell = drawn ? cell_of(event) : null;
-    if (drawn && cell !== null && cell !== drawn.to) set_drawn({ ...drawn, to: cell });
+    const way = drawn.get();
+    const cell = way ? cell_of(event) : null;
+    if (way && cell !== null && cell !== way.to) drawn.set({ ...way, to: cell });
   };
   const key = (event: KeyboardEvent): void => {
     const step = { ArrowRight: 1, ArrowLeft: -1, Home: -focused, End: count - 1 - focused }[event.key];
-    if (event.key === 'Escape' && drawn) set_drawn(null);
+    if (event.key === 'Escape' && drawn.get()) drawn.set(null);
     else if (event.key === ' ' || event.key === 'Enter') finish({ from: focused, to: focused, is_in: !named.has(focused) });
     else if (step !== undefined) {
       const next = Math.min(count - 1, Math.max(0, focused + step));
@@ -105,7 +114,7 @@ function Cells({ label, path, entries, most, put }: CellsProps): ReactElement {
     event.stopPropagation();
   };
   return (
-    <div ref={box} className="cells" role="group" aria-label={`Instances of ${label}`} onPointerDown={down} onPointerMove={move} onPointerUp={() => finish(drawn)} onPointerCancel={() => set_drawn(null)} onKeyDown={key}>
+    <div ref={box} className="cells" role="group" aria-label={`Instances of ${label}`} onPointerDown={down} onPointerMove={move} onPointerUp={() => finish(drawn.get())} onPointerCancel={() => drawn.set(null)} onKeyDown={key}>
       {Array.from({ length: count }, (_, k) => (
         <button key={k} type="button" className="cell" data-cell={k} tabIndex={k === Math.min(focused, count - 1) ? 0 : -1} aria-pressed={shown.has(k)} aria-label={`Instance ${k}`} data-tip={`Instance ${k}`} onFocus={() => set_focused(k)}>
           {k % 10 === 0 ? k : ''}

@@ -15,10 +15,11 @@ interface StripProps {
   take: (value: Json) => void;
 }
 
-const kSize = { width: 112, height: 112 };
+const kPixels = 80;
 
 export function Strip({ label, path, value, states, take }: StripProps): ReactElement {
-  const { stills, is_working, fault } = use_stills(states.map((one) => ({ [path]: one.value })), kSize);
+  const pixels = kPixels * Math.min(2, Math.ceil(window.devicePixelRatio));
+  const { stills, is_working, fault } = use_stills(states.map((one) => ({ [path]: one.value })), { width: pixels, height: pixels });
   return (
     <div className="strip" role="group" aria-label={`Plants over ${label}`} aria-busy={is_working}>
       {states.map((state, k) => (

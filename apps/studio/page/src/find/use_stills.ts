@@ -36,7 +36,8 @@ export async function ask_for_stills(studio: Studio, states: readonly StateValue
   return answer.stills ?? [];
 }
 
-/// Of the newest states that were asked for anywhere in the page; without states nothing is asked.
+/// Pictures of these states; the server makes those that were asked for last anywhere in the page. Without states
+/// nothing is asked.
 export function use_stills(states: readonly StateValues[], size: StillSize): Stills {
   const studio = use_studio();
   const { hash, good } = use_document();

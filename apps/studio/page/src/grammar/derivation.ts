@@ -33,10 +33,13 @@ export class DerivationModel {
 
   constructor(private readonly studio_: Studio) {}
 
+  /// Another document is opened. Who looks goes on to look at the component of this name.
   forget(): void {
     this.asked_ += 1;
     this.pointed.set(null);
-    this.state.set(kNothing);
+    this.state.set({ ...kNothing, component: this.looks_.size > 0 ? this.state.get().component : '' });
+    this.seen_hash_ = '';
+    if (this.looks_.size > 0) this.ask_later();
   }
 
   /// Keeps what is told up to date while somebody looks. Gives what ends that.

@@ -102,7 +102,7 @@ function FileGrammar({ place }: { place: GrammarPlace }): ReactElement {
           Take it into the document
         </Button>
       </div>
-      <pre className="grammar-text" tabIndex={0} aria-label={`Grammar of ${place.component}, in a file`}>
+      <pre className="grammar-text" role="region" tabIndex={0} aria-label={`Grammar of ${place.component}, in a file`}>
         {text ?? ''}
       </pre>
     </>

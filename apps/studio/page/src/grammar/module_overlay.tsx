@@ -8,6 +8,7 @@ import type { Studio } from '../studio.ts';
 import { use_studio } from '../studio_context.ts';
 import type { View } from '../view/view.ts';
 import { nearest_place, place_of } from './drawn_places.ts';
+import { short_module } from './word_view.ts';
 
 export function ModuleOverlay(): ReactElement | null {
   const studio = use_studio();
@@ -25,7 +26,7 @@ export function ModuleOverlay(): ReactElement | null {
       <line className="halo" x1={from[0]} y1={from[1]} x2={to[0]} y2={to[1]} />
       <line x1={from[0]} y1={from[1]} x2={to[0]} y2={to[1]} />
       <text x={left} y={top}>
-        {told.modules[pointed.module - told.first] ?? ''}
+        {short_module(told.modules[pointed.module - told.first] ?? '')}
       </text>
     </svg>
   );

@@ -16,6 +16,11 @@ const kMarked = StateField.define<DecorationSet>({
   provide: (field) => EditorView.decorations.from(field),
 });
 
+/// A module with numbers that a person can read: four digits do.
+export function short_module(module: string): string {
+  return module.replace(/-?\d*\.?\d+(?:e[+-]?\d+)?/gi, (number) => (number.length > 6 ? String(Number(Number(number).toPrecision(4))) : number));
+}
+
 /// Where each module of a word's text begins; one more says where the last ends. Names of several characters are parted
 /// by blanks.
 export function module_starts(modules: readonly string[]): { text: string; starts: number[] } {
@@ -44,7 +49,8 @@ export function module_at(starts: readonly number[], offset: number): number | n
 
 export class WordView {
   private readonly view_: EditorView;
-  private modules_: readonly string[] = [];
+  private told_: readonly string[] = [];
+  private modules_: readonly string[] = []; // as they are shown
   private starts_: number[] = [];
 
   /// `point` is told of the module below the pointer or at the cursor, counted from the first that is shown.
@@ -79,9 +85,10 @@ export class WordView {
   }
 
   show(modules: readonly string[]): void {
-    if (modules === this.modules_) return;
-    this.modules_ = modules;
-    const { text, starts } = module_starts(modules);
+    if (modules === this.told_) return;
+    this.told_ = modules;
+    this.modules_ = modules.map(short_module);
+    const { text, starts } = module_starts(this.modules_);
     this.starts_ = starts;
     this.view_.dispatch({ changes: { from: 0, to: this.view_.state.doc.length, insert: text }, scrollIntoView: false });
   }

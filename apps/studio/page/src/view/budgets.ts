@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many triangles a view draws, while hands move and at rest.
+// How many triangles a view draws, while hands move and at rest: fewer where a processor draws them.
 
 export interface Budgets {
   drag_triangles: number;
@@ -11,4 +11,11 @@ const kByCard: Budgets = { drag_triangles: 1_000_000, rest_triangles: 4_000_000 
 
 export function budgets_of(view: { is_software: boolean } | null): Budgets {
   return view?.is_software === false ? kByCard : kBySoftware;
+}
+
+/// Whether a processor draws in place of a graphics card.
+export function draws_by_software(context: WebGLRenderingContext | WebGL2RenderingContext): boolean {
+  const facts = context.getExtension('WEBGL_debug_renderer_info');
+  const name = String(context.getParameter(facts ? facts.UNMASKED_RENDERER_WEBGL : context.RENDERER));
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }

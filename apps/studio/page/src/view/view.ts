@@ -3,44 +3,17 @@
 import * as three from 'three';
 
 import type { Packet } from '../server/packet.ts';
+import { draws_by_software } from './budgets.ts';
 import { Ground } from './ground.ts';
 import type { Light } from './materials.ts';
-import type { CameraState } from './orbit.ts';
 import { kFieldOfView, Orbit } from './orbit.ts';
 import type { Drawing, SeenBatch } from './plant_scene.ts';
 import { PlantScene } from './plant_scene.ts';
 import { Picker } from './picker.ts';
 import { listen } from './pointer.ts';
+import type { SeenInstance, ViewEvents, ViewFacts } from './view_events.ts';
 
-export interface ViewFacts {
-  camera: CameraState;
-  metres_per_pixel: number; // at the point that the camera looks at
-}
-
-export interface ViewEvents {
-  /// After each picture.
-  drawn(facts: ViewFacts): void;
-  /// The graphics card has lost all, and has come back.
-  restored(): void;
-  /// Somebody has clicked at a component, or at none.
-  clicked?(found: SeenInstance | null): void;
-  /// The pointer rests on a component, at pixels of the canvas; null: it has gone on.
-  pointed?(at: { component: string; x: number; y: number } | null): void;
-}
-
-/// An instance that is seen at a pixel.
-export interface SeenInstance {
-  component: string;
-  frame: number[]; // three rows of a 3x4 matrix, from its mesh to the world
-  position: [number, number, number]; // of what was hit, in the world
-}
-
-/// Whether a processor draws in place of a graphics card.
-export function draws_by_software(context: WebGLRenderingContext | WebGL2RenderingContext): boolean {
-  const facts = context.getExtension('WEBGL_debug_renderer_info');
-  const name = String(context.getParameter(facts ? facts.UNMASKED_RENDERER_WEBGL : context.RENDERER));
-  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
-}
+export type { SeenInstance, ViewEvents, ViewFacts };
 
 // A processor draws a quarter of the pixels while the plant or the camera moves, in less than half the time.
 const kCoarse = 0.5;
@@ -68,6 +41,7 @@ export class View {
   private waiting_ = 0; // for the next picture
   private is_drawing_ = false; // the card has not finished the last picture
   private is_draft_ = false;
+  private is_gone_ = false; // nothing is drawn any more
   private moves_until_ = 0; // a timer; 0: the camera rests
 
   constructor(
@@ -154,7 +128,7 @@ export class View {
   /// A picture at the next chance; asked often, drawn once. Pictures do not queue: the next begins when the card has
   /// finished the last, so that a hand never waits for pictures of what is over.
   ask(): void {
-    if (this.waiting_ !== 0) return;
+    if (this.waiting_ !== 0 || this.is_gone_) return;
     this.waiting_ = requestAnimationFrame(() => {
       if (this.is_drawing_) {
         this.waiting_ = -1;
@@ -222,8 +196,7 @@ export class View {
 
   /// Lets go what the view holds; it draws no more.
   destroy(): void {
-    cancelAnimationFrame(this.waiting_);
-    this.waiting_ = -1; // nothing is asked for any more
+    this.is_gone_ = true;
     this.plant.clear();
     this.renderer_.dispose();
     this.renderer_.forceContextLoss();

@@ -23,6 +23,7 @@
 #include "meristem/graph/grow_plantings.h"
 #include "meristem/graph/instances.h"
 #include "meristem/graph/link_sites.h"
+#include "meristem/graph/omission.h"
 #include "meristem/graph/plant_assembly.h"
 #include "meristem/grow/stand.h"
 #include "meristem/plant/plant_variant.h"
@@ -275,7 +276,7 @@ class Expansion {
       results_.store(key, result);
     }
     nodes_ += result->nodes;
-    if (!counts_.empty()) counts_[batch.component] += batch.sites().size();
+    if (!counts_.empty()) count_instances(batch);
     if (wish_ != nullptr) look_for_wish(batch, links, *result);
     require_placed(batch.component, *result);
     for (const LinkIndex link : links) follow(link, batch, key, *result);
@@ -475,6 +476,12 @@ class Expansion {
       if (site != nullptr) found_ = described(prototype, *site);
       return;
     }
+  }
+
+  void count_instances(const Batch& batch) {
+    const ComponentBase& base = graph_.components[batch.component].base();
+    const auto is_there = [&](const Site& site) { return !is_left_out(base, site, time_); };
+    counts_[batch.component] += static_cast<std::uint64_t>(std::ranges::count_if(batch.sites(), is_there));
   }
 
   FoundInstance described(const Prototype& prototype, const Site& site) const {

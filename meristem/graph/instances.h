@@ -32,7 +32,7 @@ struct InstanceTree {
 /// than `most` instances, and as expand() does.
 InstanceTree instance_tree(const Graph& graph, const Scene& scene, double time, std::uint64_t most, Progress& progress);
 
-/// How many instances each component of the graph has, in their order. With the cache of an expansion of the same
+/// How many instances each component of the graph has, in their order; those that are left out do not count. With the cache of an expansion of the same
 /// arguments, nothing is made anew. Throws as expand() does.
 std::vector<std::uint64_t> instance_counts(const Graph& graph, const Scene& scene, double time, Progress& progress,
                                            Cache* cache = nullptr);

@@ -84,6 +84,16 @@ TEST(Instances, EachOrganAndStemHasItsInstance) {
   EXPECT_DOUBLE_EQ(pole->values[0].second, 1 + 271.0 / 300);
 }
 
+TEST(Instances, AreCountedWithoutThoseThatAreLeftOut) {
+  const Graph graph = poles_with_sticks();
+  const Scene scene = still_scene();
+  Progress progress;
+  Cache cache;
+  const Plant plant = expand(graph, scene, 0, progress, &cache);
+  const std::vector<std::uint64_t> counts = instance_counts(graph, scene, 0, progress, &cache);
+  EXPECT_EQ(counts, (std::vector<std::uint64_t>{1, 1, 300, organs_of(plant, "leaf").size()}));
+}
+
 TEST(Instances, AskingLeavesTheCacheAsItWas) {
   const Graph graph = poles_with_sticks();
   const Scene scene = still_scene();

@@ -143,7 +143,10 @@ void add_variables(const LocatedTree& tree, const Value& value, std::set<std::st
   for_each_mention(value, [&](std::string_view name) {
     const std::optional<std::size_t> index = index_in(variables, name);
     if (!index || !named.insert(std::string(name)).second) return;
-    add_variables(tree, (*variables.value->object())[*index].second, named);
+    // A variable's sentence names nothing.
+    const Value& variable = (*variables.value->object())[*index].second;
+    const Value* expression = variable.object() != nullptr ? variable.find("value") : &variable;
+    if (expression != nullptr) add_variables(tree, *expression, named);
   });
 }
 

@@ -13,7 +13,7 @@ namespace {
 const std::string kFlower = R"json({
   "meristem": 1,
   "variables": {
-    "size": {"value": 0.1, "min": 0, "max": 1}, // of all
+    "size": {"value": 0.1, "min": 0, "max": 1, "doc": "No other."}, // of all
     "half": "size/2",
     "other": {"value": 3, "min": 0, "max": 9}
   },
@@ -46,7 +46,7 @@ TEST(PlantPart, HasComponentsNotesLinksAndVariablesAsWritten) {
     ["ring", "petal"] // five of them
   ],
   "variables": {
-    "size": {"value": 0.1, "min": 0, "max": 1}, // of all
+    "size": {"value": 0.1, "min": 0, "max": 1, "doc": "No other."}, // of all
     "half": "size/2"
   }
 }
@@ -73,7 +73,7 @@ TEST(PlantPart, IsWrittenAsTheOtherDocumentIs) {
             "\t\t\"ring\": {\n\t\t\t\"type\": \"wreath\", // round\n\t\t\t\"diameter\": \"half\"\n\t\t},\n\t\t\"petal\": "
             "{\"type\": \"leaf\", \"length\": 0.05},\n\t\t\"ball\": {\"type\": \"simple\"}\n\t},\n\t\"links\": "
             "[[\"ring\", \"petal\"], // five of them\n\t\t[\"pole\", \"ball\"]],\n\t\"variables\": {\n\t\t\"size\": {\"value\": 0.1, \"min\": "
-            "0, \"max\": 1}, // of all\n\t\t\"half\": \"size/2\"\n\t}\n}\n");
+            "0, \"max\": 1, \"doc\": \"No other.\"}, // of all\n\t\t\"half\": \"size/2\"\n\t}\n}\n");
 }
 
 TEST(PlantPart, GetsOtherNamesWithAllThatNamesThem) {

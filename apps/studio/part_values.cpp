@@ -21,7 +21,8 @@ std::string text_of(const Value* value) {
 Value implied_links_value(const Graph& graph) {
   Value::List links;
   for (const Link& link : graph.links) {
-    if (link.is<PlacedLink>()) links.push_back(link_value(graph.components[link.from].id, graph.components[link.to].id));
+    if (link.is<PlacedLink>())
+      links.push_back(link_value(graph.components[link.from].id, graph.components[link.to].id));
   }
   return links;
 }

@@ -67,7 +67,7 @@ struct InstanceRequest {
   Frame frame;       ///< of what is seen of it; the world's own for stems
   Vec3 position{0};  ///< on its surface
 };
-/// Of which components a shipped model consists.
+/// Asks for the components of a shipped model.
 struct PartsRequest {
   std::string model;
 };
@@ -106,9 +106,10 @@ struct CommandRequest {
   ExportOptions options;
 };
 
-using Request = std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest,
-                             ShownRequest, AllRequest, CancelRequest, PauseRequest, FilesRequest, SaveRequest,
-                             ModelsRequest, MeasuresRequest, InstanceRequest, PartsRequest, PartRequest, ExportRequest, CommandRequest>;
+using Request =
+    std::variant<OpenRequest, SpliceRequest, TextRequest, EditRequest, DragRequest, ViewRequest, ShownRequest,
+                 AllRequest, CancelRequest, PauseRequest, FilesRequest, SaveRequest, ModelsRequest, MeasuresRequest,
+                 InstanceRequest, PartsRequest, PartRequest, ExportRequest, CommandRequest>;
 
 struct NumberedRequest {
   double id = 0;

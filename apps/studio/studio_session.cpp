@@ -190,7 +190,8 @@ void StudioSession::add_reading(Answer& answer) {
   answer.emplace_back("faults", faults_value(read.faults(), read.text(), path_.value_or(title_)));
   answer.emplace_back("tree", tree_of(read.text()));
   answer.emplace_back("variables", read.is_good() ? variables_value(read.document()->variables) : Value::List{});
-  answer.emplace_back("implied", read.document() != nullptr ? implied_links_value(read.document()->graph) : Value::List{});
+  answer.emplace_back("implied",
+                      read.document() != nullptr ? implied_links_value(read.document()->graph) : Value::List{});
   answer.emplace_back("notes", notes_value(read.text()));
 }
 

@@ -425,7 +425,7 @@ class Expansion {
     enqueue(std::move(children));
   }
 
-  /// Adds the batch's instances to the tree, so many on each of the parents; gives their numbers.
+  /// Adds the batch's instances to the tree, on each parent as many as `per_parent` says; gives their numbers.
   std::vector<std::uint32_t> note_instances(const Batch& batch, const std::vector<std::size_t>& per_parent,
                                             const std::vector<std::uint32_t>& parents, LinkIndex link) {
     std::vector<InstanceTree::Instance>& all = tree_->instances;
@@ -506,13 +506,13 @@ class Expansion {
   CacheKey surroundings_;
   std::deque<Batch> ready_;
   std::deque<Batch> growing_;
-  std::optional<InstanceTree> tree_;     // where one is made
-  std::uint64_t most_ = 0;               // instances of it
-  const InstanceWish* wish_ = nullptr;   // what is looked for
-  std::uint64_t passed_ = 0;             // of what is looked for, made by instances before
+  std::optional<InstanceTree> tree_;    // where one is made
+  std::uint64_t most_ = 0;              // instances of it
+  const InstanceWish* wish_ = nullptr;  // what is looked for
+  std::uint64_t passed_ = 0;            // of what is looked for, made by instances before
   std::optional<FoundInstance> found_;
   std::vector<std::uint64_t> counts_;  // of instances by component, where they are asked for
-  std::uint64_t instances_ = 1;  // the root
+  std::uint64_t instances_ = 1;        // the root
   std::uint64_t nodes_ = 0;
   std::vector<std::shared_ptr<SharedMeshes>> meshes_;  // by component
 };
@@ -529,8 +529,8 @@ std::vector<std::uint64_t> instance_counts(const Graph& graph, const Scene& scen
   return Expansion(graph, scene, time, progress, cache).counts();
 }
 
-std::optional<FoundInstance> find_instance(const Graph& graph, const Scene& scene, double time, const InstanceWish& wish,
-                                           Progress& progress, Cache* cache) {
+std::optional<FoundInstance> find_instance(const Graph& graph, const Scene& scene, double time,
+                                           const InstanceWish& wish, Progress& progress, Cache* cache) {
   return Expansion(graph, scene, time, progress, cache).find(wish);
 }
 

@@ -77,8 +77,8 @@ TEST(Instances, EachOrganAndStemHasItsInstance) {
   }
   EXPECT_FALSE(find_instance(graph, scene, 0, {.component = "leaf", .number = organs}, progress, &cache));
   EXPECT_FALSE(find_instance(graph, scene, 0, {.component = "nobody"}, progress, &cache));
-  const auto pole = find_instance(
-      graph, scene, 0, {.component = "pole", .of = InstanceWish::Of::stem, .number = 271}, progress, &cache);
+  const auto pole = find_instance(graph, scene, 0, {.component = "pole", .of = InstanceWish::Of::stem, .number = 271},
+                                  progress, &cache);
   ASSERT_TRUE(pole);
   EXPECT_EQ(pole->site.i, 271U);
   EXPECT_DOUBLE_EQ(pole->values[0].second, 1 + 271.0 / 300);

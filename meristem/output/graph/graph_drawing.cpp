@@ -113,7 +113,9 @@ std::string svg_of(const Drawing& drawing, const std::string& title) {
   const TreePlaces places = place_tree(parents);
   const double height = has_types ? kHeightWithType : kHeight;
   const auto x_of = [&](std::uint32_t node) { return kSheetMargin + width / 2 + places.across[node] * (width + kGap); };
-  const auto y_of = [&](std::uint32_t node) { return kSheetMargin + height / 2 + places.level[node] * (height + kLevel); };
+  const auto y_of = [&](std::uint32_t node) {
+    return kSheetMargin + height / 2 + places.level[node] * (height + kLevel);
+  };
   const double sheet_width = 2 * kSheetMargin + width + places.breadth * (width + kGap);
   const double sheet_height =
       2 * kSheetMargin + height + std::max(1U, places.levels) * (height + kLevel) - (height + kLevel);

@@ -175,11 +175,22 @@ test('with the keyboard alone', async () => {
   await page.context().close();
 });
 
+/// The arrow keys until what has the keyboard says this.
+async function arrow_to(page, words) {
+  for (const key of ['ArrowDown', 'ArrowUp']) {
+    for (let k = 0; k < 40; k += 1) {
+      if (await page.evaluate((wanted) => document.activeElement.textContent.startsWith(wanted), words)) return;
+      await page.keyboard.press(key);
+    }
+  }
+  throw new Error(`the arrow keys do not come to ${words}`);
+}
+
 /// A link that the outline lists goes by the board's tools.
 async function delete_link_by_keyboard(page, title) {
   await page.keyboard.press('b');
   await tab_to(page, '.outline-choice');
-  while (!(await page.evaluate((wanted) => document.activeElement.textContent.startsWith(wanted), title))) await page.keyboard.press('ArrowDown');
+  await arrow_to(page, title);
   await page.keyboard.press('Enter');
   await page.keyboard.press('b');
   await tab_to(page, '[aria-label="Delete the link"]');
@@ -191,6 +202,6 @@ async function choose_link_by_keyboard(page) {
   await tab_to(page, '.board-tools [aria-haspopup=menu]', 'Shift+Tab');
   await page.keyboard.press('Enter');
   await page.locator('.menu').waitFor();
-  while ((await page.evaluate(() => document.activeElement.textContent)) !== 'Choose its link') await page.keyboard.press('ArrowDown');
+  await arrow_to(page, 'Choose its link');
   await page.keyboard.press('Enter');
 }

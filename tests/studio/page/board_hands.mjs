@@ -16,7 +16,10 @@ export async function open_board(page) {
 export async function changes(page, act) {
   const text = await text_of(page);
   await act();
-  await page.waitForFunction((known) => window.studio.document.state.get().text !== known, text, { timeout: 20000 });
+  await page.waitForFunction((known) => window.studio.document.state.get().text !== known, text, { timeout: 20000 }).catch(async () => {
+    const state = await page.evaluate(() => [window.studio.chosen.get(), document.activeElement.outerHTML.slice(0, 200), ...window.studio.toasts.shown.get().map((one) => one.text), window.studio.document.state.get().text]);
+    throw new Error(`the text stays what it is: ${state.join('\n')}`);
+  });
 }
 
 export const chosen = (page) => page.evaluate(() => window.studio.chosen.get());

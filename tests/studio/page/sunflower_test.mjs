@@ -95,6 +95,8 @@ test('with the mouse', async () => {
   const page = await new_page();
   await page.getByRole('button', { name: 'New plant', exact: true }).click();
   await begins_anew(page);
+  // What grows on the way is tested elsewhere.
+  await page.getByRole('button', { name: 'Pause growing' }).click();
   // The document, its handles, its scene.
   await choose(page, 'Document');
   await give_rows(page, '', { name: shipped.name, description: shipped.description, licence: shipped.licence, seed: shipped.seed }, tables.document);
@@ -134,6 +136,8 @@ test('with the keyboard alone', async () => {
   await tab_to(page, '[aria-label="New plant"]');
   await page.keyboard.press('Enter');
   await begins_anew(page);
+  await tab_to(page, '[aria-label="Pause growing"]');
+  await page.keyboard.press('Enter');
   await page.keyboard.press('b');
   await page.locator('.board-canvas').waitFor();
   for (const [, parts] of kSteps) {
@@ -170,6 +174,12 @@ test('with the keyboard alone', async () => {
   await page.keyboard.press('Enter');
   await choose_link_by_keyboard(page);
   await tab_to(page, '.board-tools [aria-label^="Kind of the link"] button:nth-child(2)');
+  await changes(page, () => page.keyboard.press('Enter'));
+  // The usual kind of a link from a horn would set receptacles along it.
+  await go_to(page, 'receptacle');
+  await page.keyboard.press('Enter');
+  await choose_link_by_keyboard(page);
+  await tab_to(page, '.board-tools [aria-label^="Kind of the link"] button:nth-child(1)');
   await changes(page, () => page.keyboard.press('Enter'));
   await assert_is_shipped(page);
   await page.context().close();

@@ -7,7 +7,7 @@ export const kNode = { width: 108, height: 38 };
 const kMargin = 16;
 const kSteps: Record<Direction, { level: number; across: number }> = {
   down: { level: 68, across: 120 },
-  right: { level: 146, across: 48 },
+  right: { level: 146, across: 52 },
 };
 
 export interface Place {

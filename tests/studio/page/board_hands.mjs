@@ -158,7 +158,9 @@ export async function retype_by_keyboard(page, piece, replacement) {
   await page.keyboard.press('Control+f');
   await page.locator('.cm-search input[name=search]').waitFor();
   await page.keyboard.press('Control+a');
-  await page.keyboard.insertText(piece);
+  // The search begins when a key comes up.
+  await page.keyboard.insertText(piece.slice(0, -1));
+  await page.keyboard.type(piece.slice(-1));
   await page.keyboard.press('Enter');
   await page.keyboard.press('Escape');
   await changes(page, () => (replacement === '' ? page.keyboard.press('Delete') : page.keyboard.insertText(replacement)));

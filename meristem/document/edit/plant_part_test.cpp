@@ -111,6 +111,16 @@ TEST(PlantPart, IsRefusedWhereANameIsTaken) {
   EXPECT_EQ(session.text(), kFlower);
 }
 
+TEST(PlantPart, WhatWouldMakeALineTooLongBeginsALineOfItsOwn) {
+  const std::string links =
+      R"(["a", "b1"], ["a", "b2"], ["a", "b3"], ["a", "b4"], ["a", "b5"], ["a", "b6"], ["a", "b7"])";
+  const std::string text = "{\n  \"meristem\": 1,\n  \"links\": [" + links + ", [\"a\", \"b8\"]]\n}\n";
+  Session session(text, "plant.json", builtin_components());
+  session.edit({InsertValue{.path = "links[7]", .value = Value::List{"a", "another"}}});
+  EXPECT_EQ(session.text(),
+            "{\n  \"meristem\": 1,\n  \"links\": [" + links + ",\n    [\"a\", \"another\"], [\"a\", \"b8\"]]\n}\n");
+}
+
 TEST(PlantPart, AListThatIsNotThereIsMadeForItsFirstElement) {
   Session session(R"({"meristem": 1, "components": {"a": {"type": "tree"}, "b": {"type": "leaf"}}})", "plant.json",
                   builtin_components());
